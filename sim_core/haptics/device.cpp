@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_core/haptics/device.h"
+
+#include <cmath>
+
+namespace fulcrum {
+namespace {
+
+constexpr double jump_limit = 0.2;  // m between two ticks: 200 m/s, no hand does that
+
+// Rounds to counts; the caller has checked that the value is finite.
+std::int32_t to_counts(double value, double unit) {
+    const double counts = value / unit;
+    constexpr double limit = 2.0e9;
+    return static_cast<std::int32_t>(std::lround(counts > limit ? limit : (counts < -limit ? -limit : counts)));
+}
+
+}  // namespace
+
+DeviceSample quantise(const DeviceReading& reading, const DeviceSample& previous) {
+    DeviceSample sample = previous;
+    sample.faulty = 0;
+    sample.present = reading.present ? 1 : 0;
+    if (!reading.present) return sample;
+    bool usable = reading.handle.allFinite() && std::isfinite(reading.roll) && std::isfinite(reading.jaw) && std::isfinite(reading.grip);
+    if (usable) {
+        const Vector3 before(previous.handle[0], previous.handle[1], previous.handle[2]);
+        const bool first = before.isZero();
+        usable = first || (reading.handle - device_length_unit * before).norm() <= jump_limit;
+    }
+    if (!usable) {
+        sample.faulty = 1;
+        return sample;
+    }
+    for (int i = 0; i < 3; ++i) sample.handle[i] = to_counts(reading.handle[i], device_length_unit);
+    sample.roll = to_counts(reading.roll, device_angle_unit);
+    sample.jaw = to_counts(reading.jaw < 0 ? 0 : reading.jaw, device_angle_unit);
+    sample.grip = to_counts(reading.grip < 0 ? 0 : reading.grip, device_force_unit);
+    sample.buttons = reading.buttons;
+    return sample;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Something that happened at a time.
+#pragma once
+
+#include <cstdint>
+
+namespace fulcrum {
+
+/// Permanent numbers: they are stored. Add at the end, never renumber.
+enum class EventKind : std::uint16_t {
+    attempt_begin = 0,
+    first_movement = 1,
+    phase_begin = 2,       ///< detail: phase index
+    phase_end = 3,         ///< detail: phase index
+    target_shown = 4,      ///< detail: target index
+    target_reached = 5,    ///< detail: target index; a way-point
+    grasp = 6,             ///< value: arc length on the bowel (m) or 0; detail: patch; a way-point
+    release = 7,           ///< as grasp; a way-point
+    slip = 8,              ///< tissue left the jaws against the operator's will
+    drop = 9,
+    regrasp = 10,          ///< the same patch grasped again within 2 s of release
+    over_force_begin = 11, ///< value: force (N); detail: limit in mN
+    over_force_end = 12,   ///< value: peak (N)
+    perforation = 13,      ///< critical; value: force (N)
+    tool_collision = 14,   ///< tool against tool; value: depth (m)
+    wall_contact = 15,     ///< tool against cavity
+    pause = 16,
+    resume = 17,
+    device_lost = 18,
+    device_back = 19,
+    device_fault = 20,     ///< NaN, infinity, or a jump
+    world_late = 21,       ///< detail: ticks late
+    simulator_fault = 22,  ///< detail: StepRecord::outcome
+    stability_limited = 23,///< Eq. 8 failed and the local model was reduced; value: K after
+    goal_progress = 24,    ///< value: progress in the goal's unit; detail: goal index
+    completed = 25,
+    abandoned = 26,
+    timed_out = 27,
+    interrupted = 28,
+    samples_lost = 29,     ///< detail: count
+    tear = 30,
+    jaw_pressure = 31,     ///< value: kPa, above the tissue's pressure limit
+};
+const char* event_name(EventKind kind);
+
+/// hand: 0 left, 1 right, 255 none. tissue: index into the scene's tissue table, -1 none.
+struct Event {
+    std::uint32_t tick = 0;
+    EventKind kind = EventKind::attempt_begin;
+    std::uint8_t hand = 255;
+    std::int8_t tissue = -1;
+    std::int32_t detail = 0;
+    float value = 0.0F;
+};
+static_assert(sizeof(Event) == 16);
+
+}  // namespace fulcrum
