@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is modelled, and how finely. A scene is read from JSON (assets/scenes, schema assets/schemas/scene.schema.json); the world
+// is built from this list alone: a part that is absent here is not built, not stepped and costs nothing.
+// Frames: patient frame (origin at the pelvic inlet's middle, +x patient's left, +y cranial, +z anterior). SI units.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim_core/numerics/types.h"
+
+namespace fulcrum {
+
+/// A tissue that instruments can touch. Limits of 0 or less mean: none.
+struct TissueSpec {
+    std::string label;                    ///< as in traces: "bowel", "wall", "target"
+    double force_limit = 0;               ///< N, contact or traction force above it is over-force
+    double perforation_force = 0;         ///< N, median of the published distribution
+    double perforation_spread = 0;        ///< N, its standard deviation; the attempt's seed draws one value
+    double jaw_pressure_limit = 0;        ///< Pa
+    double jaw_force_time_limit = 0;      ///< N s of one grasp
+    double friction = 0.5;                ///< jaw friction coefficient
+    double stiffness = 400;               ///< N/m, wall stiffness of a tip contact of the instrument's own area
+    double damping = 0.4;                 ///< N s/m
+};
+
+/// A trocar: the pivot of an instrument or of the scope.
+struct TrocarSpec {
+    Vector3 position = Vector3::Zero();           ///< m
+    Vector3 direction = Vector3(0, 0, -1);        ///< nominal shaft direction into the body, unit
+    Vector3 up = Vector3(0, 0, 1);                ///< +y of the trocar frame after orthogonalisation
+    double shaft_length = 0.34;                   ///< m, handle to tip
+};
+
+struct InstrumentSpec {
+    Hand hand = Hand::left;
+    std::string kind = "grasper";                 ///< "grasper" or "probe"
+    TrocarSpec trocar;
+    double start_insertion = 0.12;                ///< m, insertion the device is aligned to at the start
+    double shaft_radius = 0.0025;                 ///< m
+    double tip_radius = 0.0025;                   ///< m, of the proxy
+    Vector3 tip_box = Vector3(0.020, 0.005, 0.005);  ///< m, edges a (along the shaft), b, c of Eq. 4's cuboid
+    double jaw_length = 0.020;                    ///< m
+    double jaw_opening = 1.0;                     ///< rad, widest
+    double grip_force = 8.0;                      ///< N, jaw force at full squeeze of a device without grip sensing
+};
+
+struct CameraSpec {
+    TrocarSpec trocar;
+    double start_insertion = 0.06;                ///< m
+    double angle = 0.5235987755982988;            ///< rad between shaft and view direction (30 deg scope)
+    double field_of_view = 1.2217304763960306;    ///< rad, full angle of the round image
+};
+
+/// Rigid spheres to touch (A2). Positions are drawn from the attempt's seed inside the box, `per_hand` for each hand, at varied depth.
+struct TargetFieldSpec {
+    int per_hand = 10;
+    double radius = 0.006;                        ///< m
+    Vector3 centre = Vector3::Zero();             ///< m
+    Vector3 half_extent = Vector3(0.05, 0.04, 0.03);  ///< m
+    double minimum_distance = 0.02;               ///< m between centres of one hand
+    std::string tissue = "target";
+    double stiffness = 600;                       ///< N/m
+    double damping = 0.5;                         ///< N s/m
+};
+
+struct CavitySpec {
+    double pelvis_width = 0.125;                  ///< m, transverse diameter of the inlet
+    double pelvis_depth = 0.115;                  ///< m, inlet to floor
+    std::uint64_t seed = 1;
+    std::string tissue = "wall";
+};
+
+struct BowelSpec {
+    double length = 0.9;                          ///< m
+    double outer_radius = 0.016;                  ///< m, mean
+    double wall_thickness = 0.003;                ///< m
+    double young_modulus = 32.3e3;                ///< Pa
+    double poisson_ratio = 0.35;
+    double linear_density = 0.25;                 ///< kg/m
+    double damping = 6.0;                         ///< 1/s, mass-proportional
+    int segments = 64;
+    double sphere_spacing = 0.016;                ///< m
+    int surface_vertices = 20000;                 ///< asked, the generator rounds
+    std::uint64_t seed = 1;
+    std::string tissue = "bowel";
+    double floor_friction = 0.3;
+};
+
+/// The mesentery of B1: tension-only springs from the rod to a line on the wall, through the rod's attachment interface.
+struct TetherSpec {
+    int count = 24;
+    double first = 0.10, last = 0.90;             ///< fractions of the bowel's length that carry it
+    double stiffness = 15;                        ///< N/m each
+    double damping = 0.2;                         ///< N s/m each
+    double slack = 1.15;                          ///< rest length over the distance at rest
+};
+
+/// One choice for every row of the speed-accuracy table (theory, section 8).
+struct Fidelity {
+    std::string id = "standard";
+    std::string rod = "newton";                   ///< linearised | newton_k | newton
+    int rod_iterations = 4;
+    std::string material = "linear";              ///< linear | exp2
+    std::string skinning = "local";               ///< local | global
+    std::string collision = "coherent";           ///< coherent | brute
+    int projection_iterations = 3;
+    std::string tool_contact = "dynamic_point";   ///< dynamic_point | query
+    std::string filter = "adaptive";              ///< off | 0 | 1 | 2 | adaptive
+};
+
+struct Scene {
+    std::string id;
+    int version = 1;
+    std::string variant = "standard";
+    Vector3 gravity = Vector3(0, 0, -9.81);       ///< m/s2
+    int tick_rate = 1000;                         ///< Hz
+    int ticks_per_step = 5;
+    double force_limit = 10.0;                    ///< N, largest force sent to a hand
+    double slew_limit = 300.0;                    ///< N/s, on changes of the model, on loss and on resume
+    std::vector<TissueSpec> tissues;
+    std::vector<InstrumentSpec> instruments;      ///< at most one a hand
+    std::optional<CameraSpec> camera;
+    std::optional<TargetFieldSpec> targets;
+    std::optional<CavitySpec> cavity;
+    std::optional<BowelSpec> bowel;
+    std::optional<TetherSpec> tethers;
+    Fidelity fidelity;
+
+    double tick_period() const { return 1.0 / tick_rate; }
+    double step_period() const { return static_cast<double>(ticks_per_step) / tick_rate; }
+    int tissue_index(const std::string& label) const;  ///< -1 when unknown
+    const InstrumentSpec* instrument(Hand hand) const;
+};
+
+/// Reads and checks a scene file. Throws InputError naming file, place (line or JSON pointer) and mend.
+Scene load_scene(const std::string& path);
+/// As load_scene, from text; `file` names the source in errors.
+Scene parse_scene(const std::string& text, const std::string& file);
+
+}  // namespace fulcrum

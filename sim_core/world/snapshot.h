@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the world looks like after a step: read by the viewport, the task monitor and the synthetic operators, never by the tick.
+// Vectors have their final size from the start, so copying a snapshot into a slot of the same scene allocates nothing.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim_core/bowel/skin.h"
+#include "sim_core/numerics/types.h"
+
+namespace fulcrum {
+
+struct ToolPose {
+    Vector3 tip = Vector3::Zero();       ///< m, patient frame
+    Vector3 axis = Vector3(0, 0, -1);    ///< unit, trocar to tip
+    Vector3 trocar = Vector3::Zero();    ///< m
+    Quaternion orientation = Quaternion::Identity();  ///< tool frame: z along the axis, roll applied
+    double roll = 0, jaw_angle = 0;      ///< rad
+    double jaw_force = 0;                ///< N
+    double insertion = 0;                ///< m
+    bool inside = false;
+};
+
+struct CameraPose {
+    Vector3 position = Vector3::Zero();  ///< scope tip, m
+    Quaternion orientation = Quaternion::Identity();  ///< camera (-z forward, +y up) to patient frame
+    double field_of_view = 1.2;          ///< rad, full angle of the round image
+};
+
+/// What a pair of jaws holds.
+struct GraspState {
+    bool held = false;
+    double arc_length = 0;               ///< m along the bowel
+    Vector3 offset = Vector3::Zero();    ///< wall point in the ring frame, m
+    Vector3 point = Vector3::Zero();     ///< wall point, patient frame, m
+    Vector3 reaction = Vector3::Zero();  ///< N, jaw on tissue
+    std::int32_t patch = -1;
+};
+
+struct TargetSphere {
+    Vector3 centre = Vector3::Zero();    ///< m
+    double radius = 0;                   ///< m
+    Hand hand = Hand::left;
+};
+
+struct DentVertex {
+    std::int32_t vertex = -1;
+    Vector3 displacement = Vector3::Zero();  ///< m, patient frame
+};
+
+struct WorldSnapshot {
+    std::uint32_t step = 0;
+    std::uint32_t tick = 0;              ///< last input tick the step consumed
+    std::uint32_t outcome = 0;           ///< StepRecord::outcome
+    ToolPose tools[hand_count];
+    CameraPose camera;
+    GraspState grasps[hand_count];
+    std::vector<TargetSphere> targets;
+    /// Bowel: centre-line nodes (n+1), their arc lengths at rest (n+1), ring frames. Empty without a bowel.
+    std::vector<Vector3> nodes;
+    std::vector<double> node_arc_lengths;
+    std::vector<RingFrame> rings;
+    std::vector<double> ring_arc_lengths;
+    std::vector<DentVertex> dents;       ///< fixed capacity, dent_count valid
+    std::int32_t dent_count = 0;
+    std::vector<Vector3> tether_anchors; ///< mesentery root points; empty without tethers
+    std::vector<double> tether_arc_lengths;
+    std::vector<float> patch_damage;     ///< N s per tissue patch
+    double residual_penetration = 0;     ///< m, deepest sphere in the cavity after the step
+    double floor_load = 0;               ///< N, sum of contact forces on the cavity
+};
+
+}  // namespace fulcrum
