@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Plain rows of an attempt: what it was, how it ended, its metrics, gates and score, with their provenance
+// (formats.md, perform).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fulcrum::database {
+
+/// Known before the first tick; written when the recorder opens.
+struct AttemptMeta {
+    std::string id;         ///< UUID; empty: the recorder makes one
+    std::string person_id;  ///< UUID
+    std::string task_id;    ///< "A2"
+    int task_version = 1;
+    std::string mode = "practice";  ///< assessed | practice
+    std::string device_class =
+        "mouse-keyboard";       ///< haptic | tracked | controller | mouse-keyboard | synthetic | external
+    std::string device;         ///< what the device calls itself
+    std::string operator_name;  ///< synthetic operator preset, or empty
+    std::string variant;        ///< anatomy variant
+    std::uint64_t seed = 0;
+    std::string fidelity;
+    std::string scene;         ///< file name
+    std::string scene_digest;  ///< of the scene's content, hex; may be empty
+    std::string curriculum;    ///< id@version or empty
+    std::string limits;        ///< benchmark set id@version in force at the start, or empty
+    std::string program_version;
+    std::string cpu_features;  ///< feature level, for replay
+    std::int64_t started = 0;  ///< UTC ms; 0: the recorder's clock
+    int utc_offset_min = 0;    ///< local time minus UTC; filled by the recorder if started == 0
+};
+
+/// One value, or why it is absent.
+struct MetricRow {
+    std::string id;
+    int version = 1;
+    std::string hand;    ///< left | right | "" none
+    std::string tissue;  ///< label | "" all
+    std::optional<double> value;
+    std::string absent_because;  ///< "" when there is a value
+    std::string unit;
+    std::string direction;                            ///< lower | higher | context
+    std::vector<std::pair<double, double>> evidence;  ///< s
+};
+
+struct GateRow {
+    std::string metric, hand, tissue;
+    std::string kind;  ///< benchmark | absolute
+    std::optional<double> value;
+    std::string unit;
+    double limit = 0;
+    std::string limit_source;
+    std::optional<double> z;
+    std::optional<double> points;  ///< 0..100
+    std::optional<bool> passed;
+    bool provisional = false;
+    std::string not_passed_because;  ///< "" unless passed is false or empty
+};
+
+struct CriticalErrorRow {
+    double time_s = 0;
+    std::string kind;          ///< event name
+    std::string hand, tissue;  ///< "" none
+    std::string text;
+};
+
+/// Metrics held against limits. The first score of an attempt is in force for good; later ones lie beside it.
+struct ScoreRow {
+    std::string id;             ///< UUID, made by the store
+    std::int64_t computed = 0;  ///< UTC ms, made by the store
+    std::string program_version, limits;
+    bool in_force = false;       ///< made by the store
+    std::optional<bool> passed;  ///< empty: not scored
+    std::string not_scored_because;
+    std::optional<double> points;  ///< 0..100
+    std::string advice;            ///< one sentence
+    std::vector<GateRow> gates;
+    std::vector<MetricRow> metrics;
+    std::vector<CriticalErrorRow> critical_errors;
+};
+
+/// A field left at the end (damage, cut surface), as one checksummed blob.
+struct ProductBlob {
+    std::string kind;
+    std::vector<std::uint8_t> data;  ///< at most 64 MiB
+};
+
+/// How it ended; written by Recorder::finish in one transaction with the last chunks.
+struct AttemptResult {
+    std::string state;      ///< completed | timed_out | abandoned | interrupted | failed_simulation
+    double duration_s = 0;  ///< attempt clock
+    double wall_s = 0;
+    std::uint32_t missed_ticks = 0;
+    std::uint64_t lost_samples = 0;
+    std::string state_hash;  ///< hex
+    std::optional<ScoreRow> score;
+    std::vector<ProductBlob> products;
+};
+
+struct AttemptSummary {
+    AttemptMeta meta;
+    std::string person_login, person_name;
+    bool synthetic = false;      ///< the person is marked synthetic or external
+    std::string state;           ///< as AttemptResult::state, or running, or voided
+    std::string recorded_state;  ///< what it was before a void
+    double duration_s = 0, wall_s = 0;
+    std::uint32_t missed_ticks = 0;
+    std::uint64_t lost_samples = 0;
+    std::uint64_t events = 0;
+    std::string state_hash;
+    std::optional<bool> passed;  ///< of the score in force
+    bool provisional = false;    ///< a gate of the score in force rests on a provisional limit
+    std::optional<double> points;
+    std::string not_scored_because;
+    std::string void_reason, voided_by;  ///< display name; "" if not voided
+    std::int64_t voided_at = 0;
+    std::string reassigned_from, reassigned_to;  ///< attempt ids or ""
+    int unread_comments = 0;                     ///< sent, not yet read by the trainee
+    int comments = 0;                            ///< sent
+};
+
+struct Comment {
+    std::string id, attempt_id, author_id, author_name;
+    double time_s = 0;  ///< moment in the attempt
+    std::string text;
+    std::int64_t created = 0;
+    std::int64_t sent = 0;  ///< 0: a draft, seen by its author only
+    std::int64_t read = 0;  ///< 0: unread by the trainee
+};
+
+}  // namespace fulcrum::database

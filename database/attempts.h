@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reading attempts; adding a score beside; void and reassign. Every call is checked against the access table.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "database/attempt_records.h"
+#include "database/store.h"
+#include "database/trace_codec.h"
+
+namespace fulcrum::database {
+
+struct AttemptFilter {
+    std::string person_id;          ///< "" any the session may read
+    std::string task_id;            ///< "" any
+    std::string cohort_id;          ///< "" any
+    std::string state;              ///< "" any; as AttemptSummary::state
+    bool include_synthetic = true;  ///< people marked synthetic or external
+    bool include_voided = true;
+    int limit = 1000;  ///< newest first
+};
+
+struct CorrectionRequest {
+    std::string id, attempt_id, person_id, person_name, text;
+    std::int64_t asked = 0;
+    bool settled = false;  ///< the attempt was voided or reassigned since
+};
+
+class Attempts {
+  public:
+    explicit Attempts(const Store& store) : store_(store) {}
+
+    /// Those the session may read, newest first; others are left out, not refused (a named person or cohort
+    /// is refused).
+    std::vector<AttemptSummary> list(const Session& session, const AttemptFilter& filter = {}) const;
+    AttemptSummary read(const Session& session, const std::string& attempt_id) const;
+    /// The score in force, if the attempt has one.
+    std::optional<ScoreRow> score(const Session& session, const std::string& attempt_id) const;
+    /// All scores, the one in force first.
+    std::vector<ScoreRow> scores(const Session& session, const std::string& attempt_id) const;
+    /// Everything recorded; checks every chunk. StoreError corrupt names the chunk.
+    Trace read_trace(const Session& session, const std::string& attempt_id) const;
+    std::vector<Event> read_events(const Session& session, const std::string& attempt_id) const;
+    std::vector<ProductBlob> products(const Session& session, const std::string& attempt_id) const;
+
+    /// The first score of an attempt (one that was interrupted) is in force; any other lies beside it.
+    /// Returns its id.
+    std::string add_score(const Session& session, const std::string& attempt_id, const ScoreRow& score) const;
+
+    /// Takes it out of progress, cohorts and benchmarks; it stays visible. Never one's own; a reason is
+    /// needed.
+    void void_attempt(const Session& educator, const std::string& attempt_id,
+                      const std::string& reason) const;
+    /// Voids it and writes a linked copy (trace, scores) for the right person. Returns the copy's id.
+    std::string reassign(const Session& educator, const std::string& attempt_id, const std::string& person_id,
+                         const std::string& reason) const;
+    /// A trainee asks for either.
+    void request_correction(const Session& trainee, const std::string& attempt_id,
+                            const std::string& text) const;
+    std::vector<CorrectionRequest> correction_requests(const Session& session) const;
+
+  private:
+    const Store& store_;
+};
+
+}  // namespace fulcrum::database

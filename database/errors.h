@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a store call can refuse, each with a clear line and a way on. The command line exits 2 on kinds that
+// the caller can mend (is_bad_input), 1 on the others; the window shows what() and way_on().
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace fulcrum::database {
+
+enum class StoreErrorKind {
+    missing,       ///< no such file
+    exists,        ///< create() where a file already is
+    not_a_store,   ///< a file, but not one of ours
+    newer_schema,  ///< written by a newer program
+    older_schema,  ///< must be migrated, but the store was opened read-only
+    read_only,     ///< the file, its folder or the connection cannot be written
+    locked,        ///< another program holds it for longer than we waited
+    corrupt,       ///< integrity, checksum or audit chain broken
+    disk_full,
+    not_found,    ///< no such person, attempt, cohort, comment
+    conflict,     ///< login taken, administrator exists, already voided ...
+    bad_value,    ///< a value out of its range: empty name, short password, empty reason
+    sealed_demo,  ///< the demo store accepts practice only
+    failed,       ///< anything else that SQLite reports, in its words
+};
+
+/// what() is one line: `wrong; way on`.
+class StoreError : public std::runtime_error {
+  public:
+    StoreError(StoreErrorKind kind, std::string wrong, std::string way_on)
+        : std::runtime_error(wrong + "; " + way_on),
+          kind_(kind),
+          wrong_(std::move(wrong)),
+          way_on_(std::move(way_on)) {}
+    StoreErrorKind kind() const noexcept { return kind_; }
+    const std::string& wrong() const noexcept { return wrong_; }
+    const std::string& way_on() const noexcept { return way_on_; }
+    /// The caller gave something wrong (exit 2), as against the store having failed (exit 1).
+    bool is_bad_input() const noexcept {
+        return kind_ != StoreErrorKind::corrupt && kind_ != StoreErrorKind::disk_full &&
+               kind_ != StoreErrorKind::locked && kind_ != StoreErrorKind::failed;
+    }
+
+  private:
+    StoreErrorKind kind_;
+    std::string wrong_, way_on_;
+};
+
+/// The access table says no. Nothing was read or written.
+class AccessDenied : public std::runtime_error {
+  public:
+    AccessDenied(const std::string& operation, const std::string& role, const std::string& why)
+        : std::runtime_error("not allowed: " + operation + " as " + role +
+                             (why.empty() ? "" : " (" + why + ")") +
+                             "; act in a role that may, or ask someone who holds it") {}
+};
+
+/// Sign-in refused. Never says whether the login exists.
+class SignInRefused : public std::runtime_error {
+  public:
+    enum class Reason {
+        wrong,          ///< login or password wrong
+        wait,           ///< too soon after wrong tries; wait_s says how long
+        expired,        ///< the one-time password is older than 24 h
+        role_not_held,  ///< right password, but the person does not hold the role asked for
+    };
+    SignInRefused(Reason reason, double wait_s, const std::string& line)
+        : std::runtime_error(line), reason_(reason), wait_s_(wait_s) {}
+    Reason reason() const noexcept { return reason_; }
+    /// Seconds until the next try is looked at; 0 if at once.
+    double wait_s() const noexcept { return wait_s_; }
+
+  private:
+    Reason reason_;
+    double wait_s_;
+};
+
+}  // namespace fulcrum::database

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Chunks of a trace: delta-coded integers, field by field, zstd, with a checksum over the compressed bytes.
+// Lossless. Decoding never trusts its input: sizes and counts are bounded before anything is allocated. Pure,
+// any thread. Layout: docs/FORMATS.md.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim_core/haptics/device.h"
+#include "sim_core/telemetry/event.h"
+#include "sim_core/telemetry/sample.h"
+
+namespace fulcrum::database {
+
+/// Stored numbers; add at the end.
+enum class TraceStream : std::uint8_t { samples = 0, inputs = 1, steps = 2, events = 3 };
+const char* stream_name(TraceStream stream);
+
+inline constexpr std::size_t chunk_maximum_records = 16384;
+inline constexpr std::size_t chunk_maximum_bytes = 8U << 20U;  ///< compressed
+
+struct TraceChunk {
+    TraceStream stream = TraceStream::samples;
+    std::uint32_t first_tick = 0;  ///< of the first record (steps: its first input tick)
+    std::uint32_t last_tick = 0;
+    std::uint32_t count = 0;
+    std::vector<std::uint8_t> data;      ///< compressed
+    std::vector<std::uint8_t> checksum;  ///< BLAKE2b-128 of `data`
+};
+
+/// Throws StoreError corrupt: checksum, size, layout.
+class TraceCodec {
+  public:
+    TraceCodec();
+    ~TraceCodec();
+    TraceCodec(const TraceCodec&) = delete;
+    TraceCodec& operator=(const TraceCodec&) = delete;
+
+    /// At most chunk_maximum_records records; at least one.
+    TraceChunk encode(const TickSample* records, std::size_t count);
+    TraceChunk encode(const RigSample* records, std::size_t count);
+    TraceChunk encode(const StepRecord* records, std::size_t count);
+    TraceChunk encode(const Event* records, std::size_t count);
+
+    /// Appends to `records`.
+    void decode(const TraceChunk& chunk, std::vector<TickSample>& records);
+    void decode(const TraceChunk& chunk, std::vector<RigSample>& records);
+    void decode(const TraceChunk& chunk, std::vector<StepRecord>& records);
+    void decode(const TraceChunk& chunk, std::vector<Event>& records);
+
+  private:
+    struct State;
+    State* state_;
+};
+
+/// A whole attempt's record, in order.
+struct Trace {
+    std::vector<TickSample> samples;
+    std::vector<RigSample> inputs;
+    std::vector<StepRecord> steps;
+    std::vector<Event> events;
+};
+
+}  // namespace fulcrum::database
