@@ -34,6 +34,12 @@ struct SkinRow {
     Vector3 offset[skin_rings] = {Vector3::Zero(), Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};  ///< Y_j, m, ring frame
 };
 
+/// Local dent on top of skinning.
+struct DentVertex {
+    std::int32_t vertex = -1;
+    Vector3 displacement = Vector3::Zero();  ///< m, patient frame
+};
+
 /// Position of a row's vertex under the given ring frames (indexed by ring number).
 template <typename Frames>
 Vector3 skin_vertex(const SkinRow& row, const Frames& frames) {

@@ -44,11 +44,6 @@ struct TargetSphere {
     Hand hand = Hand::left;
 };
 
-struct DentVertex {
-    std::int32_t vertex = -1;
-    Vector3 displacement = Vector3::Zero();  ///< m, patient frame
-};
-
 struct WorldSnapshot {
     std::uint32_t step = 0;
     std::uint32_t tick = 0;              ///< last input tick the step consumed

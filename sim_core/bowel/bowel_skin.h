@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// The bowel's surface bound to its cage: a constant model, and functions that carry it to the ring frames of
+// a moment. Any thread may read a BowelSkin at any time. Lengths in m; frames and results in the patient
+// frame.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "sim_core/bowel/cage.h"
+#include "sim_core/bowel/skin.h"
+#include "sim_core/geometry/mesh.h"
+
+namespace fulcrum {
+
+class DisplaySkin;
+
+/// Built once when a scene loads; vertices and triangles keep the numbers of the mesh given.
+class BowelSkin {
+  public:
+    /// Binds the surface with local mean value coordinates in blended windows (k = 1). Throws InputError as
+    /// build_cage does.
+    BowelSkin(TriangleMesh surface, Cage cage);
+    ~BowelSkin();
+    BowelSkin(BowelSkin&&) noexcept;
+    BowelSkin& operator=(BowelSkin&&) noexcept;
+
+    const TriangleMesh& rest() const { return rest_; }
+    const MeshAdjacency& adjacency() const { return adjacency_; }
+    const Cage& cage() const { return cage_; }
+    int rings() const { return cage_.rings(); }
+    int vertices() const { return static_cast<int>(rows_.size()); }
+    const std::vector<SkinRow>& rows() const { return rows_; }
+    /// Rest normals, area-weighted, unit.
+    const std::vector<Vector3>& rest_normals() const { return rest_normals_; }
+    /// Rest area of each vertex, m2: a third of the triangles around it.
+    const std::vector<double>& vertex_areas() const { return vertex_areas_; }
+    /// Vertices whose row begins at ring r: by_ring()[by_ring_offsets()[r] .. by_ring_offsets()[r + 1]).
+    const std::vector<std::int32_t>& by_ring() const { return by_ring_; }
+    const std::vector<std::int32_t>& by_ring_offsets() const { return by_ring_offsets_; }
+    const DisplaySkin& display() const { return *display_; }
+    std::size_t bytes() const;
+
+  private:
+    TriangleMesh rest_;
+    MeshAdjacency adjacency_;
+    Cage cage_;
+    std::vector<SkinRow> rows_;
+    std::vector<Vector3> rest_normals_;
+    std::vector<double> vertex_areas_;
+    std::vector<std::int32_t> by_ring_, by_ring_offsets_;
+    std::unique_ptr<DisplaySkin> display_;
+};
+
+/// Display path, fp32, error <= 1e-6 m. frames: one a ring. positions and normals: 3 floats a vertex in the
+/// mesh's order; normals may be null. Allocates nothing. Draws only: its bits may depend on the CPU and never
+/// feed back.
+void skin_all(const BowelSkin& skin, const RingFrame* frames, float* positions, float* normals);
+
+/// Adds local dents to a skinned surface and renews the normals of the dented vertices and of their first
+/// rings.
+void add_dents(const BowelSkin& skin, const DentVertex* dents, int count, float* positions, float* normals);
+
+/// All vertices in double. positions: one a vertex.
+void skin_all(const BowelSkin& skin, const RingFrame* frames, Vector3* positions);
+
+/// Velocity of a row's vertex under moving rings, m/s.
+Vector3 skin_velocity(const SkinRow& row, const RingMotion* rings);
+
+/// Force and moment about a ring's position, patient frame.
+struct RingWrench {
+    Vector3 force = Vector3::Zero();   ///< N
+    Vector3 moment = Vector3::Zero();  ///< N m
+};
+
+/// Adds what a force on a row's vertex does to its rings, by virtual work: the transposed skinning. The power
+/// of the force on the moving vertex equals that of the wrenches on the moving rings. wrenches is indexed by
+/// ring.
+void add_ring_wrenches(const SkinRow& row, const RingFrame* frames, const Vector3& force,
+                       RingWrench* wrenches);
+
+}  // namespace fulcrum
