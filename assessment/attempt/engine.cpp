@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/attempt/engine.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "sim_core/world/state_hash.h"
+
+namespace fulcrum {
+
+struct AttemptEngine::Parts {
+    Scene scene;
+    TaskDefinition task;
+    std::uint64_t seed;
+    World world;
+    HapticLoop loop;
+    TaskMonitor monitor;
+    WorldSnapshot initial;
+    std::vector<TickSample> consumed;  // the step's ticks, for the monitor
+    StateHash hash;
+
+    Parts(const Scene& scene_in, const TaskDefinition& task_in, std::uint64_t seed_in)
+        : scene(scene_in), task(task_in), seed(seed_in), world(scene, seed), loop(scene, world), monitor(task, scene, seed),
+          initial(world.snapshot()) {
+        consumed.resize(longest_step_ticks);
+    }
+
+    static constexpr std::size_t longest_step_ticks = 4096;  // a world that is later than this is a fault of its own
+};
+
+AttemptEngine::AttemptEngine(const Scene& scene, const TaskDefinition& task, std::uint64_t seed)
+    : parts_(std::make_unique<Parts>(scene, task, seed)) {}
+AttemptEngine::~AttemptEngine() = default;
+
+const Scene& AttemptEngine::scene() const noexcept { return parts_->scene; }
+const TaskDefinition& AttemptEngine::task() const noexcept { return parts_->task; }
+std::uint64_t AttemptEngine::seed() const noexcept { return parts_->seed; }
+World& AttemptEngine::world() noexcept { return parts_->world; }
+HapticLoop& AttemptEngine::loop() noexcept { return parts_->loop; }
+const WorldSnapshot& AttemptEngine::initial_snapshot() const noexcept { return parts_->initial; }
+bool AttemptEngine::ended() const noexcept { return parts_->monitor.display().ended; }
+const TaskDisplay& AttemptEngine::display() const noexcept { return parts_->monitor.display(); }
+std::uint64_t AttemptEngine::state_hash() const noexcept { return parts_->hash.value(); }
+
+const TickOutput& AttemptEngine::tick(const RigSample& input) noexcept { return parts_->loop.tick(input); }
+void AttemptEngine::adopt(const LocalModel& model) noexcept { parts_->loop.adopt(model); }
+
+StepProducts AttemptEngine::step(const TickOutput* outputs, std::size_t count, AttemptSink& sink) noexcept {
+    Parts& parts = *parts_;
+    count = std::min(count, Parts::longest_step_ticks);
+    for (std::size_t i = 0; i < count; ++i) parts.consumed[i] = outputs[i].sample;
+    const StepRecord record = parts.world.step(outputs, count);
+    if (record.state_hash != 0) parts.hash.add(record.state_hash);
+    sink.on_step(record);
+    parts.monitor.on_step(parts.consumed.data(), count, parts.world.snapshot(), sink);
+    return {&parts.world.local_model(), &parts.world.snapshot(), &parts.monitor.display()};
+}
+
+RunOutcome run_headless(AttemptEngine& engine, Rig& rig, AttemptSink& sink, const std::function<bool(double)>& keep_going) {
+    auto* observer = dynamic_cast<ObservingRig*>(&rig);
+    const auto ticks_per_step = static_cast<std::uint32_t>(engine.scene().ticks_per_step);
+    const auto ticks_per_question = static_cast<std::uint32_t>(engine.scene().tick_rate);
+    std::vector<TickOutput> outputs(ticks_per_step);
+    WorldSnapshot shown = engine.initial_snapshot();
+    TaskDisplay shown_display = engine.display();
+    if (observer != nullptr) observer->observe(shown, shown_display);
+
+    RunOutcome outcome;
+    bool pending = false;  // a step is done and waits for the tick it is due at
+    for (std::uint32_t tick = 1; !engine.ended(); ++tick) {
+        RigSample input;
+        input.tick = tick;
+        rig.read(tick, input);
+        const TickOutput& output = engine.tick(input);
+        rig.write_force(Hand::left, output.device_force[0]);
+        rig.write_force(Hand::right, output.device_force[1]);
+        outputs[(tick - 1) % ticks_per_step] = output;
+        sink.on_tick(output.input, output.sample);
+        outcome.ticks = tick;
+        if (tick % ticks_per_step == 0) {
+            if (pending) {  // step j-1 is due now
+                engine.adopt(engine.world().local_model());
+                shown = engine.world().snapshot();
+                shown_display = engine.display();
+                if (observer != nullptr) observer->observe(shown, shown_display);
+            }
+            engine.step(outputs.data(), ticks_per_step, sink);
+            pending = true;
+        }
+        if (keep_going && tick % ticks_per_question == 0 && !keep_going(tick * engine.scene().tick_period())) {
+            outcome.cancelled = true;
+            break;
+        }
+    }
+    if (engine.ended()) outcome.end = engine.display().end;
+    outcome.state_hash = engine.state_hash();
+    return outcome;
+}
+
+namespace {
+
+/// Keeps what a replay re-makes.
+class ReplaySink : public AttemptSink {
+  public:
+    explicit ReplaySink(ReplayOutcome& outcome) : outcome_(outcome) {}
+    void on_event(const Event& event) noexcept override { outcome_.events.push_back(event); }
+    void on_tick(const RigSample& /*input*/, const TickSample& /*sample*/) noexcept override {}
+    void on_step(const StepRecord& step) noexcept override { last_ = step; }
+    const StepRecord& last() const noexcept { return last_; }
+
+  private:
+    ReplayOutcome& outcome_;
+    StepRecord last_;
+};
+
+bool same_sample(const TickSample& a, const TickSample& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+}  // namespace
+
+ReplayOutcome replay_record(AttemptEngine& engine, const AttemptRecord& record, bool keep_samples) {
+    static_assert(std::has_unique_object_representations_v<HandSample> && std::has_unique_object_representations_v<CameraSample>);
+    ReplayOutcome outcome;
+    ReplaySink sink(outcome);
+    std::vector<TickOutput> outputs;
+    std::size_t next_step = 0;
+    const auto diverged = [&](std::uint32_t tick) {
+        if (outcome.identical) outcome.first_divergence_s = tick * engine.scene().tick_period();
+        outcome.identical = false;
+    };
+    const auto step_once = [&]() {
+        const StepRecord& recorded = record.steps[next_step];
+        std::size_t count = 0;
+        while (count < outputs.size() && outputs[count].sample.tick <= recorded.last_tick) ++count;
+        engine.step(outputs.data(), count, sink);
+        outputs.erase(outputs.begin(), outputs.begin() + static_cast<std::ptrdiff_t>(count));
+        if (sink.last().state_hash != recorded.state_hash || sink.last().outcome != recorded.outcome) diverged(recorded.last_tick);
+        ++next_step;
+    };
+    std::uint32_t adopted = 0;
+    for (std::size_t i = 0; i < record.inputs.size(); ++i) {
+        const RigSample& input = record.inputs[i];
+        const TickSample& recorded = record.samples[i];
+        if (recorded.model_step != adopted) {  // the record says which step's model made this tick
+            while (next_step < record.steps.size() && record.steps[next_step].step <= recorded.model_step) step_once();
+            engine.adopt(engine.world().local_model());
+            adopted = recorded.model_step;
+        }
+        TickOutput output = engine.tick(input);
+        output.sample.missed = recorded.missed;  // a fact of the wall clock, not of the simulation
+        if (!same_sample(output.sample, recorded)) diverged(recorded.tick);
+        if (keep_samples) outcome.samples.push_back(output.sample);
+        outputs.push_back(output);
+    }
+    while (next_step < record.steps.size()) step_once();
+    outcome.state_hash = engine.state_hash();
+    return outcome;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// One attempt's objects and the order in which they run: the haptic loop, the world, the monitor. There is one engine; without a window
+// it is stepped in one thread, with a window its two halves run on two threads (app/performance), and a replay steps it by the record.
+//
+// Order, for m ticks a step: step j consumes the input ticks up to j*m and is due at tick (j+1)*m; its model and snapshot are adopted at the
+// next tick that follows a multiple of m. A late step is adopted later; the record says by which model every tick was made.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "assessment/operators/operator.h"
+#include "assessment/task/monitor.h"
+#include "assessment/task/task.h"
+#include "sim_core/haptics/device.h"
+#include "sim_core/haptics/loop.h"
+#include "sim_core/scene/scene.h"
+#include "sim_core/telemetry/sample.h"
+#include "sim_core/world/world.h"
+
+namespace fulcrum {
+
+/// Where an attempt's record goes. Called on the haptic side (on_tick) and the world side (on_event, on_step); without a window both
+/// are one thread.
+class AttemptSink : public EventSink {
+  public:
+    virtual void on_tick(const RigSample& input, const TickSample& sample) noexcept = 0;
+    virtual void on_step(const StepRecord& step) noexcept = 0;
+};
+
+/// What a step leaves for the other side: the model for the tick, the picture for the viewport, the task for the HUD.
+struct StepProducts {
+    const LocalModel* model = nullptr;
+    const WorldSnapshot* snapshot = nullptr;
+    const TaskDisplay* display = nullptr;
+};
+
+class AttemptEngine {
+  public:
+    /// Builds the scene's parts. Throws InputError where scene and task do not fit together. The seed draws the variant.
+    AttemptEngine(const Scene& scene, const TaskDefinition& task, std::uint64_t seed);
+    ~AttemptEngine();
+    AttemptEngine(const AttemptEngine&) = delete;
+    AttemptEngine& operator=(const AttemptEngine&) = delete;
+
+    const Scene& scene() const noexcept;
+    const TaskDefinition& task() const noexcept;
+    std::uint64_t seed() const noexcept;
+    World& world() noexcept;
+    HapticLoop& loop() noexcept;
+    /// What the world shows before the first tick.
+    const WorldSnapshot& initial_snapshot() const noexcept;
+
+    /// Haptic side: one tick with the model adopted last.
+    const TickOutput& tick(const RigSample& input) noexcept;
+    /// Haptic side: adopt a step's model (copied).
+    void adopt(const LocalModel& model) noexcept;
+    /// World side: one step over the outputs of `count` ticks, then the monitor. Products stay valid until the next step.
+    StepProducts step(const TickOutput* outputs, std::size_t count, AttemptSink& sink) noexcept;
+    /// True once the monitor has ended the attempt.
+    bool ended() const noexcept;
+    const TaskDisplay& display() const noexcept;
+    /// Hash over all steps so far.
+    std::uint64_t state_hash() const noexcept;
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+struct RunOutcome {
+    EventKind end = EventKind::interrupted;
+    std::uint32_t ticks = 0;
+    std::uint64_t state_hash = 0;
+    bool cancelled = false;
+};
+
+/// Runs an attempt to its end in this thread, as fast as it can. `keep_going` is asked about once a simulated second with the simulated
+/// time; returning false interrupts the attempt. A rig that is also an ObservingRig is shown the world.
+RunOutcome run_headless(AttemptEngine& engine, Rig& rig, AttemptSink& sink, const std::function<bool(double)>& keep_going = {});
+
+/// The record of an attempt as a replay needs it.
+struct AttemptRecord {
+    std::vector<RigSample> inputs;
+    std::vector<TickSample> samples;
+    std::vector<StepRecord> steps;
+    std::vector<Event> events;
+};
+
+struct ReplayOutcome {
+    bool identical = true;
+    double first_divergence_s = -1;   ///< -1: none
+    std::uint64_t state_hash = 0;
+    std::vector<Event> events;        ///< as re-simulated
+    std::vector<TickSample> samples;  ///< as re-simulated, when asked for
+};
+
+/// Runs a fresh engine over a record, following its schedule, and compares every sample and every step's hash with it.
+ReplayOutcome replay_record(AttemptEngine& engine, const AttemptRecord& record, bool keep_samples = false);
+
+}  // namespace fulcrum

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// The reference workloads of `fulcrum lab bench`: the product's own code, timed beside the yardstick in one process.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fulcrum::lab {
+
+struct WorkloadResult {
+    std::string name;
+    double median_us = 0, p99_us = 0;
+    double yardstick_us = 0;             ///< median of the yardstick runs between this workload's samples
+    double budget_mg = 0;                ///< 0: informative only
+    std::optional<double> error;         ///< against the reference that `error_unit` names
+    std::string error_unit;
+    std::uint64_t bytes = 0;             ///< state and tables of the workload
+    double allocations_per_step = 0;     ///< after warm-up
+    double median_mg() const { return 1000.0 * median_us / yardstick_us; }
+    double p99_mg() const { return 1000.0 * p99_us / yardstick_us; }
+};
+
+/// A workload: `prepare` builds it and returns the step to time; the step must do the same work each time it is called.
+struct Workload {
+    std::string name;
+    double budget_mg = 0;
+    int warm_up = 20, samples = 400;
+    struct Prepared {
+        std::function<void()> step;
+        std::function<std::optional<double>()> error;  ///< may be empty
+        std::string error_unit;
+        std::uint64_t bytes = 0;
+    };
+    std::function<Prepared()> prepare;
+};
+
+/// Number of heap allocations of this process so far; the program that links a counter registers it here (none: 0 is reported).
+using AllocationCounter = std::uint64_t (*)();
+void set_allocation_counter(AllocationCounter counter);
+
+/// Times one workload: warm-up, then samples with the yardstick run between groups of them.
+WorkloadResult run_workload(const Workload& workload);
+
+/// Every workload whose part exists, in the order of docs/FORMATS.md; one registration function a room, listed in bench.cpp.
+std::vector<Workload> reference_workloads();
+
+void add_rod_workloads(std::vector<Workload>& workloads);
+void add_collision_workloads(std::vector<Workload>& workloads);
+void add_skinning_workloads(std::vector<Workload>& workloads);
+void add_contact_workloads(std::vector<Workload>& workloads);
+void add_world_workloads(std::vector<Workload>& workloads);
+
+}  // namespace fulcrum::lab
