@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window needs from the program around it: the store, the tasks, attempts that run on their own
+// threads, replays. The window knows no thread, no world and no recorder; app/ implements this interface,
+// tests implement it without threads.
+//
+// Threads: every call comes from the UI thread unless a comment says otherwise, and returns at once.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assessment/task/monitor.h"
+#include "assessment/task/task.h"
+#include "database/store.h"
+#include "sim_core/haptics/device.h"
+#include "sim_core/scene/scene.h"
+#include "sim_core/telemetry/sample.h"
+#include "sim_core/world/snapshot.h"
+
+namespace fulcrum::database {
+struct Trace;
+}
+
+namespace fulcrum::ui {
+
+/// Called from any thread with 0..1 and one line of what is being done; false asks the work to stop.
+using Progress = std::function<bool(double done, const std::string& line)>;
+
+enum class AttemptPhase {
+    starting,  ///< parts are being built; no snapshot yet
+    running,
+    paused,       ///< by the trainee or the lock; the scene is hidden, the clock stands
+    device_lost,  ///< a device is gone: force was ramped to 0, the clock stands; message() says what to do
+    finishing,    ///< the attempt has ended; metrics and score are being computed and stored
+    finished,     ///< stored: outcome() is there
+    failed,       ///< the program could not go on; message() says why and what is kept
+};
+
+struct AttemptOutcome {
+    std::string attempt_id;  ///< in the store
+    std::string state;       ///< completed | timed_out | abandoned | interrupted | failed_simulation
+    double duration_s = 0;
+    std::uint32_t missed_ticks = 0;
+    std::uint64_t lost_samples = 0;
+};
+
+/// How the loop is doing; shown small in the HUD.
+struct LoopHealth {
+    std::uint32_t ticks = 0, missed_ticks = 0, late_steps = 0;
+    std::uint64_t lost_samples = 0;
+    bool force_felt[hand_count] = {false, false};  ///< the hand's device renders force
+};
+
+/// One attempt while it runs. Destroying it before the end closes the attempt as interrupted and stores it.
+class AttemptSession {
+  public:
+    virtual ~AttemptSession() = default;
+    virtual const Scene& scene() const = 0;
+    virtual const TaskDefinition& task() const = 0;
+    virtual bool assessed() const = 0;
+    virtual AttemptPhase phase() const = 0;
+    /// Takes the newest world and display if there are newer ones; call once a painted frame. True if they
+    /// changed.
+    virtual bool update() = 0;
+    virtual const WorldSnapshot& snapshot() const = 0;
+    virtual const TaskDisplay& display() const = 0;
+    virtual LoopHealth health() const = 0;
+    virtual void pause() = 0;
+    /// Goes on after a pause; from device_lost only once the device is back.
+    virtual void resume() = 0;
+    /// Ends the attempt as abandoned (or interrupted, when closed by the lock).
+    virtual void abandon() = 0;
+    virtual void interrupt() = 0;
+    /// For device_lost and failed: one line of what happened and what to do; else empty.
+    virtual std::string message() const = 0;
+    /// Set once phase() is finished.
+    virtual const std::optional<AttemptOutcome>& outcome() const = 0;
+};
+
+struct AttemptRequest {
+    database::Session session;  ///< whose attempt it is
+    std::string task_id;
+    bool assessed = false;
+    std::uint64_t seed = 0;  ///< 0: the program draws one outside 1000-1999
+    /// The hands. Called on the haptic thread once a tick: must neither lock nor allocate. Pause, abandon and
+    /// loss flags are added by the session. Device class and name are stored with the attempt.
+    std::shared_ptr<Rig> rig;
+    std::string device_class = "mouse-keyboard";
+    std::string device = "mouse and keyboard";
+};
+
+/// What the world looked like at a moment of a stored attempt.
+class ReplaySource {
+  public:
+    virtual ~ReplaySource() = default;
+    virtual const Scene& scene() const = 0;
+    virtual double duration_s() const = 0;
+    /// Asks for the world at a time on the record's clock (s); the answer comes through update() when it is
+    /// ready.
+    virtual void seek(double time_s) = 0;
+    /// True if a newer snapshot is there.
+    virtual bool update() = 0;
+    virtual const WorldSnapshot& snapshot() const = 0;
+    /// Time that snapshot() shows.
+    virtual double shown_s() const = 0;
+    /// How far the re-simulation has come, 0..1; 1 when only poses are shown.
+    virtual double ready() const = 0;
+    /// From here on the re-simulated tissue differs from the record (another build): poses stay the recorded
+    /// ones.
+    virtual std::optional<double> differs_from_s() const = 0;
+};
+
+class ApplicationServices {
+  public:
+    virtual ~ApplicationServices() = default;
+
+    /// The programme's store on the UI thread; null until opened or created. Throws StoreError from
+    /// open_store().
+    virtual database::Store* store() = 0;
+    /// Where the store is or would be. `demo`: the demo programme's own file.
+    virtual std::string store_path(bool demo) const = 0;
+    /// Opens the store (creates it when missing) and makes it the current one. Throws database::StoreError.
+    virtual void open_store(bool demo) = 0;
+    virtual bool demo_is_built() const = 0;
+    /// Builds the demo store by really simulating a synthetic cohort. Called on a worker thread; false when
+    /// stopped, leaving nothing.
+    virtual bool build_demo(const Progress& progress) = 0;
+
+    /// All tasks of assets/tasks, in curriculum order.
+    virtual const std::vector<TaskDefinition>& tasks() const = 0;
+    /// Throws InputError.
+    virtual Scene scene_for(const TaskDefinition& task) const = 0;
+    /// Throws InputError, database::StoreError, database::AccessDenied.
+    virtual std::unique_ptr<AttemptSession> start_attempt(const AttemptRequest& request) = 0;
+    /// A replay of a stored trace, kept alive by the source. Throws InputError when the task or scene is not
+    /// known here.
+    virtual std::unique_ptr<ReplaySource> open_replay(const std::string& task_id, std::uint64_t seed,
+                                                      std::shared_ptr<const database::Trace> trace) = 0;
+    /// For the about box and for reports.
+    virtual std::string program_version() const = 0;
+};
+
+}  // namespace fulcrum::ui
