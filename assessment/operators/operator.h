@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A synthetic operator: hands without a person. It drives the device interface closed-loop and sees what a trainee sees
-// (the world after the last step, the task's display), after a reaction delay. Whatever it makes is marked synthetic.
+// A synthetic operator: hands without a person. It drives the device interface closed-loop and sees what a
+// trainee sees (the world after the last step, the task's display), after a reaction delay. Whatever it makes
+// is marked synthetic.
 #pragma once
 
 #include <memory>
@@ -14,7 +15,8 @@
 
 namespace fulcrum {
 
-/// A rig that is also shown the world. observe() is called on the stepping thread before the ticks that may use it.
+/// A rig that is also shown the world. observe() is called on the stepping thread before the ticks that may
+/// use it.
 class ObservingRig : public Rig {
   public:
     virtual void observe(const WorldSnapshot& world, const TaskDisplay& display) noexcept = 0;
@@ -22,7 +24,7 @@ class ObservingRig : public Rig {
 
 /// `preset`: "novice", "intermediate" or "expert"; the seed draws the individual around it and its noise.
 /// Throws InputError for an unknown preset or a task it cannot perform.
-std::unique_ptr<ObservingRig> make_operator(const std::string& preset, const TaskDefinition& task, const Scene& scene,
-                                            std::uint64_t seed);
+std::unique_ptr<ObservingRig> make_operator(const std::string& preset, const TaskDefinition& task,
+                                            const Scene& scene, std::uint64_t seed);
 
 }  // namespace fulcrum

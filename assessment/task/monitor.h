@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Turns samples into events and goals into an end, live. Runs right after every world step on the thread that stepped the world;
-// allocates nothing after construction; a pure function of what it is given, so a replay makes the same events.
+// Turns samples into events and goals into an end, live. Runs right after every world step on the thread that
+// stepped the world; allocates nothing after construction; a pure function of what it is given, so a replay
+// makes the same events.
 #pragma once
 
 #include <memory>
@@ -22,22 +23,22 @@ class EventSink {
 
 /// What the HUD and the operators know of the task. Plain data, copied with the snapshot.
 struct TaskDisplay {
-    std::int32_t goal = 0;               ///< index of the current goal
-    std::int32_t active_target = -1;     ///< index into WorldSnapshot::targets to touch now
-    double goal_progress = 0;            ///< 0..1
-    double hold_progress = 0;            ///< 0..1 of the current hold
-    double elapsed_s = 0;                ///< attempt clock, pauses excluded, from the first movement
+    std::int32_t goal = 0;            ///< index of the current goal
+    std::int32_t active_target = -1;  ///< index into WorldSnapshot::targets to touch now
+    double goal_progress = 0;         ///< 0..1
+    double hold_progress = 0;         ///< 0..1 of the current hold
+    double elapsed_s = 0;             ///< attempt clock, pauses excluded, from the first movement
     double remaining_s = 0;
-    double run_covered_m = 0;            ///< run_bowel: arc length covered so far
-    double run_next_m = 0;               ///< run_bowel: arc length where the next grasp should be
-    double lift_height_m = 0;            ///< lift_and_hold: height above rest now
-    float force[hand_count] = {0, 0};    ///< N, this step's largest
+    double run_covered_m = 0;                ///< run_bowel: arc length covered so far
+    double run_next_m = 0;                   ///< run_bowel: arc length where the next grasp should be
+    double lift_height_m = 0;                ///< lift_and_hold: height above rest now
+    float force[hand_count] = {0, 0};        ///< N, this step's largest
     float force_limit[hand_count] = {0, 0};  ///< N, of the tissue in contact or grasped; 0 none
     bool warning[hand_count] = {false, false};
-    bool moving_seen = false;            ///< first active movement happened: an assessed attempt counts
+    bool moving_seen = false;  ///< first active movement happened: an assessed attempt counts
     bool ended = false;
     EventKind end = EventKind::attempt_begin;  ///< completed, timed_out, abandoned or interrupted once ended
-    bool critical = false;               ///< a critical error happened
+    bool critical = false;                     ///< a critical error happened
 };
 
 /// One attempt's monitor.
@@ -45,8 +46,10 @@ class TaskMonitor {
   public:
     TaskMonitor(const TaskDefinition& task, const Scene& scene, std::uint64_t seed);
     ~TaskMonitor();
-    /// The ticks since the last call, in order, and the world after the step that consumed them. Events go to the sink.
-    void on_step(const TickSample* ticks, std::size_t count, const WorldSnapshot& world, EventSink& sink) noexcept;
+    /// The ticks since the last call, in order, and the world after the step that consumed them. Events go to
+    /// the sink.
+    void on_step(const TickSample* ticks, std::size_t count, const WorldSnapshot& world,
+                 EventSink& sink) noexcept;
     const TaskDisplay& display() const noexcept;
 
   private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A task as data: what the trainee must do and the limits. JSON files in assets/tasks, schema assets/schemas/task.schema.json.
+// A task as data: what the trainee must do and the limits. JSON files in assets/tasks, schema
+// assets/schemas/task.schema.json.
 #pragma once
 
 #include <string>
@@ -18,39 +19,39 @@ enum class GoalKind : std::uint8_t {
 struct Goal {
     std::string id;
     GoalKind kind = GoalKind::touch_targets;
-    std::string text;            ///< one line for the HUD, imperative
-    Hand hand = Hand::left;      ///< touch_targets
-    int count = 0;               ///< touch_targets: spheres to hold
-    double hold_s = 0;           ///< s, continuous
-    double length_m = 0;         ///< run_bowel: arc length to cover
-    double from_m = 0, to_m = 0; ///< arc lengths on the bowel: where to start (run), or the stretch to lift
+    std::string text;             ///< one line for the HUD, imperative
+    Hand hand = Hand::left;       ///< touch_targets
+    int count = 0;                ///< touch_targets: spheres to hold
+    double hold_s = 0;            ///< s, continuous
+    double length_m = 0;          ///< run_bowel: arc length to cover
+    double from_m = 0, to_m = 0;  ///< arc lengths on the bowel: where to start (run), or the stretch to lift
     double minimum_step_m = 0, maximum_step_m = 0;  ///< run_bowel: hand-over-hand distance that counts
-    double height_m = 0;         ///< lift_and_hold
+    double height_m = 0;                            ///< lift_and_hold
 };
 
 /// A gate as the task names it; the limit of a benchmark gate comes from the benchmark set.
 struct GateSpec {
     std::string metric;
-    std::string hand;            ///< "left", "right" or ""
-    std::string tissue;          ///< label or "" for all
-    std::string kind;            ///< "benchmark" or "absolute"
-    double limit = 0;            ///< absolute gates
-    std::string limit_source;    ///< absolute gates: where the figure comes from
+    std::string hand;          ///< "left", "right" or ""
+    std::string tissue;        ///< label or "" for all
+    std::string kind;          ///< "benchmark" or "absolute"
+    double limit = 0;          ///< absolute gates
+    std::string limit_source;  ///< absolute gates: where the figure comes from
 };
 
 struct TaskDefinition {
-    std::string id;              ///< "A2"
+    std::string id;  ///< "A2"
     int version = 1;
     std::string title, stage, briefing, product;  ///< product: what the attempt leaves, one line
     std::vector<std::string> steps;               ///< briefing, one line each
-    std::string scene;           ///< file name in assets/scenes
+    std::string scene;                            ///< file name in assets/scenes
     double time_limit_s = 600;
-    double warning_margin = 0;   ///< bandwidth feedback: 0 stage A, 0.10 B, 0.25 C; negative: never warn (D)
-    std::vector<Goal> goals;     ///< phases, in order
-    std::vector<std::string> metrics;   ///< metric ids shown
+    double warning_margin = 0;  ///< bandwidth feedback: 0 stage A, 0.10 B, 0.25 C; negative: never warn (D)
+    std::vector<Goal> goals;    ///< phases, in order
+    std::vector<std::string> metrics;  ///< metric ids shown
     std::vector<GateSpec> gates;
-    std::vector<std::string> critical_errors;     ///< event names that fail the attempt
-    std::vector<std::string> device_classes;      ///< that count for the curriculum
+    std::vector<std::string> critical_errors;  ///< event names that fail the attempt
+    std::vector<std::string> device_classes;   ///< that count for the curriculum
 };
 
 /// Throws InputError with file, place and mend.

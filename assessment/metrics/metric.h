@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a metric is (descriptor) and what it gives (result). A metric is a descriptor and a pure function of
+// the recorded trace and events; definitions, filters and sources: docs/FORMATS.md and the descriptors
+// themselves.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assessment/trace/trace.h"
+
+namespace fulcrum {
+
+enum class Direction : std::uint8_t {
+    lower,
+    higher,
+    context
+};                                            ///< which way is better; context is never a gate
+enum class Scale : std::uint8_t { raw, ln };  ///< ln only for metrics that cannot be 0
+/// How samples become one figure. count and share take no z; count, total and maximum can only grow during an
+/// attempt.
+enum class Aggregation : std::uint8_t {
+    total,
+    maximum,
+    mean,
+    deviation,
+    median_of_segments,
+    ratio,
+    share,
+    count
+};
+enum class EvidenceGrade : std::uint8_t {
+    strong,    ///< several studies separate experts from novices with it
+    moderate,  ///< one study, or several with small groups
+    expert,    ///< reasoned or agreed by experts; no published separation
+};
+/// What an attempt is when a gate's metric is absent because the trainee did not do the thing.
+enum class AbsentMeans : std::uint8_t { failed, not_scored };
+/// Why a value is absent.
+enum class Absence : std::uint8_t {
+    none,          ///< there is a value
+    not_done,      ///< the trainee did not do what the metric measures
+    not_measured,  ///< a channel, a limit or samples are missing
+};
+
+/// Every field is filled; check_registry() refuses a descriptor that leaves one empty.
+struct MetricDescriptor {
+    std::string id;        ///< permanent
+    std::string name;      ///< as on screens
+    std::string unit;      ///< "-" where dimensionless
+    double precision = 0;  ///< smallest difference worth showing, in `unit`
+    Direction direction = Direction::context;
+    Scale scale = Scale::raw;
+    Aggregation aggregation = Aggregation::total;
+    EvidenceGrade grade = EvidenceGrade::expert;
+    std::string source;  ///< where the definition comes from
+    int version = 0;     ///< from 1; changes whenever a value could change
+    std::string filter;  ///< what the samples went through first
+    bool per_hand = true;
+    bool per_tissue = false;      ///< also one row for each tissue label
+    bool absolute_value = false;  ///< signed metric: the size is what counts
+    bool needs_events = false;    ///< absent for traces that carry no events
+    std::vector<Channel> channels;
+    std::vector<std::string> dependencies;  ///< ids of metrics that its definition uses
+    AbsentMeans absent_means = AbsentMeans::not_scored;
+    std::string explanation;   ///< plain language, one or two sentences
+    std::string advice_fault;  ///< what was wrong, after "where:", as in "the tip travelled {value}, {excess}
+                               ///< of the limit {limit}"
+    std::string advice_remedy;  ///< one thing to try, imperative
+};
+
+/// One row. Zero is a value; an unknown is absent with its reason.
+struct MetricResult {
+    std::string id;
+    int version = 1;
+    std::string hand;    ///< "left", "right" or "" (none)
+    std::string tissue;  ///< label or "" (all tissues together)
+    std::optional<double> value;
+    std::string unit;
+    Direction direction = Direction::context;
+    Absence absence = Absence::none;
+    std::string absent_because;          ///< empty where there is a value
+    std::vector<TimeInterval> evidence;  ///< worst first where there is an order; may be empty
+    std::optional<int> count;            ///< segments behind a median, targets behind a mean
+};
+
+/// Limits of one tissue; absent ones are not checked.
+struct TissueLimits {
+    std::string label;
+    std::optional<double> force;  ///< N
+};
+
+/// What a metric must know besides the trace.
+struct MetricContext {
+    std::vector<TissueLimits> tissues;
+    std::vector<Vector3> targets;      ///< m, centre of target i (Event::detail of target_shown)
+    std::vector<std::string> phases;   ///< HUD or goal name of phase i (Event::detail of phase_begin)
+    std::vector<std::string> metrics;  ///< ids wanted; empty: all of the registry
+    bool events_recorded = true;  ///< false for a trace file, which carries none: counts are absent, not 0
+};
+
+/// All wanted metrics, in the registry's order, each for both hands and (where per_tissue) for all tissues
+/// and each tissue that was touched or has limits. Pure; 10 minutes at 1 kHz with two hands take less than 2
+/// s. Any thread. Throws std::invalid_argument for an id that the registry does not know.
+std::vector<MetricResult> compute_metrics(const Trace& trace, const std::vector<Event>& events,
+                                          const MetricContext& context);
+
+/// The row of a metric; hand and tissue as in MetricResult. Null where there is none.
+const MetricResult* find_result(const std::vector<MetricResult>& results, const std::string& id,
+                                const std::string& hand, const std::string& tissue);
+
+}  // namespace fulcrum

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Metric results as JSON, and the body of `fulcrum metrics`.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assessment/metrics/metric.h"
+#include "assessment/task/task.h"
+#include "sim_core/scene/scene.h"
+
+namespace fulcrum {
+
+/// The `metrics` array: id, version, hand, tissue, value, absent_because, unit, direction, evidence, and
+/// count where there is one.
+nlohmann::json metrics_to_json(const std::vector<MetricResult>& results);
+/// The reverse; throws InputError naming `file` and the JSON pointer.
+std::vector<MetricResult> metrics_from_json(const nlohmann::json& rows, const std::string& file);
+
+/// What compute_metrics must know of a task: limits of the scene's tissues, phases, targets (centres by
+/// index, may be empty).
+MetricContext make_metric_context(const Scene& scene, const TaskDefinition& task,
+                                  const std::vector<Vector3>& targets);
+
+/// `{"file", "samples", "duration_s", "mean_rate_hz", "ignored_columns", "metrics": […]}`. Throws InputError
+/// for bad input.
+nlohmann::json metrics_of_csv(const std::string& path,
+                              const std::optional<MetricContext>& context = std::nullopt);
+
+}  // namespace fulcrum

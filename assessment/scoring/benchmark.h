@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// A benchmark set: the proficiency levels of one task from named expert attempts, with their provenance.
+// File format: assets/schemas/benchmark.schema.json.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assessment/metrics/metric.h"
+
+namespace fulcrum {
+
+/// The level of one metric. Either a z level (deviation > 0) or an absolute limit (counts, shares, deviation
+/// below precision).
+struct BenchmarkLevel {
+    std::string metric, hand, tissue;  ///< as in MetricResult
+    int metric_version = 1;
+    std::string unit;
+    Scale scale = Scale::raw;
+    double mean = 0, deviation = 0;        ///< on the scale
+    std::optional<double> z_novice;        ///< the novices' mean as z; none without a novice set
+    std::optional<double> absolute_limit;  ///< in `unit`: the worst counted expert value
+    int experts = 0;                       ///< counted in this metric
+    std::vector<std::string> left_out;     ///< experts left out of this metric by the outlier rule
+};
+
+/// Whose attempts made a set.
+struct BenchmarkPerson {
+    std::string name;
+    int attempts = 0;         ///< counted
+    int familiarisation = 0;  ///< discarded before them
+};
+
+struct BenchmarkSet {
+    int version = 1;
+    std::string task;
+    int task_version = 1;
+    std::string variant_family;
+    std::string device_class;  ///< or "any"
+    std::string fidelity;
+    std::string source;  ///< for screens: "synthetic operators", "experts of …"
+    bool provisional = true;
+    double k = 2;  ///< benchmark gates pass at z <= k
+    double p0 = 0.1;
+    double expert_pass_share = 0;  ///< of their counted attempts, each scored with its expert left out
+    std::vector<BenchmarkPerson> experts, novices;
+    std::vector<BenchmarkLevel> levels;
+
+    /// Null when the set has no level for it.
+    const BenchmarkLevel* find(const std::string& metric, const std::string& hand,
+                               const std::string& tissue) const;
+};
+
+nlohmann::json benchmark_to_json(const BenchmarkSet& set);
+/// Checked against the schema; throws InputError with file, JSON pointer and mend.
+BenchmarkSet parse_benchmark(const std::string& text, const std::string& file);
+BenchmarkSet load_benchmark(const std::string& path);
+
+}  // namespace fulcrum

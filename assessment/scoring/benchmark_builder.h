@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Builds a benchmark set from named experts' attempts, and refuses one that its own experts would not pass.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "assessment/scoring/score.h"
+
+namespace fulcrum {
+
+/// A counted attempt (after familiarisation).
+struct BenchmarkAttempt {
+    std::string person;
+    std::vector<MetricResult> metrics;
+    AttemptState state = AttemptState::completed;
+    std::vector<CriticalError> critical_errors;
+};
+
+struct BenchmarkRequest {
+    std::string variant_family = "standard", device_class = "any", fidelity = "standard", source;
+    bool provisional = true;
+    int familiarisation = 3;  ///< attempts each person made before the counted ones
+    double p0 = 0.1;          ///< share of a proficient person's attempts that may fail
+    int minimum_experts = 8, minimum_attempts = 3;
+    std::vector<BenchmarkAttempt> experts, novices;
+};
+
+/// What was tried, so that the screen can show it even after a refusal.
+struct BenchmarkTrial {
+    double k = 0;
+    double pass_share = 0;
+};
+struct BenchmarkBuild {
+    std::optional<BenchmarkSet> set;  ///< absent after a refusal
+    std::string refusal;              ///< why, one sentence; empty with a set
+    std::vector<BenchmarkTrial> trials;
+    std::vector<std::string>
+        log;  ///< outliers left out, metrics turned into absolute gates, gates that failed experts
+};
+
+/// Pure. k from 2 to 3 in steps of 0.1, the first whose leave-one-expert-out pass share is at least 1 - p0.
+BenchmarkBuild build_benchmark(const TaskDefinition& task, const BenchmarkRequest& request);
+
+}  // namespace fulcrum

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// Holds an attempt's metrics against the task's gates: passed, failed or not scored. Non-compensatory: every
+// gate counts.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assessment/metrics/metric.h"
+#include "assessment/scoring/benchmark.h"
+#include "assessment/task/task.h"
+
+namespace fulcrum {
+
+/// How an attempt ended, from its events. `voided` and `reassigned` are the store's business, not the
+/// score's.
+enum class AttemptState : std::uint8_t { completed, timed_out, abandoned, interrupted, failed_simulation };
+const char* attempt_state_name(AttemptState state);
+/// simulator_fault beats every end; no end event means interrupted.
+AttemptState attempt_state(const std::vector<Event>& events);
+
+/// A critical error as it happened.
+struct CriticalError {
+    std::string event;   ///< event_name()
+    std::string hand;    ///< "left", "right" or ""
+    std::string tissue;  ///< label or ""
+    double time_s = 0;
+};
+/// The events that the task calls critical, in order. `tissues` is the trace's table.
+std::vector<CriticalError> critical_errors(const TaskDefinition& task, const std::vector<Event>& events,
+                                           const Trace& trace);
+
+/// One row of `gates`.
+struct GateResult {
+    std::string metric, hand, tissue;
+    std::string kind;  ///< "benchmark" or "absolute"
+    std::optional<double> value;
+    std::string unit;
+    std::optional<double> limit;  ///< in `unit`; absent where no set has a level
+    std::string limit_source;
+    std::optional<double> z;       ///< worse than the experts where positive; benchmark gates only
+    std::optional<double> points;  ///< 0..100; benchmark gates with z_novice > 0.5 only
+    std::optional<bool> passed;    ///< absent where it could not be judged
+    bool provisional = false;
+    std::string absent_because;  ///< why value, limit or passed are absent
+    std::vector<TimeInterval> evidence;
+};
+
+struct Score {
+    std::optional<bool> passed;
+    std::string not_scored_because;  ///< empty where passed has a value
+    std::optional<double> points;    ///< never without passed
+    bool provisional = false;        ///< some gate's limit is provisional
+    std::vector<GateResult> gates;
+    std::vector<CriticalError> critical_errors;
+    std::string advice;                         ///< one sentence
+    std::vector<TimeInterval> advice_evidence;  ///< where to jump, may be empty
+};
+
+/// What a score is a pure function of.
+struct ScoreInput {
+    const TaskDefinition& task;
+    const std::vector<MetricResult>& metrics;
+    const BenchmarkSet* benchmark = nullptr;  ///< null: none for this task and device class
+    AttemptState state = AttemptState::completed;
+    bool moved = true;  ///< the first active movement happened
+    std::vector<CriticalError> critical_errors = {};
+    /// Phases as they ran, for "where": name and interval.
+    struct Phase {
+        std::string name;
+        TimeInterval interval;
+    };
+    std::vector<Phase> phases = {};
+};
+
+/// Pure. The same input gives the same sentence.
+Score score_attempt(const ScoreInput& input);
+/// As they ran, from phase_begin and phase_end events; names from the task's goals.
+std::vector<ScoreInput::Phase> phases_of(const TaskDefinition& task, const std::vector<Event>& events,
+                                         const Trace& trace);
+/// The whole way from an attempt's record to its score.
+Score score_attempt(const TaskDefinition& task, const Trace& trace, const std::vector<Event>& events,
+                    const std::vector<MetricResult>& metrics, const BenchmarkSet* benchmark);
+
+/// The `gates` array of `perform`.
+nlohmann::json gates_to_json(const std::vector<GateResult>& gates);
+nlohmann::json critical_errors_to_json(const std::vector<CriticalError>& errors);
+/// Throws InputError naming `file` and the gate: metric unknown or context only, hand or kind wrong, more
+/// than 6 benchmark gates.
+void check_gates(const TaskDefinition& task, const std::string& file);
+
+}  // namespace fulcrum

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// The time series of an attempt as metrics read it: columns of SI doubles in the patient frame, whatever the
+// source. An empty column means that the channel was not recorded; a metric that needs it is absent and says
+// so.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim_core/numerics/types.h"
+#include "sim_core/telemetry/event.h"
+#include "sim_core/telemetry/sample.h"
+
+namespace fulcrum {
+
+/// What was recorded of a hand, and the camera's pose. Metrics name the channels they need.
+enum class Channel : std::uint8_t {
+    position,
+    axis,
+    roll,
+    force,
+    jaw_force,
+    jaw_area,
+    tissue,
+    patch,
+    inside,
+    in_view,
+    energy,
+};
+/// The CSV columns of a channel without the hand's prefix, as a person would look for them ("px py pz").
+const char* channel_columns(Channel channel);
+
+/// One instrument; every column has as many entries as Trace::t, or none.
+struct HandTrace {
+    std::vector<double> px, py, pz;     ///< m, tip, patient frame
+    std::vector<double> ax, ay, az;     ///< unit shaft axis, trocar to tip
+    std::vector<double> roll;           ///< rad
+    std::vector<double> fx, fy, fz;     ///< N, instrument on tissue, the model's force before any clamp
+    std::vector<double> jaw_force;      ///< N
+    std::vector<double> jaw_area;       ///< m2
+    std::vector<std::int16_t> tissue;   ///< index into Trace::tissues, -1 none
+    std::vector<std::int16_t> patch;    ///< tissue patch, -1 none
+    std::vector<std::uint8_t> inside;   ///< 1 inside the body; not recorded means always inside
+    std::vector<std::uint8_t> in_view;  ///< 1 the tip is in the image
+    std::vector<std::uint8_t> energy;   ///< 1 energy is on
+
+    /// True where every column of the channel is recorded.
+    bool has(Channel channel) const;
+};
+
+/// Scope tip (m) and orientation (camera to patient, camera looks along -z); empty when not recorded.
+struct CameraTrace {
+    std::vector<double> px, py, pz;
+    std::vector<double> qw, qx, qy, qz;
+};
+
+/// Seconds since the attempt began, begin <= end.
+struct TimeInterval {
+    double begin = 0;
+    double end = 0;
+};
+
+/// Samples [first, last) that belong together: no gap above 0.1 s, no pause, no lost sample between them.
+struct TraceBlock {
+    std::size_t first = 0;
+    std::size_t last = 0;
+};
+
+struct Trace {
+    std::vector<double> t;  ///< s since the attempt began, strictly rising
+    std::array<HandTrace, hand_count> hand;
+    CameraTrace camera;
+    std::vector<std::string> tissues;  ///< labels that HandTrace::tissue points into
+    std::vector<TraceBlock>
+        blocks;  ///< in order; samples in no block were taken during a pause or after the end
+    std::vector<TimeInterval>
+        pauses;                      ///< the attempt's pauses (by the trainee, or while the device was gone)
+    double tick_period = 0.001;      ///< s, turns Event::tick into t
+    double end = 0;                  ///< s, the end event's time, or the last sample's without one
+    std::uint64_t samples_lost = 0;  ///< as the samples_lost events say
+    std::vector<std::string> ignored_columns;  ///< CSV columns that the format does not know
+
+    double time_of(const Event& event) const { return event.tick * tick_period; }
+    /// Samples a second inside blocks; 0 for fewer than two samples.
+    double mean_rate() const;
+};
+
+/// From the record of an attempt. `tissues` is the scene's table; hands without an instrument get no
+/// channels.
+Trace trace_from_samples(const std::vector<TickSample>& samples, const std::vector<Event>& events,
+                         const std::vector<std::string>& tissues, int tick_rate = 1000,
+                         std::array<bool, hand_count> hands = {true, true});
+
+/// Fills blocks, pauses, end and samples_lost from t and the events: split at gaps above 0.1 s, at pauses,
+/// where samples were lost; what follows the end event belongs to no block.
+void split_blocks(Trace& trace, const std::vector<Event>& events);
+
+}  // namespace fulcrum
