@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // The centre line: an extensible Kirchhoff rod (Pan et al. 2011, Eq. 5; theory 1.1) of n segments.
 //
-// Unknowns: node positions r_0 .. r_n and one twist angle a segment; the directors d1, d2 of a segment are perpendicular to its
-// tangent d3, carried by parallel transport and turned by the twist angle. Strains at the joint between two segments: turning
-// (2 tan(angle/2), isotropic) and the unwrapped twist; stretch lives on segments. Every point of the rod, r(s) and R(s), follows
-// the quadratic B-spline of the nodes: for s between the midpoints of segments i-1 and i it depends on nodes i-1, i, i+1 alone.
+// Unknowns: node positions r_0 .. r_n and one twist angle a segment; the directors d1, d2 of a segment are
+// perpendicular to its tangent d3, carried by parallel transport and turned by the twist angle. Strains at
+// the joint between two segments: turning (2 tan(angle/2), isotropic) and the unwrapped twist; stretch lives
+// on segments. Every point of the rod, r(s) and R(s), follows the quadratic B-spline of the nodes: for s
+// between the midpoints of segments i-1 and i it depends on nodes i-1, i, i+1 alone.
 //
-// Units SI; vectors in the patient frame; arc lengths s in rest length, 0 .. length (values outside are clamped).
-// Model (Rod, const) / state (RodState, copyable) / scratch (RodScratch, one a thread) are separate: any number of states may share
-// one Rod. step() and solve() neither allocate, lock nor throw once the containers have had their largest size (reserve them),
-// and give the same bits for the same bytes in. Bad RodSpec values throw std::invalid_argument from the constructor.
+// Units SI; vectors in the patient frame; arc lengths s in rest length, 0 .. length (values outside are
+// clamped). Model (Rod, const) / state (RodState, copyable) / scratch (RodScratch, one a thread) are
+// separate: any number of states may share one Rod. step() and solve() neither allocate, lock nor throw once
+// the containers have had their largest size (reserve them), and give the same bits for the same bytes in.
+// Bad RodSpec values throw std::invalid_argument from the constructor.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include "sim_core/numerics/types.h"
@@ -24,64 +27,72 @@ enum class RodEnd : std::uint8_t {
     free,     ///< nothing held
     pinned,   ///< position held, free to turn and to twist
     held,     ///< position and twist held, bending free
-    clamped,  ///< position, direction and twist held (over the first half cell: second order in segment length)
+    clamped,  ///< position, direction and twist held (over the first half cell: second order in segment
+              ///< length)
 };
 
 enum class RodLaw : std::uint8_t { linear, exp2 };
 
 /// What a rod is made of. Defaults: a bowel.
 struct RodSpec {
-    int segments = 64;                ///< 2 .. 4096
-    double length = 0.9;              ///< m, at rest
-    double outer_radius = 0.015;      ///< m
-    double inner_radius = 0.012;      ///< m, 0 for a solid rod
-    double young_modulus = 32.3e3;    ///< Pa (E0 of theory 1.1 when law is exp2)
+    int segments = 64;              ///< 2 .. 4096
+    double length = 0.9;            ///< m, at rest
+    double outer_radius = 0.015;    ///< m
+    double inner_radius = 0.012;    ///< m, 0 for a solid rod
+    double young_modulus = 32.3e3;  ///< Pa (E0 of theory 1.1 when law is exp2)
     double poisson_ratio = 0.35;
     RodLaw law = RodLaw::linear;
-    double exponent = 3.0;            ///< alpha of EXP2
-    double linear_density = 0.25;     ///< kg/m
-    double mass_damping = 6.0;        ///< 1/s: force -c m v
-    double stiffness_damping = 0.0;   ///< s: force -c K v, K the elastic tangent at the start of the step
+    double exponent = 3.0;           ///< alpha of EXP2
+    double linear_density = 0.25;    ///< kg/m
+    double mass_damping = 6.0;       ///< 1/s: force -c m v
+    double stiffness_damping = 0.0;  ///< s: force -c K v, K the elastic tangent at the start of the step
     RodEnd ends[2] = {RodEnd::free, RodEnd::free};
-    /// Uniform intrinsic curvature about d1, d2 and twist, 1/m, 1/m, rad/m. Ignored where rest_nodes is given.
+    /// Uniform intrinsic curvature about d1, d2 and twist, 1/m, 1/m, rad/m. Ignored where rest_nodes is
+    /// given.
     double intrinsic_curvature[3] = {0, 0, 0};
-    /// Optional natural shape (segments + 1 nodes, no two equal): then segment lengths, natural curvature and start shape are its own,
-    /// without natural twist, and `length` is its polygon's length. Empty: straight along +x from the origin, d1 = +y, d2 = +z.
+    /// Optional natural shape (segments + 1 nodes, no two equal): then segment lengths, natural curvature and
+    /// start shape are its own, without natural twist, and `length` is its polygon's length. Empty: straight
+    /// along +x from the origin, d1 = +y, d2 = +z.
     std::vector<Vector3> rest_nodes;
 };
 
-/// Position and orientation of a point of the centre line; columns of rotation are d1, d2, d3 (d3 the tangent).
+/// Position and orientation of a point of the centre line; columns of rotation are d1, d2, d3 (d3 the
+/// tangent).
 struct RodFrame {
     Vector3 position = Vector3::Zero();
     Matrix3 rotation = Matrix3::Identity();
 };
 
-/// RodFrame with its velocity. Power balance: force . velocity + moment . angular_velocity of a RodLoad at the same s is exactly
-/// the power that the load gives to the rod's unknowns.
+/// RodFrame with its velocity. Power balance: force . velocity + moment . angular_velocity of a RodLoad at
+/// the same s is exactly the power that the load gives to the rod's unknowns.
 struct RodMotion {
     RodFrame frame;
     Vector3 velocity = Vector3::Zero();          ///< m/s
     Vector3 angular_velocity = Vector3::Zero();  ///< rad/s
 };
 
-/// Everything a rod remembers. Copyable; same-size copies allocate nothing. No padding in the arrays: may be hashed bytewise.
+/// Everything a rod remembers. Copyable; same-size copies allocate nothing. No padding in the arrays: may be
+/// hashed bytewise.
 struct RodState {
-    std::vector<Vector3> nodes;       ///< n + 1, m
-    std::vector<Vector3> directors;   ///< n, d1 of each segment, unit, perpendicular to the segment
-    std::vector<double> joint_twist;  ///< n + 1, rad, unwrapped, joint i before segment i; 0 and n against the end frames
+    std::vector<Vector3> nodes;      ///< n + 1, m
+    std::vector<Vector3> directors;  ///< n, d1 of each segment, unit, perpendicular to the segment
+    std::vector<double>
+        joint_twist;  ///< n + 1, rad, unwrapped, joint i before segment i; 0 and n against the end frames
     std::vector<Vector3> velocities;  ///< n + 1, m/s
     std::vector<double> spins;        ///< n, rad/s about the tangent
     RodFrame ends[2];                 ///< frames the held ends were last brought to
 };
 
-/// Dead load at arc length s: force through the centre line and moment (spatial). Applied with the directions of the step's start.
+/// Dead load at arc length s: force through the centre line and moment (spatial). Applied with the directions
+/// of the step's start.
 struct RodLoad {
     double s = 0;
     Vector3 force = Vector3::Zero();   ///< N
     Vector3 moment = Vector3::Zero();  ///< N m
 };
 
-/// Tension-only spring from the wall point r(s) + R(s) offset to a point in space: tension max(0, k (d - rest) + c d').
+/// Tension-only spring from the wall point r(s) + R(s) offset to a point in space: tension max(0, k (d -
+/// rest) + c d').
 struct RodTether {
     double s = 0;
     Vector3 offset = Vector3::Zero();  ///< m, ring frame
@@ -92,13 +103,14 @@ struct RodTether {
     Vector3 force = Vector3::Zero();   ///< out: N, spring on rod
 };
 
-/// Holds the wall point r(s) + R(s) offset at `target` (its position at the end of the step: the motion since the last step enters
-/// the first Newton system as a constraint increment). Keep the struct from step to step: reaction is also the warm start.
+/// Holds the wall point r(s) + R(s) offset at `target` (its position at the end of the step: the motion since
+/// the last step enters the first Newton system as a constraint increment). Keep the struct from step to
+/// step: reaction is also the warm start.
 struct RodGrasp {
     double s = 0;
-    Vector3 offset = Vector3::Zero();    ///< m, ring frame
-    Vector3 target = Vector3::Zero();    ///< m
-    bool hold_rotation = false;          ///< also holds R(s) at target_rotation
+    Vector3 offset = Vector3::Zero();  ///< m, ring frame
+    Vector3 target = Vector3::Zero();  ///< m
+    bool hold_rotation = false;        ///< also holds R(s) at target_rotation
     Matrix3 target_rotation = Matrix3::Identity();
     Vector3 reaction = Vector3::Zero();  ///< in/out: N, jaw on rod (set to zero on a new grasp)
     Vector3 moment = Vector3::Zero();    ///< in/out: N m, jaw on rod, when hold_rotation
@@ -108,32 +120,33 @@ struct RodGrasp {
 /// Unilateral contact g = normal . (r(s) - point) - radius >= 0, lambda >= 0, lambda g = 0 (theory 2).
 struct RodContact {
     double s = 0;
-    Vector3 normal = Vector3::UnitZ();   ///< unit, towards the rod
-    Vector3 point = Vector3::Zero();     ///< m, on the obstacle
-    double radius = 0;                   ///< m, of the sphere
-    double friction = 0;                 ///< Coulomb coefficient, regularised: full below friction_speed only in proportion
-    double friction_speed = 0.005;       ///< m/s
+    Vector3 normal = Vector3::UnitZ();  ///< unit, towards the rod
+    Vector3 point = Vector3::Zero();    ///< m, on the obstacle
+    double radius = 0;                  ///< m, of the sphere
+    double friction = 0;  ///< Coulomb coefficient, regularised: full below friction_speed only in proportion
+    double friction_speed = 0.005;               ///< m/s
     Vector3 surface_velocity = Vector3::Zero();  ///< m/s of the obstacle, for friction
-    double lambda = 0;                   ///< in/out: N (warm start in; 0 for a new contact)
-    double gap = 0;                      ///< out: m, g at the end
+    double lambda = 0;                           ///< in/out: N (warm start in; 0 for a new contact)
+    double gap = 0;                              ///< out: m, g at the end
 };
 
-/// Contact between two points of the same rod (self-collision): g = normal . (r(s) - r(other_s)) - distance >= 0. The other point's
-/// motion is lagged by one Newton iteration, so the band stays narrow; equal and opposite force lambda on both.
+/// Contact between two points of the same rod (self-collision): g = normal . (r(s) - r(other_s)) - distance
+/// >= 0. The other point's motion is lagged by one Newton iteration, so the band stays narrow; equal and
+/// opposite force lambda on both.
 struct RodSelfContact {
     double s = 0, other_s = 0;
-    Vector3 normal = Vector3::UnitZ();   ///< unit, from other_s to s
-    double distance = 0;                 ///< m, sum of the radii
-    double lambda = 0;                   ///< in/out: N
-    double gap = 0;                      ///< out: m
+    Vector3 normal = Vector3::UnitZ();  ///< unit, from other_s to s
+    double distance = 0;                ///< m, sum of the radii
+    double lambda = 0;                  ///< in/out: N
+    double gap = 0;                     ///< out: m
 };
 
 /// What acts on a rod in one step. Reserve the vectors once; the step writes only the fields marked out.
 struct RodInputs {
-    Vector3 gravity = Vector3::Zero();   ///< m/s2, on linear_density
-    RodFrame ends[2];                    ///< where held ends shall be at the end of the step
+    Vector3 gravity = Vector3::Zero();  ///< m/s2, on linear_density
+    RodFrame ends[2];                   ///< where held ends shall be at the end of the step
     std::vector<RodLoad> loads;
-    std::vector<Vector3> nodal_forces;   ///< empty or n + 1, N, dead
+    std::vector<Vector3> nodal_forces;  ///< empty or n + 1, N, dead
     std::vector<RodTether> tethers;
     std::vector<RodGrasp> grasps;
     std::vector<RodContact> contacts;
@@ -144,8 +157,9 @@ struct RodInputs {
 struct RodSolve {
     enum class Level : std::uint8_t { linearised, newton_k, newton };
     Level level = Level::newton;
-    int iterations = 0;              ///< newton_k: k; linearised: load steps (0: 1); newton: limit (0: 200 static, 25 dynamic)
-    double tolerance = 1e-6;         ///< |free residual| over max(|external forces|, |reactions|)
+    int iterations =
+        0;  ///< newton_k: k; linearised: load steps (0: 1); newton: limit (0: 200 static, 25 dynamic)
+    double tolerance = 1e-6;             ///< |free residual| over max(|external forces|, |reactions|)
     double constraint_tolerance = 1e-9;  ///< m
 };
 
@@ -161,19 +175,22 @@ struct RodReport {
     int iterations = 0;              ///< linear systems solved
     int substeps = 1;
     bool converged = false;
-    bool finite = true;              ///< false: the inputs or the result were not finite; the state is the last good one
-    bool positive_definite = true;   ///< of the tangent at the end (newton)
+    bool finite = true;  ///< false: the inputs or the result were not finite; the state is the last good one
+    bool positive_definite = true;  ///< of the tangent at the end (newton)
     RodFault fault = RodFault::none;
-    Vector3 end_force[2] = {Vector3::Zero(), Vector3::Zero()};   ///< N, support on rod
-    Vector3 end_moment[2] = {Vector3::Zero(), Vector3::Zero()};  ///< N m, support on rod (clamped; held: about the tangent)
+    Vector3 end_force[2] = {Vector3::Zero(), Vector3::Zero()};  ///< N, support on rod
+    Vector3 end_moment[2] = {Vector3::Zero(),
+                             Vector3::Zero()};  ///< N m, support on rod (clamped; held: about the tangent)
 };
 
 struct RodEnergy {
-    double bend = 0, twist = 0, stretch = 0, external = 0, kinetic = 0;  ///< J; external: dead loads and gravity, -work from the origin
+    double bend = 0, twist = 0, stretch = 0, external = 0,
+           kinetic = 0;  ///< J; external: dead loads and gravity, -work from the origin
     double elastic() const { return bend + twist + stretch; }
 };
 
-/// Factorisation and work space of one thread. Made by Rod::make_scratch; holds the factor of the last system solved.
+/// Factorisation and work space of one thread. Made by Rod::make_scratch; holds the factor of the last system
+/// solved.
 class RodScratch {
   public:
     RodScratch();
@@ -198,32 +215,38 @@ class Rod {
     const RodSpec& spec() const { return spec_; }
     int segments() const { return spec_.segments; }
     double length() const { return length_; }
-    double bending_stiffness() const { return bending_stiffness_; }      ///< N m2, EI
-    double torsional_stiffness() const { return torsional_stiffness_; }  ///< N m2, GJ
-    double axial_stiffness() const { return axial_stiffness_; }          ///< N, EA
-    const std::vector<double>& node_arc_lengths() const { return node_arc_lengths_; }  ///< n + 1, m
+    double bending_stiffness() const { return bending_stiffness_; }                          ///< N m2, EI
+    double torsional_stiffness() const { return torsional_stiffness_; }                      ///< N m2, GJ
+    double axial_stiffness() const { return axial_stiffness_; }                              ///< N, EA
+    const std::vector<double>& node_arc_lengths() const { return node_arc_lengths_; }        ///< n + 1, m
     double node_mass(int node) const { return node_mass_[static_cast<std::size_t>(node)]; }  ///< kg
     std::size_t bytes() const;
 
     /// The rod at rest: straight along +x, or the rest shape; ends at its own end frames.
     RodState make_state() const;
-    /// A state with the given nodes (n + 1), at rest, directors carried along from the start frame without twist.
+    /// A state with the given nodes (n + 1), at rest, directors carried along from the start frame without
+    /// twist.
     RodState make_state(const std::vector<Vector3>& nodes) const;
     /// Work space for this rod with at most that many grasps, contacts and so on.
-    RodScratch make_scratch(int tethers = 64, int grasps = 8, int contacts = 512, int self_contacts = 256) const;
+    RodScratch make_scratch(int tethers = 64, int grasps = 8, int contacts = 512,
+                            int self_contacts = 256) const;
 
-    /// One implicit Euler step of dt seconds (1e-5 .. 0.1): inertia, damping, everything in `inputs`. Never leaves a non-finite state.
-    RodReport step(RodState& state, RodInputs& inputs, double dt, RodScratch& scratch, const RodSolve& solve = {}) const;
+    /// One implicit Euler step of dt seconds (1e-5 .. 0.1): inertia, damping, everything in `inputs`. Never
+    /// leaves a non-finite state.
+    RodReport step(RodState& state, RodInputs& inputs, double dt, RodScratch& scratch,
+                   const RodSolve& solve = {}) const;
     /// Static equilibrium from the given state (velocities are set to zero). Contacts and grasps as in step.
-    RodReport solve(RodState& state, RodInputs& inputs, RodScratch& scratch, const RodSolve& solve = {}) const;
+    RodReport solve(RodState& state, RodInputs& inputs, RodScratch& scratch,
+                    const RodSolve& solve = {}) const;
 
     RodMotion frame_at(const RodState& state, double s) const;
     Vector3 wall_point(const RodState& state, double s, const Vector3& offset) const;
     Vector3 wall_velocity(const RodState& state, double s, const Vector3& offset) const;
     /// The offset X with wall_point(state, s, X) = point.
     Vector3 wall_offset(const RodState& state, double s, const Vector3& point) const;
-    /// Stiffness of the rod seen at a wall point, N/m, symmetric positive definite: inverse of the compliance under the factor of the
-    /// last step (inertia over dt, contacts, tethers and other grasps included; a grasp of this very point left out).
+    /// Stiffness of the rod seen at a wall point, N/m, symmetric positive definite: inverse of the compliance
+    /// under the factor of the last step (inertia over dt, contacts, tethers and other grasps included; a
+    /// grasp of this very point left out).
     Matrix3 stiffness_at(const RodState& state, double s, const Vector3& offset, RodScratch& scratch) const;
     RodEnergy energy(const RodState& state, const RodInputs& inputs) const;
 
