@@ -50,3 +50,18 @@ function(fulcrum_floor name)
         target_precompile_headers(${name} PRIVATE ${ARG_PCH})
     endif()
 endfunction()
+
+# fulcrum_embed_text(target symbol file): `extern const char* const fulcrum::symbol` holds the file's text, so that the library needs no
+# search path for what is part of its own contract (schemas).
+function(fulcrum_embed_text target symbol file)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    file(READ ${file} text)
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/embedded/${symbol}.cpp)
+    file(CONFIGURE OUTPUT ${source} @ONLY CONTENT [=[// SPDX-License-Identifier: Apache-2.0
+namespace fulcrum {
+extern const char* const @symbol@;
+const char* const @symbol@ = R"embedded(@text@)embedded";
+}  // namespace fulcrum
+]=])
+    target_sources(${target} PRIVATE ${source})
+endfunction()

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+// Schema check by valijson, its findings turned into one complaint that a person can act on.
+#ifndef VALIJSON_USE_EXCEPTIONS
+#define VALIJSON_USE_EXCEPTIONS 1
+#endif
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validation_results.hpp>
+#include <valijson/validator.hpp>
+
+#include "sim_core/scene/json_document.h"
+
+namespace fulcrum {
+namespace {
+
+using nlohmann::json;
+using Adapter = valijson::adapters::NlohmannJsonAdapter;
+
+const json& resolve(const json& schema, const json& node) {
+    const json* at = &node;
+    for (int hops = 0; at->is_object() && at->contains("$ref") && hops < 8; ++hops) {
+        at = &schema.at(json::json_pointer(at->at("$ref").get<std::string>().substr(1)));
+    }
+    return *at;
+}
+
+// The part of the schema that speaks about a place in the document; the root schema where there is none.
+const json& schema_at(const json& schema, const std::vector<std::string>& tokens) {
+    const json* at = &resolve(schema, schema);
+    for (const std::string& token : tokens) {
+        if (at->contains("properties") && at->at("properties").contains(token)) {
+            at = &resolve(schema, at->at("properties").at(token));
+        } else if (at->contains("items")) {
+            at = &resolve(schema, at->at("items"));
+        } else {
+            break;
+        }
+    }
+    return *at;
+}
+
+std::string plain(const json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+
+std::string list_of(const json& values) {
+    std::string text;
+    for (const json& value : values) text += (text.empty() ? "" : ", ") + plain(value);
+    return text;
+}
+
+std::string keys_of(const json& node) {
+    std::string text;
+    for (const auto& entry : node.at("properties").items()) {
+        if (entry.key() != "$comment") text += (text.empty() ? "" : ", ") + entry.key();
+    }
+    return text;
+}
+
+// What a legal value looks like: type, range, choices and the schema's own description.
+std::string legal_value(const json& node) {
+    std::string text = "give ";
+    if (node.contains("enum")) {
+        text += "one of: " + list_of(node.at("enum"));
+    } else if (node.contains("const")) {
+        text += plain(node.at("const"));
+    } else {
+        const std::string type = node.value("type", std::string("another value"));
+        text += (type == "object" || type == "array" || type == "integer" ? "an " : type == "another value" ? "" : "a ") + type;
+        if (node.contains("minItems") && node.contains("maxItems") && node.at("minItems") == node.at("maxItems")) {
+            text += " of " + node.at("minItems").dump();
+        }
+        const bool above = node.contains("exclusiveMinimum");
+        const std::string low = above ? node.at("exclusiveMinimum").dump() : node.contains("minimum") ? node.at("minimum").dump() : "";
+        const std::string high = node.contains("maximum") ? node.at("maximum").dump() : "";
+        if (!low.empty()) text += (above ? " above " : " from ") + low;
+        if (!high.empty()) text += (low.empty() ? " up to " : " to ") + high;
+    }
+    if (node.contains("description")) text += " (" + node.at("description").get<std::string>() + ")";
+    return text;
+}
+
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t above = row[j];
+            row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0U : 1U)});
+            diagonal = above;
+        }
+    }
+    return row[b.size()];
+}
+
+std::string nearest_key(const std::string& key, const json& node) {
+    std::string nearest;
+    std::size_t best = 4;
+    for (const auto& entry : node.at("properties").items()) {
+        const std::size_t distance = edit_distance(key, entry.key());
+        if (distance < best) {
+            best = distance;
+            nearest = entry.key();
+        }
+    }
+    return nearest;
+}
+
+std::string quoted_at_end(const std::string& text) {
+    const std::size_t end = text.rfind('\'');
+    const std::size_t begin = end == std::string::npos || end == 0 ? std::string::npos : text.rfind('\'', end - 1);
+    return begin == std::string::npos ? std::string() : text.substr(begin + 1, end - begin - 1);
+}
+
+std::string lower_first(std::string text) {
+    if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z') text[0] = static_cast<char>(text[0] - 'A' + 'a');
+    while (!text.empty() && text.back() == '.') text.pop_back();
+    return text;
+}
+
+}  // namespace
+
+void JsonDocument::check_schema(const char* schema_text) const {
+    json schema_json;
+    valijson::Schema schema;
+    try {
+        schema_json = json::parse(schema_text);
+        valijson::SchemaParser parser;
+        parser.populateSchema(Adapter(schema_json), schema);
+    } catch (const std::exception& error) {
+        throw std::logic_error(std::string("the program's own schema is broken: ") + error.what());
+    }
+    valijson::Validator validator;
+    valijson::ValidationResults results;
+    if (validator.validate(schema, Adapter(root_), &results)) return;
+
+    // A violation is reported once at its own place and again by every parent: the deepest is the one to mend.
+    valijson::ValidationResults::Error worst;
+    for (const auto& error : results) {
+        if (worst.context.empty() || error.context.size() > worst.context.size()) worst = error;
+    }
+    std::vector<std::string> tokens;
+    std::string pointer;
+    for (std::size_t i = 1; i < worst.context.size(); ++i) {
+        const std::string& part = worst.context[i];
+        tokens.push_back(part.size() >= 2 && part.front() == '[' ? part.substr(1, part.size() - 2) : part);
+        pointer += "/" + tokens.back();
+    }
+    const json& node = schema_at(schema_json, tokens);
+    const std::string name = quoted_at_end(worst.description);
+    if (worst.description.find("additionalProperties") != std::string::npos && node.contains("properties")) {
+        const std::string nearest = nearest_key(name, node);
+        fail(pointer + "/" + name, "unknown key \"" + name + "\"",
+             (nearest.empty() ? "remove it" : "did you mean \"" + nearest + "\"?") + "; the keys here are " + keys_of(node));
+    }
+    if (worst.description.find("Missing required property") != std::string::npos && node.contains("properties") &&
+        node.at("properties").contains(name)) {
+        fail(pointer, "the key \"" + name + "\" is missing",
+             "add it and " + legal_value(resolve(schema_json, node.at("properties").at(name))));
+    }
+    fail(pointer, lower_first(worst.description), legal_value(node));
+}
+
+}  // namespace fulcrum

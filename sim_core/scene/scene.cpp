@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_core/scene/scene.h"
+
+#include <cmath>
+#include <set>
+
+#include "sim_core/scene/json_document.h"
+
+namespace fulcrum {
+
+extern const char* const scene_schema_text;  // assets/schemas/scene.schema.json, embedded by the build
+
+namespace {
+
+using nlohmann::json;
+
+constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;
+
+// The schema has checked types and ranges; what is left is to copy, keeping the default of a key that is absent.
+template <typename T>
+void copy(const json& node, const char* key, T& value) {
+    if (node.contains(key)) value = node.at(key).get<T>();
+}
+void copy(const json& node, const char* key, Vector3& value) {
+    if (!node.contains(key)) return;
+    for (int i = 0; i < 3; ++i) value[i] = node.at(key).at(static_cast<std::size_t>(i)).get<double>();
+}
+void copy_degrees(const json& node, const char* key, double& radians) {
+    if (node.contains(key)) radians = node.at(key).get<double>() * radians_per_degree;
+}
+
+class SceneReader {
+  public:
+    explicit SceneReader(const JsonDocument& document) : document_(document) {}
+
+    Scene read() {
+        const json& root = document_.root();
+        copy(root, "id", scene_.id);
+        copy(root, "version", scene_.version);
+        copy(root, "variant", scene_.variant);
+        copy(root, "gravity", scene_.gravity);
+        copy(root, "tick_rate", scene_.tick_rate);
+        copy(root, "ticks_per_step", scene_.ticks_per_step);
+        copy(root, "force_limit", scene_.force_limit);
+        copy(root, "slew_limit", scene_.slew_limit);
+        read_tissues(root.at("tissues"));
+        read_instruments(root.at("instruments"));
+        if (root.contains("camera")) scene_.camera = read_camera(root.at("camera"));
+        if (root.contains("targets")) scene_.targets = read_targets(root.at("targets"));
+        if (root.contains("cavity")) scene_.cavity = read_cavity(root.at("cavity"));
+        if (root.contains("bowel")) scene_.bowel = read_bowel(root.at("bowel"));
+        if (root.contains("tethers")) scene_.tethers = read_tethers(root.at("tethers"));
+        if (root.contains("fidelity")) read_fidelity(root.at("fidelity"));
+        return std::move(scene_);
+    }
+
+  private:
+    void read_tissues(const json& list) {
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            const json& node = list[i];
+            const std::string place = "/tissues/" + std::to_string(i);
+            TissueSpec tissue;
+            copy(node, "label", tissue.label);
+            copy(node, "force_limit", tissue.force_limit);
+            copy(node, "perforation_force", tissue.perforation_force);
+            copy(node, "perforation_spread", tissue.perforation_spread);
+            copy(node, "jaw_pressure_limit", tissue.jaw_pressure_limit);
+            copy(node, "jaw_force_time_limit", tissue.jaw_force_time_limit);
+            copy(node, "friction", tissue.friction);
+            copy(node, "stiffness", tissue.stiffness);
+            copy(node, "damping", tissue.damping);
+            if (scene_.tissue_index(tissue.label) >= 0) {
+                document_.fail(place + "/label", "the tissue \"" + tissue.label + "\" is given twice", "give every tissue its own label");
+            }
+            // A spread of half the median would draw limits near zero for some attempts.
+            if (tissue.perforation_spread > 0.4 * tissue.perforation_force) {
+                document_.fail(place + "/perforation_spread", "the spread is above 0.4 of perforation_force",
+                               "give a smaller spread or a larger perforation_force");
+            }
+            scene_.tissues.push_back(tissue);
+        }
+    }
+
+    TrocarSpec read_trocar(const json& node, const std::string& place) {
+        TrocarSpec trocar;
+        copy(node, "position", trocar.position);
+        copy(node, "direction", trocar.direction);
+        copy(node, "up", trocar.up);
+        copy(node, "shaft_length", trocar.shaft_length);
+        if (trocar.position.norm() > 1.0) {
+            document_.fail(place + "/position", "the trocar is more than 1 m from the pelvis", "give metres, not millimetres");
+        }
+        if (trocar.direction.norm() < 1e-6) {
+            document_.fail(place + "/direction", "the direction has no length", "give a vector from the trocar into the body");
+        }
+        trocar.direction.normalize();
+        if (trocar.up.norm() < 1e-6 || trocar.direction.cross(trocar.up.normalized()).norm() < 0.05) {
+            document_.fail(node.contains("up") ? place + "/up" : place, "up is parallel to the direction",
+                           "give an up vector at least 3 degrees away from the shaft");
+        }
+        return trocar;
+    }
+
+    void check_insertion(double insertion, const TrocarSpec& trocar, const std::string& place) {
+        if (insertion > 0.9 * trocar.shaft_length) {
+            document_.fail(place + "/start_insertion", "the start insertion is above 0.9 of the shaft's length",
+                           "start less deep or give a longer shaft_length");
+        }
+    }
+
+    void read_instruments(const json& list) {
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            const json& node = list[i];
+            const std::string place = "/instruments/" + std::to_string(i);
+            InstrumentSpec instrument;
+            instrument.hand = node.at("hand").get<std::string>() == "left" ? Hand::left : Hand::right;
+            if (scene_.instrument(instrument.hand) != nullptr) {
+                document_.fail(place + "/hand", std::string("the ") + hand_name(instrument.hand) + " hand holds two instruments",
+                               "give one instrument a hand");
+            }
+            copy(node, "kind", instrument.kind);
+            instrument.trocar = read_trocar(node.at("trocar"), place + "/trocar");
+            copy(node, "start_insertion", instrument.start_insertion);
+            copy(node, "shaft_radius", instrument.shaft_radius);
+            copy(node, "tip_radius", instrument.tip_radius);
+            copy(node, "tip_box", instrument.tip_box);
+            copy(node, "jaw_length", instrument.jaw_length);
+            copy_degrees(node, "jaw_opening_deg", instrument.jaw_opening);
+            copy(node, "grip_force", instrument.grip_force);
+            check_insertion(instrument.start_insertion, instrument.trocar, place);
+            scene_.instruments.push_back(instrument);
+        }
+    }
+
+    CameraSpec read_camera(const json& node) {
+        CameraSpec camera;
+        camera.trocar = read_trocar(node.at("trocar"), "/camera/trocar");
+        copy(node, "start_insertion", camera.start_insertion);
+        copy_degrees(node, "angle_deg", camera.angle);
+        copy_degrees(node, "field_of_view_deg", camera.field_of_view);
+        check_insertion(camera.start_insertion, camera.trocar, "/camera");
+        return camera;
+    }
+
+    TargetFieldSpec read_targets(const json& node) {
+        TargetFieldSpec targets;
+        copy(node, "per_hand", targets.per_hand);
+        copy(node, "radius", targets.radius);
+        copy(node, "centre", targets.centre);
+        copy(node, "half_extent", targets.half_extent);
+        copy(node, "minimum_distance", targets.minimum_distance);
+        copy(node, "tissue", targets.tissue);
+        copy(node, "stiffness", targets.stiffness);
+        copy(node, "damping", targets.damping);
+        check_tissue("/targets", targets.tissue);
+        if (targets.half_extent.minCoeff() <= 0 || targets.half_extent.maxCoeff() > 0.3) {
+            document_.fail("/targets/half_extent", "the box has an edge of 0 or above 0.6 m", "give three half edges in metres, each above 0");
+        }
+        // Random packing of points with spheres of half the distance succeeds well below a fill of 0.2; beyond that it may never end.
+        const double box = 8 * targets.half_extent.prod();
+        const double filled = targets.per_hand * 0.5236 * std::pow(targets.minimum_distance, 3);
+        if (filled > 0.15 * box) {
+            document_.fail("/targets/per_hand", "so many targets so far apart do not fit into the box",
+                           "give fewer targets, a smaller minimum_distance or a larger half_extent");
+        }
+        return targets;
+    }
+
+    CavitySpec read_cavity(const json& node) {
+        CavitySpec cavity;
+        copy(node, "pelvis_width", cavity.pelvis_width);
+        copy(node, "pelvis_depth", cavity.pelvis_depth);
+        copy(node, "seed", cavity.seed);
+        copy(node, "tissue", cavity.tissue);
+        check_tissue("/cavity", cavity.tissue);
+        return cavity;
+    }
+
+    BowelSpec read_bowel(const json& node) {
+        BowelSpec bowel;
+        copy(node, "length", bowel.length);
+        copy(node, "outer_radius", bowel.outer_radius);
+        copy(node, "wall_thickness", bowel.wall_thickness);
+        copy(node, "young_modulus", bowel.young_modulus);
+        copy(node, "poisson_ratio", bowel.poisson_ratio);
+        copy(node, "linear_density", bowel.linear_density);
+        copy(node, "damping", bowel.damping);
+        copy(node, "segments", bowel.segments);
+        copy(node, "sphere_spacing", bowel.sphere_spacing);
+        copy(node, "surface_vertices", bowel.surface_vertices);
+        copy(node, "seed", bowel.seed);
+        copy(node, "tissue", bowel.tissue);
+        copy(node, "floor_friction", bowel.floor_friction);
+        check_tissue("/bowel", bowel.tissue);
+        if (bowel.wall_thickness >= bowel.outer_radius) {
+            document_.fail("/bowel/wall_thickness", "the wall is thicker than the bowel's radius", "give a wall thinner than outer_radius");
+        }
+        if (bowel.sphere_spacing > 4 * bowel.outer_radius || bowel.sphere_spacing < bowel.length / 1000) {
+            document_.fail("/bowel/sphere_spacing", "the spheres leave gaps or number more than 1000",
+                           "give a spacing near outer_radius, below four times it");
+        }
+        return bowel;
+    }
+
+    TetherSpec read_tethers(const json& node) {
+        TetherSpec tethers;
+        copy(node, "count", tethers.count);
+        copy(node, "first", tethers.first);
+        copy(node, "last", tethers.last);
+        copy(node, "stiffness", tethers.stiffness);
+        copy(node, "damping", tethers.damping);
+        copy(node, "slack", tethers.slack);
+        if (!document_.root().contains("bowel")) {
+            document_.fail("/tethers", "tethers without a bowel", "add a \"bowel\" or remove \"tethers\"");
+        }
+        if (tethers.first >= tethers.last) {
+            document_.fail("/tethers/first", "first is not below last", "give first < last, fractions of the bowel's length");
+        }
+        return tethers;
+    }
+
+    void read_fidelity(const json& node) {
+        Fidelity& fidelity = scene_.fidelity;
+        copy(node, "id", fidelity.id);
+        copy(node, "rod", fidelity.rod);
+        copy(node, "rod_iterations", fidelity.rod_iterations);
+        copy(node, "material", fidelity.material);
+        copy(node, "skinning", fidelity.skinning);
+        copy(node, "collision", fidelity.collision);
+        copy(node, "projection_iterations", fidelity.projection_iterations);
+        copy(node, "tool_contact", fidelity.tool_contact);
+        copy(node, "filter", fidelity.filter);
+    }
+
+    void check_tissue(const std::string& place, const std::string& label) {
+        if (scene_.tissue_index(label) >= 0) return;
+        std::string known;
+        for (const TissueSpec& tissue : scene_.tissues) known += (known.empty() ? "" : ", ") + tissue.label;
+        document_.fail(place + "/tissue", "the tissue \"" + label + "\" is not in the list of tissues", "use one of: " + known + ", or add it to \"tissues\"");
+    }
+
+    const JsonDocument& document_;
+    Scene scene_;
+};
+
+}  // namespace
+
+int Scene::tissue_index(const std::string& label) const {
+    for (std::size_t i = 0; i < tissues.size(); ++i) {
+        if (tissues[i].label == label) return static_cast<int>(i);
+    }
+    return -1;
+}
+
+const InstrumentSpec* Scene::instrument(Hand hand) const {
+    for (const InstrumentSpec& spec : instruments) {
+        if (spec.hand == hand) return &spec;
+    }
+    return nullptr;
+}
+
+Scene parse_scene(const std::string& text, const std::string& file) {
+    const JsonDocument document = JsonDocument::parse(text, file);
+    document.check_schema(scene_schema_text);
+    return SceneReader(document).read();
+}
+
+Scene load_scene(const std::string& path) { return parse_scene(read_text_file(path, JsonLimits().bytes), path); }
+
+}  // namespace fulcrum
