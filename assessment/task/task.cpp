@@ -52,7 +52,8 @@ class TaskReader {
         const std::string& name = task_.scene;
         if (name.find_first_of("/\\") != std::string::npos || name.size() <= ending.size() ||
             name.compare(name.size() - ending.size(), ending.size(), ending) != 0) {
-            document_.fail("/scene", "\"" + name + "\" is not the name of a scene file", "give a file name of assets/scenes, such as a2_targets.json");
+            document_.fail("/scene", "\"" + name + "\" is not the name of a scene file",
+                           "give a file name of assets/scenes, such as a2_targets.json");
         }
     }
 
@@ -60,14 +61,18 @@ class TaskReader {
         for (std::size_t i = 0; i < task_.metrics.size(); ++i) {
             const auto end = task_.metrics.begin() + static_cast<std::ptrdiff_t>(i);
             if (std::find(task_.metrics.begin(), end, task_.metrics[i]) != end) {
-                document_.fail("/metrics/" + std::to_string(i), "the metric \"" + task_.metrics[i] + "\" is given twice", "remove one of the two");
+                document_.fail("/metrics/" + std::to_string(i),
+                               "the metric \"" + task_.metrics[i] + "\" is given twice",
+                               "remove one of the two");
             }
         }
     }
 
     void require(const json& node, const std::string& place, const char* key, const char* meaning) {
         if (!node.contains(key)) {
-            document_.fail(place, "a goal of kind " + node.at("kind").get<std::string>() + " needs \"" + key + "\"", std::string("add it: ") + meaning);
+            document_.fail(place,
+                           "a goal of kind " + node.at("kind").get<std::string>() + " needs \"" + key + "\"",
+                           std::string("add it: ") + meaning);
         }
     }
 
@@ -87,7 +92,9 @@ class TaskReader {
             copy(node, "maximum_step_m", goal.maximum_step_m);
             copy(node, "height_m", goal.height_m);
             for (const Goal& other : task_.goals) {
-                if (other.id == goal.id) document_.fail(place + "/id", "the goal \"" + goal.id + "\" is given twice", "give every goal its own id");
+                if (other.id == goal.id)
+                    document_.fail(place + "/id", "the goal \"" + goal.id + "\" is given twice",
+                                   "give every goal its own id");
             }
             const std::string kind = node.at("kind").get<std::string>();
             if (kind == "touch_targets") {
@@ -114,11 +121,13 @@ class TaskReader {
         require(node, place, "minimum_step_m", "shortest step that counts");
         require(node, place, "maximum_step_m", "longest step that counts");
         if (goal.minimum_step_m >= goal.maximum_step_m) {
-            document_.fail(place + "/minimum_step_m", "minimum_step_m is not below maximum_step_m", "give the shortest step first");
+            document_.fail(place + "/minimum_step_m", "minimum_step_m is not below maximum_step_m",
+                           "give the shortest step first");
         }
         const double room = goal.to_m > goal.from_m ? goal.to_m - goal.from_m : goal.from_m - goal.to_m;
         if (room + 1e-9 < goal.length_m) {
-            document_.fail(place + "/length_m", "there are only " + std::to_string(room) + " m between from_m and to_m",
+            document_.fail(place + "/length_m",
+                           "there are only " + std::to_string(room) + " m between from_m and to_m",
                            "ask for less, or move from_m and to_m apart");
         }
     }
@@ -146,24 +155,30 @@ class TaskReader {
             copy(node, "limit", gate.limit);
             copy(node, "limit_source", gate.limit_source);
             if (std::find(task_.metrics.begin(), task_.metrics.end(), gate.metric) == task_.metrics.end()) {
-                document_.fail(place + "/metric", "the gate's metric \"" + gate.metric + "\" is not among the task's metrics",
+                document_.fail(place + "/metric",
+                               "the gate's metric \"" + gate.metric + "\" is not among the task's metrics",
                                "add it to \"metrics\" or correct its id");
             }
             for (const GateSpec& other : task_.gates) {
-                if (other.metric == gate.metric && other.hand == gate.hand && other.tissue == gate.tissue && other.kind == gate.kind) {
-                    document_.fail(place, "the gate on \"" + gate.metric + "\" is given twice", "remove one, or give it another hand or tissue");
+                if (other.metric == gate.metric && other.hand == gate.hand && other.tissue == gate.tissue &&
+                    other.kind == gate.kind) {
+                    document_.fail(place, "the gate on \"" + gate.metric + "\" is given twice",
+                                   "remove one, or give it another hand or tissue");
                 }
             }
             const bool has_limit = node.contains("limit"), has_source = node.contains("limit_source");
             if (gate.kind == "absolute" && !(has_limit && has_source)) {
-                document_.fail(place, "an absolute gate without limit and limit_source", "add both: the figure and where it comes from");
+                document_.fail(place, "an absolute gate without limit and limit_source",
+                               "add both: the figure and where it comes from");
             }
             if (gate.kind == "benchmark" && (has_limit || has_source)) {
-                document_.fail(place + (has_limit ? "/limit" : "/limit_source"), "a benchmark gate with a limit of its own",
+                document_.fail(place + (has_limit ? "/limit" : "/limit_source"),
+                               "a benchmark gate with a limit of its own",
                                "remove it (the benchmark set gives it) or make the gate absolute");
             }
             if (gate.kind == "benchmark" && ++benchmark_gates > most_benchmark_gates) {
-                document_.fail(place, "more than " + std::to_string(most_benchmark_gates) + " benchmark gates",
+                document_.fail(place,
+                               "more than " + std::to_string(most_benchmark_gates) + " benchmark gates",
                                "show the metric without gating it, or make the gate absolute");
             }
             task_.gates.push_back(gate);
@@ -182,6 +197,8 @@ TaskDefinition parse_task(const std::string& text, const std::string& file) {
     return TaskReader(document).read();
 }
 
-TaskDefinition load_task(const std::string& path) { return parse_task(read_text_file(path, JsonLimits().bytes), path); }
+TaskDefinition load_task(const std::string& path) {
+    return parse_task(read_text_file(path, JsonLimits().bytes), path);
+}
 
 }  // namespace fulcrum

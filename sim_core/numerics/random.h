@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random numbers that are the same on every machine: xoshiro256** (Blackman and Vigna 2018) seeded through SplitMix64. The standard
-// library's distributions are not used anywhere, their results differ between libraries.
+// Random numbers that are the same on every machine: xoshiro256** (Blackman and Vigna 2018) seeded through
+// SplitMix64. The standard library's distributions are not used anywhere, their results differ between
+// libraries.
 #pragma once
 
 #include <cmath>
@@ -10,7 +11,8 @@
 
 namespace fulcrum {
 
-/// One stream of random numbers. Plain copyable state, no allocation, never throws; not shared between threads.
+/// One stream of random numbers. Plain copyable state, no allocation, never throws; not shared between
+/// threads.
 class Random {
   public:
     /// Streams of one seed with different `stream` numbers are independent for all practical purposes.

@@ -14,8 +14,8 @@ int line_of_byte(const std::string& text, std::size_t byte) {
     return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
 }
 
-// Deepest nesting of brackets outside strings, and the line where `limit` is first passed (0: nowhere). Runs before the parser, so
-// that no recursion ever sees a hostile depth.
+// Deepest nesting of brackets outside strings, and the line where `limit` is first passed (0: nowhere). Runs
+// before the parser, so that no recursion ever sees a hostile depth.
 int line_too_deep(const std::string& text, int limit) {
     int depth = 0;
     bool in_string = false, escaped = false;
@@ -68,7 +68,8 @@ class LineIndex {
         } else if (at() == '"') {
             string();
         } else {
-            while (position_ < text_.size() && std::string(",]} \t\r\n").find(at()) == std::string::npos) ++position_;
+            while (position_ < text_.size() && std::string(",]} \t\r\n").find(at()) == std::string::npos)
+                ++position_;
         }
     }
     /// Pointer of the first key given twice, empty if none.
@@ -146,7 +147,9 @@ std::string syntax_text(const std::string& what) {
 
 std::string read_text_file(const std::string& path, std::size_t limit) {
     std::ifstream stream(path, std::ios::binary);
-    if (!stream) throw InputError(path, "", "the file cannot be opened", "check the path and the permission to read it");
+    if (!stream)
+        throw InputError(path, "", "the file cannot be opened",
+                         "check the path and the permission to read it");
     std::string text;
     text.resize(limit + 1);
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
@@ -155,7 +158,8 @@ std::string read_text_file(const std::string& path, std::size_t limit) {
     }
     text.resize(static_cast<std::size_t>(stream.gcount()));
     if (text.size() > limit) {
-        throw InputError(path, "", "the file is larger than " + std::to_string(limit) + " bytes", "split it or remove what it does not need");
+        throw InputError(path, "", "the file is larger than " + std::to_string(limit) + " bytes",
+                         "split it or remove what it does not need");
     }
     return text;
 }
@@ -166,7 +170,8 @@ JsonDocument JsonDocument::parse(const std::string& text, const std::string& fil
                          "remove what it does not need");
     }
     if (const int line = line_too_deep(text, limits.depth); line > 0) {
-        throw InputError(file, std::to_string(line), "nested deeper than " + std::to_string(limits.depth) + " levels",
+        throw InputError(file, std::to_string(line),
+                         "nested deeper than " + std::to_string(limits.depth) + " levels",
                          "check for a bracket that is never closed");
     }
     JsonDocument document;
@@ -175,13 +180,16 @@ JsonDocument JsonDocument::parse(const std::string& text, const std::string& fil
         document.root_ = nlohmann::json::parse(text);
     } catch (const nlohmann::json::parse_error& error) {
         throw InputError(file, std::to_string(line_of_byte(text, error.byte > 0 ? error.byte - 1 : 0)),
-                         "not valid JSON: " + syntax_text(error.what()), "correct the text at this line or just before it");
+                         "not valid JSON: " + syntax_text(error.what()),
+                         "correct the text at this line or just before it");
     } catch (const nlohmann::json::exception& error) {
-        throw InputError(file, "1", "not valid JSON: " + syntax_text(error.what()), "use numbers that a double can hold");
+        throw InputError(file, "1", "not valid JSON: " + syntax_text(error.what()),
+                         "use numbers that a double can hold");
     }
     LineIndex index(text, document.lines_);
     index.value("");
-    if (!index.duplicate().empty()) document.fail(index.duplicate(), "the key is given twice", "remove one of the two");
+    if (!index.duplicate().empty())
+        document.fail(index.duplicate(), "the key is given twice", "remove one of the two");
     return document;
 }
 
@@ -200,7 +208,8 @@ int JsonDocument::line(const std::string& pointer) const {
 }
 
 void JsonDocument::fail(const std::string& pointer, const std::string& wrong, const std::string& mend) const {
-    throw InputError(file_, std::to_string(line(pointer)) + (pointer.empty() ? "" : " (" + pointer + ")"), wrong, mend);
+    throw InputError(file_, std::to_string(line(pointer)) + (pointer.empty() ? "" : " (" + pointer + ")"),
+                     wrong, mend);
 }
 
 }  // namespace fulcrum

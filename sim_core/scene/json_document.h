@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A JSON file that knows its lines: scenes, tasks and whatever else people write by hand are read through this, so that every
-// complaint names file, line, JSON pointer and a mend.
+// A JSON file that knows its lines: scenes, tasks and whatever else people write by hand are read through
+// this, so that every complaint names file, line, JSON pointer and a mend.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,8 @@ struct JsonLimits {
 class JsonDocument {
   public:
     /// Throws InputError: too large, too deep, not JSON, not UTF-8, or a key given twice in one object.
-    static JsonDocument parse(const std::string& text, const std::string& file, const JsonLimits& limits = {});
+    static JsonDocument parse(const std::string& text, const std::string& file,
+                              const JsonLimits& limits = {});
     /// As parse, from a file. Throws InputError also when the file cannot be read.
     static JsonDocument load(const std::string& path, const JsonLimits& limits = {});
 
@@ -30,11 +31,13 @@ class JsonDocument {
     const std::string& file() const noexcept { return file_; }
     /// Line (from 1) of the value at a JSON pointer, or of its nearest ancestor that exists.
     int line(const std::string& pointer) const;
-    /// Checks the document against a JSON Schema (draft 7; only local "$ref"). Throws InputError for the most specific violation,
-    /// with a mend taken from the schema's own descriptions. The schema is program text: a broken one throws std::logic_error.
+    /// Checks the document against a JSON Schema (draft 7; only local "$ref"). Throws InputError for the most
+    /// specific violation, with a mend taken from the schema's own descriptions. The schema is program text:
+    /// a broken one throws std::logic_error.
     void check_schema(const char* schema) const;
     /// Throws InputError at a place.
-    [[noreturn]] void fail(const std::string& pointer, const std::string& wrong, const std::string& mend) const;
+    [[noreturn]] void fail(const std::string& pointer, const std::string& wrong,
+                           const std::string& mend) const;
 
   private:
     std::string file_;

@@ -43,7 +43,9 @@ const json& schema_at(const json& schema, const std::vector<std::string>& tokens
     return *at;
 }
 
-std::string plain(const json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+std::string plain(const json& value) {
+    return value.is_string() ? value.get<std::string>() : value.dump();
+}
 
 std::string list_of(const json& values) {
     std::string text;
@@ -68,12 +70,18 @@ std::string legal_value(const json& node) {
         text += plain(node.at("const"));
     } else {
         const std::string type = node.value("type", std::string("another value"));
-        text += (type == "object" || type == "array" || type == "integer" ? "an " : type == "another value" ? "" : "a ") + type;
-        if (node.contains("minItems") && node.contains("maxItems") && node.at("minItems") == node.at("maxItems")) {
+        text += (type == "object" || type == "array" || type == "integer" ? "an "
+                 : type == "another value"                                ? ""
+                                                                          : "a ") +
+                type;
+        if (node.contains("minItems") && node.contains("maxItems") &&
+            node.at("minItems") == node.at("maxItems")) {
             text += " of " + node.at("minItems").dump();
         }
         const bool above = node.contains("exclusiveMinimum");
-        const std::string low = above ? node.at("exclusiveMinimum").dump() : node.contains("minimum") ? node.at("minimum").dump() : "";
+        const std::string low = above                      ? node.at("exclusiveMinimum").dump()
+                                : node.contains("minimum") ? node.at("minimum").dump()
+                                                           : "";
         const std::string high = node.contains("maximum") ? node.at("maximum").dump() : "";
         if (!low.empty()) text += (above ? " above " : " from ") + low;
         if (!high.empty()) text += (low.empty() ? " up to " : " to ") + high;
@@ -112,7 +120,8 @@ std::string nearest_key(const std::string& key, const json& node) {
 
 std::string quoted_at_end(const std::string& text) {
     const std::size_t end = text.rfind('\'');
-    const std::size_t begin = end == std::string::npos || end == 0 ? std::string::npos : text.rfind('\'', end - 1);
+    const std::size_t begin =
+        end == std::string::npos || end == 0 ? std::string::npos : text.rfind('\'', end - 1);
     return begin == std::string::npos ? std::string() : text.substr(begin + 1, end - begin - 1);
 }
 
@@ -138,7 +147,8 @@ void JsonDocument::check_schema(const char* schema_text) const {
     valijson::ValidationResults results;
     if (validator.validate(schema, Adapter(root_), &results)) return;
 
-    // A violation is reported once at its own place and again by every parent: the deepest is the one to mend.
+    // A violation is reported once at its own place and again by every parent: the deepest is the one to
+    // mend.
     valijson::ValidationResults::Error worst;
     for (const auto& error : results) {
         if (worst.context.empty() || error.context.size() > worst.context.size()) worst = error;
@@ -155,10 +165,11 @@ void JsonDocument::check_schema(const char* schema_text) const {
     if (worst.description.find("additionalProperties") != std::string::npos && node.contains("properties")) {
         const std::string nearest = nearest_key(name, node);
         fail(pointer + "/" + name, "unknown key \"" + name + "\"",
-             (nearest.empty() ? "remove it" : "did you mean \"" + nearest + "\"?") + "; the keys here are " + keys_of(node));
+             (nearest.empty() ? "remove it" : "did you mean \"" + nearest + "\"?") + "; the keys here are " +
+                 keys_of(node));
     }
-    if (worst.description.find("Missing required property") != std::string::npos && node.contains("properties") &&
-        node.at("properties").contains(name)) {
+    if (worst.description.find("Missing required property") != std::string::npos &&
+        node.contains("properties") && node.at("properties").contains(name)) {
         fail(pointer, "the key \"" + name + "\" is missing",
              "add it and " + legal_value(resolve(schema_json, node.at("properties").at(name))));
     }

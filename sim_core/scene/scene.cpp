@@ -16,7 +16,8 @@ using nlohmann::json;
 
 constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;
 
-// The schema has checked types and ranges; what is left is to copy, keeping the default of a key that is absent.
+// The schema has checked types and ranges; what is left is to copy, keeping the default of a key that is
+// absent.
 template <typename T>
 void copy(const json& node, const char* key, T& value) {
     if (node.contains(key)) value = node.at(key).get<T>();
@@ -70,7 +71,8 @@ class SceneReader {
             copy(node, "stiffness", tissue.stiffness);
             copy(node, "damping", tissue.damping);
             if (scene_.tissue_index(tissue.label) >= 0) {
-                document_.fail(place + "/label", "the tissue \"" + tissue.label + "\" is given twice", "give every tissue its own label");
+                document_.fail(place + "/label", "the tissue \"" + tissue.label + "\" is given twice",
+                               "give every tissue its own label");
             }
             // A spread of half the median would draw limits near zero for some attempts.
             if (tissue.perforation_spread > 0.4 * tissue.perforation_force) {
@@ -88,10 +90,12 @@ class SceneReader {
         copy(node, "up", trocar.up);
         copy(node, "shaft_length", trocar.shaft_length);
         if (trocar.position.norm() > 1.0) {
-            document_.fail(place + "/position", "the trocar is more than 1 m from the pelvis", "give metres, not millimetres");
+            document_.fail(place + "/position", "the trocar is more than 1 m from the pelvis",
+                           "give metres, not millimetres");
         }
         if (trocar.direction.norm() < 1e-6) {
-            document_.fail(place + "/direction", "the direction has no length", "give a vector from the trocar into the body");
+            document_.fail(place + "/direction", "the direction has no length",
+                           "give a vector from the trocar into the body");
         }
         trocar.direction.normalize();
         if (trocar.up.norm() < 1e-6 || trocar.direction.cross(trocar.up.normalized()).norm() < 0.05) {
@@ -103,7 +107,8 @@ class SceneReader {
 
     void check_insertion(double insertion, const TrocarSpec& trocar, const std::string& place) {
         if (insertion > 0.9 * trocar.shaft_length) {
-            document_.fail(place + "/start_insertion", "the start insertion is above 0.9 of the shaft's length",
+            document_.fail(place + "/start_insertion",
+                           "the start insertion is above 0.9 of the shaft's length",
                            "start less deep or give a longer shaft_length");
         }
     }
@@ -115,8 +120,10 @@ class SceneReader {
             InstrumentSpec instrument;
             instrument.hand = node.at("hand").get<std::string>() == "left" ? Hand::left : Hand::right;
             if (scene_.instrument(instrument.hand) != nullptr) {
-                document_.fail(place + "/hand", std::string("the ") + hand_name(instrument.hand) + " hand holds two instruments",
-                               "give one instrument a hand");
+                document_.fail(
+                    place + "/hand",
+                    std::string("the ") + hand_name(instrument.hand) + " hand holds two instruments",
+                    "give one instrument a hand");
             }
             copy(node, "kind", instrument.kind);
             instrument.trocar = read_trocar(node.at("trocar"), place + "/trocar");
@@ -154,9 +161,11 @@ class SceneReader {
         copy(node, "damping", targets.damping);
         check_tissue("/targets", targets.tissue);
         if (targets.half_extent.minCoeff() <= 0 || targets.half_extent.maxCoeff() > 0.3) {
-            document_.fail("/targets/half_extent", "the box has an edge of 0 or above 0.6 m", "give three half edges in metres, each above 0");
+            document_.fail("/targets/half_extent", "the box has an edge of 0 or above 0.6 m",
+                           "give three half edges in metres, each above 0");
         }
-        // Random packing of points with spheres of half the distance succeeds well below a fill of 0.2; beyond that it may never end.
+        // Random packing of points with spheres of half the distance succeeds well below a fill of 0.2;
+        // beyond that it may never end.
         const double box = 8 * targets.half_extent.prod();
         const double filled = targets.per_hand * 0.5236 * std::pow(targets.minimum_distance, 3);
         if (filled > 0.15 * box) {
@@ -193,7 +202,8 @@ class SceneReader {
         copy(node, "floor_friction", bowel.floor_friction);
         check_tissue("/bowel", bowel.tissue);
         if (bowel.wall_thickness >= bowel.outer_radius) {
-            document_.fail("/bowel/wall_thickness", "the wall is thicker than the bowel's radius", "give a wall thinner than outer_radius");
+            document_.fail("/bowel/wall_thickness", "the wall is thicker than the bowel's radius",
+                           "give a wall thinner than outer_radius");
         }
         if (bowel.sphere_spacing > 4 * bowel.outer_radius || bowel.sphere_spacing < bowel.length / 1000) {
             document_.fail("/bowel/sphere_spacing", "the spheres leave gaps or number more than 1000",
@@ -214,7 +224,8 @@ class SceneReader {
             document_.fail("/tethers", "tethers without a bowel", "add a \"bowel\" or remove \"tethers\"");
         }
         if (tethers.first >= tethers.last) {
-            document_.fail("/tethers/first", "first is not below last", "give first < last, fractions of the bowel's length");
+            document_.fail("/tethers/first", "first is not below last",
+                           "give first < last, fractions of the bowel's length");
         }
         return tethers;
     }
@@ -236,7 +247,8 @@ class SceneReader {
         if (scene_.tissue_index(label) >= 0) return;
         std::string known;
         for (const TissueSpec& tissue : scene_.tissues) known += (known.empty() ? "" : ", ") + tissue.label;
-        document_.fail(place + "/tissue", "the tissue \"" + label + "\" is not in the list of tissues", "use one of: " + known + ", or add it to \"tissues\"");
+        document_.fail(place + "/tissue", "the tissue \"" + label + "\" is not in the list of tissues",
+                       "use one of: " + known + ", or add it to \"tissues\"");
     }
 
     const JsonDocument& document_;
@@ -265,6 +277,8 @@ Scene parse_scene(const std::string& text, const std::string& file) {
     return SceneReader(document).read();
 }
 
-Scene load_scene(const std::string& path) { return parse_scene(read_text_file(path, JsonLimits().bytes), path); }
+Scene load_scene(const std::string& path) {
+    return parse_scene(read_text_file(path, JsonLimits().bytes), path);
+}
 
 }  // namespace fulcrum

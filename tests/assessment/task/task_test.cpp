@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/task/task.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sim_core/scene/json_document.h"
+#include "sim_core/scene/scene.h"
+#include "tests/support/support.h"
+
+namespace fulcrum {
+namespace {
+
+std::string task_text(const std::string& name) {
+    return read_text_file(test::source_path("assets/tasks/" + name), 1U << 20U);
+}
+
+TEST(Task, FirstTasksHoldTogetherWithTheirScenes) {
+    for (const char* id : {"A2", "B1"}) {
+        const TaskDefinition task = load_task(test::source_path(std::string("assets/tasks/") + id + ".json"));
+        EXPECT_EQ(task.id, id);
+        const Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
+        int benchmark_gates = 0;
+        for (const GateSpec& gate : task.gates) {
+            benchmark_gates += gate.kind == "benchmark" ? 1 : 0;
+            EXPECT_TRUE(gate.tissue.empty() || scene.tissue_index(gate.tissue) >= 0) << gate.tissue;
+            EXPECT_NE(gate.kind == "absolute", gate.limit_source.empty()) << gate.metric;
+        }
+        EXPECT_LE(benchmark_gates, 6);
+        EXPECT_GE(benchmark_gates, 1);
+        for (const Goal& goal : task.goals) {
+            if (goal.kind == GoalKind::touch_targets) {
+                ASSERT_TRUE(scene.targets.has_value());
+                EXPECT_LE(goal.count, scene.targets->per_hand);
+                EXPECT_NE(scene.instrument(goal.hand), nullptr);
+            } else {
+                ASSERT_TRUE(scene.bowel.has_value());
+                EXPECT_LE(std::max(goal.from_m, goal.to_m), scene.bowel->length);
+            }
+        }
+    }
+}
+
+TEST(Task, BowelHandlingAsksForWhatTheCurriculumSays) {
+    const TaskDefinition task = load_task(test::source_path("assets/tasks/B1.json"));
+    ASSERT_EQ(task.goals.size(), 2U);
+    EXPECT_EQ(task.goals[0].kind, GoalKind::run_bowel);
+    EXPECT_NEAR(task.goals[0].length_m, 0.6, 1e-12);
+    EXPECT_EQ(task.goals[1].kind, GoalKind::lift_and_hold);
+    EXPECT_NEAR(task.goals[1].hold_s, 30, 1e-12);
+    const auto gate = [&](const std::string& metric) {
+        return std::find_if(task.gates.begin(), task.gates.end(),
+                            [&](const GateSpec& g) { return g.metric == metric; });
+    };
+    ASSERT_NE(gate("grasp_ftp"), task.gates.end());
+    EXPECT_NEAR(gate("grasp_ftp")->limit, 300, 1e-12);
+    ASSERT_NE(gate("perforation"), task.gates.end());
+    EXPECT_NEAR(gate("perforation")->limit, 0, 1e-12);
+}
+
+struct BrokenTask {
+    const char* name;
+    const char* what;
+    const char* with;
+    const char* wrong;
+    const char* mend;
+};
+
+class BrokenTaskFile : public testing::TestWithParam<BrokenTask> {};
+
+TEST_P(BrokenTaskFile, NamesFilePlaceAndMend) {
+    const BrokenTask& broken = GetParam();
+    std::string text = task_text("B1.json");
+    const std::size_t at = text.find(broken.what);
+    ASSERT_NE(at, std::string::npos) << "the asset no longer holds " << broken.what;
+    text.replace(at, std::string(broken.what).size(), broken.with);
+    try {
+        parse_task(text, "broken.json");
+        FAIL() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.file(), "broken.json");
+        EXPECT_GT(std::atoi(error.place().c_str()), 0) << "a line: " << error.what();
+        EXPECT_NE(error.wrong().find(broken.wrong), std::string::npos) << error.what();
+        EXPECT_NE(error.mend().find(broken.mend), std::string::npos) << error.what();
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Tasks, BrokenTaskFile,
+    testing::Values(
+        BrokenTask{"not_json", "\"id\": \"B1\",", "\"id\": B1,", "not valid JSON", "correct the text"},
+        BrokenTask{"typo", "\"time_limit_s\"", "\"time_limit\"", "unknown key \"time_limit\"",
+                   "did you mean \"time_limit_s\"?"},
+        BrokenTask{"no_time_limit", "\"time_limit_s\": 600,", "", "the key \"time_limit_s\" is missing",
+                   "add it"},
+        BrokenTask{"goal_kind", "\"kind\": \"run_bowel\"", "\"kind\": \"run\"", "enum", "run_bowel"},
+        BrokenTask{"goal_needs_height", "\"height_m\": 0.03,", "", "needs \"height_m\"",
+                   "above the resting height"},
+        BrokenTask{"run_too_long", "\"length_m\": 0.6", "\"length_m\": 0.7", "between from_m and to_m",
+                   "ask for less"},
+        BrokenTask{"steps_reversed", "\"minimum_step_m\": 0.02", "\"minimum_step_m\": 0.2",
+                   "not below maximum_step_m", "shortest"},
+        BrokenTask{"gate_not_shown", "{\"metric\": \"time\", \"kind\"", "{\"metric\": \"tme\", \"kind\"",
+                   "\"tme\" is not among", "correct its id"},
+        BrokenTask{"gate_without_source", "\"limit\": 300,", "", "without limit and limit_source",
+                   "add both"},
+        BrokenTask{"benchmark_with_limit", "{\"metric\": \"time\", \"kind\": \"benchmark\"}",
+                   "{\"metric\": \"time\", \"kind\": \"benchmark\", \"limit\": 60}", "a limit of its own",
+                   "benchmark set gives it"},
+        BrokenTask{"scene_path", "\"scene\": \"b1_bowel.json\"", "\"scene\": \"../b1_bowel.json\"",
+                   "not the name of a scene file", "assets/scenes"},
+        BrokenTask{"step_not_text", "\"Then grasp the middle", "7, \"Then grasp the middle", "type",
+                   "a string"}),
+    [](const testing::TestParamInfo<BrokenTask>& broken) { return std::string(broken.param.name); });
+
+}  // namespace
+}  // namespace fulcrum
