@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sphere chain against the cavity and against itself, by projection (paper, Fig. 9; theory, section 2).
+//
+// Projection finds the contacts, the rod's solve keeps them: each contact is the plane of a unilateral
+// constraint
+//     g = n . (c - p) - rho >= 0            (cavity)
+//     g = n . (c_i - c_j) - (rho_i + rho_j) >= 0   (spheres of the chain)
+// Coherence: each sphere keeps the list of all triangles within rho + m of where it was listed, sorted by
+// distance; while it has moved less than m the list is complete, so closest point and every contacting patch
+// are exact. Otherwise it is listed again from FCL's hierarchy. What comes out does not depend on the lists'
+// history. Model (const) / state / result; nothing allocates after construction, nothing throws: world
+// thread.
+#pragma once
+
+#include <vector>
+
+#include "sim_core/collision/cavity.h"
+
+namespace fulcrum {
+
+struct SphereCollisionOptions {
+    double list_margin = 0.003;  ///< m of motion before a sphere is listed again
+    double contact_margin =
+        0.001;  ///< m: planes with a gap below it are reported, so that the solve sees them coming
+    double distinct_cosine =
+        0.94;  ///< two patches are one where their normals' cosine is above this (20 degrees)
+    double rest_exclusion =
+        3.141592653589793;  ///< pairs closer than this many radii along the rest line are left out
+    int projection_iterations = 3;
+    int list_capacity = 256;        ///< triangles a sphere
+    int planes_per_sphere = 6;      ///< cavity planes a sphere
+    int pair_capacity = 512;        ///< pairs of spheres in contact
+    int near_pair_capacity = 8192;  ///< pairs of spheres near each other
+};
+
+/// The chain: rest arc lengths (rising) and radii, m.
+struct SphereChainShape {
+    std::vector<double> arc_lengths, radii;
+};
+
+/// Cavity contact of a sphere.
+struct CavityContact {
+    std::int32_t sphere = -1, triangle = -1;
+    Vector3 normal = Vector3::Zero();  ///< unit, towards the free side
+    Vector3 point = Vector3::Zero();   ///< m, on the wall
+    double gap = 0;                    ///< m at the centre given, < 0 penetrating
+};
+
+/// Contact of spheres first < second; normal from second to first.
+struct SphereContact {
+    std::int32_t first = -1, second = -1;
+    Vector3 normal = Vector3::Zero();
+    double gap = 0;  ///< m
+};
+
+/// What a query found. Vectors have their capacity from the start; the counts say what is valid.
+struct SphereContacts {
+    std::vector<CavityContact> cavity;
+    std::vector<SphereContact> pairs;
+    int cavity_count = 0, pair_count = 0;
+    double deepest_cavity = 0;   ///< m, deepest penetration of the wall, >= 0, at the centres given
+    double deepest_pair = 0;     ///< m, of spheres, >= 0
+    double residual_cavity = 0;  ///< m, deepest after the projection iterations, >= 0
+    double residual_pair = 0;    ///< m
+    int relisted = 0;            ///< spheres listed again
+    bool list_overflow =
+        false;  ///< list_capacity too small: those spheres asked the hierarchy instead, still exact
+    bool plane_overflow = false;  ///< planes_per_sphere too small: the shallowest were left out
+    bool pair_overflow = false;   ///< pair_capacity or near_pair_capacity too small: pairs were left out
+};
+
+/// Signed closest point of one sphere; triangle -1 where the wall is further than rho + contact_margin.
+struct SphereDepth {
+    CavityPoint closest;
+    double depth = 0;  ///< m, rho - signed distance; <= 0 apart
+};
+
+class SphereCollision {
+  public:
+    /// cavity may be null (self-collision only) and must outlive this. Throws InputError if arc lengths and
+    /// radii differ in number or are not finite and positive.
+    SphereCollision(const CavityModel* cavity, SphereChainShape chain, SphereCollisionOptions options = {});
+
+    int spheres() const { return static_cast<int>(chain_.radii.size()); }
+    const SphereCollisionOptions& options() const { return options_; }
+    SphereContacts make_contacts() const;
+    std::size_t bytes() const;
+
+    /// The lists: a cache, not part of the world's state.
+    struct Lists {
+        std::vector<ListedTriangle> triangles;  ///< [sphere * list_capacity + k], by rising distance
+        std::vector<std::int32_t> counts;  ///< a sphere: -1 never listed, more than list_capacity: overflow
+        std::vector<Vector3> listed_at;
+        std::vector<std::int32_t> near_first, near_second;
+        std::vector<std::int32_t> order;  ///< spheres by x, for the sweep
+        std::vector<Vector3> near_at;     ///< centres when the near pairs were listed
+        std::vector<Vector3> projected;   ///< centres during projection
+        std::int32_t near_count = -1;
+        bool near_overflow = false;
+    };
+    Lists make_lists() const;
+
+    /// Contacts at the centres given (one a sphere), plus those that projection met on its way; projected
+    /// centres are left in lists.projected. A centre that is not finite is left out.
+    void collide(const Vector3* centres, Lists& lists, SphereContacts& contacts) const;
+
+    /// Cavity only, centres as given, no projection: closest point and depth of each sphere (results: one a
+    /// sphere). Returns the number of spheres listed again.
+    int depths(const Vector3* centres, Lists& lists, SphereDepth* results) const;
+
+  private:
+    struct Candidate;
+    bool refresh(std::int32_t sphere, const Vector3& centre, Lists& lists) const;
+    int gather(std::int32_t sphere, const Vector3& centre, const Lists& lists, Candidate* candidates,
+               int capacity) const;
+    void refresh_pairs(const Vector3* centres, Lists& lists) const;
+    void add_cavity(std::int32_t sphere, const Vector3& centre, const Vector3& start, Lists& lists,
+                    SphereContacts& contacts, int& first, Vector3& moved, double& deepest) const;
+
+    const CavityModel* cavity_ = nullptr;
+    SphereChainShape chain_;
+    SphereCollisionOptions options_;
+    double largest_radius_ = 0;
+};
+
+}  // namespace fulcrum

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// The local contact model: what the world hands to the haptic tick, so that the tick can make force without
+// reading world state (theory, section 4). One a hand; fixed capacities, so that a copy allocates nothing;
+// written in place in a TripleBuffer slot by the world, read by the tick.
+//
+// Surface mode carries a patch of the bowel: its rings with their velocities, and the skinning rows of the
+// vertices near the tool. The tick moves the rings on by velocity times age, skins what it touches and finds
+// the contact anew at every tick. The dent is not part of the patch: the wall's Winkler bed is the model's
+// stiffness, so that the force is measured from the undented surface and the dent of that force is what is
+// drawn.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "sim_core/bowel/skin.h"
+#include "sim_core/geometry/mesh.h"
+
+namespace fulcrum {
+
+inline constexpr int patch_ring_capacity = 12;
+inline constexpr int patch_vertex_capacity = 512;
+inline constexpr int patch_triangle_capacity = 1024;
+inline constexpr int patch_neighbour_capacity = 3584;
+inline constexpr int target_capacity = 64;
+
+enum class LocalMode : std::uint8_t {
+    none,     ///< no tissue near: only targets and wall
+    surface,  ///< patch
+    grasp,    ///< the jaws hold tissue; a patch may be there too, for its numbers, and makes no force
+};
+
+/// How a tissue answers a tool.
+struct TissueContact {
+    std::int16_t tissue = -1;           ///< index into the scene's tissue table
+    double stiffness_per_area = 1.6e7;  ///< N/m3, Winkler bed of wall and backing
+    double least_stiffness = 100;       ///< N/m, bounds of the local model's K
+    double most_stiffness = 800;        ///< N/m; Eq. 8 is checked for it
+    double damping = 0.4;               ///< N s/m
+    double friction = 0.1;              ///< of a tool that slides over it
+};
+
+/// A patch of the deforming surface. Triangles and adjacency are in patch numbers; *_id are the surface's,
+/// rising.
+struct SurfacePatch {
+    std::int32_t ring_count = 0, vertex_count = 0, triangle_count = 0;
+    std::int32_t first_ring = 0;  ///< surface number of rings[0]
+    std::array<RingMotion, patch_ring_capacity> rings;
+    std::array<SkinRow, patch_vertex_capacity> rows;  ///< first_ring in patch numbers
+    std::array<std::int32_t, patch_vertex_capacity> vertex_id;
+    std::array<double, patch_vertex_capacity> vertex_area;         ///< m2, at rest
+    std::array<std::int16_t, patch_vertex_capacity> tissue_patch;  ///< -1 none
+    std::array<std::uint8_t, patch_vertex_capacity>
+        border;  ///< 1: some triangles around it are not in the patch
+    std::array<Triangle, patch_triangle_capacity> triangles;
+    std::array<std::int32_t, patch_triangle_capacity> triangle_id;
+    std::array<std::int32_t, 3 * patch_triangle_capacity> triangle_neighbours;
+    std::array<std::int32_t, patch_vertex_capacity + 1> vertex_triangle_offsets;
+    std::array<std::int32_t, 3 * patch_triangle_capacity> vertex_triangles;
+    std::array<std::int32_t, patch_vertex_capacity + 1> vertex_neighbour_offsets;
+    std::array<std::int32_t, patch_neighbour_capacity> vertex_neighbours;
+    TissueContact contact;
+    double curvature_radius = 0.016;  ///< m, of the tube here: the step length along the shaft
+    std::int32_t seed_triangle =
+        -1;  ///< patch number, where the world's full search found the surface nearest the tool
+    double seed_shaft = 1.0;   ///< fraction of the shaft there
+    double seed_distance = 0;  ///< m, signed, shaft axis to surface
+    bool overflow = false;     ///< a capacity was too small: the patch is smaller than asked
+
+    /// Patch number of a surface triangle or vertex, -1 when it is not in the patch (binary search).
+    std::int32_t find_triangle(std::int32_t id) const;
+    std::int32_t find_vertex(std::int32_t id) const;
+};
+
+/// A held wall point, about the world's solution of it. Force on tissue = lambda + K (x - x0) + B (v - v0), x
+/// the hold point of the jaws.
+struct GraspModel {
+    Vector3 point = Vector3::Zero();        ///< x0, m: where the wall point was held at the model's tick
+    Vector3 velocity = Vector3::Zero();     ///< v0, m/s
+    Vector3 reaction = Vector3::Zero();     ///< lambda, N, jaw on tissue
+    Vector3 hold_offset = Vector3::Zero();  ///< m, tool frame, the hold point relative to the tip
+    Matrix3 stiffness = Matrix3::Zero();    ///< K, N/m, symmetric, of the tissue seen at the point
+    double damping = 0;                     ///< B, N s/m
+    double friction = 0.5;                  ///< of the jaw faces
+    std::int32_t vertex = -1;               ///< surface vertex nearest the held point
+    std::int16_t tissue = -1, tissue_patch = -1;
+};
+
+/// Rigid sphere (A2).
+struct TargetModel {
+    Vector3 centre = Vector3::Zero();       ///< m
+    double radius = 0;                      ///< m
+    double stiffness = 600, damping = 0.5;  ///< N/m, N s/m
+    std::int32_t id = -1;
+    std::int16_t tissue = -1;
+    bool solid = true;  ///< false: passed through
+};
+
+struct LocalModel {
+    std::uint32_t step = 0;  ///< world step that made it
+    std::uint32_t tick = 0;  ///< tick whose poses it holds for; age = now - tick
+    std::uint32_t topology_version =
+        0;  ///< of the surface's triangles; another number voids remembered triangles
+    LocalMode mode = LocalMode::none;
+    SurfacePatch patch;
+    GraspModel grasp;
+    std::int32_t target_count = 0;
+    std::array<TargetModel, target_capacity> targets;
+    std::int32_t cavity_seed = -1;  ///< cavity triangle nearest the tip, -1: further than the builder looked
+};
+
+/// Both hands' models, as they are handed over.
+struct LocalModels {
+    LocalModel hand[hand_count];
+};
+
+}  // namespace fulcrum

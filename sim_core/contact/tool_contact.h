@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tick side of the local model: at every tick the force between one instrument and everything it touches.
+//
+// Each contact is a proxy (god-object) on a surface, of the tool's radius, coupled by a spring and damper:
+//     F = K d n - B v_rel   on the tool, d the depth; never pulling, tangential part within the friction of
+//     the normal.
+// K of tissue is the Winkler bed under the filter's footprint (theory, section 4). Held tissue answers with
+//     F = lambda + K (x - x0) + B (v - v0)   on the tissue, within the friction cone of the jaws.
+// Model (const) / state / scratch / result; haptic thread: no allocation, lock, exception; always finite.
+#pragma once
+
+#include "sim_core/collision/cavity.h"
+#include "sim_core/contact/force_filter.h"
+#include "sim_core/contact/local_model.h"
+#include "sim_core/contact/surface_walk.h"
+#include "sim_core/instrument/instrument.h"
+
+namespace fulcrum {
+
+/// Constant for an attempt.
+struct ToolContactModel {
+    InstrumentModel instrument;
+    FilterOptions filter;
+    const CavityModel* cavity = nullptr;  ///< null: no wall. Immutable, so the tick may read it
+    TissueContact wall;                   ///< most_stiffness is the wall's K
+    double stiffness_time = 0.010;        ///< s, K follows a change of footprint in this time
+    double onset_depth = 0.0005;          ///< m over which damping comes in with depth
+    double start_reach =
+        0.008;  ///< m, a walk that is further from the surface than this starts from the seed again
+    bool search_always = false;  ///< fidelity "query": full search of the patch at every tick
+};
+
+/// What a hand's contact remembers between ticks; copyable.
+struct ToolContactState {
+    std::int32_t triangle_id = -1;  ///< surface triangle of the dynamic point, -1 none
+    Vector3 barycentric = Vector3(1.0 / 3, 1.0 / 3, 1.0 / 3);
+    double shaft = 1.0;
+    double stiffness = 0;  ///< N/m, relaxed K; 0 out of contact
+    bool touching = false;
+    std::int32_t wall_triangle = -1;
+    Vector3 wall_barycentric = Vector3(1.0 / 3, 1.0 / 3, 1.0 / 3);
+    bool touching_wall = false;
+    std::uint32_t topology_version = 0;
+};
+
+/// Working space: skinned positions and normals of the patch at the tick.
+struct ToolContactScratch {
+    std::array<Vector3, patch_vertex_capacity> positions;
+    std::array<Vector3, patch_vertex_capacity> normals;
+    std::array<std::uint32_t, patch_vertex_capacity> position_stamp{};
+    std::array<std::uint32_t, patch_vertex_capacity> normal_stamp{};
+    std::array<RingFrame, patch_ring_capacity> rings;
+    std::uint32_t stamp = 0;
+};
+
+/// All forces are of the instrument on what it touches, N, patient frame; zero where there is no contact.
+struct ToolContactResult {
+    Vector3 force = Vector3::Zero();          ///< sum
+    Vector3 surface_force = Vector3::Zero();  ///< on the bowel's surface, to be filtered
+    Vector3 grasp_force = Vector3::Zero();    ///< on held tissue
+    Vector3 target_force = Vector3::Zero();
+    Vector3 wall_force = Vector3::Zero();
+    Vector3 tool_force = Vector3::Zero();  ///< on the other instrument (collide_tools)
+
+    bool touching_surface = false, touching_wall = false, touching_target = false, touching_tool = false;
+    bool grasping = false, slipping = false;
+    std::int16_t tissue = -1;        ///< of the largest force, -1 none
+    std::int16_t tissue_patch = -1;  ///< under the contact or the jaws
+    std::int32_t target = -1;        ///< TargetModel::id touched
+    double target_distance = 0;  ///< m, tip surface to the nearest target's surface; meaningful with targets
+
+    Vector3 point = Vector3::Zero();          ///< m, contact point on the bowel's surface
+    Vector3 normal = Vector3::Zero();         ///< unit, outward there
+    double distance = 0;                      ///< m, tool surface to bowel surface; < 0: depth
+    double shaft = 1.0;                       ///< fraction of the shaft at the contact
+    std::int32_t vertex = -1, triangle = -1;  ///< surface numbers
+    FilteredForce filtered;  ///< vertices in surface numbers; count 0 without surface contact
+    double area = 0;         ///< m2, Eq. 4
+    int grade = 0;           ///< Eq. 3
+
+    Matrix3 stiffness = Matrix3::Zero();  ///< N/m, -dF_on_tool/dx of all contacts
+    double damping = 0;                   ///< N s/m, largest
+    double slip_ratio = 0;                ///< tangential force over what the jaws can hold, 0 without grasp
+    bool searched = false;                ///< the patch was searched fully in this tick
+    bool lost = false;                    ///< the dynamic point was lost and not found again
+    std::uint32_t age = 0;                ///< ticks since the model's pose
+    std::uint32_t model_step = 0;
+};
+
+/// Force of one instrument against its local model at `tick`. result is overwritten.
+void step_tool_contact(const ToolContactModel& model, const LocalModel& local, const ToolKinematics& tool,
+                       std::uint32_t tick, ToolContactState& state, ToolContactScratch& scratch,
+                       ToolContactResult& result);
+
+/// Two instruments' shafts as capsules: adds tool_force to both results (opposite). Returns the depth, m; <=
+/// 0 apart.
+double collide_tools(const ToolContactModel& left, const ToolKinematics& left_tool,
+                     const ToolContactModel& right, const ToolKinematics& right_tool,
+                     ToolContactResult& left_result, ToolContactResult& right_result);
+
+/// Force on the tissue of a tool whose contact stiffness is k against tissue of stiffness c
+/// (Rod::stiffness_at): the world's share of the coupling. Applying the tick's force unrelaxed in the next
+/// step diverges where k > c; this is the implicit step instead: previous + (tick - previous) / (1 + k / c).
+Vector3 relax_contact_force(const Vector3& previous, const Vector3& from_tick, double contact_stiffness,
+                            double tissue_stiffness);
+
+}  // namespace fulcrum

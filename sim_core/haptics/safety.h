@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// What stands between the model's force and a hand (theory, section 4, Safety).
+//
+//  * Size: clamped to the limit, direction kept.
+//  * Slew (0.3 N/ms): acts on changes of the model, on loss and on resume. Each such change leaves the sent
+//  force where
+//    it was and lets the difference decay at the slew rate; a moving hand's own force is not slowed.
+//  * Start ramp: after a start or resume the force grows from 0 over ramp_ticks.
+//  * Watchdog: a model older than age_limit ticks, an absent device, a pause or a force that is not finite
+//  lead to
+//    force 0 by the slew rate.
+// Logged and scored force is the model's, before this. Haptic thread: no allocation, lock or exception; the
+// result is finite and within the limit whatever comes in.
+#pragma once
+
+#include <cstdint>
+
+#include "sim_core/numerics/types.h"
+
+namespace fulcrum {
+
+struct SafetyLimits {
+    double force = 10.0;           ///< N
+    double slew = 300.0;           ///< N/s
+    double tick_period = 1e-3;     ///< s
+    std::uint32_t age_limit = 40;  ///< ticks; 0: no limit (a model without a world)
+    std::uint32_t ramp_ticks = 300;
+};
+
+/// One hand, one tick.
+struct SafetyInput {
+    Vector3 force = Vector3::Zero();  ///< N, force on the hand that the model in use gives at this pose
+    Vector3 old_force =
+        Vector3::Zero();  ///< N, what the model used before gives at this pose; read when model_changed
+    bool model_changed = false;   ///< the force comes from another model than the tick before
+    std::uint32_t model_age = 0;  ///< ticks since the pose of the model
+    bool connected = true;        ///< the device is there and the attempt is not paused
+};
+
+enum SafetyFlag : std::uint16_t {
+    safety_clamped = 1,      ///< the size limit acted
+    safety_slewed = 2,       ///< a difference is decaying
+    safety_ramping = 4,      ///< the start ramp is below 1
+    safety_stale = 8,        ///< the model is older than the limit
+    safety_not_finite = 16,  ///< the model's force was not finite
+};
+
+struct SafetyOutput {
+    Vector3 force = Vector3::Zero();  ///< N, to the device
+    std::uint16_t flags = 0;          ///< SafetyFlag mask
+};
+
+/// State of one hand; copyable.
+struct SafetyState {
+    Vector3 sent = Vector3::Zero();        ///< N, last force sent
+    Vector3 difference = Vector3::Zero();  ///< N, decaying
+    std::uint32_t ramp = 0;                ///< ticks since the start or resume
+    bool live = false;                     ///< the last tick rendered the model
+};
+
+SafetyOutput step_safety(const SafetyLimits& limits, const SafetyInput& input, SafetyState& state);
+
+/// Shortens a force to the limit, direction kept; what is not finite becomes zero.
+Vector3 clamp_force(const Vector3& force, double limit, bool* clamped = nullptr);
+
+}  // namespace fulcrum
