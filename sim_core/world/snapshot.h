@@ -36,6 +36,7 @@ struct GraspState {
     Vector3 point = Vector3::Zero();     ///< wall point, patient frame, m
     Vector3 reaction = Vector3::Zero();  ///< N, jaw on tissue
     std::int32_t patch = -1;
+    bool slipped = false;                ///< the last hold ended because its reaction left the friction cone, not by opening the jaws
 };
 
 struct TargetSphere {
