@@ -4,26 +4,38 @@
 // frame.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "sim_core/bowel/cage.h"
+#include "sim_core/bowel/ring_windows.h"
 #include "sim_core/bowel/skin.h"
 #include "sim_core/geometry/mesh.h"
 
 namespace fulcrum {
 
-class DisplaySkin;
+/// Binds single points of the rest pose to the rings; the cage must outlive it. Not thread safe: owns
+/// scratch.
+class SkinBinder {
+  public:
+    explicit SkinBinder(const Cage& cage);
+    /// Gap between two rings in which a rest point lies.
+    int gap_of(const Vector3& point) const;
+    /// Row of a point as one of that gap: local mean value coordinates, blended windows, k = 1.
+    SkinRow bind(int gap, const Vector3& point);
 
-/// Built once when a scene loads; vertices and triangles keep the numbers of the mesh given.
+  private:
+    const Cage* cage_;
+    RingWindows windows_;
+    WindowWeights weights_;
+};
+
+/// Built once when a scene loads; vertices and triangles keep the numbers of the mesh given. Drawing:
+/// display_skin.h.
 class BowelSkin {
   public:
     /// Binds the surface with local mean value coordinates in blended windows (k = 1). Throws InputError as
     /// build_cage does.
     BowelSkin(TriangleMesh surface, Cage cage);
-    ~BowelSkin();
-    BowelSkin(BowelSkin&&) noexcept;
-    BowelSkin& operator=(BowelSkin&&) noexcept;
 
     const TriangleMesh& rest() const { return rest_; }
     const MeshAdjacency& adjacency() const { return adjacency_; }
@@ -38,7 +50,6 @@ class BowelSkin {
     /// Vertices whose row begins at ring r: by_ring()[by_ring_offsets()[r] .. by_ring_offsets()[r + 1]).
     const std::vector<std::int32_t>& by_ring() const { return by_ring_; }
     const std::vector<std::int32_t>& by_ring_offsets() const { return by_ring_offsets_; }
-    const DisplaySkin& display() const { return *display_; }
     std::size_t bytes() const;
 
   private:
@@ -49,17 +60,7 @@ class BowelSkin {
     std::vector<Vector3> rest_normals_;
     std::vector<double> vertex_areas_;
     std::vector<std::int32_t> by_ring_, by_ring_offsets_;
-    std::unique_ptr<DisplaySkin> display_;
 };
-
-/// Display path, fp32, error <= 1e-6 m. frames: one a ring. positions and normals: 3 floats a vertex in the
-/// mesh's order; normals may be null. Allocates nothing. Draws only: its bits may depend on the CPU and never
-/// feed back.
-void skin_all(const BowelSkin& skin, const RingFrame* frames, float* positions, float* normals);
-
-/// Adds local dents to a skinned surface and renews the normals of the dented vertices and of their first
-/// rings.
-void add_dents(const BowelSkin& skin, const DentVertex* dents, int count, float* positions, float* normals);
 
 /// All vertices in double. positions: one a vertex.
 void skin_all(const BowelSkin& skin, const RingFrame* frames, Vector3* positions);

@@ -16,7 +16,6 @@ namespace fulcrum {
 struct MeanValueScratch {
     std::vector<Vector3> direction;  ///< unit, point to cage vertex
     std::vector<double> distance;    ///< m
-    std::vector<double> weight;
 };
 
 /// Weights of all cage vertices at `point`: sum 1, sum of weight * vertex = point. The cage is closed and

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The surface as a function of the ring frames: the form in which mean value coordinates leave the rest pose.
 //
-// Ring r carries template vertices X_rk (k = 0..7) that move rigidly with its frame (c_r, R_r), so a surface vertex
-//     v = sum_j sum_k w_jk (c_rj + R_rj X_rjk) = sum_j (W_j c_rj + R_rj Y_j),   W_j = sum_k w_jk,  Y_j = sum_k w_jk X_jk,
-// exactly: four rings cost 16 numbers a vertex instead of 32 weights and 32 cage points (theory 1.4; Ju et al. 2005).
+// Ring r carries template vertices X_rk (k = 0..7) that move rigidly with its frame (c_r, R_r), so a surface
+// vertex
+//     v = sum_j sum_k w_jk (c_rj + R_rj X_rjk) = sum_j (W_j c_rj + R_rj Y_j),   W_j = sum_k w_jk,  Y_j =
+//     sum_k w_jk X_jk,
+// exactly: four rings cost 16 numbers a vertex instead of 32 weights and 32 cage points (theory 1.4; Ju et
+// al. 2005).
 #pragma once
 
 #include <vector>
@@ -31,7 +34,8 @@ struct RingMotion {
 struct SkinRow {
     std::int32_t first_ring = 0;
     double weight[skin_rings] = {0, 0, 0, 0};  ///< W_j, sum 1
-    Vector3 offset[skin_rings] = {Vector3::Zero(), Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};  ///< Y_j, m, ring frame
+    Vector3 offset[skin_rings] = {Vector3::Zero(), Vector3::Zero(), Vector3::Zero(),
+                                  Vector3::Zero()};  ///< Y_j, m, ring frame
 };
 
 /// Local dent on top of skinning.
