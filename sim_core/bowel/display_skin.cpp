@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_core/bowel/display_skin.h"
+
+#include <cassert>
+#include <cmath>
+
+namespace fulcrum {
+namespace {
+
+constexpr int lanes = 16;                  // vertices a block: two 256-bit or one 512-bit register of floats
+constexpr int row_terms = 4 * skin_rings;  // W_j, Y_j
+constexpr std::size_t block_floats = static_cast<std::size_t>(lanes) * row_terms;
+constexpr double tangent_step = 1e-6;  // m, forward difference of the rows along the rest surface
+
+// Row terms in the order W_0, Y_0x, Y_0y, Y_0z, W_1 ...
+void store_row(const SkinRow& row, double scale, std::int32_t first_ring, float* block, int lane) {
+    const int shift = row.first_ring - first_ring;
+    for (int j = 0; j < skin_rings; ++j) {
+        const int place = j + shift;
+        if (place < 0 || place >= skin_rings)
+            continue;  // a forced gap shares its window: nothing lies outside
+        float* const terms = block + static_cast<std::size_t>(4 * place) * lanes + lane;
+        terms[0] += static_cast<float>(scale * row.weight[j]);
+        for (int i = 0; i < 3; ++i) terms[(i + 1) * lanes] += static_cast<float>(scale * row.offset[j][i]);
+    }
+}
+
+SkinRow difference(const SkinRow& a, const SkinRow& b) {
+    SkinRow result = a;
+    for (int j = 0; j < skin_rings; ++j) {
+        result.weight[j] -= b.weight[j];
+        result.offset[j] -= b.offset[j];
+    }
+    return result;
+}
+
+// A right-handed pair of unit tangents: first x second = normal.
+void tangents_of(const Vector3& normal, Vector3& first, Vector3& second) {
+    const Vector3 axis = std::abs(normal.x()) < 0.9 ? Vector3::UnitX() : Vector3::UnitY();
+    first = axis.cross(normal).normalized();
+    second = normal.cross(first);
+}
+
+struct Lanes {
+    float x[lanes], y[lanes], z[lanes];
+};
+
+// sum over rings of W_j c_j + R_j Y_j for one block; ring: 12 floats each, position then rotation by columns.
+inline void accumulate(const float* block, const float* ring, Lanes& out) {
+    float x[lanes], y[lanes], z[lanes];
+    for (int l = 0; l < lanes; ++l) x[l] = y[l] = z[l] = 0.0f;
+    for (int term = 0; term < row_terms; ++term) {
+        const float* const values = block + term * lanes;
+        const float fx = ring[3 * term], fy = ring[3 * term + 1], fz = ring[3 * term + 2];
+        for (int l = 0; l < lanes; ++l) {
+            x[l] = std::fma(values[l], fx, x[l]);
+            y[l] = std::fma(values[l], fy, y[l]);
+            z[l] = std::fma(values[l], fz, z[l]);
+        }
+    }
+    for (int l = 0; l < lanes; ++l) {
+        out.x[l] = x[l];
+        out.y[l] = y[l];
+        out.z[l] = z[l];
+    }
+}
+
+inline void cross_unit(const Lanes& a, const Lanes& b, Lanes& out) {
+    for (int l = 0; l < lanes; ++l) {
+        const float x = a.y[l] * b.z[l] - a.z[l] * b.y[l];
+        const float y = a.z[l] * b.x[l] - a.x[l] * b.z[l];
+        const float z = a.x[l] * b.y[l] - a.y[l] * b.x[l];
+        const float scale = 1.0f / std::sqrt(x * x + y * y + z * z + 1e-30f);
+        out.x[l] = x * scale;
+        out.y[l] = y * scale;
+        out.z[l] = z * scale;
+    }
+}
+
+inline void scatter(const Lanes& values, const std::int32_t* vertices, float* out) {
+    for (int l = 0; l < lanes; ++l) {
+        const std::int32_t v = vertices[l];
+        if (v < 0) break;
+        out[3 * v] = values.x[l];
+        out[3 * v + 1] = values.y[l];
+        out[3 * v + 2] = values.z[l];
+    }
+}
+
+}  // namespace
+
+DisplaySkin::DisplaySkin(const BowelSkin& skin)
+    : skin_(&skin), vertices_(skin.vertices()), rings_(skin.rings()) {
+    SkinBinder binder(skin.cage());
+    const auto& order = skin.by_ring();
+    const auto& offsets = skin.by_ring_offsets();
+    for (int r = 0; r < rings_; ++r) {
+        const auto begin = offsets[static_cast<std::size_t>(r)],
+                   end = offsets[static_cast<std::size_t>(r) + 1];
+        for (std::int32_t first = begin; first < end; first += lanes) {
+            block_ring_.push_back(r);
+            position_rows_.resize(position_rows_.size() + block_floats, 0.0f);
+            tangent_rows_.resize(tangent_rows_.size() + 2 * block_floats, 0.0f);
+            float* const position = position_rows_.data() + position_rows_.size() - block_floats;
+            float* const tangent = tangent_rows_.data() + tangent_rows_.size() - 2 * block_floats;
+            for (int l = 0; l < lanes; ++l) {
+                const std::int32_t v = first + l < end ? order[static_cast<std::size_t>(first + l)] : -1;
+                block_vertices_.push_back(v);
+                if (v < 0) continue;
+                const auto n = static_cast<std::size_t>(v);
+                const Vector3& point = skin.rest().vertices[n];
+                const int gap = binder.gap_of(point);
+                Vector3 directions[2];
+                tangents_of(skin.rest_normals()[n], directions[0], directions[1]);
+                store_row(skin.rows()[n], 1.0, r, position, l);
+                for (int t = 0; t < 2; ++t) {
+                    const SkinRow moved = binder.bind(gap, point + tangent_step * directions[t]);
+                    store_row(difference(moved, skin.rows()[n]), 1.0 / tangent_step, r,
+                              tangent + static_cast<std::size_t>(t) * block_floats, l);
+                }
+            }
+        }
+    }
+}
+
+void DisplaySkin::evaluate(const RingFrame* frames, float* ring_floats, float* positions,
+                           float* normals) const {
+    for (int r = 0; r < rings_; ++r) {
+        float* const ring = ring_floats + 12 * r;
+        for (int i = 0; i < 3; ++i) ring[i] = static_cast<float>(frames[r].position[i]);
+        for (int column = 0; column < 3; ++column) {
+            for (int i = 0; i < 3; ++i) {
+                ring[3 + 3 * column + i] = static_cast<float>(frames[r].rotation(i, column));
+            }
+        }
+    }
+    for (std::size_t block = 0; block < block_ring_.size(); ++block) {
+        const float* const ring = ring_floats + 12 * block_ring_[block];
+        const std::int32_t* const vertices = block_vertices_.data() + block * lanes;
+        Lanes values;
+        accumulate(position_rows_.data() + block * block_floats, ring, values);
+        scatter(values, vertices, positions);
+        if (normals == nullptr) continue;
+        Lanes first, second;
+        accumulate(tangent_rows_.data() + 2 * block * block_floats, ring, first);
+        accumulate(tangent_rows_.data() + (2 * block + 1) * block_floats, ring, second);
+        cross_unit(first, second, values);
+        scatter(values, vertices, normals);
+    }
+}
+
+void DisplaySkin::add_dents(const DentVertex* dents, int count, float* positions, float* normals) const {
+    for (int i = 0; i < count; ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            positions[3 * dents[i].vertex + axis] += static_cast<float>(dents[i].displacement[axis]);
+        }
+    }
+    if (normals == nullptr) return;
+    const auto position = [positions](std::int32_t v) {
+        return Eigen::Vector3f(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]);
+    };
+    const auto renew = [&](std::int32_t vertex) {
+        Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+        for (const auto t : skin_->adjacency().triangles_of(vertex)) {
+            const Triangle& triangle = skin_->rest().triangles[static_cast<std::size_t>(t)];
+            const Eigen::Vector3f a = position(triangle[0]);
+            sum += (position(triangle[1]) - a).cross(position(triangle[2]) - a);
+        }
+        const float length = sum.norm();
+        if (!(length > 0.0f)) return;
+        for (int axis = 0; axis < 3; ++axis) normals[3 * vertex + axis] = sum[axis] / length;
+    };
+    for (int i = 0; i < count; ++i) {
+        renew(dents[i].vertex);
+        for (const auto neighbour : skin_->adjacency().neighbours_of(dents[i].vertex)) renew(neighbour);
+    }
+}
+
+std::size_t DisplaySkin::bytes() const {
+    return sizeof(float) * (position_rows_.size() + tangent_rows_.size()) +
+           sizeof(std::int32_t) * (block_ring_.size() + block_vertices_.size());
+}
+
+}  // namespace fulcrum
