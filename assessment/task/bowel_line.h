@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The bowel's centre line in a snapshot, by arc length: what tasks count along and operators look at.
+#pragma once
+
+#include "sim_core/world/snapshot.h"
+
+namespace fulcrum {
+
+/// A place on the centre line; m, patient frame.
+struct LinePoint {
+    Vector3 position = Vector3::Zero();
+    Vector3 tangent = Vector3::UnitX();  ///< unit, towards larger arc length
+};
+
+/// The centre line at a rest arc length, linear between nodes, clamped to its ends. A snapshot without a
+/// bowel gives the origin. Allocates nothing, never throws.
+LinePoint line_point(const WorldSnapshot& world, double arc_length) noexcept;
+
+}  // namespace fulcrum

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Progress towards a task's goals: targets held, bowel run hand over hand, bowel lifted and held.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "assessment/task/hand_monitor.h"
+#include "assessment/task/monitor.h"
+
+namespace fulcrum {
+
+/// The goals of one attempt, one after another. Allocates nothing after construction, never throws
+/// afterwards.
+class GoalMonitor {
+  public:
+    /// Throws InputError where the scene lacks what a goal needs.
+    GoalMonitor(const TaskDefinition& task, const Scene& scene);
+
+    /// One tick, before the step's holds are known: contact with targets.
+    void tick(const TickSample& sample, const WorldSnapshot& world, EventSink& sink) noexcept;
+    /// After the step: what the hands hold. `ticks` have passed since the last call, pauses excluded.
+    void step(const WorldSnapshot& world, const std::array<HoldChange, hand_count>& changes,
+              std::uint32_t tick, std::uint32_t ticks, EventSink& sink) noexcept;
+    bool done() const noexcept { return goal_ >= static_cast<int>(goals_.size()); }
+    /// Writes the goal part of the display.
+    void show(TaskDisplay& display) const noexcept;
+    /// How far a held place is above its resting height, m.
+    double height(const WorldSnapshot& world, const GraspState& grasp) const noexcept;
+
+  private:
+    void begin_goal(const WorldSnapshot& world, std::uint32_t tick, EventSink& sink) noexcept;
+    void end_goal(const WorldSnapshot& world, std::uint32_t tick, EventSink& sink) noexcept;
+    void show_target(const WorldSnapshot& world, std::uint32_t tick, EventSink& sink) noexcept;
+    void step_run(const WorldSnapshot& world, const std::array<HoldChange, hand_count>& changes,
+                  std::uint32_t tick, EventSink& sink) noexcept;
+    void step_lift(const WorldSnapshot& world, std::uint32_t tick, std::uint32_t ticks,
+                   EventSink& sink) noexcept;
+    void progress(double value, std::uint32_t tick, EventSink& sink) noexcept;
+    const Goal& goal() const noexcept { return goals_[static_cast<std::size_t>(goal_)]; }
+
+    std::vector<Goal> goals_;
+    std::vector<double> rest_heights_;  ///< m, of each centre-line node before anyone has grasped
+    double tick_period_ = 1e-3;
+    std::array<double, hand_count> tip_radius_{};
+    int goal_ = 0;
+    bool begun_ = false, grasped_ever_ = false;
+    // touch_targets
+    int reached_ = 0, target_ = -1;
+    std::uint32_t hold_ticks_ = 0;
+    // run_bowel: arc lengths counted in the goal's direction from from_m
+    double covered_ = 0, run_next_ = 0;
+    // lift_and_hold
+    double lift_height_ = 0;
+};
+
+}  // namespace fulcrum

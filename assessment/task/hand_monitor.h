@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// What one hand does to tissue, as events: forces above limits, pressure, perforation, wall contact, grasps
+// and how they end.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "assessment/task/monitor.h"
+
+namespace fulcrum {
+
+/// A tissue's limits as an attempt's monitor needs them, forces in mN as samples carry them. 0: none.
+struct TissueWatch {
+    double force_limit = 0;        ///< mN
+    double perforation_limit = 0;  ///< mN, drawn for this attempt
+    double pressure_limit = 0;     ///< Pa
+    bool wall = false;             ///< contact is worth an event
+};
+
+/// What a step changed about a hand's hold.
+enum class HoldChange : std::uint8_t { none, grasped, released, slipped };
+
+/// One hand. Fixed size, allocates nothing, never throws.
+class HandMonitor {
+  public:
+    void configure(Hand hand, const Scene& scene, const std::vector<TissueWatch>* tissues,
+                   double warning_margin);
+    /// One tick: forces, pressure, perforation, wall contact.
+    void tick(const TickSample& sample, EventSink& sink) noexcept;
+    /// After the step: the hold as the world left it. `tick` stamps the events.
+    HoldChange hold(const GraspState& grasp, std::uint32_t tick, std::int8_t tissue,
+                    EventSink& sink) noexcept;
+    /// Speed of the tip over the last 20 ms inside the body, m/s; 0 outside or before 20 ms have passed.
+    double speed() const noexcept { return speed_; }
+    /// Whether this hand grasped last, its patch and when it let go, to tell a regrasp by either hand.
+    struct Released {
+        std::int32_t patch = -1;
+        std::uint32_t tick = 0;
+        bool valid = false;
+    };
+    const Released& released() const noexcept { return released_; }
+    void forget_released() noexcept { released_.valid = false; }
+
+    /// Since the last begin_step(): for the display.
+    void begin_step() noexcept { step_force_ = 0; }
+    double step_force() const noexcept { return step_force_; }    ///< N
+    double force_limit() const noexcept { return limit_shown_; }  ///< N, 0 none
+    bool warning() const noexcept { return warning_; }
+
+  private:
+    void speed_tick(const HandSample& sample) noexcept;
+    void emit(EventSink& sink, std::uint32_t tick, EventKind kind, int tissue, std::int32_t detail,
+              double value) const noexcept;
+
+    static constexpr int speed_span = 20;  // samples at 1 kHz; see speed_tick
+    const std::vector<TissueWatch>* tissues_ = nullptr;
+    Hand hand_ = Hand::left;
+    double tick_rate_ = 1000, warning_margin_ = 0;
+    std::array<std::array<std::int32_t, 3>, 128> tips_{};
+    int span_ = speed_span;
+    std::uint64_t samples_ = 0;
+    double speed_ = 0, step_force_ = 0, limit_shown_ = 0;
+    bool warning_ = false, was_inside_ = false;
+    bool over_ = false, perforated_ = false, pressed_ = false, on_wall_ = false, held_ = false,
+         faulty_ = false;
+    int over_tissue_ = -1;
+    double over_peak_ = 0, over_limit_ = 0;
+    GraspState last_grasp_;
+    Released released_;
+};
+
+}  // namespace fulcrum
