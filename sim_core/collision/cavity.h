@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "sim_core/geometry/closest_point.h"
 #include "sim_core/geometry/mesh.h"
 
 namespace fulcrum {
@@ -24,16 +25,19 @@ struct CavityPoint {
     double distance = 0;  ///< m, signed: > 0 on the free side
 };
 
-/// Triangle a, b, c with its normal and the pseudonormals of its features, all towards the free side.
+/// Triangle a, b, c with its normal towards the free side (zero without area).
 struct CavityTriangle {
     Vector3 a = Vector3::Zero(), b = Vector3::Zero(), c = Vector3::Zero();  ///< m
     Vector3 normal = Vector3::Zero();                                       ///< unit
 };
 
-/// A triangle near a point, and how near.
+/// A triangle near a point, how near, and a ball around it for quick rejection. Rounded so that nothing near
+/// is missed.
 struct ListedTriangle {
     std::int32_t triangle = -1;
-    float distance = 0;  ///< m, rounded down
+    float distance = 0;           ///< m, rounded down
+    float centre[3] = {0, 0, 0};  ///< m
+    float radius = 0;             ///< m, rounded up
 };
 
 class CavityModel {
@@ -63,8 +67,16 @@ class CavityModel {
     /// Closest point on one triangle, signed by the pseudonormal of its feature (Baerentzen and Aanaes 2005).
     CavityPoint closest_on(std::int32_t triangle, const Vector3& point) const;
 
+    /// The same, for a point within sqrt(reach2): false where the triangle is further. local_minimum says
+    /// whether the wall around the foot is nowhere nearer: only such feet are contacts of their own.
+    bool examine(std::int32_t triangle, const Vector3& point, double reach2, CavityPoint& result,
+                 bool& local_minimum) const;
+
   private:
     struct Hierarchy;
+    CavityPoint sign(std::int32_t triangle, const Vector3& point, const Vector3& foot,
+                     TriangleFeature feature) const;
+
     TriangleMesh mesh_;
     MeshAdjacency adjacency_;
     FreeSide side_ = FreeSide::behind;

@@ -64,7 +64,7 @@ struct SphereContacts {
     double residual_pair = 0;    ///< m
     int relisted = 0;            ///< spheres listed again
     bool list_overflow =
-        false;  ///< list_capacity too small: those spheres asked the hierarchy instead, still exact
+        false;  ///< list_capacity too small: those spheres asked the hierarchy for their closest point alone
     bool plane_overflow = false;  ///< planes_per_sphere too small: the shallowest were left out
     bool pair_overflow = false;   ///< pair_capacity or near_pair_capacity too small: pairs were left out
 };
@@ -89,19 +89,22 @@ class SphereCollision {
     /// The lists: a cache, not part of the world's state.
     struct Lists {
         std::vector<ListedTriangle> triangles;  ///< [sphere * list_capacity + k], by rising distance
-        std::vector<std::int32_t> counts;  ///< a sphere: -1 never listed, more than list_capacity: overflow
-        std::vector<Vector3> listed_at;
-        std::vector<std::int32_t> near_first, near_second;
-        std::vector<std::int32_t> order;  ///< spheres by x, for the sweep
-        std::vector<Vector3> near_at;     ///< centres when the near pairs were listed
-        std::vector<Vector3> projected;   ///< centres during projection
+        std::vector<std::int32_t> counts;       ///< a sphere: triangles listed; < 0: ask the hierarchy
+        std::vector<Vector3> listed_at;         ///< m
+        std::vector<double> free_motion;        ///< m the sphere may move before it is listed again
+        std::vector<std::int32_t> near_first, near_second;  ///< pairs of spheres near each other
+        std::vector<std::int32_t> order;                    ///< spheres by x, for the sweep
+        std::vector<Vector3> near_at;                       ///< centres when the near pairs were listed
+        std::vector<Vector3> projected;                     ///< centres during and after projection
+        std::vector<std::uint8_t> moved;                    ///< a sphere: 1 if the last projection moved it
+        std::vector<double> depth;                          ///< m, of each sphere in the wall
         std::int32_t near_count = -1;
         bool near_overflow = false;
     };
     Lists make_lists() const;
 
-    /// Contacts at the centres given (one a sphere), plus those that projection met on its way; projected
-    /// centres are left in lists.projected. A centre that is not finite is left out.
+    /// Contacts at the centres given (one a sphere), plus those that projection met on its way; ordered by
+    /// sphere. Projected centres are left in lists.projected. A centre that is not finite is left out.
     void collide(const Vector3* centres, Lists& lists, SphereContacts& contacts) const;
 
     /// Cavity only, centres as given, no projection: closest point and depth of each sphere (results: one a
@@ -109,13 +112,21 @@ class SphereCollision {
     int depths(const Vector3* centres, Lists& lists, SphereDepth* results) const;
 
   private:
-    struct Candidate;
-    bool refresh(std::int32_t sphere, const Vector3& centre, Lists& lists) const;
-    int gather(std::int32_t sphere, const Vector3& centre, const Lists& lists, Candidate* candidates,
-               int capacity) const;
+    static constexpr std::int32_t never_listed = -1, overflowed = -2, behind_wall = -3;
+    static constexpr int candidate_capacity = 64;
+    struct Candidates {
+        CavityPoint points[candidate_capacity];  ///< distinct patches, nearest first
+        int count = 0;
+        bool overflow = false;
+    };
+    bool refresh(int sphere, const Vector3& centre, Lists& lists) const;
+    void gather(int sphere, const Vector3& centre, const Lists& lists, Candidates& found) const;
+    void keep_distinct(Candidates& found) const;
     void refresh_pairs(const Vector3* centres, Lists& lists) const;
-    void add_cavity(std::int32_t sphere, const Vector3& centre, const Vector3& start, Lists& lists,
-                    SphereContacts& contacts, int& first, Vector3& moved, double& deepest) const;
+    void add_planes(int sphere, const Vector3& start, const Candidates& found, bool only_new,
+                    SphereContacts& contacts) const;
+    double add_pairs(const Vector3* centres, Lists& lists, SphereContacts& contacts) const;
+    void project(Lists& lists, SphereContacts& contacts, const Vector3* centres) const;
 
     const CavityModel* cavity_ = nullptr;
     SphereChainShape chain_;

@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_core/collision/sphere_collision.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim_core/numerics/input_error.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr double no_move = 1e-8;    // m: shallower overlaps are the solve's rounding, not worth a projection
+constexpr double everywhere = 1e6;  // m
+
+std::size_t index(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+}  // namespace
+
+SphereCollision::SphereCollision(const CavityModel* cavity, SphereChainShape chain,
+                                 SphereCollisionOptions options)
+    : cavity_(cavity), chain_(std::move(chain)), options_(options) {
+    if (chain_.radii.size() != chain_.arc_lengths.size()) {
+        throw InputError("sphere chain", "radii", "not as many as arc lengths", "give one of each a sphere");
+    }
+    for (std::size_t i = 0; i < chain_.radii.size(); ++i) {
+        if (!(chain_.radii[i] > 0) || !std::isfinite(chain_.radii[i]) ||
+            !std::isfinite(chain_.arc_lengths[i])) {
+            throw InputError("sphere chain", std::to_string(i),
+                             "a radius is not positive or a value not finite",
+                             "give radii in metres, above 0");
+        }
+        largest_radius_ = std::max(largest_radius_, chain_.radii[i]);
+    }
+}
+
+SphereContacts SphereCollision::make_contacts() const {
+    SphereContacts contacts;
+    if (cavity_ != nullptr) contacts.cavity.resize(index(spheres()) * index(options_.planes_per_sphere));
+    contacts.pairs.resize(index(options_.pair_capacity));
+    return contacts;
+}
+
+SphereCollision::Lists SphereCollision::make_lists() const {
+    Lists lists;
+    const std::size_t count = index(spheres());
+    if (cavity_ != nullptr) {
+        lists.triangles.resize(count * index(options_.list_capacity));
+        lists.counts.assign(count, never_listed);
+        lists.listed_at.assign(count, Vector3::Zero());
+        lists.free_motion.assign(count, 0);
+    }
+    lists.near_first.resize(index(options_.near_pair_capacity));
+    lists.near_second.resize(index(options_.near_pair_capacity));
+    lists.order.resize(count);
+    for (std::size_t i = 0; i < count; ++i) lists.order[i] = static_cast<std::int32_t>(i);
+    lists.near_at.assign(count, Vector3::Zero());
+    lists.projected.assign(count, Vector3::Zero());
+    lists.moved.assign(count, 0);
+    lists.depth.assign(count, 0);
+    return lists;
+}
+
+std::size_t SphereCollision::bytes() const {
+    const std::size_t count = index(spheres());
+    const std::size_t a_sphere =
+        index(options_.list_capacity) * sizeof(ListedTriangle) + 3 * sizeof(Vector3) +
+        index(options_.planes_per_sphere) * sizeof(CavityContact) + 5 * sizeof(double);
+    return sizeof(*this) + count * a_sphere + index(options_.near_pair_capacity) * 2 * sizeof(std::int32_t) +
+           index(options_.pair_capacity) * sizeof(SphereContact);
+}
+
+// Lists a sphere again from the hierarchy when it has moved further than its list is good for.
+bool SphereCollision::refresh(int sphere, const Vector3& centre, Lists& lists) const {
+    const std::size_t i = index(sphere);
+    if (lists.counts[i] != never_listed &&
+        (centre - lists.listed_at[i]).squaredNorm() < lists.free_motion[i] * lists.free_motion[i]) {
+        return false;
+    }
+    ListedTriangle* own = lists.triangles.data() + i * index(options_.list_capacity);
+    const double reach = chain_.radii[i] + options_.contact_margin + options_.list_margin;
+    const int count = cavity_->list(centre, reach, own, options_.list_capacity);
+    lists.listed_at[i] = centre;
+    lists.free_motion[i] = options_.list_margin;
+    if (count > options_.list_capacity) {
+        lists.counts[i] = overflowed;
+        return true;
+    }
+    lists.counts[i] = count;
+    if (count == 0) {
+        // Far from the wall: free until it could come near. Far behind the wall: asked again at every step.
+        const CavityPoint wall = cavity_->closest(centre, everywhere);
+        lists.free_motion[i] = std::max(0.0, wall.distance - chain_.radii[i] - options_.contact_margin);
+        return true;
+    }
+    std::sort(own, own + count, [](const ListedTriangle& a, const ListedTriangle& b) {
+        return a.distance < b.distance || (a.distance <= b.distance && a.triangle < b.triangle);
+    });
+    // In front of the wall at listing, a sphere stays within reach of the wall while the list is good. Behind
+    // it, it may be anywhere, and only the way back matters.
+    if (cavity_->closest_on(own[0].triangle, centre).distance < 0) lists.counts[i] = behind_wall;
+    return true;
+}
+
+// All patches of the wall within the radius and the contact margin, nearest first.
+void SphereCollision::gather(int sphere, const Vector3& centre, const Lists& lists, Candidates& found) const {
+    const std::size_t i = index(sphere);
+    found.count = 0;
+    found.overflow = false;
+    const double reach = chain_.radii[i] + options_.contact_margin;
+    const double reach2 = reach * reach;
+    if (lists.counts[i] == 0 && lists.free_motion[i] > 0) return;
+    if (lists.counts[i] <= 0) {
+        const CavityPoint wall = cavity_->closest(centre, everywhere);
+        if (wall.triangle >= 0 && wall.distance < reach) found.points[found.count++] = wall;
+        return;
+    }
+    const ListedTriangle* own = lists.triangles.data() + i * index(options_.list_capacity);
+    const double drift = (centre - lists.listed_at[i]).norm();
+    CavityPoint nearest;
+    double nearest2 = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < lists.counts[i]; ++k) {
+        const ListedTriangle& entry = own[k];
+        if (static_cast<double>(entry.distance) - drift > reach) break;  // sorted: so are all that follow
+        const double dx = centre.x() - static_cast<double>(entry.centre[0]);
+        const double dy = centre.y() - static_cast<double>(entry.centre[1]);
+        const double dz = centre.z() - static_cast<double>(entry.centre[2]);
+        const double far = reach + static_cast<double>(entry.radius);
+        if (dx * dx + dy * dy + dz * dz > far * far) continue;
+        CavityPoint point;
+        bool own_patch = false;
+        if (!cavity_->examine(entry.triangle, centre, reach2, point, own_patch)) continue;
+        const double distance2 = point.distance * point.distance;
+        if (distance2 < nearest2 || (distance2 <= nearest2 && point.triangle < nearest.triangle)) {
+            nearest2 = distance2;
+            nearest = point;
+        }
+        if (!own_patch || point.distance < 0) continue;
+        if (found.count == candidate_capacity) {
+            found.overflow = true;
+            continue;
+        }
+        found.points[found.count++] = point;
+    }
+    if (nearest.triangle < 0) return;
+    if (nearest.distance < 0) found.count = 0;  // behind the wall only the way out matters
+    if (found.count == candidate_capacity) --found.count;
+    found.points[found.count++] = nearest;
+    keep_distinct(found);
+}
+
+// Sorts by distance and joins patches that face the same way. Independent of the order of the list.
+void SphereCollision::keep_distinct(Candidates& found) const {
+    std::sort(found.points, found.points + found.count, [](const CavityPoint& a, const CavityPoint& b) {
+        return a.distance < b.distance || (a.distance <= b.distance && a.triangle < b.triangle);
+    });
+    int kept = 0;
+    for (int i = 0; i < found.count; ++i) {
+        bool distinct = true;
+        for (int k = 0; k < kept && distinct; ++k) {
+            distinct = found.points[i].normal.dot(found.points[k].normal) < options_.distinct_cosine;
+        }
+        if (distinct) found.points[kept++] = found.points[i];
+    }
+    found.count = kept;
+}
+
+int SphereCollision::depths(const Vector3* centres, Lists& lists, SphereDepth* results) const {
+    int relisted = 0;
+    Candidates found;
+    for (int i = 0; i < spheres(); ++i) {
+        results[i] = SphereDepth{};
+        if (cavity_ == nullptr || !centres[i].allFinite()) continue;
+        relisted += refresh(i, centres[i], lists) ? 1 : 0;
+        gather(i, centres[i], lists, found);
+        if (found.count == 0) continue;
+        results[i].closest = found.points[0];
+        results[i].depth = chain_.radii[index(i)] - found.points[0].distance;
+    }
+    return relisted;
+}
+
+// Pairs that could touch before some sphere has moved by the list margin: a sweep along x.
+void SphereCollision::refresh_pairs(const Vector3* centres, Lists& lists) const {
+    const int count = spheres();
+    const double margin = options_.list_margin;
+    if (lists.near_count >= 0) {
+        bool still = true;
+        for (int i = 0; i < count && still; ++i) {
+            still = !((centres[i] - lists.near_at[index(i)]).squaredNorm() > margin * margin);
+        }
+        if (still) return;
+    }
+    for (int i = 0; i < count; ++i)
+        lists.near_at[index(i)] =
+            centres[i].allFinite() ? centres[i] : Vector3(Vector3::Constant(everywhere));
+    const auto before = [&](std::int32_t a, std::int32_t b) {
+        const double xa = lists.near_at[index(a)].x(), xb = lists.near_at[index(b)].x();
+        return xa < xb || (xa <= xb && a < b);
+    };
+    std::sort(lists.order.begin(), lists.order.end(), before);
+    lists.near_count = 0;
+    lists.near_overflow = false;
+    for (int k = 0; k < count; ++k) {
+        const std::int32_t a = lists.order[index(k)];
+        const Vector3& from = lists.near_at[index(a)];
+        if (!(from.x() < everywhere)) break;
+        const double window = chain_.radii[index(a)] + largest_radius_ + 2 * margin + options_.contact_margin;
+        for (int l = k + 1; l < count; ++l) {
+            const std::int32_t b = lists.order[index(l)];
+            const Vector3& to = lists.near_at[index(b)];
+            if (to.x() - from.x() > window) break;
+            const double reach =
+                chain_.radii[index(a)] + chain_.radii[index(b)] + 2 * margin + options_.contact_margin;
+            if ((to - from).squaredNorm() > reach * reach) continue;
+            const double larger = std::max(chain_.radii[index(a)], chain_.radii[index(b)]);
+            const double along = std::abs(chain_.arc_lengths[index(a)] - chain_.arc_lengths[index(b)]);
+            if (along < options_.rest_exclusion * larger) continue;
+            if (lists.near_count == options_.near_pair_capacity) {
+                lists.near_overflow = true;
+                return;
+            }
+            lists.near_first[index(lists.near_count)] = std::min(a, b);
+            lists.near_second[index(lists.near_count)] = std::max(a, b);
+            ++lists.near_count;
+        }
+    }
+}
+
+// Reports a sphere's patches as planes, with the gap at the start; only_new leaves out those it has.
+void SphereCollision::add_planes(int sphere, const Vector3& start, const Candidates& found, bool only_new,
+                                 SphereContacts& contacts) const {
+    if (found.overflow) contacts.plane_overflow = true;
+    for (int k = 0; k < found.count; ++k) {
+        const CavityPoint& wall = found.points[k];
+        int planes = 0;
+        bool known = false;
+        for (int c = 0; c < contacts.cavity_count && only_new; ++c) {
+            const CavityContact& other = contacts.cavity[index(c)];
+            if (other.sphere != sphere) continue;
+            ++planes;
+            known = known || other.normal.dot(wall.normal) >= options_.distinct_cosine;
+        }
+        if (known) continue;
+        if (!only_new) planes = k;
+        if (planes >= options_.planes_per_sphere) {
+            contacts.plane_overflow = true;
+            return;
+        }
+        CavityContact& contact = contacts.cavity[index(contacts.cavity_count++)];
+        contact.sphere = sphere;
+        contact.triangle = wall.triangle;
+        contact.normal = wall.normal;
+        contact.point = wall.position;
+        contact.gap = wall.normal.dot(start - wall.position) - chain_.radii[index(sphere)];
+    }
+}
+
+double SphereCollision::add_pairs(const Vector3* centres, Lists& lists, SphereContacts& contacts) const {
+    double deepest = 0;
+    refresh_pairs(centres, lists);
+    contacts.pair_overflow = contacts.pair_overflow || lists.near_overflow;
+    for (int k = 0; k < lists.near_count; ++k) {
+        const std::int32_t a = lists.near_first[index(k)], b = lists.near_second[index(k)];
+        const Vector3 between = centres[a] - centres[b];
+        const double reach = chain_.radii[index(a)] + chain_.radii[index(b)];
+        const double near = reach + options_.contact_margin;
+        const double distance2 = between.squaredNorm();
+        if (!(distance2 < near * near)) continue;
+        const double distance = std::sqrt(distance2);
+        deepest = std::max(deepest, reach - distance);
+        if (contacts.pair_count == options_.pair_capacity) {
+            contacts.pair_overflow = true;
+            continue;
+        }
+        SphereContact& contact = contacts.pairs[index(contacts.pair_count++)];
+        contact.first = a;
+        contact.second = b;
+        contact.gap = distance - reach;
+        contact.normal = distance > 1e-12 ? Vector3(between / distance) : Vector3(Vector3::UnitZ());
+    }
+    return deepest;
+}
+
+// Moves overlapping spheres out along the planes' normals, a few times; new planes met on the way are
+// reported too.
+void SphereCollision::project(Lists& lists, SphereContacts& contacts, const Vector3* centres) const {
+    Candidates found;
+    for (int iteration = 0; iteration < options_.projection_iterations; ++iteration) {
+        bool any = false;
+        for (int c = 0; c < contacts.cavity_count; ++c) {
+            const CavityContact& contact = contacts.cavity[index(c)];
+            Vector3& centre = lists.projected[index(contact.sphere)];
+            const double gap =
+                contact.normal.dot(centre - contact.point) - chain_.radii[index(contact.sphere)];
+            if (gap >= -no_move) continue;
+            centre -= gap * contact.normal;
+            lists.moved[index(contact.sphere)] = 1;
+            any = true;
+        }
+        for (int k = 0; k < contacts.pair_count; ++k) {
+            const SphereContact& contact = contacts.pairs[index(k)];
+            Vector3& first = lists.projected[index(contact.first)];
+            Vector3& second = lists.projected[index(contact.second)];
+            const Vector3 between = first - second;
+            const double distance = between.norm();
+            const double overlap =
+                chain_.radii[index(contact.first)] + chain_.radii[index(contact.second)] - distance;
+            if (overlap <= no_move) continue;
+            const Vector3 normal = distance > 1e-12 ? Vector3(between / distance) : contact.normal;
+            first += 0.5 * overlap * normal;
+            second -= 0.5 * overlap * normal;
+            lists.moved[index(contact.first)] = lists.moved[index(contact.second)] = 1;
+            any = true;
+        }
+        if (!any) break;
+        for (int i = 0; i < spheres() && cavity_ != nullptr; ++i) {
+            if (lists.moved[index(i)] == 0) continue;
+            const Vector3& centre = lists.projected[index(i)];
+            contacts.relisted += refresh(i, centre, lists) ? 1 : 0;
+            gather(i, centre, lists, found);
+            lists.depth[index(i)] = found.count > 0 ? chain_.radii[index(i)] - found.points[0].distance : 0;
+            add_planes(i, centres[i], found, true, contacts);
+        }
+    }
+}
+
+void SphereCollision::collide(const Vector3* centres, Lists& lists, SphereContacts& contacts) const {
+    contacts.cavity_count = contacts.pair_count = contacts.relisted = 0;
+    contacts.deepest_cavity = contacts.deepest_pair = contacts.residual_cavity = contacts.residual_pair = 0;
+    contacts.list_overflow = contacts.plane_overflow = contacts.pair_overflow = false;
+    Candidates found;
+    for (int i = 0; i < spheres(); ++i) {
+        lists.projected[index(i)] = centres[i];
+        lists.moved[index(i)] = 0;
+        lists.depth[index(i)] = 0;
+        if (cavity_ == nullptr || !centres[i].allFinite()) continue;
+        contacts.relisted += refresh(i, centres[i], lists) ? 1 : 0;
+        contacts.list_overflow = contacts.list_overflow || lists.counts[index(i)] == overflowed;
+        gather(i, centres[i], lists, found);
+        if (found.count > 0) lists.depth[index(i)] = chain_.radii[index(i)] - found.points[0].distance;
+        contacts.deepest_cavity = std::max(contacts.deepest_cavity, lists.depth[index(i)]);
+        add_planes(i, centres[i], found, false, contacts);
+    }
+    contacts.deepest_pair = add_pairs(centres, lists, contacts);
+    project(lists, contacts, centres);
+    for (const double depth : lists.depth)
+        contacts.residual_cavity = std::max(contacts.residual_cavity, depth);
+    for (int k = 0; k < contacts.pair_count; ++k) {
+        const SphereContact& contact = contacts.pairs[index(k)];
+        const double distance =
+            (lists.projected[index(contact.first)] - lists.projected[index(contact.second)]).norm();
+        const double overlap =
+            chain_.radii[index(contact.first)] + chain_.radii[index(contact.second)] - distance;
+        contacts.residual_pair = std::max(contacts.residual_pair, overlap);
+    }
+    std::sort(contacts.cavity.begin(), contacts.cavity.begin() + contacts.cavity_count,
+              [](const CavityContact& a, const CavityContact& b) {
+                  if (a.sphere != b.sphere) return a.sphere < b.sphere;
+                  return a.gap < b.gap || (a.gap <= b.gap && a.triangle < b.triangle);
+              });
+}
+
+}  // namespace fulcrum
