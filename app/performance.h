@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One attempt from request to stored score without a window: the same engine, recorder and scoring as the window's.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "app/scoring.h"
+#include "assessment/attempt/engine.h"
+#include "database/recorder.h"
+#include "database/store.h"
+
+namespace fulcrum::app {
+
+/// A task with everything it needs.
+struct LoadedTask {
+    TaskDefinition task;
+    Scene scene;
+};
+/// Throws InputError. `fidelity` empty: the scene's own.
+LoadedTask load_task_and_scene(const std::string& task_id, const std::string& fidelity = {});
+
+/// Record kept in memory, for scoring and for studies that store nothing.
+class MemorySink : public AttemptSink {
+  public:
+    void on_event(const Event& event) noexcept override { record.events.push_back(event); }
+    void on_tick(const RigSample& input, const TickSample& sample) noexcept override;
+    void on_step(const StepRecord& step) noexcept override { record.steps.push_back(step); }
+    AttemptRecord record;
+};
+
+/// Memory and store at once; store trouble is kept and rethrown by rethrow() on the caller's side.
+class RecordingSink : public MemorySink {
+  public:
+    explicit RecordingSink(database::Recorder& recorder) : recorder_(recorder) {}
+    void on_event(const Event& event) noexcept override;
+    void on_tick(const RigSample& input, const TickSample& sample) noexcept override;
+    void on_step(const StepRecord& step) noexcept override;
+    void rethrow() const;
+
+  private:
+    template <typename Action>
+    void guarded(Action&& action) noexcept;
+    database::Recorder& recorder_;
+    std::exception_ptr trouble_;
+};
+
+struct PerformRequest {
+    LoadedTask loaded;
+    std::string operator_name;            ///< empty: input_trace
+    const AttemptRecord* input_trace = nullptr;
+    std::uint64_t seed = 1;
+    bool assessed = true;
+    std::function<bool(double)> keep_going;  ///< simulated seconds; may be empty
+};
+
+struct Performed {
+    AttemptRecord record;
+    RunOutcome outcome;
+    ScoredAttempt scored;
+    std::vector<Vector3> targets;
+    double wall_s = 0;
+    std::size_t allocations = 0;
+};
+
+/// Runs and scores; stores when a recorder is given (finish() included). Throws InputError, StoreError.
+Performed perform(const PerformRequest& request, database::Recorder* recorder, const BenchmarkSet* benchmark);
+
+/// What perform writes about an attempt into the store before it starts.
+database::AttemptMeta attempt_meta(const LoadedTask& loaded, std::uint64_t seed, const std::string& mode, const std::string& device_class,
+                                   const std::string& device, const BenchmarkSet* benchmark);
+/// What is written at the end.
+database::AttemptResult attempt_result(const ScoredAttempt& scored, const RunOutcome& outcome, double wall_s, std::uint32_t missed,
+                                       std::uint64_t lost, const std::string& limits);
+/// The name of the CPU feature level that this build computes with; a replay is bit for bit within it.
+std::string cpu_features();
+std::string hex(std::uint64_t value);
+
+}  // namespace fulcrum::app

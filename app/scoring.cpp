@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scoring.h"
+
+#include <filesystem>
+
+#include "app/assets.h"
+#include "assessment/metrics/metrics_json.h"
+#include "assessment/version.h"
+
+namespace fulcrum::app {
+
+std::optional<BenchmarkSet> benchmark_in_force(const std::string& task_id) {
+    const std::string path = asset_path("benchmarks/" + task_id + ".json");
+    if (!std::filesystem::exists(path)) return std::nullopt;
+    return load_benchmark(path);
+}
+
+std::vector<std::string> tissue_labels(const Scene& scene) {
+    std::vector<std::string> labels;
+    for (const TissueSpec& tissue : scene.tissues) labels.push_back(tissue.label);
+    return labels;
+}
+
+ScoredAttempt score_record(const Scene& scene, const TaskDefinition& task, const std::vector<Vector3>& targets,
+                           const std::vector<TickSample>& samples, const std::vector<Event>& events, const BenchmarkSet* benchmark) {
+    ScoredAttempt scored;
+    const std::array<bool, hand_count> hands = {scene.instrument(Hand::left) != nullptr, scene.instrument(Hand::right) != nullptr};
+    const Trace trace = trace_from_samples(samples, events, tissue_labels(scene), scene.tick_rate, hands);
+    scored.metrics = compute_metrics(trace, events, make_metric_context(scene, task, targets));
+    scored.state = attempt_state(events);
+    scored.duration_s = samples.empty() ? 0 : samples.back().tick * scene.tick_period();
+    scored.score = score_attempt(task, trace, events, scored.metrics, benchmark);
+    return scored;
+}
+
+namespace {
+
+const char* direction_name(Direction direction) {
+    switch (direction) {
+        case Direction::lower: return "lower";
+        case Direction::higher: return "higher";
+        case Direction::context: return "context";
+    }
+    return "context";
+}
+
+database::MetricRow to_row(const MetricResult& result) {
+    database::MetricRow row;
+    row.id = result.id;
+    row.version = result.version;
+    row.hand = result.hand;
+    row.tissue = result.tissue;
+    row.value = result.value;
+    row.absent_because = result.absent_because;
+    row.unit = result.unit;
+    row.direction = direction_name(result.direction);
+    for (const TimeInterval& interval : result.evidence) row.evidence.emplace_back(interval.begin, interval.end);
+    return row;
+}
+
+database::GateRow to_row(const GateResult& gate) {
+    database::GateRow row;
+    row.metric = gate.metric;
+    row.hand = gate.hand;
+    row.tissue = gate.tissue;
+    row.kind = gate.kind;
+    row.value = gate.value;
+    row.unit = gate.unit;
+    row.limit = gate.limit.value_or(0);
+    row.limit_source = gate.limit_source;
+    row.z = gate.z;
+    row.points = gate.points;
+    row.passed = gate.passed;
+    row.provisional = gate.provisional;
+    row.not_passed_because = gate.absent_because;
+    return row;
+}
+
+}  // namespace
+
+database::ScoreRow to_row(const ScoredAttempt& scored, const std::string& limits) {
+    database::ScoreRow row;
+    row.program_version = program_version;
+    row.limits = limits;
+    row.passed = scored.score.passed;
+    row.not_scored_because = scored.score.not_scored_because;
+    row.points = scored.score.points;
+    row.advice = scored.score.advice;
+    for (const GateResult& gate : scored.score.gates) row.gates.push_back(to_row(gate));
+    for (const MetricResult& metric : scored.metrics) row.metrics.push_back(to_row(metric));
+    for (const CriticalError& error : scored.score.critical_errors) {
+        row.critical_errors.push_back({error.time_s, error.event, error.hand, error.tissue, error.event});
+    }
+    return row;
+}
+
+std::string limits_name(const BenchmarkSet* benchmark) {
+    if (benchmark == nullptr) return {};
+    return benchmark->task + "-" + (benchmark->provisional ? "provisional" : "site") + "@" + std::to_string(benchmark->version);
+}
+
+}  // namespace fulcrum::app

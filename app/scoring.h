@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From an attempt's record to its score: the one path for window, command line, recomputation and tests.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assessment/metrics/metric.h"
+#include "assessment/scoring/benchmark.h"
+#include "assessment/scoring/score.h"
+#include "assessment/task/task.h"
+#include "database/attempt_records.h"
+#include "sim_core/scene/scene.h"
+#include "sim_core/telemetry/event.h"
+#include "sim_core/telemetry/sample.h"
+
+namespace fulcrum::app {
+
+struct ScoredAttempt {
+    AttemptState state = AttemptState::interrupted;
+    double duration_s = 0;               ///< last sample's time
+    std::vector<MetricResult> metrics;
+    Score score;
+};
+
+/// The benchmark set in force for a task and device class: assets/benchmarks/TASK.json (first sets serve every class). Empty if none.
+std::optional<BenchmarkSet> benchmark_in_force(const std::string& task_id);
+
+/// Pure but for its arguments. `targets`: centres of the scene's targets for this seed.
+ScoredAttempt score_record(const Scene& scene, const TaskDefinition& task, const std::vector<Vector3>& targets,
+                           const std::vector<TickSample>& samples, const std::vector<Event>& events, const BenchmarkSet* benchmark);
+
+/// Tissue labels in the order of HandSample::tissue.
+std::vector<std::string> tissue_labels(const Scene& scene);
+
+/// As the store keeps it.
+database::ScoreRow to_row(const ScoredAttempt& scored, const std::string& limits);
+/// Name of a benchmark set with its version, as stored with an attempt; empty for null.
+std::string limits_name(const BenchmarkSet* benchmark);
+
+}  // namespace fulcrum::app

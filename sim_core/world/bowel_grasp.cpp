@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// Jaws on the bowel: taking hold, holding by a constraint on a wall point, slipping, letting go.
+#include <algorithm>
+#include <cmath>
+
+#include "sim_core/contact/jaws.h"
+#include "sim_core/world/bowel_part.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr double close_share = 0.35, open_share = 0.45;  // of the widest opening: hysteresis between taking and letting go
+constexpr double least_grip = 0.2;                       // N: weaker jaws hold nothing
+constexpr double grasp_reach = 0.006;                    // m from the middle of the jaws to the surface
+constexpr double correction_time = 0.06;                 // s: the tissue is drawn into the jaws in this time
+constexpr double fastest_hold = 2.0;                     // m/s: a device that jumps does not tear the tissue along at once
+constexpr double slip_delay = 0.02;                      // s of overload before the tissue leaves the jaws
+
+}  // namespace
+
+void BowelPart::begin_grasp(int hand, const ToolAction& action) noexcept {
+    const Vector3 jaws = action.tool.tip - 0.5 * action.instrument->jaw_length * action.tool.axis;
+    // Sphere -> its rings -> their vertices: only what can be within reach is skinned.
+    std::int32_t nearest = -1;
+    double least = grasp_reach * grasp_reach;
+    for (int r = 0; r + skin_rings <= skin_->rings(); ++r) {
+        const auto first = static_cast<std::size_t>(skin_->by_ring_offsets()[static_cast<std::size_t>(r)]);
+        const auto last = static_cast<std::size_t>(skin_->by_ring_offsets()[static_cast<std::size_t>(r) + 1]);
+        if (first == last || (ring_frames_[static_cast<std::size_t>(r) + 1].position - jaws).norm() > 0.05) continue;
+        for (std::size_t k = first; k < last; ++k) {
+            const std::int32_t vertex = skin_->by_ring()[k];
+            const double distance = (skin_vertex(skin_->rows()[static_cast<std::size_t>(vertex)], ring_frames_) - jaws).squaredNorm();
+            if (distance < least) {
+                least = distance;
+                nearest = vertex;
+            }
+        }
+    }
+    if (nearest < 0) return;
+    HandGrasp& grasp = grasps_[hand];
+    const Vector3 point = skin_vertex(skin_->rows()[static_cast<std::size_t>(nearest)], ring_frames_);
+    grasp.state.held = true;
+    grasp.state.arc_length = std::clamp(skin_->rest().vertices[static_cast<std::size_t>(nearest)].x(), 0.0, rod_->length());
+    grasp.state.offset = rod_->wall_offset(state_, grasp.state.arc_length, point);
+    grasp.state.point = point;
+    grasp.state.reaction.setZero();
+    grasp.state.patch = patches_->tissue_patches()[static_cast<std::size_t>(nearest)];
+    grasp.correction = point - jaws;
+    grasp.target = point;
+    grasp.velocity.setZero();
+    grasp.hold_offset = Vector3(0, 0, -0.5 * action.instrument->jaw_length);
+    grasp.vertex = nearest;
+    grasp.slip_time = 0;
+    grasp.ready = false;
+    grasp.stiffness = rod_->stiffness_at(state_, grasp.state.arc_length, grasp.state.offset, scratch_);
+
+    // Shares of a pull at the grasp (paper, Fig. 5): two rings around the vertex, skinned where they are read.
+    const MeshAdjacency& adjacency = skin_->adjacency();
+    const auto place = [&](std::int32_t vertex) { surface_[static_cast<std::size_t>(vertex)] = skin_vertex(skin_->rows()[static_cast<std::size_t>(vertex)], ring_frames_); };
+    place(nearest);
+    for (const std::int32_t first : adjacency.neighbours_of(nearest)) {
+        place(first);
+        for (const std::int32_t second : adjacency.neighbours_of(first)) {
+            place(second);
+            for (const std::int32_t third : adjacency.neighbours_of(second)) place(third);
+        }
+    }
+    TipBox box;
+    box.edges = action.instrument->tip_box;
+    box.axes.col(0) = action.tool.axis;
+    box.axes.col(1) = action.tool.rotation.col(0);
+    box.axes.col(2) = action.tool.rotation.col(1);
+    FilterOptions options;
+    options.mode = filter_;
+    filter_force(view_of(skin_->rest(), adjacency, surface_.data()), nearest, box, options, grasp.filtered);
+}
+
+void BowelPart::update_grasps(const ToolAction* actions, double dt) noexcept {
+    const TissueSpec& tissue = scene_.tissues[static_cast<std::size_t>(scene_.tissue_index(scene_.bowel->tissue))];
+    for (int hand = 0; hand < hand_count; ++hand) {
+        const ToolAction& action = actions[hand];
+        HandGrasp& grasp = grasps_[hand];
+        if (action.instrument == nullptr || !action.tool.present || action.instrument->kind != "grasper") continue;
+        const double opening = action.tool.jaw_angle / std::max(1e-9, action.instrument->jaw_opening);
+        const bool closed = opening < close_share && action.tool.grip > least_grip;
+        if (opening > open_share) grasp.ready = true;
+        if (grasp.state.held) {
+            const double capacity = 2.0 * tissue.friction * action.tool.grip;
+            grasp.slip_time = grasp.state.reaction.norm() > capacity ? grasp.slip_time + dt : 0.0;
+            if (opening > open_share || action.tool.grip <= 0.5 * least_grip || grasp.slip_time > slip_delay || !action.tool.inside) {
+                grasp.state.held = false;
+                grasp.state.reaction.setZero();
+                grasp.filtered.count = 0;
+            }
+        } else if (closed && grasp.ready && action.tool.inside) {
+            begin_grasp(hand, action);
+            grasp.ready = false;
+        }
+        if (!grasp.state.held) continue;
+        grasp.correction *= std::max(0.0, 1.0 - dt / correction_time);
+        const Vector3 wanted = action.tool.tip + action.tool.rotation * grasp.hold_offset + grasp.correction;
+        Vector3 motion = wanted - grasp.target;
+        const double longest = fastest_hold * dt;
+        if (motion.norm() > longest) motion *= longest / motion.norm();
+        grasp.target += motion;
+        grasp.velocity = motion / dt;
+        patch_damage_[static_cast<std::size_t>(std::max(0, grasp.state.patch))] += static_cast<float>(action.tool.grip * dt);
+    }
+    inputs_.grasps.clear();
+    for (const HandGrasp& grasp : grasps_) {
+        if (!grasp.state.held) continue;
+        RodGrasp hold;
+        hold.s = grasp.state.arc_length;
+        hold.offset = grasp.state.offset;
+        hold.target = grasp.target;
+        hold.reaction = grasp.state.reaction;
+        inputs_.grasps.push_back(hold);
+    }
+}
+
+void BowelPart::fill_local_model(Hand hand, const PatchRequest& request, LocalModel& model) noexcept {
+    Stopwatch watch(measuring_, costs_.patches);
+    patches_->build(rings_.data(), request, patch_scratch_, model);
+    const HandGrasp& grasp = grasps_[static_cast<int>(hand)];
+    if (!grasp.state.held) return;
+    model.mode = LocalMode::grasp;
+    const int index = scene_.tissue_index(scene_.bowel->tissue);
+    model.grasp.point = grasp.target - grasp.correction;  // where the jaws are: the correction is the tissue's own way to them
+    model.grasp.velocity = grasp.velocity;
+    model.grasp.reaction = grasp.state.reaction;
+    model.grasp.hold_offset = grasp.hold_offset;
+    model.grasp.stiffness = grasp.stiffness;
+    model.grasp.damping = scene_.tissues[static_cast<std::size_t>(index)].damping;
+    model.grasp.friction = scene_.tissues[static_cast<std::size_t>(index)].friction;
+    model.grasp.vertex = grasp.vertex;
+    model.grasp.tissue = static_cast<std::int16_t>(index);
+    model.grasp.tissue_patch = static_cast<std::int16_t>(grasp.state.patch);
+}
+
+void BowelPart::size_snapshot(WorldSnapshot& snapshot) const {
+    snapshot.nodes = state_.nodes;
+    snapshot.node_arc_lengths = rod_->node_arc_lengths();
+    snapshot.rings = ring_frames_;
+    snapshot.ring_arc_lengths = skin_->cage().arc_lengths;
+    snapshot.dents.resize(dent_capacity);
+    snapshot.patch_damage = patch_damage_;
+    snapshot.tether_anchors.clear();
+    snapshot.tether_arc_lengths.clear();
+    for (const RodTether& tether : inputs_.tethers) {
+        snapshot.tether_anchors.push_back(tether.anchor);
+        snapshot.tether_arc_lengths.push_back(tether.s);
+    }
+}
+
+void BowelPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
+    std::copy(state_.nodes.begin(), state_.nodes.end(), snapshot.nodes.begin());
+    std::copy(ring_frames_.begin(), ring_frames_.end(), snapshot.rings.begin());
+    std::copy(dents_.entries.begin(), dents_.entries.begin() + dents_.count, snapshot.dents.begin());
+    snapshot.dent_count = dents_.count;
+    std::copy(patch_damage_.begin(), patch_damage_.end(), snapshot.patch_damage.begin());
+    for (int hand = 0; hand < hand_count; ++hand) snapshot.grasps[hand] = grasps_[hand].state;
+    snapshot.residual_penetration = contacts_.deepest_cavity;
+    snapshot.floor_load = report_.contact_sum;
+}
+
+}  // namespace fulcrum

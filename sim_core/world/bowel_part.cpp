@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_core/world/bowel_part.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fulcrum {
+namespace {
+
+constexpr int planes_remembered = 6;       // a sphere, as SphereCollisionOptions::planes_per_sphere
+constexpr double pattern_time = 0.05;      // s, dents and grasp corrections settle in this time
+constexpr double settle_time = 4.0;        // s of simulated rest before an attempt begins
+constexpr double backing_stiffness = 2.5e7;  // N/m3, contents and fat behind the wall
+
+// Points at equal distances along a polyline, ends included.
+std::vector<Vector3> resample(const std::vector<Vector3>& line, int points) {
+    std::vector<double> along(line.size(), 0.0);
+    for (std::size_t i = 1; i < line.size(); ++i) along[i] = along[i - 1] + (line[i] - line[i - 1]).norm();
+    std::vector<Vector3> result;
+    std::size_t k = 0;
+    for (int i = 0; i < points; ++i) {
+        const double s = along.back() * i / (points - 1);
+        while (k + 2 < line.size() && along[k + 1] < s) ++k;
+        const double span = along[k + 1] - along[k];
+        const double u = span > 0 ? (s - along[k]) / span : 0.0;
+        result.push_back((1 - u) * line[k] + u * line[k + 1]);
+    }
+    return result;
+}
+
+FilterMode filter_mode(const std::string& name) {
+    if (name == "off" || name == "0") return FilterMode::grade_0;
+    if (name == "1") return FilterMode::grade_1;
+    if (name == "2") return FilterMode::grade_2;
+    return FilterMode::adaptive;
+}
+
+RodSolve rod_solve(const Fidelity& fidelity) {
+    RodSolve solve;
+    if (fidelity.rod == "linearised") {
+        solve.level = RodSolve::Level::linearised;
+        solve.iterations = 1;
+    } else if (fidelity.rod == "newton_k") {
+        solve.level = RodSolve::Level::newton_k;
+        solve.iterations = fidelity.rod_iterations;
+    }
+    return solve;
+}
+
+RodSpec rod_spec(const Scene& scene, const std::vector<Vector3>& centre_line) {
+    const BowelSpec& bowel = *scene.bowel;
+    RodSpec spec;
+    spec.segments = bowel.segments;
+    spec.length = bowel.length;
+    spec.outer_radius = bowel.outer_radius;
+    spec.inner_radius = bowel.outer_radius - bowel.wall_thickness;
+    spec.young_modulus = bowel.young_modulus;
+    spec.poisson_ratio = bowel.poisson_ratio;
+    spec.law = scene.fidelity.material == "exp2" ? RodLaw::exp2 : RodLaw::linear;
+    spec.linear_density = bowel.linear_density;
+    spec.mass_damping = bowel.damping;
+    spec.ends[0] = RodEnd::clamped;
+    spec.ends[1] = RodEnd::clamped;
+    // The bowel has grown in its place: its in-situ shape is its natural one, and only gravity bends it away.
+    spec.rest_nodes = resample(centre_line, bowel.segments + 1);
+    return spec;
+}
+
+TissueContact tissue_contact(const Scene& scene, const WinklerBed& bed) {
+    const int index = scene.tissue_index(scene.bowel->tissue);
+    const TissueSpec& tissue = scene.tissues[static_cast<std::size_t>(index)];
+    TissueContact contact;
+    contact.tissue = static_cast<std::int16_t>(index);
+    contact.stiffness_per_area = bed.stiffness_per_area;
+    contact.most_stiffness = 2.0 * tissue.stiffness;
+    contact.least_stiffness = 0.25 * tissue.stiffness;
+    contact.damping = tissue.damping;
+    return contact;
+}
+
+}  // namespace
+
+BowelPart::BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel* cavity) : scene_(scene), anatomy_(std::move(anatomy)) {
+    const BowelSpec& spec = *scene.bowel;
+    rod_ = std::make_unique<Rod>(rod_spec(scene, anatomy_.centre_line));
+    // The skin is bound along the rod's own arc length, whatever the polyline's exact length is.
+    spheres_ = sample_spheres(rod_->length(), spec.sphere_spacing, anatomy_.radius);
+    skin_ = std::make_unique<BowelSkin>(anatomy_.surface, build_cage(anatomy_.surface, anatomy_.length, spheres_));
+    SphereCollisionOptions options;
+    options.projection_iterations = scene.fidelity.projection_iterations;
+    if (scene.fidelity.collision == "brute") options.list_margin = 0.0;
+    collision_ = std::make_unique<SphereCollision>(cavity, SphereChainShape{spheres_.arc_lengths, spheres_.radii}, options);
+    bed_ = winkler_bed(spec.young_modulus, spec.poisson_ratio, spec.wall_thickness, backing_stiffness, pattern_time);
+    PatchOptions patch;
+    patch.contact = tissue_contact(scene, bed_);
+    patches_ = std::make_unique<PatchBuilder>(*skin_, patch, divide_into_patches(*skin_, 2, 4));
+    solve_ = rod_solve(scene.fidelity);
+    filter_ = filter_mode(scene.fidelity.filter);
+
+    state_ = rod_->make_state();
+    good_ = state_;
+    const int spheres = static_cast<int>(spheres_.arc_lengths.size());
+    const int tethers = scene.tethers ? scene.tethers->count : 0;
+    scratch_ = rod_->make_scratch(std::max(1, tethers), hand_count, spheres * planes_remembered, 512);
+    lists_ = collision_->make_lists();
+    contacts_ = collision_->make_contacts();
+    centres_.assign(static_cast<std::size_t>(spheres), Vector3::Zero());
+    const auto ring_count = static_cast<std::size_t>(skin_->rings());
+    rings_.resize(ring_count);
+    ring_frames_.resize(ring_count);
+    wrenches_.resize(ring_count);
+    surface_.assign(static_cast<std::size_t>(skin_->vertices()), Vector3::Zero());
+    patch_scratch_ = patches_->make_scratch();
+    patch_damage_.assign(static_cast<std::size_t>(patch_count(*skin_, 2, 4)), 0.0F);
+    remembered_lambda_.assign(static_cast<std::size_t>(spheres * planes_remembered), 0.0);
+    remembered_normal_.assign(remembered_lambda_.size(), Vector3::Zero());
+    inputs_.gravity = scene.gravity;
+    inputs_.loads.reserve(2 * 16);
+    inputs_.grasps.reserve(hand_count);
+    inputs_.contacts.reserve(static_cast<std::size_t>(spheres * planes_remembered));
+    inputs_.self_contacts.reserve(512);
+    inputs_.ends[0] = state_.ends[0];
+    inputs_.ends[1] = state_.ends[1];
+    if (scene.tethers) {
+        const TetherSpec& tether = *scene.tethers;
+        for (int i = 0; i < tether.count; ++i) {
+            const double share = tether.first + (tether.last - tether.first) * (i + 0.5) / tether.count;
+            RodTether spring;
+            spring.s = share * rod_->length();
+            const auto root = resample(anatomy_.root_line, 2 * tether.count + 1);
+            spring.anchor = root[static_cast<std::size_t>(std::lround(share * 2.0 * tether.count))];
+            spring.stiffness = tether.stiffness;
+            spring.damping = tether.damping;
+            spring.rest_length = tether.slack * (rod_->frame_at(state_, spring.s).frame.position - spring.anchor).norm();
+            inputs_.tethers.push_back(spring);
+        }
+    }
+    update_rings(0.0);
+    lay_down();
+}
+
+void BowelPart::lay_down() {
+    const double dt = scene_.step_period();
+    const ToolAction nothing[hand_count];
+    const int steps = static_cast<int>(settle_time / dt);
+    for (int i = 0; i < steps; ++i) {
+        step(nothing, dt);
+        double fastest = 0;
+        for (const Vector3& velocity : state_.velocities) fastest = std::max(fastest, velocity.norm());
+        if (i > 100 && fastest < 2e-4) break;
+    }
+    Rod::stop(state_);
+}
+
+double BowelPart::weight() const { return scene_.gravity.norm() * scene_.bowel->linear_density * rod_->length(); }
+
+std::uint32_t BowelPart::step(const ToolAction* actions, double dt) noexcept {
+    {
+        Stopwatch watch(measuring_, costs_.grasps);
+        update_grasps(actions, dt);
+    }
+    {
+        Stopwatch watch(measuring_, costs_.loads);
+        gather_loads(actions);
+    }
+    {
+        Stopwatch watch(measuring_, costs_.collision);
+        find_contacts();
+    }
+    {
+        Stopwatch watch(measuring_, costs_.rod);
+        good_ = state_;
+        report_ = rod_->step(state_, inputs_, dt, scratch_, solve_);
+    }
+    std::uint32_t outcome = 0;
+    if (!report_.finite || !Rod::finite(state_)) {
+        state_ = good_;
+        Rod::stop(state_);
+        outcome = 3;
+    } else if (report_.fault == RodFault::frozen) {
+        outcome = 2;
+    } else if (report_.fault == RodFault::substepped) {
+        outcome = 1;
+    }
+    frozen_steps_ = outcome >= 2 ? frozen_steps_ + 1 : 0;
+    if (frozen_steps_ > 40) outcome = 4;  // 0.2 s without a solution: say so instead of pretending
+    for (std::size_t i = 0; i < inputs_.contacts.size(); ++i) {
+        const auto slot = static_cast<std::size_t>(contacts_.cavity[i].sphere) * planes_remembered;
+        for (std::size_t k = slot; k < slot + planes_remembered; ++k) {
+            if (remembered_normal_[k].isZero()) {
+                remembered_normal_[k] = inputs_.contacts[i].normal;
+                remembered_lambda_[k] = inputs_.contacts[i].lambda;
+                break;
+            }
+        }
+    }
+    for (int hand = 0, k = 0; hand < hand_count; ++hand) {
+        HandGrasp& grasp = grasps_[hand];
+        if (!grasp.state.held) continue;
+        const RodGrasp& solved = inputs_.grasps[static_cast<std::size_t>(k++)];
+        grasp.state.reaction = solved.reaction;
+        grasp.state.point = rod_->wall_point(state_, solved.s, solved.offset);
+        grasp.stiffness = rod_->stiffness_at(state_, solved.s, solved.offset, scratch_);
+    }
+    {
+        Stopwatch watch(measuring_, costs_.rings);
+        update_rings(dt);
+    }
+    {
+        Stopwatch watch(measuring_, costs_.dents);
+        update_dents(actions, dt);
+    }
+    return outcome;
+}
+
+void BowelPart::find_contacts() noexcept {
+    for (std::size_t i = 0; i < centres_.size(); ++i) centres_[i] = rod_->frame_at(state_, spheres_.arc_lengths[i]).frame.position;
+    collision_->collide(centres_.data(), lists_, contacts_);
+    inputs_.contacts.clear();
+    for (int i = 0; i < contacts_.cavity_count; ++i) {
+        const CavityContact& found = contacts_.cavity[static_cast<std::size_t>(i)];
+        RodContact contact;
+        contact.s = spheres_.arc_lengths[static_cast<std::size_t>(found.sphere)];
+        contact.normal = found.normal;
+        contact.point = found.point;
+        contact.radius = spheres_.radii[static_cast<std::size_t>(found.sphere)];
+        contact.friction = scene_.bowel->floor_friction;
+        const auto slot = static_cast<std::size_t>(found.sphere) * planes_remembered;
+        for (std::size_t k = slot; k < slot + planes_remembered; ++k) {
+            if (remembered_normal_[k].dot(found.normal) > 0.95) {
+                contact.lambda = remembered_lambda_[k];
+                break;
+            }
+        }
+        inputs_.contacts.push_back(contact);
+    }
+    std::fill(remembered_normal_.begin(), remembered_normal_.end(), Vector3::Zero());
+    std::fill(remembered_lambda_.begin(), remembered_lambda_.end(), 0.0);
+    inputs_.self_contacts.clear();
+    for (int i = 0; i < contacts_.pair_count && inputs_.self_contacts.size() < inputs_.self_contacts.capacity(); ++i) {
+        const SphereContact& found = contacts_.pairs[static_cast<std::size_t>(i)];
+        RodSelfContact contact;
+        contact.s = spheres_.arc_lengths[static_cast<std::size_t>(found.first)];
+        contact.other_s = spheres_.arc_lengths[static_cast<std::size_t>(found.second)];
+        contact.normal = found.normal;
+        contact.distance = spheres_.radii[static_cast<std::size_t>(found.first)] + spheres_.radii[static_cast<std::size_t>(found.second)];
+        inputs_.self_contacts.push_back(contact);
+    }
+}
+
+void BowelPart::gather_loads(const ToolAction* actions) noexcept {
+    inputs_.loads.clear();
+    for (int hand = 0; hand < hand_count; ++hand) {
+        const ToolAction& action = actions[hand];
+        if (action.filtered == nullptr || action.filtered->count == 0 || !action.push.allFinite()) {
+            applied_push_[hand].setZero();
+            continue;
+        }
+        const double s = std::clamp(skin_->rest().vertices[static_cast<std::size_t>(std::max(0, action.vertex))].x(), 0.0, rod_->length());
+        const Matrix3 stiffness = rod_->stiffness_at(state_, s, Vector3::Zero(), scratch_);
+        const Vector3 direction = action.push.norm() > 0 ? action.push.normalized().eval() : Vector3::UnitZ();
+        // One step of delay between tick and world: the implicit share keeps a stiff wall on a light rod from ringing.
+        const double rod_stiffness = std::max(1e-3, direction.dot(stiffness * direction));
+        const double share = 1.0 / (1.0 + action.contact_stiffness / rod_stiffness);
+        applied_push_[hand] += share * (action.push - applied_push_[hand]);
+        int first = skin_->rings(), last = -1;
+        for (int i = 0; i < action.filtered->count; ++i) {
+            const SkinRow& row = skin_->rows()[static_cast<std::size_t>(action.filtered->vertex[static_cast<std::size_t>(i)])];
+            first = std::min(first, row.first_ring);
+            last = std::max(last, row.first_ring + skin_rings - 1);
+        }
+        for (int r = first; r <= last; ++r) wrenches_[static_cast<std::size_t>(r)] = RingWrench{};
+        for (int i = 0; i < action.filtered->count; ++i) {
+            const auto k = static_cast<std::size_t>(i);
+            const SkinRow& row = skin_->rows()[static_cast<std::size_t>(action.filtered->vertex[k])];
+            add_ring_wrenches(row, ring_frames_.data(), action.filtered->weight[k] * applied_push_[hand], wrenches_.data());
+        }
+        for (int r = first; r <= last && inputs_.loads.size() < inputs_.loads.capacity(); ++r) {
+            const auto k = static_cast<std::size_t>(r);
+            inputs_.loads.push_back({skin_->cage().arc_lengths[k], wrenches_[k].force, wrenches_[k].moment});
+        }
+    }
+}
+
+RingFrame BowelPart::ring_frame(double s) const {
+    const RodMotion motion = rod_->frame_at(state_, s);
+    return {motion.frame.position, motion.frame.rotation};
+}
+
+void BowelPart::update_rings(double /*dt*/) noexcept {
+    for (std::size_t r = 0; r < rings_.size(); ++r) {
+        const RodMotion motion = rod_->frame_at(state_, skin_->cage().arc_lengths[r]);
+        rings_[r].frame = {motion.frame.position, motion.frame.rotation};
+        rings_[r].velocity = motion.velocity;
+        rings_[r].angular_velocity = motion.angular_velocity;
+        ring_frames_[r] = rings_[r].frame;
+    }
+}
+
+void BowelPart::update_dents(const ToolAction* actions, double dt) noexcept {
+    SurfaceLoad loads[2 * hand_count];
+    int count = 0;
+    for (int hand = 0; hand < hand_count; ++hand) {
+        const ToolAction& action = actions[hand];
+        if (action.filtered != nullptr && action.filtered->count > 0) loads[count++] = {action.filtered, nullptr, applied_push_[hand]};
+        const HandGrasp& grasp = grasps_[hand];
+        if (grasp.state.held && grasp.filtered.count > 0) loads[count++] = {&grasp.filtered, nullptr, grasp.state.reaction};
+    }
+    step_dents(bed_, skin_->vertex_areas().data(), loads, count, dt, dents_);
+}
+
+void BowelPart::hash(StateHash& hash) const noexcept {
+    for (const Vector3& node : state_.nodes) hash.add(node);
+    for (const Vector3& director : state_.directors) hash.add(director);
+    for (const double twist : state_.joint_twist) hash.add(twist);
+    for (const Vector3& velocity : state_.velocities) hash.add(velocity);
+    for (const HandGrasp& grasp : grasps_) {
+        hash.add(static_cast<std::int64_t>(grasp.state.held));
+        hash.add(grasp.state.arc_length);
+        hash.add(grasp.state.offset);
+        hash.add(grasp.state.reaction);
+    }
+    for (int i = 0; i < dents_.count; ++i) {
+        hash.add(static_cast<std::int64_t>(dents_.entries[static_cast<std::size_t>(i)].vertex));
+        hash.add(dents_.entries[static_cast<std::size_t>(i)].displacement);
+    }
+    for (const float damage : patch_damage_) hash.add(static_cast<double>(damage));
+}
+
+std::size_t BowelPart::bytes_rod() const { return rod_->bytes() + scratch_.bytes(); }
+std::size_t BowelPart::bytes_collision() const { return collision_->bytes() + lists_.triangles.capacity() * sizeof(ListedTriangle); }
+std::size_t BowelPart::bytes_surface() const {
+    return skin_->bytes() + surface_.capacity() * sizeof(Vector3) + rings_.capacity() * sizeof(RingMotion);
+}
+
+}  // namespace fulcrum

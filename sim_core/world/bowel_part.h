@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// The bowel as a part of the world: rod, spheres, cage and surface, what holds it, what presses it (theory, sections 1 to 4).
+// World thread. Nothing allocates after construction.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "sim_core/bowel/bowel_skin.h"
+#include "sim_core/bowel/dent.h"
+#include "sim_core/collision/sphere_collision.h"
+#include "sim_core/contact/patch_builder.h"
+#include "sim_core/haptics/tick_output.h"
+#include "sim_core/rod/rod.h"
+#include "sim_core/scene/scene.h"
+#include "sim_core/world/snapshot.h"
+#include "sim_core/world/state_hash.h"
+#include "sim_core/world/stopwatch.h"
+
+namespace fulcrum {
+
+/// Rest geometry of a bowel and how it lies in the body.
+struct BowelAnatomy {
+    TriangleMesh surface;               ///< rest tube along +x, closed
+    double length = 0;                  ///< m
+    RadiusProfile radius;               ///< lumen radius by rest arc length
+    std::vector<Vector3> centre_line;   ///< in situ, patient frame, first = rectum
+    std::vector<Vector3> root_line;     ///< mesenteric root on the wall, first = rectal end
+};
+
+/// One hand over one step, as the bowel sees it.
+struct ToolAction {
+    const InstrumentSpec* instrument = nullptr;  ///< null: no such hand
+    ToolKinematics tool;                         ///< at the step's last tick
+    Vector3 push = Vector3::Zero();              ///< N, mean contact force on the surface over the step's ticks
+    const FilteredForce* filtered = nullptr;     ///< shares of the last tick in contact; null without contact
+    double contact_stiffness = 0;                ///< N/m
+    std::int32_t vertex = -1;
+    bool slipping = false;
+};
+
+class BowelPart {
+  public:
+    /// Builds rod, cage and skin, lays the bowel into the cavity and lets it come to rest. cavity must outlive this.
+    /// Throws InputError where the anatomy cannot carry a cage.
+    BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel* cavity);
+
+    /// One step of dt seconds: grasps, loads, rod, collision, rings, dents. Returns StepRecord::outcome.
+    std::uint32_t step(const ToolAction* actions, double dt) noexcept;
+    /// Hand's patch and grasp for the tick; leaves step, tick and targets alone.
+    void fill_local_model(Hand hand, const PatchRequest& request, LocalModel& model) noexcept;
+    void fill_snapshot(WorldSnapshot& snapshot) const noexcept;
+    void size_snapshot(WorldSnapshot& snapshot) const;
+    void hash(StateHash& hash) const noexcept;
+
+    const BowelSkin& skin() const { return *skin_; }
+    const Rod& rod() const { return *rod_; }
+    const RodState& state() const { return state_; }
+    const RodReport& report() const { return report_; }
+    const GraspState& grasp(Hand hand) const { return grasps_[static_cast<int>(hand)].state; }
+    const std::vector<std::int16_t>& tissue_patches() const { return patches_->tissue_patches(); }
+    const SphereChain& spheres() const { return spheres_; }
+    double weight() const;  ///< N
+    std::size_t bytes_rod() const, bytes_collision() const, bytes_surface() const;
+
+    /// Wall time of the last step's blocks, microseconds; measured only when asked for.
+    struct Costs {
+        double grasps = 0, loads = 0, collision = 0, rod = 0, rings = 0, dents = 0, patches = 0;
+    };
+    void measure(bool on) { measuring_ = on; }
+    const Costs& costs() const { return costs_; }
+
+  private:
+    struct HandGrasp {
+        GraspState state;
+        Vector3 correction = Vector3::Zero();  ///< m, wall point minus jaws when the grasp began; decays
+        Vector3 target = Vector3::Zero();      ///< m, where the wall point was held last
+        Vector3 velocity = Vector3::Zero();    ///< m/s, of the target
+        Vector3 hold_offset = Vector3::Zero(); ///< m, tool frame, relative to the tip
+        FilteredForce filtered;                ///< shares of a pull at the grasp
+        Matrix3 stiffness = Matrix3::Zero();   ///< N/m, rod seen at the wall point
+        std::int32_t vertex = -1;
+        bool ready = true;                     ///< the jaws were open since the last grasp
+        double slip_time = 0;                  ///< s of load beyond what the jaws can hold
+    };
+    void lay_down();
+    void update_grasps(const ToolAction* actions, double dt) noexcept;
+    void begin_grasp(int hand, const ToolAction& action) noexcept;
+    void gather_loads(const ToolAction* actions) noexcept;
+    void find_contacts() noexcept;
+    void update_rings(double dt) noexcept;
+    void update_dents(const ToolAction* actions, double dt) noexcept;
+    RingFrame ring_frame(double s) const;
+
+    const Scene& scene_;
+    BowelAnatomy anatomy_;
+    SphereChain spheres_;
+    std::unique_ptr<Rod> rod_;
+    std::unique_ptr<BowelSkin> skin_;
+    std::unique_ptr<SphereCollision> collision_;
+    std::unique_ptr<PatchBuilder> patches_;
+    WinklerBed bed_;
+    RodSolve solve_;
+    FilterMode filter_ = FilterMode::adaptive;
+
+    RodState state_, good_;
+    RodInputs inputs_;
+    RodScratch scratch_;
+    RodReport report_;
+    SphereCollision::Lists lists_;
+    SphereContacts contacts_;
+    std::vector<Vector3> centres_;
+    std::vector<RingMotion> rings_;
+    std::vector<RingFrame> ring_frames_;
+    std::vector<RingWrench> wrenches_;
+    std::vector<Vector3> surface_;        ///< scratch positions for the filter at a grasp
+    PatchBuilder::Scratch patch_scratch_;
+    HandGrasp grasps_[hand_count];
+    Vector3 applied_push_[hand_count] = {Vector3::Zero(), Vector3::Zero()};
+    DentState dents_;
+    std::vector<float> patch_damage_;
+    std::vector<double> remembered_lambda_;  ///< last contact forces, by sphere and plane
+    std::vector<Vector3> remembered_normal_;
+    std::uint32_t frozen_steps_ = 0;
+    bool measuring_ = false;
+    Costs costs_;
+};
+
+}  // namespace fulcrum
