@@ -43,7 +43,7 @@ const TaskDisplay& AttemptEngine::display() const noexcept { return parts_->moni
 std::uint64_t AttemptEngine::state_hash() const noexcept { return parts_->hash.value(); }
 
 const TickOutput& AttemptEngine::tick(const RigSample& input) noexcept { return parts_->loop.tick(input); }
-void AttemptEngine::adopt(const LocalModel& model) noexcept { parts_->loop.adopt(model); }
+void AttemptEngine::adopt(const LocalModels& models) noexcept { parts_->loop.adopt(models); }
 
 StepProducts AttemptEngine::step(const TickOutput* outputs, std::size_t count, AttemptSink& sink) noexcept {
     Parts& parts = *parts_;
@@ -53,7 +53,7 @@ StepProducts AttemptEngine::step(const TickOutput* outputs, std::size_t count, A
     if (record.state_hash != 0) parts.hash.add(record.state_hash);
     sink.on_step(record);
     parts.monitor.on_step(parts.consumed.data(), count, parts.world.snapshot(), sink);
-    return {&parts.world.local_model(), &parts.world.snapshot(), &parts.monitor.display()};
+    return {&parts.world.local_models(), &parts.world.snapshot(), &parts.monitor.display()};
 }
 
 RunOutcome run_headless(AttemptEngine& engine, Rig& rig, AttemptSink& sink, const std::function<bool(double)>& keep_going) {
@@ -79,7 +79,7 @@ RunOutcome run_headless(AttemptEngine& engine, Rig& rig, AttemptSink& sink, cons
         outcome.ticks = tick;
         if (tick % ticks_per_step == 0) {
             if (pending) {  // step j-1 is due now
-                engine.adopt(engine.world().local_model());
+                engine.adopt(engine.world().local_models());
                 shown = engine.world().snapshot();
                 shown_display = engine.display();
                 if (observer != nullptr) observer->observe(shown, shown_display);
@@ -142,7 +142,7 @@ ReplayOutcome replay_record(AttemptEngine& engine, const AttemptRecord& record, 
         const TickSample& recorded = record.samples[i];
         if (recorded.model_step != adopted) {  // the record says which step's model made this tick
             while (next_step < record.steps.size() && record.steps[next_step].step <= recorded.model_step) step_once();
-            engine.adopt(engine.world().local_model());
+            engine.adopt(engine.world().local_models());
             adopted = recorded.model_step;
         }
         TickOutput output = engine.tick(input);

@@ -32,7 +32,7 @@ class AttemptSink : public EventSink {
 
 /// What a step leaves for the other side: the model for the tick, the picture for the viewport, the task for the HUD.
 struct StepProducts {
-    const LocalModel* model = nullptr;
+    const LocalModels* models = nullptr;
     const WorldSnapshot* snapshot = nullptr;
     const TaskDisplay* display = nullptr;
 };
@@ -56,7 +56,7 @@ class AttemptEngine {
     /// Haptic side: one tick with the model adopted last.
     const TickOutput& tick(const RigSample& input) noexcept;
     /// Haptic side: adopt a step's model (copied).
-    void adopt(const LocalModel& model) noexcept;
+    void adopt(const LocalModels& models) noexcept;
     /// World side: one step over the outputs of `count` ticks, then the monitor. Products stay valid until the next step.
     StepProducts step(const TickOutput* outputs, std::size_t count, AttemptSink& sink) noexcept;
     /// True once the monitor has ended the attempt.

@@ -40,6 +40,7 @@ void BowelPart::begin_grasp(int hand, const ToolAction& action) noexcept {
     HandGrasp& grasp = grasps_[hand];
     const Vector3 point = skin_vertex(skin_->rows()[static_cast<std::size_t>(nearest)], ring_frames_);
     grasp.state.held = true;
+    grasp.state.slipped = false;
     grasp.state.arc_length = std::clamp(skin_->rest().vertices[static_cast<std::size_t>(nearest)].x(), 0.0, rod_->length());
     grasp.state.offset = rod_->wall_offset(state_, grasp.state.arc_length, point);
     grasp.state.point = point;
@@ -89,6 +90,7 @@ void BowelPart::update_grasps(const ToolAction* actions, double dt) noexcept {
             grasp.slip_time = grasp.state.reaction.norm() > capacity ? grasp.slip_time + dt : 0.0;
             if (opening > open_share || action.tool.grip <= 0.5 * least_grip || grasp.slip_time > slip_delay || !action.tool.inside) {
                 grasp.state.held = false;
+                grasp.state.slipped = grasp.slip_time > slip_delay;
                 grasp.state.reaction.setZero();
                 grasp.filtered.count = 0;
             }

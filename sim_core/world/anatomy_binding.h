@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// From what a scene asks for to the generator's parameters: the one place where scenes and anatomy meet.
+#pragma once
+
+#include "sim_core/anatomy/anatomy.h"
+#include "sim_core/scene/scene.h"
+#include "sim_core/world/bowel_part.h"
+
+namespace fulcrum {
+
+PelvisParameters pelvis_parameters(const CavitySpec& spec);
+BowelParameters bowel_parameters(const BowelSpec& spec);
+TriangleMesh cavity_mesh(const CavitySpec& spec);
+/// The scene has a bowel and a cavity. Throws InputError.
+BowelAnatomy bowel_anatomy(const Scene& scene);
+
+}  // namespace fulcrum

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_core/world/world.h"
+
+#include <algorithm>
+
+#include "sim_core/numerics/input_error.h"
+#include "sim_core/rigid/targets.h"
+#include "sim_core/world/anatomy_binding.h"
+#include "sim_core/world/stopwatch.h"
+
+namespace fulcrum {
+
+World::World(const Scene& scene, std::uint64_t seed) : scene_(scene) {
+    for (const InstrumentSpec& spec : scene_.instruments) {
+        const int hand = static_cast<int>(spec.hand);
+        instruments_[hand] = make_instrument(spec, scene_.tick_period());
+        has_instrument_[hand] = true;
+    }
+    if (scene_.camera) scope_ = std::make_unique<ScopeModel>(make_scope(*scene_.camera));
+    if (scene_.targets) {
+        const auto tissue = static_cast<std::int16_t>(scene_.tissue_index(scene_.targets->tissue));
+        for (const TargetSphere& sphere : place_targets(*scene_.targets, seed)) {
+            TargetModel target;
+            target.centre = sphere.centre;
+            target.radius = sphere.radius;
+            target.stiffness = scene_.targets->stiffness;
+            target.damping = scene_.targets->damping;
+            target.id = static_cast<std::int32_t>(targets_.size());
+            target.tissue = tissue;
+            targets_.push_back(target);
+            snapshot_.targets.push_back(sphere);
+        }
+        if (targets_.size() > target_capacity) {
+            throw InputError(scene_.id, "/targets/per_hand", "more targets than the local model holds", "use at most " + std::to_string(target_capacity / 2));
+        }
+    }
+    build_anatomy();
+
+    // The world before the first tick: instruments where their devices are aligned at the start.
+    TickOutput start;
+    for (int hand = 0; hand < hand_count; ++hand) {
+        const InstrumentSpec* spec = scene_.instrument(static_cast<Hand>(hand));
+        if (spec == nullptr) continue;
+        start.input.hand[hand] = start_sample(spec->trocar, spec->start_insertion);
+        start.contact[hand].tool = tool_pose(instruments_[hand], start.input.hand[hand]);
+    }
+    if (scene_.camera) start.input.camera = start_sample(scene_.camera->trocar, scene_.camera->start_insertion);
+    fill_models(start);
+    fill_snapshot(start);
+}
+
+World::~World() = default;
+
+void World::build_anatomy() {
+    if (scene_.cavity) cavity_ = std::make_unique<CavityModel>(cavity_mesh(*scene_.cavity), FreeSide::behind);
+    if (scene_.bowel) {
+        bowel_ = std::make_unique<BowelPart>(scene_, bowel_anatomy(scene_), cavity_.get());
+        bowel_->size_snapshot(snapshot_);
+    }
+}
+
+StepRecord World::step(const TickOutput* outputs, std::size_t count) noexcept {
+    StepRecord record;
+    record.step = ++steps_;
+    record.first_tick = outputs[0].sample.tick;
+    record.last_tick = outputs[count - 1].sample.tick;
+    const TickOutput& last = outputs[count - 1];
+
+    const bool paused = (last.sample.rig_flags & (rig_paused | rig_device_lost)) != 0U;
+    if (bowel_ && !paused) {
+        ToolAction actions[hand_count];
+        for (int hand = 0; hand < hand_count; ++hand) {
+            if (!has_instrument_[hand]) continue;
+            ToolAction& action = actions[hand];
+            action.instrument = scene_.instrument(static_cast<Hand>(hand));
+            action.tool = last.contact[hand].tool;
+            for (std::size_t i = 0; i < count; ++i) {
+                const ContactReport& contact = outputs[i].contact[hand];
+                action.push += contact.surface_force / static_cast<double>(count);
+                action.slipping = action.slipping || contact.slipping;
+                if (contact.filtered.count == 0) continue;
+                action.filtered = &contact.filtered;
+                action.contact_stiffness = contact.stiffness;
+                action.vertex = contact.vertex;
+            }
+        }
+        record.outcome = bowel_->step(actions, scene_.step_period());
+    }
+    {
+        Stopwatch watch(measuring_, models_us_);
+        fill_models(last);
+    }
+    {
+        Stopwatch watch(measuring_, snapshot_us_);
+        fill_snapshot(last);
+    }
+    snapshot_.outcome = record.outcome;
+    if (record.last_tick >= next_hash_tick_) {
+        record.state_hash = hash();
+        next_hash_tick_ = (record.last_tick / hash_every_ticks + 1) * hash_every_ticks;
+    }
+    return record;
+}
+
+void World::fill_models(const TickOutput& last) noexcept {
+    for (int hand = 0; hand < hand_count; ++hand) {
+        if (!has_instrument_[hand]) continue;
+        LocalModel& model = models_.hand[hand];
+        model.step = steps_;
+        model.tick = last.sample.tick;
+        model.mode = LocalMode::none;
+        if (bowel_) {
+            PatchRequest request;
+            request.tool = last.contact[hand].tool;
+            request.shaft_radius = instruments_[hand].shaft_radius;
+            request.contact_vertex = last.contact[hand].vertex;
+            bowel_->fill_local_model(static_cast<Hand>(hand), request, model);
+        }
+        model.target_count = static_cast<std::int32_t>(targets_.size());
+        std::copy(targets_.begin(), targets_.end(), model.targets.begin());
+        model.cavity_seed = cavity_ ? cavity_->closest(last.contact[hand].tool.tip, 0.05).triangle : -1;
+    }
+}
+
+void World::fill_snapshot(const TickOutput& last) noexcept {
+    snapshot_.step = steps_;
+    snapshot_.tick = last.sample.tick;
+    for (int hand = 0; hand < hand_count; ++hand) {
+        if (!has_instrument_[hand]) continue;
+        snapshot_.tools[hand] = last.contact[hand].tool.pose();
+    }
+    if (scope_) snapshot_.camera = scope_pose(*scope_, last.input.camera);
+    if (bowel_) bowel_->fill_snapshot(snapshot_);
+}
+
+std::uint64_t World::hash() const noexcept {
+    StateHash hash;
+    hash.add(static_cast<std::int64_t>(steps_));
+    for (const ToolPose& tool : snapshot_.tools) {
+        hash.add(tool.tip);
+        hash.add(tool.axis);
+        hash.add(tool.jaw_angle);
+    }
+    if (bowel_) bowel_->hash(hash);
+    return hash.value() == 0 ? 1 : hash.value();  // 0 means: no hash in this step
+}
+
+void World::measure(bool on) {
+    measuring_ = on;
+    if (bowel_) bowel_->measure(on);
+}
+
+std::vector<PartCost> World::costs() const {
+    std::vector<PartCost> costs;
+    if (cavity_) costs.push_back({"cavity", 0, cavity_->bytes()});
+    if (bowel_) {
+        const BowelPart::Costs& cost = bowel_->costs();
+        costs.push_back({"rod", cost.rod + cost.grasps + cost.loads, bowel_->bytes_rod()});
+        costs.push_back({"collision", cost.collision, bowel_->bytes_collision()});
+        costs.push_back({"cage_and_surface", cost.rings + cost.dents, bowel_->bytes_surface()});
+        if (scene_.tethers) costs.push_back({"tethers", 0, sizeof(RodTether) * static_cast<std::size_t>(scene_.tethers->count)});
+    }
+    if (scene_.targets) costs.push_back({"targets", 0, targets_.capacity() * sizeof(TargetModel)});
+    costs.push_back({"contact_models", models_us_, sizeof(LocalModels)});
+    costs.push_back({"snapshot", snapshot_us_, sizeof(WorldSnapshot) + snapshot_.rings.capacity() * sizeof(RingFrame) + snapshot_.nodes.capacity() * sizeof(Vector3)});
+    return costs;
+}
+
+}  // namespace fulcrum

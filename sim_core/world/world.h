@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// The world of one attempt: the parts a scene lists, stepped together, and what they show to the others.
+//
+// World thread. step() neither allocates, locks nor throws. A part that the scene does not list is not in memory.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim_core/collision/cavity.h"
+#include "sim_core/contact/local_model.h"
+#include "sim_core/haptics/tick_output.h"
+#include "sim_core/instrument/instrument.h"
+#include "sim_core/scene/scene.h"
+#include "sim_core/telemetry/sample.h"
+#include "sim_core/world/bowel_part.h"
+#include "sim_core/world/snapshot.h"
+
+namespace fulcrum {
+
+/// What one part costs: `fulcrum lab cost`.
+struct PartCost {
+    std::string part;
+    double us_per_step = 0;   ///< of the last step, measured only after measure(true)
+    std::size_t bytes = 0;
+};
+
+class World {
+  public:
+    static constexpr std::uint32_t hash_every_ticks = 100;
+
+    /// Builds what the scene lists; the seed draws the variant. Throws InputError.
+    World(const Scene& scene, std::uint64_t seed);
+    ~World();
+    World(const World&) = delete;
+    World& operator=(const World&) = delete;
+
+    /// One step of Scene::step_period() over the outputs of `count` ticks (at least one), oldest first. A step over a paused tick
+    /// advances nothing.
+    StepRecord step(const TickOutput* outputs, std::size_t count) noexcept;
+
+    const WorldSnapshot& snapshot() const noexcept { return snapshot_; }
+    const LocalModels& local_models() const noexcept { return models_; }
+    const Scene& scene() const noexcept { return scene_; }
+
+    /// Parts, null where the scene does not list them. Their constant data may be read by any thread.
+    const BowelPart* bowel() const noexcept { return bowel_.get(); }
+    BowelPart* bowel() noexcept { return bowel_.get(); }
+    const CavityModel* cavity() const noexcept { return cavity_.get(); }
+
+    void measure(bool on);
+    std::vector<PartCost> costs() const;
+
+  private:
+    void build_anatomy();
+    void fill_models(const TickOutput& last) noexcept;
+    void fill_snapshot(const TickOutput& last) noexcept;
+    std::uint64_t hash() const noexcept;
+
+    Scene scene_;
+    std::unique_ptr<CavityModel> cavity_;
+    std::unique_ptr<BowelPart> bowel_;
+    std::vector<TargetModel> targets_;
+    InstrumentModel instruments_[hand_count];
+    bool has_instrument_[hand_count] = {false, false};
+    std::unique_ptr<ScopeModel> scope_;
+    LocalModels models_;
+    WorldSnapshot snapshot_;
+    std::uint32_t steps_ = 0;
+    std::uint32_t next_hash_tick_ = hash_every_ticks;
+    bool measuring_ = false;
+    double models_us_ = 0, snapshot_us_ = 0;
+};
+
+}  // namespace fulcrum
