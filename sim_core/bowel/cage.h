@@ -27,7 +27,7 @@ struct Cage {
 };
 
 struct CageOptions {
-    double margin = 0.0005;  ///< m, the surface stays at least this far inside
+    double margin = 0.0008;  ///< m, the surface stays at least this far inside
 };
 
 /// Builds the cage around a closed surface in the rest pose: sphere and middle rings, pushed out to the
