@@ -3,21 +3,15 @@
 // bend it along.
 #pragma once
 
-#include <functional>
-
 #include "sim_core/bowel/bowel_skin.h"
+#include "sim_core/lab/reference_tube.h"
 
 namespace fulcrum::test {
 
-/// Radius at (x, angle from +y towards +z), m.
-using TubeRadius = std::function<double(double, double)>;
-
-/// Closed tube from x = 0 to length: sections + 1 circles of `around` vertices, then the two cap centres.
-TriangleMesh make_tube(double length, int sections, int around, const TubeRadius& radius);
-
-/// Haustra (bulges every 30 mm) and three shallow taeniae on a mean radius.
-TubeRadius haustral_radius(double mean);
-TubeRadius plain_radius(double radius);
+using lab::haustral_radius;
+using lab::make_tube;
+using lab::plain_radius;
+using lab::TubeRadius;
 
 /// Tube bound to a cage of spheres `spacing` apart.
 BowelSkin make_skin(double length, double mean_radius, double spacing, int sections, int around,
