@@ -1,53 +1,118 @@
 // SPDX-License-Identifier: Apache-2.0
-// Procedural anatomy: the abdominopelvic cavity, the rectosigmoid at rest and as it lies in the body, the root of its mesentery.
-// Pure functions of parameters; deterministic (functions of sim_core/numerics only). Patient frame, m: origin in the middle of the
-// pelvic inlet, +x to the patient's left, +y cranial, +z anterior.
+// Procedural anatomy: the abdominopelvic cavity, the rectosigmoid, its mesentery and the textures they wear.
+//
+// Every function is a pure function of its parameters (the seed included): the same arguments give the same
+// bytes on every machine. No I/O; any thread. Lengths in m, patient frame (origin in the middle of the pelvic
+// inlet, +x to the patient's left, +y cranial, +z anterior). Parameters outside the ranges named throw
+// InputError.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "sim_core/bowel/spheres.h"
+#include "sim_core/bowel/skin.h"
 #include "sim_core/geometry/mesh.h"
+#include "sim_core/numerics/types.h"
 
 namespace fulcrum {
 
+/// The cavity, insufflated, seen from inside.
 struct PelvisParameters {
-    double width = 0.125;        ///< m, transverse diameter of the inlet, 0.09 .. 0.16
-    double depth = 0.115;        ///< m, inlet to pelvic floor, 0.08 .. 0.15
-    double abdomen_width = 0.27; ///< m, at the level of the trocars
-    double height = 0.16;        ///< m, posterior to anterior wall under pneumoperitoneum
-    double cranial_end = 0.21;   ///< m, where the modelled cavity ends
-    int rows = 96, columns = 104;  ///< of the mesh; about 2 rows columns triangles
-    std::uint64_t seed = 1;      ///< individual unevenness of the walls
+    double width = 0.125;         ///< m, transverse diameter of the inlet, 0.09 .. 0.16
+    double depth = 0.115;         ///< m, inlet to floor, 0.08 .. 0.15
+    double abdomen_width = 0.30;  ///< m, inner width above the iliac crests, 0.24 .. 0.40
+    int triangles = 20000;        ///< asked, 2000 .. 200000; the generator rounds
+    std::uint64_t seed = 1;       ///< unevenness of the wall and the fat beneath it
 };
 
+struct GeneratedCavity {
+    /// Closed, outward oriented: bodies live behind its triangles (FreeSide::behind). Texture coordinates:
+    /// u once around (0 .. 1), v along the axis in the same measure (one unit is about 0.4 m).
+    TriangleMesh mesh;
+    std::vector<float> fat;  ///< one a vertex, 0 .. 1: how much fat shows through the peritoneum
+};
+
+GeneratedCavity make_cavity(const PelvisParameters& parameters);
+
+/// The rectosigmoid. s = 0 is the rectum deep in the pelvis, s = length the descending colon.
 struct BowelParameters {
-    double length = 0.9;         ///< m
-    double radius = 0.016;       ///< m, mean outer
-    double haustra_spacing = 0.034;  ///< m
-    double haustra_depth = 0.12;     ///< share of the radius
-    double rectum_length = 0.13;     ///< m, without haustra, from the fixed end
-    int vertices = 20000;        ///< asked; the generator rounds
-    std::uint64_t seed = 1;      ///< individual spacing and depth of haustra
+    double length = 0.9;             ///< m, 0.6 .. 1.2
+    double radius = 0.016;           ///< m, mean outer radius, 0.010 .. 0.022
+    int vertices = 20000;            ///< asked, 1000 .. 200000; the generator rounds
+    double haustra_spacing = 0.034;  ///< m between two semilunar folds, 0.02 .. 0.06
+    double haustra_depth = 0.16;     ///< folds, fraction of the radius, 0 .. 0.3
+    double taenia_width = 0.007;     ///< m, 0.003 .. 0.012
+    std::uint64_t seed = 1;          ///< sizes of the haustra
 };
 
-/// Height z of the posterior wall under (x, y), as make_cavity shapes it.
-double posterior_wall(const PelvisParameters& pelvis, double x, double y);
+struct GeneratedBowel {
+    /// Closed tube in the extended rest pose: along +x from 0 to the length, d3 = +x, d1 = +y, d2 = +z.
+    /// Texture coordinates: u once around (0 .. 1, taeniae at 1/6, 3/6, 5/6), v = s / circumference. One
+    /// coordinate a vertex: drawing must duplicate the vertices of the seam u = 1 (renderer: split_seam).
+    TriangleMesh surface;
+    double length = 0;          ///< m
+    std::vector<double> radii;  ///< m, lumen radius at equal steps of s from 0 to the length
+    std::vector<float> taenia;  ///< one a surface vertex: 1 on a taenia, 0 between
+    /// In situ: laid on the posterior wall from the rectum over the promontory through the sigmoid loop to
+    /// the left iliac fossa; points at equal arc length, the first at s = 0, the last at s = length.
+    std::vector<Vector3> centre_line;
+    /// Root of the mesentery on the wall: the point to which the bowel at the same share of the length
+    /// belongs.
+    std::vector<Vector3> root_line;
 
-/// Closed surface, outward oriented (the bodies are inside), texture coordinates in units of 0.1 m. Throws InputError for
-/// parameters out of range.
-TriangleMesh make_cavity(const PelvisParameters& pelvis);
-
-struct BowelShape {
-    TriangleMesh surface;              ///< rest tube along +x from the origin, closed, outward; u along, v around (0..1)
-    double length = 0;                 ///< m
-    RadiusProfile radius;              ///< lumen radius by rest arc length
-    std::vector<Vector3> centre_line;  ///< in situ, first = rectal end, equal steps
-    std::vector<Vector3> root_line;    ///< mesenteric root on the posterior wall, first = rectal end
+    /// Lumen radius at rest arc length s, m; clamped at the ends.
+    double radius_at(double s) const;
 };
 
-/// Throws InputError where a bowel of that length cannot be laid into that cavity.
-BowelShape make_bowel(const BowelParameters& bowel, const PelvisParameters& pelvis);
+/// The bowel and how it lies in that cavity. Tube length and arc length of the centre line agree to 1e-4.
+GeneratedBowel make_bowel(const BowelParameters& parameters, const GeneratedCavity& cavity);
+
+/// A vertex of the mesentery: between the wall of the bowel at s and a fixed point of the root.
+struct MesenteryVertex {
+    double arc_length = 0;           ///< m, of the bowel
+    double fraction = 0;             ///< 0 at the bowel, 1 at the root
+    Vector3 root = Vector3::Zero();  ///< m
+    Vector3 lift = Vector3::Zero();  ///< m, how far fat and the wall beneath hold it off the straight line
+};
+
+/// The mesentery as a sheet to be drawn. It does not take part in the simulation: tethers do.
+struct GeneratedMesentery {
+    TriangleMesh mesh;  ///< rest positions (bowel in situ); open sheet, drawn from both sides
+    std::vector<MesenteryVertex> vertices;
+    int rows = 0,
+        columns = 0;  ///< along the bowel, from the bowel to the root; vertex = row * columns + column
+    double attachment_radius = 0;  ///< m, from the centre line to the edge of the sheet
+};
+
+/// The sheet over shares first .. last of the bowel's length.
+GeneratedMesentery make_mesentery(const GeneratedBowel& bowel, const GeneratedCavity& cavity,
+                                  double first = 0.08, double last = 0.97);
+
+/// Positions and unit normals (three floats a vertex) under the ring frames of a moment. ring_arc_lengths
+/// rises; ring_count >= 2. Allocates nothing.
+void evaluate_mesentery(const GeneratedMesentery& mesentery, const RingFrame* rings,
+                        const double* ring_arc_lengths, int ring_count, float* positions, float* normals);
+
+/// Eight bits a channel, rows from v = 0 up.
+struct Image {
+    int width = 0, height = 0, channels = 0;
+    std::vector<std::uint8_t> pixels;  ///< width * height * channels
+};
+
+/// Tileable in both directions. albedo: sRGB and, in the fourth channel, wetness. normal: tangent space, the
+/// components mapped from -1 .. 1; the fourth channel is height.
+struct TissueTexture {
+    Image albedo, normal;
+};
+
+struct AnatomyTextures {
+    TissueTexture serosa;      ///< bowel: one circumference wide and two long; taeniae at u = 1/6, 3/6, 5/6
+    TissueTexture fat;         ///< mesentery: 60 mm a tile
+    TissueTexture peritoneum;  ///< wall: 120 mm a tile
+    TissueTexture steel;       ///< brushed along v: 20 mm a tile
+};
+
+/// size: width of the serosa's tile in pixels, a power of two, 128 .. 2048; the others follow.
+AnatomyTextures make_textures(std::uint64_t seed = 1, int size = 1024);
 
 }  // namespace fulcrum
