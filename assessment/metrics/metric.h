@@ -35,6 +35,8 @@ enum class EvidenceGrade : std::uint8_t {
     moderate,  ///< one study, or several with small groups
     expert,    ///< reasoned or agreed by experts; no published separation
 };
+/// Whose channels a metric needs: a row for each hand, one row from both, one row from whichever is there.
+enum class Hands : std::uint8_t { each, both, either };
 /// What an attempt is when a gate's metric is absent because the trainee did not do the thing.
 enum class AbsentMeans : std::uint8_t { failed, not_scored };
 /// Why a value is absent.
@@ -57,10 +59,11 @@ struct MetricDescriptor {
     std::string source;  ///< where the definition comes from
     int version = 0;     ///< from 1; changes whenever a value could change
     std::string filter;  ///< what the samples went through first
-    bool per_hand = true;
+    Hands hands = Hands::each;
     bool per_tissue = false;      ///< also one row for each tissue label
     bool absolute_value = false;  ///< signed metric: the size is what counts
     bool needs_events = false;    ///< absent for traces that carry no events
+    double minimum_rate = 0;      ///< Hz, mean rate of the trace below which it is absent
     std::vector<Channel> channels;
     std::vector<std::string> dependencies;  ///< ids of metrics that its definition uses
     AbsentMeans absent_means = AbsentMeans::not_scored;

@@ -11,11 +11,28 @@ namespace fulcrum {
 
 class Analysis;
 
-/// A descriptor and its pure function, which appends one row a hand and tissue.
+/// What a metric's function gives: a value, or why there is none.
+struct Figure {
+    std::optional<double> value;
+    Absence absence = Absence::none;
+    std::string because;
+    std::vector<TimeInterval> evidence;
+    std::optional<int> count;
+};
+Figure absent(Absence absence, std::string because);
+
+/// Which row: hand 0 or 1, -1 where a metric has none; tissue an index into Analysis::tissues(), -1 all
+/// together.
+struct Selection {
+    int hand = -1;
+    int tissue = -1;
+};
+
+/// A descriptor and its pure function of the analysed record. The channels and rate that the descriptor asks
+/// for are there.
 struct Metric {
     MetricDescriptor descriptor;
-    void (*compute)(const MetricDescriptor& descriptor, const Analysis& analysis,
-                    std::vector<MetricResult>& rows) = nullptr;
+    Figure (*compute)(const Analysis& analysis, const Selection& row) = nullptr;
 };
 
 /// Checked on first use; families in the order motion, smoothness, force.

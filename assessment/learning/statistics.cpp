@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/learning/statistics.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace fulcrum {
+
+double mean_of(const std::vector<double>& values) {
+    assert(!values.empty());
+    double sum = 0;
+    for (const double value : values) sum += value;
+    return sum / static_cast<double>(values.size());
+}
+
+double sample_deviation(const std::vector<double>& values) {
+    if (values.size() < 2) return 0;
+    const double mean = mean_of(values);
+    double square = 0;
+    for (const double value : values) square += (value - mean) * (value - mean);
+    return std::sqrt(square / static_cast<double>(values.size() - 1));
+}
+
+double median_of(std::vector<double> values) {
+    assert(!values.empty());
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    if (values.size() % 2 == 1) return *middle;
+    return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+std::optional<MedianInterval> median_interval(std::vector<double> values, double level) {
+    const auto n = static_cast<int>(values.size());
+    if (n == 0) return std::nullopt;
+    std::sort(values.begin(), values.end());
+    // The interval from rank r to n + 1 - r misses the median with probability 2 P(B <= r - 1), B binomial(n,
+    // 1/2).
+    double term = std::pow(0.5, n), tail = 0;
+    std::optional<MedianInterval> best;
+    for (int r = 1; 2 * r <= n; ++r) {
+        tail += term;
+        const double coverage = 1.0 - 2.0 * tail;
+        if (coverage < level) break;
+        best = MedianInterval{median_of(values), values[static_cast<std::size_t>(r - 1)],
+                              values[static_cast<std::size_t>(n - r)], r, coverage};
+        term *= static_cast<double>(n - r + 1) / r;
+    }
+    return best;
+}
+
+std::optional<ExpertBenchmark> expert_benchmark(const std::vector<ExpertValues>& experts,
+                                                int minimum_experts) {
+    std::vector<const ExpertValues*> counted;
+    std::vector<double> means;
+    for (const ExpertValues& expert : experts) {
+        if (expert.values.empty()) continue;
+        counted.push_back(&expert);
+        means.push_back(mean_of(expert.values));
+    }
+    if (counted.empty()) return std::nullopt;
+    ExpertBenchmark out;
+    const double centre = mean_of(means), reach = 1.96 * sample_deviation(means);
+    std::vector<const ExpertValues*> kept;
+    std::vector<double> kept_means;
+    for (std::size_t i = 0; i < counted.size(); ++i) {
+        if (std::abs(means[i] - centre) > reach && reach > 0) {
+            out.left_out.push_back({counted[i]->expert, means[i]});
+        } else {
+            kept.push_back(counted[i]);
+            kept_means.push_back(means[i]);
+        }
+    }
+    if (static_cast<int>(kept.size()) < minimum_experts) return std::nullopt;
+    double within = 0, within_freedom = 0, inverse_attempts = 0;
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        for (const double value : kept[i]->values)
+            within += (value - kept_means[i]) * (value - kept_means[i]);
+        within_freedom += static_cast<double>(kept[i]->values.size() - 1);
+        inverse_attempts += 1.0 / static_cast<double>(kept[i]->values.size());
+    }
+    const double mean_square = within_freedom > 0 ? within / within_freedom : 0.0;
+    const double attempts = static_cast<double>(kept.size()) / inverse_attempts;  // harmonic mean
+    out.experts = static_cast<int>(kept.size());
+    out.mean = mean_of(kept_means);
+    out.means_deviation = sample_deviation(kept_means);
+    const double between = out.means_deviation * out.means_deviation - mean_square / attempts;
+    out.deviation = std::sqrt(std::max(0.0, between) + mean_square);
+    return out;
+}
+
+}  // namespace fulcrum

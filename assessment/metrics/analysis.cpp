@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/metrics/analysis.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "assessment/metrics/signal.h"
+
+namespace fulcrum {
+
+namespace {
+
+constexpr double motion_cutoff = 10.0, force_cutoff = 50.0;  // Hz
+constexpr std::size_t decimation = 10;
+constexpr double shortest_segment_s = 0.3, longest_segment_s = 10.0, slowest_peak = 0.020;
+static_assert(decimation * 100 == 1000);
+
+Eigen::Matrix3Xd decimate(const std::vector<double>& x, const std::vector<double>& y,
+                          const std::vector<double>& z) {
+    const std::size_t size = (x.size() - 1) / decimation + 1;
+    Eigen::Matrix3Xd out(3, static_cast<Eigen::Index>(size));
+    for (std::size_t i = 0; i < size; ++i)
+        out.col(static_cast<Eigen::Index>(i)) << x[i * decimation], y[i * decimation], z[i * decimation];
+    return out;
+}
+
+template <typename T>
+std::vector<T> decimate(const std::vector<T>& column) {
+    std::vector<T> out;
+    out.reserve(column.size() / decimation + 1);
+    for (std::size_t i = 0; i < column.size(); i += decimation) out.push_back(column[i]);
+    return out;
+}
+
+/// Sums of position minus its low-pass, one entry for each sample at 100 Hz (ten samples at 1 kHz).
+struct Residuals {
+    std::vector<double> sum, square, count;
+};
+
+Residuals residuals_of(const std::vector<double>& raw, const std::vector<double>& held, std::size_t hold) {
+    Residuals out;
+    const std::size_t cells = (raw.size() - 1) / decimation + 1;
+    out.sum.assign(cells, 0);
+    out.square.assign(cells, 0);
+    out.count.assign(cells, 0);
+    for (std::size_t i = 0; i < raw.size(); ++i) {
+        const double residual = raw[i] - held[i + hold];
+        out.sum[i / decimation] += residual;
+        out.square[i / decimation] += residual * residual;
+        out.count[i / decimation] += 1;
+    }
+    return out;
+}
+
+/// Accumulates a standard deviation over pauses, for one component.
+struct Deviation {
+    double sum = 0, square = 0, count = 0;
+    void add(const Residuals& residuals, const std::vector<std::uint8_t>& pause) {
+        for (std::size_t i = 0; i < pause.size(); ++i) {
+            if (pause[i] == 0) continue;
+            sum += residuals.sum[i];
+            square += residuals.square[i];
+            count += residuals.count[i];
+        }
+    }
+    double value() const { return std::sqrt(std::max(0.0, square / count - (sum / count) * (sum / count))); }
+};
+
+/// Speeds by central differences; the held ends give the first and last sample their neighbours.
+template <typename Distance>
+std::vector<double> rates_of(const Eigen::Matrix3Xd& points, std::size_t held, std::size_t size,
+                             Distance distance) {
+    std::vector<double> out(size);
+    for (std::size_t i = 0; i < size; ++i) {
+        const auto k = static_cast<Eigen::Index>(i + held);
+        out[i] = distance(points.col(k - 1), points.col(k + 1)) * motion_rate / 2.0;
+    }
+    return out;
+}
+
+}  // namespace
+
+UniformGrid::UniformGrid(const std::vector<double>& t, const TraceBlock& block)
+    : begin_(t[block.first]), first_(block.first) {
+    const double duration = t[block.last - 1] - begin_;
+    size_ = static_cast<std::size_t>(std::floor(duration * force_rate + 1e-6)) + 1;
+    bool same = size_ == block.last - block.first;
+    for (std::size_t i = 0; same && i < size_; ++i)
+        same = std::abs(t[first_ + i] - begin_ - static_cast<double>(i) / force_rate) < 1e-7;
+    if (same) return;
+    index_.resize(size_);
+    fraction_.resize(size_);
+    std::size_t k = block.first;
+    for (std::size_t i = 0; i < size_; ++i) {
+        const double time = begin_ + static_cast<double>(i) / force_rate;
+        while (k + 1 < block.last && t[k + 1] <= time + 1e-9) ++k;
+        index_[i] = k;
+        fraction_[i] = k + 1 < block.last ? std::clamp((time - t[k]) / (t[k + 1] - t[k]), 0.0, 1.0) : 0.0;
+    }
+}
+
+std::vector<double> UniformGrid::interpolate(const std::vector<double>& column) const {
+    if (index_.empty()) return hold(column);
+    std::vector<double> out(size_);
+    for (std::size_t i = 0; i < size_; ++i) {
+        const std::size_t k = index_[i];
+        out[i] = fraction_[i] > 0 ? column[k] + fraction_[i] * (column[k + 1] - column[k]) : column[k];
+    }
+    return out;
+}
+
+std::size_t MotionBlock::index(double t) const {
+    const double i = std::clamp((t - begin) * motion_rate, 0.0, static_cast<double>(size() - 1));
+    return static_cast<std::size_t>(std::lround(i));
+}
+
+std::vector<std::uint8_t> find_pauses(const std::vector<double>& speed) {
+    std::vector<std::uint8_t> pause(speed.size(), 0);
+    for (const Run& run : runs_of(speed.size(), [&](std::size_t i) { return speed[i] < rest_speed; })) {
+        const bool at_end = run.first == 0 || run.last == speed.size();
+        if (at_end || static_cast<double>(run.size()) >= rest_time * motion_rate)
+            std::fill(pause.begin() + static_cast<std::ptrdiff_t>(run.first),
+                      pause.begin() + static_cast<std::ptrdiff_t>(run.last), std::uint8_t{1});
+    }
+    return pause;
+}
+
+std::vector<Segment> find_segments(const std::vector<double>& speed, const std::vector<std::uint8_t>& pause) {
+    std::vector<Segment> segments;
+    for (const Run& core : runs_of(speed.size(), [&](std::size_t i) { return pause[i] == 0; })) {
+        if (core.first == 0 || core.last == speed.size())
+            continue;  // cut off by the block, not a whole movement
+        Run whole = core;
+        while (whole.first > 0 && speed[whole.first - 1] < speed[whole.first]) --whole.first;
+        while (whole.last < speed.size() && speed[whole.last] < speed[whole.last - 1]) ++whole.last;
+        const double peak = *std::max_element(speed.begin() + static_cast<std::ptrdiff_t>(core.first),
+                                              speed.begin() + static_cast<std::ptrdiff_t>(core.last));
+        const double duration = static_cast<double>(whole.size()) / motion_rate;
+        if (duration >= shortest_segment_s && duration <= longest_segment_s && peak >= slowest_peak)
+            segments.push_back({0, core, whole});
+    }
+    return segments;
+}
+
+Analysis::Analysis(const Trace& trace, const std::vector<Event>& events, const MetricContext& context)
+    : trace_(trace),
+      events_(events),
+      context_(context),
+      tissues_(trace.tissues),
+      mean_rate_(trace.mean_rate()) {
+    for (const TissueLimits& tissue : context.tissues)
+        if (std::find(tissues_.begin(), tissues_.end(), tissue.label) == tissues_.end())
+            tissues_.push_back(tissue.label);
+    for (const TraceBlock& block : trace.blocks)
+        if (block.last - block.first >= 2) grids_.emplace_back(trace.t, block);
+    for (std::size_t h = 0; h < hands_.size(); ++h) {
+        hands_[h].touched.assign(tissues_.size(), 0);
+        for (const std::int16_t tissue : trace.hand[h].tissue)
+            if (tissue >= 0 && static_cast<std::size_t>(tissue) < tissues_.size())
+                hands_[h].touched[static_cast<std::size_t>(tissue)] = 1;
+        build_motion(h);
+        build_force(h);
+    }
+}
+
+void Analysis::build_motion(std::size_t h) {
+    const HandTrace& hand = trace_.hand[h];
+    HandAnalysis& out = hands_[h];
+    if (!hand.has(Channel::position)) return;
+    std::array<Deviation, 3> noise;
+    for (const UniformGrid& grid : grids_) {
+        MotionBlock block;
+        block.begin = grid.begin();
+        block.held = hold_samples(motion_rate);
+        const std::size_t size = (grid.size() - 1) / decimation + 1;
+        std::array<std::vector<double>, 3> smooth;
+        std::array<Residuals, 3> residuals;
+        const std::array<const std::vector<double>*, 3> columns = {&hand.px, &hand.py, &hand.pz};
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::vector<double> raw = grid.interpolate(*columns[c]);
+            smooth[c] = low_pass_held(raw, motion_cutoff, force_rate);
+            residuals[c] = residuals_of(raw, smooth[c], hold_samples(force_rate));
+        }
+        block.position = decimate(smooth[0], smooth[1], smooth[2]);
+        block.speed = rates_of(block.position, block.held, size,
+                               [](const Vector3& a, const Vector3& b) { return (b - a).norm(); });
+        if (hand.has(Channel::axis)) {
+            const auto filtered = [&](const std::vector<double>& column) {
+                return low_pass_held(grid.interpolate(column), motion_cutoff, force_rate);
+            };
+            block.axis = decimate(filtered(hand.ax), filtered(hand.ay), filtered(hand.az));
+            block.axis.colwise().normalize();
+            block.angular_speed =
+                rates_of(block.axis, block.held, size,
+                         [](const Vector3& a, const Vector3& b) { return angle_between(a, b); });
+        }
+        block.active =
+            hand.has(Channel::inside) ? decimate(grid.hold(hand.inside)) : std::vector<std::uint8_t>(size, 1);
+        if (hand.has(Channel::in_view)) block.in_view = decimate(grid.hold(hand.in_view));
+        if (hand.has(Channel::tissue)) block.tissue = decimate(grid.hold(hand.tissue));
+        block.pause = find_pauses(block.speed);
+        for (Segment& segment : find_segments(block.speed, block.pause)) {
+            segment.block = out.motion.size();
+            out.segments.push_back(segment);
+        }
+        out.moving_samples += static_cast<std::size_t>(std::count(block.pause.begin(), block.pause.end(), 0));
+        for (std::size_t c = 0; c < 3; ++c) noise[c].add(residuals[c], block.pause);
+        out.motion.push_back(std::move(block));
+    }
+    if (noise[0].count > 0)
+        out.noise_at_rest = std::max({noise[0].value(), noise[1].value(), noise[2].value()});
+}
+
+void Analysis::build_force(std::size_t h) {
+    const HandTrace& hand = trace_.hand[h];
+    HandAnalysis& out = hands_[h];
+    if (!hand.has(Channel::force) && !hand.has(Channel::jaw_force)) return;
+    for (const UniformGrid& grid : grids_) {
+        ForceBlock block;
+        block.begin = grid.begin();
+        const auto filtered = [](const std::vector<double>& column) {
+            return low_pass(column, force_cutoff, force_rate);
+        };
+        if (hand.has(Channel::tissue)) block.tissue = grid.hold(hand.tissue);
+        if (hand.has(Channel::patch)) block.patch = grid.hold(hand.patch);
+        if (hand.has(Channel::force)) {
+            block.force.resize(3, static_cast<Eigen::Index>(grid.size()));
+            Eigen::Index row = 0;
+            for (const auto* column : {&hand.fx, &hand.fy, &hand.fz}) {
+                const std::vector<double> smooth = filtered(grid.interpolate(*column));
+                block.force.row(row++) = Eigen::Map<const Eigen::RowVectorXd>(
+                    smooth.data(), static_cast<Eigen::Index>(smooth.size()));
+            }
+            const Eigen::RowVectorXd norm = block.force.colwise().norm();
+            block.norm.assign(norm.data(), norm.data() + norm.size());
+        }
+        if (hand.has(Channel::jaw_force)) {
+            std::vector<double> jaw = grid.interpolate(hand.jaw_force);
+            block.grasp.resize(jaw.size());
+            for (std::size_t i = 0; i < jaw.size(); ++i)
+                block.grasp[i] =
+                    jaw[i] > contact_force && (block.tissue.empty() || block.tissue[i] >= 0) ? 1 : 0;
+            block.jaw = filtered(jaw);
+            if (hand.has(Channel::jaw_area)) {
+                const std::vector<double> area = grid.interpolate(hand.jaw_area);
+                for (std::size_t i = 0; i < jaw.size(); ++i)
+                    jaw[i] = block.grasp[i] != 0 && area[i] > 0 ? jaw[i] / area[i] : 0.0;
+                block.pressure = filtered(jaw);
+            }
+        }
+        out.force.push_back(std::move(block));
+    }
+}
+
+std::optional<double> Analysis::force_limit(int tissue) const {
+    if (tissue < 0) return std::nullopt;
+    for (const TissueLimits& limits : context_.tissues)
+        if (limits.label == tissues_[static_cast<std::size_t>(tissue)]) return limits.force;
+    return std::nullopt;
+}
+
+bool Analysis::any_force_limit() const {
+    return std::any_of(context_.tissues.begin(), context_.tissues.end(),
+                       [](const TissueLimits& limits) { return limits.force.has_value(); });
+}
+
+std::optional<std::size_t> Analysis::block_at(int h, double t) const {
+    const auto& blocks = hand(h).motion;
+    for (std::size_t b = 0; b < blocks.size(); ++b)
+        if (t >= blocks[b].begin - 0.005 && t <= blocks[b].time(blocks[b].size() - 1) + 0.015) return b;
+    return std::nullopt;
+}
+
+std::optional<double> Analysis::first_movement(int h) const {
+    for (const MotionBlock& block : hand(h).motion)
+        for (const Run& run : runs_of(block.size(), [&](std::size_t i) {
+                 return block.speed[i] > rest_speed && block.active[i] != 0;
+             }))
+            if (static_cast<double>(run.size()) >= rest_time * motion_rate) return block.time(run.first);
+    return std::nullopt;
+}
+
+std::vector<TimeInterval> worst_first(std::vector<ScoredInterval> intervals) {
+    std::stable_sort(intervals.begin(), intervals.end(),
+                     [](const ScoredInterval& a, const ScoredInterval& b) { return a.score > b.score; });
+    if (intervals.size() > evidence_limit) intervals.resize(evidence_limit);
+    std::vector<TimeInterval> out;
+    for (const ScoredInterval& scored : intervals) out.push_back(scored.interval);
+    return out;
+}
+
+Figure absent(Absence absence, std::string because) {
+    Figure figure;
+    figure.absence = absence;
+    figure.because = std::move(because);
+    return figure;
+}
+
+}  // namespace fulcrum

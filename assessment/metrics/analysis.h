@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// What metrics share: the record resampled and filtered once, cut into blocks, with pauses and movement
+// segments found. Kinematics: 1 kHz, 10 Hz low-pass, then 100 Hz. Forces: 1 kHz, 50 Hz low-pass. Nothing runs
+// across the border of a block.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assessment/metrics/metric.h"
+#include "assessment/metrics/registry.h"
+#include "assessment/trace/trace.h"
+
+namespace fulcrum {
+
+inline constexpr double force_rate = 1000.0;  ///< Hz
+inline constexpr double motion_rate = 100.0;  ///< Hz
+inline constexpr double contact_force = 0.1;  ///< N, below it a force counts as none
+inline constexpr double rest_speed = 0.005;   ///< m/s
+inline constexpr double rest_time = 0.2;      ///< s, shortest pause
+
+/// Samples [first, last) of a block's series.
+struct Run {
+    std::size_t first = 0, last = 0;
+    std::size_t size() const { return last - first; }
+};
+/// Maximal runs of samples that fulfil `test(i)`.
+template <typename Test>
+std::vector<Run> runs_of(std::size_t size, Test test) {
+    std::vector<Run> runs;
+    for (std::size_t i = 0; i < size; ++i) {
+        if (!test(i)) continue;
+        if (runs.empty() || runs.back().last != i) runs.push_back({i, i});
+        runs.back().last = i + 1;
+    }
+    return runs;
+}
+
+/// A trace block at 1 kHz: where its samples lie between those of the trace.
+class UniformGrid {
+  public:
+    UniformGrid(const std::vector<double>& t, const TraceBlock& block);
+    double begin() const { return begin_; }
+    std::size_t size() const { return size_; }
+    std::vector<double> interpolate(const std::vector<double>& column) const;
+    /// The value of the last sample at or before, for labels and flags.
+    template <typename T>
+    std::vector<T> hold(const std::vector<T>& column) const {
+        std::vector<T> out(size_);
+        for (std::size_t i = 0; i < size_; ++i) out[i] = column[index_.empty() ? first_ + i : index_[i]];
+        return out;
+    }
+
+  private:
+    double begin_ = 0;
+    std::size_t first_ = 0, size_ = 0;
+    std::vector<std::size_t>
+        index_;  ///< sample at or before each grid point; empty where the trace is at 1 kHz itself
+    std::vector<double> fraction_;
+};
+
+/// One hand's motion in one block at 100 Hz. Positions and axes carry the held ends of the filter (`held`
+/// columns at each side), so that no path is lost where a block ends in motion; everything else covers the
+/// block alone.
+struct MotionBlock {
+    double begin = 0;  ///< s
+    std::size_t held = 0;
+    Eigen::Matrix3Xd position, axis;            ///< m; unit; axis empty when not recorded
+    std::vector<double> speed;                  ///< m/s, central differences
+    std::vector<double> angular_speed;          ///< rad/s; empty when the axis is not recorded
+    std::vector<std::uint8_t> active, in_view;  ///< in_view empty when not recorded
+    std::vector<std::int16_t> tissue;           ///< index into Analysis::tissues(); empty when not recorded
+    std::vector<std::uint8_t> pause;            ///< 1 within a pause
+
+    std::size_t size() const { return speed.size(); }
+    double time(std::size_t i) const { return begin + static_cast<double>(i) / motion_rate; }
+    /// Nearest sample of a time within the block.
+    std::size_t index(double t) const;
+    Eigen::Vector3d point(std::size_t i) const { return position.col(static_cast<Eigen::Index>(i + held)); }
+    Eigen::Vector3d direction(std::size_t i) const { return axis.col(static_cast<Eigen::Index>(i + held)); }
+    TimeInterval interval(const Run& run) const { return {time(run.first), time(run.last - 1)}; }
+};
+
+/// A movement between two pauses: the samples between them, and those samples extended outwards while the
+/// speed falls.
+struct Segment {
+    std::size_t block = 0;
+    Run core, whole;
+};
+/// Pauses of a speed profile at 100 Hz: below 5 mm/s for 0.2 s; a rest cut short by an end of the profile is
+/// one too.
+std::vector<std::uint8_t> find_pauses(const std::vector<double>& speed);
+/// Movement segments that are kept: 0.3 s to 10 s long, peak at least 20 mm/s, a pause on both sides.
+std::vector<Segment> find_segments(const std::vector<double>& speed, const std::vector<std::uint8_t>& pause);
+
+/// One hand's forces in one block at 1 kHz.
+struct ForceBlock {
+    double begin = 0;
+    Eigen::Matrix3Xd force;        ///< N, filtered; no columns when not recorded
+    std::vector<double> norm;      ///< N, of the filtered force
+    std::vector<double> jaw;       ///< N, filtered; empty when not recorded
+    std::vector<double> pressure;  ///< Pa, jaw force over area, filtered; empty when not recorded
+    std::vector<std::uint8_t>
+        grasp;  ///< 1 where the jaws press on tissue; empty when the jaw force is not recorded
+    std::vector<std::int16_t> tissue, patch;
+
+    double time(std::size_t i) const { return begin + static_cast<double>(i) / force_rate; }
+    TimeInterval interval(const Run& run) const { return {time(run.first), time(run.last - 1)}; }
+    bool on(std::size_t i, int label) const { return label < 0 || (!tissue.empty() && tissue[i] == label); }
+};
+
+struct HandAnalysis {
+    std::vector<MotionBlock> motion;
+    std::vector<Segment> segments;
+    std::size_t moving_samples = 0;  ///< at 100 Hz, outside pauses
+    std::optional<double>
+        noise_at_rest;  ///< m, SD of position minus its low-pass over pauses, worst component
+    std::vector<ForceBlock> force;
+    std::vector<std::uint8_t> touched;  ///< by tissue: 1 where the hand was in contact with it
+};
+
+class Analysis {
+  public:
+    Analysis(const Trace& trace, const std::vector<Event>& events, const MetricContext& context);
+
+    const Trace& trace() const { return trace_; }
+    const std::vector<Event>& events() const { return events_; }
+    const MetricContext& context() const { return context_; }
+    const HandAnalysis& hand(int h) const { return hands_[static_cast<std::size_t>(h)]; }
+    /// The trace's labels, then those that only the context names.
+    const std::vector<std::string>& tissues() const { return tissues_; }
+    /// Force limit of a tissue, N.
+    std::optional<double> force_limit(int tissue) const;
+    bool any_force_limit() const;
+    double mean_rate() const { return mean_rate_; }
+    /// The 1 kHz grids of the blocks, as hand(h).motion and hand(h).force count them.
+    const std::vector<UniformGrid>& grids() const { return grids_; }
+    /// Index of the motion block that covers a time.
+    std::optional<std::size_t> block_at(int h, double t) const;
+    /// Start of the hand's first active movement: speed above 5 mm/s for 0.2 s inside the body.
+    std::optional<double> first_movement(int h) const;
+
+  private:
+    void build_motion(std::size_t h);
+    void build_force(std::size_t h);
+
+    const Trace& trace_;
+    const std::vector<Event>& events_;
+    const MetricContext& context_;
+    std::vector<std::string> tissues_;
+    std::vector<UniformGrid> grids_;
+    std::array<HandAnalysis, hand_count> hands_;
+    double mean_rate_ = 0;
+};
+
+/// At most this many intervals stand as evidence of a row; the worst are kept.
+inline constexpr std::size_t evidence_limit = 20;
+/// An interval with a score; the evidence of a row is the intervals by falling score.
+struct ScoredInterval {
+    double score = 0;
+    TimeInterval interval;
+};
+std::vector<TimeInterval> worst_first(std::vector<ScoredInterval> intervals);
+
+}  // namespace fulcrum

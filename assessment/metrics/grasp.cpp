@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the jaws did to tissue, and the counted events. A grasp lasts while the jaws press on tissue with more
+// than 0.1 N.
+#include <algorithm>
+#include <map>
+
+#include "assessment/metrics/analysis.h"
+#include "assessment/metrics/descriptor_text.h"
+#include "assessment/metrics/registry.h"
+
+namespace fulcrum {
+
+namespace {
+
+Figure no_grasp() {
+    return absent(Absence::not_done, "nothing was grasped");
+}
+
+bool grasping(const ForceBlock& block, std::size_t i, const Selection& row) {
+    return block.grasp[i] != 0 && block.on(i, row.tissue);
+}
+
+/// Largest entry of a series over the row's grasps.
+Figure largest_in_grasps(const Analysis& analysis, const Selection& row,
+                         std::vector<double> ForceBlock::*series, double unit) {
+    double largest = 0;
+    TimeInterval where;
+    for (const ForceBlock& block : analysis.hand(row.hand).force) {
+        const std::vector<double>& values = block.*series;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (!grasping(block, i, row) || values[i] <= largest) continue;
+            largest = values[i];
+            where = {block.time(i < 250 ? 0 : i - 250), block.time(std::min(i + 250, values.size() - 1))};
+        }
+    }
+    if (!(largest > 0)) return no_grasp();
+    Figure figure;
+    figure.value = largest * unit;
+    figure.evidence = {where};
+    return figure;
+}
+
+Figure grasp_max(const Analysis& analysis, const Selection& row) {
+    return largest_in_grasps(analysis, row, &ForceBlock::jaw, 1.0);
+}
+
+Figure grasp_kpa(const Analysis& analysis, const Selection& row) {
+    return largest_in_grasps(analysis, row, &ForceBlock::pressure, 1e-3);
+}
+
+/// The row's grasps: jaw force over time, N s, by falling product.
+std::vector<ScoredInterval> grasps_of(const Analysis& analysis, const Selection& row) {
+    std::vector<ScoredInterval> grasps;
+    for (const ForceBlock& block : analysis.hand(row.hand).force)
+        for (const Run& run :
+             runs_of(block.jaw.size(), [&](std::size_t i) { return grasping(block, i, row); })) {
+            double product = 0;
+            for (std::size_t i = run.first; i < run.last; ++i) product += block.jaw[i] / force_rate;
+            grasps.push_back({product, block.interval(run)});
+        }
+    std::stable_sort(grasps.begin(), grasps.end(),
+                     [](const ScoredInterval& a, const ScoredInterval& b) { return a.score > b.score; });
+    return grasps;
+}
+
+Figure grasp_ftp(const Analysis& analysis, const Selection& row) {
+    std::vector<ScoredInterval> grasps = grasps_of(analysis, row);
+    if (grasps.empty()) return no_grasp();
+    Figure figure;
+    figure.value = grasps.front().score;
+    figure.count = static_cast<int>(grasps.size());
+    figure.evidence = worst_first(std::move(grasps));
+    return figure;
+}
+
+Figure grasp_ftp_patch(const Analysis& analysis, const Selection& row) {
+    struct Patch {
+        double product = 0;
+        std::vector<ScoredInterval> grasps;
+    };
+    std::map<std::pair<int, int>, Patch> patches;  // by tissue and patch
+    for (const ForceBlock& block : analysis.hand(row.hand).force)
+        for (const Run& grasp :
+             runs_of(block.jaw.size(), [&](std::size_t i) { return grasping(block, i, row); })) {
+            // One grasp may slide from patch to patch; each gets its own share.
+            for (std::size_t first = grasp.first; first < grasp.last;) {
+                std::size_t last = first + 1;
+                while (last < grasp.last && block.patch[last] == block.patch[first]) ++last;
+                double product = 0;
+                for (std::size_t i = first; i < last; ++i) product += block.jaw[i] / force_rate;
+                if (block.patch[first] >= 0) {
+                    const int tissue = block.tissue.empty() ? -1 : block.tissue[first];
+                    Patch& patch = patches[{tissue, block.patch[first]}];
+                    patch.product += product;
+                    patch.grasps.push_back({product, block.interval({first, last})});
+                }
+                first = last;
+            }
+        }
+    const auto worst = std::max_element(patches.begin(), patches.end(), [](const auto& a, const auto& b) {
+        return a.second.product < b.second.product;
+    });
+    if (worst == patches.end()) return no_grasp();
+    Figure figure;
+    figure.value = worst->second.product;
+    figure.evidence = worst_first(worst->second.grasps);
+    return figure;
+}
+
+Figure count_events(const Analysis& analysis, const Selection& row, EventKind kind) {
+    int count = 0;
+    Figure figure;
+    for (const Event& event : analysis.events()) {
+        if (event.kind != kind || event.hand != row.hand || (row.tissue >= 0 && event.tissue != row.tissue))
+            continue;
+        ++count;
+        const double t = analysis.trace().time_of(event);
+        if (figure.evidence.size() < evidence_limit)
+            figure.evidence.push_back({std::max(0.0, t - 0.5), t + 0.5});
+    }
+    figure.value = count;
+    return figure;
+}
+
+Figure slip(const Analysis& analysis, const Selection& row) {
+    return count_events(analysis, row, EventKind::slip);
+}
+Figure regrasp(const Analysis& analysis, const Selection& row) {
+    return count_events(analysis, row, EventKind::regrasp);
+}
+Figure drop(const Analysis& analysis, const Selection& row) {
+    return count_events(analysis, row, EventKind::drop);
+}
+Figure perforation(const Analysis& analysis, const Selection& row) {
+    return count_events(analysis, row, EventKind::perforation);
+}
+
+}  // namespace
+
+std::vector<Metric> grasp_metrics() {
+    using D = Direction;
+    using A = Aggregation;
+    using E = EvidenceGrade;
+    std::vector<Metric> metrics;
+    const auto add_grasp = [&](MetricDescriptor d, std::vector<Channel> channels,
+                               Figure (*compute)(const Analysis&, const Selection&)) {
+        d.filter = force_filter;
+        d.per_tissue = true;
+        d.channels = std::move(channels);
+        d.absent_means = AbsentMeans::failed;
+        metrics.push_back({std::move(d), compute});
+    };
+    add_grasp(describe({"grasp_max", "Largest jaw force", "N", 0.1}, D::lower, Scale::raw, A::maximum,
+                       E::moderate, "Barrie 2018",
+                       {"Largest force of the jaws on tissue.",
+                        "the jaws pressed with {value} where {limit} is the most",
+                        "close only until the tissue no longer slips"}),
+              {Channel::jaw_force}, grasp_max);
+    add_grasp(describe({"grasp_ftp", "Force-time product of a grasp", "N·s", 0.1}, D::lower, Scale::raw,
+                       A::maximum, E::moderate, "Barrie 2018",
+                       {"Jaw force added up over the time of one grasp, the largest of all grasps.",
+                        "one grasp came to {value} where {limit} is the most",
+                        "let go and take a new hold from time to time"}),
+              {Channel::jaw_force}, grasp_ftp);
+    add_grasp(
+        describe({"grasp_ftp_patch", "Force-time product of a patch", "N·s", 0.1}, D::lower, Scale::raw,
+                 A::maximum, E::moderate, "Barrie 2018",
+                 {"Jaw force added up over all grasps of one patch of tissue, the largest of all patches.",
+                  "one patch of tissue bore {value} where {limit} is the most",
+                  "grasp beside the place used before"}),
+        {Channel::jaw_force, Channel::patch}, grasp_ftp_patch);
+    add_grasp(describe({"grasp_kpa", "Largest jaw pressure", "kPa", 1}, D::lower, Scale::raw, A::maximum,
+                       E::moderate,
+                       "BMJ Surgery, Interventions & Health Technologies 2021: 329-330 kPa safe for 10 s",
+                       {"Largest jaw force over the area of contact.",
+                        "the jaws pressed with {value} where {limit} is the most",
+                        "take a full bite, and avoid holding tissue with the tips"}),
+              {Channel::jaw_force, Channel::jaw_area}, grasp_kpa);
+
+    const auto add_count = [&](Naming naming, bool per_tissue, const char* source, Wording wording,
+                               Figure (*compute)(const Analysis&, const Selection&)) {
+        MetricDescriptor d = describe(std::move(naming), D::lower, Scale::raw, A::count, E::moderate, source,
+                                      std::move(wording));
+        d.filter = no_filter;
+        d.per_tissue = per_tissue;
+        d.needs_events = true;
+        metrics.push_back({std::move(d), compute});
+    };
+    add_count({"slip", "Slips", "-", 1}, true, "event: tissue left the jaws against the operator's will",
+              {"Number of times tissue slipped out of the jaws.",
+               "tissue slipped {value} times where {limit} are allowed", "take a larger bite before pulling"},
+              slip);
+    add_count({"regrasp", "Repeated grasps", "-", 1}, true, "event: the same patch grasped again within 2 s",
+              {"Number of times the same patch was grasped again within 2 s of letting go.",
+               "the same place was grasped again {value} times where {limit} are allowed",
+               "place the jaws where the pull will be, then close once"},
+              regrasp);
+    add_count({"drop", "Drops", "-", 1}, false, "event: a held object fell",
+              {"Number of objects dropped.", "{value} objects were dropped where {limit} are allowed",
+               "let go only when the object rests"},
+              drop);
+    add_count({"perforation", "Perforations", "-", 1}, true, "event, critical",
+              {"Number of perforations.", "the bowel was perforated {value} times where {limit} are allowed",
+               "keep the tips in view and never push against resistance"},
+              perforation);
+    return metrics;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/metrics/metrics_json.h"
+
+#include "assessment/metrics/registry.h"
+#include "assessment/trace/trace_csv.h"
+#include "sim_core/numerics/input_error.h"
+
+namespace fulcrum {
+
+namespace {
+
+const char* direction_name(Direction direction) {
+    switch (direction) {
+        case Direction::lower:
+            return "lower";
+        case Direction::higher:
+            return "higher";
+        case Direction::context:
+            return "context";
+    }
+    return "context";
+}
+
+const char* absence_name(Absence absence) {
+    switch (absence) {
+        case Absence::none:
+            return "none";
+        case Absence::not_done:
+            return "not_done";
+        case Absence::not_measured:
+            return "not_measured";
+    }
+    return "none";
+}
+
+nlohmann::json text_or_null(const std::string& text) {
+    return text.empty() ? nlohmann::json(nullptr) : nlohmann::json(text);
+}
+
+std::string text_of(const nlohmann::json& row, const char* key) {
+    return row.at(key).is_null() ? std::string() : row.at(key).get<std::string>();
+}
+
+MetricResult result_from_json(const nlohmann::json& row) {
+    MetricResult result;
+    result.id = row.at("id").get<std::string>();
+    result.version = row.at("version").get<int>();
+    result.hand = text_of(row, "hand");
+    result.tissue = text_of(row, "tissue");
+    if (!row.at("value").is_null()) result.value = row.at("value").get<double>();
+    result.absent_because = text_of(row, "absent_because");
+    result.unit = row.at("unit").get<std::string>();
+    const auto direction = row.at("direction").get<std::string>();
+    result.direction = direction == "lower"    ? Direction::lower
+                       : direction == "higher" ? Direction::higher
+                                               : Direction::context;
+    const std::string absence = row.value("absence", std::string("not_measured"));
+    if (!result.value) result.absence = absence == "not_done" ? Absence::not_done : Absence::not_measured;
+    for (const auto& interval : row.at("evidence"))
+        result.evidence.push_back({interval.at(0).get<double>(), interval.at(1).get<double>()});
+    if (row.contains("count")) result.count = row.at("count").get<int>();
+    return result;
+}
+
+}  // namespace
+
+nlohmann::json metrics_to_json(const std::vector<MetricResult>& results) {
+    nlohmann::json rows = nlohmann::json::array();
+    for (const MetricResult& result : results) {
+        nlohmann::json evidence = nlohmann::json::array();
+        for (const TimeInterval& interval : result.evidence)
+            evidence.push_back({interval.begin, interval.end});
+        nlohmann::json row = {
+            {"id", result.id},
+            {"version", result.version},
+            {"hand", text_or_null(result.hand)},
+            {"tissue", text_or_null(result.tissue)},
+            {"value", result.value ? nlohmann::json(*result.value) : nlohmann::json(nullptr)},
+            {"absent_because", text_or_null(result.absent_because)},
+            {"unit", result.unit},
+            {"direction", direction_name(result.direction)},
+            {"evidence", std::move(evidence)}};
+        if (!result.value) row["absence"] = absence_name(result.absence);
+        if (result.count) row["count"] = *result.count;
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+std::vector<MetricResult> metrics_from_json(const nlohmann::json& rows, const std::string& file) {
+    std::vector<MetricResult> results;
+    std::size_t index = 0;
+    try {
+        if (!rows.is_array())
+            throw InputError(file, "/metrics", "not a list", "give the metrics array of an attempt");
+        for (; index < rows.size(); ++index) results.push_back(result_from_json(rows[index]));
+    } catch (const nlohmann::json::exception& error) {
+        throw InputError(file, "/metrics/" + std::to_string(index), error.what(),
+                         "give every key of a metric row");
+    }
+    return results;
+}
+
+MetricContext make_metric_context(const Scene& scene, const TaskDefinition& task,
+                                  const std::vector<Vector3>& targets) {
+    MetricContext context;
+    for (const TissueSpec& tissue : scene.tissues) {
+        TissueLimits limits;
+        limits.label = tissue.label;
+        if (tissue.force_limit > 0) limits.force = tissue.force_limit;
+        context.tissues.push_back(std::move(limits));
+    }
+    context.targets = targets;
+    for (const Goal& goal : task.goals) context.phases.push_back(goal.id);
+    return context;
+}
+
+nlohmann::json metrics_of_csv(const std::string& path, const std::optional<MetricContext>& context) {
+    const Trace trace = read_trace_csv(path);
+    MetricContext known = context.value_or(MetricContext{});
+    known.events_recorded = false;
+    nlohmann::json ignored = nlohmann::json::array();
+    for (const std::string& column : trace.ignored_columns) ignored.push_back(column);
+    return {{"file", path},
+            {"samples", trace.t.size()},
+            {"duration_s", trace.t.back() - trace.t.front()},
+            {"mean_rate_hz", trace.mean_rate()},
+            {"ignored_columns", std::move(ignored)},
+            {"metrics", metrics_to_json(compute_metrics(trace, {}, known))}};
+}
+
+}  // namespace fulcrum

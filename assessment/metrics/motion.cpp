@@ -1,0 +1,488 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the instrument moved: time, paths, depth, workspace. Positions after the 10 Hz filter at 100 Hz.
+#include <algorithm>
+#include <cmath>
+
+#include "assessment/metrics/analysis.h"
+#include "assessment/metrics/descriptor_text.h"
+#include "assessment/metrics/registry.h"
+#include "assessment/metrics/signal.h"
+
+namespace fulcrum {
+
+namespace {
+
+constexpr double mm = 1e3;  // mm in a metre
+constexpr double degrees = 180.0 / 3.14159265358979323846;
+
+/// The 5 s of a block in which a per-sample amount adds up to most: where a person should look.
+void worst_window(const MotionBlock& block, const std::vector<double>& amount,
+                  std::vector<ScoredInterval>& out) {
+    const std::size_t width = std::min<std::size_t>(500, amount.size());
+    if (width == 0) return;
+    double sum = 0, best = -1;
+    std::size_t best_end = width;
+    for (std::size_t i = 0; i < amount.size(); ++i) {
+        sum += amount[i];
+        if (i >= width) sum -= amount[i - width];
+        if (i + 1 >= width && sum > best) {
+            best = sum;
+            best_end = i + 1;
+        }
+    }
+    out.push_back({best, block.interval({best_end - width, best_end})});
+}
+
+Figure value_of(double value, std::vector<TimeInterval> evidence = {}) {
+    Figure figure;
+    figure.value = value;
+    figure.evidence = std::move(evidence);
+    return figure;
+}
+
+/// Evidence of a sum over the whole attempt: its worst 5 s.
+std::vector<TimeInterval> worst_five_seconds(const HandAnalysis& hand, bool angular) {
+    std::vector<ScoredInterval> windows;
+    for (const MotionBlock& block : hand.motion)
+        worst_window(block, angular ? block.angular_speed : block.speed, windows);
+    std::vector<TimeInterval> worst = worst_first(std::move(windows));
+    if (worst.size() > 1) worst.resize(1);
+    return worst;
+}
+
+Figure time(const Analysis& analysis, const Selection&) {
+    std::optional<double> begin;
+    for (int h = 0; h < hand_count; ++h) {
+        const std::optional<double> first = analysis.first_movement(h);
+        if (first && (!begin || *first < *begin)) begin = first;
+    }
+    if (!begin) return absent(Absence::not_done, "no instrument moved inside the body");
+    const double end = std::max(*begin, analysis.trace().end);
+    double paused = 0;
+    for (const TimeInterval& pause : analysis.trace().pauses)
+        paused += std::max(0.0, std::min(end, pause.end) - std::max(*begin, pause.begin));
+    return value_of(end - *begin - paused, {{*begin, end}});
+}
+
+Figure path_len(const Analysis& analysis, const Selection& row) {
+    const HandAnalysis& hand = analysis.hand(row.hand);
+    double sum = 0;
+    for (const MotionBlock& block : hand.motion) sum += path_length(block.position);
+    return value_of(sum * mm, worst_five_seconds(hand, false));
+}
+
+Figure ang_path(const Analysis& analysis, const Selection& row) {
+    const HandAnalysis& hand = analysis.hand(row.hand);
+    double sum = 0;
+    for (const MotionBlock& block : hand.motion) sum += angular_path(block.axis);
+    return value_of(sum * degrees, worst_five_seconds(hand, true));
+}
+
+/// Sum over steps of a function of the step along the shaft (positive deeper) and its length.
+template <typename Part>
+double sum_steps(const HandAnalysis& hand, Part part) {
+    double sum = 0;
+    for (const MotionBlock& block : hand.motion)
+        for (Eigen::Index i = 1; i < block.position.cols(); ++i) {
+            const Vector3 step = block.position.col(i) - block.position.col(i - 1);
+            const Vector3 axis = (block.axis.col(i) + block.axis.col(i - 1)).normalized();
+            sum += part(step.dot(axis), step.norm());
+        }
+    return sum;
+}
+
+Figure retract_path(const Analysis& analysis, const Selection& row) {
+    return value_of(mm * sum_steps(analysis.hand(row.hand),
+                                   [](double along, double length) { return along < 0 ? length : 0.0; }));
+}
+
+Figure seek_path(const Analysis& analysis, const Selection& row) {
+    return value_of(mm * sum_steps(analysis.hand(row.hand),
+                                   [](double along, double length) { return along > 0 ? length : 0.0; }));
+}
+
+Figure depth_axis(const Analysis& analysis, const Selection& row) {
+    const HandAnalysis& hand = analysis.hand(row.hand);
+    std::vector<ScoredInterval> windows;
+    for (const MotionBlock& block : hand.motion) {
+        std::vector<double> amount(block.size(), 0.0);
+        for (std::size_t i = 1; i < block.size(); ++i)
+            amount[i] = std::abs((block.point(i) - block.point(i - 1)).dot(block.direction(i)));
+        worst_window(block, amount, windows);
+    }
+    std::vector<TimeInterval> worst = worst_first(std::move(windows));
+    if (worst.size() > 1) worst.resize(1);
+    return value_of(mm * sum_steps(hand, [](double along, double) { return std::abs(along); }),
+                    std::move(worst));
+}
+
+/// Times at which the hand reached a target, grasped or let go.
+std::vector<double> way_points(const Analysis& analysis, int h) {
+    std::vector<double> times;
+    for (const Event& event : analysis.events()) {
+        const bool way_point = event.kind == EventKind::target_reached || event.kind == EventKind::grasp ||
+                               event.kind == EventKind::release;
+        if (way_point && event.hand == h) times.push_back(analysis.trace().time_of(event));
+    }
+    std::sort(times.begin(), times.end());
+    return times;
+}
+
+Figure econ(const Analysis& analysis, const Selection& row) {
+    const HandAnalysis& hand = analysis.hand(row.hand);
+    std::vector<double> times = way_points(analysis, row.hand);
+    const std::optional<double> begin = analysis.first_movement(row.hand);
+    if (times.size() < 3)
+        return absent(Absence::not_done, "fewer than 3 way-points (targets reached, grasps, releases)");
+    if (!begin) return absent(Absence::not_done, "the instrument did not move inside the body");
+    times.erase(std::remove_if(times.begin(), times.end(), [&](double t) { return t <= *begin; }),
+                times.end());
+    times.insert(times.begin(), *begin);
+    double straight = 0, travelled = 0;
+    std::vector<ScoredInterval> legs;
+    for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+        const auto from = analysis.block_at(row.hand, times[i]),
+                   to = analysis.block_at(row.hand, times[i + 1]);
+        if (!from || from != to) continue;  // nothing runs across a gap
+        const MotionBlock& block = hand.motion[*from];
+        std::size_t first = block.index(times[i]), last = block.index(times[i + 1]);
+        // Holds at either end are no part of the way.
+        while (first < last && block.pause[first] != 0) ++first;
+        while (last > first && block.pause[last] != 0) --last;
+        const auto size = static_cast<Eigen::Index>(last - first + 1);
+        const double path =
+            path_length(block.position.middleCols(static_cast<Eigen::Index>(first + block.held), size));
+        const double distance = (block.point(last) - block.point(first)).norm();
+        straight += distance;
+        travelled += path;
+        legs.push_back({path - distance, {block.time(first), block.time(last)}});
+    }
+    if (!(travelled > 0)) return absent(Absence::not_done, "the instrument did not move between way-points");
+    Figure figure = value_of(std::clamp(straight / travelled, 0.0, 1.0), worst_first(std::move(legs)));
+    figure.count = static_cast<int>(figure.evidence.size());
+    return figure;
+}
+
+/// Signed depth errors at the end of the first movement after each target was shown, m, and where.
+struct DepthErrors {
+    std::vector<double> errors;
+    std::vector<ScoredInterval> movements;
+    int shown = 0;
+};
+
+DepthErrors depth_errors(const Analysis& analysis, int h) {
+    const HandAnalysis& hand = analysis.hand(h);
+    std::vector<std::pair<double, std::size_t>> shown;
+    for (const Event& event : analysis.events())
+        if (event.kind == EventKind::target_shown && event.hand == h && event.detail >= 0 &&
+            static_cast<std::size_t>(event.detail) < analysis.context().targets.size())
+            shown.emplace_back(analysis.trace().time_of(event), static_cast<std::size_t>(event.detail));
+    std::stable_sort(shown.begin(), shown.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    DepthErrors out;
+    out.shown = static_cast<int>(shown.size());
+    std::size_t s = 0;
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const double until = i + 1 < shown.size() ? shown[i + 1].first : analysis.trace().end;
+        const auto start = [&](const Segment& segment) {
+            return hand.motion[segment.block].time(segment.core.first);
+        };
+        while (s < hand.segments.size() && start(hand.segments[s]) < shown[i].first) ++s;
+        if (s == hand.segments.size()) break;
+        if (start(hand.segments[s]) > until) continue;
+        const Segment& segment = hand.segments[s];
+        const MotionBlock& block = hand.motion[segment.block];
+        const std::size_t last = segment.whole.last - 1;
+        const Vector3 offset = block.point(last) - analysis.context().targets[shown[i].second];
+        const double error = offset.dot(block.direction(last));
+        out.errors.push_back(error);
+        out.movements.push_back({std::abs(error), block.interval(segment.whole)});
+    }
+    return out;
+}
+
+Figure no_depth_error(const Analysis& analysis, const DepthErrors& depth, std::size_t needed) {
+    if (analysis.context().targets.empty())
+        return absent(Absence::not_measured, "the positions of targets are not known");
+    if (depth.shown == 0) return absent(Absence::not_done, "no target was shown to this hand");
+    return absent(Absence::not_done, "fewer than " + std::to_string(needed) + " movements towards a target");
+}
+
+Figure depth_err(const Analysis& analysis, const Selection& row) {
+    const DepthErrors depth = depth_errors(analysis, row.hand);
+    if (depth.errors.empty()) return no_depth_error(analysis, depth, 1);
+    double sum = 0;
+    for (const double error : depth.errors) sum += error;
+    Figure figure =
+        value_of(mm * sum / static_cast<double>(depth.errors.size()), worst_first(depth.movements));
+    figure.count = static_cast<int>(depth.errors.size());
+    return figure;
+}
+
+Figure depth_err_sd(const Analysis& analysis, const Selection& row) {
+    const DepthErrors depth = depth_errors(analysis, row.hand);
+    const auto n = static_cast<double>(depth.errors.size());
+    if (depth.errors.size() < 2) return no_depth_error(analysis, depth, 2);
+    double mean = 0, square = 0;
+    for (const double error : depth.errors) mean += error / n;
+    for (const double error : depth.errors) square += (error - mean) * (error - mean);
+    Figure figure = value_of(mm * std::sqrt(square / (n - 1)), worst_first(depth.movements));
+    figure.count = static_cast<int>(depth.errors.size());
+    return figure;
+}
+
+Figure n_moves(const Analysis& analysis, const Selection& row) {
+    constexpr double fast = 0.050;                   // m/s
+    constexpr std::size_t apart = 10, lasting = 20;  // samples: 0.1 s, 0.2 s
+    int count = 0;
+    std::vector<ScoredInterval> moves;
+    for (const MotionBlock& block : analysis.hand(row.hand).motion) {
+        std::vector<Run> merged;
+        for (const Run& run : runs_of(block.size(), [&](std::size_t i) { return block.speed[i] > fast; })) {
+            if (!merged.empty() && run.first - merged.back().last < apart)
+                merged.back().last = run.last;
+            else
+                merged.push_back(run);
+        }
+        for (const Run& run : merged) {
+            if (run.size() <= lasting) continue;
+            ++count;
+            moves.push_back({static_cast<double>(run.size()), block.interval(run)});
+        }
+    }
+    return value_of(count, worst_first(std::move(moves)));
+}
+
+Figure n_sub(const Analysis& analysis, const Selection& row) {
+    const HandAnalysis& hand = analysis.hand(row.hand);
+    if (hand.segments.empty()) return absent(Absence::not_done, "no movement between two rests");
+    int count = 0;
+    std::vector<ScoredInterval> segments;
+    for (const Segment& segment : hand.segments) {
+        const MotionBlock& block = hand.motion[segment.block];
+        const auto begin = block.speed.begin();
+        const std::vector<double> speed(begin + static_cast<std::ptrdiff_t>(segment.whole.first),
+                                        begin + static_cast<std::ptrdiff_t>(segment.whole.last));
+        const auto peaks = static_cast<int>(find_peaks(speed, 0.010, 10).size());
+        count += peaks;
+        segments.push_back({static_cast<double>(peaks), block.interval(segment.whole)});
+    }
+    Figure figure = value_of(count, worst_first(std::move(segments)));
+    figure.count = static_cast<int>(hand.segments.size());
+    return figure;
+}
+
+/// Share (%) of active samples that fulfil test(block, i); evidence: the longest runs of them.
+template <typename Test>
+Figure active_share(const HandAnalysis& hand, Test test) {
+    std::size_t active = 0, found = 0;
+    std::vector<ScoredInterval> runs;
+    for (const MotionBlock& block : hand.motion) {
+        active += static_cast<std::size_t>(std::count(block.active.begin(), block.active.end(), 1));
+        for (const Run& run :
+             runs_of(block.size(), [&](std::size_t i) { return block.active[i] != 0 && test(block, i); })) {
+            found += run.size();
+            runs.push_back({static_cast<double>(run.size()), block.interval(run)});
+        }
+    }
+    if (active == 0) return absent(Absence::not_done, "the instrument was never inside the body");
+    return value_of(100.0 * static_cast<double>(found) / static_cast<double>(active),
+                    worst_first(std::move(runs)));
+}
+
+Figure idle(const Analysis& analysis, const Selection& row) {
+    return active_share(analysis.hand(row.hand), [](const MotionBlock& block, std::size_t i) {
+        return block.speed[i] < rest_speed && block.tissue[i] < 0;
+    });
+}
+
+Figure off_screen(const Analysis& analysis, const Selection& row) {
+    return active_share(analysis.hand(row.hand),
+                        [](const MotionBlock& block, std::size_t i) { return block.in_view[i] == 0; });
+}
+
+Figure speed_mean(const Analysis& analysis, const Selection& row) {
+    double sum = 0;
+    std::size_t count = 0;
+    for (const MotionBlock& block : analysis.hand(row.hand).motion)
+        for (std::size_t i = 0; i < block.size(); ++i)
+            if (block.active[i] != 0) sum += block.speed[i], ++count;
+    if (count == 0) return absent(Absence::not_done, "the instrument was never inside the body");
+    return value_of(mm * sum / static_cast<double>(count));
+}
+
+Figure speed_peak(const Analysis& analysis, const Selection& row) {
+    double peak = -1;
+    TimeInterval where;
+    for (const MotionBlock& block : analysis.hand(row.hand).motion)
+        for (std::size_t i = 0; i < block.size(); ++i)
+            if (block.active[i] != 0 && block.speed[i] > peak) {
+                peak = block.speed[i];
+                where = {block.time(i < 25 ? 0 : i - 25), block.time(std::min(i + 25, block.size() - 1))};
+            }
+    if (peak < 0) return absent(Absence::not_done, "the instrument was never inside the body");
+    return value_of(mm * peak, {where});
+}
+
+Figure ws_volume(const Analysis& analysis, const Selection& row) {
+    constexpr double chi_square_95 = 7.8147;  // three degrees of freedom
+    std::vector<Vector3> points;
+    for (const MotionBlock& block : analysis.hand(row.hand).motion)
+        for (std::size_t i = 0; i < block.size(); ++i)
+            if (block.active[i] != 0) points.push_back(block.point(i));
+    if (points.empty()) return absent(Absence::not_done, "the instrument was never inside the body");
+    Eigen::Matrix3Xd matrix(3, static_cast<Eigen::Index>(points.size()));
+    for (std::size_t i = 0; i < points.size(); ++i) matrix.col(static_cast<Eigen::Index>(i)) = points[i];
+    const double volume = ellipsoid_volume(matrix, chi_square_95);
+    if (!(volume > 0)) return absent(Absence::not_done, "the tip did not move in three dimensions");
+    return value_of(volume * 1e6);
+}
+
+MetricDescriptor motion(Naming naming, Direction direction, Scale scale, Aggregation aggregation,
+                        EvidenceGrade grade, const char* source, Wording wording) {
+    MetricDescriptor d =
+        describe(std::move(naming), direction, scale, aggregation, grade, source, std::move(wording));
+    d.filter = motion_filter;
+    d.minimum_rate = 20;
+    d.channels = {Channel::position};
+    return d;
+}
+
+}  // namespace
+
+std::vector<Metric> motion_metrics() {
+    using D = Direction;
+    using A = Aggregation;
+    using E = EvidenceGrade;
+    std::vector<Metric> metrics;
+    const auto add = [&](MetricDescriptor d, Figure (*compute)(const Analysis&, const Selection&)) {
+        metrics.push_back({std::move(d), compute});
+    };
+    const auto with_axis = [](MetricDescriptor d) {
+        d.channels.push_back(Channel::axis);
+        return d;
+    };
+
+    MetricDescriptor d =
+        motion({"time", "Time", "s", 0.1}, D::lower, Scale::ln, A::total, E::strong,
+               "van Hove 2010; Fundamentals of Laparoscopic Surgery",
+               {"Time from the first movement of either instrument to the end of the task, pauses left out. "
+                "In a trace file without events the last sample is the end.",
+                "the task took {value} where {limit} is enough",
+                "look at the next goal while finishing this one, and keep both hands at work"});
+    d.hands = Hands::either;
+    d.absent_means = AbsentMeans::failed;
+    add(d, time);
+    d = motion({"path_len", "Path length", "mm", 1}, D::lower, Scale::ln, A::total, E::strong,
+               "Cotin 2002; van Hove 2010",
+               {"How far the instrument tip travelled.", "the tip travelled {value} where {limit} is enough",
+                "picture the target's depth first and go there in one straight move"});
+    d.absent_means = AbsentMeans::failed;
+    add(d, path_len);
+    d = with_axis(
+        motion({"ang_path", "Angular path", "deg", 1}, D::lower, Scale::ln, A::total, E::strong,
+               "sum of the angles between successive shaft axes",
+               {"How much the instrument shaft turned about the trocar.",
+                "the shaft turned {value} where {limit} is enough",
+                "remember that the tip moves against the hand and steer with small hand movements"}));
+    d.absent_means = AbsentMeans::failed;
+    add(d, ang_path);
+    d = motion(
+        {"econ", "Economy of movement", "-", 0.01}, D::higher, Scale::raw, A::ratio, E::strong,
+        "Oropesa 2013; ratio of ideal to actual path",
+        {"Straight distances between way-points (targets reached, grasps, releases) over the path that was "
+         "travelled "
+         "between them; 1 is a straight line each time. Holds are left out.",
+         "the way between grasps and targets was indirect: economy {value} where at least {limit} is needed",
+         "aim before moving, then go straight"});
+    d.needs_events = true;
+    d.absent_means = AbsentMeans::failed;
+    d.dependencies = {"path_len"};
+    add(d, econ);
+    d = with_axis(
+        motion({"retract_path", "Path while retracting", "mm", 1}, D::context, Scale::raw, A::total,
+               E::moderate, "sign of the step along the shaft",
+               {"The part of the path on which the tip moved towards its trocar.",
+                "the tip moved {value} towards the trocar", "withdraw only as far as the next move needs"}));
+    d.dependencies = {"path_len"};
+    add(d, retract_path);
+    d = with_axis(motion({"seek_path", "Path while seeking", "mm", 1}, D::context, Scale::raw, A::total,
+                         E::moderate, "sign of the step along the shaft",
+                         {"The part of the path on which the tip moved away from its trocar.",
+                          "the tip moved {value} away from the trocar", "judge the depth before going in"}));
+    d.dependencies = {"path_len"};
+    add(d, seek_path);
+    d = with_axis(motion({"depth_axis", "Depth travel", "mm", 1}, D::lower, Scale::raw, A::total, E::strong,
+                         "Cotin 2002, depth perception",
+                         {"How far the tip travelled along its own shaft, in and out.",
+                          "the tip travelled {value} in and out where {limit} is enough",
+                          "read the depth from shadow and parallax before advancing"}));
+    d.absent_means = AbsentMeans::failed;
+    add(d, depth_axis);
+    d = with_axis(
+        motion({"depth_err", "Depth error", "mm", 0.1}, D::lower, Scale::raw, A::mean, E::moderate,
+               "signed error along the shaft at the end of the first movement",
+               {"How far beyond (positive) or short of the target the first movement ended, on average over "
+                "targets.",
+                "the first movement missed the depth by {value} on average where {limit} is allowed",
+                "slow down near the target and watch the contact shadow"}));
+    d.needs_events = true;
+    d.absolute_value = true;
+    d.minimum_rate = 50;
+    d.absent_means = AbsentMeans::failed;
+    add(d, depth_err);
+    d.id = "depth_err_sd";
+    d.name = "Depth error, spread";
+    d.aggregation = A::deviation;
+    d.absolute_value = false;
+    d.dependencies = {"depth_err"};
+    d.explanation = "How much the depth error varied from target to target (standard deviation).";
+    d.advice_fault = "the depth of the first movement varied by {value} where {limit} is allowed";
+    d.advice_remedy = "use the same cue for depth every time";
+    add(d, depth_err_sd);
+    d = motion({"n_moves", "Movements", "-", 1}, D::context, Scale::raw, A::count, E::strong,
+               "Datta 2001, ICSAD",
+               {"Number of quick movements: above 50 mm/s for more than 0.2 s.",
+                "there were {value} quick movements", "join movements into fewer, larger ones"});
+    d.minimum_rate = 50;
+    add(d, n_moves);
+    d = motion({"n_sub", "Sub-movements", "-", 1}, D::lower, Scale::raw, A::count, E::moderate,
+               "speed peaks with prominence of at least 10 mm/s",
+               {"Number of corrections: speed peaks within movements.",
+                "the movements held {value} corrections where {limit} are enough",
+                "let one movement run out before correcting it"});
+    d.minimum_rate = 50;
+    add(d, n_sub);
+    d = motion({"idle", "Idle time", "%", 1}, D::lower, Scale::raw, A::share, E::moderate, "D'Angelo 2015",
+               {"Share of the time inside the body in which the tip stood still and touched nothing.",
+                "the instrument stood idle for {value} of the time where {limit} is allowed",
+                "give the waiting hand a job: hold, expose, or get ready"});
+    d.channels.push_back(Channel::tissue);
+    add(d, idle);
+    add(motion({"speed_mean", "Mean speed", "mm/s", 0.1}, D::context, Scale::raw, A::mean, E::moderate,
+               "van Hove 2010",
+               {"Mean speed of the tip inside the body.", "the mean speed was {value}", "keep an even pace"}),
+        speed_mean);
+    add(motion({"speed_peak", "Peak speed", "mm/s", 1}, D::context, Scale::raw, A::maximum, E::expert,
+               "largest tip speed after the filter",
+               {"Highest speed of the tip inside the body.", "the peak speed was {value}",
+                "avoid sudden moves"}),
+        speed_peak);
+    d = motion({"ws_volume", "Working volume", "cm³", 0.1}, D::lower, Scale::ln, A::deviation, E::moderate,
+               "95 % ellipsoid of tip positions",
+               {"Volume of the ellipsoid that holds 95 % of the tip's positions.",
+                "the tip roamed through {value} where {limit} is enough",
+                "keep the tips close to where the work is"});
+    d.absent_means = AbsentMeans::failed;
+    add(d, ws_volume);
+    d = motion({"off_screen", "Off screen", "%", 0.1}, D::lower, Scale::raw, A::share, E::strong,
+               "instrument outside the image; a safety habit",
+               {"Share of the time inside the body in which the tip was outside the image.",
+                "the tip was out of sight for {value} of the time where {limit} is allowed",
+                "move the camera first, then the instrument"});
+    d.channels.push_back(Channel::in_view);
+    add(d, off_screen);
+    return metrics;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/trace/trace.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fulcrum {
+
+namespace {
+
+constexpr double gap_limit_s = 0.1;
+
+// Division, not multiplication by the unit: it gives the double nearest to the decimal that the count stands
+// for.
+double length_of(std::int32_t count) {
+    return count / 1e7;
+}
+double axis_of(std::int32_t count) {
+    return count / 1e8;
+}
+double angle_of(std::int32_t count) {
+    return count / 1e6;
+}
+double force_of(std::int32_t count) {
+    return count / 1e3;
+}
+double area_of(std::int32_t count) {
+    return count / 1e9;
+}
+static_assert(sample_length_unit == 1e-7 && sample_axis_unit == 1e-8 && sample_angle_unit == 1e-6 &&
+              sample_force_unit == 1e-3 && sample_area_unit == 1e-9);
+
+template <typename T, typename Get>
+void fill(std::vector<T>& column, const std::vector<TickSample>& samples, Get get) {
+    column.resize(samples.size());
+    std::transform(samples.begin(), samples.end(), column.begin(), get);
+}
+
+void fill_hand(HandTrace& hand, const std::vector<TickSample>& samples, std::size_t h) {
+    const auto vector3 = [&](std::vector<double>& x, std::vector<double>& y, std::vector<double>& z,
+                             const std::int32_t(HandSample::*field)[3], double (*convert)(std::int32_t)) {
+        fill(x, samples, [&](const TickSample& s) { return convert((s.hand[h].*field)[0]); });
+        fill(y, samples, [&](const TickSample& s) { return convert((s.hand[h].*field)[1]); });
+        fill(z, samples, [&](const TickSample& s) { return convert((s.hand[h].*field)[2]); });
+    };
+    vector3(hand.px, hand.py, hand.pz, &HandSample::tip, length_of);
+    vector3(hand.ax, hand.ay, hand.az, &HandSample::axis, axis_of);
+    vector3(hand.fx, hand.fy, hand.fz, &HandSample::force, force_of);
+    fill(hand.roll, samples, [&](const TickSample& s) { return angle_of(s.hand[h].roll); });
+    fill(hand.jaw_force, samples, [&](const TickSample& s) { return force_of(s.hand[h].jaw_force); });
+    fill(hand.jaw_area, samples, [&](const TickSample& s) { return area_of(s.hand[h].jaw_area); });
+    fill(hand.tissue, samples, [&](const TickSample& s) { return s.hand[h].tissue; });
+    fill(hand.patch, samples, [&](const TickSample& s) { return s.hand[h].patch; });
+    const auto flag = [&](std::vector<std::uint8_t>& column, HandFlag mask) {
+        fill(column, samples, [&](const TickSample& s) {
+            return static_cast<std::uint8_t>((s.hand[h].flags & mask) != 0 ? 1 : 0);
+        });
+    };
+    flag(hand.inside, hand_inside);
+    flag(hand.in_view, hand_in_view);
+    flag(hand.energy, hand_energy);
+}
+
+bool ends_attempt(EventKind kind) {
+    return kind == EventKind::completed || kind == EventKind::abandoned || kind == EventKind::timed_out ||
+           kind == EventKind::interrupted;
+}
+
+}  // namespace
+
+const char* channel_columns(Channel channel) {
+    switch (channel) {
+        case Channel::position:
+            return "px py pz";
+        case Channel::axis:
+            return "ax ay az";
+        case Channel::roll:
+            return "roll";
+        case Channel::force:
+            return "fx fy fz";
+        case Channel::jaw_force:
+            return "jaw";
+        case Channel::jaw_area:
+            return "jaw_area";
+        case Channel::tissue:
+            return "tissue";
+        case Channel::patch:
+            return "patch";
+        case Channel::inside:
+            return "inside";
+        case Channel::in_view:
+            return "in_view";
+        case Channel::energy:
+            return "energy";
+    }
+    return "";
+}
+
+bool HandTrace::has(Channel channel) const {
+    switch (channel) {
+        case Channel::position:
+            return !px.empty() && !py.empty() && !pz.empty();
+        case Channel::axis:
+            return !ax.empty() && !ay.empty() && !az.empty();
+        case Channel::roll:
+            return !roll.empty();
+        case Channel::force:
+            return !fx.empty() && !fy.empty() && !fz.empty();
+        case Channel::jaw_force:
+            return !jaw_force.empty();
+        case Channel::jaw_area:
+            return !jaw_area.empty();
+        case Channel::tissue:
+            return !tissue.empty();
+        case Channel::patch:
+            return !patch.empty();
+        case Channel::inside:
+            return !inside.empty();
+        case Channel::in_view:
+            return !in_view.empty();
+        case Channel::energy:
+            return !energy.empty();
+    }
+    return false;
+}
+
+double Trace::mean_rate() const {
+    double steps = 0, duration = 0;
+    for (const TraceBlock& block : blocks) {
+        if (block.last - block.first < 2) continue;
+        steps += static_cast<double>(block.last - block.first - 1);
+        duration += t[block.last - 1] - t[block.first];
+    }
+    // A trace so slow that every sample is a block of its own still has a rate.
+    if (duration <= 0 && t.size() >= 2) {
+        steps = static_cast<double>(t.size() - 1);
+        duration = t.back() - t.front();
+    }
+    return duration > 0 ? steps / duration : 0;
+}
+
+Trace trace_from_samples(const std::vector<TickSample>& samples, const std::vector<Event>& events,
+                         const std::vector<std::string>& tissues, int tick_rate,
+                         std::array<bool, hand_count> hands) {
+    Trace trace;
+    trace.tick_period = 1.0 / tick_rate;
+    trace.tissues = tissues;
+    fill(trace.t, samples, [&](const TickSample& s) { return static_cast<double>(s.tick) / tick_rate; });
+    for (std::size_t h = 0; h < hands.size(); ++h)
+        if (hands[h]) fill_hand(trace.hand[h], samples, h);
+    CameraTrace& camera = trace.camera;
+    fill(camera.px, samples, [](const TickSample& s) { return length_of(s.camera.tip[0]); });
+    fill(camera.py, samples, [](const TickSample& s) { return length_of(s.camera.tip[1]); });
+    fill(camera.pz, samples, [](const TickSample& s) { return length_of(s.camera.tip[2]); });
+    fill(camera.qw, samples, [](const TickSample& s) { return axis_of(s.camera.orientation[0]); });
+    fill(camera.qx, samples, [](const TickSample& s) { return axis_of(s.camera.orientation[1]); });
+    fill(camera.qy, samples, [](const TickSample& s) { return axis_of(s.camera.orientation[2]); });
+    fill(camera.qz, samples, [](const TickSample& s) { return axis_of(s.camera.orientation[3]); });
+    split_blocks(trace, events);
+    return trace;
+}
+
+void split_blocks(Trace& trace, const std::vector<Event>& events) {
+    trace.blocks.clear();
+    trace.pauses.clear();
+    trace.samples_lost = 0;
+    trace.end = trace.t.empty() ? 0.0 : trace.t.back();
+    std::vector<double> cuts;  // where samples were lost
+    bool paused = false, device_gone = false, ended = false;
+    double pause_begin = 0;
+    for (const Event& event : events) {
+        const double t = trace.time_of(event);
+        const bool was_stopped = paused || device_gone;
+        if (event.kind == EventKind::pause) paused = true;
+        if (event.kind == EventKind::resume) paused = false;
+        if (event.kind == EventKind::device_lost) device_gone = true;
+        if (event.kind == EventKind::device_back) device_gone = false;
+        const bool is_stopped = paused || device_gone;
+        if (is_stopped && !was_stopped) pause_begin = t;
+        if (was_stopped && !is_stopped) trace.pauses.push_back({pause_begin, std::max(pause_begin, t)});
+        if (event.kind == EventKind::samples_lost) {
+            trace.samples_lost += static_cast<std::uint64_t>(std::max(0, event.detail));
+            cuts.push_back(t);
+        }
+        if (ends_attempt(event.kind) && !ended) {
+            ended = true;
+            trace.end = t;
+        }
+    }
+    if (paused || device_gone) trace.pauses.push_back({pause_begin, std::max(pause_begin, trace.end)});
+
+    // Where samples are taken at a lower rate than ten a second, every one of them stands alone.
+    std::sort(cuts.begin(), cuts.end());
+    std::size_t pause = 0, cut = 0;
+    bool open = false;
+    const double slack = 1e-9;
+    for (std::size_t i = 0; i < trace.t.size(); ++i) {
+        const double t = trace.t[i];
+        if (t > trace.end + slack) break;
+        bool split = i > 0 && t - trace.t[i - 1] > gap_limit_s + slack;
+        while (cut < cuts.size() && cuts[cut] <= t + slack) {
+            split = true;
+            ++cut;
+        }
+        while (pause < trace.pauses.size() && trace.pauses[pause].end <= t + slack) {
+            split = true;
+            ++pause;
+        }
+        if (pause < trace.pauses.size() && trace.pauses[pause].begin < t - slack) {
+            open = false;
+            continue;
+        }
+        if (!open || split) trace.blocks.push_back({i, i});
+        open = true;
+        trace.blocks.back().last = i + 1;
+    }
+}
+
+}  // namespace fulcrum
