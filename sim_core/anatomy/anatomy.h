@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sim_core/bowel/skin.h"
+#include "sim_core/bowel/spheres.h"
 #include "sim_core/geometry/mesh.h"
 #include "sim_core/numerics/types.h"
 
@@ -25,14 +26,14 @@ struct PelvisParameters {
     std::uint64_t seed = 1;       ///< unevenness of the wall and the fat beneath it
 };
 
-struct GeneratedCavity {
+struct CavityShape {
     /// Closed, outward oriented: bodies live behind its triangles (FreeSide::behind). Texture coordinates:
     /// u once around (0 .. 1), v along the axis in the same measure (one unit is about 0.4 m).
     TriangleMesh mesh;
     std::vector<float> fat;  ///< one a vertex, 0 .. 1: how much fat shows through the peritoneum
 };
 
-GeneratedCavity make_cavity(const PelvisParameters& parameters);
+CavityShape make_cavity(const PelvisParameters& parameters);
 
 /// The rectosigmoid. s = 0 is the rectum deep in the pelvis, s = length the descending colon.
 struct BowelParameters {
@@ -45,13 +46,13 @@ struct BowelParameters {
     std::uint64_t seed = 1;          ///< sizes of the haustra
 };
 
-struct GeneratedBowel {
+struct BowelShape {
     /// Closed tube in the extended rest pose: along +x from 0 to the length, d3 = +x, d1 = +y, d2 = +z.
     /// Texture coordinates: u once around (0 .. 1, taeniae at 1/6, 3/6, 5/6), v = s / circumference. One
     /// coordinate a vertex: drawing must duplicate the vertices of the seam u = 1 (renderer: split_seam).
     TriangleMesh surface;
     double length = 0;          ///< m
-    std::vector<double> radii;  ///< m, lumen radius at equal steps of s from 0 to the length
+    RadiusProfile radius;       ///< m, lumen radius by rest arc length; clamped at the ends
     std::vector<float> taenia;  ///< one a surface vertex: 1 on a taenia, 0 between
     /// In situ: laid on the posterior wall from the rectum over the promontory through the sigmoid loop to
     /// the left iliac fossa; points at equal arc length, the first at s = 0, the last at s = length.
@@ -59,13 +60,12 @@ struct GeneratedBowel {
     /// Root of the mesentery on the wall: the point to which the bowel at the same share of the length
     /// belongs.
     std::vector<Vector3> root_line;
-
-    /// Lumen radius at rest arc length s, m; clamped at the ends.
-    double radius_at(double s) const;
 };
 
 /// The bowel and how it lies in that cavity. Tube length and arc length of the centre line agree to 1e-4.
-GeneratedBowel make_bowel(const BowelParameters& parameters, const GeneratedCavity& cavity);
+BowelShape make_bowel(const BowelParameters& parameters, const CavityShape& cavity);
+/// The same in the cavity that make_cavity gives for these parameters.
+BowelShape make_bowel(const BowelParameters& parameters, const PelvisParameters& pelvis);
 
 /// A vertex of the mesentery: between the wall of the bowel at s and a fixed point of the root.
 struct MesenteryVertex {
@@ -76,7 +76,7 @@ struct MesenteryVertex {
 };
 
 /// The mesentery as a sheet to be drawn. It does not take part in the simulation: tethers do.
-struct GeneratedMesentery {
+struct MesenteryShape {
     TriangleMesh mesh;  ///< rest positions (bowel in situ); open sheet, drawn from both sides
     std::vector<MesenteryVertex> vertices;
     int rows = 0,
@@ -85,12 +85,12 @@ struct GeneratedMesentery {
 };
 
 /// The sheet over shares first .. last of the bowel's length.
-GeneratedMesentery make_mesentery(const GeneratedBowel& bowel, const GeneratedCavity& cavity,
-                                  double first = 0.08, double last = 0.97);
+MesenteryShape make_mesentery(const BowelShape& bowel, const CavityShape& cavity, double first = 0.08,
+                              double last = 0.97);
 
 /// Positions and unit normals (three floats a vertex) under the ring frames of a moment. ring_arc_lengths
 /// rises; ring_count >= 2. Allocates nothing.
-void evaluate_mesentery(const GeneratedMesentery& mesentery, const RingFrame* rings,
+void evaluate_mesentery(const MesenteryShape& mesentery, const RingFrame* rings,
                         const double* ring_arc_lengths, int ring_count, float* positions, float* normals);
 
 /// Eight bits a channel, rows from v = 0 up.

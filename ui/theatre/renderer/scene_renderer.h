@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Draws what the laparoscope sees: a round image in a black frame, lit from the scope alone (product, Look).
+//
+// OpenGL 3.3 core. Every call but the constructor needs the same current context; one thread. Draws into the
+// framebuffer that is bound when draw() is called, so it serves a QOpenGLWidget and an offscreen picture
+// alike. Lengths in m, patient frame; angles in rad; colours are sRGB.
+#pragma once
+
+#include <QImage>
+#include <QSize>
+#include <QString>
+#include <QVector3D>
+#include <memory>
+#include <vector>
+
+#include "sim_core/anatomy/anatomy.h"
+#include "sim_core/world/snapshot.h"
+
+namespace fulcrum::ui {
+
+/// How a target sphere is shown. Colours are from a colour-blind-safe palette.
+enum class TargetLook { waiting, current, touched, done };
+
+struct DrawnTarget {
+    Vector3 centre = Vector3::Zero();
+    double radius = 0.006;
+    TargetLook look = TargetLook::waiting;
+    Hand hand = Hand::left;  ///< left: blue, right: orange
+};
+
+struct DrawnTool {
+    ToolPose pose;                 ///< shaft from the trocar to the jaws; tip = end of the jaws
+    bool jaws = true;              ///< false: a probe with a round end
+    double jaw_length = 0.020;     ///< m
+    double shaft_radius = 0.0025;  ///< m
+    double strain = 0;             ///< 0 .. 1: share of the force limit; colours the tip's contact
+    bool ghost = false;            ///< demonstration: translucent, casts no shadow
+};
+
+/// Everything one picture needs. Pointers are only read during draw().
+struct SceneFrame {
+    CameraPose camera;
+    const float* bowel_positions = nullptr;  ///< three floats a vertex of set_bowel's mesh; null: not drawn
+    const float* bowel_normals = nullptr;
+    const float* mesentery_positions = nullptr;  ///< as evaluate_mesentery gives them; null: not drawn
+    const float* mesentery_normals = nullptr;
+    std::vector<DrawnTarget> targets;
+    std::vector<DrawnTool> tools;
+    double brightness = 1.0;  ///< of the light
+    QString notice;           ///< not empty: the scene is hidden (pause) behind a black image
+};
+
+struct RendererOptions {
+    int texture_size = 1024;  ///< width of the serosa's tile; others follow
+    double resolution = 1.0;  ///< share of the framebuffer's resolution that the scene is drawn in, 0.25 .. 1
+    bool multisample = false;  ///< 4 samples; only for a GPU or for a still picture
+};
+
+class SceneRenderer {
+  public:
+    explicit SceneRenderer(const RendererOptions& options = {});
+    /// With a current context, or after release().
+    ~SceneRenderer();
+
+    // What the scene is made of. May be called before there is a context; each replaces what was set before.
+    void set_textures(const AnatomyTextures& textures);
+    void set_cavity(const CavityShape& cavity);
+    void set_bowel(const TriangleMesh& rest_surface, const std::vector<float>& taenia);
+    void set_mesentery(const MesenteryShape& mesentery);
+    /// Nothing but tools and targets (and a plain training box around them).
+    void clear_scene();
+
+    /// Compiles the shaders. False where the context cannot: error() says why.
+    bool initialise();
+    const QString& error() const;
+
+    /// Draws into the bound framebuffer's rectangle (0, 0, size), size in device pixels. The round image is
+    /// centred and as high as the rectangle.
+    void draw(const SceneFrame& frame, QSize size);
+    /// Where a point of the patient frame appears, in pixels from the top left; z < 0: behind the camera.
+    static QVector3D project(const CameraPose& camera, const Vector3& point, QSize size);
+
+    /// Frees what lives in the context; call it while the context is current, before it goes.
+    void release();
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// One picture without a window: makes its own context (software rendering will do), draws, reads back. The
+/// platform must offer OpenGL (a display, or xvfb-run). Throws std::runtime_error where there is none.
+QImage render_offscreen(SceneRenderer& renderer, const SceneFrame& frame, QSize size);
+
+}  // namespace fulcrum::ui
