@@ -42,8 +42,9 @@ enum class Operation : std::uint8_t {
     read_trace,    ///< samples, events, replay
     read_progress,
     read_cohort_table,
-    recompute_score,  ///< adds a row beside the one in force
-    comment,          ///< write and send
+    score_interrupted,  ///< the first score of an attempt that was interrupted
+    recompute_score,    ///< adds a row beside the one in force
+    comment,            ///< write and send
     read_comment,
     mark_comment_read,
     void_attempt,        ///< never one's own
@@ -57,7 +58,7 @@ enum class Operation : std::uint8_t {
     backup,
     manage_settings,  ///< programme name, sign-in picker on or off
 };
-inline constexpr int operation_count = 28;
+inline constexpr int operation_count = 29;
 const char* operation_name(Operation operation);
 
 /// How the subject of an operation stands to the actor.
@@ -74,7 +75,9 @@ bool never_own(Operation operation);
 /// The rule: the scope covers the relation and never_own is respected. Pure.
 bool permits(Role role, Operation operation, const Relation& relation);
 
-/// What an operation is about. Programme-wide operations (backup, audit) have no subject.
+/// What an operation is about. Programme-wide operations (backup, audit) have no subject. Without a subject
+/// an operation of narrower scope is allowed if the role may do it at all; the call then leaves out, or
+/// refuses, what lies outside the scope.
 struct Subject {
     enum class Kind : std::uint8_t { none, person, cohort };
     Kind kind = Kind::none;
@@ -103,7 +106,7 @@ class Session {
 
   private:
     friend class Store;
-    friend class People;
+    friend struct SessionMaker;  // this floor's own, database/session_maker.h
     Session() = default;
     std::string person_id_, login_, display_name_, station_id_;
     Role role_ = Role::station;

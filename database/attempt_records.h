@@ -117,6 +117,7 @@ struct AttemptSummary {
     bool provisional = false;    ///< a gate of the score in force rests on a provisional limit
     std::optional<double> points;
     std::string not_scored_because;
+    bool counting = false;               ///< enters progress and cohorts, device class aside (product.md)
     std::string void_reason, voided_by;  ///< display name; "" if not voided
     std::int64_t voided_at = 0;
     std::string reassigned_from, reassigned_to;  ///< attempt ids or ""

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Random ids and codes, digests, password verifiers: thin names over libsodium. Any thread.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace fulcrum::database {
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// Random UUID (version 4), lower case.
+std::string random_uuid();
+Bytes random_bytes(std::size_t count);
+/// BLAKE2b of `size` bytes (16 to 64).
+Bytes blake2b(const void* data, std::size_t length, std::size_t size);
+Bytes blake2b(const Bytes& data, std::size_t size = 32);
+std::string to_hex(const Bytes& bytes);
+
+/// Argon2id, interactive limits (64 MiB, about 0.1 s).
+std::string make_verifier(const std::string& secret);
+bool verify_secret(const std::string& verifier, const std::string& secret);
+/// Takes as long as a verification and fails: a login that does not exist answers as slowly as one that does.
+bool verify_nothing(const std::string& secret);
+
+/// 24 characters of 5 bits in groups of four, without letters that look alike.
+std::string make_recovery_code();
+/// Upper case, without separators: what is hashed and compared.
+std::string normalise_recovery_code(const std::string& typed);
+/// 12 characters in groups of four (60 bits).
+std::string make_one_time_password();
+
+}  // namespace fulcrum::database
