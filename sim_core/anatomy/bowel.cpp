@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "sim_core/anatomy/anatomy.h"
+#include "sim_core/anatomy/walls.h"
 #include "sim_core/numerics/functions.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/numerics/random.h"
@@ -12,6 +13,7 @@ namespace fulcrum {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
+constexpr double rectum_length = 0.13;  // m, without haustra
 
 double smooth_step(double edge_0, double edge_1, double x) {
     const double u = std::clamp((x - edge_0) / (edge_1 - edge_0), 0.0, 1.0);
@@ -38,7 +40,7 @@ struct Haustra {
 Haustra make_haustra(const BowelParameters& p) {
     Haustra haustra;
     Random random(p.seed);
-    double x = p.rectum_length;
+    double x = rectum_length;
     while (x < p.length - 0.01) {
         haustra.folds.push_back(x);
         haustra.depths.push_back(p.haustra_depth * (0.75 + 0.5 * random.uniform()));
@@ -54,7 +56,7 @@ double taenia(double angle) {
 }
 
 double surface_radius(const BowelParameters& p, const Haustra& haustra, double x, double angle) {
-    const double colon = smooth_step(p.rectum_length - 0.03, p.rectum_length + 0.03, x);
+    const double colon = smooth_step(rectum_length - 0.03, rectum_length + 0.03, x);
     const double band = taenia(angle);
     const double fold = haustra.loss(x) * colon * (1.0 - band);
     const double bulge = 0.05 * colon * (1.0 - band) - 0.05 * colon * band;
@@ -180,7 +182,7 @@ BowelShape make_bowel(const BowelParameters& p, const PelvisParameters& pelvis) 
     shape.surface = make_surface(p, *haustra);
     shape.length = p.length;
     shape.radius = [p, haustra](double s) {
-        const double colon = smooth_step(p.rectum_length - 0.03, p.rectum_length + 0.03, s);
+        const double colon = smooth_step(rectum_length - 0.03, rectum_length + 0.03, s);
         return p.radius * (1.0 - 0.3 * haustra->loss(s) * colon);
     };
     double narrow = 0.005, wide = 0.5 * pelvis.abdomen_width - 0.03;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "sim_core/anatomy/anatomy.h"
+#include "sim_core/anatomy/walls.h"
 #include "sim_core/numerics/functions.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/numerics/random.h"
@@ -12,6 +13,7 @@ namespace fulcrum {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
+constexpr double wall_height = 0.16, cranial_end = 0.21;  // m
 
 double smooth_step(double edge_0, double edge_1, double x) {
     const double u = std::clamp((x - edge_0) / (edge_1 - edge_0), 0.0, 1.0);
@@ -41,7 +43,7 @@ double posterior_median(const PelvisParameters& p, double y) {
 }
 
 double anterior_median(const PelvisParameters& p, double y) {
-    const double abdomen = p.height - 0.045;
+    const double abdomen = wall_height - 0.045;
     return 0.040 + (abdomen - 0.040) * smooth_step(-0.06, 0.07, y);
 }
 
@@ -56,19 +58,21 @@ double posterior_wall(const PelvisParameters& p, double x, double y) {
     return posterior_median(p, y) - gutter + flank;
 }
 
-TriangleMesh make_cavity(const PelvisParameters& p) {
+CavityShape make_cavity(const PelvisParameters& p) {
     check(p.width >= 0.09 && p.width <= 0.16, "width", "0.09 to 0.16 m");
     check(p.depth >= 0.08 && p.depth <= 0.15, "depth", "0.08 to 0.15 m");
-    check(p.rows >= 12 && p.rows <= 512 && p.columns >= 16 && p.columns <= 512, "rows, columns", "12 to 512");
-    TriangleMesh mesh;
+    check(p.triangles >= 2000 && p.triangles <= 200000, "triangles", "2000 to 200000");
+    const int columns = static_cast<int>(std::sqrt(0.54 * p.triangles)), rows = p.triangles / (2 * columns);
+    CavityShape shape;
+    TriangleMesh& mesh = shape.mesh;
     Random random(p.seed);
     double phase[6];
     for (double& value : phase) value = 2.0 * pi * random.uniform();
 
-    const double bottom = -p.depth, top = p.cranial_end;
+    const double bottom = -p.depth, top = cranial_end;
     // Rows crowd towards both ends, where the surface closes.
     const auto row_height = [&](int i) {
-        const double u = (i + 0.5) / p.rows;
+        const double u = (i + 0.5) / rows;
         return bottom + (top - bottom) * (u - 0.08 * math::sin(2.0 * pi * u) / (2.0 * pi) * 2.0);
     };
     const auto closing = [&](double y) {
@@ -78,12 +82,12 @@ TriangleMesh make_cavity(const PelvisParameters& p) {
         const double share_top = std::sqrt(std::max(0.0, from_top * (2.0 - from_top)));
         return std::max(0.02, std::min(share_floor, share_top));
     };
-    for (int i = 0; i < p.rows; ++i) {
+    for (int i = 0; i < rows; ++i) {
         const double y = row_height(i);
         const double share = closing(y), a = half_width(p, y);
         const double front = anterior_median(p, y);
-        for (int j = 0; j < p.columns; ++j) {
-            const double angle = 2.0 * pi * j / p.columns;
+        for (int j = 0; j < columns; ++j) {
+            const double angle = 2.0 * pi * j / columns;
             const double c = math::cos(angle), s = math::sin(angle);
             const double x = a * c;
             const double back = posterior_wall(p, x, y);
@@ -102,7 +106,7 @@ TriangleMesh make_cavity(const PelvisParameters& p) {
             const Vector3 inward(-c, 0, -s);
             vertex += uneven * share * inward;
             mesh.vertices.push_back(vertex);
-            mesh.texture_coordinates.emplace_back(10.0 * y, static_cast<double>(j) / p.columns * 6.0);
+            mesh.texture_coordinates.emplace_back(10.0 * y, static_cast<double>(j) / columns * 6.0);
         }
     }
     const auto floor_pole = static_cast<std::int32_t>(mesh.vertices.size());
@@ -112,21 +116,22 @@ TriangleMesh make_cavity(const PelvisParameters& p) {
     mesh.vertices.emplace_back(0, top, 0.5 * (posterior_median(p, top) + anterior_median(p, top)));
     mesh.texture_coordinates.emplace_back(10.0 * top, 3.0);
 
-    const auto at = [&](int i, int j) { return static_cast<std::int32_t>(i * p.columns + (j % p.columns)); };
-    for (int i = 0; i + 1 < p.rows; ++i) {
-        for (int j = 0; j < p.columns; ++j) {
+    const auto at = [&](int i, int j) { return static_cast<std::int32_t>(i * columns + (j % columns)); };
+    for (int i = 0; i + 1 < rows; ++i) {
+        for (int j = 0; j < columns; ++j) {
             mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
             mesh.triangles.push_back({at(i, j + 1), at(i + 1, j), at(i + 1, j + 1)});
         }
     }
-    for (int j = 0; j < p.columns; ++j) {
+    for (int j = 0; j < columns; ++j) {
         mesh.triangles.push_back({floor_pole, at(0, j), at(0, j + 1)});
-        mesh.triangles.push_back({top_pole, at(p.rows - 1, j + 1), at(p.rows - 1, j)});
+        mesh.triangles.push_back({top_pole, at(rows - 1, j + 1), at(rows - 1, j)});
     }
     if (enclosed_volume(mesh.vertices, mesh.triangles) < 0) {
         for (Triangle& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
     }
-    return mesh;
+    shape.fat.assign(mesh.vertices.size(), 0.3F);
+    return shape;
 }
 
 }  // namespace fulcrum

@@ -22,7 +22,7 @@ BowelParameters bowel_parameters(const BowelSpec& spec) {
     return bowel;
 }
 
-TriangleMesh cavity_mesh(const CavitySpec& spec) { return make_cavity(pelvis_parameters(spec)); }
+TriangleMesh cavity_mesh(const CavitySpec& spec) { return make_cavity(pelvis_parameters(spec)).mesh; }
 
 BowelAnatomy bowel_anatomy(const Scene& scene) {
     if (!scene.bowel || !scene.cavity) throw InputError(scene.id, "/bowel", "needs a cavity to lie in", "add a cavity to the scene");
