@@ -42,7 +42,7 @@ double posterior_median(const PelvisParameters& p, double y) {
     return -0.030 + 0.5 * hollow + promontory - 0.018 * smooth_step(0.02, 0.09, y);
 }
 
-double anterior_median(const PelvisParameters& p, double y) {
+double anterior_median(double y) {
     const double abdomen = wall_height - 0.045;
     return 0.040 + (abdomen - 0.040) * smooth_step(-0.06, 0.07, y);
 }
@@ -85,7 +85,7 @@ CavityShape make_cavity(const PelvisParameters& p) {
     for (int i = 0; i < rows; ++i) {
         const double y = row_height(i);
         const double share = closing(y), a = half_width(p, y);
-        const double front = anterior_median(p, y);
+        const double front = anterior_median(y);
         for (int j = 0; j < columns; ++j) {
             const double angle = 2.0 * pi * j / columns;
             const double c = math::cos(angle), s = math::sin(angle);
@@ -110,10 +110,10 @@ CavityShape make_cavity(const PelvisParameters& p) {
         }
     }
     const auto floor_pole = static_cast<std::int32_t>(mesh.vertices.size());
-    mesh.vertices.emplace_back(0, bottom, 0.5 * (posterior_median(p, bottom) + anterior_median(p, bottom)));
+    mesh.vertices.emplace_back(0, bottom, 0.5 * (posterior_median(p, bottom) + anterior_median(bottom)));
     mesh.texture_coordinates.emplace_back(10.0 * bottom, 3.0);
     const std::int32_t top_pole = floor_pole + 1;
-    mesh.vertices.emplace_back(0, top, 0.5 * (posterior_median(p, top) + anterior_median(p, top)));
+    mesh.vertices.emplace_back(0, top, 0.5 * (posterior_median(p, top) + anterior_median(top)));
     mesh.texture_coordinates.emplace_back(10.0 * top, 3.0);
 
     const auto at = [&](int i, int j) { return static_cast<std::int32_t>(i * columns + (j % columns)); };
