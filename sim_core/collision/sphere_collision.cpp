@@ -100,7 +100,10 @@ bool SphereCollision::refresh(int sphere, const Vector3& centre, Lists& lists) c
     });
     // In front of the wall at listing, a sphere stays within reach of the wall while the list is good. Behind
     // it, it may be anywhere, and only the way back matters.
-    if (cavity_->closest_on(own[0].triangle, centre).distance < 0) lists.counts[i] = behind_wall;
+    if (cavity_->closest_on(own[0].triangle, centre).distance < 0) {
+        lists.counts[i] = behind_wall;
+        lists.free_motion[i] = 0;
+    }
     return true;
 }
 

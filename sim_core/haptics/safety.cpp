@@ -15,7 +15,7 @@ bool usable(const Vector3& force) {
 // Takes a length off a vector without changing its direction; true while something is left.
 bool shrink(Vector3& vector, double length) {
     const double norm = vector.norm();
-    if (!(norm > length)) {
+    if (!(norm > length * (1 + 1e-9))) {
         vector.setZero();
         return false;
     }
