@@ -12,6 +12,7 @@ namespace {
 
 constexpr double no_move = 1e-8;    // m: shallower overlaps are the solve's rounding, not worth a projection
 constexpr double everywhere = 1e6;  // m
+constexpr int direct_capacity = 1024;  // triangles a sphere without a list can have within reach
 
 std::size_t index(int i) {
     return static_cast<std::size_t>(i);
@@ -48,6 +49,7 @@ SphereCollision::Lists SphereCollision::make_lists() const {
     const std::size_t count = index(spheres());
     if (cavity_ != nullptr) {
         lists.triangles.resize(count * index(options_.list_capacity));
+        lists.direct.resize(direct_capacity);
         lists.counts.assign(count, never_listed);
         lists.listed_at.assign(count, Vector3::Zero());
         lists.free_motion.assign(count, 0);
@@ -108,24 +110,33 @@ bool SphereCollision::refresh(int sphere, const Vector3& centre, Lists& lists) c
 }
 
 // All patches of the wall within the radius and the contact margin, nearest first.
-void SphereCollision::gather(int sphere, const Vector3& centre, const Lists& lists, Candidates& found) const {
+void SphereCollision::gather(int sphere, const Vector3& centre, Lists& lists, Candidates& found) const {
     const std::size_t i = index(sphere);
     found.count = 0;
     found.overflow = false;
     const double reach = chain_.radii[i] + options_.contact_margin;
     const double reach2 = reach * reach;
     if (lists.counts[i] == 0 && lists.free_motion[i] > 0) return;
-    if (lists.counts[i] <= 0) {
+    // A sphere without a list of its own asks the hierarchy: behind the wall for the way out alone, else for
+    // everything.
+    const ListedTriangle* entries = lists.triangles.data() + i * index(options_.list_capacity);
+    int count = lists.counts[i];
+    double drift = (centre - lists.listed_at[i]).norm();
+    if (count == overflowed) {
+        entries = lists.direct.data();
+        count = cavity_->list(centre, reach, lists.direct.data(), direct_capacity);
+        drift = everywhere;  // not sorted: look at all of them
+        found.overflow = count > direct_capacity;
+    }
+    if (count <= 0 || count > direct_capacity) {
         const CavityPoint wall = cavity_->closest(centre, everywhere);
         if (wall.triangle >= 0 && wall.distance < reach) found.points[found.count++] = wall;
         return;
     }
-    const ListedTriangle* own = lists.triangles.data() + i * index(options_.list_capacity);
-    const double drift = (centre - lists.listed_at[i]).norm();
     CavityPoint nearest;
     double nearest2 = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < lists.counts[i]; ++k) {
-        const ListedTriangle& entry = own[k];
+    for (int k = 0; k < count; ++k) {
+        const ListedTriangle& entry = entries[k];
         if (static_cast<double>(entry.distance) - drift > reach) break;  // sorted: so are all that follow
         const double dx = centre.x() - static_cast<double>(entry.centre[0]);
         const double dy = centre.y() - static_cast<double>(entry.centre[1]);

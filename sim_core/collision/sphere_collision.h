@@ -64,7 +64,7 @@ struct SphereContacts {
     double residual_pair = 0;    ///< m
     int relisted = 0;            ///< spheres listed again
     bool list_overflow =
-        false;  ///< list_capacity too small: those spheres asked the hierarchy for their closest point alone
+        false;  ///< list_capacity too small: those spheres asked the hierarchy, exact but slow
     bool plane_overflow = false;  ///< planes_per_sphere too small: the shallowest were left out
     bool pair_overflow = false;   ///< pair_capacity or near_pair_capacity too small: pairs were left out
 };
@@ -89,6 +89,7 @@ class SphereCollision {
     /// The lists: a cache, not part of the world's state.
     struct Lists {
         std::vector<ListedTriangle> triangles;  ///< [sphere * list_capacity + k], by rising distance
+        std::vector<ListedTriangle> direct;     ///< work space of a sphere whose list overflowed
         std::vector<std::int32_t> counts;       ///< a sphere: triangles listed; < 0: ask the hierarchy
         std::vector<Vector3> listed_at;         ///< m
         std::vector<double> free_motion;        ///< m the sphere may move before it is listed again
@@ -120,7 +121,7 @@ class SphereCollision {
         bool overflow = false;
     };
     bool refresh(int sphere, const Vector3& centre, Lists& lists) const;
-    void gather(int sphere, const Vector3& centre, const Lists& lists, Candidates& found) const;
+    void gather(int sphere, const Vector3& centre, Lists& lists, Candidates& found) const;
     void keep_distinct(Candidates& found) const;
     void refresh_pairs(const Vector3* centres, Lists& lists) const;
     void add_planes(int sphere, const Vector3& start, const Candidates& found, bool only_new,
