@@ -141,5 +141,132 @@ TEST(Skin, NeitherTearsNorCreasesAcrossRings) {
     EXPECT_LE(worst_kink, 1.2);
 }
 
+TEST(Skin, FollowsARigidMotionExactly) {
+    const BowelSkin& skin = haustral_skin();
+    auto frames = rest_frames(skin.cage());
+    const Matrix3 turn = (Eigen::AngleAxisd(2.1, Vector3(1, 2, -1).normalized())).toRotationMatrix();
+    const Vector3 shift(0.3, -0.2, 0.5);
+    for (auto& frame : frames) {
+        frame.position = turn * frame.position + shift;
+        frame.rotation = turn * frame.rotation;
+    }
+    double worst = 0.0;
+    for (int v = 0; v < skin.vertices(); ++v) {
+        const auto n = static_cast<std::size_t>(v);
+        worst = std::max(
+            worst, (skin_vertex(skin.rows()[n], frames) - (turn * skin.rest().vertices[n] + shift)).norm());
+    }
+    EXPECT_LE(worst, 1e-14);
+}
+
+// The row of 16 numbers is an exact factorisation of the 32 weights over the cage's points.
+TEST(Skin, RowEqualsThirtyTwoWeights) {
+    const BowelSkin& skin = haustral_skin();
+    const Cage& cage = skin.cage();
+    const auto at_rest = rest_frames(cage);
+    auto rings = cage_vertices(cage, at_rest.data());
+    rings.resize(rings.size() - 2);
+    RingWindows windows(rings, ring_size, 1);
+    const auto frames = bent_frames(cage, 0.030);
+    const auto deformed = cage_vertices(cage, frames.data());
+    WindowWeights weights;
+    double worst = 0.0;
+    for (int v = 0; v < skin.vertices(); v += 7) {
+        const auto n = static_cast<std::size_t>(v);
+        const Vector3& point = skin.rest().vertices[n];
+        windows.weights(windows.gap_of(point), point, weights);
+        EXPECT_LE(weights.weight.size(), 32u);
+        Vector3 position = Vector3::Zero();
+        for (std::size_t i = 0; i < weights.weight.size(); ++i) {
+            position += weights.weight[i] * deformed[static_cast<std::size_t>(weights.first) * ring_size + i];
+        }
+        worst = std::max(worst, (position - skin_vertex(skin.rows()[n], frames)).norm());
+    }
+    EXPECT_LE(worst, 1e-15);
+}
+
+TEST(Skin, LocalScopeStaysCloseToGlobal) {
+    const BowelSkin& skin = haustral_skin();
+    const Cage& cage = skin.cage();
+    const auto at_rest = rest_frames(cage);
+    auto rings = cage_vertices(cage, at_rest.data());
+    rings.resize(rings.size() - 2);
+    RingWindows windows(rings, ring_size, 1);
+    for (const double bend : {0.100, 0.048, 0.030}) {
+        const auto frames = bent_frames(cage, bend);
+        const auto deformed = cage_vertices(cage, frames.data());
+        WindowWeights weights;
+        double worst = 0.0, sum = 0.0;
+        int count = 0;
+        for (int v = 0; v < skin.vertices(); v += 37, ++count) {
+            const auto n = static_cast<std::size_t>(v);
+            windows.global_weights(skin.rest().vertices[n], weights);
+            Vector3 position = Vector3::Zero();
+            for (std::size_t i = 0; i < weights.weight.size(); ++i)
+                position += weights.weight[i] * deformed[i];
+            const double distance = (position - skin_vertex(skin.rows()[n], frames)).norm();
+            worst = std::max(worst, distance);
+            sum += distance * distance;
+        }
+        std::printf("bend of %.0f mm: local against global: worst %.3f mm, root mean square %.3f mm\n",
+                    1e3 * bend, 1e3 * worst, 1e3 * std::sqrt(sum / count));
+        EXPECT_LE(worst, 0.1 * mean_radius);
+        EXPECT_GT(worst, 0.0);
+    }
+}
+
+TEST(Skin, ForcesDoTheSameWorkOnSurfaceAndRings) {
+    const BowelSkin& skin = haustral_skin();
+    const auto frames = twisted_frames(skin.cage(), 15.0);
+    std::vector<RingMotion> motions(frames.size());
+    for (std::size_t r = 0; r < frames.size(); ++r) {
+        const double s = static_cast<double>(r);
+        motions[r].frame = frames[r];
+        motions[r].velocity = Vector3(std::sin(s), std::cos(1.7 * s), std::sin(0.3 * s));
+        motions[r].angular_velocity = Vector3(3.0 * std::cos(s), 4.0, -5.0 * std::sin(2.0 * s));
+    }
+    std::vector<RingWrench> wrenches(frames.size());
+    double surface_power = 0.0, size = 0.0;
+    for (int v = 1000; v < 1400; v += 3) {
+        const SkinRow& row = skin.rows()[static_cast<std::size_t>(v)];
+        const Vector3 force(std::sin(0.1 * v), 1.0, std::cos(0.2 * v));
+        const double power = force.dot(skin_velocity(row, motions.data()));
+        surface_power += power;
+        size += std::abs(power);
+        add_ring_wrenches(row, frames.data(), force, wrenches.data());
+    }
+    double ring_power = 0.0;
+    for (std::size_t r = 0; r < frames.size(); ++r) {
+        ring_power +=
+            wrenches[r].force.dot(motions[r].velocity) + wrenches[r].moment.dot(motions[r].angular_velocity);
+    }
+    EXPECT_NEAR(ring_power, surface_power, 1e-12 * size);
+    EXPECT_GT(std::abs(surface_power), 1e-3 * size);
+}
+
+TEST(Skin, VelocityIsTheDerivativeOfPosition) {
+    const BowelSkin& skin = haustral_skin();
+    const auto frames = bent_frames(skin.cage(), 0.060);
+    std::vector<RingMotion> motions(frames.size());
+    const double dt = 1e-6;
+    auto later = frames, earlier = frames;
+    for (std::size_t r = 0; r < frames.size(); ++r) {
+        motions[r].frame = frames[r];
+        motions[r].velocity = Vector3(0.1, 0.01 * static_cast<double>(r), -0.2);
+        motions[r].angular_velocity = Vector3(1.0, -0.1 * static_cast<double>(r), 2.0);
+        const double rate = motions[r].angular_velocity.norm();
+        const Vector3 axis = motions[r].angular_velocity / rate;
+        later[r].position += dt * motions[r].velocity;
+        later[r].rotation = Eigen::AngleAxisd(dt * rate, axis) * frames[r].rotation;
+        earlier[r].position -= dt * motions[r].velocity;
+        earlier[r].rotation = Eigen::AngleAxisd(-dt * rate, axis) * frames[r].rotation;
+    }
+    for (int v = 0; v < skin.vertices(); v += 501) {
+        const SkinRow& row = skin.rows()[static_cast<std::size_t>(v)];
+        const Vector3 difference = (skin_vertex(row, later) - skin_vertex(row, earlier)) / (2.0 * dt);
+        EXPECT_LE((difference - skin_velocity(row, motions.data())).norm(), 1e-8);
+    }
+}
+
 }  // namespace
 }  // namespace fulcrum
