@@ -27,4 +27,10 @@ class ObservingRig : public Rig {
 std::unique_ptr<ObservingRig> make_operator(const std::string& preset, const TaskDefinition& task,
                                             const Scene& scene, std::uint64_t seed);
 
+/// As above with the individual and the attempt apart: one `individual` makes many attempts, each with noise
+/// of its own. The function above takes one seed for both.
+std::unique_ptr<ObservingRig> make_operator(const std::string& preset, const TaskDefinition& task,
+                                            const Scene& scene, std::uint64_t individual,
+                                            std::uint64_t attempt);
+
 }  // namespace fulcrum

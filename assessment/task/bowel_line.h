@@ -2,6 +2,8 @@
 // The bowel's centre line in a snapshot, by arc length: what tasks count along and operators look at.
 #pragma once
 
+#include <vector>
+
 #include "sim_core/world/snapshot.h"
 
 namespace fulcrum {
@@ -14,6 +16,10 @@ struct LinePoint {
 
 /// The centre line at a rest arc length, linear between nodes, clamped to its ends. A snapshot without a
 /// bowel gives the origin. Allocates nothing, never throws.
-LinePoint line_point(const WorldSnapshot& world, double arc_length) noexcept;
+LinePoint line_point(const std::vector<Vector3>& nodes, const std::vector<double>& arc_lengths,
+                     double arc_length) noexcept;
+inline LinePoint line_point(const WorldSnapshot& world, double arc_length) noexcept {
+    return line_point(world.nodes, world.node_arc_lengths, arc_length);
+}
 
 }  // namespace fulcrum

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an operator wants to do next, for each kind of task. A behaviour sees what was shown a reaction time
+// ago and moves two limbs.
+#pragma once
+
+#include <memory>
+
+#include "assessment/operators/limb.h"
+#include "assessment/operators/perception.h"
+#include "assessment/task/task.h"
+
+namespace fulcrum {
+
+/// The operator's hands and eyes, as a behaviour uses them. Limbs that the scene does not give are null.
+struct Body {
+    Limb* limb[hand_count] = {nullptr, nullptr};
+    const DelayLine* eyes = nullptr;
+    Vector3 view =
+        Vector3(0, -1, -1).normalized();  ///< unit, the camera's line of sight: depth is misjudged along it
+};
+
+class Behaviour {
+  public:
+    virtual ~Behaviour() = default;
+    /// Decides; called once every decision period. Must not allocate or throw.
+    virtual void decide(const Perception& seen, Body& body) noexcept = 0;
+};
+
+/// touch_targets: each lit sphere is touched and held, the other hand waits.
+std::unique_ptr<Behaviour> make_targeting(const TaskDefinition& task, const Scene& scene, const Skill& skill);
+/// run_bowel and lift_and_hold: hand over hand along the bowel, then one hand lifts and holds.
+std::unique_ptr<Behaviour> make_bowel_handling(const TaskDefinition& task, const Scene& scene,
+                                               const Skill& skill);
+
+}  // namespace fulcrum

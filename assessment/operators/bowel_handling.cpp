@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hand over hand along the bowel, then one hand lifts and holds it.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "assessment/operators/behaviour.h"
+#include "assessment/task/bowel_line.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr double hover = 0.020;  // m above the place of a grasp, on the way there
+constexpr double jaw_clearance =
+    0.003;  // m from the wall to the shaft's axis when the jaws close: the shaft does not press
+constexpr double deeper = 0.0015;  // m nearer at every further attempt
+constexpr int attempts_at_a_place = 4;
+constexpr double sideways = 0.008;     // m along the bowel after that
+constexpr double tent_height = 0.007;         // m that a fresh grasp is lifted, to see that it holds
+constexpr double lift_margin = 0.006;  // m above the height asked for
+constexpr double open_share = 0.85, closed_share = 0.12;  // of the widest opening
+constexpr double grip_reserve = 1.5;                      // grip over what the seen load needs
+
+enum class Stage : std::uint8_t { choose, travel, descend, close, tent, let_go, raise };
+
+class BowelHandling : public Behaviour {
+  public:
+    BowelHandling(const TaskDefinition& task, const Scene& scene, const Skill& skill)
+        : skill_(skill), goals_(task.goals), reaches_{Reach(skill), Reach(skill)} {
+        radius_ = scene.bowel->outer_radius;
+        const int tissue = scene.tissue_index(scene.bowel->tissue);
+        if (tissue >= 0) friction_ = scene.tissues[static_cast<std::size_t>(tissue)].friction;
+    }
+
+    void decide(const Perception& seen, Body& body) noexcept override {
+        if (seen.display.ended || seen.display.goal < 0 ||
+            static_cast<std::size_t>(seen.display.goal) >= goals_.size())
+            return;
+        const Goal& goal = goals_[static_cast<std::size_t>(seen.display.goal)];
+        if (seen.display.goal != goal_) begin_goal(seen, body);
+        Limb& limb = *body.limb[mover_];
+        notice_losses(seen, body);
+        switch (stage_) {
+            case Stage::choose:
+                choose(goal, seen, body);
+                break;
+            case Stage::travel:
+                travel(seen, body);
+                break;
+            case Stage::descend:
+                descend(seen, body);
+                break;
+            case Stage::close:
+                close(seen, body);
+                break;
+            case Stage::tent:
+                if (limb.remaining() <= 0.02) finish_grasp(goal, body);
+                break;
+            case Stage::let_go:
+                if (limb.time() > until_) {
+                    retract(*body.limb[mover_]);
+                    stage_ = Stage::choose;
+                }
+                break;
+            case Stage::raise:
+                raise(goal, seen, body);
+                break;
+        }
+        hold_gently(seen, body);
+    }
+
+  private:
+    void begin_goal(const Perception& seen, Body& body) noexcept {
+        // A new goal begins with free hands.
+        goal_ = seen.display.goal;
+        for (int hand = 0; hand < hand_count; ++hand) {
+            if (holds_[hand]) open(*body.limb[hand]);
+            holds_[hand] = false;
+        }
+        holder_ = -1;
+        attempts_ = 0;
+        shift_ = 0;
+        stage_ = goal_ == 0 ? Stage::choose : Stage::let_go;
+        until_ = body.limb[mover_]->time() + 0.4;
+    }
+
+    // Tissue that left the jaws: the hand opens and the place is taken again.
+    void notice_losses(const Perception& seen, Body& body) noexcept {
+        for (int hand = 0; hand < hand_count; ++hand) {
+            if (!holds_[hand] || seen.grasps[hand].held || body.limb[hand]->time() < believe_[hand]) continue;
+            holds_[hand] = false;
+            open(*body.limb[hand]);
+            if (holder_ == hand) holder_ = -1;
+            if (hand == mover_ || holder_ < 0) {
+                if (stage_ == Stage::tent || stage_ == Stage::raise) retract(*body.limb[hand]);
+                stage_ = Stage::choose;
+            }
+        }
+    }
+
+    void choose(const Goal& goal, const Perception& seen, Body& body) noexcept {
+        double place = 0;
+        if (goal.kind == GoalKind::run_bowel) {
+            direction_ = goal.to_m >= goal.from_m ? 1 : -1;
+            const double frontier = goal.from_m + direction_ * seen.display.run_covered_m;
+            place = holder_ >= 0 ? holder_place_ + direction_ * skill_.stride : frontier;
+        } else {
+            place = 0.5 * (goal.from_m + goal.to_m);
+        }
+        place_ = place - direction_ * shift_;
+        const LinePoint point = line_point(seen.nodes, body.eyes->arc_lengths(), place_);
+        if (holder_ >= 0) {
+            mover_ = 1 - holder_;
+        } else {
+            const auto away = [&](int hand) {
+                return (body.limb[hand]->trocar().position - point.position).norm();
+            };
+            mover_ = away(0) < away(1) ? 0 : 1;
+        }
+        Limb& limb = *body.limb[mover_];
+        open(limb);
+        depth_ = attempts_ * deeper;
+        stage_ = Stage::travel;
+        reaches_[mover_].start(limb, above(seen, body), body.view, 0.015,
+                               skill_.choice_s * limb.random().uniform(0.6, 1.4), 4);
+    }
+
+    void travel(const Perception& seen, Body& body) noexcept {
+        Limb& limb = *body.limb[mover_];
+        Reach& reach = reaches_[mover_];
+        const Vector3 goal = above(seen, body);
+        reach.follow(goal);
+        reach.update(limb, seen.tip[mover_]);
+        if (reach.arrived() || ((limb.destination() - goal).norm() < 0.006 && limb.remaining() < 0.1 &&
+                                reach.corrections() > 0)) {
+            stage_ = Stage::descend;
+            reach.start(limb, place_for_tip(seen, body), body.view, 0.008, 0.0, 2.5);
+        }
+    }
+
+    void descend(const Perception& seen, Body& body) noexcept {
+        Limb& limb = *body.limb[mover_];
+        Reach& reach = reaches_[mover_];
+        reach.follow(place_for_tip(seen, body));
+        reach.update(limb, seen.tip[mover_]);
+        const bool pressed = seen.display.force[mover_] > skill_.comfortable_force;
+        if (pressed) limb.stop();
+        if (!pressed && !reach.arrived()) return;
+        stage_ = Stage::close;
+        limb.jaws(closed_share * limb.spec().jaw_opening,
+                  std::max(1.5, skill_.grip_force + skill_.grip_spread * limb.random().normal()));
+        // Jaws close in about a quarter of a second; what came of it is seen a reaction time later.
+        until_ = limb.time() + 0.35 + skill_.reaction_s + 0.05;
+    }
+
+    void close(const Perception& seen, Body& body) noexcept {
+        Limb& limb = *body.limb[mover_];
+        if (limb.time() < until_) return;
+        if (seen.grasps[mover_].held) {
+            holds_[mover_] = true;
+            believe_[mover_] = limb.time();
+            attempts_ = 0;
+            shift_ = 0;
+            stage_ = Stage::tent;
+            limb.carry(Vector3(0, 0, tent_height), tent_height / skill_.lift_speed);
+            grasped_place_ = seen.grasps[mover_].arc_length;
+            return;
+        }
+        open(limb);
+        if (++attempts_ >= attempts_at_a_place) {
+            attempts_ = 0;
+            shift_ = shift_ > 0 ? 0 : sideways;
+        }
+        stage_ = Stage::let_go;
+        until_ = limb.time() + 0.3;
+    }
+
+    // The fresh grasp holds: the other hand lets go and goes ahead, or this one lifts.
+    void finish_grasp(const Goal& goal, Body& body) noexcept {
+        if (goal.kind == GoalKind::lift_and_hold) {
+            stage_ = Stage::raise;
+            return;
+        }
+        const int other = 1 - mover_;
+        if (holds_[other]) open(*body.limb[other]);
+        holds_[other] = false;
+        holder_ = mover_;
+        holder_place_ = grasped_place_;
+        mover_ = other;
+        stage_ = Stage::let_go;
+        until_ = body.limb[mover_]->time() + 0.35;
+    }
+
+    void raise(const Goal& goal, const Perception& seen, Body& body) noexcept {
+        Limb& limb = *body.limb[mover_];
+        if (limb.remaining() > -skill_.reaction_s) return;  // see what the last movement did before the next
+        const double height = seen.display.lift_height_m, force = seen.display.force[mover_];
+        const double missing = goal.height_m + lift_margin - height;
+        if (missing > 0.5 * lift_margin) {
+            const double step = std::clamp(missing, 0.001, 0.012);
+            limb.carry(Vector3(0, 0, step), step / skill_.lift_speed);
+        } else if (force > 1.5 * skill_.comfortable_force && missing < -0.25 * lift_margin) {
+            limb.carry(Vector3(0, 0, -0.0015), 0.0015 / skill_.lift_speed);
+        }
+    }
+
+    // A hand holds as firmly as the load needs, at least as firmly as it is used to.
+    void hold_gently(const Perception& seen, Body& body) noexcept {
+        for (int hand = 0; hand < hand_count; ++hand) {
+            if (!holds_[hand]) continue;
+            Limb& limb = *body.limb[hand];
+            const double needed = grip_reserve * seen.display.force[hand] / (2 * std::max(0.05, friction_));
+            if (needed > limb.grip())
+                limb.jaws(closed_share * limb.spec().jaw_opening, std::min(needed, 2.2 * skill_.grip_force));
+        }
+    }
+
+    void open(Limb& limb) noexcept { limb.jaws(open_share * limb.spec().jaw_opening, 0); }
+
+    void retract(Limb& limb) noexcept {
+        const Vector3 out = (limb.trocar().position - limb.destination()).normalized();
+        limb.carry(0.012 * out + Vector3(0, 0, 0.008), 0.35 * skill_.duration_scale);
+    }
+
+    // Where the tip must be so that the middle of the jaws lies beside the wall: the side of the tube that
+    // the shaft passes along, a little towards the trocar, never beneath the tube.
+    Vector3 place_for_tip(const Perception& seen, const Body& body) const noexcept {
+        const Limb& limb = *body.limb[mover_];
+        const LinePoint point = line_point(seen.nodes, body.eyes->arc_lengths(), place_);
+        const Vector3 axis = (point.position - limb.trocar().position).normalized();
+        Vector3 side = axis.cross(point.tangent);
+        if (side.norm() < 0.2)
+            side = Vector3::UnitZ() - axis.z() * axis;  // the shaft runs along the bowel: take its top
+        side.normalize();
+        if (side.z() < 0) side = -side;
+        const Vector3 outward = (0.95 * side - 0.3 * axis).normalized();
+        const Vector3 middle = point.position + (radius_ + jaw_clearance - depth_) * outward;
+        const Vector3 shaft = (middle - limb.trocar().position).normalized();
+        return middle + 0.5 * limb.spec().jaw_length * shaft;
+    }
+
+    Vector3 above(const Perception& seen, const Body& body) const noexcept {
+        const Vector3 place = place_for_tip(seen, body);
+        const Vector3 out = (body.limb[mover_]->trocar().position - place).normalized();
+        return place + hover * (0.7 * out + Vector3(0, 0, 0.5));
+    }
+
+    Skill skill_;
+    std::vector<Goal> goals_;
+    Reach reaches_[hand_count];
+    double radius_ = 0.016, friction_ = 0.5;
+    Stage stage_ = Stage::choose;
+    int goal_ = -1, mover_ = 1, holder_ = -1, attempts_ = 0;
+    bool holds_[hand_count] = {false, false};
+    double believe_[hand_count] = {0, 0};
+    double place_ = 0, grasped_place_ = 0, holder_place_ = 0, direction_ = 1, shift_ = 0, depth_ = 0,
+           until_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Behaviour> make_bowel_handling(const TaskDefinition& task, const Scene& scene,
+                                               const Skill& skill) {
+    return std::make_unique<BowelHandling>(task, scene, skill);
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// One arm of a synthetic operator: minimum-jerk sub-movements that may overlap, signal-dependent noise,
+// tremor and drift, jaws that close at a hand's pace, and the way from a wished tip to the device's handle.
+#pragma once
+
+#include <array>
+
+#include "assessment/operators/skill.h"
+#include "sim_core/haptics/device.h"
+#include "sim_core/instrument/instrument.h"
+#include "sim_core/numerics/random.h"
+
+namespace fulcrum {
+
+/// Allocates nothing, never throws. Patient frame, m, s.
+class Limb {
+  public:
+    Limb(const Skill& skill, const InstrumentSpec& spec, double tick_period, const Random& random);
+
+    /// One tick further; call once a tick, before sample().
+    void tick() noexcept;
+    /// Where the tip is wished now, noise included.
+    Vector3 tip() const noexcept { return planned_ + wander_; }
+    /// Where the tip will be when all sub-movements under way have ended, noise left out.
+    Vector3 destination() const noexcept;
+    /// Time until the last sub-movement ends; negative: since it ended.
+    double remaining() const noexcept { return end_time_ - time_; }
+    /// Starts a sub-movement with the individual's gain and noise towards a displacement from destination().
+    /// `width` (m) is the size of what is aimed at: smaller takes longer. `slowness` multiplies the duration.
+    void reach(const Vector3& displacement, double width, double slowness = 1) noexcept;
+    /// A smooth movement of exactly this displacement in this time: for tissue that is held.
+    void carry(const Vector3& displacement, double duration) noexcept;
+    /// Ends all sub-movements where they are, within a tenth of a second.
+    void stop() noexcept;
+    /// Jaw opening (rad) and closing force (N) wished; they change at a hand's pace.
+    void jaws(double opening, double grip) noexcept {
+        jaw_wish_ = opening;
+        grip_wish_ = grip;
+    }
+    double jaw() const noexcept { return jaw_; }
+    double grip() const noexcept { return grip_; }
+    /// What the device reports.
+    DeviceSample sample() noexcept;
+    /// Time since the attempt began.
+    double time() const noexcept { return time_; }
+    Random& random() noexcept { return random_; }
+    const InstrumentSpec& spec() const noexcept { return spec_; }
+    const Trocar& trocar() const noexcept { return trocar_; }
+
+  private:
+    struct SubMovement {
+        double start = 0, duration = 0;
+        Vector3 displacement = Vector3::Zero();
+    };
+    void add(const SubMovement& movement) noexcept;
+
+    Skill skill_;
+    InstrumentSpec spec_;
+    Trocar trocar_;
+    double period_;
+    Random random_;
+    double time_ = 0, end_time_ = 0;
+    std::array<SubMovement, 6> movements_;
+    int count_ = 0;
+    Vector3 settled_, planned_;
+    Vector3 wander_ = Vector3::Zero();  // tremor + drift + path noise
+    Vector3 path_ = Vector3::Zero(), drift_ = Vector3::Zero(), shake_ = Vector3::Zero();
+    std::array<double, 3> phase_{}, frequency_{}, loudness_{};
+    double jaw_ = 0, jaw_wish_ = 0, grip_ = 0, grip_wish_ = 0;
+    DeviceSample last_;
+};
+
+/// Goal-directed movement on top of a limb: a first sub-movement, then corrections until the goal is near
+/// enough.
+class Reach {
+  public:
+    explicit Reach(const Skill& skill) : skill_(skill) {}
+    /// A new goal: the first sub-movement starts after `delay` s and misjudges depth along `view` (unit).
+    /// `patience` multiplies the distance that counts as near enough.
+    void start(Limb& limb, const Vector3& goal, const Vector3& view, double width, double delay,
+               double patience = 1) noexcept;
+    /// The goal has moved a little (tissue moves, a press is adjusted); what was misjudged stays so.
+    void follow(const Vector3& goal) noexcept { goal_ = goal; }
+    /// Decides about the next sub-movement; `seen` is the tip as it was seen a reaction time ago.
+    void update(Limb& limb, const Vector3& seen) noexcept;
+    /// Near enough, and no sub-movement under way.
+    bool arrived() const noexcept { return arrived_; }
+    int corrections() const noexcept { return corrections_; }
+
+  private:
+    Skill skill_;
+    Vector3 goal_ = Vector3::Zero(), misjudged_ = Vector3::Zero();
+    double next_ = 0, width_ = 0.01, tolerance_ = 0.001;
+    int corrections_ = 0;
+    bool arrived_ = true, first_ = false;
+};
+
+}  // namespace fulcrum

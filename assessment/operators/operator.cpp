@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/operators/operator.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "assessment/operators/behaviour.h"
+#include "sim_core/numerics/input_error.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr std::uint64_t attempt_stream = 0x61747470;
+constexpr double decision_period = 0.01;  // s
+
+bool is_bowel_goal(const Goal& goal) {
+    return goal.kind == GoalKind::run_bowel || goal.kind == GoalKind::lift_and_hold;
+}
+
+class SyntheticOperator : public ObservingRig {
+  public:
+    SyntheticOperator(const Skill& skill, const TaskDefinition& task, const Scene& scene,
+                      std::uint64_t attempt)
+        : eyes_(scene, skill.reaction_s + 0.05),
+          delay_(static_cast<std::uint32_t>(std::lround(skill.reaction_s * scene.tick_rate))),
+          ticks_per_decision_(
+              static_cast<std::uint32_t>(std::max(1L, std::lround(decision_period * scene.tick_rate)))) {
+        for (const InstrumentSpec& spec : scene.instruments) {
+            const auto hand = static_cast<std::size_t>(spec.hand);
+            limbs_[hand].emplace(skill, spec, scene.tick_period(), Random(attempt, attempt_stream + hand));
+            body_.limb[hand] = &*limbs_[hand];
+        }
+        body_.eyes = &eyes_;
+        if (scene.camera) {
+            const Trocar trocar = make_trocar(scene.camera->trocar);
+            DeviceReading reading;
+            reading.handle = handle_for_tip(
+                trocar, trocar.position + scene.camera->start_insertion * trocar.rotation.col(2));
+            camera_ = quantise(reading, camera_);
+            body_.view = view_direction(scope_pose(make_scope(*scene.camera), camera_));
+        }
+        const bool bowel = std::any_of(task.goals.begin(), task.goals.end(), is_bowel_goal);
+        behaviour_ = bowel ? make_bowel_handling(task, scene, skill) : make_targeting(task, scene, skill);
+    }
+
+    void observe(const WorldSnapshot& world, const TaskDisplay& display) noexcept override {
+        eyes_.push(now_, world, display);
+    }
+
+    void read(std::uint32_t tick, RigSample& sample) override {
+        now_ = tick;
+        if (!eyes_.empty() && tick % ticks_per_decision_ == 0)
+            behaviour_->decide(eyes_.seen(tick, delay_), body_);
+        for (std::size_t hand = 0; hand < hand_count; ++hand) {
+            if (!limbs_[hand]) continue;
+            limbs_[hand]->tick();
+            sample.hand[hand] = limbs_[hand]->sample();
+        }
+        sample.camera = camera_;
+    }
+
+    // A position-driven arm: it feels through what it sees of the force (TaskDisplay::force), so that the
+    // delay is one.
+    void write_force(Hand /*hand*/, const Vector3& /*force*/) override {}
+    bool has_force(Hand hand) const override { return limbs_[static_cast<std::size_t>(hand)].has_value(); }
+    double damping(Hand /*hand*/) const override { return -1; }
+
+  private:
+    DelayLine eyes_;
+    std::uint32_t delay_, ticks_per_decision_, now_ = 0;
+    std::array<std::optional<Limb>, hand_count> limbs_;
+    DeviceSample camera_;
+    Body body_;
+    std::unique_ptr<Behaviour> behaviour_;
+};
+
+}  // namespace
+
+std::unique_ptr<ObservingRig> make_operator(const std::string& preset, const TaskDefinition& task,
+                                            const Scene& scene, std::uint64_t individual,
+                                            std::uint64_t attempt) {
+    Skill skill;
+    if (!draw_individual(preset, individual, skill)) {
+        throw InputError("operator", preset, "no operator of this name",
+                         "use novice, intermediate or expert");
+    }
+    const bool bowel = std::any_of(task.goals.begin(), task.goals.end(), is_bowel_goal);
+    const bool targets = std::any_of(task.goals.begin(), task.goals.end(),
+                                     [](const Goal& goal) { return !is_bowel_goal(goal); });
+    if (bowel && targets) {
+        throw InputError("operator", task.id, "an operator does not perform targets and bowel in one task",
+                         "choose a task with one kind of goal");
+    }
+    for (const Hand hand : {Hand::left, Hand::right}) {
+        if (bowel && scene.instrument(hand) == nullptr) {
+            throw InputError("operator", task.id,
+                             std::string("the scene gives the ") + hand_name(hand) + " hand no instrument",
+                             "add a grasper to the scene");
+        }
+    }
+    return std::make_unique<SyntheticOperator>(skill, task, scene, attempt);
+}
+
+std::unique_ptr<ObservingRig> make_operator(const std::string& preset, const TaskDefinition& task,
+                                            const Scene& scene, std::uint64_t seed) {
+    return make_operator(preset, task, scene, seed, seed);
+}
+
+}  // namespace fulcrum

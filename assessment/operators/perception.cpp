@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/operators/perception.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fulcrum {
+
+DelayLine::DelayLine(const Scene& scene, double longest_delay_s) {
+    const auto looks = static_cast<std::size_t>(std::ceil(longest_delay_s / scene.step_period())) + 4;
+    looks_.resize(looks);
+    if (scene.bowel) {
+        const auto nodes = static_cast<std::size_t>(scene.bowel->segments) + 1;
+        for (Perception& look : looks_) look.nodes.assign(nodes, Vector3::Zero());
+        arc_lengths_.assign(nodes, 0.0);
+    }
+    if (scene.targets) targets_.reserve(2 * static_cast<std::size_t>(scene.targets->per_hand));
+}
+
+void DelayLine::push(std::uint32_t tick, const WorldSnapshot& world, const TaskDisplay& display) noexcept {
+    Perception& look = looks_[next_];
+    look.tick = tick;
+    look.valid = true;
+    for (int h = 0; h < hand_count; ++h) {
+        look.tip[h] = world.tools[h].tip;
+        look.grasps[h] = world.grasps[h];
+    }
+    look.display = display;
+    std::copy_n(world.nodes.begin(), std::min(look.nodes.size(), world.nodes.size()), look.nodes.begin());
+    if (count_ == 0) {
+        std::copy_n(world.node_arc_lengths.begin(),
+                    std::min(arc_lengths_.size(), world.node_arc_lengths.size()), arc_lengths_.begin());
+        const std::size_t targets = std::min(targets_.capacity(), world.targets.size());
+        targets_.assign(world.targets.begin(), world.targets.begin() + static_cast<std::ptrdiff_t>(targets));
+    }
+    next_ = (next_ + 1) % looks_.size();
+    count_ = std::min(count_ + 1, looks_.size());
+}
+
+const Perception& DelayLine::seen(std::uint32_t now, std::uint32_t delay) const noexcept {
+    const std::size_t size = looks_.size();
+    std::size_t at = (next_ + size - 1) % size;
+    for (std::size_t i = 0; i + 1 < count_; ++i) {
+        if (looks_[at].tick + delay <= now) break;
+        at = (at + size - 1) % size;
+    }
+    return looks_[at];
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an operator has seen, kept for as long as it takes to react.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "assessment/task/monitor.h"
+#include "sim_core/scene/scene.h"
+#include "sim_core/world/snapshot.h"
+
+namespace fulcrum {
+
+/// One look at the scene.
+struct Perception {
+    std::uint32_t tick = 0;
+    bool valid = false;
+    Vector3 tip[hand_count] = {Vector3::Zero(), Vector3::Zero()};
+    GraspState grasps[hand_count];
+    TaskDisplay display;
+    std::vector<Vector3> nodes;  ///< bowel centre line; arc lengths do not change and stand beside the line
+};
+
+/// Keeps the last looks; memory is taken when the scene is known, never later.
+class DelayLine {
+  public:
+    DelayLine(const Scene& scene, double longest_delay_s);
+    void push(std::uint32_t tick, const WorldSnapshot& world, const TaskDisplay& display) noexcept;
+    /// The newest look that is at least `delay` ticks old at `now`; before there is one, the oldest.
+    const Perception& seen(std::uint32_t now, std::uint32_t delay) const noexcept;
+    bool empty() const noexcept { return count_ == 0; }
+    const std::vector<double>& arc_lengths() const noexcept { return arc_lengths_; }
+    const std::vector<TargetSphere>& targets() const noexcept { return targets_; }
+
+  private:
+    std::vector<Perception> looks_;
+    std::vector<double> arc_lengths_;
+    std::vector<TargetSphere> targets_;
+    std::size_t next_ = 0, count_ = 0;
+};
+
+}  // namespace fulcrum

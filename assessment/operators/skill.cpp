@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/operators/skill.h"
+
+#include "sim_core/numerics/functions.h"
+#include "sim_core/numerics/random.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr std::uint64_t individual_stream = 0x736b696c;
+
+Skill expert() {
+    Skill skill;
+    skill.reaction_s = 0.16;
+    skill.choice_s = 0.18;
+    skill.duration_scale = 1.0;
+    skill.gain = 0.97;
+    skill.gain_spread = 0.03;
+    skill.endpoint_noise = 0.03;
+    skill.path_noise = 0.03;
+    skill.depth_error = 0.0012;
+    skill.gap_s = -0.06;
+    skill.gap_spread_s = 0.02;
+    skill.tremor = 1.5e-5;
+    skill.drift = 8e-5;
+    skill.touch_force = 0.3;
+    skill.grip_force = 3.5;
+    skill.grip_spread = 0.2;
+    skill.comfortable_force = 1.0;
+    skill.tolerance = 0.7e-3;
+    skill.lift_speed = 0.03;
+    skill.stride = 0.064;
+    return skill;
+}
+
+Skill novice() {
+    Skill skill;
+    skill.reaction_s = 0.24;
+    skill.choice_s = 0.55;
+    skill.duration_scale = 1.45;
+    skill.gain = 0.80;
+    skill.gain_spread = 0.20;
+    skill.endpoint_noise = 0.13;
+    skill.path_noise = 0.22;
+    skill.depth_error = 0.006;
+    skill.gap_s = 0.06;
+    skill.gap_spread_s = 0.06;
+    skill.tremor = 3e-5;
+    skill.drift = 2.5e-4;
+    skill.touch_force = 0.8;
+    skill.grip_force = 8.0;
+    skill.grip_spread = 1.2;
+    skill.comfortable_force = 2.2;
+    skill.tolerance = 1.2e-3;
+    skill.lift_speed = 0.018;
+    skill.stride = 0.042;
+    return skill;
+}
+
+double between(double a, double b) {
+    return 0.5 * (a + b);
+}
+
+Skill intermediate() {
+    const Skill a = expert(), b = novice();
+    Skill skill;
+    skill.reaction_s = between(a.reaction_s, b.reaction_s);
+    skill.choice_s = between(a.choice_s, b.choice_s);
+    skill.duration_scale = between(a.duration_scale, b.duration_scale);
+    skill.gain = between(a.gain, b.gain);
+    skill.gain_spread = between(a.gain_spread, b.gain_spread);
+    skill.endpoint_noise = between(a.endpoint_noise, b.endpoint_noise);
+    skill.path_noise = between(a.path_noise, b.path_noise);
+    skill.depth_error = between(a.depth_error, b.depth_error);
+    skill.gap_s = between(a.gap_s, b.gap_s);
+    skill.gap_spread_s = between(a.gap_spread_s, b.gap_spread_s);
+    skill.tremor = between(a.tremor, b.tremor);
+    skill.drift = between(a.drift, b.drift);
+    skill.touch_force = between(a.touch_force, b.touch_force);
+    skill.grip_force = between(a.grip_force, b.grip_force);
+    skill.grip_spread = between(a.grip_spread, b.grip_spread);
+    skill.comfortable_force = between(a.comfortable_force, b.comfortable_force);
+    skill.tolerance = between(a.tolerance, b.tolerance);
+    skill.lift_speed = between(a.lift_speed, b.lift_speed);
+    skill.stride = between(a.stride, b.stride);
+    return skill;
+}
+
+}  // namespace
+
+bool draw_individual(const std::string& preset, std::uint64_t seed, Skill& skill) {
+    if (preset == "expert") {
+        skill = expert();
+    } else if (preset == "intermediate") {
+        skill = intermediate();
+    } else if (preset == "novice") {
+        skill = novice();
+    } else {
+        return false;
+    }
+    Random random(seed, individual_stream);
+    // People differ by some tenths in each faculty, multiplicatively; a third of it is shared (a generally
+    // better or worse hand).
+    const double shared = random.normal();
+    const auto vary = [&](double& value, double spread) {
+        value *= math::exp(spread * (0.58 * shared + 0.82 * random.normal()));
+    };
+    vary(skill.reaction_s, 0.06);
+    vary(skill.choice_s, 0.12);
+    vary(skill.duration_scale, 0.06);
+    vary(skill.gain_spread, 0.12);
+    vary(skill.endpoint_noise, 0.12);
+    vary(skill.path_noise, 0.12);
+    vary(skill.depth_error, 0.12);
+    vary(skill.tremor, 0.12);
+    vary(skill.drift, 0.12);
+    vary(skill.touch_force, 0.10);
+    vary(skill.grip_force, 0.06);
+    vary(skill.comfortable_force, 0.08);
+    vary(skill.tolerance, 0.08);
+    return true;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a synthetic operator's hands can do: one set of numbers an individual, drawn around a preset. The
+// presets are ours, chosen so that the movements have the size and speed that studies of laparoscopic novices
+// and experts report; they are not measured people.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace fulcrum {
+
+struct Skill {
+    double reaction_s = 0.2;    ///< from seeing to acting: decisions use what was shown this long ago
+    double choice_s = 0.4;      ///< mean extra time to decide where to go next
+    double duration_scale = 1;  ///< of a sub-movement, times the Fitts-like duration
+    double gain = 0.95;         ///< mean share of the distance that a sub-movement covers
+    double gain_spread = 0.05;  ///< its standard deviation: above 1 in all is overshoot
+    double endpoint_noise =
+        0.05;  ///< standard deviation of a sub-movement's end, as a share of its length (signal-dependent)
+    double path_noise = 0.05;    ///< lateral velocity noise on the way, as a share of the speed
+    double depth_error = 0.002;  ///< m, standard deviation of the misjudged depth before a movement
+    double gap_s = 0.05;  ///< mean time from the end of one sub-movement to the next; negative: they overlap
+    double gap_spread_s = 0.03;
+    double tremor = 2e-5;      ///< m, root mean square an axis, 8 to 12 Hz
+    double drift = 1e-4;       ///< m, root mean square an axis, slow wandering of a hand that holds still
+    double touch_force = 0.3;  ///< N, pressed on a rigid target
+    double grip_force = 4;     ///< N, jaws on bowel
+    double grip_spread = 0.3;  ///< N, from grasp to grasp
+    double comfortable_force = 1.2;  ///< N, tissue force at which pulling and pushing stop
+    double tolerance = 1e-3;         ///< m, nearer than this is good enough
+    double lift_speed = 0.02;        ///< m/s, moving tissue that is held
+    double stride = 0.055;           ///< m of bowel from one grasp to the next
+};
+
+/// Draws an individual around "novice", "intermediate" or "expert"; false for another name. Pure.
+bool draw_individual(const std::string& preset, std::uint64_t seed, Skill& skill);
+
+}  // namespace fulcrum

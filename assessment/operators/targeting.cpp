@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <vector>
+
+#include "assessment/operators/behaviour.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr double clearance = 0.004;    // m, kept from spheres that are not to be touched
+constexpr double press_step_s = 0.25;  // between adjustments of the pressing force
+
+class Targeting : public Behaviour {
+  public:
+    Targeting(const Scene& scene, const Skill& skill) : skill_(skill), reaches_{Reach(skill), Reach(skill)} {
+        stiffness_ = scene.targets ? scene.targets->stiffness : 600;
+        for (const InstrumentSpec& spec : scene.instruments)
+            tip_radius_[static_cast<int>(spec.hand)] = spec.tip_radius;
+    }
+
+    void decide(const Perception& seen, Body& body) noexcept override {
+        const std::vector<TargetSphere>& targets = body.eyes->targets();
+        const int wanted = seen.display.active_target;
+        if (wanted < 0 || static_cast<std::size_t>(wanted) >= targets.size()) return;
+        const TargetSphere& target = targets[static_cast<std::size_t>(wanted)];
+        const int hand = static_cast<int>(target.hand);
+        Limb* limb = body.limb[hand];
+        if (limb == nullptr) return;
+        Reach& reach = reaches_[hand];
+
+        if (wanted != target_) {
+            target_ = wanted;
+            const double depth = skill_.touch_force / stiffness_;
+            reach_ = target.radius + tip_radius_[hand] - depth;
+            press_time_ = 0;
+            const Vector3 from = limb->destination();
+            const double choice = skill_.choice_s * limb->random().uniform(0.6, 1.4);
+            via_ = way_round(from, target, targets, hand);
+            on_detour_ = (via_ - from).norm() > 1e-6;
+            approach_ =
+                (on_detour_ ? Vector3(via_ - target.centre) : Vector3(from - target.centre)).normalized();
+            reach.start(*limb, on_detour_ ? via_ : goal(target), body.view, on_detour_ ? 0.02 : target.radius,
+                        choice);
+        }
+        if (on_detour_ && (limb->destination() - via_).norm() < 0.012 && limb->remaining() < 0.12) {
+            on_detour_ = false;
+            approach_ = (limb->destination() - target.centre).normalized();
+            reach.start(*limb, goal(target), body.view, target.radius, 0.0);
+        }
+        reach.update(*limb, seen.tip[hand]);
+
+        // On the sphere: press as firmly as this hand likes to, by what it feels.
+        if (!on_detour_ && reach.arrived() && limb->time() > press_time_) {
+            const double force = seen.display.force[hand];
+            const double error = std::clamp((skill_.touch_force - force) / stiffness_, -0.003, 0.0008);
+            if (force > 2 * skill_.touch_force || force < 0.3 * skill_.touch_force)
+                reach_ =
+                    std::clamp(reach_ - 0.6 * error, 0.5 * target.radius, target.radius + tip_radius_[hand]);
+            press_time_ = limb->time() + press_step_s;
+            reach.follow(goal(target));
+        }
+    }
+
+  private:
+    Vector3 goal(const TargetSphere& target) const noexcept { return target.centre + reach_ * approach_; }
+
+    /// The next point on a way that stays clear of the other spheres: the target itself, or a point beside
+    /// the sphere in the way.
+    Vector3 way_round(const Vector3& from, const TargetSphere& target,
+                      const std::vector<TargetSphere>& targets, int hand) const noexcept {
+        const Vector3 way = target.centre - from;
+        const double length = way.norm();
+        if (length < 1e-6) return from;
+        const Vector3 along = way / length;
+        double first = length;
+        Vector3 via = from;
+        for (const TargetSphere& other : targets) {
+            const double reach = other.radius + tip_radius_[hand] + clearance;
+            if ((other.centre - target.centre).norm() < 1e-9) continue;
+            const double at = (other.centre - from).dot(along);
+            if (at <= 0.5 * reach || at >= length - target.radius || at >= first) continue;
+            Vector3 beside = from + at * along - other.centre;
+            const double distance = beside.norm();
+            if (distance >= reach) continue;
+            // Past it on the side where the way already leads, towards the trocar's side when it leads
+            // straight through.
+            if (distance < 1e-4) beside = Vector3(0, 0, 1) - along.z() * along;
+            first = at;
+            via = other.centre + 1.6 * reach * beside.normalized();
+        }
+        return via;
+    }
+
+    Skill skill_;
+    Reach reaches_[hand_count];
+    double tip_radius_[hand_count] = {0.0025, 0.0025};
+    double stiffness_ = 600;
+    int target_ = -1;
+    bool on_detour_ = false;
+    Vector3 approach_ = Vector3::UnitZ(), via_ = Vector3::Zero();
+    double reach_ = 0, press_time_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Behaviour> make_targeting(const TaskDefinition& /*task*/, const Scene& scene,
+                                          const Skill& skill) {
+    return std::make_unique<Targeting>(scene, skill);
+}
+
+}  // namespace fulcrum
