@@ -45,7 +45,7 @@ std::string not_measurable(const Analysis& analysis, const MetricDescriptor& d, 
         if (row.tissue >= 0 && !d.channels.empty())
             missing = missing_column(trace, row.hand, Channel::tissue);
         if (!missing.empty()) return missing;
-    } else {
+    } else if (!d.channels.empty()) {
         const std::string left = missing_channels(analysis, d, 0), right = missing_channels(analysis, d, 1);
         if (d.hands == Hands::both && !(left.empty() && right.empty())) return left.empty() ? right : left;
         if (d.hands == Hands::either && !left.empty() && !right.empty()) return left;
@@ -69,6 +69,9 @@ class Rows {
     Rows(const Analysis& analysis, std::vector<MetricResult>& out) : analysis_(analysis), out_(out) {}
 
     void add(const Metric& metric) {
+        if (metric.descriptor.needs_events && metric.descriptor.aggregation == Aggregation::count) {
+            add_row(metric, {});  // counted events also have a row of both hands together
+        }
         if (metric.descriptor.hands != Hands::each) {
             add_row(metric, {});
             return;

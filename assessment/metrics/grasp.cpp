@@ -111,8 +111,9 @@ Figure count_events(const Analysis& analysis, const Selection& row, EventKind ki
     int count = 0;
     Figure figure;
     for (const Event& event : analysis.events()) {
-        if (event.kind != kind || event.hand != row.hand || (row.tissue >= 0 && event.tissue != row.tissue))
-            continue;
+        if (event.kind != kind) continue;
+        if (row.hand >= 0 && event.hand != row.hand) continue;
+        if (row.tissue >= 0 && event.tissue != row.tissue) continue;
         ++count;
         const double t = analysis.trace().time_of(event);
         if (figure.evidence.size() < evidence_limit)

@@ -104,8 +104,9 @@ struct MetricContext {
 };
 
 /// All wanted metrics, in the registry's order, each for both hands and (where per_tissue) for all tissues
-/// and each tissue that was touched or has limits. Pure; 10 minutes at 1 kHz with two hands take less than 2
-/// s. Any thread. Throws std::invalid_argument for an id that the registry does not know.
+/// and each tissue that was touched or has limits; counted events also for both hands together (hand "").
+/// Pure; 10 minutes at 1 kHz with two hands take less than 2 s. Any thread. Throws std::invalid_argument for
+/// an id that the registry does not know.
 std::vector<MetricResult> compute_metrics(const Trace& trace, const std::vector<Event>& events,
                                           const MetricContext& context);
 

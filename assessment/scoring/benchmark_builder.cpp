@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/scoring/benchmark_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "assessment/learning/statistics.h"
+#include "assessment/metrics/registry.h"
+#include "assessment/scoring/gate_rules.h"
+
+namespace fulcrum {
+
+namespace {
+
+constexpr int fewest_experts_left = 6;
+constexpr int first_k = 20, last_k = 30;  // tenths
+
+std::string fixed(double value, int digits) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f", digits, value);
+    return text;
+}
+
+std::string level_name(const BenchmarkLevel& level) {
+    std::string name = level.metric;
+    if (!level.hand.empty()) name += " " + level.hand;
+    if (!level.tissue.empty()) name += " " + level.tissue;
+    return name;
+}
+
+std::optional<double> value_in(const BenchmarkAttempt& attempt, const GateSpec& gate) {
+    const MetricResult* result = find_result(attempt.metrics, gate.metric, gate.hand, gate.tissue);
+    return result == nullptr ? std::nullopt : result->value;
+}
+
+/// The values of one metric by person, in the order in which they first appear; completed attempts only.
+/// `without` leaves one out.
+std::vector<ExpertValues> values_by_person(const std::vector<BenchmarkAttempt>& attempts,
+                                           const GateSpec& gate, const MetricDescriptor& descriptor,
+                                           const std::string& without) {
+    std::vector<ExpertValues> people;
+    for (const BenchmarkAttempt& attempt : attempts) {
+        if (attempt.person == without || attempt.state != AttemptState::completed) continue;
+        const std::optional<double> value = value_in(attempt, gate);
+        const std::optional<double> scaled = value ? on_scale(descriptor, *value) : std::nullopt;
+        if (!scaled) continue;
+        auto person = std::find_if(people.begin(), people.end(),
+                                   [&](const ExpertValues& known) { return known.expert == attempt.person; });
+        if (person == people.end()) person = people.insert(people.end(), {attempt.person, {}});
+        person->values.push_back(*scaled);
+    }
+    return people;
+}
+
+/// Counts, shares, and what varies by less than the metric's precision take no z.
+bool takes_z(const MetricDescriptor& d, const ExpertBenchmark& benchmark) {
+    if (d.aggregation == Aggregation::count || d.aggregation == Aggregation::share) return false;
+    const double in_unit =
+        d.scale == Scale::ln ? std::exp(benchmark.mean) * benchmark.deviation : benchmark.deviation;
+    return in_unit >= d.precision;
+}
+
+/// The worst value of the experts who count, in the metric's unit.
+double worst_value(const MetricDescriptor& d, const std::vector<ExpertValues>& experts,
+                   const ExpertBenchmark& benchmark) {
+    const double sign = d.direction == Direction::higher ? -1.0 : 1.0;
+    std::optional<double> worst;
+    for (const ExpertValues& expert : experts) {
+        const bool left_out =
+            std::any_of(benchmark.left_out.begin(), benchmark.left_out.end(),
+                        [&](const LeftOutExpert& out) { return out.expert == expert.expert; });
+        if (left_out) continue;
+        for (const double value : expert.values)
+            if (!worst || sign * value > sign * *worst) worst = value;
+    }
+    return d.scale == Scale::ln ? std::exp(*worst) : *worst;
+}
+
+struct Levels {
+    std::vector<BenchmarkLevel> levels;
+    std::string refusal;
+};
+
+/// The levels of all benchmark gates, from all experts but one (`without` empty: from all).
+Levels make_levels(const TaskDefinition& task, const BenchmarkRequest& request, const std::string& without) {
+    Levels out;
+    const int fewest = without.empty() ? fewest_experts_left : fewest_experts_left - 1;
+    for (const GateSpec& gate : task.gates) {
+        if (gate.kind != "benchmark") continue;
+        const MetricDescriptor& d = *find_metric(gate.metric);
+        const std::vector<ExpertValues> experts = values_by_person(request.experts, gate, d, without);
+        BenchmarkLevel level;
+        level.metric = gate.metric;
+        level.hand = gate.hand;
+        level.tissue = gate.tissue;
+        level.metric_version = d.version;
+        level.unit = d.unit;
+        level.scale = d.scale;
+        const std::optional<ExpertBenchmark> benchmark = expert_benchmark(experts, fewest);
+        if (!benchmark) {
+            out.refusal = level_name(level) + ": fewer than " + std::to_string(fewest) +
+                          " experts are left with a value after the outlier rule";
+            return out;
+        }
+        level.mean = benchmark->mean;
+        level.deviation = benchmark->deviation;
+        level.experts = benchmark->experts;
+        for (const LeftOutExpert& expert : benchmark->left_out) level.left_out.push_back(expert.expert);
+        if (!takes_z(d, *benchmark)) {
+            level.absolute_limit = worst_value(d, experts, *benchmark);
+        } else {
+            std::vector<double> means;
+            for (const ExpertValues& novice : values_by_person(request.novices, gate, d, {}))
+                means.push_back(mean_of(novice.values));
+            if (!means.empty()) level.z_novice = z_of(d, level, mean_of(means));
+        }
+        out.levels.push_back(std::move(level));
+    }
+    return out;
+}
+
+/// Attempts by person, in order of appearance.
+std::vector<BenchmarkPerson> people_of(const std::vector<BenchmarkAttempt>& attempts, int familiarisation) {
+    std::vector<BenchmarkPerson> people;
+    for (const BenchmarkAttempt& attempt : attempts) {
+        auto person = std::find_if(people.begin(), people.end(), [&](const BenchmarkPerson& known) {
+            return known.name == attempt.person;
+        });
+        if (person == people.end())
+            person = people.insert(people.end(), {attempt.person, 0, familiarisation});
+        ++person->attempts;
+    }
+    return people;
+}
+
+std::string too_few(const BenchmarkRequest& request, const std::vector<BenchmarkPerson>& experts) {
+    if (static_cast<int>(experts.size()) < request.minimum_experts)
+        return std::to_string(experts.size()) + " experts where " + std::to_string(request.minimum_experts) +
+               " are needed";
+    for (const BenchmarkPerson& expert : experts)
+        if (expert.attempts < request.minimum_attempts)
+            return expert.name + " has " + std::to_string(expert.attempts) + " counted attempts where " +
+                   std::to_string(request.minimum_attempts) + " are needed";
+    if (request.familiarisation < 3)
+        return "fewer than 3 familiarisation attempts came before the counted ones";
+    return {};
+}
+
+/// Scores every expert attempt against the set made without its expert.
+class LeaveOneOut {
+  public:
+    LeaveOneOut(const TaskDefinition& task, const BenchmarkRequest& request, const BenchmarkSet& full)
+        : task_(task), request_(request), full_(full) {
+        for (const BenchmarkPerson& expert : full.experts) {
+            Levels levels = make_levels(task, request, expert.name);
+            if (!levels.refusal.empty()) refusal_ = "without " + expert.name + ": " + levels.refusal;
+            levels_[expert.name] = std::move(levels.levels);
+        }
+    }
+    const std::string& refusal() const { return refusal_; }
+
+    /// Share of attempts that pass all gates at this k; counts into `failures` which gates were not met.
+    double pass_share(double k, std::map<std::string, int>& failures) const {
+        int passed = 0;
+        for (const BenchmarkAttempt& attempt : request_.experts) {
+            BenchmarkSet set = full_;
+            set.k = k;
+            set.levels = levels_.at(attempt.person);
+            ScoreInput input{task_, attempt.metrics, &set, attempt.state};
+            input.critical_errors = attempt.critical_errors;
+            const Score score = score_attempt(input);
+            passed += score.passed == true ? 1 : 0;
+            for (const CriticalError& error : attempt.critical_errors)
+                ++failures["critical error " + error.event];
+            for (const GateResult& gate : score.gates)
+                if (gate.passed != true) ++failures[gate.metric + (gate.hand.empty() ? "" : " " + gate.hand)];
+        }
+        return static_cast<double>(passed) / static_cast<double>(request_.experts.size());
+    }
+
+  private:
+    const TaskDefinition& task_;
+    const BenchmarkRequest& request_;
+    const BenchmarkSet& full_;
+    std::map<std::string, std::vector<BenchmarkLevel>> levels_;
+    std::string refusal_;
+};
+
+void log_levels(const BenchmarkSet& set, std::vector<std::string>& log) {
+    for (const BenchmarkLevel& level : set.levels) {
+        for (const std::string& expert : level.left_out)
+            log.push_back(level_name(level) + ": " + expert +
+                          " left out, mean beyond 1.96 SD of the experts' means");
+        if (level.absolute_limit)
+            log.push_back(level_name(level) + ": takes no z, absolute limit " +
+                          fixed(*level.absolute_limit, 4) + " " + level.unit +
+                          ", the worst counted expert value");
+    }
+}
+
+}  // namespace
+
+BenchmarkBuild build_benchmark(const TaskDefinition& task, const BenchmarkRequest& request) {
+    check_gates(task, "task " + task.id);
+    BenchmarkBuild build;
+    BenchmarkSet set;
+    set.task = task.id;
+    set.task_version = task.version;
+    set.variant_family = request.variant_family;
+    set.device_class = request.device_class;
+    set.fidelity = request.fidelity;
+    set.source = request.source;
+    set.provisional = request.provisional;
+    set.p0 = request.p0;
+    set.experts = people_of(request.experts, request.familiarisation);
+    set.novices = people_of(request.novices, request.familiarisation);
+    build.refusal = too_few(request, set.experts);
+    if (!build.refusal.empty()) return build;
+    Levels levels = make_levels(task, request, {});
+    build.refusal = levels.refusal;
+    if (!build.refusal.empty()) return build;
+    set.levels = std::move(levels.levels);
+    log_levels(set, build.log);
+
+    const LeaveOneOut leave_one_out(task, request, set);
+    build.refusal = leave_one_out.refusal();
+    if (!build.refusal.empty()) return build;
+    std::map<std::string, int> failures;
+    for (int tenths = first_k; tenths <= last_k; ++tenths) {
+        failures.clear();
+        set.k = tenths / 10.0;
+        set.expert_pass_share = leave_one_out.pass_share(set.k, failures);
+        build.trials.push_back({set.k, set.expert_pass_share});
+        if (set.expert_pass_share >= 1.0 - request.p0 - 1e-12) break;
+    }
+    for (const auto& [gate, count] : failures)
+        build.log.push_back("k " + fixed(set.k, 1) + ": " + gate + " not met by " + std::to_string(count) +
+                            " expert attempts with their expert left out");
+    if (set.expert_pass_share < 1.0 - request.p0 - 1e-12) {
+        build.refusal = "only " + fixed(100.0 * set.expert_pass_share, 1) +
+                        " % of the experts' own attempts pass all gates even at k = " + fixed(set.k, 1) +
+                        " where " + fixed(100.0 * (1.0 - request.p0), 1) + " % are needed";
+        return build;
+    }
+    build.set = std::move(set);
+    return build;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "assessment/metrics/registry.h"
+#include "assessment/scoring/gate_rules.h"
+#include "sim_core/numerics/input_error.h"
+
+namespace fulcrum {
+
+namespace {
+
+constexpr double least_novice_z = 0.5;
+constexpr int benchmark_gate_limit = 6;
+
+bool says_provisional(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text.find("provisional") != std::string::npos;
+}
+
+/// Holds a value against an absolute limit.
+void judge_absolute(GateResult& gate, const MetricDescriptor& descriptor, double limit) {
+    gate.kind = "absolute";
+    gate.limit = limit;
+    if (gate.value) gate.passed = keeps_limit(descriptor, gated_value(descriptor, *gate.value), limit);
+}
+
+void judge_benchmark(GateResult& gate, const MetricDescriptor& descriptor, const BenchmarkLevel& level,
+                     const BenchmarkSet& set) {
+    gate.provisional = set.provisional;
+    gate.limit_source = set.source + ", set " + std::to_string(set.version) + ", " +
+                        std::to_string(level.experts) + " experts";
+    if (level.absolute_limit) {
+        gate.limit_source += ", worst counted value";
+        judge_absolute(gate, descriptor, *level.absolute_limit);
+        return;
+    }
+    gate.limit = limit_of(descriptor, level, set.k);
+    if (!gate.value) return;
+    const std::optional<double> scaled = on_scale(descriptor, *gate.value);
+    if (!scaled) {
+        gate.passed = keeps_limit(descriptor, gated_value(descriptor, *gate.value), *gate.limit);
+        return;
+    }
+    gate.z = z_of(descriptor, level, *scaled);
+    gate.passed = *gate.z <= set.k;
+    gate.points = points_of(level, *gate.z);
+}
+
+/// A gate whose metric is absent: failed where the trainee did not do it and the metric says so, else not
+/// judged.
+void judge_absence(GateResult& gate, const MetricDescriptor& descriptor, const MetricResult* result) {
+    if (result == nullptr) {
+        gate.absent_because = "the metric was not computed";
+        return;
+    }
+    gate.absent_because = result->absent_because;
+    if (result->absence == Absence::not_done && descriptor.absent_means == AbsentMeans::failed)
+        gate.passed = false;
+}
+
+}  // namespace
+
+double gated_value(const MetricDescriptor& descriptor, double value) {
+    return descriptor.absolute_value ? std::abs(value) : value;
+}
+
+std::optional<double> on_scale(const MetricDescriptor& descriptor, double value) {
+    const double x = gated_value(descriptor, value);
+    if (descriptor.scale == Scale::raw) return x;
+    return x > 0 ? std::optional<double>(std::log(x)) : std::nullopt;
+}
+
+double z_of(const MetricDescriptor& descriptor, const BenchmarkLevel& level, double scaled) {
+    const double sign = descriptor.direction == Direction::higher ? -1.0 : 1.0;
+    return sign * (scaled - level.mean) / level.deviation;
+}
+
+double limit_of(const MetricDescriptor& descriptor, const BenchmarkLevel& level, double k) {
+    const double sign = descriptor.direction == Direction::higher ? -1.0 : 1.0;
+    const double x = level.mean + sign * k * level.deviation;
+    return level.scale == Scale::ln ? std::exp(x) : x;
+}
+
+bool keeps_limit(const MetricDescriptor& descriptor, double value, double limit) {
+    return descriptor.direction == Direction::higher ? value >= limit : value <= limit;
+}
+
+std::optional<double> points_of(const BenchmarkLevel& level, double z) {
+    if (!level.z_novice || *level.z_novice <= least_novice_z) return std::nullopt;
+    return 100.0 * std::clamp((*level.z_novice - z) / *level.z_novice, 0.0, 1.0);
+}
+
+std::string hand_words(const std::string& hand) {
+    return hand.empty() ? std::string() : hand + " hand";
+}
+
+GateResult judge_gate(const GateSpec& spec, const std::vector<MetricResult>& metrics,
+                      const BenchmarkSet* benchmark) {
+    GateResult gate;
+    gate.metric = spec.metric;
+    gate.hand = spec.hand;
+    gate.tissue = spec.tissue;
+    gate.kind = spec.kind;
+    const MetricDescriptor* descriptor = find_metric(spec.metric);
+    if (descriptor == nullptr) {
+        gate.absent_because = "the program does not know the metric";
+        return gate;
+    }
+    gate.unit = descriptor->unit;
+    const MetricResult* result = find_result(metrics, spec.metric, spec.hand, spec.tissue);
+    if (result != nullptr) {
+        gate.value = result->value;
+        gate.evidence = result->evidence;
+    }
+    if (spec.kind == "absolute") {
+        gate.limit_source = spec.limit_source;
+        gate.provisional = says_provisional(spec.limit_source);
+        judge_absolute(gate, *descriptor, spec.limit);
+    } else {
+        const BenchmarkLevel* level =
+            benchmark == nullptr ? nullptr : benchmark->find(spec.metric, spec.hand, spec.tissue);
+        if (level == nullptr) {
+            gate.absent_because = benchmark == nullptr
+                                      ? "there is no benchmark for this task and device class"
+                                      : "the benchmark set has no level for it";
+            return gate;
+        }
+        judge_benchmark(gate, *descriptor, *level, *benchmark);
+    }
+    if (!gate.value) judge_absence(gate, *descriptor, result);
+    return gate;
+}
+
+nlohmann::json gates_to_json(const std::vector<GateResult>& gates) {
+    using nlohmann::json;
+    const auto text = [](const std::string& value) { return value.empty() ? json(nullptr) : json(value); };
+    const auto number = [](const std::optional<double>& value) {
+        return value ? json(*value) : json(nullptr);
+    };
+    json rows = json::array();
+    for (const GateResult& gate : gates)
+        rows.push_back({{"metric", gate.metric},
+                        {"hand", text(gate.hand)},
+                        {"tissue", text(gate.tissue)},
+                        {"kind", gate.kind},
+                        {"value", number(gate.value)},
+                        {"unit", gate.unit},
+                        {"limit", number(gate.limit)},
+                        {"limit_source", gate.limit_source},
+                        {"z", number(gate.z)},
+                        {"points", number(gate.points)},
+                        {"passed", gate.passed ? json(*gate.passed) : json(nullptr)},
+                        {"provisional", gate.provisional},
+                        {"absent_because", text(gate.absent_because)}});
+    return rows;
+}
+
+void check_gates(const TaskDefinition& task, const std::string& file) {
+    int benchmark_gates = 0;
+    for (std::size_t i = 0; i < task.gates.size(); ++i) {
+        const GateSpec& gate = task.gates[i];
+        const std::string place = "/gates/" + std::to_string(i);
+        const auto refuse = [&](const char* key, const std::string& wrong, const std::string& mend) {
+            throw InputError(file, place + key, wrong, mend);
+        };
+        const MetricDescriptor* d = find_metric(gate.metric);
+        if (d == nullptr)
+            refuse("/metric", "unknown metric '" + gate.metric + "'", "give the id of a metric");
+        if (d->direction == Direction::context)
+            refuse("/metric", "'" + gate.metric + "' is context only",
+                   "gate a metric that is better in one direction");
+        const bool counted = d->needs_events && d->aggregation == Aggregation::count;
+        if (d->hands == Hands::each && gate.hand.empty() && !counted)
+            refuse("/hand", "'" + gate.metric + "' is measured for each hand", "give hand left or right");
+        if (d->hands != Hands::each && !gate.hand.empty())
+            refuse("/hand", "'" + gate.metric + "' belongs to no single hand", "remove hand");
+        if (!d->per_tissue && !gate.tissue.empty())
+            refuse("/tissue", "'" + gate.metric + "' has no rows by tissue", "remove tissue");
+        if (gate.kind == "benchmark" && ++benchmark_gates > benchmark_gate_limit)
+            refuse("", "more than " + std::to_string(benchmark_gate_limit) + " benchmark gates",
+                   "show the others without a gate");
+    }
+    for (std::size_t i = 0; i < task.metrics.size(); ++i)
+        if (find_metric(task.metrics[i]) == nullptr)
+            throw InputError(file, "/metrics/" + std::to_string(i),
+                             "unknown metric '" + task.metrics[i] + "'", "give the id of a metric");
+}
+
+}  // namespace fulcrum
