@@ -62,11 +62,12 @@ void step_dents(const WinklerBed& bed, const double* vertex_areas, const Surface
     for (int l = 0; l < load_count; ++l) {
         const SurfaceLoad& load = loads[l];
         if (load.filtered == nullptr) continue;
+        const double own = contact_stiffness(bed, vertex_areas, *load.filtered, load.vertex_of);
+        const Vector3 force = load.stiffness > 0.0 ? Vector3(own / load.stiffness * load.force) : load.force;
         for (std::int32_t i = 0; i < load.filtered->count; ++i) {
             const auto n = static_cast<std::size_t>(i);
             const std::int32_t vertex = surface_vertex(load.vertex_of, load.filtered->vertex[n]);
-            const Vector3 target =
-                compliance(bed, vertex_areas, vertex) * load.filtered->weight[n] * load.force;
+            const Vector3 target = compliance(bed, vertex_areas, vertex) * load.filtered->weight[n] * force;
             if (target.squaredNorm() <= vanished * vanished) continue;
             DentVertex* const entry = find_or_add(state, vertex);
             if (entry != nullptr) entry->displacement += (1.0 - keep) * target;

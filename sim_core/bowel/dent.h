@@ -35,6 +35,9 @@ struct SurfaceLoad {
     const FilteredForce* filtered = nullptr;
     const std::int32_t* vertex_of = nullptr;  ///< patch vertex -> surface vertex; null: the same
     Vector3 force = Vector3::Zero();          ///< F0, N, on the tissue
+    /// N/m, of the contact that made the force: the dent is scaled so that its slope is this. 0: the bed's
+    /// own.
+    double stiffness = 0.0;
 };
 
 /// One step: u += (1 - exp(-dt / tau)) (C F - u) for all touched and still dented vertices. vertex_areas: m2,

@@ -91,6 +91,19 @@ TEST(Dent, SettlesWhereBedAndForceBalance) {
     }
 }
 
+TEST(Dent, TakesTheSlopeOfTheContactThatMadeTheForce) {
+    const FilteredForce force = filtered(FilterMode::grade_1);
+    SurfaceLoad load{&force, nullptr, push, 500.0};
+    DentState state;
+    for (int i = 0; i < 400; ++i) step_dents(bed, skin().vertex_areas().data(), &load, 1, 0.005, state);
+    double conjugate = 0.0;
+    for (int i = 0; i < force.count; ++i) {
+        const auto n = static_cast<std::size_t>(i);
+        conjugate += force.weight[n] * dent_at(state, force.vertex[n]).dot(push.normalized());
+    }
+    EXPECT_NEAR(push.norm() / conjugate, 500.0, 1e-6);
+}
+
 TEST(Dent, RelaxesWithItsTimeConstantWhateverTheStep) {
     const FilteredForce force = filtered(FilterMode::grade_2);
     const SurfaceLoad load{&force, nullptr, push};

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reading a study file's keys: each complaint names file, line, key and a mend.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim_core/geometry/mesh.h"
+#include "sim_core/scene/json_document.h"
+
+namespace fulcrum::lab {
+
+/// Text at a top-level key; missing or empty is an error.
+std::string text_of(const JsonDocument& study, const std::string& key);
+/// Finite number within [least, most]; missing gives the fallback.
+double number_of(const JsonDocument& study, const std::string& key, double fallback, double least,
+                 double most);
+/// As number_of, but the key must be there.
+double number_of(const JsonDocument& study, const std::string& key, double least, double most);
+/// Array of `count` finite numbers, each of at most `most` in size; missing gives the fallback (empty: it
+/// must be there).
+std::vector<double> numbers_of(const JsonDocument& study, const std::string& key, std::size_t count,
+                               const std::vector<double>& fallback, double most);
+/// Mesh file named at a key: relative to the study file's folder, else to the working directory.
+TriangleMesh mesh_of(const JsonDocument& study, const std::string& key);
+
+}  // namespace fulcrum::lab
