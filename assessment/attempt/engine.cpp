@@ -56,7 +56,8 @@ StepProducts AttemptEngine::step(const TickOutput* outputs, std::size_t count, A
     return {&parts.world.local_models(), &parts.world.snapshot(), &parts.monitor.display()};
 }
 
-RunOutcome run_headless(AttemptEngine& engine, Rig& rig, AttemptSink& sink, const std::function<bool(double)>& keep_going) {
+RunOutcome run_headless(AttemptEngine& engine, Rig& rig, AttemptSink& sink, const std::function<bool(double)>& keep_going,
+                        const std::function<void()>& after_step) {
     auto* observer = dynamic_cast<ObservingRig*>(&rig);
     const auto ticks_per_step = static_cast<std::uint32_t>(engine.scene().ticks_per_step);
     const auto ticks_per_question = static_cast<std::uint32_t>(engine.scene().tick_rate);
@@ -86,6 +87,7 @@ RunOutcome run_headless(AttemptEngine& engine, Rig& rig, AttemptSink& sink, cons
             }
             engine.step(outputs.data(), ticks_per_step, sink);
             pending = true;
+            if (after_step) after_step();
         }
         if (keep_going && tick % ticks_per_question == 0 && !keep_going(tick * engine.scene().tick_period())) {
             outcome.cancelled = true;

@@ -78,8 +78,10 @@ struct RunOutcome {
 };
 
 /// Runs an attempt to its end in this thread, as fast as it can. `keep_going` is asked about once a simulated second with the simulated
-/// time; returning false interrupts the attempt. A rig that is also an ObservingRig is shown the world.
-RunOutcome run_headless(AttemptEngine& engine, Rig& rig, AttemptSink& sink, const std::function<bool(double)>& keep_going = {});
+/// time; returning false interrupts the attempt. `after_step` is called after every world step. A rig that is also an ObservingRig is
+/// shown the world.
+RunOutcome run_headless(AttemptEngine& engine, Rig& rig, AttemptSink& sink, const std::function<bool(double)>& keep_going = {},
+                        const std::function<void()>& after_step = {});
 
 /// The record of an attempt as a replay needs it.
 struct AttemptRecord {

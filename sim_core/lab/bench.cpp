@@ -26,7 +26,10 @@ void set_allocation_counter(AllocationCounter counter) { allocation_counter = co
 WorkloadResult run_workload(const Workload& workload) {
     using Clock = std::chrono::steady_clock;
     const Workload::Prepared prepared = workload.prepare();
-    for (int i = 0; i < workload.warm_up; ++i) prepared.step();
+    for (int i = 0; i < workload.warm_up; ++i) {
+        if (prepared.between) prepared.between();
+        prepared.step();
+    }
 
     std::vector<double> times, yardsticks;
     times.reserve(static_cast<std::size_t>(workload.samples));
@@ -36,6 +39,7 @@ WorkloadResult run_workload(const Workload& workload) {
     std::uint64_t allocated = 0;
     for (int i = 0; i < workload.samples; ++i) {
         if (i % group == 0) yardsticks.push_back(time_yardstick_us());
+        if (prepared.between) prepared.between();
         const std::uint64_t before = allocations();
         const auto begin = Clock::now();
         prepared.step();
@@ -63,7 +67,6 @@ std::vector<Workload> reference_workloads() {
     add_collision_workloads(workloads);
     add_skinning_workloads(workloads);
     add_contact_workloads(workloads);
-    add_world_workloads(workloads);
     return workloads;
 }
 

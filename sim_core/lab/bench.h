@@ -30,6 +30,7 @@ struct Workload {
     int warm_up = 20, samples = 400;
     struct Prepared {
         std::function<void()> step;
+        std::function<void()> between;         ///< run untimed before each step; may be empty
         std::function<std::optional<double>()> error;  ///< may be empty
         std::string error_unit;
         std::uint64_t bytes = 0;
@@ -51,6 +52,5 @@ void add_rod_workloads(std::vector<Workload>& workloads);
 void add_collision_workloads(std::vector<Workload>& workloads);
 void add_skinning_workloads(std::vector<Workload>& workloads);
 void add_contact_workloads(std::vector<Workload>& workloads);
-void add_world_workloads(std::vector<Workload>& workloads);
 
 }  // namespace fulcrum::lab
