@@ -119,12 +119,14 @@ bool same_sample(const TickSample& a, const TickSample& b) { return std::memcmp(
 
 }  // namespace
 
-ReplayOutcome replay_record(AttemptEngine& engine, const AttemptRecord& record, bool keep_samples) {
+ReplayOutcome replay_record(AttemptEngine& engine, const AttemptRecord& record, bool keep_samples,
+                            const std::function<bool(const WorldSnapshot&)>& after_step) {
     static_assert(std::has_unique_object_representations_v<HandSample> && std::has_unique_object_representations_v<CameraSample>);
     ReplayOutcome outcome;
     ReplaySink sink(outcome);
     std::vector<TickOutput> outputs;
     std::size_t next_step = 0;
+    bool stopped = false;
     const auto diverged = [&](std::uint32_t tick) {
         if (outcome.identical) outcome.first_divergence_s = tick * engine.scene().tick_period();
         outcome.identical = false;
@@ -136,10 +138,11 @@ ReplayOutcome replay_record(AttemptEngine& engine, const AttemptRecord& record, 
         engine.step(outputs.data(), count, sink);
         outputs.erase(outputs.begin(), outputs.begin() + static_cast<std::ptrdiff_t>(count));
         if (sink.last().state_hash != recorded.state_hash || sink.last().outcome != recorded.outcome) diverged(recorded.last_tick);
+        if (after_step && !after_step(engine.world().snapshot())) stopped = true;
         ++next_step;
     };
     std::uint32_t adopted = 0;
-    for (std::size_t i = 0; i < record.inputs.size(); ++i) {
+    for (std::size_t i = 0; i < record.inputs.size() && !stopped; ++i) {
         const RigSample& input = record.inputs[i];
         const TickSample& recorded = record.samples[i];
         if (recorded.model_step != adopted) {  // the record says which step's model made this tick
@@ -153,7 +156,7 @@ ReplayOutcome replay_record(AttemptEngine& engine, const AttemptRecord& record, 
         if (keep_samples) outcome.samples.push_back(output.sample);
         outputs.push_back(output);
     }
-    while (next_step < record.steps.size()) step_once();
+    while (next_step < record.steps.size() && !stopped) step_once();
     outcome.state_hash = engine.state_hash();
     return outcome;
 }

@@ -99,7 +99,9 @@ struct ReplayOutcome {
     std::vector<TickSample> samples;  ///< as re-simulated, when asked for
 };
 
-/// Runs a fresh engine over a record, following its schedule, and compares every sample and every step's hash with it.
-ReplayOutcome replay_record(AttemptEngine& engine, const AttemptRecord& record, bool keep_samples = false);
+/// Runs a fresh engine over a record, following its schedule, and compares every sample and every step's hash with it. `after_step` sees
+/// every step's world; returning false stops.
+ReplayOutcome replay_record(AttemptEngine& engine, const AttemptRecord& record, bool keep_samples = false,
+                            const std::function<bool(const WorldSnapshot&)>& after_step = {});
 
 }  // namespace fulcrum

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/application.h"
+
+#include <QApplication>
+#include <filesystem>
+#include <random>
+
+#include "app/assets.h"
+#include "app/demo.h"
+#include "app/live_attempt.h"
+#include "app/replay_source.h"
+#include "assessment/version.h"
+#include "ui/shell/main_window.h"
+
+namespace fulcrum::app {
+namespace {
+
+/// Devices without force, and their classes, are the rig's business; the store, the tasks and the threads are here.
+class Services : public ui::ApplicationServices {
+  public:
+    explicit Services(std::string folder) : folder_(std::move(folder)) {
+        for (const std::string& id : task_ids()) tasks_.push_back(load_task(task_file(id)));
+    }
+    database::Store* store() override { return store_.get(); }
+    std::string store_path(bool demo) const override {
+        if (folder_.empty()) return database::Store::default_path(demo);
+        return (std::filesystem::path(folder_) / (demo ? "demo.db" : "fulcrum.db")).string();
+    }
+    void open_store(bool demo) override {
+        const std::string path = store_path(demo);
+        store_.reset();
+        store_ = std::make_unique<database::Store>(database::Store::exists(path) ? database::Store::open(path) : database::Store::create(path, demo));
+    }
+    bool demo_is_built() const override { return database::Store::exists(store_path(true)); }
+    bool build_demo(const ui::Progress& progress) override { return app::build_demo(store_path(true), progress); }
+    const std::vector<TaskDefinition>& tasks() const override { return tasks_; }
+    Scene scene_for(const TaskDefinition& task) const override { return load_scene(asset_path("scenes/" + task.scene)); }
+
+    std::unique_ptr<ui::AttemptSession> start_attempt(const ui::AttemptRequest& request) override {
+        LiveRequest live{load_task_and_scene(request.task_id), request.seed, request.assessed, request.rig, store_->path(), request.session, {}, benchmark_in_force(request.task_id)};
+        if (live.seed == 0) live.seed = draw_seed();
+        live.meta = attempt_meta(live.loaded, live.seed, request.assessed ? "assessed" : "practice", request.device_class, request.device,
+                                 live.benchmark ? &*live.benchmark : nullptr);
+        live.meta.person_id = request.session.person_id();
+        return std::make_unique<LiveAttempt>(std::move(live));
+    }
+    std::unique_ptr<ui::ReplaySource> open_replay(const std::string& task_id, std::uint64_t seed, std::shared_ptr<const database::Trace> trace) override {
+        return make_replay_source(load_task_and_scene(task_id), seed, std::move(trace));
+    }
+    std::string program_version() const override { return version_line(); }
+
+  private:
+    /// Outside 1000-1999, which are the benchmarks' own.
+    static std::uint64_t draw_seed() {
+        std::random_device device;
+        return 2000 + device() % 1'000'000'000U;
+    }
+    std::string folder_;
+    std::vector<TaskDefinition> tasks_;
+    std::unique_ptr<database::Store> store_;
+};
+
+}  // namespace
+
+std::string version_line() { return fulcrum::program_version; }
+
+std::unique_ptr<ui::ApplicationServices> make_services(const std::string& data_folder) { return std::make_unique<Services>(data_folder); }
+
+int run_window() {
+    const char* folder = std::getenv("FULCRUM_DATA");
+    const auto services = make_services(folder != nullptr ? folder : "");
+    ui::MainWindow window(*services);
+    window.resize(1280, 800);
+    window.show();
+    window.start();
+    return QApplication::exec();
+}
+
+}  // namespace fulcrum::app

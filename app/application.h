@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window's program: implements what ui/application_services.h asks for.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "ui/application_services.h"
+
+namespace fulcrum::app {
+
+/// Opens the window and runs until it is closed; the exit status.
+int run_window();
+std::string version_line();
+
+/// `data_folder`: where the stores lie; empty: the user's data folder.
+std::unique_ptr<ui::ApplicationServices> make_services(const std::string& data_folder = {});
+
+}  // namespace fulcrum::app
