@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/allocation_counter.h"
 
+#include <cstddef>
 #include <cstdlib>
 #include <new>
 

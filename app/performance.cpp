@@ -10,6 +10,7 @@
 #include "assessment/operators/operator.h"
 #include "assessment/version.h"
 #include "sim_core/numerics/input_error.h"
+#include "sim_core/scene/fidelity.h"
 
 namespace fulcrum::app {
 
