@@ -51,6 +51,8 @@ class PatchBuilder {
     const std::vector<std::int16_t>& tissue_patches() const { return tissue_patches_; }
 
   private:
+    void connect(Scratch& scratch, SurfacePatch& patch) const;
+
     const BowelSkin& skin_;
     PatchOptions options_;
     std::vector<std::int16_t> tissue_patches_;

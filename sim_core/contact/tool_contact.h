@@ -41,6 +41,7 @@ struct ToolContactState {
     Vector3 wall_barycentric = Vector3(1.0 / 3, 1.0 / 3, 1.0 / 3);
     bool touching_wall = false;
     std::uint32_t topology_version = 0;
+    std::uint32_t model_step = 0;  ///< whose seed was tried last
 };
 
 /// Working space: skinned positions and normals of the patch at the tick.
@@ -80,6 +81,7 @@ struct ToolContactResult {
 
     Matrix3 stiffness = Matrix3::Zero();  ///< N/m, -dF_on_tool/dx of all contacts
     double damping = 0;                   ///< N s/m, largest
+    double jaw_area = 0;                  ///< m2, GraspModel::area while grasping
     double slip_ratio = 0;                ///< tangential force over what the jaws can hold, 0 without grasp
     bool searched = false;                ///< the patch was searched fully in this tick
     bool lost = false;                    ///< the dynamic point was lost and not found again
@@ -91,6 +93,10 @@ struct ToolContactResult {
 void step_tool_contact(const ToolContactModel& model, const LocalModel& local, const ToolKinematics& tool,
                        std::uint32_t tick, ToolContactState& state, ToolContactScratch& scratch,
                        ToolContactResult& result);
+
+/// What the model behind `last` would give now that the tool's contact point has moved by `motion` (m), N on
+/// the tissue: the old force of a bumpless swap, to first order, without keeping the old model.
+Vector3 predict_force(const ToolContactResult& last, const Vector3& motion);
 
 /// Two instruments' shafts as capsules: adds tool_force to both results (opposite). Returns the depth, m; <=
 /// 0 apart.

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_core/contact/patch_builder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim_core/numerics/functions.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr int search_intervals =
+    3;  // ring gaps on each side of the nearest ring whose vertices are looked at
+
+std::size_t index(std::int32_t i) {
+    return static_cast<std::size_t>(i);
+}
+
+// Distance from a point to the shaft, and the fraction of the shaft there.
+struct ShaftDistance {
+    double distance2 = 0, fraction = 1;
+};
+
+ShaftDistance to_shaft(const ToolKinematics& tool, const Vector3& point) {
+    const Vector3 shaft = tool.tip - tool.trocar, from_trocar = point - tool.trocar;
+    const double length2 = shaft.squaredNorm();
+    ShaftDistance result;
+    result.fraction = length2 > 0 ? std::clamp(from_trocar.dot(shaft) / length2, 0.0, 1.0) : 1.0;
+    result.distance2 = (from_trocar - result.fraction * shaft).squaredNorm();
+    return result;
+}
+
+void clear(SurfacePatch& patch) {
+    patch.ring_count = patch.vertex_count = patch.triangle_count = patch.first_ring = 0;
+    patch.seed_triangle = -1;
+    patch.overflow = false;
+}
+
+}  // namespace
+
+PatchBuilder::PatchBuilder(const BowelSkin& skin, PatchOptions options,
+                           std::vector<std::int16_t> tissue_patches)
+    : skin_(skin), options_(options), tissue_patches_(std::move(tissue_patches)) {
+    if (tissue_patches_.empty()) tissue_patches_.assign(static_cast<std::size_t>(skin.vertices()), -1);
+    for (const auto& ring : skin.cage().templates) {
+        double largest = 0;
+        for (const Vector3& vertex : ring) largest = std::max(largest, vertex.norm());
+        ring_radius_.push_back(largest);
+    }
+}
+
+PatchBuilder::Scratch PatchBuilder::make_scratch() const {
+    Scratch scratch;
+    const auto vertices = static_cast<std::size_t>(skin_.vertices());
+    scratch.local.assign(vertices, -1);
+    scratch.found.reserve(vertices);
+    scratch.distance.reserve(vertices);
+    scratch.positions.reserve(vertices);
+    scratch.order.reserve(vertices);
+    scratch.triangle_local.assign(skin_.rest().triangles.size(), -1);
+    return scratch;
+}
+
+void PatchBuilder::build(const RingMotion* rings, const PatchRequest& request, Scratch& scratch,
+                         LocalModel& model) const {
+    SurfacePatch& patch = model.patch;
+    clear(patch);
+    model.mode = LocalMode::none;
+    const int ring_total = skin_.rings();
+    if (!request.tool.inside || ring_total < skin_rings) return;
+
+    // Nearest ring: where the tool holds on, or where the shaft comes nearest to the tube.
+    const bool holds = request.contact_vertex >= 0 && request.contact_vertex < skin_.vertices();
+    int nearest = 0;
+    double nearest_distance = 1e30;
+    if (holds) {
+        nearest = skin_.rows()[index(request.contact_vertex)].first_ring + 1;
+    } else {
+        for (int r = 0; r < ring_total; ++r) {
+            const double distance =
+                std::sqrt(to_shaft(request.tool, rings[r].frame.position).distance2) - ring_radius_[index(r)];
+            if (distance < nearest_distance) {
+                nearest_distance = distance;
+                nearest = r;
+            }
+        }
+        if (!(nearest_distance < options_.reach)) return;
+    }
+
+    // Rings: a window around it; vertices: those whose four rings lie in the window.
+    const int window = std::min(ring_total, patch_ring_capacity);
+    patch.first_ring = std::clamp(nearest - window / 2, 0, ring_total - window);
+    patch.ring_count = window;
+    for (int r = 0; r < window; ++r) patch.rings[index(r)] = rings[patch.first_ring + r];
+    const int last_row = patch.first_ring + window - skin_rings;
+    const int from = std::clamp(nearest - 1 - search_intervals, patch.first_ring, last_row);
+    const int to = std::clamp(nearest - 1 + search_intervals, patch.first_ring, last_row);
+
+    struct Frames {
+        const RingMotion* rings;
+        const RingFrame& operator[](std::size_t r) const { return rings[r].frame; }
+    };
+    const Frames frames{rings};
+    const auto& offsets = skin_.by_ring_offsets();
+    const auto& by_ring = skin_.by_ring();
+    const std::int32_t candidates = offsets[index(to + 1)] - offsets[index(from)];
+    scratch.found.resize(index(candidates));
+    scratch.positions.resize(index(candidates));
+    scratch.distance.resize(index(candidates));
+    scratch.order.resize(index(candidates));
+    Vector3 centre = Vector3::Zero();
+    double best2 = 1e30;
+    for (std::int32_t k = 0; k < candidates; ++k) {
+        const std::int32_t vertex = by_ring[index(offsets[index(from)] + k)];
+        scratch.found[index(k)] = vertex;
+        const Vector3 position = skin_vertex(skin_.rows()[index(vertex)], frames);
+        scratch.positions[index(k)] = position;
+        if (holds) {
+            if (vertex == request.contact_vertex) centre = position;
+            continue;
+        }
+        const double distance2 = to_shaft(request.tool, position).distance2;
+        if (distance2 < best2) {
+            best2 = distance2;
+            centre = position;
+        }
+    }
+
+    // The nearest of them, by rising number.
+    std::int32_t within = 0;
+    const double radius2 = options_.radius * options_.radius;
+    for (std::int32_t k = 0; k < candidates; ++k) {
+        const double distance2 = (scratch.positions[index(k)] - centre).squaredNorm();
+        scratch.distance[index(k)] = distance2;
+        if (distance2 <= radius2) scratch.order[index(within++)] = k;
+    }
+    if (within > patch_vertex_capacity) {
+        patch.overflow = true;
+        std::nth_element(scratch.order.begin(), scratch.order.begin() + patch_vertex_capacity,
+                         scratch.order.begin() + within, [&](std::int32_t a, std::int32_t b) {
+                             const double da = scratch.distance[index(a)], db = scratch.distance[index(b)];
+                             return da < db ||
+                                    (da <= db && scratch.found[index(a)] < scratch.found[index(b)]);
+                         });
+        within = patch_vertex_capacity;
+    }
+    std::sort(scratch.order.begin(), scratch.order.begin() + within, [&](std::int32_t a, std::int32_t b) {
+        return scratch.found[index(a)] < scratch.found[index(b)];
+    });
+    for (std::int32_t v = 0; v < within; ++v) {
+        const std::int32_t id = scratch.found[index(scratch.order[index(v)])];
+        scratch.local[index(id)] = v;
+        patch.vertex_id[index(v)] = id;
+        patch.rows[index(v)] = skin_.rows()[index(id)];
+        patch.rows[index(v)].first_ring -= patch.first_ring;
+        patch.vertex_area[index(v)] = skin_.vertex_areas()[index(id)];
+        patch.tissue_patch[index(v)] = tissue_patches_[index(id)];
+    }
+    patch.vertex_count = within;
+    connect(scratch, patch);
+
+    // Seed: a whole triangle at the vertex nearest to the shaft.
+    best2 = 1e30;
+    std::int32_t seed = -1;
+    for (std::int32_t v = 0; v < within; ++v) {
+        if (patch.border[index(v)] != 0) continue;
+        const ShaftDistance found = to_shaft(request.tool, scratch.positions[index(scratch.order[index(v)])]);
+        if (found.distance2 >= best2) continue;
+        best2 = found.distance2;
+        seed = v;
+        patch.seed_shaft = found.fraction;
+    }
+    for (std::int32_t v = 0; v < within; ++v) scratch.local[index(patch.vertex_id[index(v)])] = -1;
+    patch.contact = options_.contact;
+    patch.curvature_radius = ring_radius_[index(std::clamp(nearest, 0, ring_total - 1))];
+    if (seed < 0) {
+        clear(patch);
+        return;
+    }
+    patch.seed_triangle = patch.vertex_triangles[index(patch.vertex_triangle_offsets[index(seed)])];
+    patch.seed_distance = std::sqrt(best2);
+    model.mode = LocalMode::surface;
+}
+
+// Triangles whose three vertices are in the patch, and their adjacency in patch numbers.
+void PatchBuilder::connect(Scratch& scratch, SurfacePatch& patch) const {
+    const MeshAdjacency& adjacency = skin_.adjacency();
+    const auto& triangles = skin_.rest().triangles;
+    std::int32_t count = 0;
+    for (std::int32_t v = 0; v < patch.vertex_count; ++v) {
+        const std::int32_t id = patch.vertex_id[index(v)];
+        for (const std::int32_t t : adjacency.triangles_of(id)) {
+            const Triangle& corner = triangles[index(t)];
+            // Once: at its lowest vertex.
+            if (id != std::min({corner[0], corner[1], corner[2]})) continue;
+            if (scratch.local[index(corner[0])] < 0 || scratch.local[index(corner[1])] < 0 ||
+                scratch.local[index(corner[2])] < 0) {
+                continue;
+            }
+            if (count == patch_triangle_capacity) {
+                patch.overflow = true;
+                continue;
+            }
+            patch.triangle_id[index(count++)] = t;
+        }
+    }
+    std::sort(patch.triangle_id.begin(), patch.triangle_id.begin() + count);
+    patch.triangle_count = count;
+    for (std::int32_t t = 0; t < count; ++t) scratch.triangle_local[index(patch.triangle_id[index(t)])] = t;
+    for (std::int32_t t = 0; t < count; ++t) {
+        const std::int32_t id = patch.triangle_id[index(t)];
+        for (std::size_t k = 0; k < 3; ++k) {
+            patch.triangles[index(t)][k] = scratch.local[index(triangles[index(id)][k])];
+            const std::int32_t other = adjacency.triangle_neighbours[3 * index(id) + k];
+            patch.triangle_neighbours[3 * index(t) + k] =
+                other < 0 ? -1 : scratch.triangle_local[index(other)];
+        }
+    }
+    std::int32_t around = 0, neighbours = 0;
+    for (std::int32_t v = 0; v < patch.vertex_count; ++v) {
+        const std::int32_t id = patch.vertex_id[index(v)];
+        patch.vertex_triangle_offsets[index(v)] = around;
+        patch.vertex_neighbour_offsets[index(v)] = neighbours;
+        patch.border[index(v)] = 0;
+        for (const std::int32_t t : adjacency.triangles_of(id)) {
+            if (scratch.triangle_local[index(t)] < 0) {
+                patch.border[index(v)] = 1;
+            } else {
+                patch.vertex_triangles[index(around++)] = scratch.triangle_local[index(t)];
+            }
+        }
+        for (const std::int32_t other : adjacency.neighbours_of(id)) {
+            if (scratch.local[index(other)] < 0) continue;
+            if (neighbours == patch_neighbour_capacity) {
+                patch.overflow = true;
+                break;
+            }
+            patch.vertex_neighbours[index(neighbours++)] = scratch.local[index(other)];
+        }
+    }
+    patch.vertex_triangle_offsets[index(patch.vertex_count)] = around;
+    patch.vertex_neighbour_offsets[index(patch.vertex_count)] = neighbours;
+    for (std::int32_t t = 0; t < count; ++t) scratch.triangle_local[index(patch.triangle_id[index(t)])] = -1;
+}
+
+std::vector<std::int16_t> divide_into_patches(const BowelSkin& skin, int rings_per_patch, int sectors) {
+    constexpr double two_pi = 6.283185307179586;
+    std::vector<std::int16_t> patches;
+    patches.reserve(static_cast<std::size_t>(skin.vertices()));
+    for (const Vector3& vertex : skin.rest().vertices) {
+        // The rest pose lies along +x with d1 = +y, d2 = +z.
+        const auto& arcs = skin.cage().arc_lengths;
+        const auto next = std::upper_bound(arcs.begin(), arcs.end(), vertex.x());
+        const auto ring = std::clamp<std::ptrdiff_t>(next - arcs.begin() - 1, 0, skin.rings() - 1);
+        double turn = math::atan2(vertex.z(), vertex.y()) / two_pi;
+        if (turn < 0) turn += 1;
+        const int sector = std::min(sectors - 1, static_cast<int>(turn * sectors));
+        patches.push_back(
+            static_cast<std::int16_t>(static_cast<int>(ring) / rings_per_patch * sectors + sector));
+    }
+    return patches;
+}
+
+int patch_count(const BowelSkin& skin, int rings_per_patch, int sectors) {
+    return ((skin.rings() - 1) / rings_per_patch + 1) * sectors;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_core/contact/rigid_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim_core/contact/contact_response.h"
+#include "sim_core/contact/patch_surface.h"
+#include "sim_core/contact/surface_walk.h"
+#include "sim_core/geometry/closest_point.h"
+#include "sim_core/rigid/targets.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr double wall_shaft =
+    0.040;  // m of the shaft behind the tip that feel the wall; the rest is in the trocar
+constexpr double wall_search = 0.020;     // m around the tip that a lost contact is searched in
+constexpr double wall_curvature = 0.030;  // m
+
+// Share of K and B that two instruments' shafts give each other; steel, softened to what the hand's loop can
+// carry.
+constexpr double shaft_stiffness = 800, shaft_damping = 0.4, shaft_friction = 0.1;
+
+}  // namespace
+
+void touch_targets(const ToolContactModel& model, const LocalModel& local, const ToolKinematics& tool,
+                   ToolContactResult& result) {
+    double nearest = 1e9;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(local.target_count); ++i) {
+        const TargetModel& target = local.targets[i];
+        const SphereDepthResult found =
+            sphere_depth(tool.tip, model.instrument.tip_radius, target.centre, target.radius);
+        if (-found.depth < nearest) {
+            nearest = -found.depth;
+            result.target = target.id;
+        }
+        if (!(found.depth > 0)) continue;
+        result.touching_target = true;
+        if (!target.solid) continue;
+        ContactResponse response;
+        response.stiffness = target.stiffness;
+        response.damping = target.damping;
+        response.friction = 0.2;
+        response.onset_depth = model.onset_depth;
+        result.target_force += response.force_on_tissue(found.depth, found.normal, tool.tip_velocity);
+        result.stiffness += target.stiffness * found.normal * found.normal.transpose();
+        result.damping = std::max(result.damping, target.damping);
+    }
+    result.target_distance = nearest;
+    if (!result.touching_target) result.target = -1;
+}
+
+void touch_wall(const ToolContactModel& model, const LocalModel& local, const ToolKinematics& tool,
+                ToolContactState& state, ToolContactResult& result) {
+    if (model.cavity == nullptr) return;
+    const auto count = static_cast<std::int32_t>(model.cavity->triangles().size());
+    WallSurface surface(*model.cavity);
+    WalkOptions options;
+    options.curvature_radius = wall_curvature;
+    const Vector3 behind = tool.tip - std::min(wall_shaft, tool.insertion) * tool.axis;
+    WalkPoint walk;
+    walk.at_border = true;
+    const auto walk_from = [&](std::int32_t triangle, const Vector3& barycentric) {
+        WalkPoint found;
+        found.at_border = true;
+        if (triangle < 0 || triangle >= count) return found;
+        found.triangle = triangle;
+        found.barycentric = barycentric;
+        walk_surface(surface, behind, tool.tip, options, found);
+        return found;
+    };
+    if (state.wall_triangle >= 0) walk = walk_from(state.wall_triangle, state.wall_barycentric);
+    if (walk.at_border || !state.touching_wall) {
+        const WalkPoint seeded = walk_from(local.cavity_seed, Vector3::Constant(1.0 / 3));
+        if (walk.at_border || (!seeded.at_border && seeded.distance < walk.distance)) walk = seeded;
+    }
+    if (walk.at_border && state.touching_wall) {
+        walk = walk_from(model.cavity->closest(tool.tip, wall_search).triangle, Vector3::Constant(1.0 / 3));
+    }
+    state.touching_wall = false;
+    if (walk.at_border) {
+        state.wall_triangle = -1;
+        return;
+    }
+    state.wall_triangle = walk.triangle;
+    state.wall_barycentric = walk.barycentric;
+    const double depth = model.instrument.tip_radius - walk.distance;
+    if (!(depth > 0)) return;
+    state.touching_wall = true;
+    ContactResponse response;
+    response.stiffness = model.wall.most_stiffness;
+    response.damping = model.wall.damping;
+    response.friction = model.wall.friction;
+    response.onset_depth = model.onset_depth;
+    result.wall_force = response.force_on_tissue(depth, walk.normal, tool.tip_velocity);
+    result.touching_wall = true;
+    result.stiffness += model.wall.most_stiffness * walk.normal * walk.normal.transpose();
+    result.damping = std::max(result.damping, model.wall.damping);
+}
+
+void seed_wall(const CavityModel* cavity, const ToolKinematics& tool, double reach, LocalModel& model) {
+    model.cavity_seed = cavity != nullptr && tool.inside ? cavity->closest(tool.tip, reach).triangle : -1;
+}
+
+double collide_tools(const ToolContactModel& left, const ToolKinematics& left_tool,
+                     const ToolContactModel& right, const ToolKinematics& right_tool,
+                     ToolContactResult& left_result, ToolContactResult& right_result) {
+    if (!left_tool.inside || !right_tool.inside) return -1.0;
+    const SegmentPair pair =
+        closest_points_of_segments(left_tool.trocar, left_tool.tip, right_tool.trocar, right_tool.tip);
+    const Vector3 between = pair.on_first - pair.on_second;
+    const double distance = between.norm();
+    const double depth = left.instrument.shaft_radius + right.instrument.shaft_radius - distance;
+    if (!(depth > 0)) return std::isfinite(depth) ? depth : -1.0;
+    Vector3 normal = Vector3::UnitZ();  // out of the right tool
+    if (distance > 1e-9) {
+        normal = between / distance;
+    } else {
+        const Vector3 across = left_tool.axis.cross(right_tool.axis);
+        if (across.norm() > 1e-9) normal = across.normalized();
+    }
+    ContactResponse response;
+    response.stiffness = shaft_stiffness;
+    response.damping = shaft_damping;
+    response.friction = shaft_friction;
+    const Vector3 velocity = left_tool.shaft_velocity(pair.s) - right_tool.shaft_velocity(pair.t);
+    const Vector3 force = response.force_on_tissue(depth, normal, velocity);
+    if (!force.allFinite()) return depth;
+    const Matrix3 stiffness = shaft_stiffness * normal * normal.transpose();
+    left_result.tool_force = force;
+    right_result.tool_force = -force;
+    for (ToolContactResult* result : {&left_result, &right_result}) {
+        result->force += result->tool_force;
+        result->touching_tool = true;
+        result->stiffness += stiffness;
+        result->damping = std::max(result->damping, shaft_damping);
+    }
+    return depth;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_core/contact/tool_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim_core/bowel/dent.h"
+#include "sim_core/contact/contact_response.h"
+#include "sim_core/contact/jaws.h"
+#include "sim_core/contact/patch_surface.h"
+#include "sim_core/contact/rigid_contact.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr double longest_carry = 0.020;  // s: rings are moved on by their velocity no longer than this
+constexpr double tip_blend = 0.005;      // m over which the proxy's radius goes from the tip's to the shaft's
+
+WalkPoint start_at_seed(const SurfacePatch& patch) {
+    WalkPoint walk;
+    walk.triangle = patch.seed_triangle;
+    walk.shaft = patch.seed_shaft;
+    return walk;
+}
+
+bool touches_border(const SurfacePatch& patch, std::int32_t triangle) {
+    for (const std::int32_t vertex : patch.triangles[static_cast<std::size_t>(triangle)]) {
+        if (patch.border[static_cast<std::size_t>(vertex)] != 0) return true;
+    }
+    return false;
+}
+
+void walk_patch(PatchSurface& surface, const SurfacePatch& patch, const ToolKinematics& tool,
+                const WalkOptions& options, WalkPoint& walk) {
+    walk_surface(surface, tool.trocar, tool.tip, options, walk);
+    // Normals of border vertices know only some of their triangles.
+    if (touches_border(patch, walk.triangle)) walk.at_border = true;
+}
+
+// Full search of the patch: the vertex nearest to the shaft, then the walk from a triangle at it.
+WalkPoint search_patch(PatchSurface& surface, const SurfacePatch& patch, const ToolKinematics& tool,
+                       const WalkOptions& options) {
+    const Vector3 shaft = tool.tip - tool.trocar;
+    const double length2 = shaft.squaredNorm();
+    double best2 = 1e30;
+    WalkPoint walk = start_at_seed(patch);
+    for (std::int32_t v = 0; v < patch.vertex_count; ++v) {
+        if (patch.border[static_cast<std::size_t>(v)] != 0) continue;
+        const Vector3 from_trocar = surface.position(v) - tool.trocar;
+        const double s = length2 > 0 ? std::clamp(from_trocar.dot(shaft) / length2, 0.0, 1.0) : 1.0;
+        const double distance2 = (from_trocar - s * shaft).squaredNorm();
+        if (distance2 >= best2) continue;
+        best2 = distance2;
+        walk.triangle = patch.vertex_triangles[static_cast<std::size_t>(
+            patch.vertex_triangle_offsets[static_cast<std::size_t>(v)])];
+        walk.shaft = s;
+    }
+    walk_patch(surface, patch, tool, options, walk);
+    return walk;
+}
+
+// The dynamic point of this tick; at_border where there is none.
+WalkPoint find_point(const ToolContactModel& model, const LocalModel& local, const ToolKinematics& tool,
+                     PatchSurface& surface, const ToolContactState& state, ToolContactResult& result) {
+    const SurfacePatch& patch = local.patch;
+    WalkOptions options;
+    options.curvature_radius = patch.curvature_radius;
+    if (model.search_always) {
+        result.searched = true;
+        return search_patch(surface, patch, tool, options);
+    }
+    WalkPoint walk;
+    walk.at_border = true;
+    const std::int32_t known =
+        state.topology_version == local.topology_version ? patch.find_triangle(state.triangle_id) : -1;
+    if (known >= 0) {
+        walk.triangle = known;
+        walk.barycentric = state.barycentric;
+        walk.shaft = state.shaft;
+        walk_patch(surface, patch, tool, options, walk);
+    }
+    // Without contact a new model's seed may know of a nearer place; a lost point starts from it in any case.
+    const bool new_seed = !state.touching && state.model_step != local.step;
+    if (walk.at_border || new_seed || (!state.touching && walk.distance > model.start_reach)) {
+        WalkPoint seeded = start_at_seed(patch);
+        walk_patch(surface, patch, tool, options, seeded);
+        if (walk.at_border || (!seeded.at_border && seeded.distance < walk.distance)) walk = seeded;
+    }
+    // The seed has grown old or stands at the border: look at every vertex, once.
+    if (walk.at_border && (state.touching || known >= 0)) {
+        result.searched = true;
+        walk = search_patch(surface, patch, tool, options);
+    }
+    return walk;
+}
+
+void filter_at(const ToolContactModel& model, const SurfacePatch& patch, const ToolKinematics& tool,
+               PatchSurface& surface, std::int32_t vertex, const Vector3& normal, ToolContactResult& result) {
+    TipBox box;
+    box.edges = model.instrument.tip_box;
+    box.axes.col(0) = tool.rotation.col(2);
+    box.axes.col(1) = tool.rotation.col(0);
+    box.axes.col(2) = tool.rotation.col(1);
+    result.area = contact_area(box, normal);
+    surface.skin_neighbourhood(vertex);
+    filter_force(surface.view(), vertex, result.area, model.filter, result.filtered);
+    result.grade = result.filtered.grade;
+    result.vertex = patch.vertex_id[static_cast<std::size_t>(vertex)];
+    result.tissue_patch = patch.tissue_patch[static_cast<std::size_t>(vertex)];
+}
+
+// From patch numbers to the surface's.
+void number_by_surface(const SurfacePatch& patch, FilteredForce& filtered) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(filtered.count); ++i) {
+        filtered.vertex[i] = patch.vertex_id[static_cast<std::size_t>(filtered.vertex[i])];
+    }
+}
+
+void touch_surface(const ToolContactModel& model, const LocalModel& local, const ToolKinematics& tool,
+                   PatchSurface& surface, ToolContactState& state, ToolContactResult& result) {
+    const SurfacePatch& patch = local.patch;
+    const WalkPoint walk = find_point(model, local, tool, surface, state, result);
+    state.model_step = local.step;
+    state.topology_version = local.topology_version;
+    if (walk.at_border) {
+        result.lost = state.touching;
+        state.triangle_id = -1;
+        state.touching = false;
+        state.stiffness = 0;
+        return;
+    }
+    state.triangle_id = patch.triangle_id[static_cast<std::size_t>(walk.triangle)];
+    state.barycentric = walk.barycentric;
+    state.shaft = walk.shaft;
+    const InstrumentModel& instrument = model.instrument;
+    const double from_tip = (1.0 - walk.shaft) * (tool.tip - tool.trocar).norm();
+    const double radius = instrument.tip_radius + (instrument.shaft_radius - instrument.tip_radius) *
+                                                      std::min(1.0, from_tip / tip_blend);
+    const double depth = radius - walk.distance;
+    result.point = walk.position;
+    result.normal = walk.normal;
+    result.distance = -depth;
+    result.shaft = walk.shaft;
+    result.triangle = state.triangle_id;
+    if (!(depth > 0)) {
+        state.touching = false;
+        state.stiffness = 0;
+        return;
+    }
+
+    const Triangle& corner = surface.corner(walk.triangle);
+    int largest = 0;
+    walk.barycentric.maxCoeff(&largest);
+    filter_at(model, patch, tool, surface, corner[static_cast<std::size_t>(largest)], walk.normal, result);
+    WinklerBed bed;
+    bed.stiffness_per_area = patch.contact.stiffness_per_area;
+    const double footprint = std::clamp(contact_stiffness(bed, patch.vertex_area.data(), result.filtered),
+                                        patch.contact.least_stiffness, patch.contact.most_stiffness);
+    number_by_surface(patch, result.filtered);
+    // K follows its footprint with a delay, so that a step to another vertex is no step of the force.
+    const double period = instrument.tick_period;
+    state.stiffness = state.touching ? state.stiffness + (footprint - state.stiffness) * period /
+                                                             (model.stiffness_time + period)
+                                     : footprint;
+    state.touching = true;
+
+    Vector3 tissue_velocity = Vector3::Zero();
+    for (int k = 0; k < 3; ++k)
+        tissue_velocity += walk.barycentric[k] * surface.velocity(corner[static_cast<std::size_t>(k)]);
+    const double sliding = tool.tip_velocity.dot(tool.axis);
+    const Vector3 across = tool.tip_velocity - sliding * tool.axis;
+    const Vector3 tool_velocity = sliding * tool.axis + walk.shaft * across;
+    ContactResponse response;
+    response.stiffness = state.stiffness;
+    response.damping = patch.contact.damping;
+    response.friction = patch.contact.friction;
+    response.onset_depth = model.onset_depth;
+    result.surface_force = response.force_on_tissue(depth, walk.normal, tool_velocity - tissue_velocity);
+    result.touching_surface = true;
+    result.stiffness += state.stiffness * walk.normal * walk.normal.transpose();
+    result.damping = std::max(result.damping, patch.contact.damping);
+}
+
+void hold_tissue(const ToolContactModel& model, const LocalModel& local, const ToolKinematics& tool,
+                 double seconds, PatchSurface& surface, ToolContactState& state, ToolContactResult& result) {
+    const GraspModel& grasp = local.grasp;
+    const Vector3 hold = tool.tip + tool.rotation * grasp.hold_offset;
+    const Vector3 held = grasp.point + seconds * grasp.velocity;
+    const Vector3 velocity =
+        tool.tip_velocity + tool.angular_velocity.cross(tool.rotation * grasp.hold_offset);
+    Vector3 force =
+        grasp.reaction + grasp.stiffness * (hold - held) + grasp.damping * (velocity - grasp.velocity);
+    const Vector3 closing = tool.rotation.col(1);
+    result.slip_ratio = slip_ratio(force, closing, tool.grip, grasp.friction);
+    if (result.slip_ratio > 1) {
+        // The faces hold no more than the cone: the rest slides through.
+        const Vector3 pressed = force.dot(closing) * closing;
+        force = pressed + (force - pressed) / result.slip_ratio;
+        result.slipping = true;
+    }
+    result.grasp_force = force;
+    result.grasping = true;
+    result.jaw_area = grasp.area;
+    result.point = hold;
+    result.tissue_patch = grasp.tissue_patch;
+    result.stiffness += grasp.stiffness;
+    result.damping = std::max(result.damping, grasp.damping);
+    state.touching = false;
+    state.triangle_id = -1;
+    state.stiffness = 0;
+    const std::int32_t vertex = local.patch.triangle_count > 0 ? local.patch.find_vertex(grasp.vertex) : -1;
+    if (vertex < 0) return;
+    result.normal = surface.normal(vertex);
+    filter_at(model, local.patch, tool, surface, vertex, result.normal, result);
+    number_by_surface(local.patch, result.filtered);
+    if (grasp.tissue_patch >= 0) result.tissue_patch = grasp.tissue_patch;
+}
+
+// The tissue of the largest force.
+void name_tissue(const ToolContactModel& model, const LocalModel& local, ToolContactResult& result) {
+    double largest = 0;
+    const auto take = [&](const Vector3& force, std::int16_t tissue) {
+        const double size = force.norm();
+        if (size <= largest) return;
+        largest = size;
+        result.tissue = tissue;
+    };
+    take(result.surface_force, local.patch.contact.tissue);
+    take(result.grasp_force, local.grasp.tissue);
+    take(result.wall_force, model.wall.tissue);
+    if (result.target_force.squaredNorm() > largest * largest) {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(local.target_count); ++i) {
+            if (local.targets[i].id == result.target) take(result.target_force, local.targets[i].tissue);
+        }
+    }
+}
+
+}  // namespace
+
+void step_tool_contact(const ToolContactModel& model, const LocalModel& local, const ToolKinematics& tool,
+                       std::uint32_t tick, ToolContactState& state, ToolContactScratch& scratch,
+                       ToolContactResult& result) {
+    result = ToolContactResult{};
+    result.model_step = local.step;
+    result.age = tick > local.tick ? tick - local.tick : 0;
+    const double seconds = std::min(result.age * model.instrument.tick_period, longest_carry);
+    if (!tool.inside || !tool.tip.allFinite() || !tool.tip_velocity.allFinite() ||
+        !tool.rotation.allFinite()) {
+        state = ToolContactState{};
+        return;
+    }
+    const bool has_patch = local.patch.triangle_count > 0 && local.patch.seed_triangle >= 0;
+    if (has_patch || local.mode == LocalMode::grasp) {
+        PatchSurface surface(local.patch, seconds, scratch);
+        if (local.mode == LocalMode::grasp) {
+            hold_tissue(model, local, tool, seconds, surface, state, result);
+        } else if (local.mode == LocalMode::surface) {
+            touch_surface(model, local, tool, surface, state, result);
+        }
+    }
+    if (local.mode == LocalMode::none || !(has_patch || local.mode == LocalMode::grasp)) {
+        state.touching = false;
+        state.triangle_id = -1;
+        state.stiffness = 0;
+    }
+    touch_targets(model, local, tool, result);
+    touch_wall(model, local, tool, state, result);
+    result.force = result.surface_force + result.grasp_force + result.target_force + result.wall_force;
+    if (!result.force.allFinite() || !result.stiffness.allFinite()) {
+        result = ToolContactResult{};
+        result.model_step = local.step;
+        result.lost = true;
+        state = ToolContactState{};
+        return;
+    }
+    name_tissue(model, local, result);
+}
+
+Vector3 predict_force(const ToolContactResult& last, const Vector3& motion) {
+    const Vector3 force = last.force + last.stiffness * motion;
+    // A contact that the motion opens gives nothing; it does not pull.
+    if (!last.grasping && force.dot(last.force) < 0) return Vector3::Zero();
+    return force;
+}
+
+Vector3 relax_contact_force(const Vector3& previous, const Vector3& from_tick, double contact_stiffness,
+                            double tissue_stiffness) {
+    const double ratio = tissue_stiffness > 0 ? std::max(0.0, contact_stiffness) / tissue_stiffness : 0.0;
+    return previous + (from_tick - previous) / (1.0 + ratio);
+}
+
+}  // namespace fulcrum
