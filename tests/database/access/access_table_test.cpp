@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The access table cell by cell: the pure rule, then every store call in every role on every kind of person.
+#include <functional>
+#include <optional>
+
+#include "database/connection.h"
+#include "tests/database/programme_fixture.h"
+
+namespace fulcrum::database::test {
+namespace {
+
+struct Expected {
+    Operation operation;
+    const char* scopes;  ///< trainee educator director administrator station: o own, c cohort, p programme, s
+                         ///< synthetic, - none
+};
+
+// Written from platform.md, not from the code.
+const Expected expected_table[] = {
+    {Operation::read_sign_in_list, "ppppp"},
+    {Operation::list_people, "ocpps"},
+    {Operation::manage_people, "---p-"},
+    {Operation::manage_roles, "---p-"},
+    {Operation::issue_one_time_password, "---p-"},
+    {Operation::change_password, "oooo-"},
+    {Operation::create_synthetic, "----s"},
+    {Operation::list_cohorts, "ocp--"},
+    {Operation::manage_cohorts, "--p--"},
+    {Operation::perform_attempt, "o---s"},
+    {Operation::read_attempt, "ocp-s"},
+    {Operation::read_trace, "ocp-s"},
+    {Operation::read_progress, "ocp-s"},
+    {Operation::read_cohort_table, "-cp--"},
+    {Operation::score_interrupted, "oc--s"},
+    {Operation::recompute_score, "-c--s"},
+    {Operation::comment, "-c---"},
+    {Operation::read_comment, "ocp--"},
+    {Operation::mark_comment_read, "o----"},
+    {Operation::void_attempt, "-c---"},
+    {Operation::reassign_attempt, "-c---"},
+    {Operation::request_correction, "o----"},
+    {Operation::read_requests, "ocp--"},
+    {Operation::export_person, "o-p-s"},
+    {Operation::export_cohort, "--p--"},
+    {Operation::view_audit, "---p-"},
+    {Operation::check_store, "---pp"},
+    {Operation::backup, "---p-"},
+    {Operation::manage_settings, "---p-"},
+};
+
+Scope scope_of_letter(char letter) {
+    switch (letter) {
+        case 'o':
+            return Scope::own;
+        case 'c':
+            return Scope::cohort;
+        case 'p':
+            return Scope::programme;
+        case 's':
+            return Scope::synthetic;
+        default:
+            return Scope::none;
+    }
+}
+
+Scope expected_scope(Operation operation, Role role) {
+    for (const Expected& row : expected_table) {
+        if (row.operation == operation) return scope_of_letter(row.scopes[static_cast<int>(role)]);
+    }
+    ADD_FAILURE() << "no row for " << operation_name(operation);
+    return Scope::none;
+}
+
+bool covers(Scope scope, const Relation& relation) {
+    return scope == Scope::programme || (scope == Scope::own && relation.own) ||
+           (scope == Scope::cohort && relation.in_cohort) ||
+           (scope == Scope::synthetic && relation.synthetic);
+}
+
+TEST(AccessTable, EveryOperationOnceAndEveryCellAsWritten) {
+    ASSERT_EQ(std::size(expected_table), static_cast<std::size_t>(operation_count));
+    for (int i = 0; i < operation_count; ++i) {
+        const auto operation = static_cast<Operation>(i);
+        for (const Role role : all_roles) {
+            EXPECT_EQ(scope_of(role, operation), expected_scope(operation, role))
+                << operation_name(operation) << " " << role_name(role);
+            for (int bits = 0; bits < 8; ++bits) {
+                const Relation relation{(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0};
+                const bool own_forbidden = relation.own && (operation == Operation::void_attempt ||
+                                                            operation == Operation::reassign_attempt);
+                EXPECT_EQ(permits(role, operation, relation),
+                          !own_forbidden && covers(expected_scope(operation, role), relation))
+                    << operation_name(operation) << " " << role_name(role) << " " << bits;
+            }
+        }
+    }
+}
+
+TEST(AccessTable, AdministratorsSeeNoScoresTracesOrReviews) {
+    for (const Operation operation :
+         {Operation::read_attempt, Operation::read_trace, Operation::read_progress,
+          Operation::read_cohort_table, Operation::read_comment, Operation::read_requests,
+          Operation::export_person, Operation::export_cohort, Operation::perform_attempt}) {
+        EXPECT_EQ(scope_of(Role::administrator, operation), Scope::none) << operation_name(operation);
+    }
+}
+
+/// One person, one finished attempt with a sent and an unsent comment, one interrupted attempt, one cohort.
+struct Target {
+    std::string name, person, attempt, interrupted, comment, cohort;
+    Relation relation_to(const Session& session, const Programme& programme) const {
+        Relation relation;
+        relation.own = person == session.person_id();
+        relation.in_cohort = session.login() == "educator" && (name == "ann" || name == "teacher");
+        relation.synthetic = name == "robot";
+        static_cast<void>(programme);
+        return relation;
+    }
+};
+
+class EveryCell : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        const Session& director = programme.session("director");
+        // An educator who trains as well and is a member of the cohort they teach: the case in which "never
+        // one's own" matters.
+        programme.people().set_roles(programme.session("administrator"), programme.id("educator"),
+                                     {Role::trainee, Role::educator});
+        programme.people().set_members(director, programme.cohort,
+                                       {programme.id("ann"), programme.id("ben"), programme.id("educator")});
+        other_cohort = programme.people().create_cohort(director, "Elsewhere");
+        programme.people().set_members(director, other_cohort, {programme.id("eve")});
+        programme.people().set_educators(director, other_cohort, {programme.id("other_educator")});
+        const Session teacher_as_trainee =
+            programme.people().act_as(programme.session("educator"), Role::trainee);
+        const Person robot =
+            programme.people().ensure_synthetic(programme.session("station"), "robot", "Robot");
+
+        targets.push_back(
+            make_target("ann", programme.session("ann"), programme.id("ann"), programme.cohort, "educator"));
+        targets.push_back(make_target("eve", programme.session("eve"), programme.id("eve"), other_cohort,
+                                      "other_educator"));
+        targets.push_back(make_target("teacher", teacher_as_trainee, programme.id("educator"),
+                                      programme.cohort, "educator"));
+        targets.push_back(make_target("robot", programme.session("station"), robot.id, "", ""));
+        programme.open();
+        ASSERT_EQ(programme.store->interrupted_at_open().size(), targets.size());
+    }
+
+    Target make_target(const std::string& name, const Session& performer, const std::string& person,
+                       const std::string& cohort, const std::string& author) {
+        Target target;
+        target.name = name;
+        target.person = person;
+        target.cohort = cohort;
+        AttemptMeta meta = example_meta(person);
+        if (name == "robot") meta.device_class = "synthetic";
+        {
+            Recorder recorder(programme.path, performer, meta, programme.clock.options());
+            Programme::append_second(recorder);
+            recorder.finish(example_result(true, 60));
+            target.attempt = recorder.attempt_id();
+        }
+        {
+            Recorder recorder(programme.path, performer, meta, programme.clock.options());
+            Programme::append_second(recorder);
+            target.interrupted = recorder.attempt_id();
+        }
+        if (!author.empty()) {
+            target.comment = Reviews(*programme.store)
+                                 .write(programme.session(author), target.attempt, 1.0, "Look here.", true);
+        }
+        return target;
+    }
+
+    /// The store's call for an operation on a target; nothing where the operation has no such target.
+    std::function<void()> call(Operation operation, const Session& session, const Target& target) {
+        const Store& store = *programme.store;
+        const People people(store);
+        const Attempts attempts(store);
+        const Reviews reviews(store);
+        const Reports reports(store);
+        using F = std::function<void()>;
+        switch (operation) {
+            case Operation::read_sign_in_list:
+                return [=] { people.recent_sign_ins(session); };
+            case Operation::list_people:
+                return [=] { people.find(session, target.person); };
+            case Operation::manage_people:
+                return [=] { people.rename(session, target.person, "Renamed"); };
+            case Operation::manage_roles:
+                return target.name == "robot" ? F() : [=] {
+                    people.set_roles(session, target.person, {Role::trainee});
+                };
+            case Operation::issue_one_time_password:
+                return target.name == "robot" ? F() : [=] {
+                    people.issue_one_time_password(session, target.person);
+                };
+            case Operation::change_password:
+                return target.person != session.person_id() ? F() : [=] {
+                    people.change_password(session, password, "another horse battery");
+                };
+            case Operation::create_synthetic:
+                return target.name != "robot" ? F() : [=] {
+                    people.ensure_synthetic(session, "robot-2", "Robot 2");
+                };
+            case Operation::list_cohorts:
+                return target.cohort.empty() ? F() : [=] {
+                    if (!people.find_cohort(session, target.cohort))
+                        throw AccessDenied("list_cohorts", "", "not listed");
+                };
+            case Operation::manage_cohorts:
+                return target.cohort.empty() ? F() : [=] {
+                    people.rename_cohort(session, target.cohort, "Renamed");
+                };
+            case Operation::perform_attempt:
+                return [=] {
+                    AttemptMeta meta = example_meta(target.person);
+                    if (target.name == "robot") meta.device_class = "synthetic";
+                    const Recorder recorder(programme.path, session, meta, programme.clock.options());
+                };
+            case Operation::read_attempt:
+                return [=] {
+                    attempts.read(session, target.attempt);
+                    attempts.scores(session, target.attempt);
+                };
+            case Operation::read_trace:
+                return [=] { attempts.read_trace(session, target.attempt); };
+            case Operation::read_progress:
+                return [=] { reports.person_progress(session, target.person, "A2"); };
+            case Operation::read_cohort_table:
+                return target.cohort.empty() ? F() : [=] { reports.cohort_table(session, target.cohort); };
+            case Operation::score_interrupted:
+                return [=] { attempts.add_score(session, target.interrupted, example_score(false, 0)); };
+            case Operation::recompute_score:
+                return [=] { attempts.add_score(session, target.attempt, example_score(false, 0)); };
+            case Operation::comment:
+                return [=] { reviews.write(session, target.attempt, 2.0, "And here.", true); };
+            case Operation::read_comment:
+                return [=] { reviews.comments(session, target.attempt); };
+            case Operation::mark_comment_read:
+                return target.comment.empty() ? F() : [=] { reviews.mark_read(session, target.comment); };
+            case Operation::void_attempt:
+                return [=] { attempts.void_attempt(session, target.attempt, "wrong person"); };
+            case Operation::reassign_attempt:
+                return
+                    [=] { attempts.reassign(session, target.attempt, programme.id("ben"), "wrong person"); };
+            case Operation::request_correction:
+                return [=] { attempts.request_correction(session, target.attempt, "this was not me"); };
+            case Operation::read_requests:
+                return [=] { attempts.correction_requests(session); };
+            case Operation::export_person:
+                return
+                    [=] { reports.person_progress(session, target.person, "A2", ReportPurpose::exported); };
+            case Operation::export_cohort:
+                return target.cohort.empty() ? F() : [=] {
+                    reports.cohort_table(session, target.cohort, {}, ReportPurpose::exported);
+                };
+            case Operation::view_audit:
+                return [=] { Audit(store).entries(session); };
+            case Operation::check_store:
+                return [=] { store.check(session); };
+            case Operation::backup:
+                return [=] {
+                    store.backup(session,
+                                 programme.folder.filePath(QString::number(++backups)).toStdString());
+                };
+            case Operation::manage_settings:
+                return [=] { people.set_sign_in_picker(session, false); };
+        }
+        return F();
+    }
+
+    /// Operations whose calls are about a whole store, a list that is filtered, or the caller.
+    static bool about_nobody(Operation operation) {
+        return operation == Operation::read_sign_in_list || operation == Operation::read_requests ||
+               operation == Operation::view_audit || operation == Operation::check_store ||
+               operation == Operation::backup || operation == Operation::manage_settings ||
+               operation == Operation::create_synthetic;
+    }
+
+    Programme programme;
+    std::string other_cohort;
+    std::vector<Target> targets;
+    int backups = 0;
+};
+
+TEST_F(EveryCell, TheStoreAnswersAsTheTableSays) {
+    std::vector<Session> sessions = {programme.session("ann"), programme.session("educator"),
+                                     programme.session("director"), programme.session("administrator"),
+                                     programme.session("station")};
+    sessions[1] = programme.people().act_as(sessions[1], Role::educator);
+    sessions.push_back(programme.people().act_as(sessions[1], Role::trainee));
+    int allowed = 0, refused = 0;
+    for (int i = 0; i < operation_count; ++i) {
+        const auto operation = static_cast<Operation>(i);
+        for (const Session& session : sessions) {
+            for (const Target& target : targets) {
+                const auto action = call(operation, session, target);
+                if (!action) continue;
+                const std::string cell = std::string(operation_name(operation)) + " as " +
+                                         role_name(session.role()) + " (" + session.login() + ") on " +
+                                         target.name;
+                Relation relation = target.relation_to(session, programme);
+                const bool about_cohort =
+                    operation == Operation::list_cohorts || operation == Operation::read_cohort_table ||
+                    operation == Operation::manage_cohorts || operation == Operation::export_cohort;
+                if (about_cohort) {
+                    relation.in_cohort = session.login() == "educator" && target.cohort == programme.cohort;
+                    relation.own = (session.login() == "ann" || session.login() == "educator") &&
+                                   target.cohort == programme.cohort;
+                }
+                const Scope scope = expected_scope(operation, session.role());
+                const bool own_forbidden = relation.own && (operation == Operation::void_attempt ||
+                                                            operation == Operation::reassign_attempt);
+                const bool expected = about_nobody(operation) ? scope != Scope::none
+                                                              : covers(scope, relation) && !own_forbidden;
+
+                const Subject subject = about_nobody(operation) ? Subject::nothing()
+                                        : about_cohort          ? Subject::cohort(target.cohort)
+                                                                : Subject::person(target.person);
+                EXPECT_EQ(programme.store->allowed(session, operation, subject), expected) << cell;
+
+                const std::int64_t rows_before = Audit(*programme.store).count();
+                // What a cell does is undone before the next; the recorder and the backup have connections of
+                // their own.
+                std::optional<Transaction> undone;
+                if (operation != Operation::perform_attempt && operation != Operation::backup)
+                    undone.emplace(programme.store->connection());
+                if (expected) {
+                    EXPECT_NO_THROW(action()) << cell;
+                    ++allowed;
+                } else {
+                    EXPECT_THROW(action(), AccessDenied) << cell;
+                    EXPECT_EQ(Audit(*programme.store).count(), rows_before) << cell;
+                    ++refused;
+                }
+            }
+        }
+    }
+    EXPECT_GT(allowed, 150);
+    EXPECT_GT(refused, 250);
+}
+
+TEST_F(EveryCell, ListsLeaveOutWhatTheRoleMayNotSee) {
+    const Attempts attempts(*programme.store);
+    const People people(*programme.store);
+    EXPECT_EQ(attempts.list(programme.session("ann")).size(), 2U);
+    EXPECT_EQ(attempts.list(people.act_as(programme.session("educator"), Role::educator)).size(), 4U);
+    EXPECT_EQ(attempts.list(programme.session("other_educator")).size(), 2U);
+    EXPECT_EQ(attempts.list(programme.session("director")).size(), 8U);
+    EXPECT_EQ(attempts.list(programme.session("station")).size(), 2U);
+    EXPECT_THROW(attempts.list(programme.session("administrator")), AccessDenied);
+    EXPECT_EQ(people.list(programme.session("ann")).size(), 1U);
+    EXPECT_EQ(people.list(people.act_as(programme.session("educator"), Role::educator)).size(), 3U);
+    EXPECT_EQ(people.list(programme.session("administrator")).size(), 8U);
+    EXPECT_EQ(people.list(programme.session("station")).size(), 1U);
+    // A trainee learns which cohort they are in, not who else is.
+    const auto cohorts = people.cohorts(programme.session("ann"));
+    ASSERT_EQ(cohorts.size(), 1U);
+    EXPECT_EQ(cohorts[0].members, std::vector<std::string>{programme.id("ann")});
+}
+
+TEST_F(EveryCell, AWithdrawnRoleOrAnInactivePersonEndsTheSession) {
+    const Session& administrator = programme.session("administrator");
+    const Attempts attempts(*programme.store);
+    EXPECT_NO_THROW(attempts.read(programme.session("eve"), targets[1].attempt));
+    programme.people().set_active(administrator, programme.id("eve"), false);
+    EXPECT_THROW(attempts.read(programme.session("eve"), targets[1].attempt), AccessDenied);
+    programme.people().set_active(administrator, programme.id("eve"), true);
+    programme.people().set_roles(administrator, programme.id("eve"), {Role::educator});
+    EXPECT_THROW(attempts.read(programme.session("eve"), targets[1].attempt), AccessDenied);
+    EXPECT_THROW(attempts.list(programme.session("eve")), AccessDenied);
+}
+
+TEST_F(EveryCell, ASessionServesOnlyItsOwnStore) {
+    Store other = Store::create(programme.folder.filePath("other.db").toStdString());
+    EXPECT_THROW(People(other).list(programme.session("director")), AccessDenied);
+    EXPECT_THROW(other.check(programme.session("station")), AccessDenied);
+}
+
+}  // namespace
+}  // namespace fulcrum::database::test

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Qt loads its SQLite driver only within an application.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+
+inline int run_tests(int argc, char** argv) {
+    QCoreApplication application(argc, argv);
+    ::testing::InitGoogleTest(&argc, argv);
+    return RUN_ALL_TESTS();
+}

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Recording across threads, and what is left when the program is killed. FULCRUM_KILLS sets the number of
+// kills.
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <cstring>
+#include <random>
+#include <thread>
+
+#include "tests/database/programme_fixture.h"
+
+namespace fulcrum::database::test {
+namespace {
+
+TEST(Recorder, AnotherThreadFeedsIt) {
+    Programme programme;
+    Recorder recorder(programme.path, programme.session("ann"), example_meta(programme.id("ann")),
+                      programme.clock.options());
+    std::thread feeder([&] {
+        for (std::uint32_t second = 0; second < 4; ++second)
+            Programme::append_second(recorder, second * 1000);
+        recorder.append(Event{4000, EventKind::completed});
+        recorder.finish(example_result(true, 42));
+    });
+    feeder.join();
+    EXPECT_EQ(recorder.records_waiting(), 0U);
+    const Trace trace = programme.attempts().read_trace(programme.session("ann"), recorder.attempt_id());
+    ASSERT_EQ(trace.samples.size(), 4000U);
+    ASSERT_EQ(trace.inputs.size(), 4000U);
+    EXPECT_EQ(trace.steps.size(), 800U);
+    EXPECT_EQ(trace.events.size(), 17U);
+    for (std::uint32_t tick = 0; tick < 4000; ++tick) {
+        ASSERT_EQ(trace.samples[tick].tick, tick);
+        ASSERT_EQ(trace.inputs[tick].hand[0].handle[0], static_cast<std::int32_t>(tick * 3));
+    }
+    EXPECT_EQ(trace.events.back().kind, EventKind::completed);
+}
+
+TEST(Recorder, AnAttemptInProgressIsNotTakenForInterrupted) {
+    Programme programme;
+    Recorder recorder(programme.path, programme.session("ann"), example_meta(programme.id("ann")),
+                      programme.clock.options());
+    programme.open();
+    EXPECT_TRUE(programme.store->interrupted_at_open().empty());
+    EXPECT_EQ(programme.attempts().read(programme.session("ann"), recorder.attempt_id()).state, "running");
+    recorder.finish(example_result(true, 42));
+    EXPECT_FALSE(std::filesystem::exists(programme.path + ".recording-" + recorder.attempt_id()));
+}
+
+TEST(Recorder, OneThatNeverFinishedIsListedWithWhatItHolds) {
+    Programme programme;
+    const std::string attempt = programme.record_broken("ann");
+    programme.open();
+    ASSERT_EQ(programme.store->interrupted_at_open().size(), 1U);
+    const InterruptedAttempt& found = programme.store->interrupted_at_open()[0];
+    EXPECT_EQ(found.attempt_id, attempt);
+    EXPECT_EQ(found.task_id, "A2");
+    EXPECT_DOUBLE_EQ(found.recorded_s, 1.0);
+    const AttemptSummary read = programme.attempts().read(programme.session("ann"), attempt);
+    EXPECT_EQ(read.state, "interrupted");
+    EXPECT_EQ(read.events, 4U);
+    EXPECT_FALSE(read.counting);
+    programme.open();
+    EXPECT_TRUE(programme.store->interrupted_at_open().empty());
+    // What was recorded failed already: the trainee's own session scores it, and then it counts.
+    programme.attempts().add_score(programme.session("ann"), attempt, example_score(false, 0));
+    EXPECT_TRUE(programme.attempts().read(programme.session("ann"), attempt).counting);
+    EXPECT_THROW(programme.attempts().add_score(programme.session("ann"), attempt, example_score(true, 100)),
+                 AccessDenied);
+}
+
+TEST(Recorder, ALockedStoreDelaysAndLosesNothing) {
+    Programme programme;
+    Recorder recorder(programme.path, programme.session("ann"), example_meta(programme.id("ann")),
+                      programme.clock.options());
+    programme.store->connection();
+    {
+        Store other = Store::open(programme.path, programme.clock.options());
+        // The other program holds the write lock for longer than the recorder waits.
+        const Session administrator = programme.session("administrator");
+        std::atomic<bool> locked{false}, done{false};
+        std::thread holder([&] {
+            Store store = Store::open(programme.path, programme.clock.options());
+            store.check(administrator);
+            locked = true;
+            while (!done) std::this_thread::yield();
+        });
+        while (!locked) std::this_thread::yield();
+        Programme::append_second(recorder);
+        done = true;
+        holder.join();
+    }
+    recorder.finish(example_result(true, 1));
+    EXPECT_EQ(programme.attempts().read_trace(programme.session("ann"), recorder.attempt_id()).samples.size(),
+              1000U);
+}
+
+/// What the child tells: shared memory outlives a kill.
+struct Progress {
+    std::atomic<std::uint64_t> appended;    ///< samples of the attempt that runs
+    std::atomic<std::uint64_t> flushed_at;  ///< samples when the last append() came back
+    std::atomic<int> started, acknowledged;
+    char current[64];
+};
+
+int kills() {
+    const char* text = std::getenv("FULCRUM_KILLS");
+    return text == nullptr ? 20 : std::max(1, std::atoi(text));
+}
+
+// A recorder that writes in a child process, killed at a random moment: no acknowledged score is lost, at
+// most a second of trace, and what ran is listed as interrupted.
+TEST(Crash, KilledAtAnyMomentLosesAtMostASecondAndNoScore) {
+    Programme programme;
+    programme.store.reset();
+    auto* progress = static_cast<Progress*>(
+        ::mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
+    ASSERT_NE(progress, MAP_FAILED);
+    std::mt19937_64 random(20261121);
+    int with_trace = 0, scores = 0, interrupted_total = 0;
+    for (int round = 0; round < kills(); ++round) {
+        progress->appended = 0;
+        progress->flushed_at = 0;
+        progress->started = 0;
+        progress->acknowledged = 0;
+        const pid_t child = ::fork();
+        ASSERT_GE(child, 0);
+        if (child == 0) {
+            try {
+                for (;;) {
+                    progress->appended = 0;
+                    progress->flushed_at = 0;
+                    Recorder recorder(programme.path, programme.session("ann"),
+                                      example_meta(programme.id("ann")), programme.clock.options());
+                    std::strncpy(progress->current, recorder.attempt_id().c_str(),
+                                 sizeof progress->current - 1);
+                    ++progress->started;
+                    for (std::uint32_t second = 0; second < 6; ++second) {
+                        for (std::uint32_t tick = second * 1000; tick < (second + 1) * 1000; ++tick) {
+                            RigSample input;
+                            input.tick = tick;
+                            recorder.append(input);
+                            TickSample sample;
+                            sample.tick = tick;
+                            sample.hand[0].tip[0] = static_cast<std::int32_t>(tick * 7);
+                            progress->appended = tick + 1;
+                            recorder.append(sample);
+                            progress->flushed_at = tick + 1;
+                        }
+                    }
+                    recorder.finish(example_result(true, 50));
+                    ++progress->acknowledged;
+                }
+            } catch (...) {
+            }
+            ::_exit(3);
+        }
+        while (progress->started == 0) std::this_thread::yield();
+        const timespec pause{0, static_cast<long>(random() % 60000000ULL)};
+        ::nanosleep(&pause, nullptr);
+        ASSERT_EQ(::kill(child, SIGKILL), 0);
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        ASSERT_TRUE(WIFSIGNALED(status)) << "the child ended by itself";
+
+        programme.open();
+        const Attempts attempts = programme.attempts();
+        AttemptFilter completed;
+        completed.state = "completed";
+        completed.limit = -1;
+        const auto finished = attempts.list(programme.session("ann"), completed);
+        // One more may have been committed before it could say so.
+        scores += progress->acknowledged;
+        ASSERT_GE(static_cast<int>(finished.size()), scores);
+        ASSERT_LE(static_cast<int>(finished.size()), scores + 1);
+        scores = static_cast<int>(finished.size());
+        for (const AttemptSummary& attempt : finished) ASSERT_EQ(attempt.points, 50);
+
+        ASSERT_LE(programme.store->interrupted_at_open().size(), 1U);
+        for (const InterruptedAttempt& attempt : programme.store->interrupted_at_open()) {
+            ++interrupted_total;
+            const Trace trace = attempts.read_trace(programme.session("ann"), attempt.attempt_id);
+            EXPECT_EQ(trace.samples.size(), trace.inputs.size());
+            if (attempt.attempt_id == progress->current) {
+                EXPECT_LE(progress->flushed_at -
+                              std::min<std::uint64_t>(progress->flushed_at, trace.samples.size()),
+                          1000U);
+            }
+            for (std::size_t i = 0; i < trace.samples.size(); ++i) ASSERT_EQ(trace.samples[i].tick, i);
+            if (!trace.samples.empty()) ++with_trace;
+        }
+        programme.store.reset();
+    }
+    programme.open();
+    const CheckReport report = programme.store->check(programme.session("station"));
+    for (const CheckItem& item : report.items)
+        EXPECT_TRUE(item.ok) << item.name << ": " << (item.ok ? "" : item.problems.front());
+    RecordProperty("interrupted", interrupted_total);
+    RecordProperty("with_trace", with_trace);
+    RecordProperty("scores", scores);
+    EXPECT_GT(interrupted_total, kills() / 2);
+    ::munmap(progress, sizeof(Progress));
+}
+
+}  // namespace
+}  // namespace fulcrum::database::test

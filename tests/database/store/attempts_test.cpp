@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Attempts, scores beside scores, void, reassign, comments, and the one query behind screens and exports.
+#include <cmath>
+#include <limits>
+
+#include "tests/database/programme_fixture.h"
+
+namespace fulcrum::database::test {
+namespace {
+
+TEST(Attempt, ComesBackAsItWasRecorded) {
+    Programme programme;
+    AttemptMeta meta = example_meta(programme.id("ann"));
+    meta.utc_offset_min = -330;
+    meta.started = noon + 5;
+    Recorder recorder(programme.path, programme.session("ann"), meta, programme.clock.options());
+    Programme::append_second(recorder);
+    AttemptResult result = example_result(false, 0);
+    result.score->critical_errors.push_back({12.25, "perforation", "left", "bowel", "Force 14 N"});
+    result.missed_ticks = 3;
+    result.lost_samples = 1ULL << 40U;
+    result.products.push_back({"damage", {1, 2, 3, 0, 255}});
+    recorder.finish(result);
+    const Session& ann = programme.session("ann");
+    const AttemptSummary attempt = programme.attempts().read(ann, recorder.attempt_id());
+    EXPECT_EQ(attempt.meta.seed, 0xfedcba9876543210ULL);
+    EXPECT_EQ(attempt.meta.started, noon + 5);
+    EXPECT_EQ(attempt.meta.utc_offset_min, -330);
+    EXPECT_EQ(attempt.state, "completed");
+    EXPECT_EQ(attempt.passed, false);
+    EXPECT_EQ(attempt.lost_samples, 1ULL << 40U);
+    EXPECT_EQ(attempt.events, 4U);
+    EXPECT_TRUE(attempt.provisional);
+    EXPECT_TRUE(attempt.counting);
+    const ScoreRow score = *programme.attempts().score(ann, recorder.attempt_id());
+    ASSERT_EQ(score.gates.size(), 2U);
+    EXPECT_EQ(score.gates[0].value, 812.5);
+    EXPECT_EQ(score.gates[1].points, std::nullopt);
+    ASSERT_EQ(score.metrics.size(), 2U);
+    EXPECT_EQ(score.metrics[0].evidence, (std::vector<std::pair<double, double>>{{0.25, 31.5}}));
+    EXPECT_EQ(score.metrics[1].value, std::nullopt);
+    EXPECT_EQ(score.metrics[1].absent_because, "fewer than 5 segments");
+    EXPECT_EQ(score.metrics[1].version, 2);
+    ASSERT_EQ(score.critical_errors.size(), 1U);
+    EXPECT_EQ(score.critical_errors[0].time_s, 12.25);
+    EXPECT_EQ(programme.attempts().products(ann, recorder.attempt_id())[0].data,
+              (std::vector<std::uint8_t>{1, 2, 3, 0, 255}));
+}
+
+TEST(Attempt, ARealPersonHasNoSyntheticAttempts) {
+    Programme programme;
+    AttemptMeta meta = example_meta(programme.id("ann"));
+    meta.device_class = "synthetic";
+    EXPECT_EQ(error_kind([&] {
+                  const Recorder r(programme.path, programme.session("ann"), meta, programme.clock.options());
+              }),
+              StoreErrorKind::bad_value);
+    meta.device_class = "telepathy";
+    EXPECT_EQ(error_kind([&] {
+                  const Recorder r(programme.path, programme.session("ann"), meta, programme.clock.options());
+              }),
+              StoreErrorKind::conflict);
+    EXPECT_TRUE(programme.attempts().list(programme.session("ann")).empty());
+}
+
+TEST(Attempt, NotANumberIsNeverStored) {
+    Programme programme;
+    Recorder recorder(programme.path, programme.session("ann"), example_meta(programme.id("ann")),
+                      programme.clock.options());
+    AttemptResult result = example_result(true, std::numeric_limits<double>::quiet_NaN());
+    EXPECT_EQ(error_kind([&] { recorder.finish(result); }), StoreErrorKind::bad_value);
+    EXPECT_FALSE(recorder.finished());
+    result.score->points.reset();
+    recorder.finish(result);
+    EXPECT_EQ(programme.attempts().scores(programme.session("ann"), recorder.attempt_id()).size(), 1U);
+}
+
+TEST(Score, TheFirstStaysInForceAndOthersLieBeside) {
+    Programme programme;
+    const std::string attempt = programme.record("ann", true, 70);
+    const Session& educator = programme.session("educator");
+    ScoreRow later = example_score(false, 20);
+    later.limits = "A2-site@2";
+    programme.clock.pass_s(60);
+    programme.attempts().add_score(educator, attempt, later);
+    EXPECT_EQ(programme.attempts().read(educator, attempt).points, 70);
+    const auto scores = programme.attempts().scores(educator, attempt);
+    ASSERT_EQ(scores.size(), 2U);
+    EXPECT_TRUE(scores[0].in_force);
+    EXPECT_FALSE(scores[1].in_force);
+    EXPECT_EQ(scores[1].limits, "A2-site@2");
+    EXPECT_TRUE(programme.store->check(programme.session("station")).ok);
+}
+
+TEST(Void, KeepsItVisibleAndOutOfTheFigures) {
+    Programme programme;
+    const std::string attempt = programme.record("ann");
+    const Session& educator = programme.session("educator");
+    EXPECT_EQ(error_kind([&] { programme.attempts().void_attempt(educator, attempt, "  "); }),
+              StoreErrorKind::bad_value);
+    programme.attempts().void_attempt(educator, attempt, "Ben sat at the table");
+    const AttemptSummary voided = programme.attempts().read(programme.session("ann"), attempt);
+    EXPECT_EQ(voided.state, "voided");
+    EXPECT_EQ(voided.recorded_state, "completed");
+    EXPECT_EQ(voided.void_reason, "Ben sat at the table");
+    EXPECT_EQ(voided.voided_by, "Edu Cator");
+    EXPECT_FALSE(voided.counting);
+    EXPECT_EQ(error_kind([&] { programme.attempts().void_attempt(educator, attempt, "again"); }),
+              StoreErrorKind::conflict);
+    CohortTableOptions options;
+    options.tasks = {"A2"};
+    for (const CohortRow& row :
+         Reports(*programme.store).cohort_table(educator, programme.cohort, options).rows) {
+        EXPECT_EQ(row.state, TaskState::open);
+    }
+    AttemptFilter filter;
+    filter.state = "voided";
+    EXPECT_EQ(programme.attempts().list(educator, filter).size(), 1U);
+    filter.state = "completed";
+    EXPECT_TRUE(programme.attempts().list(educator, filter).empty());
+}
+
+TEST(Reassign, VoidsAndCopiesEverythingToTheRightPerson) {
+    Programme programme;
+    const std::string attempt = programme.record("ann", true, 64);
+    const Session& educator = programme.session("educator");
+    EXPECT_THROW(programme.attempts().reassign(educator, attempt, programme.id("eve"), "wrong"),
+                 AccessDenied);
+    const std::string copy =
+        programme.attempts().reassign(educator, attempt, programme.id("ben"), "Ben sat at the table");
+    const AttemptSummary right = programme.attempts().read(programme.session("ben"), copy);
+    EXPECT_EQ(right.reassigned_from, attempt);
+    EXPECT_EQ(right.points, 64);
+    EXPECT_TRUE(right.counting);
+    const AttemptSummary wrong = programme.attempts().read(programme.session("ann"), attempt);
+    EXPECT_EQ(wrong.state, "voided");
+    EXPECT_EQ(wrong.reassigned_to, copy);
+    EXPECT_EQ(programme.attempts().read_trace(programme.session("ben"), copy).samples.size(), 1000U);
+    EXPECT_EQ(programme.attempts().score(programme.session("ben"), copy)->metrics.size(), 2U);
+    EXPECT_THROW(programme.attempts().read(programme.session("ann"), copy), AccessDenied);
+    EXPECT_TRUE(programme.store->check(programme.session("station")).ok);
+}
+
+TEST(Correction, ATraineeAsksAndTheEducatorSeesIt) {
+    Programme programme;
+    const std::string attempt = programme.record("ann");
+    programme.attempts().request_correction(programme.session("ann"), attempt, "this was Ben");
+    EXPECT_TRUE(programme.attempts().correction_requests(programme.session("ben")).empty());
+    EXPECT_TRUE(programme.attempts().correction_requests(programme.session("other_educator")).empty());
+    auto requests = programme.attempts().correction_requests(programme.session("educator"));
+    ASSERT_EQ(requests.size(), 1U);
+    EXPECT_FALSE(requests[0].settled);
+    programme.attempts().reassign(programme.session("educator"), attempt, programme.id("ben"),
+                                  requests[0].text);
+    EXPECT_TRUE(programme.attempts().correction_requests(programme.session("educator"))[0].settled);
+}
+
+TEST(Comments, DraftsAreTheAuthorsSentOnesAreReadByTheTrainee) {
+    Programme programme;
+    const std::string attempt = programme.record("ann");
+    const Session &educator = programme.session("educator"), &ann = programme.session("ann");
+    const Reviews reviews(*programme.store);
+    const std::string draft = reviews.write(educator, attempt, 12.5, "Elbow", false);
+    EXPECT_TRUE(reviews.comments(ann, attempt).empty());
+    EXPECT_TRUE(reviews.comments(programme.session("director"), attempt).empty());
+    EXPECT_EQ(reviews.drafts(educator).size(), 1U);
+    reviews.edit_draft(educator, draft, 13, "Elbow in");
+    reviews.send(educator, draft);
+    EXPECT_EQ(error_kind([&] { reviews.edit_draft(educator, draft, 13, "No"); }), StoreErrorKind::conflict);
+    const auto unread = reviews.unread(ann);
+    ASSERT_EQ(unread.size(), 1U);
+    EXPECT_EQ(unread[0].text, "Elbow in");
+    EXPECT_EQ(unread[0].author_name, "Edu Cator");
+    EXPECT_EQ(unread[0].time_s, 13);
+    EXPECT_EQ(programme.attempts().read(ann, attempt).unread_comments, 1);
+    EXPECT_THROW(reviews.mark_read(programme.session("ben"), draft), AccessDenied);
+    reviews.mark_read(ann, draft);
+    EXPECT_TRUE(reviews.unread(ann).empty());
+    EXPECT_GT(reviews.comments(educator, attempt)[0].read, 0);
+    EXPECT_EQ(programme.attempts().read(ann, attempt).comments, 1);
+    EXPECT_EQ(error_kind([&] { reviews.write(educator, attempt, -1, "x", true); }),
+              StoreErrorKind::bad_value);
+    const std::string other = reviews.write(educator, attempt, 1, "drop me", false);
+    reviews.delete_draft(educator, other);
+    EXPECT_TRUE(reviews.drafts(educator).empty());
+}
+
+const CohortRow* row_of(const CohortTable& table, const std::string& login, const std::string& task,
+                        const std::string& device_class) {
+    for (const CohortRow& row : table.rows) {
+        if (row.login == login && row.task_id == task && row.device_class == device_class) return &row;
+    }
+    return nullptr;
+}
+
+TEST(CohortTable, CountsWhatCountsAndPoolsNothing) {
+    Programme programme;
+    programme.record("ann", false, 40);
+    programme.record("ann", true, 71.5);
+    programme.record("ann", false, 80);
+    AttemptMeta practice = example_meta(programme.id("ann"));
+    practice.mode = "practice";
+    Recorder(programme.path, programme.session("ann"), practice, programme.clock.options())
+        .finish(example_result(true, 99));
+    AttemptMeta tracked = example_meta(programme.id("ann"));
+    tracked.device_class = "tracked";
+    Recorder(programme.path, programme.session("ann"), tracked, programme.clock.options())
+        .finish(example_result(false, 12));
+    programme.record("ben", false, 5, "B1");
+    programme.record("eve", true, 90);
+    const Session& director = programme.session("director");
+    CohortTableOptions options;
+    options.tasks = {"A2", "B1"};
+    const CohortTable table = Reports(*programme.store).cohort_table(director, programme.cohort, options);
+    EXPECT_EQ(table.people, 2);
+    EXPECT_EQ(table.rows.size(), 5U);
+    const CohortRow* ann = row_of(table, "ann", "A2", "mouse-keyboard");
+    ASSERT_NE(ann, nullptr);
+    EXPECT_EQ(ann->state, TaskState::passed);
+    EXPECT_TRUE(ann->provisional);
+    EXPECT_EQ(ann->attempts, 3);
+    EXPECT_EQ(ann->passes, 1);
+    EXPECT_EQ(ann->not_counting, 1);
+    EXPECT_EQ(ann->best_points, 80);
+    const CohortRow* with_tracked = row_of(table, "ann", "A2", "tracked");
+    ASSERT_NE(with_tracked, nullptr);
+    EXPECT_EQ(with_tracked->state, TaskState::attempted);
+    EXPECT_EQ(with_tracked->best_points, 12);
+    ASSERT_NE(row_of(table, "ann", "B1", ""), nullptr);
+    EXPECT_EQ(row_of(table, "ann", "B1", "")->state, TaskState::open);
+    ASSERT_NE(row_of(table, "ben", "B1", "mouse-keyboard"), nullptr);
+    EXPECT_EQ(row_of(table, "ben", "B1", "mouse-keyboard")->state, TaskState::attempted);
+    EXPECT_EQ(row_of(table, "eve", "A2", "mouse-keyboard"), nullptr);
+    EXPECT_EQ(table.benchmark_sets, std::vector<std::string>{"A2-operators@1"});
+    EXPECT_EQ(table.metric_versions, (std::vector<std::string>{"path_len@1", "sparc@2"}));
+    EXPECT_EQ(table.audit_head, Audit(*programme.store).head());
+    EXPECT_EQ(Reports(*programme.store).cohort_table(director, programme.cohort).tasks,
+              (std::vector<std::string>{"A2", "B1"}));
+    const auto personal =
+        Reports(*programme.store).person_table(programme.session("ann"), programme.id("ann"), {"A2", "B1"});
+    ASSERT_EQ(personal.size(), 3U);
+    EXPECT_EQ(personal[0].best_points, 80);
+}
+
+TEST(Progress, OrdersAttemptsByTimeWithinADeviceClass) {
+    Programme programme;
+    std::vector<std::string> recorded;
+    for (const double points : {10.0, 30.0, 20.0}) {
+        recorded.push_back(programme.record("ann", points > 25, points));
+        programme.clock.pass_s(600);
+    }
+    const PersonProgress progress =
+        Reports(*programme.store).person_progress(programme.session("ann"), programme.id("ann"), "A2");
+    ASSERT_EQ(progress.series.size(), 1U);
+    ASSERT_EQ(progress.series[0].points.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(progress.series[0].points[i].attempt_id, recorded[i]);
+        EXPECT_EQ(progress.series[0].points[i].number, static_cast<int>(i) + 1);
+        EXPECT_EQ(progress.series[0].points[i].metrics.size(), 2U);
+    }
+    EXPECT_EQ(progress.state, TaskState::passed);
+    EXPECT_EQ(progress.series[0].device_class, "mouse-keyboard");
+}
+
+}  // namespace
+}  // namespace fulcrum::database::test

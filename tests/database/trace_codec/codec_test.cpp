@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/trace_codec.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+
+#include "database/crypto.h"
+#include "database/errors.h"
+
+namespace fulcrum::database {
+namespace {
+
+bool same(const HandSample& a, const HandSample& b) {
+    return std::equal(a.tip, a.tip + 3, b.tip) && std::equal(a.axis, a.axis + 3, b.axis) &&
+           a.roll == b.roll && a.jaw_angle == b.jaw_angle && std::equal(a.force, a.force + 3, b.force) &&
+           std::equal(a.device_force, a.device_force + 3, b.device_force) && a.jaw_force == b.jaw_force &&
+           a.jaw_area == b.jaw_area && a.tissue == b.tissue && a.patch == b.patch && a.flags == b.flags &&
+           a.filter_grade == b.filter_grade;
+}
+bool same(const TickSample& a, const TickSample& b) {
+    return a.tick == b.tick && a.rig_flags == b.rig_flags && a.model_step == b.model_step &&
+           a.missed == b.missed && same(a.hand[0], b.hand[0]) && same(a.hand[1], b.hand[1]) &&
+           std::equal(a.camera.tip, a.camera.tip + 3, b.camera.tip) &&
+           std::equal(a.camera.orientation, a.camera.orientation + 4, b.camera.orientation);
+}
+bool same(const DeviceSample& a, const DeviceSample& b) {
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+bool same(const RigSample& a, const RigSample& b) {
+    return a.tick == b.tick && a.flags == b.flags && same(a.hand[0], b.hand[0]) &&
+           same(a.hand[1], b.hand[1]) && same(a.camera, b.camera);
+}
+bool same(const StepRecord& a, const StepRecord& b) {
+    return a.step == b.step && a.first_tick == b.first_tick && a.last_tick == b.last_tick &&
+           a.outcome == b.outcome && a.state_hash == b.state_hash;
+}
+bool same(const Event& a, const Event& b) {
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+// Any bytes are a valid record of these types: integers, and a float that is stored by its bits.
+template <typename Record>
+std::vector<Record> random_records(std::mt19937_64& random, std::size_t count, unsigned bits) {
+    std::vector<Record> records(count);
+    for (Record& record : records) {
+        auto* bytes = reinterpret_cast<unsigned char*>(&record);
+        for (std::size_t i = 0; i < sizeof record; ++i) {
+            bytes[i] = static_cast<unsigned char>(bits == 0 ? 0 : random() & ((1U << bits) - 1U));
+        }
+    }
+    return records;
+}
+
+template <typename Record>
+void expect_round_trip(const std::vector<Record>& records) {
+    TraceCodec codec;
+    const TraceChunk chunk = codec.encode(records.data(), records.size());
+    std::vector<Record> back;
+    codec.decode(chunk, back);
+    ASSERT_EQ(back.size(), records.size());
+    for (std::size_t i = 0; i < back.size(); ++i) ASSERT_TRUE(same(back[i], records[i])) << "record " << i;
+}
+
+template <typename Record>
+class EveryStream : public ::testing::Test {};
+using Streams = ::testing::Types<TickSample, RigSample, StepRecord, Event>;
+TYPED_TEST_SUITE(EveryStream, Streams);
+
+TYPED_TEST(EveryStream, AnyRecordsComeBackAsTheyWere) {
+    rc::check([] {
+        std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
+        const auto count = *rc::gen::inRange<std::size_t>(1, 700);
+        const auto bits = *rc::gen::inRange<unsigned>(0, 9);
+        expect_round_trip(random_records<TypeParam>(random, count, bits));
+    });
+}
+
+TYPED_TEST(EveryStream, SizesAtTheEdges) {
+    std::mt19937_64 random(1);
+    for (const std::size_t count : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{128},
+                                    std::size_t{129}, chunk_maximum_records}) {
+        expect_round_trip(random_records<TypeParam>(random, count, 8));
+    }
+    TraceCodec codec;
+    const std::vector<TypeParam> many(chunk_maximum_records + 1);
+    EXPECT_THROW(codec.encode(many.data(), many.size()), StoreError);
+    EXPECT_THROW(codec.encode(many.data(), 0), StoreError);
+}
+
+TYPED_TEST(EveryStream, DamageIsNoticedOrHarmless) {
+    std::mt19937_64 random(7);
+    TraceCodec codec;
+    const auto records = random_records<TypeParam>(random, 300, 5);
+    const TraceChunk good = codec.encode(records.data(), records.size());
+    for (int round = 0; round < 2000; ++round) {
+        TraceChunk bad = good;
+        switch (random() % 4) {
+            case 0:
+                bad.data[random() % bad.data.size()] ^= static_cast<std::uint8_t>(1U << (random() % 8));
+                break;
+            case 1:
+                bad.data.resize(random() % bad.data.size());
+                break;
+            case 2:
+                bad.count = static_cast<std::uint32_t>(random());
+                break;
+            default:
+                bad.data.push_back(static_cast<std::uint8_t>(random()));
+        }
+        std::vector<TypeParam> back;
+        EXPECT_THROW(codec.decode(bad, back), StoreError);
+        EXPECT_TRUE(back.empty());
+        // Past the checksum, as a hostile file would be: it may decode to other records but must stay within
+        // its bounds.
+        bad.checksum = blake2b(bad.data, 16);
+        try {
+            codec.decode(bad, back);
+            EXPECT_EQ(back.size(), bad.count);
+        } catch (const StoreError& error) {
+            EXPECT_EQ(error.kind(), StoreErrorKind::corrupt);
+            EXPECT_TRUE(back.empty());
+        }
+    }
+}
+
+TYPED_TEST(EveryStream, RandomBytesNeverDecodeBeyondTheirBounds) {
+    std::mt19937_64 random(11);
+    TraceCodec codec;
+    std::vector<TypeParam> back;
+    std::vector<TypeParam> one(1);
+    TraceChunk chunk = codec.encode(one.data(), 1);
+    for (int round = 0; round < 2000; ++round) {
+        chunk.data.resize(random() % 200);
+        for (auto& byte : chunk.data) byte = static_cast<std::uint8_t>(random());
+        chunk.count = static_cast<std::uint32_t>(random() % (chunk_maximum_records + 2));
+        chunk.checksum = blake2b(chunk.data, 16);
+        EXPECT_THROW(codec.decode(chunk, back), StoreError);
+    }
+}
+
+TEST(TraceCodec, AChunkIsNotTakenForAnotherStream) {
+    TraceCodec codec;
+    const std::vector<TickSample> records(3);
+    TraceChunk chunk = codec.encode(records.data(), records.size());
+    std::vector<RigSample> inputs;
+    EXPECT_THROW(codec.decode(chunk, inputs), StoreError);
+    chunk.stream = TraceStream::inputs;
+    EXPECT_THROW(codec.decode(chunk, inputs), StoreError);
+}
+
+TEST(TraceCodec, NotANumberInAnEventKeepsItsBits) {
+    Event event;
+    event.value = std::numeric_limits<float>::quiet_NaN();
+    expect_round_trip(std::vector<Event>{event, event});
+}
+
+}  // namespace
+}  // namespace fulcrum::database
