@@ -21,6 +21,9 @@ constexpr std::size_t product_maximum_bytes = 64U << 20U;
 
 StoreOptions for_writing(StoreOptions options) {
     options.read_only = false;
+    // What was interrupted is for the window to list when it opens the store, not for the next recording to
+    // tidy away.
+    options.close_interrupted = false;
     return options;
 }
 

@@ -193,7 +193,8 @@ Store Store::open(const std::string& path, StoreOptions options) {
                          "nothing is in it: delete it and make it again, or restore a backup");
     }
     Store store(std::move(state));
-    if (!store.is_read_only()) store.state_->interrupted = close_interrupted_attempts(store);
+    if (!store.is_read_only() && store.state_->options.close_interrupted)
+        store.state_->interrupted = close_interrupted_attempts(store);
     return store;
 }
 

@@ -29,6 +29,8 @@ struct StoreOptions {
     bool read_only = false;
     int busy_timeout_ms = 5000;                   ///< how long to wait for another connection's write
     std::function<UtcMilliseconds()> clock = {};  ///< default: the system clock
+    bool close_interrupted =
+        true;  ///< false: leave attempts that lost their program for the next start to list
 };
 
 /// A finding of check(): ok == false names what is wrong and the way on.

@@ -257,13 +257,13 @@ class EveryCell : public ::testing::Test {
                     reports.cohort_table(session, target.cohort, {}, ReportPurpose::exported);
                 };
             case Operation::view_audit:
-                return [=] { Audit(store).entries(session); };
+                return [=] { Audit(*programme.store).entries(session); };
             case Operation::check_store:
-                return [=] { store.check(session); };
+                return [=] { programme.store->check(session); };
             case Operation::backup:
                 return [=] {
-                    store.backup(session,
-                                 programme.folder.filePath(QString::number(++backups)).toStdString());
+                    programme.store->backup(
+                        session, programme.folder.filePath(QString::number(++backups)).toStdString());
                 };
             case Operation::manage_settings:
                 return [=] { people.set_sign_in_picker(session, false); };
