@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/administration/cohorts_page.h"
+
+#include <QLineEdit>
+#include <QListWidget>
+#include <algorithm>
+
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+
+namespace fulcrum::ui {
+namespace {
+
+bool holds(const std::vector<std::string>& ids, const std::string& id) {
+    return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+void fill_checks(QListWidget* list, const std::vector<database::Person>& people, database::Role role,
+                 const std::vector<std::string>& checked) {
+    list->clear();
+    for (const database::Person& person : people) {
+        const bool has_role = std::find(person.roles.begin(), person.roles.end(), role) != person.roles.end();
+        if (!has_role && !holds(checked, person.id)) continue;
+        auto* item = new QListWidgetItem(text(person.display_name), list);
+        item->setData(Qt::UserRole, text(person.id));
+        item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
+        item->setCheckState(holds(checked, person.id) ? Qt::Checked : Qt::Unchecked);
+    }
+}
+
+std::vector<std::string> checked_ids(const QListWidget* list) {
+    std::vector<std::string> ids;
+    for (int row = 0; row < list->count(); ++row) {
+        if (list->item(row)->checkState() == Qt::Checked) {
+            ids.push_back(plain(list->item(row)->data(Qt::UserRole).toString()));
+        }
+    }
+    return ids;
+}
+
+}  // namespace
+
+CohortsPage::CohortsPage(Context& context) : Page(context, "cohorts_page") {
+    auto* body = new QWidget;
+    auto* layout = new QVBoxLayout(body);
+    layout->setSpacing(14);
+    layout->addWidget(make_label(tr("Assign cohorts"), "title"));
+    auto* add_row = new QHBoxLayout;
+    new_name_ = new QLineEdit;
+    new_name_->setObjectName(QStringLiteral("new_cohort_name"));
+    new_name_->setPlaceholderText(tr("name of a new cohort"));
+    add_row->addWidget(new_name_);
+    QPushButton* add_button = make_button(tr("Add cohort"), "add_cohort", "primary");
+    add_row->addWidget(add_button);
+    add_row->addStretch();
+    layout->addLayout(add_row);
+    auto* row = new QHBoxLayout;
+    list_ = new QListWidget;
+    list_->setObjectName(QStringLiteral("cohort_list"));
+    list_->setAccessibleName(tr("Cohorts"));
+    list_->setMaximumWidth(260);
+    row->addWidget(list_, 1);
+    editor_ = make_card(8);
+    card_layout(editor_)->addWidget(make_label(tr("Name"), "muted"));
+    name_ = new QLineEdit;
+    name_->setObjectName(QStringLiteral("cohort_name"));
+    card_layout(editor_)->addWidget(name_);
+    auto* lists = new QHBoxLayout;
+    const auto column = [&](const QString& title, const char* name) {
+        auto* inner = new QVBoxLayout;
+        inner->addWidget(make_label(title, "heading"));
+        auto* list = new QListWidget;
+        list->setObjectName(QString::fromLatin1(name));
+        list->setAccessibleName(title);
+        list->setMinimumHeight(280);
+        inner->addWidget(list);
+        lists->addLayout(inner);
+        return list;
+    };
+    members_ = column(tr("Trainees"), "cohort_members");
+    educators_ = column(tr("Educators"), "cohort_educators");
+    card_layout(editor_)->addLayout(lists);
+    QPushButton* save_button = make_button(tr("Save"), "save_cohort", "primary");
+    card_layout(editor_)->addWidget(save_button, 0, Qt::AlignLeft);
+    row->addWidget(editor_, 3);
+    layout->addLayout(row);
+    layout->addStretch();
+    connect(add_button, &QPushButton::clicked, this, &CohortsPage::add);
+    connect(new_name_, &QLineEdit::returnPressed, this, &CohortsPage::add);
+    connect(save_button, &QPushButton::clicked, this, &CohortsPage::save);
+    connect(list_, &QListWidget::currentRowChanged, this, &CohortsPage::select);
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(scrolled(body, 1000));
+}
+
+void CohortsPage::enter() {
+    fill();
+    (list_->count() > 0 ? static_cast<QWidget*>(list_) : new_name_)->setFocus();
+}
+
+void CohortsPage::fill() {
+    const database::Cohort* before = selected();
+    const std::string kept = before == nullptr ? std::string() : before->id;
+    context().guarded([&] {
+        const database::People people(context().store());
+        cohorts_ = people.cohorts(context().session());
+        people_ = people.list(context().session());
+    });
+    const QSignalBlocker quiet(list_);
+    list_->clear();
+    int current = cohorts_.empty() ? -1 : 0;
+    for (const database::Cohort& cohort : cohorts_) {
+        list_->addItem(text(cohort.name));
+        if (cohort.id == kept) current = list_->count() - 1;
+    }
+    list_->setCurrentRow(current);
+    select();
+}
+
+const database::Cohort* CohortsPage::selected() const {
+    const int row = list_->currentRow();
+    return row < 0 || row >= static_cast<int>(cohorts_.size()) ? nullptr : &cohorts_[static_cast<std::size_t>(row)];
+}
+
+void CohortsPage::select() {
+    const database::Cohort* cohort = selected();
+    editor_->setVisible(cohort != nullptr);
+    if (cohort == nullptr) return;
+    name_->setText(text(cohort->name));
+    fill_checks(members_, people_, database::Role::trainee, cohort->members);
+    fill_checks(educators_, people_, database::Role::educator, cohort->educators);
+}
+
+void CohortsPage::add() {
+    std::string id;
+    if (context().guarded([&] {
+            id = database::People(context().store())
+                     .create_cohort(context().session(), plain(new_name_->text().trimmed()));
+        })) {
+        new_name_->clear();
+        fill();
+        for (std::size_t i = 0; i < cohorts_.size(); ++i) {
+            if (cohorts_[i].id == id) list_->setCurrentRow(static_cast<int>(i));
+        }
+    }
+}
+
+void CohortsPage::save() {
+    const database::Cohort* cohort = selected();
+    if (cohort == nullptr) return;
+    if (context().guarded([&] {
+            const database::People people(context().store());
+            const std::string name = plain(name_->text().trimmed());
+            if (name != cohort->name) people.rename_cohort(context().session(), cohort->id, name);
+            people.set_members(context().session(), cohort->id, checked_ids(members_));
+            people.set_educators(context().session(), cohort->id, checked_ids(educators_));
+        })) {
+        context().say(tr("Saved."));
+    }
+    fill();
+}
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/administration/people_page.h"
+
+#include <QCheckBox>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QTableWidget>
+
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+
+namespace fulcrum::ui {
+namespace {
+
+constexpr database::Role roles_of_people[] = {database::Role::trainee, database::Role::educator,
+                                              database::Role::director, database::Role::administrator};
+
+std::vector<QCheckBox*> add_role_boxes(QFormLayout* form, const QString& label, const char* prefix) {
+    auto* holder = new QWidget;
+    auto* row = new QHBoxLayout(holder);
+    row->setContentsMargins(0, 0, 0, 0);
+    std::vector<QCheckBox*> boxes;
+    for (const database::Role role : roles_of_people) {
+        auto* box = new QCheckBox(role_text(database::role_name(role)));
+        box->setObjectName(QString::fromLatin1(prefix) + QString::fromLatin1(database::role_name(role)));
+        row->addWidget(box);
+        boxes.push_back(box);
+    }
+    row->addStretch();
+    form->addRow(label, holder);
+    return boxes;
+}
+
+std::vector<database::Role> chosen(const std::vector<QCheckBox*>& boxes) {
+    std::vector<database::Role> roles;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (boxes[i]->isChecked()) roles.push_back(roles_of_people[i]);
+    }
+    return roles;
+}
+
+}  // namespace
+
+PeoplePage::PeoplePage(Context& context) : Page(context, "people_page") {
+    auto* body = new QWidget;
+    auto* layout = new QVBoxLayout(body);
+    layout->setSpacing(14);
+    layout->addWidget(make_label(tr("People"), "title"));
+    secret_ = make_card(8);
+    card_layout(secret_)->addWidget(make_label(tr("One-time password"), "heading"));
+    secret_text_ = make_label({});
+    secret_text_->setObjectName(QStringLiteral("one_time_password"));
+    secret_text_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    card_layout(secret_)->addWidget(secret_text_);
+    QPushButton* noted = make_button(tr("I have passed it on"), "password_noted");
+    connect(noted, &QPushButton::clicked, this, [this] {
+        secret_text_->clear();
+        secret_->hide();
+    });
+    card_layout(secret_)->addWidget(noted, 0, Qt::AlignLeft);
+    secret_->hide();
+    layout->addWidget(secret_);
+    layout->addWidget(build_add());
+    table_ = make_table({tr("Name"), tr("Login"), tr("Roles"), tr("Account"), tr("Last sign-in")}, "people_table");
+    table_->setMinimumHeight(240);
+    layout->addWidget(table_);
+    layout->addWidget(build_editor());
+    picker_ = new QCheckBox(tr("The sign-in screen lists who signed in here in the last 30 days"));
+    picker_->setObjectName(QStringLiteral("sign_in_picker"));
+    connect(picker_, &QCheckBox::clicked, this, [this](bool on) {
+        this->context().guarded([&] {
+            database::People(this->context().store()).set_sign_in_picker(this->context().session(), on);
+        });
+    });
+    layout->addWidget(picker_);
+    layout->addStretch();
+    connect(table_, &QTableWidget::itemSelectionChanged, this, &PeoplePage::select);
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(scrolled(body, 1000));
+}
+
+QFrame* PeoplePage::build_add() {
+    QFrame* card = make_card(8);
+    card_layout(card)->addWidget(make_label(tr("Add a person"), "heading"));
+    auto* form = new QFormLayout;
+    form->setSpacing(8);
+    new_name_ = new QLineEdit;
+    new_name_->setObjectName(QStringLiteral("new_person_name"));
+    form->addRow(tr("Name"), new_name_);
+    new_login_ = new QLineEdit;
+    new_login_->setObjectName(QStringLiteral("new_person_login"));
+    new_login_->setPlaceholderText(tr("letters, digits, . _ - @"));
+    form->addRow(tr("Login"), new_login_);
+    new_roles_ = add_role_boxes(form, tr("Roles"), "new_role_");
+    new_roles_.front()->setChecked(true);
+    card_layout(card)->addLayout(form);
+    QPushButton* button = make_button(tr("Add"), "add_person", "primary");
+    connect(button, &QPushButton::clicked, this, &PeoplePage::add);
+    connect(new_login_, &QLineEdit::returnPressed, this, &PeoplePage::add);
+    card_layout(card)->addWidget(button, 0, Qt::AlignLeft);
+    return card;
+}
+
+QFrame* PeoplePage::build_editor() {
+    editor_ = make_card(8);
+    who_ = make_label({}, "heading");
+    card_layout(editor_)->addWidget(who_);
+    auto* form = new QFormLayout;
+    form->setSpacing(8);
+    name_ = new QLineEdit;
+    name_->setObjectName(QStringLiteral("person_name"));
+    form->addRow(tr("Name"), name_);
+    roles_ = add_role_boxes(form, tr("Roles"), "role_");
+    card_layout(editor_)->addLayout(form);
+    auto* row = new QHBoxLayout;
+    QPushButton* save_button = make_button(tr("Save"), "save_person", "primary");
+    connect(save_button, &QPushButton::clicked, this, &PeoplePage::save);
+    QPushButton* issue_button = make_button(tr("Issue one-time password"), "issue_password");
+    connect(issue_button, &QPushButton::clicked, this, &PeoplePage::issue);
+    active_ = make_button({}, "toggle_active");
+    connect(active_, &QPushButton::clicked, this, &PeoplePage::toggle_active);
+    row->addWidget(save_button);
+    row->addWidget(issue_button);
+    row->addWidget(active_);
+    row->addStretch();
+    card_layout(editor_)->addLayout(row);
+    editor_->hide();
+    return editor_;
+}
+
+void PeoplePage::enter() {
+    fill();
+    new_name_->setFocus();
+    picker_->setVisible(context().allowed(database::Operation::manage_settings));
+    context().guarded([&] { picker_->setChecked(database::People(context().store()).sign_in_picker()); });
+}
+
+void PeoplePage::fill() {
+    const database::Person* before = selected();
+    const std::string kept = before == nullptr ? std::string() : before->id;
+    context().guarded([&] { people_ = database::People(context().store()).list(context().session()); });
+    const QSignalBlocker quiet(table_);
+    table_->setRowCount(0);
+    table_->clearSelection();
+    for (const database::Person& person : people_) {
+        const int row = table_->rowCount();
+        table_->insertRow(row);
+        QStringList roles;
+        for (const database::Role role : person.roles) roles << role_text(database::role_name(role));
+        QString account = person.active ? tr("active") : tr("deactivated");
+        if (person.kind != database::PersonKind::real) account += tr(" · synthetic");
+        table_->setItem(row, 0, make_cell(text(person.display_name)));
+        table_->setItem(row, 1, make_cell(text(person.login)));
+        table_->setItem(row, 2, make_cell(roles.join(QStringLiteral(", "))));
+        table_->setItem(row, 3, make_cell(account));
+        table_->setItem(row, 4, make_cell(local_time(person.last_sign_in)));
+        if (person.id == kept) table_->selectRow(row);
+    }
+    table_->resizeColumnsToContents();
+    select();
+}
+
+const database::Person* PeoplePage::selected() const {
+    const int row = table_->currentRow();
+    if (row < 0 || row >= static_cast<int>(people_.size()) || table_->selectedItems().isEmpty()) return nullptr;
+    return &people_[static_cast<std::size_t>(row)];
+}
+
+void PeoplePage::select() {
+    const database::Person* person = selected();
+    editor_->setVisible(person != nullptr);
+    if (person == nullptr) return;
+    who_->setText(text(person->display_name) + QStringLiteral(" · ") + text(person->login));
+    name_->setText(text(person->display_name));
+    for (std::size_t i = 0; i < roles_.size(); ++i) {
+        roles_[i]->setChecked(std::find(person->roles.begin(), person->roles.end(), roles_of_people[i]) !=
+                              person->roles.end());
+    }
+    active_->setText(person->active ? tr("Deactivate") : tr("Activate"));
+}
+
+void PeoplePage::show_secret(const QString& who, const std::string& secret) {
+    secret_text_->setText(
+        tr("%1: %2\nValid for 24 hours, shown this once; it is changed at the first sign-in.").arg(who, text(secret)));
+    secret_text_->setProperty("password", text(secret));
+    secret_->show();
+}
+
+void PeoplePage::add() {
+    context().guarded([&] {
+        const auto created = database::People(context().store())
+                                 .create(context().session(), plain(new_login_->text().trimmed()),
+                                         plain(new_name_->text().trimmed()), chosen(new_roles_));
+        show_secret(text(created.person.display_name), created.one_time_password);
+        new_login_->clear();
+        new_name_->clear();
+        new_name_->setFocus();
+    });
+    fill();
+}
+
+void PeoplePage::save() {
+    const database::Person* person = selected();
+    if (person == nullptr) return;
+    if (context().guarded([&] {
+            const database::People people(context().store());
+            const std::string name = plain(name_->text().trimmed());
+            if (name != person->display_name) people.rename(context().session(), person->id, name);
+            if (chosen(roles_) != person->roles) people.set_roles(context().session(), person->id, chosen(roles_));
+        })) {
+        context().say(tr("Saved."));
+    }
+    fill();
+}
+
+void PeoplePage::issue() {
+    const database::Person* person = selected();
+    if (person == nullptr) return;
+    context().guarded([&] {
+        show_secret(text(person->display_name),
+                    database::People(context().store()).issue_one_time_password(context().session(), person->id));
+    });
+}
+
+void PeoplePage::toggle_active() {
+    const database::Person* person = selected();
+    if (person == nullptr) return;
+    context().guarded([&] {
+        database::People(context().store()).set_active(context().session(), person->id, !person->active);
+    });
+    fill();
+}
+
+}  // namespace fulcrum::ui

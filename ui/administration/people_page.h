@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Accounts: add people, give and take roles, one-time passwords, deactivate; the sign-in picker. No scores here.
+#pragma once
+
+#include <vector>
+
+#include "database/people.h"
+#include "ui/shell/context.h"
+
+class QCheckBox;
+class QFrame;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTableWidget;
+
+namespace fulcrum::ui {
+
+class PeoplePage : public Page {
+    Q_OBJECT
+  public:
+    explicit PeoplePage(Context& context);
+    void enter() override;
+
+  private:
+    QFrame* build_editor();
+    QFrame* build_add();
+    void fill();
+    void select();
+    const database::Person* selected() const;
+    void add();
+    void save();
+    void issue();
+    void toggle_active();
+    void show_secret(const QString& who, const std::string& secret);
+
+    std::vector<database::Person> people_;
+    QTableWidget* table_;
+    QLineEdit *new_login_ = nullptr, *new_name_ = nullptr, *name_ = nullptr;
+    std::vector<QCheckBox*> new_roles_, roles_;
+    QLabel *who_ = nullptr, *secret_text_ = nullptr;
+    QFrame *editor_ = nullptr, *secret_ = nullptr;
+    QPushButton* active_ = nullptr;
+    QCheckBox* picker_ = nullptr;
+};
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/attempt_chart.h"
+
+#include <QCoreApplication>
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QPainter>
+#include <QToolTip>
+#include <cmath>
+
+#include "ui/style/text.h"
+
+namespace fulcrum::ui {
+namespace {
+
+/// Maps attempt number and value to the plot.
+struct Frame {
+    QRectF plot;
+    double x_low = 0.5, x_high = 1.5, y_high = 1, y_step = 1;
+    QPointF at(double number, double value) const {
+        return {plot.left() + plot.width() * (number - x_low) / (x_high - x_low),
+                plot.bottom() - plot.height() * value / y_high};
+    }
+};
+
+double nice_step(double span) {
+    const double raw = span / 4, power = std::pow(10.0, std::floor(std::log10(raw)));
+    for (const double factor : {1.0, 2.0, 2.5, 5.0, 10.0}) {
+        if (raw <= factor * power * 1.0001) return factor * power;
+    }
+    return 10 * power;
+}
+
+Frame frame_of(const QRectF& area, const AttemptChartData& data, double unit) {
+    Frame frame;
+    frame.plot = area.adjusted(64 * unit, 30 * unit, -14 * unit, -44 * unit);
+    int last = 1;
+    double high = data.limit.value_or(0);
+    for (const AttemptSeries& series : data.series) {
+        for (const AttemptPoint& point : series.points) {
+            last = std::max(last, point.number);
+            if (point.value) high = std::max(high, *point.value);
+        }
+    }
+    frame.x_high = last + 0.5;
+    if (data.y_maximum) {
+        frame.y_high = *data.y_maximum;
+        frame.y_step = *data.y_maximum / 4;
+    } else {
+        if (high <= 0) high = 1;
+        frame.y_step = nice_step(high * 1.08);
+        frame.y_high = std::ceil(high * 1.08 / frame.y_step) * frame.y_step;
+    }
+    return frame;
+}
+
+}  // namespace
+
+void paint_attempt_chart(QPainter& painter, const QRectF& area, const AttemptChartData& data, const Palette& p,
+                         double unit, const std::string& selected) {
+    const Frame frame = frame_of(area, data, unit);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double line_height = QFontMetricsF(painter.font(), painter.device()).height();
+    painter.setPen(p.muted);
+    painter.drawText(QRectF(area.left(), area.top(), area.width() / 2, line_height), Qt::AlignLeft, data.y_title);
+    for (double y = 0; y <= frame.y_high * 1.0001; y += frame.y_step) {
+        const QPointF left = frame.at(frame.x_low, y), right = frame.at(frame.x_high, y);
+        painter.setPen(QPen(p.line, unit));
+        painter.drawLine(left, right);
+        painter.setPen(p.muted);
+        painter.drawText(QRectF(area.left(), left.y() - line_height / 2, 56 * unit, line_height),
+                         Qt::AlignRight | Qt::AlignVCenter, figure(y));
+    }
+    const int last = static_cast<int>(frame.x_high - 0.5);
+    const int step = std::max(1, last / 12);
+    for (int number = 1; number <= last; number += step) {
+        const QPointF foot = frame.at(number, 0);
+        painter.drawText(QRectF(foot.x() - 30 * unit, foot.y() + 4 * unit, 60 * unit, line_height), Qt::AlignCenter,
+                         QString::number(number));
+    }
+    painter.drawText(QRectF(frame.plot.left(), area.bottom() - line_height, frame.plot.width(), line_height),
+                     Qt::AlignCenter, QCoreApplication::translate("fulcrum::ui::AttemptChart", "attempt"));
+    if (data.limit && *data.limit <= frame.y_high) {
+        painter.setPen(QPen(p.limit, 1.5 * unit, Qt::DashDotLine));
+        painter.drawLine(frame.at(frame.x_low, *data.limit), frame.at(frame.x_high, *data.limit));
+        painter.drawText(frame.at(frame.x_low, *data.limit) + QPointF(6 * unit, -4 * unit), data.limit_name);
+    }
+    const QColor colours[] = {p.left_hand, p.right_hand, p.good, p.limit, p.neutral, p.text};
+    const Qt::PenStyle styles[] = {Qt::SolidLine, Qt::DashLine, Qt::DotLine, Qt::DashDotLine, Qt::DashDotDotLine,
+                                   Qt::SolidLine};
+    double legend_x = area.right();
+    for (std::size_t s = 0; s < data.series.size(); ++s) {
+        const AttemptSeries& series = data.series[s];
+        const QColor colour = colours[s % 6];
+        QPolygonF line;
+        for (const AttemptPoint& point : series.points) {
+            if (point.value) line << frame.at(point.number, std::min(*point.value, frame.y_high));
+        }
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(colour, 1.6 * unit, styles[s % 6]));
+        painter.drawPolyline(line);
+        for (const AttemptPoint& point : series.points) {
+            if (!point.value) continue;
+            const QPointF at = frame.at(point.number, std::min(*point.value, frame.y_high));
+            const double r = (point.counting ? 5.5 : 3.5) * unit;
+            painter.setPen(QPen(colour, 2 * unit));
+            if (!point.passed) {
+                painter.setBrush(p.card);
+                painter.drawEllipse(at, r, r);
+            } else if (*point.passed) {
+                painter.setBrush(colour);
+                painter.drawEllipse(at, r, r);
+            } else {
+                painter.drawLine(at + QPointF(-r, -r), at + QPointF(r, r));
+                painter.drawLine(at + QPointF(-r, r), at + QPointF(r, -r));
+            }
+            if (!selected.empty() && point.attempt_id == selected) {
+                painter.setBrush(Qt::NoBrush);
+                painter.setPen(QPen(p.text, 1.5 * unit));
+                painter.drawEllipse(at, r + 5 * unit, r + 5 * unit);
+            }
+        }
+        const double width = QFontMetricsF(painter.font(), painter.device()).horizontalAdvance(series.name);
+        legend_x -= width + 34 * unit;
+        painter.setPen(QPen(colour, 2 * unit, styles[s % 6]));
+        painter.drawLine(QPointF(legend_x, area.top() + line_height / 2),
+                         QPointF(legend_x + 20 * unit, area.top() + line_height / 2));
+        painter.setPen(p.text);
+        painter.drawText(QRectF(legend_x + 26 * unit, area.top(), width + 4 * unit, line_height), Qt::AlignLeft,
+                         series.name);
+    }
+    painter.restore();
+}
+
+AttemptChart::AttemptChart(QWidget* parent) : QWidget(parent) {
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setObjectName(QStringLiteral("attempt_chart"));
+}
+
+void AttemptChart::set_data(AttemptChartData data) {
+    data_ = std::move(data);
+    selected_.clear();
+    setAccessibleName(data_.y_title);
+    update();
+}
+
+void AttemptChart::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    const Palette& p = colours();
+    painter.fillRect(rect(), p.card);
+    if (data_.series.empty()) {
+        painter.setPen(p.muted);
+        painter.drawText(rect(), Qt::AlignCenter, tr("No attempts yet"));
+        return;
+    }
+    paint_attempt_chart(painter, QRectF(rect()).adjusted(8, 8, -8, -4), data_, p, 1, selected_);
+    if (hasFocus()) {
+        painter.setPen(QPen(p.accent, 1, Qt::DotLine));
+        painter.drawRect(rect().adjusted(0, 0, -1, -1));
+    }
+}
+
+const AttemptPoint* AttemptChart::point_near(const QPointF& position) const {
+    const Frame frame = frame_of(QRectF(rect()).adjusted(8, 8, -8, -4), data_, 1);
+    const AttemptPoint* nearest = nullptr;
+    double best = 12;
+    for (const AttemptSeries& series : data_.series) {
+        for (const AttemptPoint& point : series.points) {
+            if (!point.value) continue;
+            const QPointF off = frame.at(point.number, std::min(*point.value, frame.y_high)) - position;
+            const double distance = std::hypot(off.x(), off.y());
+            if (distance < best) {
+                best = distance;
+                nearest = &point;
+            }
+        }
+    }
+    return nearest;
+}
+
+void AttemptChart::mousePressEvent(QMouseEvent* event) {
+    if (const AttemptPoint* point = point_near(event->localPos())) {
+        selected_ = point->attempt_id;
+        update();
+        emit attempt_chosen(text(point->attempt_id));
+    }
+}
+
+void AttemptChart::keyPressEvent(QKeyEvent* event) {
+    std::vector<const AttemptPoint*> points;
+    for (const AttemptSeries& series : data_.series) {
+        for (const AttemptPoint& point : series.points) {
+            if (point.value) points.push_back(&point);
+        }
+    }
+    std::size_t index = points.size();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (points[i]->attempt_id == selected_) index = i;
+    }
+    if (event->key() == Qt::Key_Right && !points.empty()) {
+        selected_ = points[index >= points.size() ? 0 : std::min(index + 1, points.size() - 1)]->attempt_id;
+    } else if (event->key() == Qt::Key_Left && !points.empty()) {
+        selected_ = points[index >= points.size() ? points.size() - 1 : index - std::min<std::size_t>(index, 1)]
+                        ->attempt_id;
+    } else if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && index < points.size()) {
+        emit attempt_chosen(text(selected_));
+    } else {
+        QWidget::keyPressEvent(event);
+        return;
+    }
+    update();
+}
+
+bool AttemptChart::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        if (const AttemptPoint* point = point_near(help->pos())) {
+            QToolTip::showText(help->globalPos(), point->tip, this);
+        } else {
+            QToolTip::hideText();
+        }
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/time_chart.h"
+
+#include <QChart>
+#include <QHelpEvent>
+#include <QLegend>
+#include <QLineSeries>
+#include <QMouseEvent>
+#include <QToolTip>
+#include <QValueAxis>
+#include <QWheelEvent>
+#include <cmath>
+
+#include "ui/style/palette.h"
+#include "ui/style/text.h"
+
+namespace fulcrum::ui {
+
+using QtCharts::QChart;
+using QtCharts::QLineSeries;
+using QtCharts::QValueAxis;
+
+TimeChart::TimeChart(const QString& y_title, QWidget* parent)
+    : QChartView(parent), x_axis_(new QValueAxis), y_axis_(new QValueAxis) {
+    setFocusPolicy(Qt::StrongFocus);
+    setRenderHint(QPainter::Antialiasing);
+    setMouseTracking(true);
+    setAccessibleName(y_title);
+    setFrameShape(QFrame::NoFrame);
+    QChart* shown = chart();
+    shown->setAnimationOptions(QChart::NoAnimation);
+    shown->setMargins(QMargins(2, 2, 8, 2));
+    shown->setBackgroundRoundness(0);
+    shown->addAxis(x_axis_, Qt::AlignBottom);
+    shown->addAxis(y_axis_, Qt::AlignLeft);
+    shown->legend()->setAlignment(Qt::AlignTop);
+    x_axis_->setTitleText(tr("time (s)"));
+    y_axis_->setTitleText(y_title);
+    x_axis_->setTickCount(9);
+    y_axis_->setTickCount(4);
+    x_axis_->setLabelFormat(QStringLiteral("%g"));
+    y_axis_->setLabelFormat(QStringLiteral("%g"));
+    const Palette& p = colours();
+    shown->setBackgroundBrush(p.card);
+    shown->setPlotAreaBackgroundVisible(false);
+    shown->legend()->setLabelColor(p.text);
+    for (QValueAxis* axis : {x_axis_, y_axis_}) {
+        axis->setLabelsColor(p.muted);
+        axis->setTitleBrush(p.muted);
+        axis->setGridLineColor(p.line);
+        axis->setLinePenColor(p.line);
+    }
+    setBackgroundBrush(p.card);
+}
+
+void TimeChart::clear() {
+    for (Series& series : series_) {
+        chart()->removeSeries(series.line);
+        delete series.line;
+    }
+    series_.clear();
+    limits_.clear();
+    marks_.clear();
+    cursor_ = -1;
+}
+
+void TimeChart::add_series(const QString& name, const QColor& colour, Qt::PenStyle pen,
+                           std::shared_ptr<const MinMaxPyramid> data) {
+    auto* line = new QLineSeries;
+    line->setName(name);
+    line->setPen(QPen(colour, 1.6, pen));
+    chart()->addSeries(line);
+    line->attachAxis(x_axis_);
+    line->attachAxis(y_axis_);
+    series_.push_back({line, std::move(data)});
+}
+
+void TimeChart::add_limit(const QString& name, double value) { limits_.emplace_back(name, value); }
+
+void TimeChart::set_marks(std::vector<ChartMark> marks) {
+    marks_ = std::move(marks);
+    viewport()->update();
+}
+
+void TimeChart::set_cursor(double time) {
+    cursor_ = time;
+    viewport()->update();
+}
+
+void TimeChart::show_all() {
+    first_ = 0;
+    last_ = 0;
+    double low = 0, high = 0;
+    for (const Series& series : series_) {
+        last_ = std::max(last_, series.data->last_x());
+        low = std::min(low, series.data->lowest());
+        high = std::max(high, series.data->highest());
+    }
+    for (const auto& [name, value] : limits_) {
+        if (value < 4 * high) high = std::max(high, value);
+    }
+    if (last_ <= first_) last_ = first_ + 1;
+    if (high <= low) high = low + 1;
+    y_axis_->setRange(low, low + (high - low) * 1.12);
+    y_axis_->applyNiceNumbers();
+    show_range(first_, last_);
+}
+
+void TimeChart::show_range(double from, double to) {
+    const double span = std::clamp(to - from, 0.05, std::max(last_ - first_, 0.05));
+    from = std::clamp(from, first_, std::max(first_, last_ - span));
+    x_axis_->setRange(from, from + span);
+    refresh();
+}
+
+void TimeChart::refresh() {
+    for (Series& series : series_) {
+        const std::vector<ChartPoint> points = series.data->view(x_axis_->min(), x_axis_->max());
+        QVector<QPointF> shown;
+        shown.reserve(static_cast<int>(points.size()));
+        for (const ChartPoint& point : points) shown.push_back({point.x, point.y});
+        series.line->replace(shown);
+    }
+    viewport()->update();
+}
+
+double TimeChart::time_at(const QPoint& position) const {
+    return chart()->mapToValue(chart()->mapFromScene(mapToScene(position))).x();
+}
+
+double TimeChart::x_of(double time) const {
+    const QRectF area = chart()->plotArea();
+    return area.left() +
+           area.width() * (time - x_axis_->min()) / std::max(x_axis_->max() - x_axis_->min(), 1e-9);
+}
+
+void TimeChart::drawForeground(QPainter* painter, const QRectF& rect) {
+    QChartView::drawForeground(painter, rect);
+    const Palette& p = colours();
+    const QRectF area = chart()->plotArea();
+    painter->save();
+    painter->setClipRect(area.adjusted(-6, -14, 6, 2));
+    painter->setRenderHint(QPainter::Antialiasing);
+    const double y_span = std::max(y_axis_->max() - y_axis_->min(), 1e-9);
+    for (const auto& [name, value] : limits_) {
+        if (value > y_axis_->max()) continue;
+        const double y = area.bottom() - area.height() * (value - y_axis_->min()) / y_span;
+        painter->setPen(QPen(p.limit, 1.4, Qt::DashDotLine));
+        painter->drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
+        painter->drawText(QPointF(area.left() + 6, y - 4), name);
+    }
+    for (const ChartMark& mark : marks_) {
+        if (mark.time < x_axis_->min() || mark.time > x_axis_->max()) continue;
+        const double x = x_of(mark.time);
+        painter->setPen(QPen(mark.colour, mark.severe ? 1.6 : 1.0));
+        painter->drawLine(QPointF(x, area.top() - 8), QPointF(x, mark.severe ? area.bottom() : area.top() + 2));
+        if (mark.severe) {
+            painter->setBrush(mark.colour);
+            painter->drawPolygon(QPolygonF(
+                {QPointF(x - 5, area.top() - 10), QPointF(x + 5, area.top() - 10), QPointF(x, area.top() - 1)}));
+        }
+    }
+    if (cursor_ >= x_axis_->min() && cursor_ <= x_axis_->max()) {
+        const double x = x_of(cursor_);
+        painter->setPen(QPen(p.text, 1.5));
+        painter->drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+    }
+    if (hasFocus()) {
+        painter->setClipping(false);
+        painter->setPen(QPen(p.accent, 1));
+        painter->setBrush(Qt::NoBrush);
+        painter->drawRect(area);
+    }
+    painter->restore();
+}
+
+void TimeChart::zoom(double factor, double around) {
+    const double from = x_axis_->min(), to = x_axis_->max();
+    show_range(around - (around - from) * factor, around + (to - around) * factor);
+}
+
+void TimeChart::wheelEvent(QWheelEvent* event) {
+    const double notches = event->angleDelta().y() / 120.0;
+    if (notches != 0) zoom(std::pow(0.8, notches), time_at(event->position().toPoint()));
+    event->accept();
+}
+
+void TimeChart::mousePressEvent(QMouseEvent* event) {
+    pressed_ = event->button() == Qt::LeftButton;
+    dragged_ = false;
+    pressed_at_ = event->pos();
+    pressed_from_ = x_axis_->min();
+    pressed_to_ = x_axis_->max();
+    setFocus(Qt::MouseFocusReason);
+}
+
+void TimeChart::mouseMoveEvent(QMouseEvent* event) {
+    if (pressed_ && std::abs(event->pos().x() - pressed_at_.x()) > 4) {
+        dragged_ = true;
+        const double per_pixel = (pressed_to_ - pressed_from_) / std::max(chart()->plotArea().width(), 1.0);
+        const double shift = (pressed_at_.x() - event->pos().x()) * per_pixel;
+        show_range(pressed_from_ + shift, pressed_to_ + shift);
+    }
+}
+
+const ChartMark* TimeChart::mark_near(const QPoint& position) const {
+    const ChartMark* nearest = nullptr;
+    double best = 6;
+    for (const ChartMark& mark : marks_) {
+        const double distance = std::abs(x_of(mark.time) - position.x()) - (mark.severe ? 2 : 0);
+        if (distance < best) {
+            best = distance;
+            nearest = &mark;
+        }
+    }
+    return nearest;
+}
+
+void TimeChart::mouseReleaseEvent(QMouseEvent* event) {
+    if (pressed_ && !dragged_) {
+        const ChartMark* mark = event->pos().y() < chart()->plotArea().top() + 6 ? mark_near(event->pos()) : nullptr;
+        emit time_chosen(std::clamp(mark != nullptr ? mark->time : time_at(event->pos()), first_, last_));
+    }
+    pressed_ = false;
+}
+
+void TimeChart::mouseDoubleClickEvent(QMouseEvent* event) {
+    show_all();
+    event->accept();
+}
+
+void TimeChart::keyPressEvent(QKeyEvent* event) {
+    const double span = x_axis_->max() - x_axis_->min();
+    const double now = cursor_ < 0 ? x_axis_->min() : cursor_;
+    switch (event->key()) {
+        case Qt::Key_Left:
+            emit time_chosen(std::max(first_, now - span / 100));
+            break;
+        case Qt::Key_Right:
+            emit time_chosen(std::min(last_, now + span / 100));
+            break;
+        case Qt::Key_Plus:
+        case Qt::Key_Equal:
+            zoom(0.8, now);
+            break;
+        case Qt::Key_Minus:
+            zoom(1.25, now);
+            break;
+        case Qt::Key_0:
+            show_all();
+            break;
+        default:
+            QChartView::keyPressEvent(event);
+    }
+}
+
+bool TimeChart::viewportEvent(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        if (const ChartMark* mark = mark_near(help->pos())) {
+            QToolTip::showText(help->globalPos(), tr("%1 s: %2").arg(mark->time, 0, 'f', 2).arg(mark->text), this);
+        } else {
+            QToolTip::hideText();
+        }
+        return true;
+    }
+    return QChartView::viewportEvent(event);
+}
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Quantities over the time of an attempt: any number of series (at most 4,000 points each, whatever the length), limits, event marks, a
+// cursor. Wheel zooms at the pointer, a drag moves, a click chooses a time, double click shows all; keys: arrows move the cursor, + and -
+// zoom, 0 shows all.
+#pragma once
+
+#include <QChartView>
+#include <QColor>
+#include <memory>
+#include <vector>
+
+#include "ui/charts/decimation.h"
+
+QT_CHARTS_BEGIN_NAMESPACE
+class QLineSeries;
+class QValueAxis;
+QT_CHARTS_END_NAMESPACE
+
+namespace fulcrum::ui {
+
+struct ChartMark {
+    double time = 0;
+    QString text;
+    QColor colour;
+    bool severe = false;  ///< drawn as a filled triangle, others as a small line
+};
+
+class TimeChart : public QtCharts::QChartView {
+    Q_OBJECT
+  public:
+    explicit TimeChart(const QString& y_title, QWidget* parent = nullptr);
+    void add_series(const QString& name, const QColor& colour, Qt::PenStyle pen,
+                    std::shared_ptr<const MinMaxPyramid> data);
+    void add_limit(const QString& name, double value);
+    void set_marks(std::vector<ChartMark> marks);
+    void set_cursor(double time);
+    /// Shows all data, y from 0 (or the lowest value below it) to the highest.
+    void show_all();
+    void show_range(double from, double to);
+    void clear();
+
+  signals:
+    void time_chosen(double time);
+
+  protected:
+    void drawForeground(QPainter* painter, const QRectF& rect) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    bool viewportEvent(QEvent* event) override;
+
+  private:
+    struct Series {
+        QtCharts::QLineSeries* line = nullptr;
+        std::shared_ptr<const MinMaxPyramid> data;
+    };
+    void refresh();
+    double time_at(const QPoint& position) const;
+    double x_of(double time) const;
+    void zoom(double factor, double around);
+    const ChartMark* mark_near(const QPoint& position) const;
+
+    QtCharts::QValueAxis *x_axis_, *y_axis_;
+    std::vector<Series> series_;
+    std::vector<ChartMark> marks_;
+    std::vector<std::pair<QString, double>> limits_;
+    double first_ = 0, last_ = 1, cursor_ = -1;
+    QPoint pressed_at_;
+    double pressed_from_ = 0, pressed_to_ = 1;
+    bool pressed_ = false, dragged_ = false;
+};
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dashboards/attempts_page.h"
+
+#include <QComboBox>
+#include <QHeaderView>
+
+#include "database/people.h"
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+
+namespace fulcrum::ui {
+
+AttemptsPage::AttemptsPage(Context& context) : Page(context, "attempts_page") {
+    auto* body = new QWidget;
+    auto* layout = new QVBoxLayout(body);
+    layout->setSpacing(12);
+    title_ = make_label(tr("Attempts"), "title");
+    layout->addWidget(title_);
+    requests_card_ = make_card(4);
+    requests_ = card_layout(requests_card_);
+    layout->addWidget(requests_card_);
+    auto* row = new QHBoxLayout;
+    const auto combo = [&](const QString& label, const char* name) {
+        auto* box = new QComboBox;
+        box->setObjectName(QString::fromLatin1(name));
+        box->setAccessibleName(label);
+        box->setMinimumWidth(190);
+        row->addWidget(box);
+        connect(box, QOverload<int>::of(&QComboBox::activated), this, &AttemptsPage::load);
+        return box;
+    };
+    cohort_ = combo(tr("Cohort"), "filter_cohort");
+    person_ = combo(tr("Person"), "filter_person");
+    task_ = combo(tr("Task"), "filter_task");
+    row->addStretch();
+    count_ = make_label({}, "muted");
+    row->addWidget(count_);
+    layout->addLayout(row);
+    table_ = make_table({tr("Person"), tr("Task"), tr("Started"), tr("Mode"), tr("Device"), tr("Ended"), tr("Time"),
+                         tr("Result"), tr("Points"), tr("Comments")},
+                        "attempts_table");
+    table_->setMinimumHeight(360);
+    layout->addWidget(table_, 1);
+    connect(table_, &QTableWidget::itemActivated, this, [this](QTableWidgetItem* item) { open_row(item->row()); });
+    connect(table_, &QTableWidget::cellDoubleClicked, this, [this](int clicked, int) { open_row(clicked); });
+    QPushButton* open = make_button(tr("Open the attempt"), "open_attempt", "primary");
+    connect(open, &QPushButton::clicked, this, [this] { open_row(table_->currentRow()); });
+    layout->addWidget(open, 0, Qt::AlignLeft);
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(scrolled(body, 1240));
+}
+
+void AttemptsPage::enter() {
+    const bool own = context().session().role() == database::Role::trainee;
+    title_->setText(own ? tr("My attempts") : tr("Attempts"));
+    fill_filters();
+    cohort_->setVisible(!own);
+    person_->setVisible(!own);
+    fill_requests();
+    load();
+    table_->setFocus();
+}
+
+void AttemptsPage::fill_filters() {
+    const auto refill = [](QComboBox* box, const QString& all, const std::vector<std::pair<QString, QString>>& rows) {
+        const QString before = box->currentData().toString();
+        box->clear();
+        box->addItem(all, QString());
+        for (const auto& [shown, id] : rows) box->addItem(shown, id);
+        box->setCurrentIndex(std::max(0, box->findData(before)));
+    };
+    std::vector<std::pair<QString, QString>> cohorts, people, tasks;
+    context().guarded([&] {
+        const database::People all(context().store());
+        if (context().session().role() != database::Role::trainee) {
+            for (const database::Cohort& cohort : all.cohorts(context().session())) {
+                cohorts.emplace_back(text(cohort.name), text(cohort.id));
+            }
+            for (const database::Person& person : all.list(context().session())) {
+                people.emplace_back(text(person.display_name), text(person.id));
+            }
+        }
+    });
+    for (const TaskDefinition& task : context().services().tasks()) {
+        tasks.emplace_back(context().task_title(task.id), text(task.id));
+    }
+    refill(cohort_, tr("All cohorts"), cohorts);
+    refill(person_, tr("Everyone"), people);
+    refill(task_, tr("All tasks"), tasks);
+}
+
+void AttemptsPage::fill_requests() {
+    clear_layout(requests_);
+    std::vector<database::CorrectionRequest> open;
+    if (context().allowed(database::Operation::read_requests) ||
+        context().session().role() == database::Role::educator) {
+        context().guarded([&] {
+            for (database::CorrectionRequest& request :
+                 database::Attempts(context().store()).correction_requests(context().session())) {
+                if (!request.settled) open.push_back(std::move(request));
+            }
+        });
+    }
+    requests_card_->setVisible(!open.empty());
+    requests_->addWidget(
+        make_label(tr("%n correction(s) asked for", nullptr, static_cast<int>(open.size())), "heading"));
+    for (const database::CorrectionRequest& request : open) {
+        QPushButton* button = make_button(tr("%1, %2: %3").arg(text(request.person_name), local_time(request.asked),
+                                                               text(request.text).simplified().left(110)),
+                                          "correction_request", "link");
+        connect(button, &QPushButton::clicked, this,
+                [this, id = text(request.attempt_id)] { emit context().debrief_wanted(id, -1); });
+        requests_->addWidget(button);
+    }
+}
+
+void AttemptsPage::load() {
+    database::AttemptFilter filter;
+    filter.cohort_id = plain(cohort_->currentData().toString());
+    filter.person_id = plain(person_->currentData().toString());
+    filter.task_id = plain(task_->currentData().toString());
+    filter.limit = 500;
+    attempts_.clear();
+    context().guarded(
+        [&] { attempts_ = database::Attempts(context().store()).list(context().session(), filter); });
+    table_->setUpdatesEnabled(false);
+    table_->setRowCount(static_cast<int>(attempts_.size()));
+    for (std::size_t i = 0; i < attempts_.size(); ++i) {
+        const database::AttemptSummary& attempt = attempts_[i];
+        const bool voided = attempt.state == "voided";
+        QString who = text(attempt.person_name);
+        if (attempt.synthetic) who += tr(" (synthetic)");
+        QString comments = attempt.comments == 0 ? QString() : QString::number(attempt.comments);
+        if (attempt.unread_comments > 0) comments += tr(" (%1 unread)").arg(attempt.unread_comments);
+        const QString cells[] = {
+            who,
+            text(attempt.meta.task_id),
+            local_time(attempt.meta.started),
+            attempt.meta.mode == "assessed" ? tr("assessed") : tr("practice"),
+            device_class_text(attempt.meta.device_class),
+            voided ? tr("voided") : attempt_state(attempt.state),
+            clock_text(attempt.duration_s),
+            verdict(attempt.passed, attempt.provisional),
+            figure(attempt.points),
+            comments};
+        for (int column = 0; column < 10; ++column) {
+            const bool numeric = column == 6 || column == 8;
+            auto* item = make_cell(cells[column], (numeric ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+            if (voided) {
+                QFont font = item->font();
+                font.setStrikeOut(true);
+                item->setFont(font);
+                item->setToolTip(tr("Voided by %1: %2").arg(text(attempt.voided_by), text(attempt.void_reason)));
+            }
+            table_->setItem(static_cast<int>(i), column, item);
+        }
+    }
+    table_->setUpdatesEnabled(true);
+    table_->resizeColumnsToContents();
+    if (!attempts_.empty()) table_->setCurrentCell(0, 0);
+    count_->setText(attempts_.size() >= 500 ? tr("the newest 500")
+                                            : tr("%n attempt(s)", nullptr, static_cast<int>(attempts_.size())));
+}
+
+void AttemptsPage::open_row(int row) {
+    if (row < 0 || row >= static_cast<int>(attempts_.size())) return;
+    emit context().debrief_wanted(text(attempts_[static_cast<std::size_t>(row)].meta.id), -1);
+}
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dashboards/cohort_page.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QHeaderView>
+#include <QTableWidget>
+
+#include "database/people.h"
+#include "ui/shell/background_job.h"
+#include "ui/style/palette.h"
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+
+namespace fulcrum::ui {
+
+QString cohort_cell_text(const database::CohortRow& row) {
+    QString state;
+    switch (row.state) {
+        case database::TaskState::passed:
+            state = row.provisional ? CohortPage::tr("✓ passed (provisional)") : CohortPage::tr("✓ passed");
+            break;
+        case database::TaskState::attempted:
+            state = CohortPage::tr("attempted");
+            break;
+        case database::TaskState::open:
+            state = CohortPage::tr("open");
+            break;
+    }
+    if (row.device_class.empty()) return state;
+    QString line = CohortPage::tr("%1 · %n attempt(s)", nullptr, row.attempts).arg(state);
+    if (row.best_points) line += CohortPage::tr(" · best %1").arg(figure(*row.best_points));
+    return line + QStringLiteral("\n") + device_class_text(row.device_class);
+}
+
+CohortPage::CohortPage(Context& context) : Page(context, "cohort_page") {
+    auto* body = new QWidget;
+    auto* layout = new QVBoxLayout(body);
+    layout->setSpacing(12);
+    layout->addWidget(make_label(tr("Cohort"), "title"));
+    auto* row = new QHBoxLayout;
+    cohort_ = new QComboBox;
+    cohort_->setObjectName(QStringLiteral("cohort_choice"));
+    cohort_->setAccessibleName(tr("Cohort"));
+    cohort_->setMinimumWidth(240);
+    row->addWidget(cohort_);
+    row->addStretch();
+    export_ = make_button(tr("Export …"), "export_cohort", "primary");
+    row->addWidget(export_);
+    layout->addLayout(row);
+    job_ = new JobBar;
+    layout->addWidget(job_);
+    summary_ = make_label({}, "muted");
+    layout->addWidget(summary_);
+    table_ = make_table({}, "cohort_table");
+    table_->setSelectionBehavior(QAbstractItemView::SelectItems);
+    table_->setMinimumHeight(380);
+    table_->setWordWrap(true);
+    layout->addWidget(table_, 1);
+    foot_ = make_label({}, "muted");
+    layout->addWidget(foot_);
+    connect(cohort_, QOverload<int>::of(&QComboBox::activated), this, &CohortPage::load);
+    connect(export_, &QPushButton::clicked, this, &CohortPage::ask_export);
+    connect(table_, &QTableWidget::itemActivated, this, [this](QTableWidgetItem* item) {
+        const QString person = table_->item(item->row(), 0)->data(Qt::UserRole).toString();
+        const QString task = item->column() == 0 ? QString() : item->data(Qt::UserRole).toString();
+        emit this->context().progress_wanted(person, task);
+    });
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(scrolled(body, 1240));
+}
+
+void CohortPage::enter() {
+    const QString before = cohort_->currentData().toString();
+    cohort_->clear();
+    context().guarded([&] {
+        for (const database::Cohort& cohort : database::People(context().store()).cohorts(context().session())) {
+            cohort_->addItem(text(cohort.name), text(cohort.id));
+        }
+    });
+    cohort_->setCurrentIndex(std::max(0, cohort_->findData(before)));
+    load();
+    (cohort_->count() > 1 ? static_cast<QWidget*>(cohort_) : table_)->setFocus();
+}
+
+void CohortPage::load() {
+    data_.reset();
+    table_->setRowCount(0);
+    table_->setColumnCount(0);
+    const std::string id = plain(cohort_->currentData().toString());
+    export_->setVisible(!id.empty() &&
+                        context().allowed(database::Operation::export_cohort, database::Subject::cohort(id)));
+    if (id.empty()) {
+        summary_->setText(tr("There is no cohort yet; a director makes one under *Assign cohorts*."));
+        foot_->clear();
+        return;
+    }
+    database::CohortTableOptions options;
+    for (const TaskDefinition& task : context().services().tasks()) options.tasks.push_back(task.id);
+    if (!context().guarded([&] {
+            data_ = database::Reports(context().store()).cohort_table(context().session(), id, options);
+        })) {
+        return;
+    }
+    QStringList titles{tr("Person")};
+    for (const std::string& task : data_->tasks) titles << context().task_title(task);
+    table_->setColumnCount(titles.size());
+    table_->setHorizontalHeaderLabels(titles);
+    std::string person;
+    int line = -1;
+    for (const database::CohortRow& row : data_->rows) {
+        if (row.person_id != person || line < 0) {
+            person = row.person_id;
+            line = table_->rowCount();
+            table_->insertRow(line);
+            auto* name = make_cell(text(row.name));
+            name->setData(Qt::UserRole, text(row.person_id));
+            table_->setItem(line, 0, name);
+        }
+        for (std::size_t t = 0; t < data_->tasks.size(); ++t) {
+            if (data_->tasks[t] != row.task_id) continue;
+            const int column = static_cast<int>(t) + 1;
+            QTableWidgetItem* cell = table_->item(line, column);
+            if (cell == nullptr) {
+                cell = make_cell(cohort_cell_text(row));
+                cell->setData(Qt::UserRole, text(row.task_id));
+                table_->setItem(line, column, cell);
+            } else {
+                cell->setText(cell->text() + QStringLiteral("\n") + cohort_cell_text(row));
+            }
+            if (row.state == database::TaskState::passed) cell->setForeground(colours().good);
+            if (row.state == database::TaskState::open) cell->setForeground(colours().muted);
+        }
+    }
+    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    table_->resizeRowsToContents();
+    QString line_text = tr("%n people", nullptr, data_->people);
+    if (data_->left_out_synthetic > 0) {
+        line_text += tr(" · %n synthetic left out", nullptr, data_->left_out_synthetic);
+    }
+    line_text += tr(" · counting attempts only; device classes are never pooled");
+    summary_->setText(line_text);
+    QStringList sets, metrics;
+    for (const std::string& set : data_->benchmark_sets) sets << text(set);
+    for (const std::string& metric : data_->metric_versions) metrics << text(metric);
+    foot_->setText(tr("Benchmark sets: %1\nMetrics: %2")
+                       .arg(sets.isEmpty() ? QStringLiteral("–") : sets.join(QStringLiteral(", ")),
+                            metrics.isEmpty() ? QStringLiteral("–") : metrics.join(QStringLiteral(", "))));
+}
+
+void CohortPage::ask_export() {
+    if (!data_) return;
+    const QString path = QFileDialog::getSaveFileName(this, tr("Export the cohort"),
+                                                      text(data_->cohort_name) + QStringLiteral(".pdf"),
+                                                      tr("PDF (*.pdf);;CSV (*.csv);;JSON (*.json)"));
+    if (path.isEmpty()) return;
+    export_to(path, path.endsWith(QLatin1String(".csv"))    ? ReportFormat::csv
+                    : path.endsWith(QLatin1String(".json")) ? ReportFormat::json
+                                                            : ReportFormat::pdf);
+}
+
+void CohortPage::export_to(const QString& path, ReportFormat format) {
+    if (!data_) return;
+    ReportRequest request;
+    request.cohort_id = data_->cohort_id;
+    request.format = format;
+    request.path = plain(path);
+    auto files = std::make_shared<std::vector<std::string>>();
+    BackgroundJob* job = BackgroundJob::run(
+        this,
+        [files, request, session = context().session(), store_path = context().store().path(),
+         tasks = context().services().tasks(),
+         version = context().services().program_version()](const Progress& progress) {
+            database::StoreOptions options;
+            options.read_only = true;
+            const database::Store store = database::Store::open(store_path, options);
+            *files = write_report(store, session, request, tasks, version, progress);
+        },
+        [this, files] {
+            if (files->empty()) return;
+            context().say(tr("Saved %1").arg(text(files->front())));
+            emit exported(text(files->front()));
+        },
+        [this](const QString& error) { context().complain(error); });
+    job_->watch(job, tr("Writing the report …"));
+}
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/reports/report.h"
+
+#include <QFile>
+#include <QSaveFile>
+#include <algorithm>
+
+#include "database/people.h"
+#include "sim_core/numerics/input_error.h"
+#include "ui/style/text.h"
+
+namespace fulcrum::ui {
+namespace {
+
+std::vector<ReportTask> titles_of(const std::vector<std::string>& ids, const std::vector<TaskDefinition>& tasks) {
+    std::vector<ReportTask> titles;
+    for (const std::string& id : ids) {
+        ReportTask shown{id, id, ""};
+        for (const TaskDefinition& task : tasks) {
+            if (task.id == id) shown = {id, task.title, task.stage};
+        }
+        titles.push_back(std::move(shown));
+    }
+    return titles;
+}
+
+ReportProvenance provenance_of(const database::Store& store, const database::Session& session,
+                               const std::string& program_version) {
+    ReportProvenance provenance;
+    provenance.programme = store.programme_name();
+    provenance.program_version = program_version;
+    provenance.as_of = store.now();
+    provenance.made_by = session.display_name().empty() ? session.login() : session.display_name();
+    provenance.made_as = database::role_name(session.role());
+    provenance.demo = store.is_demo();
+    return provenance;
+}
+
+void add_all(std::vector<std::string>& to, const std::vector<std::string>& from) {
+    to.insert(to.end(), from.begin(), from.end());
+    std::sort(to.begin(), to.end());
+    to.erase(std::unique(to.begin(), to.end()), to.end());
+}
+
+std::vector<std::string> ids_of(const std::vector<TaskDefinition>& tasks) {
+    std::vector<std::string> ids;
+    for (const TaskDefinition& task : tasks) ids.push_back(task.id);
+    return ids;
+}
+
+void save(const std::string& path, const std::string& content) {
+    QSaveFile file(text(path));
+    file.setDirectWriteFallback(true);
+    const auto size = static_cast<qint64>(content.size());
+    if (!file.open(QIODevice::WriteOnly) || file.write(content.data(), size) != size || !file.commit()) {
+        throw database::StoreError(database::StoreErrorKind::failed,
+                                   path + ": cannot be written: " + plain(file.errorString()),
+                                   "choose another folder or free some space");
+    }
+}
+
+}  // namespace
+
+ReportFormat parse_report_format(const std::string& name) {
+    if (name == "pdf") return ReportFormat::pdf;
+    if (name == "csv") return ReportFormat::csv;
+    if (name == "json") return ReportFormat::json;
+    throw InputError("command line", "--format", "unknown report format \"" + name + "\"", "use pdf, csv or json");
+}
+
+PersonReport gather_person(const database::Store& store, const database::Session& session,
+                           const std::string& person_id, const std::vector<TaskDefinition>& tasks,
+                           const std::string& program_version) {
+    const database::Reports reports(store);
+    PersonReport report;
+    report.provenance = provenance_of(store, session, program_version);
+    report.person_id = person_id;
+    report.tasks = titles_of(ids_of(tasks), tasks);
+    report.rows = reports.person_table(session, person_id, ids_of(tasks), database::ReportPurpose::exported);
+    for (const TaskDefinition& task : tasks) {
+        report.progress.push_back(
+            reports.person_progress(session, person_id, task.id, database::ReportPurpose::exported));
+        const database::PersonProgress& last = report.progress.back();
+        report.login = last.login;
+        report.name = last.name;
+        report.synthetic = last.synthetic;
+        report.provenance.audit_head = last.audit_head;
+        add_all(report.provenance.metric_versions, last.metric_versions);
+        add_all(report.provenance.benchmark_sets, last.benchmark_sets);
+        add_all(report.provenance.program_versions, last.program_versions);
+    }
+    return report;
+}
+
+std::optional<CohortReport> gather_cohort(const database::Store& store, const database::Session& session,
+                                          const std::string& cohort_id, const std::vector<TaskDefinition>& tasks,
+                                          const std::string& program_version, bool with_people,
+                                          const Progress& progress) {
+    CohortReport report;
+    report.provenance = provenance_of(store, session, program_version);
+    database::CohortTableOptions options;
+    options.tasks = ids_of(tasks);
+    report.table = database::Reports(store).cohort_table(session, cohort_id, options,
+                                                         database::ReportPurpose::exported);
+    report.tasks = titles_of(report.table.tasks, tasks);
+    report.provenance.as_of = report.table.as_of;
+    report.provenance.audit_head = report.table.audit_head;
+    report.provenance.metric_versions = report.table.metric_versions;
+    report.provenance.benchmark_sets = report.table.benchmark_sets;
+    report.provenance.program_versions = report.table.program_versions;
+    if (!with_people) return report;
+    std::vector<std::string> people;
+    for (const database::CohortRow& row : report.table.rows) {
+        if (people.empty() || people.back() != row.person_id) people.push_back(row.person_id);
+    }
+    for (std::size_t i = 0; i < people.size(); ++i) {
+        const double done = static_cast<double>(i) / static_cast<double>(people.size());
+        if (progress && !progress(0.5 * done, {})) return std::nullopt;
+        report.people.push_back(gather_person(store, session, people[i], tasks, program_version));
+        report.people.back().provenance.as_of = report.provenance.as_of;
+    }
+    return report;
+}
+
+std::vector<std::string> write_report(const database::Store& store, const database::Session& session,
+                                      const ReportRequest& request, const std::vector<TaskDefinition>& tasks,
+                                      const std::string& program_version, const Progress& progress) {
+    std::vector<std::string> files{request.path};
+    const std::string dictionary = request.path + ".dictionary.csv";
+    if (!request.person_id.empty()) {
+        const PersonReport report = gather_person(store, session, request.person_id, tasks, program_version);
+        switch (request.format) {
+            case ReportFormat::pdf:
+                write_person_pdf(report, request.path);
+                break;
+            case ReportFormat::csv:
+                save(request.path, person_csv(report));
+                save(dictionary, csv_dictionary(false, &report));
+                files.push_back(dictionary);
+                break;
+            case ReportFormat::json:
+                save(request.path, person_json(report));
+                break;
+        }
+        return files;
+    }
+    const std::optional<CohortReport> report =
+        gather_cohort(store, session, request.cohort_id, tasks, program_version,
+                      request.format == ReportFormat::pdf, progress);
+    if (!report) return {};
+    switch (request.format) {
+        case ReportFormat::pdf:
+            if (!write_cohort_pdf(*report, request.path, progress)) return {};
+            break;
+        case ReportFormat::csv:
+            save(request.path, cohort_csv(*report));
+            save(dictionary, csv_dictionary(true));
+            files.push_back(dictionary);
+            break;
+        case ReportFormat::json:
+            save(request.path, cohort_json(*report));
+            break;
+    }
+    return files;
+}
+
+}  // namespace fulcrum::ui

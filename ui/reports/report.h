@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Progress on paper and as data: one gathering of the figures (database/report_data.h) and four ways to write them, so that PDF, CSV and
+// JSON agree with the screens. Usable without a window (PDF needs a QGuiApplication for fonts). Any thread, with a Store of that thread.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "assessment/task/task.h"
+#include "database/report_data.h"
+#include "ui/application_services.h"
+
+namespace fulcrum::ui {
+
+/// What is printed at the foot of every report.
+struct ReportProvenance {
+    std::string programme, program_version, audit_head;
+    std::vector<std::string> metric_versions, benchmark_sets, program_versions;
+    std::int64_t as_of = 0;     ///< UTC ms
+    std::string made_by, made_as;  ///< who asked for it, in which role
+    bool demo = false;          ///< watermark
+};
+
+struct ReportTask {
+    std::string id, title, stage;
+};
+
+struct PersonReport {
+    ReportProvenance provenance;
+    std::string person_id, login, name;
+    bool synthetic = false;
+    std::vector<ReportTask> tasks;
+    std::vector<database::CohortRow> rows;          ///< by task, then device class
+    std::vector<database::PersonProgress> progress;  ///< one a task
+};
+
+struct CohortReport {
+    ReportProvenance provenance;
+    std::vector<ReportTask> tasks;
+    database::CohortTable table;
+    std::vector<PersonReport> people;  ///< one page each
+};
+
+enum class ReportFormat { pdf, csv, json };
+/// Throws InputError for an unknown name.
+ReportFormat parse_report_format(const std::string& name);
+
+/// Throw AccessDenied, StoreError. `exported`: checked as exports.
+PersonReport gather_person(const database::Store& store, const database::Session& session,
+                           const std::string& person_id, const std::vector<TaskDefinition>& tasks,
+                           const std::string& program_version);
+/// Tells its progress; an empty optional when it was stopped. Only the PDF prints the people's pages; the others need no more than the
+/// table (`with_people` false).
+std::optional<CohortReport> gather_cohort(const database::Store& store, const database::Session& session,
+                                          const std::string& cohort_id, const std::vector<TaskDefinition>& tasks,
+                                          const std::string& program_version, bool with_people,
+                                          const Progress& progress = {});
+
+std::string person_csv(const PersonReport& report);
+std::string cohort_csv(const CohortReport& report);
+/// One line a column of the CSV above it stands beside: name, unit, meaning.
+std::string csv_dictionary(bool cohort, const PersonReport* person = nullptr);
+std::string person_json(const PersonReport& report);
+std::string cohort_json(const CohortReport& report);
+/// Written to a temporary file first. Throw StoreError (failed) when it cannot be written.
+void write_person_pdf(const PersonReport& report, const std::string& path);
+/// False when stopped; the file is then not there.
+bool write_cohort_pdf(const CohortReport& report, const std::string& path, const Progress& progress = {});
+
+struct ReportRequest {
+    std::string person_id, cohort_id;  ///< exactly one
+    ReportFormat format = ReportFormat::pdf;
+    std::string path;
+};
+/// Gathers and writes; a CSV gets its dictionary beside it (FILE.dictionary.csv). Returns the files, none when stopped.
+std::vector<std::string> write_report(const database::Store& store, const database::Session& session,
+                                      const ReportRequest& request, const std::vector<TaskDefinition>& tasks,
+                                      const std::string& program_version, const Progress& progress = {});
+
+/// A text cell that no spreadsheet takes for a formula, quoted where CSV needs it.
+std::string csv_text(const std::string& cell);
+/// Shortest decimal that reads back as the same number; empty for none.
+std::string csv_number(const std::optional<double>& value);
+
+}  // namespace fulcrum::ui

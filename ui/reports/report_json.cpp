@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nlohmann/json.hpp>
+
+#include "ui/reports/report.h"
+
+namespace fulcrum::ui {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <typename T>
+Json or_null(const std::optional<T>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+Json or_null(const std::string& value) { return value.empty() ? Json(nullptr) : Json(value); }
+Json time_or_null(std::int64_t time) { return time == 0 ? Json(nullptr) : Json(database::iso_utc(time)); }
+
+Json provenance_json(const ReportProvenance& provenance) {
+    return {{"programme", provenance.programme},
+            {"as_of", database::iso_utc(provenance.as_of)},
+            {"made_by", provenance.made_by},
+            {"made_as", provenance.made_as},
+            {"program_version", provenance.program_version},
+            {"program_versions", provenance.program_versions},
+            {"metric_versions", provenance.metric_versions},
+            {"benchmark_sets", provenance.benchmark_sets},
+            {"audit_head", provenance.audit_head},
+            {"demo", provenance.demo}};
+}
+
+Json row_json(const database::CohortRow& row) {
+    return {{"person_id", row.person_id},
+            {"login", row.login},
+            {"name", row.name},
+            {"task", row.task_id},
+            {"device_class", or_null(row.device_class)},
+            {"state", database::task_state_name(row.state)},
+            {"provisional", row.provisional},
+            {"attempts", row.attempts},
+            {"passes", row.passes},
+            {"not_counting", row.not_counting},
+            {"best_points", or_null(row.best_points)},
+            {"best_attempt", or_null(row.best_attempt_id)},
+            {"last_attempt", time_or_null(row.last_attempt)}};
+}
+
+Json point_json(const database::ProgressPoint& point) {
+    Json metrics = Json::array();
+    for (const database::MetricRow& metric : point.metrics) {
+        Json evidence = Json::array();
+        for (const auto& [from, to] : metric.evidence) evidence.push_back({from, to});
+        metrics.push_back({{"id", metric.id},
+                           {"version", metric.version},
+                           {"hand", or_null(metric.hand)},
+                           {"tissue", or_null(metric.tissue)},
+                           {"value", or_null(metric.value)},
+                           {"absent_because", or_null(metric.absent_because)},
+                           {"unit", metric.unit},
+                           {"direction", metric.direction},
+                           {"evidence", std::move(evidence)}});
+    }
+    return {{"attempt", point.attempt_id},
+            {"number", point.number},
+            {"started", database::iso_utc(point.started)},
+            {"utc_offset_min", point.utc_offset_min},
+            {"mode", point.mode},
+            {"state", point.state},
+            {"variant", point.variant},
+            {"fidelity", point.fidelity},
+            {"limits", or_null(point.limits)},
+            {"counting", point.counting},
+            {"duration_s", point.duration_s},
+            {"passed", or_null(point.passed)},
+            {"provisional", point.provisional},
+            {"not_scored_because", or_null(point.not_scored_because)},
+            {"points", or_null(point.points)},
+            {"metrics", std::move(metrics)}};
+}
+
+}  // namespace
+
+std::string person_json(const PersonReport& report) {
+    Json document = {{"report", "person"},
+                     {"person", {{"id", report.person_id}, {"login", report.login}, {"name", report.name}}},
+                     {"synthetic", report.synthetic},
+                     {"provenance", provenance_json(report.provenance)}};
+    document["rows"] = Json::array();
+    for (const database::CohortRow& row : report.rows) document["rows"].push_back(row_json(row));
+    document["tasks"] = Json::array();
+    for (const database::PersonProgress& progress : report.progress) {
+        Json series = Json::array();
+        for (const database::ProgressSeries& one : progress.series) {
+            Json points = Json::array();
+            for (const database::ProgressPoint& point : one.points) points.push_back(point_json(point));
+            series.push_back({{"device_class", one.device_class}, {"attempts", std::move(points)}});
+        }
+        document["tasks"].push_back({{"task", progress.task_id},
+                                     {"state", database::task_state_name(progress.state)},
+                                     {"series", std::move(series)}});
+    }
+    return document.dump(2) + "\n";
+}
+
+std::string cohort_json(const CohortReport& report) {
+    Json document = {{"report", "cohort"},
+                     {"cohort", {{"id", report.table.cohort_id}, {"name", report.table.cohort_name}}},
+                     {"n", report.table.people},
+                     {"left_out_synthetic", report.table.left_out_synthetic},
+                     {"provenance", provenance_json(report.provenance)}};
+    document["tasks"] = Json::array();
+    for (const ReportTask& task : report.tasks) {
+        document["tasks"].push_back({{"id", task.id}, {"title", task.title}, {"stage", task.stage}});
+    }
+    document["rows"] = Json::array();
+    for (const database::CohortRow& row : report.table.rows) document["rows"].push_back(row_json(row));
+    return document.dump(2) + "\n";
+}
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reports on A4 by QPainter: a person on one page, a cohort as a table of people and tasks with a page for each person behind it.
+#include <QCoreApplication>
+#include <QFile>
+#include <QPageSize>
+#include <QPainter>
+#include <QPdfWriter>
+#include <algorithm>
+
+#include "ui/charts/attempt_chart.h"
+#include "ui/reports/report.h"
+#include "ui/style/palette.h"
+#include "ui/style/text.h"
+
+namespace fulcrum::ui {
+namespace {
+
+constexpr int dots_per_inch = 300;
+
+QString tr(const char* source) { return QCoreApplication::translate("fulcrum::ui::report", source); }
+
+QString joined(const std::vector<std::string>& parts) {
+    QStringList list;
+    for (const std::string& part : parts) list << text(part);
+    return list.isEmpty() ? QStringLiteral("–") : list.join(QStringLiteral(", "));
+}
+
+/// A page being written from the top down; units are millimetres through mm().
+class Sheet {
+  public:
+    Sheet(const std::string& path, bool landscape, const QString& title)
+        : path_(path), part_(path + ".part"), writer_(text(part_)) {
+        writer_.setResolution(dots_per_inch);
+        writer_.setPageSize(QPageSize(QPageSize::A4));
+        writer_.setPageOrientation(landscape ? QPageLayout::Landscape : QPageLayout::Portrait);
+        writer_.setPageMargins(QMarginsF(14, 12, 14, 12), QPageLayout::Millimeter);
+        writer_.setTitle(title);
+        writer_.setCreator(QStringLiteral("Fulcrum"));
+        if (!painter_.begin(&writer_)) {
+            throw database::StoreError(database::StoreErrorKind::failed, path + ": the PDF cannot be written",
+                                       "choose another folder or free some space");
+        }
+    }
+    Sheet(const Sheet&) = delete;
+    Sheet& operator=(const Sheet&) = delete;
+    ~Sheet() {
+        if (painter_.isActive()) painter_.end();
+        QFile::remove(text(part_));
+    }
+    void finish() {
+        painter_.end();
+        QFile::remove(text(path_));
+        if (!QFile::rename(text(part_), text(path_))) {
+            throw database::StoreError(database::StoreErrorKind::failed, path_ + ": the PDF cannot be written",
+                                       "choose another folder or free some space");
+        }
+    }
+
+    static double mm(double length) { return length * dots_per_inch / 25.4; }
+    double width() const { return writer_.width(); }
+    double height() const { return writer_.height(); }
+    double y() const { return y_; }
+    void skip(double length_mm) { y_ += mm(length_mm); }
+    void to(double y) { y_ = y; }
+    QPainter& painter() { return painter_; }
+    void new_page() {
+        if (started_) writer_.newPage();
+        started_ = true;
+        y_ = 0;
+    }
+    void font(double points, bool bold = false, const QColor& colour = paper_palette().text) {
+        QFont font(QStringLiteral("DejaVu Sans"));
+        font.setPointSizeF(points);
+        font.setBold(bold);
+        painter_.setFont(font);
+        painter_.setPen(colour);
+    }
+    double line_height() { return QFontMetricsF(painter_.font(), &writer_).height(); }
+    /// A paragraph; moves down.
+    void paragraph(const QString& shown) {
+        const QRectF room(0, y_, width(), height());
+        QRectF used;
+        painter_.drawText(room, Qt::TextWordWrap, shown, &used);
+        y_ = used.bottom() + mm(0.8);
+    }
+    void rule() {
+        painter_.setPen(QPen(paper_palette().line, mm(0.2)));
+        painter_.drawLine(QPointF(0, y_), QPointF(width(), y_));
+        y_ += mm(1.5);
+    }
+    void cell(double x, double cell_width, const QString& shown, Qt::Alignment alignment = Qt::AlignLeft) {
+        const QString fitted =
+            QFontMetricsF(painter_.font(), &writer_).elidedText(shown, Qt::ElideRight, cell_width - mm(1.5));
+        painter_.drawText(QRectF(x, y_, cell_width - mm(1.5), line_height()), alignment | Qt::AlignVCenter, fitted);
+    }
+    void watermark(const QString& shown) {
+        painter_.save();
+        QFont font(QStringLiteral("DejaVu Sans"));
+        font.setPointSizeF(54);
+        font.setBold(true);
+        painter_.setFont(font);
+        QColor faint = paper_palette().bad;
+        faint.setAlpha(28);
+        painter_.setPen(faint);
+        painter_.translate(width() / 2, height() / 2);
+        painter_.rotate(-35);
+        painter_.drawText(QRectF(-width(), -height() / 4, 2 * width(), height() / 2), Qt::AlignCenter, shown);
+        painter_.restore();
+    }
+
+  private:
+    std::string path_, part_;
+    QPdfWriter writer_;
+    QPainter painter_;
+    double y_ = 0;
+    bool started_ = false;
+};
+
+QString state_text(const database::CohortRow& row) {
+    switch (row.state) {
+        case database::TaskState::passed:
+            return row.provisional ? tr("passed (provisional)") : tr("passed");
+        case database::TaskState::attempted:
+            return tr("attempted");
+        case database::TaskState::open:
+            return tr("open");
+    }
+    return {};
+}
+
+void footer(Sheet& sheet, const ReportProvenance& provenance, const QString& n) {
+    const double top = sheet.height() - Sheet::mm(21);
+    sheet.to(top);
+    sheet.rule();
+    sheet.font(7, false, paper_palette().muted);
+    QString metrics = joined(provenance.metric_versions);
+    const double room = sheet.width() * 1.9;
+    const QFontMetricsF measure(sheet.painter().font(), sheet.painter().device());
+    metrics = measure.elidedText(metrics, Qt::ElideRight, room);
+    sheet.paragraph(tr("Metrics: %1").arg(metrics));
+    sheet.paragraph(tr("Benchmark sets: %1 · %2 · program %3")
+                        .arg(joined(provenance.benchmark_sets), n, text(provenance.program_version)));
+    sheet.paragraph(tr("%1 · made %2 by %3 (%4) · audit %5")
+                        .arg(text(provenance.programme), local_time(provenance.as_of), text(provenance.made_by),
+                             role_text(provenance.made_as), text(provenance.audit_head.substr(0, 16))));
+}
+
+bool any_provisional(const std::vector<database::CohortRow>& rows) {
+    return std::any_of(rows.begin(), rows.end(), [](const database::CohortRow& row) { return row.provisional; });
+}
+
+AttemptChartData chart_of(const database::PersonProgress& progress) {
+    AttemptChartData data;
+    data.y_title = tr("points");
+    data.y_maximum = 100;
+    for (const database::ProgressSeries& series : progress.series) {
+        AttemptSeries shown;
+        shown.name = device_class_text(series.device_class);
+        for (const database::ProgressPoint& point : series.points) {
+            shown.points.push_back({point.attempt_id, point.number, point.points, point.passed, point.counting, {}});
+        }
+        data.series.push_back(std::move(shown));
+    }
+    return data;
+}
+
+void person_page(Sheet& sheet, const PersonReport& report) {
+    sheet.new_page();
+    if (report.provenance.demo) sheet.watermark(tr("DEMONSTRATION"));
+    sheet.font(9, false, paper_palette().muted);
+    sheet.paragraph(tr("%1 · progress report").arg(text(report.provenance.programme)));
+    sheet.font(17, true);
+    sheet.paragraph(text(report.name));
+    sheet.font(9, false, paper_palette().muted);
+    sheet.paragraph(tr("login %1 · as of %2").arg(text(report.login), local_time(report.provenance.as_of)));
+    if (report.synthetic || report.provenance.demo) {
+        sheet.font(9, true, paper_palette().bad);
+        sheet.paragraph(tr("Synthetic: made by a simulated operator, not by a person."));
+    }
+    if (any_provisional(report.rows)) {
+        sheet.font(9, true, paper_palette().bad);
+        sheet.paragraph(tr("Provisional limits (synthetic operators): they allow \"passed (provisional)\", never proficiency "
+                           "or a certificate."));
+    }
+    sheet.skip(2);
+    const double columns[] = {0, 0.30, 0.47, 0.66, 0.76, 0.84, 0.92, 1.0};
+    const QString titles[] = {tr("task"), tr("device"), tr("state"), tr("attempts"), tr("passed"), tr("other"),
+                              tr("best")};
+    sheet.font(8, true, paper_palette().muted);
+    const auto cell = [&](int column, const QString& shown) {
+        sheet.cell(columns[column] * sheet.width(), (columns[column + 1] - columns[column]) * sheet.width(), shown,
+                   column >= 3 ? Qt::AlignRight : Qt::AlignLeft);
+    };
+    for (int column = 0; column < 7; ++column) cell(column, titles[column]);
+    sheet.skip(5);
+    sheet.rule();
+    int n = 0;
+    for (const database::CohortRow& row : report.rows) {
+        if (sheet.y() > sheet.height() * 0.45) break;
+        sheet.font(8.5);
+        QString title = text(row.task_id);
+        for (const ReportTask& task : report.tasks) {
+            if (task.id == row.task_id) title += QStringLiteral("  ") + text(task.title);
+        }
+        cell(0, title);
+        cell(1, row.device_class.empty() ? QStringLiteral("–") : device_class_text(row.device_class));
+        cell(2, state_text(row));
+        cell(3, QString::number(row.attempts));
+        cell(4, QString::number(row.passes));
+        cell(5, QString::number(row.not_counting));
+        cell(6, figure(row.best_points));
+        n += row.attempts;
+        sheet.skip(5);
+    }
+    sheet.skip(4);
+    std::vector<const database::PersonProgress*> drawn;
+    for (const database::PersonProgress& progress : report.progress) {
+        if (!progress.series.empty()) drawn.push_back(&progress);
+    }
+    const double bottom = sheet.height() - Sheet::mm(24);
+    const double room = bottom - sheet.y();
+    if (!drawn.empty()) {
+        const std::size_t per_row = drawn.size() > 3 ? 2 : 1;
+        const std::size_t chart_rows = (drawn.size() + per_row - 1) / per_row;
+        const double each = std::min(room / static_cast<double>(chart_rows), Sheet::mm(72));
+        const double top = sheet.y();
+        for (std::size_t i = 0; i < drawn.size(); ++i) {
+            const double width = sheet.width() / static_cast<double>(per_row);
+            const double x = static_cast<double>(i % per_row) * width;
+            sheet.to(top + static_cast<double>(i / per_row) * each);
+            sheet.font(9, true);
+            sheet.cell(x, width, text(drawn[i]->task_id));
+            sheet.font(7);
+            const double heading = Sheet::mm(6);
+            paint_attempt_chart(sheet.painter(), QRectF(x, sheet.y() + heading, width, each - heading - Sheet::mm(3)),
+                                chart_of(*drawn[i]), paper_palette(), dots_per_inch / 120.0);
+        }
+    } else {
+        sheet.font(9, false, paper_palette().muted);
+        sheet.paragraph(tr("No attempts yet."));
+    }
+    footer(sheet, report.provenance, tr("n = %1 counting attempts").arg(n));
+}
+
+QString cohort_cell(const std::vector<database::CohortRow>& rows, const std::string& person,
+                    const std::string& task) {
+    QStringList lines;
+    for (const database::CohortRow& row : rows) {
+        if (row.person_id != person || row.task_id != task) continue;
+        if (row.device_class.empty()) {
+            lines << QStringLiteral("%1  %2").arg(state_text(row)).arg(row.attempts);
+            continue;
+        }
+        lines << tr("%1: %2, %3 attempts, best %4")
+                     .arg(device_class_text(row.device_class), state_text(row))
+                     .arg(row.attempts)
+                     .arg(figure(row.best_points));
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
+void cohort_pages(Sheet& sheet, const CohortReport& report) {
+    std::vector<std::pair<std::string, std::string>> people;
+    for (const database::CohortRow& row : report.table.rows) {
+        if (people.empty() || people.back().first != row.person_id) people.emplace_back(row.person_id, row.name);
+    }
+    const double name_width = sheet.width() * 0.22;
+    const double task_width =
+        (sheet.width() - name_width) / static_cast<double>(std::max<std::size_t>(report.tasks.size(), 1));
+    const double bottom = sheet.height() - Sheet::mm(24);
+    const QString n = tr("n = %1 people").arg(report.table.people);
+    const auto head = [&] {
+        sheet.new_page();
+        if (report.provenance.demo) sheet.watermark(tr("DEMONSTRATION"));
+        sheet.font(9, false, paper_palette().muted);
+        sheet.paragraph(tr("%1 · cohort report").arg(text(report.provenance.programme)));
+        sheet.font(17, true);
+        sheet.paragraph(text(report.table.cohort_name));
+        sheet.font(9, false, paper_palette().muted);
+        QString line = tr("as of %1 · %2").arg(local_time(report.provenance.as_of), n);
+        if (report.table.left_out_synthetic > 0) {
+            line += tr(" · %1 synthetic people left out").arg(report.table.left_out_synthetic);
+        }
+        sheet.paragraph(line);
+        if (any_provisional(report.table.rows)) {
+            sheet.font(9, true, paper_palette().bad);
+            sheet.paragraph(tr("Provisional limits (synthetic operators): they allow \"passed (provisional)\", never "
+                               "proficiency or a certificate."));
+        }
+        sheet.skip(2);
+        sheet.font(8.5, true, paper_palette().muted);
+        sheet.cell(0, name_width, tr("person"));
+        for (std::size_t t = 0; t < report.tasks.size(); ++t) {
+            sheet.cell(name_width + static_cast<double>(t) * task_width, task_width,
+                       text(report.tasks[t].id + "  " + report.tasks[t].title));
+        }
+        sheet.skip(5);
+        sheet.rule();
+    };
+    head();
+    for (const auto& [person, name] : people) {
+        int lines = 1;
+        std::vector<QStringList> cells;
+        for (const ReportTask& task : report.tasks) {
+            cells.push_back(cohort_cell(report.table.rows, person, task.id).split(QLatin1Char('\n')));
+            lines = std::max(lines, cells.back().size());
+        }
+        sheet.font(8.5);
+        const double height = sheet.line_height() * lines + Sheet::mm(1.5);
+        if (sheet.y() + height > bottom) {
+            footer(sheet, report.provenance, n);
+            head();
+            sheet.font(8.5);
+        }
+        const double top = sheet.y();
+        sheet.cell(0, name_width, text(name));
+        for (std::size_t t = 0; t < cells.size(); ++t) {
+            for (int line = 0; line < cells[t].size(); ++line) {
+                sheet.to(top + line * sheet.line_height());
+                sheet.cell(name_width + static_cast<double>(t) * task_width, task_width, cells[t][line]);
+            }
+        }
+        sheet.to(top + height);
+    }
+    footer(sheet, report.provenance, n);
+}
+
+}  // namespace
+
+void write_person_pdf(const PersonReport& report, const std::string& path) {
+    Sheet sheet(path, false, tr("Progress of %1").arg(text(report.name)));
+    person_page(sheet, report);
+    sheet.finish();
+}
+
+bool write_cohort_pdf(const CohortReport& report, const std::string& path, const Progress& progress) {
+    Sheet sheet(path, false, tr("Cohort %1").arg(text(report.table.cohort_name)));
+    cohort_pages(sheet, report);
+    for (std::size_t i = 0; i < report.people.size(); ++i) {
+        const double done = static_cast<double>(i) / static_cast<double>(report.people.size());
+        if (progress && !progress(0.5 + 0.5 * done, report.people[i].name)) return false;
+        person_page(sheet, report.people[i]);
+    }
+    sheet.finish();
+    return true;
+}
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/background_job.h"
+
+#include <QCoreApplication>
+#include <QPointer>
+#include <QProgressBar>
+#include <QRunnable>
+#include <QThreadPool>
+
+#include "ui/style/widgets.h"
+
+namespace fulcrum::ui {
+namespace {
+
+class Work : public QRunnable {
+  public:
+    explicit Work(std::function<void()> body) : body_(std::move(body)) {}
+    void run() override { body_(); }
+
+  private:
+    std::function<void()> body_;
+};
+
+}  // namespace
+
+BackgroundJob::BackgroundJob(QObject* parent)
+    : QObject(parent), stop_(std::make_shared<std::atomic<bool>>(false)) {}
+
+BackgroundJob::~BackgroundJob() { stop_->store(true); }
+
+BackgroundJob* BackgroundJob::run(QObject* parent, std::function<void(const Progress&)> work,
+                                  std::function<void()> done, std::function<void(const QString&)> failed) {
+    auto* job = new BackgroundJob(parent);
+    const QPointer<BackgroundJob> guard(job);
+    const std::shared_ptr<std::atomic<bool>> stop = job->stop_;
+    const Progress progress = [guard, stop](double share, const std::string& line) {
+        // The guard is looked at on the UI thread only, where the job lives and dies.
+        QMetaObject::invokeMethod(
+            QCoreApplication::instance(),
+            [guard, share, line] {
+                if (guard) emit guard->progressed(share, QString::fromStdString(line));
+            },
+            Qt::QueuedConnection);
+        return !stop->load();
+    };
+    auto body = [guard, stop, progress, work = std::move(work), done = std::move(done),
+                 failed = std::move(failed)] {
+        QString error;
+        bool threw = false;
+        try {
+            work(progress);
+        } catch (const std::exception& problem) {
+            error = QString::fromUtf8(problem.what());
+            threw = true;
+        }
+        QMetaObject::invokeMethod(
+            QCoreApplication::instance(),
+            [guard, stop, done, failed, error, threw] {
+                if (!guard || stop->load()) return;
+                if (threw) {
+                    failed(error);
+                } else {
+                    done();
+                }
+                if (guard) {
+                    emit guard->ended();
+                    guard->deleteLater();
+                }
+            },
+            Qt::QueuedConnection);
+    };
+    QThreadPool::globalInstance()->start(new Work(std::move(body)));
+    return job;
+}
+
+void BackgroundJob::cancel() {
+    if (stop_->exchange(true)) return;
+    emit ended();
+    deleteLater();
+}
+
+bool BackgroundJob::cancelled() const { return stop_->load(); }
+
+JobBar::JobBar(QWidget* parent) : QWidget(parent), line_(make_label({})), bar_(new QProgressBar) {
+    button_ = make_button(tr("Cancel"), "cancel_job");
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 4, 0, 4);
+    row->addWidget(line_, 2);
+    row->addWidget(bar_, 3);
+    row->addWidget(button_);
+    bar_->setRange(0, 1000);
+    hide();
+}
+
+void JobBar::watch(BackgroundJob* job, const QString& line) {
+    line_->setText(line);
+    bar_->setRange(0, 0);
+    show();
+    disconnect(cancel_);
+    cancel_ = connect(button_, &QPushButton::clicked, job, [this, job] {
+        job->cancel();
+        emit cancelled();
+    });
+    connect(job, &BackgroundJob::ended, this, &QWidget::hide);
+    connect(job, &BackgroundJob::progressed, this, [this](double done, const QString& now) {
+        bar_->setRange(0, 1000);
+        bar_->setValue(static_cast<int>(done * 1000));
+        if (!now.isEmpty()) line_->setText(now);
+    });
+}
+
+}  // namespace fulcrum::ui

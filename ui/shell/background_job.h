@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Long work off the UI thread, with progress and a way to stop it. The job belongs to its parent: when that is deleted the work is asked
+// to stop and its answer is dropped.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <atomic>
+#include <functional>
+#include <memory>
+
+#include "ui/application_services.h"
+
+class QLabel;
+class QProgressBar;
+
+namespace fulcrum::ui {
+
+class BackgroundJob : public QObject {
+    Q_OBJECT
+  public:
+    /// `work` runs on a worker thread with a Progress to call; it must own what it touches (open its own Store). `done` runs on the UI
+    /// thread after it returned, `failed` if it threw. Neither is called after cancel().
+    static BackgroundJob* run(QObject* parent, std::function<void(const Progress&)> work,
+                              std::function<void()> done, std::function<void(const QString&)> failed);
+    ~BackgroundJob() override;
+    void cancel();
+    bool cancelled() const;
+
+  signals:
+    void progressed(double done, const QString& line);
+    /// After done, failed or cancel; the job deletes itself then.
+    void ended();
+
+  private:
+    explicit BackgroundJob(QObject* parent);
+    std::shared_ptr<std::atomic<bool>> stop_;
+};
+
+/// A progress bar, one line and a Cancel button for a job; hides itself when the job ends.
+class JobBar : public QWidget {
+    Q_OBJECT
+  public:
+    explicit JobBar(QWidget* parent = nullptr);
+    void watch(BackgroundJob* job, const QString& line);
+
+  signals:
+    void cancelled();
+
+  private:
+    QLabel* line_;
+    QProgressBar* bar_;
+    QMetaObject::Connection cancel_;
+    QPushButton* button_;
+};
+
+}  // namespace fulcrum::ui

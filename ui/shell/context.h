@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every page shares: the services, who is signed in, and the way to other pages. UI thread.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <optional>
+
+#include "database/access.h"
+#include "ui/application_services.h"
+
+namespace fulcrum::ui {
+
+class Context : public QObject {
+    Q_OBJECT
+  public:
+    explicit Context(ApplicationServices& services, QObject* parent = nullptr)
+        : QObject(parent), services_(services) {}
+
+    ApplicationServices& services() { return services_; }
+    /// Only after the store was opened.
+    database::Store& store() { return *services_.store(); }
+    bool signed_in() const { return session_.has_value(); }
+    /// Only while signed in.
+    const database::Session& session() const { return *session_; }
+    void set_session(const database::Session& session);
+    void sign_out();
+    /// What the store will say; false while nobody is signed in.
+    bool allowed(database::Operation operation, const database::Subject& subject = {});
+
+    const TaskDefinition* task(const std::string& id);
+    /// "A2 · Fulcrum targeting"; the id alone for a task that this program does not know.
+    QString task_title(const std::string& id);
+
+    /// Runs `work`; what it throws becomes a message and false. The one place where errors of a page end.
+    bool guarded(const std::function<void()>& work);
+    void say(const QString& line) { emit message(line, false); }
+    void complain(const QString& line) { emit message(line, true); }
+    /// Devices that are no mouse or keyboard keep the lock away through this.
+    void note_input() { emit input_seen(); }
+
+  signals:
+    void session_changed();
+    void message(const QString& line, bool is_error);
+    void input_seen();
+    void home_wanted();
+    void briefing_wanted(const QString& task_id);
+    void attempt_wanted(const QString& task_id, bool assessed);
+    /// `time_s` < 0: from the start.
+    void debrief_wanted(const QString& attempt_id, double time_s);
+    void progress_wanted(const QString& person_id, const QString& task_id);
+    void switch_user_wanted();
+
+  private:
+    ApplicationServices& services_;
+    std::optional<database::Session> session_;
+};
+
+/// A page of the window's stack. enter() is called each time it is shown; leave() before another takes its place.
+class Page : public QWidget {
+    Q_OBJECT
+  public:
+    explicit Page(Context& context, const char* name);
+    virtual void enter() {}
+    virtual void leave() {}
+
+  protected:
+    Context& context() const { return context_; }
+
+  private:
+    Context& context_;
+};
+
+}  // namespace fulcrum::ui

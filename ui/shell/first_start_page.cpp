@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/first_start_page.h"
+
+#include <QCheckBox>
+#include <QClipboard>
+#include <QFormLayout>
+#include <QGuiApplication>
+#include <QLineEdit>
+#include <QStackedWidget>
+
+#include "database/people.h"
+#include "ui/shell/background_job.h"
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+
+namespace fulcrum::ui {
+
+FirstStartPage::FirstStartPage(Context& context) : Page(context, "first_start_page") {
+    steps_ = new QStackedWidget;
+    steps_->addWidget(build_choice());
+    steps_->addWidget(build_form());
+    steps_->addWidget(build_recovery());
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(scrolled(steps_, 860));
+}
+
+QWidget* FirstStartPage::build_choice() {
+    auto* body = new QWidget;
+    auto* layout = new QVBoxLayout(body);
+    layout->setSpacing(18);
+    layout->addSpacing(40);
+    layout->addWidget(make_label(QStringLiteral("Fulcrum"), "title"));
+    layout->addWidget(make_label(tr("A simulator for laparoscopic rectal surgery, and the programme around it: "
+                                    "tasks you can feel, scores that say why, reviews and reports.")));
+    trouble_ = make_label({}, "bad");
+    trouble_->hide();
+    layout->addWidget(trouble_);
+    again_ = make_button(tr("Try again"), "try_again");
+    again_->hide();
+    connect(again_, &QPushButton::clicked, this, &FirstStartPage::try_again);
+    layout->addWidget(again_, 0, Qt::AlignLeft);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(18);
+    QFrame* create = make_card(12);
+    card_layout(create)->addWidget(make_label(tr("Create programme"), "heading"));
+    card_layout(create)->addWidget(
+        make_label(tr("For a department or a training centre. You become its first administrator; people, roles "
+                      "and cohorts come next."),
+                   "muted"));
+    card_layout(create)->addStretch();
+    start_create_ = make_button(tr("Create programme"), "create_programme", "primary");
+    connect(start_create_, &QPushButton::clicked, this, [this] {
+        steps_->setCurrentIndex(1);
+        programme_->setFocus();
+    });
+    card_layout(create)->addWidget(start_create_);
+    row->addWidget(create);
+    QFrame* look = make_card(12);
+    card_layout(look)->addWidget(make_label(tr("Look around"), "heading"));
+    card_layout(look)->addWidget(
+        make_label(tr("A demonstration programme with a synthetic cohort, really simulated. Nothing in it is a "
+                      "person; you can practise, and every screen has something to show."),
+                   "muted"));
+    card_layout(look)->addStretch();
+    QPushButton* look_button = make_button(tr("Look around"), "look_around");
+    connect(look_button, &QPushButton::clicked, this, &FirstStartPage::look_around);
+    card_layout(look)->addWidget(look_button);
+    row->addWidget(look);
+    layout->addLayout(row);
+    job_ = new JobBar;
+    layout->addWidget(job_);
+    layout->addStretch();
+    return body;
+}
+
+QWidget* FirstStartPage::build_form() {
+    auto* body = new QWidget;
+    auto* layout = new QVBoxLayout(body);
+    layout->setSpacing(14);
+    layout->addSpacing(30);
+    layout->addWidget(make_label(tr("Create programme"), "title"));
+    QFrame* card = make_card(10);
+    auto* form = new QFormLayout;
+    form->setSpacing(10);
+    const auto field = [form](const QString& label, const char* name, bool secret) {
+        auto* edit = new QLineEdit;
+        edit->setObjectName(QString::fromLatin1(name));
+        edit->setAccessibleName(label);
+        if (secret) edit->setEchoMode(QLineEdit::Password);
+        form->addRow(label, edit);
+        return edit;
+    };
+    programme_ = field(tr("Programme"), "programme_name", false);
+    programme_->setPlaceholderText(tr("for example: Department of Surgery"));
+    name_ = field(tr("Your name"), "administrator_name", false);
+    login_ = field(tr("Your login"), "administrator_login", false);
+    login_->setPlaceholderText(tr("letters, digits, . _ - @"));
+    password_ = field(tr("Password"), "administrator_password", true);
+    password_->setPlaceholderText(tr("at least %1 characters").arg(database::password_minimum_length));
+    repeat_ = field(tr("Password again"), "administrator_password_again", true);
+    card_layout(card)->addLayout(form);
+    problem_ = make_label({}, "bad");
+    card_layout(card)->addWidget(problem_);
+    create_job_ = new JobBar;
+    card_layout(card)->addWidget(create_job_);
+    auto* buttons = new QHBoxLayout;
+    QPushButton* back = make_button(tr("Back"), "create_back");
+    connect(back, &QPushButton::clicked, this, [this] { steps_->setCurrentIndex(0); });
+    create_ = make_button(tr("Create"), "create_confirm", "primary");
+    connect(create_, &QPushButton::clicked, this, &FirstStartPage::create);
+    for (QLineEdit* edit : {programme_, name_, login_, password_, repeat_}) {
+        connect(edit, &QLineEdit::returnPressed, this, &FirstStartPage::create);
+    }
+    buttons->addWidget(back);
+    buttons->addStretch();
+    buttons->addWidget(create_);
+    card_layout(card)->addLayout(buttons);
+    layout->addWidget(card);
+    layout->addStretch();
+    return body;
+}
+
+QWidget* FirstStartPage::build_recovery() {
+    auto* body = new QWidget;
+    auto* layout = new QVBoxLayout(body);
+    layout->setSpacing(14);
+    layout->addSpacing(30);
+    layout->addWidget(make_label(tr("Your recovery code"), "title"));
+    QFrame* card = make_card(12);
+    card_layout(card)->addWidget(
+        make_label(tr("It is shown this once and kept only as a hash. Write it down and lock it away: with it the "
+                      "last administrator can set a new password; without it nobody can.")));
+    code_ = make_label({}, "number");
+    code_->setObjectName(QStringLiteral("recovery_code"));
+    code_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    QFont mono(QStringLiteral("monospace"));
+    mono.setStyleHint(QFont::Monospace);
+    code_->setFont(mono);
+    card_layout(card)->addWidget(code_);
+    QPushButton* copy = make_button(tr("Copy"), "copy_code");
+    connect(copy, &QPushButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(code_->text()); });
+    card_layout(card)->addWidget(copy, 0, Qt::AlignLeft);
+    auto* noted = new QCheckBox(tr("I have written it down"));
+    noted->setObjectName(QStringLiteral("code_noted"));
+    card_layout(card)->addWidget(noted);
+    continue_ = make_button(tr("Continue"), "code_continue", "primary");
+    continue_->setEnabled(false);
+    connect(noted, &QCheckBox::toggled, continue_, &QWidget::setEnabled);
+    connect(continue_, &QPushButton::clicked, this, [this] {
+        code_->clear();
+        emit programme_created();
+    });
+    card_layout(card)->addWidget(continue_, 0, Qt::AlignRight);
+    layout->addWidget(card);
+    layout->addStretch();
+    return body;
+}
+
+void FirstStartPage::enter() {
+    steps_->setCurrentIndex(0);
+    start_create_->setFocus();
+}
+
+void FirstStartPage::show_trouble(const QString& wrong, const QString& way_on) {
+    trouble_->setText(wrong + QStringLiteral("\n") + way_on);
+    trouble_->setVisible(!wrong.isEmpty());
+    again_->setVisible(!wrong.isEmpty());
+    start_create_->setEnabled(wrong.isEmpty());
+}
+
+void FirstStartPage::create() {
+    if (!create_->isEnabled()) return;
+    if (password_->text() != repeat_->text()) {
+        problem_->setText(tr("The two passwords differ."));
+        repeat_->setFocus();
+        return;
+    }
+    if (password_->text().size() < database::password_minimum_length) {
+        problem_->setText(tr("The password needs at least %1 characters.").arg(database::password_minimum_length));
+        password_->setFocus();
+        return;
+    }
+    problem_->clear();
+    std::string path;
+    if (!context().guarded([&] {
+            context().services().open_store(false);
+            path = context().store().path();
+        })) {
+        return;
+    }
+    auto created = std::make_shared<std::optional<database::CreatedProgramme>>();
+    create_->setEnabled(false);
+    const std::string programme = plain(programme_->text().trimmed()), login = plain(login_->text().trimmed()),
+                      name = plain(name_->text().trimmed()), password = plain(password_->text());
+    BackgroundJob* job = BackgroundJob::run(
+        this,
+        [=](const Progress&) {
+            const database::Store store = database::Store::open(path);
+            *created = database::People(store).create_programme(programme, login, name, password);
+        },
+        [this, created] {
+            create_->setEnabled(true);
+            password_->clear();
+            repeat_->clear();
+            code_->setText(text((*created)->recovery_code));
+            context().set_session((*created)->administrator);
+            steps_->setCurrentIndex(2);
+        },
+        [this](const QString& error) {
+            create_->setEnabled(true);
+            problem_->setText(error);
+        });
+    connect(job, &BackgroundJob::ended, this, [this] { create_->setEnabled(true); });
+    create_job_->watch(job, tr("Creating the programme …"));
+}
+
+void FirstStartPage::look_around() {
+    if (context().services().demo_is_built()) {
+        open_demo();
+        return;
+    }
+    ApplicationServices* services = &context().services();
+    auto built = std::make_shared<bool>(false);
+    BackgroundJob* job = BackgroundJob::run(
+        this, [services, built](const Progress& progress) { *built = services->build_demo(progress); },
+        [this, built] {
+            if (*built) open_demo();
+        },
+        [this](const QString& error) { context().complain(error); });
+    job_->watch(job, tr("Simulating the demonstration cohort …"));
+}
+
+void FirstStartPage::open_demo() {
+    if (context().guarded([&] { context().services().open_store(true); })) emit demo_opened();
+}
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The first screen where no programme exists: make one, or look around in the demo. Also shows what went wrong with a store and the way on.
+#pragma once
+
+#include "ui/shell/context.h"
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QStackedWidget;
+
+namespace fulcrum::ui {
+
+class JobBar;
+
+class FirstStartPage : public Page {
+    Q_OBJECT
+  public:
+    explicit FirstStartPage(Context& context);
+    void enter() override;
+    /// A store is there but cannot be used.
+    void show_trouble(const QString& wrong, const QString& way_on);
+
+  signals:
+    void try_again();
+    void programme_created();
+    /// The demo store is the current one.
+    void demo_opened();
+
+  private:
+    QWidget* build_choice();
+    QWidget* build_form();
+    QWidget* build_recovery();
+    void create();
+    void look_around();
+    void open_demo();
+
+    QStackedWidget* steps_;
+    QLabel *trouble_ = nullptr, *problem_ = nullptr, *code_ = nullptr;
+    QPushButton *again_ = nullptr, *create_ = nullptr, *continue_ = nullptr, *start_create_ = nullptr;
+    QLineEdit *programme_ = nullptr, *name_ = nullptr, *login_ = nullptr, *password_ = nullptr, *repeat_ = nullptr;
+    JobBar *job_ = nullptr, *create_job_ = nullptr;
+};
+
+}  // namespace fulcrum::ui

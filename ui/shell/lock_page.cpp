@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/lock_page.h"
+
+#include <QLineEdit>
+
+#include "ui/shell/background_job.h"
+#include "ui/shell/sign_in_page.h"
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+
+namespace fulcrum::ui {
+
+LockPage::LockPage(Context& context) : Page(context, "lock_page") {
+    auto* layout = new QVBoxLayout(this);
+    layout->addStretch();
+    QFrame* card = make_card(12);
+    card->setMaximumWidth(460);
+    card->setMinimumWidth(420);
+    card_layout(card)->addWidget(make_label(tr("Locked"), "title"));
+    who_ = make_label({});
+    card_layout(card)->addWidget(who_);
+    notice_ = make_label({}, "muted");
+    card_layout(card)->addWidget(notice_);
+    password_ = new QLineEdit;
+    password_->setObjectName(QStringLiteral("unlock_password"));
+    password_->setAccessibleName(tr("Password"));
+    password_->setPlaceholderText(tr("Password"));
+    password_->setEchoMode(QLineEdit::Password);
+    card_layout(card)->addWidget(password_);
+    problem_ = make_label({}, "bad");
+    card_layout(card)->addWidget(problem_);
+    job_ = new JobBar;
+    card_layout(card)->addWidget(job_);
+    auto* row = new QHBoxLayout;
+    QPushButton* other = make_button(tr("Switch user"), "lock_switch_user");
+    unlock_ = make_button(tr("Unlock"), "unlock", "primary");
+    row->addWidget(other);
+    row->addStretch();
+    row->addWidget(unlock_);
+    card_layout(card)->addLayout(row);
+    layout->addWidget(card, 0, Qt::AlignHCenter);
+    layout->addStretch();
+    connect(other, &QPushButton::clicked, this, &LockPage::switch_user);
+    connect(unlock_, &QPushButton::clicked, this, &LockPage::unlock);
+    connect(password_, &QLineEdit::returnPressed, this, &LockPage::unlock);
+}
+
+void LockPage::enter() {
+    const bool demo = context().session().is_demo();
+    who_->setText(tr("%1 is signed in. The content is hidden after ten minutes without input.")
+                      .arg(text(context().session().display_name())));
+    notice_->clear();
+    problem_->clear();
+    password_->clear();
+    password_->setVisible(!demo);
+    (demo ? static_cast<QWidget*>(unlock_) : password_)->setFocus();
+}
+
+void LockPage::set_notice(const QString& line) { notice_->setText(line); }
+
+void LockPage::unlock() {
+    if (!unlock_->isEnabled()) return;
+    if (context().session().is_demo()) {
+        emit unlocked();
+        return;
+    }
+    unlock_->setEnabled(false);
+    const database::Session& session = context().session();
+    BackgroundJob* job = sign_in_job(
+        this, context().store().path(), session.login(), plain(password_->text()), session.role(),
+        [this](const database::Session&) { emit unlocked(); },
+        [this](const QString& why) {
+            problem_->setText(why);
+            password_->clear();
+            password_->setFocus();
+        });
+    connect(job, &BackgroundJob::ended, this, [this] { unlock_->setEnabled(true); });
+    job_->watch(job, tr("Unlocking …"));
+}
+
+}  // namespace fulcrum::ui

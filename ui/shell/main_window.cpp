@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/main_window.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QComboBox>
+#include <QSettings>
+#include <QStackedWidget>
+#include <typeinfo>
+
+#include "database/people.h"
+#include "ui/administration/cohorts_page.h"
+#include "ui/administration/people_page.h"
+#include "ui/dashboards/attempts_page.h"
+#include "ui/dashboards/cohort_page.h"
+#include "ui/review/debrief_page.h"
+#include "ui/shell/first_start_page.h"
+#include "ui/shell/lock_page.h"
+#include "ui/shell/password_page.h"
+#include "ui/shell/sign_in_page.h"
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+#include "ui/theatre/theatre_page.h"
+#include "ui/trainee/briefing_page.h"
+#include "ui/trainee/home_page.h"
+#include "ui/trainee/progress_page.h"
+
+namespace fulcrum::ui {
+
+template <typename P>
+P* MainWindow::page() {
+    Page*& slot = pages_[typeid(P).name()];
+    if (slot == nullptr) {
+        slot = new P(context_);
+        stack_->addWidget(slot);
+    }
+    return static_cast<P*>(slot);
+}
+
+TheatrePage* MainWindow::running_theatre() const {
+    const auto found = pages_.find(typeid(TheatrePage).name());
+    if (found == pages_.end() || found->second == nullptr) return nullptr;
+    auto* theatre = static_cast<TheatrePage*>(found->second);
+    return theatre->is_running() ? theatre : nullptr;
+}
+
+MainWindow::MainWindow(ApplicationServices& services, QWidget* parent, int lock_ms, int close_ms)
+    : QMainWindow(parent), context_(services), idle_(this, lock_ms, close_ms) {
+    setObjectName(QStringLiteral("main_window"));
+    setWindowTitle(tr("Fulcrum"));
+    resize(1280, 800);
+    setMinimumSize(960, 640);
+    build_top_bar();
+    connect_context();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::build_top_bar() {
+    auto* proper = new QWidget;
+    auto* layout = new QVBoxLayout(proper);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+
+    banner_ = new QFrame;
+    banner_->setProperty("role", "banner");
+    auto* banner_row = new QHBoxLayout(banner_);
+    banner_row->setContentsMargins(16, 3, 16, 3);
+    banner_text_ = make_label(tr("Demonstration: every person and every attempt here is synthetic."));
+    banner_text_->setAlignment(Qt::AlignCenter);
+    banner_row->addWidget(banner_text_);
+    layout->addWidget(banner_);
+    banner_->hide();
+
+    top_bar_ = new QFrame;
+    top_bar_->setProperty("role", "top_bar");
+    auto* bar = new QHBoxLayout(top_bar_);
+    bar->setContentsMargins(18, 8, 18, 8);
+    bar->setSpacing(12);
+    programme_ = make_label({}, "heading");
+    programme_->setWordWrap(false);
+    bar->addWidget(programme_);
+    bar->addStretch();
+    person_ = make_label({});
+    person_->setObjectName(QStringLiteral("signed_in_person"));
+    person_->setWordWrap(false);
+    bar->addWidget(person_);
+    role_ = new QComboBox;
+    role_->setObjectName(QStringLiteral("acting_role"));
+    role_->setAccessibleName(tr("Acting role"));
+    role_->setMinimumWidth(150);
+    bar->addWidget(role_);
+    theme_ = make_button(tr("Dark"), "theme");
+    bar->addWidget(theme_);
+    switch_user_ = make_button(tr("Switch user"), "switch_user");
+    switch_user_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+U")));
+    bar->addWidget(switch_user_);
+    layout->addWidget(top_bar_);
+
+    message_ = new QFrame;
+    message_->setProperty("role", "message");
+    auto* message_row = new QHBoxLayout(message_);
+    message_row->setContentsMargins(14, 6, 8, 6);
+    message_text_ = make_label({});
+    message_text_->setObjectName(QStringLiteral("message_text"));
+    message_text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    QPushButton* close = make_button(tr("Close"), "close_message");
+    connect(close, &QPushButton::clicked, message_, &QWidget::hide);
+    message_row->addWidget(message_text_, 1);
+    message_row->addWidget(close);
+    auto* message_holder = new QHBoxLayout;
+    message_holder->setContentsMargins(18, 6, 18, 0);
+    message_holder->addWidget(message_);
+    layout->addLayout(message_holder);
+    message_->hide();
+
+    auto* middle = new QHBoxLayout;
+    middle->setSpacing(0);
+    rail_ = new QFrame;
+    rail_->setProperty("role", "rail");
+    rail_->setFixedWidth(188);
+    rail_layout_ = new QVBoxLayout(rail_);
+    rail_layout_->setContentsMargins(10, 16, 10, 16);
+    rail_layout_->setSpacing(4);
+    middle->addWidget(rail_);
+    stack_ = new QStackedWidget;
+    middle->addWidget(stack_, 1);
+    layout->addLayout(middle, 1);
+
+    layers_ = new QStackedWidget;
+    layers_->addWidget(proper);
+    lock_page_ = new LockPage(context_);
+    layers_->addWidget(lock_page_);
+    setCentralWidget(layers_);
+
+    connect(role_, QOverload<int>::of(&QComboBox::activated), this, &MainWindow::change_role);
+    connect(switch_user_, &QPushButton::clicked, this, &MainWindow::switch_user);
+    connect(theme_, &QPushButton::clicked, this,
+            [this] { set_theme(current_theme() == Theme::light ? Theme::dark : Theme::light); });
+    theme_->setText(current_theme() == Theme::light ? tr("Dark") : tr("Light"));
+}
+
+void MainWindow::connect_context() {
+    connect(&context_, &Context::session_changed, this, &MainWindow::session_changed);
+    connect(&context_, &Context::message, this, &MainWindow::show_message);
+    connect(&context_, &Context::input_seen, &idle_, &IdleWatch::note_input);
+    connect(&context_, &Context::home_wanted, this, &MainWindow::show_home);
+    connect(&context_, &Context::switch_user_wanted, this, &MainWindow::switch_user);
+    connect(&context_, &Context::briefing_wanted, this, [this](const QString& task_id) {
+        page<BriefingPage>()->set_task(plain(task_id));
+        show_page(page<BriefingPage>());
+    });
+    connect(&context_, &Context::attempt_wanted, this, [this](const QString& task_id, bool assessed) {
+        auto* theatre = page<TheatrePage>();
+        if (theatre->begin(plain(task_id), assessed)) show_page(theatre);
+    });
+    connect(&context_, &Context::debrief_wanted, this, [this](const QString& attempt_id, double time_s) {
+        auto* debrief = page<DebriefPage>();
+        debrief->open(plain(attempt_id), time_s);
+        show_page(debrief);
+    });
+    connect(&context_, &Context::progress_wanted, this,
+            [this](const QString& person_id, const QString& task_id) {
+                page<ProgressPage>()->show_person(plain(person_id), plain(task_id));
+                show_page(page<ProgressPage>());
+            });
+    connect(&idle_, &IdleWatch::lock, this, &MainWindow::lock);
+    connect(&idle_, &IdleWatch::close_attempt, this, [this] {
+        if (TheatrePage* theatre = running_theatre()) {
+            theatre->close_as_interrupted();
+            lock_page_->set_notice(tr("The attempt was closed as interrupted and stored."));
+        }
+    });
+    connect(lock_page_, &LockPage::unlocked, this, &MainWindow::unlock);
+    connect(lock_page_, &LockPage::switch_user, this, [this] {
+        unlock();
+        if (TheatrePage* theatre = running_theatre()) theatre->close_as_interrupted();
+        context_.sign_out();
+    });
+}
+
+void MainWindow::start() {
+    auto* first = page<FirstStartPage>();
+    connect(first, &FirstStartPage::try_again, this, &MainWindow::start, Qt::UniqueConnection);
+    connect(first, &FirstStartPage::demo_opened, this, &MainWindow::show_sign_in, Qt::UniqueConnection);
+    connect(first, &FirstStartPage::programme_created, this, &MainWindow::show_home, Qt::UniqueConnection);
+    auto* sign_in = page<SignInPage>();
+    connect(sign_in, &SignInPage::leave_demo, this, &MainWindow::start, Qt::UniqueConnection);
+    try {
+        if (database::Store::exists(context_.services().store_path(false))) context_.services().open_store(false);
+        const bool ready = context_.services().store() != nullptr && !context_.store().is_demo() &&
+                           context_.store().has_administrator();
+        first->show_trouble({}, {});
+        if (ready) {
+            show_sign_in();
+        } else {
+            show_page(first);
+        }
+    } catch (const database::StoreError& error) {
+        first->show_trouble(text(error.wrong()), text(error.way_on()));
+        show_page(first);
+    }
+}
+
+Page* MainWindow::current_page() const { return static_cast<Page*>(stack_->currentWidget()); }
+
+void MainWindow::set_theme(Theme theme) {
+    apply_theme(*qApp, theme);
+    QSettings().setValue(QStringLiteral("theme"), theme == Theme::dark ? "dark" : "light");
+    theme_->setText(theme == Theme::light ? tr("Dark") : tr("Light"));
+    update();
+}
+
+void MainWindow::show_page(Page* next) {
+    Page* before = current_page();
+    if (before != nullptr && before != next) before->leave();
+    stack_->setCurrentWidget(next);
+    const bool theatre = typeid(*next) == typeid(TheatrePage);
+    const bool before_sign_in = !context_.signed_in();
+    top_bar_->setVisible(context_.services().store() != nullptr && !before_sign_in);
+    rail_->setVisible(!theatre && !before_sign_in && !rail_buttons_.empty());
+    banner_->setVisible(context_.services().store() != nullptr && context_.store().is_demo());
+    role_->setEnabled(!theatre);
+    for (auto& [button, target] : rail_buttons_) {
+        const QSignalBlocker quiet(button);
+        button->setChecked(target() == next);
+    }
+    next->enter();
+}
+
+void MainWindow::session_changed() {
+    idle_.set_active(context_.signed_in());
+    if (!context_.signed_in()) {
+        // Nothing of one person's screens stays for the next.
+        for (auto& [name, old] : pages_) {
+            if (old == page<FirstStartPage>() || old == page<SignInPage>()) continue;
+            old->leave();
+            stack_->removeWidget(old);
+            old->deleteLater();
+        }
+        std::map<std::string, Page*> kept;
+        kept[typeid(FirstStartPage).name()] = page<FirstStartPage>();
+        kept[typeid(SignInPage).name()] = page<SignInPage>();
+        pages_ = std::move(kept);
+        clear_layout(rail_layout_);
+        rail_buttons_.clear();
+        message_->hide();
+        setWindowTitle(tr("Fulcrum"));
+        show_sign_in();
+        return;
+    }
+    const database::Session& session = context_.session();
+    const QString role = role_text(database::role_name(session.role()));
+    setWindowTitle(tr("Fulcrum — %1, %2").arg(text(session.display_name()), role));
+    programme_->setText(context_.store().is_demo() ? tr("Demonstration") : text(context_.store().programme_name()));
+    person_->setText(text(session.display_name()));
+    role_->clear();
+    for (const database::Role held : session.roles()) {
+        role_->addItem(tr("Acting as %1").arg(role_text(database::role_name(held))), static_cast<int>(held));
+        if (held == session.role()) role_->setCurrentIndex(role_->count() - 1);
+    }
+    fill_rail();
+    if (current_page() != page<FirstStartPage>()) show_home();
+}
+
+void MainWindow::fill_rail() {
+    clear_layout(rail_layout_);
+    rail_buttons_.clear();
+    if (context_.session().must_change_password()) return;
+    std::vector<RailEntry> entries;
+    switch (context_.session().role()) {
+        case database::Role::trainee:
+            entries = {{tr("Home"), "rail_home", [this] { return page<HomePage>(); }},
+                       {tr("My progress"), "rail_progress", [this] { return page<ProgressPage>(); }},
+                       {tr("My attempts"), "rail_attempts", [this] { return page<AttemptsPage>(); }}};
+            break;
+        case database::Role::educator:
+            entries = {{tr("Attempts"), "rail_attempts", [this] { return page<AttemptsPage>(); }},
+                       {tr("Cohorts"), "rail_cohort", [this] { return page<CohortPage>(); }},
+                       {tr("Progress"), "rail_progress", [this] { return page<ProgressPage>(); }}};
+            break;
+        case database::Role::director:
+            entries = {{tr("Cohorts"), "rail_cohort", [this] { return page<CohortPage>(); }},
+                       {tr("Attempts"), "rail_attempts", [this] { return page<AttemptsPage>(); }},
+                       {tr("Progress"), "rail_progress", [this] { return page<ProgressPage>(); }},
+                       {tr("Assign cohorts"), "rail_assign", [this] { return page<CohortsPage>(); }}};
+            break;
+        case database::Role::administrator:
+            entries = {{tr("People"), "rail_people", [this] { return page<PeoplePage>(); }}};
+            if (context_.allowed(database::Operation::manage_cohorts)) {
+                entries.push_back({tr("Cohorts"), "rail_assign", [this] { return page<CohortsPage>(); }});
+            }
+            break;
+        case database::Role::station:
+            break;
+    }
+    for (const RailEntry& entry : entries) {
+        QPushButton* button = make_button(entry.title, entry.name, "rail");
+        button->setCheckable(true);
+        rail_layout_->addWidget(button);
+        rail_buttons_.emplace_back(button, entry.page);
+        connect(button, &QPushButton::clicked, this, [this, target = entry.page] { show_page(target()); });
+    }
+    rail_layout_->addStretch();
+    if (!context_.session().is_demo()) {
+        QPushButton* password = make_button(tr("Change password"), "rail_password", "rail");
+        connect(password, &QPushButton::clicked, this, [this] { show_page(page<PasswordPage>()); });
+        rail_layout_->addWidget(password);
+    }
+}
+
+void MainWindow::show_home() {
+    if (!context_.signed_in()) {
+        show_sign_in();
+    } else if (context_.session().must_change_password()) {
+        show_page(page<PasswordPage>());
+    } else if (!rail_buttons_.empty()) {
+        show_page(rail_buttons_.front().second());
+    }
+}
+
+void MainWindow::show_sign_in() { show_page(page<SignInPage>()); }
+
+void MainWindow::change_role(int index) {
+    const auto role = static_cast<database::Role>(role_->itemData(index).toInt());
+    if (role == context_.session().role()) return;
+    context_.guarded(
+        [&] { context_.set_session(database::People(context_.store()).act_as(context_.session(), role)); });
+}
+
+void MainWindow::switch_user() {
+    if (TheatrePage* theatre = running_theatre()) {
+        theatre->ask_before_leaving();
+        return;
+    }
+    context_.sign_out();
+}
+
+void MainWindow::lock() {
+    if (TheatrePage* theatre = running_theatre()) theatre->pause();
+    message_->hide();
+    layers_->setCurrentWidget(lock_page_);
+    lock_page_->enter();
+}
+
+void MainWindow::unlock() {
+    idle_.unlocked();
+    layers_->setCurrentIndex(0);
+    if (current_page() != nullptr) current_page()->setFocus();
+}
+
+void MainWindow::show_message(const QString& line, bool is_error) {
+    message_text_->setText(line);
+    set_role(message_, is_error ? "error" : "message");
+    message_->show();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    TheatrePage* theatre = running_theatre();
+    if (theatre != nullptr && layers_->currentIndex() == 0) {
+        theatre->ask_before_leaving();
+        event->ignore();
+        return;
+    }
+    QMainWindow::closeEvent(event);
+}
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one window: a top bar (programme, acting role, person, switch user), a rail of the role's pages, the page stack, and the lock.
+#pragma once
+
+#include <QMainWindow>
+#include <functional>
+#include <map>
+#include <vector>
+
+#include "ui/shell/context.h"
+#include "ui/shell/idle_watch.h"
+#include "ui/style/palette.h"
+
+class QComboBox;
+class QFrame;
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+class QVBoxLayout;
+
+namespace fulcrum::ui {
+
+class BriefingPage;
+class DebriefPage;
+class LockPage;
+class ProgressPage;
+class TheatrePage;
+
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+  public:
+    explicit MainWindow(ApplicationServices& services, QWidget* parent = nullptr,
+                        int lock_ms = IdleWatch::lock_after_ms, int close_ms = IdleWatch::close_after_ms);
+    ~MainWindow() override;
+    /// Opens the store if there is one and shows the first page: first start, sign-in, or what went wrong and the way on.
+    void start();
+    Context& context() { return context_; }
+    Page* current_page() const;
+    void set_theme(Theme theme);
+
+  protected:
+    void closeEvent(QCloseEvent* event) override;
+
+  private:
+    struct RailEntry {
+        QString title;
+        const char* name;
+        std::function<Page*()> page;
+    };
+    void build_top_bar();
+    void connect_context();
+    void session_changed();
+    void show_page(Page* page);
+    void show_home();
+    void show_sign_in();
+    void fill_rail();
+    void change_role(int index);
+    void switch_user();
+    void lock();
+    void unlock();
+    void show_message(const QString& line, bool is_error);
+    /// Made on first use.
+    template <typename P>
+    P* page();
+    /// The theatre while an attempt runs in it, else null.
+    TheatrePage* running_theatre() const;
+
+    Context context_;
+    IdleWatch idle_;
+    QStackedWidget* layers_ = nullptr;  ///< the window proper, the lock
+    QStackedWidget* stack_ = nullptr;
+    QFrame *top_bar_ = nullptr, *rail_ = nullptr, *banner_ = nullptr, *message_ = nullptr;
+    QLabel *programme_ = nullptr, *person_ = nullptr, *banner_text_ = nullptr, *message_text_ = nullptr;
+    QComboBox* role_ = nullptr;
+    QPushButton *switch_user_ = nullptr, *theme_ = nullptr;
+    QVBoxLayout* rail_layout_ = nullptr;
+    std::vector<std::pair<QPushButton*, std::function<Page*()>>> rail_buttons_;
+    std::map<std::string, Page*> pages_;
+    LockPage* lock_page_ = nullptr;
+};
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/password_page.h"
+
+#include <QFormLayout>
+#include <QLineEdit>
+
+#include "database/people.h"
+#include "ui/shell/background_job.h"
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+
+namespace fulcrum::ui {
+
+PasswordPage::PasswordPage(Context& context) : Page(context, "password_page") {
+    auto* body = new QWidget;
+    auto* layout = new QVBoxLayout(body);
+    layout->setSpacing(14);
+    layout->addSpacing(30);
+    layout->addWidget(make_label(tr("Choose a new password"), "title"));
+    QFrame* card = make_card(10);
+    why_ = make_label({});
+    card_layout(card)->addWidget(why_);
+    auto* form = new QFormLayout;
+    form->setSpacing(10);
+    const auto field = [form](const QString& label, const char* name) {
+        auto* edit = new QLineEdit;
+        edit->setObjectName(QString::fromLatin1(name));
+        edit->setAccessibleName(label);
+        edit->setEchoMode(QLineEdit::Password);
+        form->addRow(label, edit);
+        return edit;
+    };
+    old_ = field(tr("Password now"), "old_password");
+    new_ = field(tr("New password"), "new_password");
+    new_->setPlaceholderText(tr("at least %1 characters").arg(database::password_minimum_length));
+    again_ = field(tr("New password again"), "new_password_again");
+    card_layout(card)->addLayout(form);
+    problem_ = make_label({}, "bad");
+    card_layout(card)->addWidget(problem_);
+    job_ = new JobBar;
+    card_layout(card)->addWidget(job_);
+    auto* buttons = new QHBoxLayout;
+    cancel_ = make_button(tr("Cancel"), "password_cancel");
+    change_ = make_button(tr("Change password"), "password_change", "primary");
+    buttons->addWidget(cancel_);
+    buttons->addStretch();
+    buttons->addWidget(change_);
+    card_layout(card)->addLayout(buttons);
+    layout->addWidget(card);
+    layout->addStretch();
+    connect(change_, &QPushButton::clicked, this, &PasswordPage::change);
+    connect(cancel_, &QPushButton::clicked, this, [this] {
+        if (this->context().session().must_change_password()) {
+            this->context().sign_out();
+        } else {
+            emit this->context().home_wanted();
+        }
+    });
+    for (QLineEdit* edit : {old_, new_, again_}) {
+        connect(edit, &QLineEdit::returnPressed, this, &PasswordPage::change);
+    }
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(scrolled(body, 640));
+}
+
+void PasswordPage::enter() {
+    const bool must = context().session().must_change_password();
+    why_->setText(must ? tr("You signed in with a one-time password. It was made for you by somebody else, so choose "
+                            "one that only you know.")
+                       : tr("It takes effect at your next sign-in."));
+    cancel_->setText(must ? tr("Sign out") : tr("Cancel"));
+    for (QLineEdit* edit : {old_, new_, again_}) edit->clear();
+    problem_->clear();
+    old_->setFocus();
+}
+
+void PasswordPage::change() {
+    if (!change_->isEnabled()) return;
+    if (new_->text() != again_->text()) {
+        problem_->setText(tr("The two new passwords differ."));
+        again_->setFocus();
+        return;
+    }
+    if (new_->text().size() < database::password_minimum_length) {
+        problem_->setText(tr("The password needs at least %1 characters.").arg(database::password_minimum_length));
+        new_->setFocus();
+        return;
+    }
+    problem_->clear();
+    change_->setEnabled(false);
+    auto changed = std::make_shared<std::optional<database::Session>>();
+    BackgroundJob* job = BackgroundJob::run(
+        this,
+        [changed, path = context().store().path(), session = context().session(), before = plain(old_->text()),
+         after = plain(new_->text())](const Progress&) {
+            const database::Store store = database::Store::open(path);
+            *changed = database::People(store).change_password(session, before, after);
+        },
+        [this, changed] {
+            for (QLineEdit* edit : {old_, new_, again_}) edit->clear();
+            context().set_session(**changed);
+            context().say(tr("The password is changed."));
+        },
+        [this](const QString& why) {
+            problem_->setText(why);
+            old_->setFocus();
+        });
+    connect(job, &BackgroundJob::ended, this, [this] { change_->setEnabled(true); });
+    job_->watch(job, tr("Changing the password …"));
+}
+
+}  // namespace fulcrum::ui

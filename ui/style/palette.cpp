@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/style/palette.h"
+
+#include <QApplication>
+#include <QFont>
+#include <QPalette>
+#include <QStyleFactory>
+
+namespace fulcrum::ui {
+namespace {
+
+Theme theme_in_force = Theme::light;
+
+QString style_sheet(const Palette& p) {
+    QString sheet = QStringLiteral(R"(
+QWidget { color: @text; }
+QMainWindow, QWidget#page, QStackedWidget, QScrollArea, QWidget#page_body { background: @window; }
+QScrollArea { border: none; }
+QLabel { background: transparent; }
+QLabel[role="title"] { font-size: 20pt; font-weight: 600; }
+QLabel[role="heading"] { font-size: 13pt; font-weight: 600; }
+QLabel[role="muted"] { color: @muted; }
+QLabel[role="number"] { font-size: 24pt; font-weight: 600; }
+QLabel[role="good"] { color: @good; font-weight: 600; }
+QLabel[role="bad"] { color: @bad; font-weight: 600; }
+QLabel[role="neutral"] { color: @muted; font-weight: 600; }
+QFrame[role="card"] { background: @card; border: 1px solid @line; border-radius: 10px; }
+QFrame[role="top_bar"] { background: @card; border: none; border-bottom: 1px solid @line; }
+QFrame[role="rail"] { background: @card; border: none; border-right: 1px solid @line; }
+QFrame[role="banner"] { background: @warning; border: none; }
+QFrame[role="banner"] QLabel { color: #1b1b1b; font-weight: 600; }
+QFrame[role="message"] { background: @raised; border: 1px solid @accent; border-radius: 8px; }
+QFrame[role="error"] { background: @raised; border: 2px solid @bad; border-radius: 8px; }
+QPushButton { background: @raised; border: 1px solid @line; border-radius: 7px; padding: 7px 16px; min-height: 20px; }
+QPushButton:hover { border-color: @accent; }
+QPushButton:pressed { background: @line; }
+QPushButton:focus { border: 2px solid @accent; padding: 6px 15px; }
+QPushButton:disabled { color: @muted; background: @window; }
+QPushButton[role="primary"] { background: @accent; color: @accent_text; border: 1px solid @accent; font-weight: 600; }
+QPushButton[role="primary"]:focus { border: 2px solid @text; }
+QPushButton[role="primary"]:disabled { background: @line; color: @muted; border-color: @line; }
+QPushButton[role="rail"] { background: transparent; border: none; border-radius: 7px; padding: 9px 14px; text-align: left; }
+QPushButton[role="rail"]:hover { background: @raised; }
+QPushButton[role="rail"]:checked { background: @accent; color: @accent_text; font-weight: 600; }
+QPushButton[role="rail"]:focus { border: 2px solid @text; padding: 7px 12px; }
+QPushButton[role="link"] { background: transparent; border: none; color: @accent; padding: 3px 4px; text-align: left; }
+QPushButton[role="link"]:hover, QPushButton[role="link"]:focus { text-decoration: underline; border: none; }
+QPushButton[role="card"] { background: @card; border: 1px solid @line; border-radius: 10px; padding: 14px; text-align: left; }
+QPushButton[role="card"]:focus, QPushButton[role="card"]:hover { border: 2px solid @accent; padding: 13px; }
+QLineEdit, QPlainTextEdit, QTextEdit, QComboBox, QSpinBox { background: @window; border: 1px solid @line; border-radius: 6px; padding: 6px 8px; selection-background-color: @accent; selection-color: @accent_text; }
+QLineEdit:focus, QPlainTextEdit:focus, QComboBox:focus, QTextEdit:focus { border: 2px solid @accent; padding: 5px 7px; }
+QComboBox QAbstractItemView { background: @card; selection-background-color: @accent; selection-color: @accent_text; border: 1px solid @line; }
+QTableWidget, QTableView, QListWidget { background: @card; alternate-background-color: @raised; border: 1px solid @line; border-radius: 8px; gridline-color: @line; selection-background-color: @accent; selection-color: @accent_text; }
+QTableView::item, QListWidget::item { padding: 4px 6px; }
+QHeaderView { background: @card; }
+QHeaderView::section { background: @card; color: @muted; border: none; border-bottom: 1px solid @line; padding: 7px 8px; font-weight: 600; }
+QTableCornerButton::section { background: @card; border: none; }
+QProgressBar { background: @raised; border: none; border-radius: 4px; height: 8px; text-align: center; color: transparent; }
+QProgressBar::chunk { background: @accent; border-radius: 4px; }
+QSlider::groove:horizontal { background: @line; height: 6px; border-radius: 3px; }
+QSlider::sub-page:horizontal { background: @accent; border-radius: 3px; }
+QSlider::handle:horizontal { background: @accent; width: 16px; margin: -6px 0; border-radius: 8px; border: 2px solid @card; }
+QSlider:focus { outline: none; border: 1px solid @accent; border-radius: 4px; }
+QTabWidget::pane { border: 1px solid @line; border-radius: 8px; background: @card; top: -1px; }
+QTabBar::tab { background: transparent; padding: 8px 16px; border-bottom: 3px solid transparent; color: @muted; }
+QTabBar::tab:selected { color: @text; border-bottom: 3px solid @accent; font-weight: 600; }
+QTabBar::tab:focus { color: @accent; }
+QCheckBox, QRadioButton { background: transparent; spacing: 8px; padding: 3px; }
+QCheckBox:focus, QRadioButton:focus { color: @accent; }
+QToolTip { background: @card; color: @text; border: 1px solid @line; padding: 4px; }
+QScrollBar:vertical { background: transparent; width: 11px; margin: 2px; }
+QScrollBar::handle:vertical { background: @line; border-radius: 4px; min-height: 30px; }
+QScrollBar:horizontal { background: transparent; height: 11px; margin: 2px; }
+QScrollBar::handle:horizontal { background: @line; border-radius: 4px; min-width: 30px; }
+QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
+QSplitter::handle { background: transparent; }
+)");
+    const std::pair<const char*, QColor> tokens[] = {
+        {"@accent_text", p.accent_text}, {"@accent", p.accent}, {"@window", p.window}, {"@card", p.card},
+        {"@raised", p.raised},           {"@line", p.line},     {"@text", p.text},     {"@muted", p.muted},
+        {"@good", p.good},               {"@bad", p.bad},       {"@warning", p.warning}};
+    for (const auto& [token, colour] : tokens) sheet.replace(QLatin1String(token), colour.name());
+    return sheet;
+}
+
+}  // namespace
+
+const Palette& palette_of(Theme theme) {
+    static const Palette light{QColor(0xF5F6F8), QColor(0xFFFFFF), QColor(0xEDF0F4), QColor(0xC9CFD8),
+                               QColor(0x17202B), QColor(0x566272), QColor(0x005A9C), QColor(0xFFFFFF),
+                               QColor(0x0072B2), QColor(0xC05A00), QColor(0x00724F), QColor(0xB23A00),
+                               QColor(0xF2B632), QColor(0x6B7684), QColor(0x8A3A70)};
+    static const Palette dark{QColor(0x14181E), QColor(0x1C222A), QColor(0x262E38), QColor(0x3A4553),
+                              QColor(0xE8EDF3), QColor(0x9BA8B7), QColor(0x56B4E9), QColor(0x0B1620),
+                              QColor(0x56B4E9), QColor(0xF0A33A), QColor(0x3CCF9B), QColor(0xFF8A5B),
+                              QColor(0xF0E442), QColor(0x8995A4), QColor(0xE29AC4)};
+    return theme == Theme::light ? light : dark;
+}
+
+Theme current_theme() { return theme_in_force; }
+
+void apply_theme(QApplication& application, Theme theme) {
+    theme_in_force = theme;
+    const Palette& p = palette_of(theme);
+    application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QFont font = application.font();
+    font.setPointSizeF(10.5);
+    application.setFont(font);
+    QPalette colours;
+    colours.setColor(QPalette::Window, p.window);
+    colours.setColor(QPalette::WindowText, p.text);
+    colours.setColor(QPalette::Base, p.card);
+    colours.setColor(QPalette::AlternateBase, p.raised);
+    colours.setColor(QPalette::Text, p.text);
+    colours.setColor(QPalette::Button, p.raised);
+    colours.setColor(QPalette::ButtonText, p.text);
+    colours.setColor(QPalette::Highlight, p.accent);
+    colours.setColor(QPalette::HighlightedText, p.accent_text);
+    colours.setColor(QPalette::ToolTipBase, p.card);
+    colours.setColor(QPalette::ToolTipText, p.text);
+    colours.setColor(QPalette::PlaceholderText, p.muted);
+    colours.setColor(QPalette::Disabled, QPalette::Text, p.muted);
+    colours.setColor(QPalette::Disabled, QPalette::ButtonText, p.muted);
+    application.setPalette(colours);
+    application.setStyleSheet(style_sheet(p));
+}
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/style/text.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QLocale>
+#include <cmath>
+
+namespace fulcrum::ui {
+namespace {
+
+QString words(const char* source) { return QCoreApplication::translate("fulcrum::ui::text", source); }
+
+}  // namespace
+
+QString figure(double value) {
+    if (!std::isfinite(value)) return QStringLiteral("–");
+    const double size = std::abs(value);
+    int decimals = 0;
+    if (size < 1) {
+        decimals = 3;
+    } else if (size < 10) {
+        decimals = 2;
+    } else if (size < 100) {
+        decimals = 1;
+    }
+    QString shown = QString::number(value, 'f', decimals);
+    if (shown.contains(QLatin1Char('.'))) {
+        while (shown.endsWith(QLatin1Char('0'))) shown.chop(1);
+        if (shown.endsWith(QLatin1Char('.'))) shown.chop(1);
+    }
+    if (shown == QLatin1String("-0")) shown = QStringLiteral("0");
+    return shown;
+}
+
+QString figure(const std::optional<double>& value) { return value ? figure(*value) : QStringLiteral("–"); }
+
+QString unit_text(const std::string& unit) {
+    if (unit.empty() || unit == "count" || unit == "-" || unit == "1" || unit == "–" || unit == "share") {
+        return {};
+    }
+    return text(unit);
+}
+
+QString figure_with_unit(const std::optional<double>& value, const std::string& unit) {
+    if (!value) return QStringLiteral("–");
+    const QString shown = unit_text(unit);
+    return shown.isEmpty() ? figure(*value) : figure(*value) + QChar(0x202F) + shown;
+}
+
+QString clock_text(double seconds) {
+    if (!std::isfinite(seconds) || seconds < 0) seconds = 0;
+    const auto tenths = static_cast<long long>(std::floor(seconds * 10.0 + 1e-6));
+    return QStringLiteral("%1:%2.%3")
+        .arg(tenths / 600)
+        .arg((tenths / 10) % 60, 2, 10, QLatin1Char('0'))
+        .arg(tenths % 10);
+}
+
+QString local_time(std::int64_t utc_ms) {
+    if (utc_ms == 0) return QStringLiteral("–");
+    return QLocale().toString(QDateTime::fromMSecsSinceEpoch(utc_ms), QStringLiteral("d MMM yyyy HH:mm"));
+}
+
+QString verdict(const std::optional<bool>& passed, bool provisional) {
+    if (!passed) return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "not scored"));
+    if (!*passed) return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "failed"));
+    return provisional ? words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "passed (provisional)"))
+                       : words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "passed"));
+}
+
+QString attempt_state(const std::string& state) {
+    if (state == "completed") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "completed"));
+    if (state == "timed_out") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "timed out"));
+    if (state == "abandoned") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "abandoned"));
+    if (state == "interrupted") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "interrupted"));
+    if (state == "failed_simulation") {
+        return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "simulator fault"));
+    }
+    if (state == "voided") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "voided"));
+    if (state == "running") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "running"));
+    return text(state);
+}
+
+QString hand_text(const std::string& hand) {
+    if (hand == "left") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "left hand"));
+    if (hand == "right") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "right hand"));
+    return {};
+}
+
+QString device_class_text(const std::string& device_class) {
+    if (device_class == "haptic") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "haptic device"));
+    if (device_class == "tracked") {
+        return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "tracked instruments"));
+    }
+    if (device_class == "controller") {
+        return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "game controller"));
+    }
+    if (device_class == "mouse-keyboard") {
+        return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "mouse and keyboard"));
+    }
+    if (device_class == "synthetic") {
+        return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "synthetic operator"));
+    }
+    if (device_class == "external") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "external trace"));
+    return text(device_class);
+}
+
+QString role_text(const std::string& role) {
+    if (role == "trainee") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "trainee"));
+    if (role == "educator") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "educator"));
+    if (role == "director") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "director"));
+    if (role == "administrator") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "administrator"));
+    return text(role);
+}
+
+}  // namespace fulcrum::ui

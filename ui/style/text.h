@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How figures, times and names are written on screens and on paper: one place, so that they agree everywhere.
+#pragma once
+
+#include <QString>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace fulcrum::ui {
+
+inline QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+inline std::string plain(const QString& shown) { return shown.toStdString(); }
+
+/// A metric's value as it is shown: 3 significant digits below 100, whole numbers above, "–" when absent. No unit.
+QString figure(double value);
+QString figure(const std::optional<double>& value);
+/// With its unit, "12.3 mm"; counts and dimensionless figures stand alone.
+QString figure_with_unit(const std::optional<double>& value, const std::string& unit);
+/// The unit as it is written behind a figure: "" for counts and dimensionless.
+QString unit_text(const std::string& unit);
+/// "2:05.3" (minutes, seconds, tenths).
+QString clock_text(double seconds);
+/// Local date and time of a UTC time, "21 Nov 2026 04:15"; "–" for 0.
+QString local_time(std::int64_t utc_ms);
+/// "passed", "passed (provisional)", "failed", "not scored".
+QString verdict(const std::optional<bool>& passed, bool provisional);
+/// The state of an attempt in words.
+QString attempt_state(const std::string& state);
+/// "left hand", "right hand" or "".
+QString hand_text(const std::string& hand);
+/// "mouse and keyboard" for "mouse-keyboard" ...
+QString device_class_text(const std::string& device_class);
+QString role_text(const std::string& role);
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/style/widgets.h"
+
+#include <QHeaderView>
+#include <QScrollArea>
+#include <QStyle>
+
+namespace fulcrum::ui {
+
+QLabel* make_label(const QString& shown, const char* role) {
+    auto* label = new QLabel(shown);
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::PlainText);
+    if (role != nullptr) label->setProperty("role", role);
+    return label;
+}
+
+QPushButton* make_button(const QString& shown, const char* name, const char* role) {
+    auto* button = new QPushButton(shown);
+    button->setObjectName(QString::fromLatin1(name));
+    button->setAccessibleName(shown);
+    button->setCursor(Qt::PointingHandCursor);
+    button->setAutoDefault(false);
+    if (role != nullptr) button->setProperty("role", role);
+    return button;
+}
+
+QFrame* make_card(int spacing) {
+    auto* card = new QFrame;
+    card->setProperty("role", "card");
+    auto* layout = new QVBoxLayout(card);
+    layout->setContentsMargins(18, 16, 18, 16);
+    layout->setSpacing(spacing);
+    return card;
+}
+
+QTableWidget* make_table(const QStringList& columns, const char* name) {
+    auto* table = new QTableWidget(0, columns.size());
+    table->setObjectName(QString::fromLatin1(name));
+    table->setHorizontalHeaderLabels(columns);
+    table->verticalHeader()->hide();
+    table->verticalHeader()->setDefaultSectionSize(34);
+    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table->setSelectionMode(QAbstractItemView::SingleSelection);
+    table->setAlternatingRowColors(true);
+    table->setShowGrid(false);
+    table->setTabKeyNavigation(false);
+    table->horizontalHeader()->setStretchLastSection(true);
+    table->horizontalHeader()->setHighlightSections(false);
+    table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    return table;
+}
+
+QTableWidgetItem* make_cell(const QString& shown, Qt::Alignment alignment) {
+    auto* item = new QTableWidgetItem(shown);
+    item->setTextAlignment(alignment);
+    return item;
+}
+
+void set_role(QWidget* widget, const char* role) {
+    widget->setProperty("role", role);
+    widget->style()->unpolish(widget);
+    widget->style()->polish(widget);
+}
+
+void clear_layout(QLayout* layout) {
+    while (QLayoutItem* item = layout->takeAt(0)) {
+        if (QWidget* widget = item->widget()) {
+            widget->hide();
+            widget->deleteLater();
+        } else if (QLayout* inner = item->layout()) {
+            clear_layout(inner);
+        }
+        delete item;
+    }
+}
+
+QWidget* scrolled(QWidget* body, int width) {
+    body->setMaximumWidth(width);
+    auto* holder = new QWidget;
+    holder->setObjectName(QStringLiteral("page_body"));
+    auto* row = new QHBoxLayout(holder);
+    row->setContentsMargins(28, 22, 28, 22);
+    row->addStretch(1);
+    row->addWidget(body, 1000);
+    row->addStretch(1);
+    auto* area = new QScrollArea;
+    area->setWidgetResizable(true);
+    area->setWidget(holder);
+    area->setFocusPolicy(Qt::NoFocus);
+    return area;
+}
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/trainee/briefing_page.h"
+
+#include <QRadioButton>
+
+#include "assessment/metrics/registry.h"
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+
+namespace fulcrum::ui {
+
+BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
+    auto* body = new QWidget;
+    auto* layout = new QVBoxLayout(body);
+    layout->setSpacing(14);
+    QPushButton* back = make_button(tr("← Home"), "briefing_back", "link");
+    connect(back, &QPushButton::clicked, this, [this] { emit this->context().home_wanted(); });
+    layout->addWidget(back, 0, Qt::AlignLeft);
+    title_ = make_label({}, "title");
+    layout->addWidget(title_);
+    briefing_ = make_label({});
+    layout->addWidget(briefing_);
+
+    auto* row = new QHBoxLayout;
+    row->setSpacing(14);
+    QFrame* steps_card = make_card(8);
+    steps_ = card_layout(steps_card);
+    row->addWidget(steps_card, 1);
+    QFrame* judged_card = make_card(6);
+    judged_ = card_layout(judged_card);
+    row->addWidget(judged_card, 1);
+    layout->addLayout(row);
+
+    QFrame* start_card = make_card(8);
+    card_layout(start_card)->addWidget(make_label(tr("Does it count?"), "heading"));
+    assessed_ = new QRadioButton(tr("Assessed — it counts from the first movement; abandoned or timed out is failed"));
+    assessed_->setObjectName(QStringLiteral("mode_assessed"));
+    practice_ = new QRadioButton(tr("Practice — scored and kept, but it does not count"));
+    practice_->setObjectName(QStringLiteral("mode_practice"));
+    card_layout(start_card)->addWidget(assessed_);
+    card_layout(start_card)->addWidget(practice_);
+    mode_note_ = make_label({}, "muted");
+    card_layout(start_card)->addWidget(mode_note_);
+    start_ = make_button({}, "start_attempt", "primary");
+    card_layout(start_card)->addWidget(start_, 0, Qt::AlignLeft);
+    layout->addWidget(start_card);
+    layout->addStretch();
+    connect(start_, &QPushButton::clicked, this,
+            [this] { emit this->context().attempt_wanted(text(task_id_), assessed_->isChecked()); });
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(scrolled(body, 1000));
+}
+
+void BriefingPage::set_task(const std::string& task_id) {
+    task_id_ = task_id;
+    practice_->setChecked(true);
+}
+
+void BriefingPage::enter() {
+    fill();
+    start_->setFocus();
+}
+
+void BriefingPage::fill() {
+    clear_layout(steps_);
+    clear_layout(judged_);
+    title_->setText(context().task_title(task_id_));
+    const bool demo = context().store().is_demo();
+    assessed_->setEnabled(!demo);
+    if (demo) practice_->setChecked(true);
+    const TaskDefinition* task = context().task(task_id_);
+    start_->setEnabled(task != nullptr);
+    const QString start = tr("Start as %1").arg(text(context().session().display_name()));
+    start_->setText(start);
+    start_->setAccessibleName(start);
+    if (task == nullptr) return;
+    briefing_->setText(text(task->briefing));
+    steps_->addWidget(make_label(tr("What to do"), "heading"));
+    int number = 0;
+    for (const std::string& step : task->steps) {
+        steps_->addWidget(make_label(QStringLiteral("%1.  %2").arg(++number).arg(text(step))));
+    }
+    steps_->addWidget(make_label(tr("Time limit %1 · left behind: %2")
+                                     .arg(clock_text(task->time_limit_s), text(task->product)),
+                                 "muted"));
+    steps_->addStretch();
+    judged_->addWidget(make_label(tr("What is judged"), "heading"));
+    for (const GateSpec& gate : task->gates) {
+        const MetricDescriptor* metric = find_metric(gate.metric);
+        QString line = metric == nullptr ? text(gate.metric) : text(metric->name);
+        if (!gate.hand.empty()) line += QStringLiteral(", ") + hand_text(gate.hand);
+        if (!gate.tissue.empty()) line += QStringLiteral(", ") + text(gate.tissue);
+        if (gate.kind == "absolute") {
+            const bool higher = metric != nullptr && metric->direction == Direction::higher;
+            line += (higher ? tr(": at least %1") : tr(": at most %1"))
+                        .arg(figure_with_unit(gate.limit, metric == nullptr ? std::string() : metric->unit));
+        } else {
+            line += tr(": within the experts' range");
+        }
+        QLabel* label = make_label(QStringLiteral("•  ") + line);
+        if (metric != nullptr) label->setToolTip(text(metric->explanation));
+        judged_->addWidget(label);
+    }
+    if (!task->critical_errors.empty()) {
+        QStringList errors;
+        for (const std::string& error : task->critical_errors) errors << text(error).replace('_', ' ');
+        judged_->addWidget(make_label(tr("Fails the attempt at once: %1").arg(errors.join(QStringLiteral(", "))), "bad"));
+    }
+    judged_->addStretch();
+    mode_note_->setText(demo ? tr("The demonstration takes practice only.")
+                             : tr("You work with mouse and keyboard: force is shown as bars, not felt. F1 shows the keys."));
+}
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One screen before an attempt: what to do, what is judged, with what; assessed or practice; *Start as NAME*.
+#pragma once
+
+#include "ui/shell/context.h"
+
+class QLabel;
+class QPushButton;
+class QRadioButton;
+class QVBoxLayout;
+
+namespace fulcrum::ui {
+
+class BriefingPage : public Page {
+    Q_OBJECT
+  public:
+    explicit BriefingPage(Context& context);
+    void set_task(const std::string& task_id);
+    void enter() override;
+
+  private:
+    void fill();
+    std::string task_id_;
+    QLabel *title_, *briefing_, *mode_note_;
+    QVBoxLayout *steps_, *judged_;
+    QRadioButton *assessed_, *practice_;
+    QPushButton* start_;
+};
+
+}  // namespace fulcrum::ui

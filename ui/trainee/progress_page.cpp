@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/trainee/progress_page.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QHeaderView>
+#include <set>
+
+#include "assessment/metrics/registry.h"
+#include "database/people.h"
+#include "ui/charts/attempt_chart.h"
+#include "ui/reports/report.h"
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+
+namespace fulcrum::ui {
+namespace {
+
+const database::MetricRow* find_row(const database::ProgressPoint& point, const QString& key) {
+    for (const database::MetricRow& metric : point.metrics) {
+        if (text(metric.id + "/" + metric.hand + "/" + metric.tissue) == key) return &metric;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
+    auto* body = new QWidget;
+    auto* layout = new QVBoxLayout(body);
+    layout->setSpacing(12);
+    title_ = make_label(tr("Progress"), "title");
+    layout->addWidget(title_);
+    auto* row = new QHBoxLayout;
+    const auto combo = [&](const QString& label, const char* name) {
+        auto* box = new QComboBox;
+        box->setObjectName(QString::fromLatin1(name));
+        box->setAccessibleName(label);
+        box->setMinimumWidth(210);
+        row->addWidget(box);
+        connect(box, QOverload<int>::of(&QComboBox::activated), this, [this, box] {
+            if (box == metric_) {
+                draw();
+            } else {
+                load();
+            }
+        });
+        return box;
+    };
+    person_ = combo(tr("Person"), "progress_person");
+    task_ = combo(tr("Task"), "progress_task");
+    metric_ = combo(tr("Figure"), "progress_metric");
+    row->addStretch();
+    export_ = make_button(tr("Report (PDF)"), "export_person");
+    connect(export_, &QPushButton::clicked, this, &ProgressPage::export_report);
+    row->addWidget(export_);
+    layout->addLayout(row);
+    QFrame* card = make_card(8);
+    summary_ = make_label({}, "muted");
+    card_layout(card)->addWidget(summary_);
+    chart_ = new AttemptChart;
+    chart_->setMinimumHeight(280);
+    card_layout(card)->addWidget(chart_);
+    card_layout(card)->addWidget(
+        make_label(tr("● passed   ✕ failed   ○ not scored   small: does not count. Device classes are never pooled. "
+                      "Choose a point to open the attempt."),
+                   "muted"));
+    layout->addWidget(card);
+    table_ = make_table({tr("No."), tr("Started"), tr("Device"), tr("Mode"), tr("Ended"), tr("Time"), tr("Result"),
+                         tr("Points")},
+                        "progress_table");
+    table_->setMinimumHeight(220);
+    layout->addWidget(table_);
+    connect(chart_, &AttemptChart::attempt_chosen, this,
+            [this](const QString& id) { emit this->context().debrief_wanted(id, -1); });
+    connect(table_, &QTableWidget::itemActivated, this, [this](QTableWidgetItem* item) {
+        emit this->context().debrief_wanted(table_->item(item->row(), 0)->data(Qt::UserRole).toString(), -1);
+    });
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(scrolled(body, 1100));
+}
+
+void ProgressPage::show_person(const std::string& person_id, const std::string& task_id) {
+    person_id_ = person_id;
+    task_id_ = task_id;
+}
+
+void ProgressPage::enter() {
+    fill_choices();
+    load();
+    task_->setFocus();
+}
+
+void ProgressPage::fill_choices() {
+    const database::Session& session = context().session();
+    person_->clear();
+    context().guarded([&] {
+        for (const database::Person& person : database::People(context().store()).list(session)) {
+            if (!context().allowed(database::Operation::read_progress, database::Subject::person(person.id))) continue;
+            person_->addItem(text(person.display_name), text(person.id));
+        }
+    });
+    if (person_->findData(text(session.person_id())) < 0 &&
+        context().allowed(database::Operation::read_progress, database::Subject::person(session.person_id()))) {
+        person_->addItem(text(session.display_name()), text(session.person_id()));
+    }
+    if (person_id_.empty()) person_id_ = session.person_id();
+    person_->setCurrentIndex(std::max(0, person_->findData(text(person_id_))));
+    person_->setVisible(person_->count() > 1);
+    task_->clear();
+    for (const TaskDefinition& task : context().services().tasks()) {
+        task_->addItem(context().task_title(task.id), text(task.id));
+    }
+    task_->setCurrentIndex(std::max(0, task_->findData(text(task_id_))));
+}
+
+void ProgressPage::load() {
+    person_id_ = plain(person_->currentData().toString());
+    task_id_ = plain(task_->currentData().toString());
+    progress_.reset();
+    if (!person_id_.empty() && !task_id_.empty()) {
+        context().guarded([&] {
+            progress_ =
+                database::Reports(context().store()).person_progress(context().session(), person_id_, task_id_);
+        });
+    }
+    export_->setVisible(
+        context().allowed(database::Operation::export_person, database::Subject::person(person_id_)));
+    title_->setText(person_id_ == context().session().person_id() ? tr("My progress")
+                                                                  : tr("Progress of %1").arg(person_->currentText()));
+    const QString before = metric_->currentData().toString();
+    metric_->clear();
+    metric_->addItem(tr("Points"), QStringLiteral("points"));
+    metric_->addItem(tr("Time"), QStringLiteral("duration"));
+    std::set<QString> seen;
+    if (progress_) {
+        for (const database::ProgressSeries& series : progress_->series) {
+            for (const database::ProgressPoint& point : series.points) {
+                for (const database::MetricRow& metric : point.metrics) {
+                    const QString key = text(metric.id + "/" + metric.hand + "/" + metric.tissue);
+                    if (!metric.value || !seen.insert(key).second) continue;
+                    const MetricDescriptor* descriptor = find_metric(metric.id);
+                    QString shown = descriptor == nullptr ? text(metric.id) : text(descriptor->name);
+                    if (!metric.hand.empty()) shown += QStringLiteral(", ") + hand_text(metric.hand);
+                    if (!metric.tissue.empty()) shown += QStringLiteral(", ") + text(metric.tissue);
+                    metric_->addItem(shown, key);
+                }
+            }
+        }
+    }
+    metric_->setCurrentIndex(std::max(0, metric_->findData(before)));
+    draw();
+    fill_table();
+}
+
+void ProgressPage::draw() {
+    AttemptChartData data;
+    const QString key = metric_->currentData().toString();
+    data.y_title = metric_->currentText();
+    if (key == QLatin1String("points")) data.y_maximum = 100;
+    int counting = 0, passed = 0;
+    if (progress_) {
+        for (const database::ProgressSeries& series : progress_->series) {
+            AttemptSeries shown;
+            shown.name = device_class_text(series.device_class);
+            for (const database::ProgressPoint& point : series.points) {
+                AttemptPoint mark{point.attempt_id, point.number, {}, point.passed, point.counting, {}};
+                std::string unit;
+                if (key == QLatin1String("points")) {
+                    mark.value = point.points;
+                } else if (key == QLatin1String("duration")) {
+                    mark.value = point.duration_s;
+                    unit = "s";
+                } else if (const database::MetricRow* metric = find_row(point, key)) {
+                    mark.value = metric->value;
+                    unit = metric->unit;
+                }
+                if (!unit.empty() && !unit_text(unit).isEmpty()) {
+                    data.y_title = metric_->currentText() + QStringLiteral(" (%1)").arg(unit_text(unit));
+                }
+                mark.tip = tr("attempt %1, %2: %3, %4")
+                               .arg(point.number)
+                               .arg(local_time(point.started), figure_with_unit(mark.value, unit),
+                                    verdict(point.passed, point.provisional));
+                counting += point.counting ? 1 : 0;
+                passed += point.counting && point.passed.value_or(false) ? 1 : 0;
+                shown.points.push_back(std::move(mark));
+            }
+            data.series.push_back(std::move(shown));
+        }
+    }
+    summary_->setText(tr("%1 · %2 counting attempts, %3 passed").arg(task_->currentText()).arg(counting).arg(passed));
+    chart_->set_data(std::move(data));
+}
+
+void ProgressPage::fill_table() {
+    table_->setRowCount(0);
+    if (!progress_) return;
+    for (const database::ProgressSeries& series : progress_->series) {
+        for (const database::ProgressPoint& point : series.points) {
+            const int row = table_->rowCount();
+            table_->insertRow(row);
+            auto* number = make_cell(QString::number(point.number), Qt::AlignRight | Qt::AlignVCenter);
+            number->setData(Qt::UserRole, text(point.attempt_id));
+            table_->setItem(row, 0, number);
+            table_->setItem(row, 1, make_cell(local_time(point.started)));
+            table_->setItem(row, 2, make_cell(device_class_text(series.device_class)));
+            table_->setItem(row, 3, make_cell(point.mode == "assessed" ? tr("assessed") : tr("practice")));
+            table_->setItem(row, 4, make_cell(attempt_state(point.state)));
+            table_->setItem(row, 5, make_cell(clock_text(point.duration_s), Qt::AlignRight | Qt::AlignVCenter));
+            table_->setItem(row, 6, make_cell(verdict(point.passed, point.provisional)));
+            table_->setItem(row, 7, make_cell(figure(point.points), Qt::AlignRight | Qt::AlignVCenter));
+        }
+    }
+    table_->resizeColumnsToContents();
+}
+
+void ProgressPage::export_report() {
+    const QString path = QFileDialog::getSaveFileName(this, tr("Save the report"),
+                                                      person_->currentText() + QStringLiteral(".pdf"),
+                                                      tr("PDF (*.pdf);;CSV (*.csv);;JSON (*.json)"));
+    if (path.isEmpty()) return;
+    ReportRequest request;
+    request.person_id = person_id_;
+    request.path = plain(path);
+    request.format = path.endsWith(QLatin1String(".csv"))    ? ReportFormat::csv
+                     : path.endsWith(QLatin1String(".json")) ? ReportFormat::json
+                                                             : ReportFormat::pdf;
+    if (context().guarded([&] {
+            write_report(context().store(), context().session(), request, context().services().tasks(),
+                         context().services().program_version());
+        })) {
+        context().say(tr("Saved %1").arg(path));
+    }
+}
+
+}  // namespace fulcrum::ui

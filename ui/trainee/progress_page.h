@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One person's attempts of one task over time: a chart of points, time or any metric, and the table beneath it. Trainees see their own;
+// educators and directors choose the person.
+#pragma once
+
+#include <optional>
+
+#include "database/report_data.h"
+#include "ui/shell/context.h"
+
+class QComboBox;
+class QLabel;
+class QTableWidget;
+
+namespace fulcrum::ui {
+
+class AttemptChart;
+
+class ProgressPage : public Page {
+    Q_OBJECT
+  public:
+    explicit ProgressPage(Context& context);
+    void show_person(const std::string& person_id, const std::string& task_id);
+    void enter() override;
+
+  private:
+    void fill_choices();
+    void load();
+    void draw();
+    void fill_table();
+    void export_report();
+
+    std::string person_id_, task_id_;
+    std::optional<database::PersonProgress> progress_;
+    QLabel *title_, *summary_;
+    QComboBox *person_, *task_, *metric_;
+    QPushButton* export_;
+    AttemptChart* chart_;
+    QTableWidget* table_;
+};
+
+}  // namespace fulcrum::ui
