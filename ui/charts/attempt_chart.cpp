@@ -139,8 +139,8 @@ AttemptChart::AttemptChart(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("attempt_chart"));
 }
 
-void AttemptChart::set_data(AttemptChartData data) {
-    data_ = std::move(data);
+void AttemptChart::set_data(AttemptChartData shown) {
+    data_ = std::move(shown);
     selected_.clear();
     setAccessibleName(data_.y_title);
     update();

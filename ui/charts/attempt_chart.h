@@ -43,7 +43,7 @@ class AttemptChart : public QWidget {
     Q_OBJECT
   public:
     explicit AttemptChart(QWidget* parent = nullptr);
-    void set_data(AttemptChartData data);
+    void set_data(AttemptChartData shown);
     QSize sizeHint() const override { return {640, 300}; }
     QSize minimumSizeHint() const override { return {320, 200}; }
 

@@ -65,14 +65,14 @@ void TimeChart::clear() {
 }
 
 void TimeChart::add_series(const QString& name, const QColor& colour, Qt::PenStyle pen,
-                           std::shared_ptr<const MinMaxPyramid> data) {
+                           std::shared_ptr<const MinMaxPyramid> samples) {
     auto* line = new QLineSeries;
     line->setName(name);
     line->setPen(QPen(colour, 1.6, pen));
     chart()->addSeries(line);
     line->attachAxis(x_axis_);
     line->attachAxis(y_axis_);
-    series_.push_back({line, std::move(data)});
+    series_.push_back({line, std::move(samples)});
 }
 
 void TimeChart::add_limit(const QString& name, double value) { limits_.emplace_back(name, value); }

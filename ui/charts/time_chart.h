@@ -30,7 +30,7 @@ class TimeChart : public QtCharts::QChartView {
   public:
     explicit TimeChart(const QString& y_title, QWidget* parent = nullptr);
     void add_series(const QString& name, const QColor& colour, Qt::PenStyle pen,
-                    std::shared_ptr<const MinMaxPyramid> data);
+                    std::shared_ptr<const MinMaxPyramid> samples);
     void add_limit(const QString& name, double value);
     void set_marks(std::vector<ChartMark> marks);
     void set_cursor(double time);

@@ -155,10 +155,10 @@ void ProgressPage::load() {
 }
 
 void ProgressPage::draw() {
-    AttemptChartData data;
+    AttemptChartData drawn;
     const QString key = metric_->currentData().toString();
-    data.y_title = metric_->currentText();
-    if (key == QLatin1String("points")) data.y_maximum = 100;
+    drawn.y_title = metric_->currentText();
+    if (key == QLatin1String("points")) drawn.y_maximum = 100;
     int counting = 0, passed = 0;
     if (progress_) {
         for (const database::ProgressSeries& series : progress_->series) {
@@ -177,7 +177,7 @@ void ProgressPage::draw() {
                     unit = metric->unit;
                 }
                 if (!unit.empty() && !unit_text(unit).isEmpty()) {
-                    data.y_title = metric_->currentText() + QStringLiteral(" (%1)").arg(unit_text(unit));
+                    drawn.y_title = metric_->currentText() + QStringLiteral(" (%1)").arg(unit_text(unit));
                 }
                 mark.tip = tr("attempt %1, %2: %3, %4")
                                .arg(point.number)
@@ -187,11 +187,11 @@ void ProgressPage::draw() {
                 passed += point.counting && point.passed.value_or(false) ? 1 : 0;
                 shown.points.push_back(std::move(mark));
             }
-            data.series.push_back(std::move(shown));
+            drawn.series.push_back(std::move(shown));
         }
     }
     summary_->setText(tr("%1 · %2 counting attempts, %3 passed").arg(task_->currentText()).arg(counting).arg(passed));
-    chart_->set_data(std::move(data));
+    chart_->set_data(std::move(drawn));
 }
 
 void ProgressPage::fill_table() {

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/theatre/hud.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <cmath>
+
+#include "ui/style/palette.h"
+#include "ui/style/text.h"
+
+namespace fulcrum::ui {
+namespace {
+
+QString tr(const char* source) { return QCoreApplication::translate("fulcrum::ui::hud", source); }
+
+/// The theatre is dark whatever the theme.
+const Palette& dark() { return palette_of(Theme::dark); }
+
+QFont hud_font(double points, bool bold = false) {
+    QFont font(QStringLiteral("DejaVu Sans"));
+    font.setPointSizeF(points);
+    font.setBold(bold);
+    return font;
+}
+
+void draw_goal_bar(QPainter& painter, const QRectF& bar, double share, const QColor& colour) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(255, 255, 255, 40));
+    painter.drawRoundedRect(bar, bar.height() / 2, bar.height() / 2);
+    painter.setBrush(colour);
+    QRectF filled = bar;
+    filled.setWidth(bar.width() * std::clamp(share, 0.0, 1.0));
+    if (filled.width() > 1) painter.drawRoundedRect(filled, bar.height() / 2, bar.height() / 2);
+}
+
+void draw_force(QPainter& painter, const QRectF& box, const HudState& state, int h) {
+    const Palette& p = dark();
+    const double force = state.display.force[h], limit = state.display.force_limit[h];
+    const bool warn = state.display.warning[h];
+    const QColor colour = h == 0 ? p.left_hand : p.right_hand;
+    // Full scale: a third above the limit, or 6 N when nothing limited is touched.
+    const double scale = limit > 0 ? limit * 1.35 : 6.0;
+    const QRectF bar(box.left(), box.top() + 54, 26, box.height() - 130);
+    painter.setPen(QPen(QColor(255, 255, 255, 90), 1));
+    painter.setBrush(QColor(255, 255, 255, 22));
+    painter.drawRoundedRect(bar, 5, 5);
+    const double share = std::clamp(force / scale, 0.0, 1.0);
+    QRectF filled = bar.adjusted(2, 2, -2, -2);
+    filled.setTop(filled.bottom() - filled.height() * share);
+    const bool over = limit > 0 && force > limit;
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(over ? p.bad : colour);
+    painter.drawRoundedRect(filled, 4, 4);
+    if (over) {
+        // Hatched as well: over the limit is told apart without colour.
+        painter.setBrush(QBrush(QColor(0, 0, 0, 120), Qt::BDiagPattern));
+        painter.drawRoundedRect(filled, 4, 4);
+    }
+    if (limit > 0) {
+        const double y = bar.bottom() - bar.height() * (limit / scale);
+        painter.setPen(QPen(p.warning, 2));
+        painter.drawLine(QPointF(bar.left() - 5, y), QPointF(bar.right() + 5, y));
+        painter.setFont(hud_font(12));
+        painter.drawText(QRectF(bar.right() + 8, y - 12, 60, 24), Qt::AlignVCenter, tr("%1 N").arg(figure(limit)));
+    }
+    painter.setFont(hud_font(13, true));
+    painter.setPen(colour);
+    const bool active = state.shows_active_hand && static_cast<int>(state.active_hand) == h;
+    painter.drawText(QRectF(box.left() - 4, box.top(), box.width(), 26), Qt::AlignLeft | Qt::AlignVCenter,
+                     (active ? QStringLiteral("▶ ") : QString()) + (h == 0 ? tr("Left") : tr("Right")));
+    painter.setFont(hud_font(12));
+    painter.setPen(p.text);
+    painter.drawText(QRectF(box.left() - 4, box.top() + 25, box.width(), 26), Qt::AlignLeft | Qt::AlignVCenter,
+                     state.jaws_closed[h] ? tr("jaws closed") : tr("jaws open"));
+    painter.setFont(hud_font(14, true));
+    painter.setPen(over ? p.bad : p.text);
+    painter.drawText(QRectF(box.left() - 4, bar.bottom() + 6, box.width(), 26), Qt::AlignLeft | Qt::AlignVCenter,
+                     tr("%1 N").arg(force, 0, 'f', 1));
+    if (warn) {
+        painter.setFont(hud_font(13, true));
+        painter.setPen(p.warning);
+        painter.drawText(QRectF(box.left() - 4, bar.bottom() + 32, box.width() + 30, 26),
+                         Qt::AlignLeft | Qt::AlignVCenter, tr("⚠ less force"));
+    }
+}
+
+QString goal_detail(const HudState& state, const Goal& goal) {
+    const TaskDisplay& display = state.display;
+    switch (goal.kind) {
+        case GoalKind::touch_targets:
+            return tr("%1 of %2 targets")
+                .arg(std::lround(display.goal_progress * goal.count))
+                .arg(goal.count);
+        case GoalKind::run_bowel:
+            return tr("%1 of %2 cm").arg(display.run_covered_m * 100, 0, 'f', 0).arg(goal.length_m * 100, 0, 'f', 0);
+        case GoalKind::lift_and_hold:
+            return tr("%1 of %2 mm high").arg(display.lift_height_m * 1000, 0, 'f', 0).arg(goal.height_m * 1000, 0, 'f', 0);
+    }
+    return {};
+}
+
+}  // namespace
+
+void paint_hud(QPainter& painter, const QRectF& area, const HudState& state) {
+    const Palette& p = dark();
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double margin = 18, column = 190;
+
+    // Top left: the clock and the mode.
+    painter.setPen(p.text);
+    painter.setFont(hud_font(26, true));
+    painter.drawText(QRectF(area.left() + margin, area.top() + 10, column, 42), Qt::AlignLeft | Qt::AlignVCenter,
+                     clock_text(state.display.elapsed_s));
+    painter.setFont(hud_font(12));
+    painter.setPen(p.muted);
+    painter.drawText(QRectF(area.left() + margin, area.top() + 52, column, 24), Qt::AlignLeft | Qt::AlignVCenter,
+                     tr("%1 left").arg(clock_text(state.display.remaining_s)));
+    painter.setPen(p.text);
+    const QString mode = !state.place.isEmpty() ? state.place : state.assessed ? tr("assessed") : tr("practice");
+    painter.drawText(QRectF(area.left() + margin, area.top() + 74, column, 24), Qt::AlignLeft | Qt::AlignVCenter, mode);
+
+    // Top right: the goal.
+    if (state.task != nullptr && !state.task->goals.empty()) {
+        const auto index = std::min(static_cast<std::size_t>(std::max(state.display.goal, 0)), state.task->goals.size() - 1);
+        const Goal& goal = state.task->goals[index];
+        const QRectF box(area.right() - margin - 240, area.top() + 12, 240, 150);
+        painter.setFont(hud_font(12));
+        painter.setPen(p.muted);
+        painter.drawText(QRectF(box.left(), box.top(), box.width(), 22), Qt::AlignRight | Qt::AlignVCenter,
+                         tr("Step %1 of %2").arg(index + 1).arg(state.task->goals.size()));
+        painter.setFont(hud_font(13, true));
+        painter.setPen(p.text);
+        QRectF used;
+        painter.drawText(QRectF(box.left(), box.top() + 22, box.width(), 90), Qt::AlignRight | Qt::TextWordWrap,
+                         text(goal.text), &used);
+        double y = used.bottom() + 6;
+        painter.setFont(hud_font(12));
+        painter.drawText(QRectF(box.left(), y, box.width(), 22), Qt::AlignRight | Qt::AlignVCenter,
+                         goal_detail(state, goal));
+        y += 26;
+        draw_goal_bar(painter, QRectF(box.right() - 180, y, 180, 8), state.display.goal_progress, p.good);
+        if (state.display.hold_progress > 0) {
+            y += 14;
+            painter.setPen(p.text);
+            painter.drawText(QRectF(box.left(), y, box.width() - 110, 22), Qt::AlignRight | Qt::AlignVCenter, tr("hold"));
+            draw_goal_bar(painter, QRectF(box.right() - 100, y + 7, 100, 8), state.display.hold_progress, p.warning);
+        }
+    }
+
+    // Both sides: force.
+    const double bars_height = std::min(area.height() * 0.55, 360.0);
+    const double bars_top = area.bottom() - bars_height - 40;
+    draw_force(painter, QRectF(area.left() + margin + 4, bars_top, 130, bars_height), state, 0);
+    draw_force(painter, QRectF(area.right() - margin - 112, bars_top, 130, bars_height), state, 1);
+
+    painter.setFont(hud_font(12));
+    painter.setPen(p.muted);
+    QStringList foot;
+    if (!state.force_felt) foot << tr("force is shown, not felt");
+    if (!state.health.isEmpty()) foot << state.health;
+    painter.drawText(QRectF(area.left() + margin, area.bottom() - 34, area.width() - 2 * margin, 26),
+                     Qt::AlignLeft | Qt::AlignVCenter, foot.join(QStringLiteral(" · ")));
+    painter.drawText(QRectF(area.left() + margin, area.bottom() - 34, area.width() - 2 * margin, 26),
+                     Qt::AlignRight | Qt::AlignVCenter,
+                     state.place.isEmpty() ? tr("Esc pause · F1 help") : QString());
+
+    if (state.display.critical) {
+        painter.setFont(hud_font(15, true));
+        painter.setPen(p.bad);
+        painter.drawText(QRectF(area.left(), area.top() + 12, area.width(), 30), Qt::AlignCenter,
+                         tr("✕ critical error"));
+    }
+    painter.restore();
+}
+
+void paint_cover(QPainter& painter, const QRectF& area, const QString& heading, const QStringList& lines) {
+    const Palette& p = dark();
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double line_height = 30, width = std::min(area.width() - 60, 820.0);
+    const double height = 90 + line_height * lines.size();
+    const QRectF box(area.center().x() - width / 2, area.center().y() - height / 2 - 20, width, height);
+    painter.setPen(QPen(p.line, 1));
+    painter.setBrush(QColor(16, 20, 26, 236));
+    painter.drawRoundedRect(box, 12, 12);
+    painter.setPen(p.text);
+    painter.setFont(hud_font(18, true));
+    painter.drawText(QRectF(box.left() + 28, box.top() + 18, box.width() - 56, 40), Qt::AlignLeft | Qt::AlignVCenter,
+                     heading);
+    painter.setFont(hud_font(12));
+    double y = box.top() + 66;
+    for (const QString& line : lines) {
+        const int tab = line.indexOf(QLatin1Char('\t'));
+        if (tab >= 0) {
+            painter.setPen(p.accent);
+            painter.drawText(QRectF(box.left() + 28, y, 290, line_height), Qt::AlignLeft | Qt::AlignVCenter,
+                             line.left(tab));
+            painter.setPen(p.text);
+            painter.drawText(QRectF(box.left() + 322, y, box.width() - 340, line_height),
+                             Qt::AlignLeft | Qt::AlignVCenter, line.mid(tab + 1));
+        } else {
+            painter.setPen(p.text);
+            painter.drawText(QRectF(box.left() + 28, y, box.width() - 56, line_height),
+                             Qt::AlignLeft | Qt::AlignVCenter, line);
+        }
+        y += line_height;
+    }
+    painter.restore();
+}
+
+}  // namespace fulcrum::ui

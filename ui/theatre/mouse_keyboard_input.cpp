@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/theatre/mouse_keyboard_input.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+namespace fulcrum::ui {
+namespace {
+
+constexpr double metres_per_pixel = 0.35e-3;    // of the handle
+constexpr double radians_per_pixel = 0.008;
+constexpr double metres_per_notch = 4e-3;       // of insertion
+constexpr double handle_speed = 0.07;           // m/s, keys
+constexpr double insertion_speed = 0.05;        // m/s
+constexpr double roll_speed = 1.8;              // rad/s
+constexpr double camera_speed = 0.045;          // m/s of the scope's handle
+constexpr double widest_tilt = 1.2;             // rad from the nominal shaft
+constexpr double least_inside = 0.005;          // m of insertion
+
+// Follow rates at one tick of 1 ms: 1 - exp(-2 pi 12 Hz 1 ms), and the same at 6 Hz for the jaws.
+constexpr double follow_rate = 0.07262, jaw_rate = 0.03700;
+
+struct KeyMove {
+    int key;
+    int hand;  // 0 left, 1 right, 2 camera
+    double right, up, in, roll;
+};
+constexpr KeyMove key_moves[] = {
+    {Qt::Key_A, 0, -1, 0, 0, 0},     {Qt::Key_D, 0, 1, 0, 0, 0},       {Qt::Key_W, 0, 0, 1, 0, 0},
+    {Qt::Key_S, 0, 0, -1, 0, 0},     {Qt::Key_R, 0, 0, 0, 1, 0},       {Qt::Key_F, 0, 0, 0, -1, 0},
+    {Qt::Key_Q, 0, 0, 0, 0, -1},     {Qt::Key_E, 0, 0, 0, 0, 1},       {Qt::Key_J, 1, -1, 0, 0, 0},
+    {Qt::Key_L, 1, 1, 0, 0, 0},      {Qt::Key_I, 1, 0, 1, 0, 0},       {Qt::Key_K, 1, 0, -1, 0, 0},
+    {Qt::Key_P, 1, 0, 0, 1, 0},      {Qt::Key_Semicolon, 1, 0, 0, -1, 0}, {Qt::Key_U, 1, 0, 0, 0, -1},
+    {Qt::Key_O, 1, 0, 0, 0, 1},      {Qt::Key_Left, 2, 1, 0, 0, 0},    {Qt::Key_Right, 2, -1, 0, 0, 0},
+    {Qt::Key_Up, 2, 0, -1, 0, 0},    {Qt::Key_Down, 2, 0, 1, 0, 0},    {Qt::Key_PageUp, 2, 0, 0, 1, 0},
+    {Qt::Key_PageDown, 2, 0, 0, -1, 0}, {Qt::Key_Home, 2, 0, 0, 0, -1}, {Qt::Key_End, 2, 0, 0, 0, 1},
+};
+
+DeviceReading start_reading(double shaft_length, double insertion, double jaw) {
+    DeviceReading reading;
+    reading.handle = Vector3(0, 0, -(shaft_length - insertion));
+    reading.jaw = jaw;
+    return reading;
+}
+
+}  // namespace
+
+MouseKeyboardRig::MouseKeyboardRig(const HandTargets& start) {
+    targets_.fill(start);
+    for (int h = 0; h < hand_count; ++h) {
+        const DeviceReading& reading = start.hand[h];
+        hand_[h] = {reading.handle, reading.handle, reading.roll, reading.jaw, reading.grip, {}};
+        hand_[h].last = quantise(reading, hand_[h].last);
+        hand_[h].last.faulty = 0;
+    }
+    camera_ = {start.camera.handle, start.camera.handle, start.camera.roll, 0, 0, {}};
+    // The first reading is the start itself, not a jump from the origin.
+    for (Follower* follower : {&hand_[0], &hand_[1], &camera_}) {
+        for (int axis = 0; axis < 3; ++axis) {
+            follower->last.handle[axis] =
+                static_cast<std::int32_t>(std::lround(follower->second[axis] / device_length_unit));
+        }
+    }
+}
+
+void MouseKeyboardRig::follow(Follower& follower, const DeviceReading& target, DeviceSample& sample) {
+    follower.first += follow_rate * (target.handle - follower.first);
+    follower.second += follow_rate * (follower.first - follower.second);
+    follower.roll += follow_rate * (target.roll - follower.roll);
+    follower.jaw += jaw_rate * (target.jaw - follower.jaw);
+    follower.grip += jaw_rate * (target.grip - follower.grip);
+    DeviceReading reading = target;
+    reading.handle = follower.second;
+    reading.roll = follower.roll;
+    reading.jaw = follower.jaw;
+    reading.grip = follower.grip;
+    sample = quantise(reading, follower.last);
+    follower.last = sample;
+}
+
+void MouseKeyboardRig::read(std::uint32_t tick, RigSample& sample) {
+    targets_.update();
+    const HandTargets& wanted = targets_.value();
+    sample.tick = tick;
+    for (int h = 0; h < hand_count; ++h) follow(hand_[h], wanted.hand[h], sample.hand[h]);
+    follow(camera_, wanted.camera, sample.camera);
+}
+
+MouseKeyboardInput::MouseKeyboardInput(const Scene& scene) {
+    for (int h = 0; h < hand_count; ++h) {
+        const InstrumentSpec* spec = scene.instrument(static_cast<Hand>(h));
+        if (spec == nullptr) continue;
+        hand_[h].exists = true;
+        hand_[h].trocar = make_trocar(spec->trocar);
+        hand_[h].opening = spec->jaw_opening;
+        hand_[h].grip = spec->grip_force;
+        targets_.hand[h] =
+            start_reading(spec->trocar.shaft_length, spec->start_insertion, spec->jaw_opening * 0.6);
+    }
+    if (scene.camera) {
+        has_camera_ = true;
+        camera_trocar_ = make_trocar(scene.camera->trocar);
+        targets_.camera = start_reading(scene.camera->trocar.shaft_length, scene.camera->start_insertion, 0);
+        DeviceSample sample;
+        for (int axis = 0; axis < 3; ++axis) {
+            sample.handle[axis] =
+                static_cast<std::int32_t>(std::lround(targets_.camera.handle[axis] / device_length_unit));
+        }
+        view_ = scope_pose(make_scope(*scene.camera), sample).orientation;
+    }
+    if (!hand_[1].exists) active_ = Hand::left;
+    rig_ = std::make_shared<MouseKeyboardRig>(targets_);
+}
+
+void MouseKeyboardInput::shift_handle(DeviceReading& reading, const Trocar& trocar, const Vector3& shift) const {
+    const double outside = reading.handle.norm();
+    const Vector3 along = reading.handle / outside;
+    Vector3 step = trocar.rotation.transpose() * shift;
+    step -= along * along.dot(step);
+    Vector3 moved = reading.handle + step;
+    moved *= outside / moved.norm();
+    // The cone that a trocar allows.
+    const double tilt = std::atan2(std::hypot(moved.x(), moved.y()), -moved.z());
+    if (tilt > widest_tilt) {
+        const double across = std::hypot(moved.x(), moved.y());
+        const double scale = std::sin(widest_tilt) * outside / across;
+        moved = Vector3(moved.x() * scale, moved.y() * scale, -std::cos(widest_tilt) * outside);
+    }
+    reading.handle = moved;
+}
+
+void MouseKeyboardInput::insert(DeviceReading& reading, const Trocar& trocar, double depth) const {
+    const double outside = reading.handle.norm();
+    const double wanted =
+        std::clamp(outside - depth, handle_clearance + 0.01, trocar.shaft_length - least_inside);
+    reading.handle *= wanted / outside;
+}
+
+void MouseKeyboardInput::move_mouse(const QPointF& pixels, bool roll) {
+    const auto h = static_cast<std::size_t>(active_);
+    if (!hand_[h].exists) return;
+    if (roll) {
+        targets_.hand[h].roll += pixels.x() * radians_per_pixel;
+        return;
+    }
+    shift_handle(targets_.hand[h], hand_[h].trocar,
+                 on_screen(pixels.x() * metres_per_pixel, -pixels.y() * metres_per_pixel));
+}
+
+void MouseKeyboardInput::turn_wheel(double notches) {
+    const auto h = static_cast<std::size_t>(active_);
+    if (hand_[h].exists) insert(targets_.hand[h], hand_[h].trocar, notches * metres_per_notch);
+}
+
+void MouseKeyboardInput::set_primary_button(bool pressed) { button_ = pressed; }
+
+bool MouseKeyboardInput::press_key(int key) {
+    switch (key) {
+        case Qt::Key_Tab:
+        case Qt::Key_Backtab:
+            switch_hand();
+            return true;
+        case Qt::Key_X:
+            hand_[0].latched = !hand_[0].latched;
+            return true;
+        case Qt::Key_M:
+            hand_[1].latched = !hand_[1].latched;
+            return true;
+        case Qt::Key_Space:
+            hand_[static_cast<std::size_t>(active_)].latched = !hand_[static_cast<std::size_t>(active_)].latched;
+            return true;
+        default:
+            break;
+    }
+    for (const KeyMove& move : key_moves) {
+        if (move.key == key) {
+            held_.insert(key);
+            return true;
+        }
+    }
+    return false;
+}
+
+void MouseKeyboardInput::release_key(int key) { held_.remove(key); }
+
+void MouseKeyboardInput::release_all() {
+    held_.clear();
+    button_ = false;
+}
+
+bool MouseKeyboardInput::jaws_closed(Hand hand) const {
+    return hand_[static_cast<std::size_t>(hand)].latched || (button_ && hand == active_);
+}
+
+void MouseKeyboardInput::advance(double dt) {
+    for (const KeyMove& move : key_moves) {
+        if (!held_.contains(move.key)) continue;
+        const bool camera = move.hand == 2;
+        if (camera ? !has_camera_ : !hand_[move.hand].exists) continue;
+        DeviceReading& reading = camera ? targets_.camera : targets_.hand[move.hand];
+        const Trocar& trocar = camera ? camera_trocar_ : hand_[move.hand].trocar;
+        const double reach = (camera ? camera_speed : handle_speed) * dt;
+        if (move.right != 0 || move.up != 0) {
+            shift_handle(reading, trocar, on_screen(move.right * reach, move.up * reach));
+        }
+        if (move.in != 0) insert(reading, trocar, move.in * insertion_speed * dt);
+        reading.roll += move.roll * roll_speed * dt;
+    }
+    for (int h = 0; h < hand_count; ++h) {
+        const bool closed = jaws_closed(static_cast<Hand>(h));
+        targets_.hand[h].jaw = closed ? 0 : hand_[h].opening * 0.6;
+        targets_.hand[h].grip = closed ? hand_[h].grip : 0;
+        targets_.hand[h].buttons = closed ? button_primary : button_none;
+    }
+    rig_->targets().write_slot() = targets_;
+    rig_->targets().publish();
+}
+
+QStringList MouseKeyboardInput::help_lines() {
+    const auto words = [](const char* source) {
+        return QCoreApplication::translate("fulcrum::ui::MouseKeyboardInput", source);
+    };
+    return {
+        words("Mouse\tmoves the handle of the active hand; the tip goes the other way"),
+        words("Left button\tcloses the jaws while held"),
+        words("Right button, Tab\tthe other hand"),
+        words("Wheel\tin and out"),
+        words("Shift + mouse\tturns the shaft"),
+        words("Space\tjaws of the active hand stay closed, or open again"),
+        words("W A S D · R F · Q E · X\tleft hand: handle · in, out · turn · jaws"),
+        words("I J K L · P ; · U O · M\tright hand: handle · in, out · turn · jaws"),
+        words("Arrows · Page up, down · Home, End\tscope: look · in, out · light post"),
+        words("Escape, F1\tpause · this help"),
+    };
+}
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Two instruments and the scope by mouse and keyboard. The mouse moves the *handle* of the active hand in the plane of the screen, so the
+// tip goes the other way, as through any trocar; keys move either hand's handle and the scope at the same time.
+//
+// Threads: MouseKeyboardInput lives on the UI thread and hands targets over through a triple buffer; its rig is read by the haptic thread,
+// which follows the targets smoothly (two low-passes at 12 Hz in a row) so that 60 window events a second become 1,000 steady ticks.
+#pragma once
+
+#include <QPointF>
+#include <QSet>
+#include <memory>
+
+#include "sim_core/haptics/device.h"
+#include "sim_core/instrument/instrument.h"
+#include "sim_core/scene/scene.h"
+#include "sim_core/telemetry/ring.h"
+
+namespace fulcrum::ui {
+
+/// Where the hands and the scope are wanted; SI, trocar frames.
+struct HandTargets {
+    DeviceReading hand[hand_count];
+    DeviceReading camera;
+};
+
+class MouseKeyboardRig : public Rig {
+  public:
+    explicit MouseKeyboardRig(const HandTargets& start);
+    void read(std::uint32_t tick, RigSample& sample) override;
+    void write_force(Hand, const Vector3&) override {}
+    bool has_force(Hand) const override { return false; }
+    double damping(Hand) const override { return -1; }
+    /// UI thread.
+    TripleBuffer<HandTargets>& targets() { return targets_; }
+
+  private:
+    struct Follower {
+        Vector3 first = Vector3::Zero(), second = Vector3::Zero();  ///< the two low-passes of the handle
+        double roll = 0, jaw = 0, grip = 0;
+        DeviceSample last;
+    };
+    static void follow(Follower& follower, const DeviceReading& target, DeviceSample& sample);
+    TripleBuffer<HandTargets> targets_;
+    Follower hand_[hand_count], camera_;
+};
+
+class MouseKeyboardInput {
+  public:
+    /// Keys and what they do are listed in help_lines().
+    explicit MouseKeyboardInput(const Scene& scene);
+    std::shared_ptr<Rig> rig() const { return rig_; }
+
+    Hand active_hand() const { return active_; }
+    void switch_hand() { active_ = active_ == Hand::left ? Hand::right : Hand::left; }
+    /// The picture's orientation, so that the mouse moves in the plane of the screen.
+    void set_camera(const Quaternion& orientation) { view_ = orientation; }
+    /// Pixels since the last call; `roll`: turns the shaft instead.
+    void move_mouse(const QPointF& pixels, bool roll);
+    void turn_wheel(double notches);
+    void set_primary_button(bool pressed);
+    /// True if the key means something here.
+    bool press_key(int key);
+    void release_key(int key);
+    /// The window lost the keyboard: nothing is held down any more; latched jaws stay.
+    void release_all();
+    /// Integrates held keys over `dt` seconds and hands the targets to the haptic thread.
+    void advance(double dt);
+    const HandTargets& targets() const { return targets_; }
+    bool jaws_closed(Hand hand) const;
+
+    static QStringList help_lines();
+
+  private:
+    struct Axis {
+        Trocar trocar;
+        double opening = 1.0, grip = 8.0;
+        bool exists = false, latched = false;
+    };
+    /// Moves a handle by `shift` (m, patient frame) across its shaft; the insertion stays.
+    void shift_handle(DeviceReading& reading, const Trocar& trocar, const Vector3& shift) const;
+    void insert(DeviceReading& reading, const Trocar& trocar, double depth) const;
+    Vector3 on_screen(double right, double up) const { return view_ * Vector3(right, up, 0); }
+
+    HandTargets targets_;
+    Axis hand_[hand_count];
+    Trocar camera_trocar_;
+    bool has_camera_ = false, button_ = false;
+    Hand active_ = Hand::right;
+    Quaternion view_ = Quaternion::Identity();
+    QSet<int> held_;
+    std::shared_ptr<MouseKeyboardRig> rig_;
+};
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/theatre/theatre_page.h"
+
+#include <QCursor>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+#include "ui/theatre/mouse_keyboard_input.h"
+#include "ui/theatre/theatre_view.h"
+
+namespace fulcrum::ui {
+
+TheatrePage::TheatrePage(Context& context) : Page(context, "theatre_page"), view_(new TheatreView) {
+    view_->setObjectName(QStringLiteral("theatre_view"));
+    view_->setFocusPolicy(Qt::StrongFocus);
+    view_->setMouseTracking(true);
+    view_->installEventFilter(this);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(view_, 1);
+
+    bar_ = new QFrame;
+    bar_->setProperty("role", "top_bar");
+    auto* row = new QHBoxLayout(bar_);
+    row->setContentsMargins(14, 5, 14, 5);
+    pause_ = make_button(tr("Pause (Esc)"), "theatre_pause");
+    help_ = make_button(tr("Keys (F1)"), "theatre_help");
+    leave_ = make_button(tr("Abandon …"), "theatre_abandon");
+    for (QPushButton* button : {pause_, help_, leave_}) button->setFocusPolicy(Qt::NoFocus);
+    row->addWidget(pause_);
+    row->addWidget(help_);
+    row->addStretch();
+    row->addWidget(leave_);
+    layout->addWidget(bar_);
+
+    panel_ = make_card(12);
+    panel_->setParent(this);
+    panel_->setObjectName(QStringLiteral("theatre_panel"));
+    panel_heading_ = make_label({}, "title");
+    panel_text_ = make_label({});
+    card_layout(panel_)->addWidget(panel_heading_);
+    card_layout(panel_)->addWidget(panel_text_);
+    auto* buttons = new QHBoxLayout;
+    abandon_ = make_button(tr("Abandon the attempt"), "panel_abandon");
+    resume_ = make_button(tr("Go on"), "panel_resume", "primary");
+    buttons->addWidget(abandon_);
+    buttons->addStretch();
+    buttons->addWidget(resume_);
+    card_layout(panel_)->addLayout(buttons);
+    panel_->hide();
+
+    connect(pause_, &QPushButton::clicked, this, &TheatrePage::pause);
+    connect(help_, &QPushButton::clicked, this, &TheatrePage::toggle_help);
+    connect(leave_, &QPushButton::clicked, this, &TheatrePage::ask_before_leaving);
+    connect(resume_, &QPushButton::clicked, this, &TheatrePage::resume);
+    connect(abandon_, &QPushButton::clicked, this, &TheatrePage::abandon);
+    timer_.setTimerType(Qt::PreciseTimer);
+    timer_.setInterval(16);
+    connect(&timer_, &QTimer::timeout, this, &TheatrePage::tick);
+}
+
+TheatrePage::~TheatrePage() = default;
+
+bool TheatrePage::begin(const std::string& task_id, bool assessed) {
+    const TaskDefinition* task = context().task(task_id);
+    if (task == nullptr || is_running()) return false;
+    return context().guarded([&] {
+        auto input = std::make_unique<MouseKeyboardInput>(context().services().scene_for(*task));
+        AttemptRequest request{context().session(), task_id, assessed, 0, input->rig(), "mouse-keyboard",
+                               "mouse and keyboard"};
+        session_ = context().services().start_attempt(request);
+        input_ = std::move(input);
+        world_loading_ = false;
+        done_.clear();
+        active_target_ = -1;
+        help_shown_ = false;
+        mouse_known_ = false;
+        view_->unload();
+    });
+}
+
+void TheatrePage::enter() {
+    show_panel(Panel::none, {}, {});
+    since_tick_.start();
+    timer_.start();
+    view_->setFocus();
+}
+
+void TheatrePage::leave() {
+    timer_.stop();
+    view_->unsetCursor();
+    close_as_interrupted();
+}
+
+void TheatrePage::close_as_interrupted() {
+    if (session_ == nullptr) return;
+    timer_.stop();
+    session_->interrupt();
+    session_.reset();
+    input_.reset();
+    view_->unload();
+    view_->set_notice(tr("The attempt was closed as interrupted."));
+    show_panel(Panel::failed, tr("Interrupted"), tr("The attempt was closed as interrupted and stored."));
+}
+
+void TheatrePage::pause() {
+    if (session_ == nullptr || session_->phase() != AttemptPhase::running) return;
+    session_->pause();
+    input_->release_all();
+    show_panel(Panel::paused, tr("Paused"), tr("The clock stands and the scene is hidden. A pause is logged."));
+}
+
+void TheatrePage::resume() {
+    if (session_ == nullptr) {
+        emit context().home_wanted();
+        return;
+    }
+    session_->resume();
+    mouse_known_ = false;
+    show_panel(Panel::none, {}, {});
+    view_->setFocus();
+}
+
+void TheatrePage::ask_before_leaving() {
+    if (session_ == nullptr) return;
+    if (session_->phase() == AttemptPhase::running) session_->pause();
+    input_->release_all();
+    const bool counts = session_->assessed() && session_->display().moving_seen;
+    show_panel(Panel::leaving, tr("Abandon this attempt?"),
+               counts ? tr("It is assessed and you have begun: abandoned counts as failed. Everything up to now is kept.")
+                      : tr("It is kept as abandoned and does not count."));
+}
+
+void TheatrePage::abandon() {
+    if (session_ == nullptr) {
+        emit context().home_wanted();
+        return;
+    }
+    session_->abandon();
+    show_panel(Panel::finishing, tr("Storing the attempt …"), {});
+}
+
+void TheatrePage::show_panel(Panel panel, const QString& heading, const QString& line) {
+    shown_ = panel;
+    panel_->setVisible(panel != Panel::none);
+    const bool hides = panel != Panel::none;
+    view_->set_notice(hides ? QStringLiteral(" ") : QString());
+    pause_->setEnabled(!hides);
+    help_->setEnabled(!hides);
+    leave_->setEnabled(!hides);
+    view_->setCursor(hides ? Qt::ArrowCursor : Qt::BlankCursor);
+    if (!hides) return;
+    help_shown_ = false;
+    view_->set_cover({}, {});
+    panel_heading_->setText(heading);
+    panel_text_->setText(line);
+    panel_text_->setVisible(!line.isEmpty());
+    const bool can_choose = panel != Panel::finishing;
+    resume_->setVisible(can_choose);
+    resume_->setText(panel == Panel::failed ? tr("Home") : tr("Go on"));
+    abandon_->setVisible(can_choose && panel != Panel::failed);
+    place_panel();
+    panel_->raise();
+    if (can_choose) resume_->setFocus();
+}
+
+void TheatrePage::place_panel() {
+    const int width = std::min(560, this->width() - 40);
+    panel_->setFixedWidth(width);
+    panel_->adjustSize();
+    panel_->move((this->width() - width) / 2, std::max(20, (height() - panel_->height()) / 2 - 30));
+}
+
+void TheatrePage::resizeEvent(QResizeEvent* event) {
+    Page::resizeEvent(event);
+    place_panel();
+}
+
+void TheatrePage::toggle_help() {
+    help_shown_ = !help_shown_;
+    view_->set_cover(tr("Mouse and keyboard"), help_shown_ ? MouseKeyboardInput::help_lines() : QStringList());
+}
+
+void TheatrePage::tick() {
+    if (session_ == nullptr) return;
+    const double dt = std::min(static_cast<double>(since_tick_.restart()) * 1e-3, 0.1);
+    if (session_->phase() == AttemptPhase::running) input_->advance(dt);
+    const bool changed = session_->update();
+    follow_phase();
+    if (session_ != nullptr && changed) show_world();
+}
+
+void TheatrePage::follow_phase() {
+    switch (session_->phase()) {
+        case AttemptPhase::starting:
+            break;
+        case AttemptPhase::running:
+            if (shown_ == Panel::device_lost || shown_ == Panel::paused) show_panel(Panel::none, {}, {});
+            if (!world_loading_) {
+                world_loading_ = true;
+                view_->load(session_->scene(), session_->snapshot());
+            }
+            break;
+        case AttemptPhase::paused:
+            if (shown_ == Panel::none) {
+                show_panel(Panel::paused, tr("Paused"),
+                           tr("The clock stands and the scene is hidden. A pause is logged."));
+            }
+            break;
+        case AttemptPhase::device_lost:
+            if (shown_ != Panel::device_lost && shown_ != Panel::leaving) {
+                show_panel(Panel::device_lost, tr("Device lost"), text(session_->message()));
+            }
+            break;
+        case AttemptPhase::finishing:
+            if (shown_ != Panel::finishing) show_panel(Panel::finishing, tr("Storing the attempt …"), {});
+            break;
+        case AttemptPhase::finished:
+            finish();
+            break;
+        case AttemptPhase::failed: {
+            const QString why = text(session_->message());
+            session_.reset();
+            input_.reset();
+            timer_.stop();
+            show_panel(Panel::failed, tr("The attempt could not go on"), why);
+            break;
+        }
+    }
+}
+
+void TheatrePage::finish() {
+    const std::string id = session_->outcome() ? session_->outcome()->attempt_id : std::string();
+    timer_.stop();
+    session_.reset();
+    input_.reset();
+    view_->unload();
+    view_->unsetCursor();
+    if (id.empty()) {
+        emit context().home_wanted();
+    } else {
+        emit context().debrief_wanted(text(id), -1);
+    }
+}
+
+void TheatrePage::show_world() {
+    const TaskDisplay& display = session_->display();
+    const WorldSnapshot& world = session_->snapshot();
+    input_->set_camera(world.camera.orientation);
+    done_.resize(world.targets.size(), false);
+    if (display.active_target != active_target_) {
+        // Targets are asked for one after the other: the one that is asked for no more was held.
+        if (active_target_ >= 0 && static_cast<std::size_t>(active_target_) < done_.size()) {
+            done_[static_cast<std::size_t>(active_target_)] = true;
+        }
+        active_target_ = display.active_target;
+    }
+    const LoopHealth health = session_->health();
+    HudState hud;
+    hud.task = &session_->task();
+    hud.display = display;
+    hud.assessed = session_->assessed();
+    hud.active_hand = input_->active_hand();
+    hud.shows_active_hand = true;
+    hud.force_felt = health.force_felt[0] || health.force_felt[1];
+    for (int h = 0; h < hand_count; ++h) hud.jaws_closed[h] = input_->jaws_closed(static_cast<Hand>(h));
+    if (health.missed_ticks > 0 || health.lost_samples > 0) {
+        hud.health = tr("%1 of %2 ticks missed").arg(health.missed_ticks).arg(health.ticks);
+    }
+    view_->set_hud(hud);
+    view_->set_targets(done_, display.active_target, display.hold_progress > 0);
+    view_->show_world(world);
+}
+
+bool TheatrePage::eventFilter(QObject* watched, QEvent* event) {
+    if (watched != view_ || session_ == nullptr || input_ == nullptr) return Page::eventFilter(watched, event);
+    const bool live = shown_ == Panel::none;
+    switch (event->type()) {
+        case QEvent::ShortcutOverride:
+            event->accept();
+            return true;
+        case QEvent::KeyPress:
+            return key(static_cast<QKeyEvent*>(event), true);
+        case QEvent::KeyRelease:
+            return key(static_cast<QKeyEvent*>(event), false);
+        case QEvent::MouseButtonPress:
+        case QEvent::MouseButtonDblClick: {
+            if (!live) return false;
+            const auto* press = static_cast<QMouseEvent*>(event);
+            if (press->button() == Qt::LeftButton) input_->set_primary_button(true);
+            if (press->button() == Qt::RightButton) input_->switch_hand();
+            view_->setFocus();
+            return true;
+        }
+        case QEvent::MouseButtonRelease:
+            if (static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton) input_->set_primary_button(false);
+            return true;
+        case QEvent::MouseMove:
+            mouse_move(static_cast<QMouseEvent*>(event));
+            return true;
+        case QEvent::Wheel:
+            if (live) input_->turn_wheel(static_cast<QWheelEvent*>(event)->angleDelta().y() / 120.0);
+            return true;
+        case QEvent::Leave:
+            mouse_known_ = false;
+            return false;
+        case QEvent::FocusOut:
+            input_->release_all();
+            return false;
+        default:
+            return Page::eventFilter(watched, event);
+    }
+}
+
+bool TheatrePage::key(QKeyEvent* event, bool pressed) {
+    if (event->isAutoRepeat()) return true;
+    if (!pressed) {
+        input_->release_key(event->key());
+        return true;
+    }
+    if (event->key() == Qt::Key_Escape) {
+        if (help_shown_) {
+            toggle_help();
+        } else {
+            pause();
+        }
+        return true;
+    }
+    if (event->key() == Qt::Key_F1) {
+        toggle_help();
+        return true;
+    }
+    return shown_ == Panel::none && input_->press_key(event->key());
+}
+
+void TheatrePage::mouse_move(QMouseEvent* event) {
+    if (shown_ != Panel::none) {
+        mouse_known_ = false;
+        return;
+    }
+    const QPoint now = event->pos();
+    if (mouse_known_) {
+        const QPoint moved = now - last_mouse_;
+        input_->move_mouse(moved, event->modifiers().testFlag(Qt::ShiftModifier));
+    }
+    mouse_known_ = true;
+    last_mouse_ = now;
+    // The hand's reach must not end at the window's border: from there the pointer is put back into the middle.
+    if (!view_->rect().adjusted(40, 40, -40, -40).contains(now) && view_->isActiveWindow()) {
+        last_mouse_ = view_->rect().center();
+        QCursor::setPos(view_->mapToGlobal(last_mouse_));
+    }
+}
+
+}  // namespace fulcrum::ui

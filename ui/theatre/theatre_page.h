@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The theatre: an attempt while it runs. Reads mouse and keyboard, shows the world, pauses (scene hidden), helps, abandons; when the
+// attempt is stored it goes on to the debrief.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <memory>
+
+#include "ui/shell/context.h"
+
+class QFrame;
+class QLabel;
+class QPushButton;
+
+namespace fulcrum::ui {
+
+class MouseKeyboardInput;
+class TheatreView;
+
+class TheatrePage : public Page {
+    Q_OBJECT
+  public:
+    explicit TheatrePage(Context& context);
+    ~TheatrePage() override;
+    /// Starts an attempt; false (and a message) when it cannot.
+    bool begin(const std::string& task_id, bool assessed);
+    bool is_running() const { return session_ != nullptr; }
+    void enter() override;
+    void leave() override;
+    void pause();
+    void close_as_interrupted();
+    /// Someone wants to go elsewhere while the attempt runs: pause and ask.
+    void ask_before_leaving();
+    TheatreView* view() const { return view_; }
+    const AttemptSession* session() const { return session_.get(); }
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+  private:
+    enum class Panel { none, paused, leaving, device_lost, finishing, failed };
+    void tick();
+    void follow_phase();
+    void show_world();
+    void show_panel(Panel panel, const QString& heading, const QString& line);
+    void place_panel();
+    void resume();
+    void abandon();
+    void finish();
+    void toggle_help();
+    bool key(QKeyEvent* event, bool pressed);
+    void mouse_move(QMouseEvent* event);
+
+    std::unique_ptr<AttemptSession> session_;
+    std::unique_ptr<MouseKeyboardInput> input_;
+    TheatreView* view_;
+    QFrame *panel_, *bar_;
+    QLabel *panel_heading_, *panel_text_;
+    QPushButton *resume_, *abandon_, *pause_, *help_, *leave_;
+    QTimer timer_;
+    QElapsedTimer since_tick_;
+    Panel shown_ = Panel::none;
+    std::vector<bool> done_;
+    int active_target_ = -1;
+    QPoint last_mouse_;
+    bool mouse_known_ = false, help_shown_ = false, world_loading_ = false;
+};
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/theatre/theatre_view.h"
+
+#include <QElapsedTimer>
+#include <QOpenGLContext>
+#include <QPainter>
+#include <QSurfaceFormat>
+
+#include "ui/shell/background_job.h"
+#include "ui/theatre/renderer/scene_assembler.h"
+#include "ui/theatre/renderer/scene_renderer.h"
+
+namespace fulcrum::ui {
+
+TheatreView::TheatreView(QWidget* parent) : QOpenGLWidget(parent) {
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    format.setStencilBufferSize(8);
+    // Waiting for the display belongs to the compositor, not to the thread that also reads the mouse.
+    format.setSwapInterval(0);
+    setFormat(format);
+    setMinimumSize(320, 240);
+    setAccessibleName(tr("View through the laparoscope"));
+}
+
+TheatreView::~TheatreView() {
+    if (context() != nullptr) {
+        makeCurrent();
+        renderer_.reset();
+        doneCurrent();
+    }
+}
+
+void TheatreView::load(const Scene& scene, const WorldSnapshot& first) {
+    unload();
+    scene_ = scene;
+    world_ = first;
+    has_world_ = true;
+    auto made = std::make_shared<std::unique_ptr<SceneAssembler>>();
+    auto source = std::make_shared<std::pair<Scene, WorldSnapshot>>(scene, first);
+    job_ = BackgroundJob::run(
+        this,
+        [made, source](const Progress&) {
+            *made = std::make_unique<SceneAssembler>(source->first, source->second);
+        },
+        [this, made] {
+            job_ = nullptr;
+            assembler_ = std::move(*made);
+            installed_ = false;
+            update();
+            emit loaded();
+        },
+        [this](const QString& why) {
+            job_ = nullptr;
+            error_ = why;
+            update();
+            emit load_failed(why);
+        });
+}
+
+void TheatreView::unload() {
+    if (job_ != nullptr) job_->cancel();
+    job_ = nullptr;
+    assembler_.reset();
+    has_world_ = has_hud_ = installed_ = false;
+    done_.clear();
+    active_ = -1;
+    notice_.clear();
+    cover_lines_.clear();
+    cover_heading_.clear();
+    update();
+}
+
+void TheatreView::show_world(const WorldSnapshot& world) {
+    world_ = world;
+    has_world_ = true;
+    update();
+}
+
+void TheatreView::set_hud(const HudState& hud) {
+    hud_ = hud;
+    has_hud_ = true;
+}
+
+void TheatreView::set_targets(const std::vector<bool>& done, int active, bool touched) {
+    done_ = done;
+    active_ = active;
+    touched_ = touched;
+}
+
+void TheatreView::set_notice(const QString& notice) {
+    if (notice == notice_) return;
+    notice_ = notice;
+    update();
+}
+
+void TheatreView::set_cover(const QString& heading, const QStringList& lines) {
+    cover_heading_ = heading;
+    cover_lines_ = lines;
+    update();
+}
+
+void TheatreView::release_gl() {
+    makeCurrent();
+    if (renderer_) renderer_->release();
+    installed_ = false;
+    doneCurrent();
+}
+
+void TheatreView::initializeGL() {
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &TheatreView::release_gl,
+            Qt::UniqueConnection);
+    if (!renderer_) renderer_ = std::make_unique<SceneRenderer>();
+    error_.clear();
+    if (!renderer_->initialise()) error_ = renderer_->error();
+}
+
+void TheatreView::paintGL() {
+    QElapsedTimer timer;
+    timer.start();
+    const bool hidden = !notice_.isEmpty();
+    const QSize pixels = size() * devicePixelRatioF();
+    bool drawn = false;
+    if (error_.isEmpty() && assembler_ && has_world_ && !hidden) {
+        if (!installed_) {
+            assembler_->install(*renderer_);
+            installed_ = true;
+        }
+        SceneFrame& frame = assembler_->assemble(world_);
+        for (std::size_t i = 0; i < frame.targets.size(); ++i) {
+            TargetLook look = TargetLook::waiting;
+            if (i < done_.size() && done_[i]) look = TargetLook::done;
+            if (static_cast<int>(i) == active_) look = touched_ ? TargetLook::touched : TargetLook::current;
+            frame.targets[i].look = look;
+        }
+        for (std::size_t h = 0; h < frame.tools.size() && h < hand_count; ++h) {
+            const double limit = hud_.display.force_limit[h];
+            frame.tools[h].strain = limit > 0 ? std::clamp(hud_.display.force[h] / limit, 0.0, 1.0) : 0;
+        }
+        renderer_->draw(frame, pixels);
+        drawn = true;
+    }
+    QPainter painter(this);
+    if (!drawn) painter.fillRect(rect(), Qt::black);
+    if (has_hud_ && !hidden) paint_hud(painter, rect(), hud_);
+    if (!drawn) {
+        const QString words = !error_.isEmpty() ? tr("The picture cannot be drawn: %1").arg(error_)
+                              : hidden          ? notice_
+                              : job_ != nullptr ? tr("Preparing the scene …")
+                                                : QString();
+        painter.setPen(QColor(0xE8EDF3));
+        QFont font = painter.font();
+        font.setPointSizeF(14);
+        painter.setFont(font);
+        painter.drawText(rect().adjusted(40, 40, -40, -40), Qt::AlignCenter | Qt::TextWordWrap, words);
+    }
+    if (!cover_lines_.isEmpty()) paint_cover(painter, rect(), cover_heading_, cover_lines_);
+    painter.end();
+    frame_ms_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+}
+
+}  // namespace fulcrum::ui

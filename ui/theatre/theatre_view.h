@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The scope's picture with the HUD over it; serves the running attempt and the replay. Geometry is prepared on a worker thread.
+#pragma once
+
+#include <QOpenGLWidget>
+#include <memory>
+#include <vector>
+
+#include "sim_core/scene/scene.h"
+#include "sim_core/world/snapshot.h"
+#include "ui/theatre/hud.h"
+
+namespace fulcrum::ui {
+
+class BackgroundJob;
+class SceneAssembler;
+class SceneRenderer;
+
+class TheatreView : public QOpenGLWidget {
+    Q_OBJECT
+  public:
+    explicit TheatreView(QWidget* parent = nullptr);
+    ~TheatreView() override;
+    /// Prepares the geometry of a scene; loaded() follows.
+    void load(const Scene& scene, const WorldSnapshot& first);
+    /// Nothing is shown any more.
+    void unload();
+    bool is_loaded() const { return assembler_ != nullptr; }
+    /// The world to show next; copied.
+    void show_world(const WorldSnapshot& world);
+    void set_hud(const HudState& hud);
+    /// Which targets are done (by index) and which is asked for now (-1 none).
+    void set_targets(const std::vector<bool>& done, int active, bool touched);
+    /// Not empty: the scene is hidden behind black and these words.
+    void set_notice(const QString& notice);
+    /// Lines over the dimmed picture; none hides them.
+    void set_cover(const QString& heading, const QStringList& lines);
+    /// Why nothing can be drawn here, "" if it can.
+    const QString& drawing_error() const { return error_; }
+    /// Duration of the last picture, ms: all of it, on this thread.
+    double last_frame_ms() const { return frame_ms_; }
+
+  signals:
+    void loaded();
+    void load_failed(const QString& why);
+
+  protected:
+    void initializeGL() override;
+    void paintGL() override;
+
+  private:
+    void release_gl();
+    Scene scene_;
+    WorldSnapshot world_;
+    HudState hud_;
+    std::vector<bool> done_;
+    int active_ = -1;
+    bool touched_ = false, has_world_ = false, has_hud_ = false, installed_ = false;
+    QString notice_, cover_heading_, error_;
+    QStringList cover_lines_;
+    double frame_ms_ = 0;
+    std::unique_ptr<SceneAssembler> assembler_;
+    std::unique_ptr<SceneRenderer> renderer_;
+    BackgroundJob* job_ = nullptr;
+};
+
+}  // namespace fulcrum::ui
