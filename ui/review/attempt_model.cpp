@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/review/attempt_model.h"
+
+#include <QCoreApplication>
+#include <cmath>
+
+#include "ui/style/text.h"
+
+namespace fulcrum::ui {
+namespace {
+
+QString tr(const char* source) { return QCoreApplication::translate("fulcrum::ui::debrief", source); }
+
+QString hand_words(const Event& event) {
+    if (event.hand == 0) return tr("left hand");
+    if (event.hand == 1) return tr("right hand");
+    return {};
+}
+
+}  // namespace
+
+bool is_critical(EventKind kind) { return kind == EventKind::perforation; }
+
+bool is_penalty(EventKind kind) {
+    switch (kind) {
+        case EventKind::over_force_begin:
+        case EventKind::perforation:
+        case EventKind::tear:
+        case EventKind::drop:
+        case EventKind::slip:
+        case EventKind::jaw_pressure:
+        case EventKind::tool_collision:
+        case EventKind::device_fault:
+        case EventKind::device_lost:
+        case EventKind::simulator_fault:
+            return true;
+        default:
+            return false;
+    }
+}
+
+QString event_words(const Event& event, const std::vector<std::string>& tissues) {
+    QString words;
+    switch (event.kind) {
+        case EventKind::attempt_begin: words = tr("Attempt begins"); break;
+        case EventKind::first_movement: words = tr("First movement"); break;
+        case EventKind::phase_begin: words = tr("Step %1 begins").arg(event.detail + 1); break;
+        case EventKind::target_reached: words = tr("Target %1 held").arg(event.detail + 1); break;
+        case EventKind::grasp: words = tr("Grasp"); break;
+        case EventKind::release: words = tr("Release"); break;
+        case EventKind::slip: words = tr("Tissue slipped from the jaws"); break;
+        case EventKind::drop: words = tr("Dropped"); break;
+        case EventKind::regrasp: words = tr("Same place grasped again"); break;
+        case EventKind::over_force_begin: {
+            words = tr("Too much force: %1 N").arg(figure(static_cast<double>(event.value)));
+            if (event.detail > 0) words += tr(" (limit %1 N)").arg(figure(event.detail * 1e-3));
+            break;
+        }
+        case EventKind::perforation:
+            words = tr("Perforation at %1 N").arg(figure(static_cast<double>(event.value)));
+            break;
+        case EventKind::tool_collision: words = tr("Instruments touch"); break;
+        case EventKind::pause: words = tr("Pause"); break;
+        case EventKind::resume: words = tr("Goes on"); break;
+        case EventKind::device_lost: words = tr("Device lost"); break;
+        case EventKind::device_back: words = tr("Device back"); break;
+        case EventKind::device_fault: words = tr("Device gave an impossible reading"); break;
+        case EventKind::simulator_fault: words = tr("Simulator fault"); break;
+        case EventKind::completed: words = tr("Completed"); break;
+        case EventKind::abandoned: words = tr("Abandoned"); break;
+        case EventKind::timed_out: words = tr("Time limit reached"); break;
+        case EventKind::interrupted: words = tr("Interrupted"); break;
+        case EventKind::samples_lost: words = tr("%1 samples lost").arg(event.detail); break;
+        case EventKind::tear: words = tr("Tear"); break;
+        case EventKind::jaw_pressure:
+            words = tr("Jaw pressure %1 kPa").arg(figure(static_cast<double>(event.value)));
+            break;
+        case EventKind::phase_end:
+        case EventKind::target_shown:
+        case EventKind::over_force_end:
+        case EventKind::wall_contact:
+        case EventKind::world_late:
+        case EventKind::stability_limited:
+        case EventKind::goal_progress:
+            return {};
+    }
+    const QString hand = hand_words(event);
+    if (!hand.isEmpty()) words += QStringLiteral(", ") + hand;
+    if (event.tissue >= 0 && static_cast<std::size_t>(event.tissue) < tissues.size()) {
+        words += QStringLiteral(", ") + text(tissues[static_cast<std::size_t>(event.tissue)]);
+    }
+    return words;
+}
+
+std::vector<PathPoint> thin_path(std::vector<PathPoint> points, double spacing, std::size_t limit) {
+    while (true) {
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const bool last = i + 1 == points.size();
+            if (kept == 0 || last || (points[i].position - points[kept - 1].position).norm() >= spacing) {
+                points[kept++] = points[i];
+            }
+        }
+        points.resize(kept);
+        if (kept <= limit) return points;
+        spacing *= 1.6;
+    }
+}
+
+void prepare_samples(const std::vector<TickSample>& samples, double tick, AttemptModel& model) {
+    model.tick = tick;
+    model.duration = samples.empty() ? 0 : samples.back().tick * tick;
+    for (std::size_t h = 0; h < hand_count; ++h) {
+        std::vector<double> times;
+        std::vector<float> forces;
+        std::vector<PathPoint> path;
+        times.reserve(samples.size());
+        forces.reserve(samples.size());
+        for (const TickSample& sample : samples) {
+            const HandSample& hand = sample.hand[h];
+            const double fx = hand.force[0], fy = hand.force[1], fz = hand.force[2];
+            times.push_back(sample.tick * tick);
+            forces.push_back(static_cast<float>(std::sqrt(fx * fx + fy * fy + fz * fz) * sample_force_unit));
+            if ((hand.flags & hand_inside) == 0) continue;
+            const Vector3 tip = Vector3(hand.tip[0], hand.tip[1], hand.tip[2]) * sample_length_unit;
+            // A tenth of a millimetre is finer than any screen shows.
+            if (path.empty() || (tip - path.back().position).squaredNorm() > 1e-8) {
+                path.push_back({sample.tick * tick, tip});
+            }
+        }
+        model.force[h] = std::make_shared<const MinMaxPyramid>(std::move(times), std::move(forces));
+        model.path[h] = thin_path(std::move(path), 2e-4, chart_point_limit);
+    }
+}
+
+std::optional<AttemptModel> load_attempt(const database::Store& store, const database::Session& session,
+                                         const std::string& attempt_id, const std::optional<Scene>& scene,
+                                         const Progress& progress) {
+    AttemptModel model;
+    const database::Attempts attempts(store);
+    model.summary = attempts.read(session, attempt_id);
+    model.score = attempts.score(session, attempt_id);
+    if (scene) {
+        for (const TissueSpec& tissue : scene->tissues) {
+            model.tissues.push_back(tissue.label);
+            if (tissue.force_limit > 0) model.force_limits.emplace_back(tissue.label, tissue.force_limit);
+        }
+    }
+    if (progress && !progress(0.1, {})) return std::nullopt;
+    auto trace = std::make_shared<database::Trace>(attempts.read_trace(session, attempt_id));
+    if (progress && !progress(0.7, {})) return std::nullopt;
+    prepare_samples(trace->samples, scene ? scene->tick_period() : 1e-3, model);
+    for (const Event& event : trace->events) {
+        EventLine line{event.tick * model.tick, event, event_words(event, model.tissues), is_penalty(event.kind),
+                       is_critical(event.kind)};
+        if (!line.words.isEmpty()) model.events.push_back(std::move(line));
+    }
+    model.trace = std::move(trace);
+    if (progress && !progress(1.0, {})) return std::nullopt;
+    return model;
+}
+
+const database::MetricRow* find_metric_row(const database::ScoreRow& score, const std::string& id,
+                                           const std::string& hand, const std::string& tissue) {
+    for (const database::MetricRow& row : score.metrics) {
+        if (row.id == id && row.hand == hand && row.tissue == tissue) return &row;
+    }
+    return nullptr;
+}
+
+std::array<Headline, 4> headlines(const AttemptModel& model) {
+    std::array<Headline, 4> shown{Headline{tr("Time"), QStringLiteral("–"), {}},
+                                  Headline{tr("Left hand path"), QStringLiteral("–"), {}},
+                                  Headline{tr("Right hand path"), QStringLiteral("–"), {}},
+                                  Headline{tr("Damage"), QStringLiteral("–"), {}}};
+    const QString no_score = tr("no score");
+    for (Headline& headline : shown) headline.why = no_score;
+    if (!model.score) return shown;
+    const database::ScoreRow& score = *model.score;
+    const auto fill = [](Headline& headline, const database::MetricRow* row, const QString& formatted) {
+        if (row == nullptr) {
+            headline.why = tr("not measured");
+        } else if (row->value) {
+            headline.value = formatted;
+            headline.why.clear();
+        } else {
+            headline.why = text(row->absent_because);
+        }
+    };
+    const database::MetricRow* time = find_metric_row(score, "time", "");
+    fill(shown[0], time, time != nullptr && time->value ? clock_text(*time->value) : QString());
+    const char* hands[] = {"left", "right"};
+    for (std::size_t h = 0; h < 2; ++h) {
+        const database::MetricRow* path = find_metric_row(score, "path_len", hands[h]);
+        fill(shown[h + 1], path,
+             path != nullptr && path->value ? figure_with_unit(*path->value, path->unit) : QString());
+    }
+    // Damage: what went over the tissues' limits, both hands together; the critical errors stand beneath.
+    std::optional<double> over;
+    std::string unit;
+    for (const char* hand : hands) {
+        const database::MetricRow* row = find_metric_row(score, "over_impulse", hand);
+        if (row == nullptr || !row->value) continue;
+        over = over.value_or(0) + *row->value;
+        unit = row->unit;
+    }
+    if (over) {
+        shown[3].value = figure_with_unit(over, unit);
+        shown[3].why = tr("force over the tissue's limit × time");
+    } else {
+        shown[3].why = tr("not measured");
+    }
+    if (!score.critical_errors.empty()) {
+        QStringList names;
+        for (const database::CriticalErrorRow& error : score.critical_errors) {
+            names << text(error.kind).replace(QLatin1Char('_'), QLatin1Char(' '));
+        }
+        names.removeDuplicates();
+        shown[3].why = tr("critical: %1").arg(names.join(QStringLiteral(", ")));
+    }
+    return shown;
+}
+
+}  // namespace fulcrum::ui

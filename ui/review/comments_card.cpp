@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/review/comments_card.h"
+
+#include <QPlainTextEdit>
+
+#include "database/reviews.h"
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+
+namespace fulcrum::ui {
+
+CommentsCard::CommentsCard(Context& context, QWidget* parent) : QFrame(parent), context_(context) {
+    setProperty("role", "card");
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(18, 14, 18, 14);
+    title_ = make_label(tr("Comments"), "heading");
+    layout->addWidget(title_);
+    list_ = new QVBoxLayout;
+    layout->addLayout(list_);
+    composer_ = new QWidget;
+    auto* compose = new QVBoxLayout(composer_);
+    compose->setContentsMargins(0, 6, 0, 0);
+    text_ = new QPlainTextEdit;
+    text_->setObjectName(QStringLiteral("comment_text"));
+    text_->setAccessibleName(tr("Comment"));
+    text_->setPlaceholderText(tr("What happens here, and one thing to try"));
+    text_->setTabChangesFocus(true);
+    text_->setMaximumHeight(84);
+    compose->addWidget(text_);
+    auto* row = new QHBoxLayout;
+    send_ = make_button({}, "comment_send", "primary");
+    draft_ = make_button(tr("Keep as draft"), "comment_draft");
+    row->addWidget(send_);
+    row->addWidget(draft_);
+    row->addStretch();
+    compose->addLayout(row);
+    layout->addWidget(composer_);
+    layout->addStretch();
+    connect(send_, &QPushButton::clicked, this, [this] { write(true); });
+    connect(draft_, &QPushButton::clicked, this, [this] { write(false); });
+    set_moment(0);
+}
+
+void CommentsCard::open(const std::string& attempt_id, const std::string& person_id) {
+    attempt_id_ = attempt_id;
+    person_id_ = person_id;
+    text_->clear();
+    composer_->setVisible(
+        context_.allowed(database::Operation::comment, database::Subject::person(person_id)));
+    fill();
+}
+
+void CommentsCard::set_moment(double time) {
+    moment_ = time;
+    send_->setText(tr("Comment at %1").arg(clock_text(time)));
+}
+
+void CommentsCard::fill() {
+    clear_layout(list_);
+    std::vector<database::Comment> comments;
+    context_.guarded([&] {
+        comments = database::Reviews(context_.store()).comments(context_.session(), attempt_id_);
+    });
+    title_->setText(comments.empty() ? tr("Comments")
+                                     : tr("%n comment(s)", nullptr, static_cast<int>(comments.size())));
+    if (comments.empty() && composer_->isHidden()) list_->addWidget(make_label(tr("None yet."), "muted"));
+    const bool own = context_.session().person_id() == person_id_;
+    for (const database::Comment& comment : comments) {
+        const bool draft = comment.sent == 0;
+        QString head = tr("%1 · %2").arg(clock_text(comment.time_s), text(comment.author_name));
+        if (draft) head += tr(" · draft, seen by you alone");
+        if (!draft && own && comment.read == 0) head += tr(" · new");
+        QPushButton* jump = make_button(head, "comment_moment", "link");
+        connect(jump, &QPushButton::clicked, this, [this, time = comment.time_s] { emit time_chosen(time); });
+        list_->addWidget(jump, 0, Qt::AlignLeft);
+        QLabel* words = make_label(text(comment.text));
+        words->setObjectName(QStringLiteral("comment_words"));
+        words->setContentsMargins(6, 0, 0, 6);
+        list_->addWidget(words);
+        if (draft && comment.author_id == context_.session().person_id()) {
+            auto* row = new QHBoxLayout;
+            QPushButton* send = make_button(tr("Send"), "draft_send");
+            QPushButton* remove = make_button(tr("Delete"), "draft_delete");
+            connect(send, &QPushButton::clicked, this, [this, id = comment.id] {
+                context_.guarded([&] { database::Reviews(context_.store()).send(context_.session(), id); });
+                fill();
+            });
+            connect(remove, &QPushButton::clicked, this, [this, id = comment.id] {
+                context_.guarded([&] { database::Reviews(context_.store()).delete_draft(context_.session(), id); });
+                fill();
+            });
+            row->addWidget(send);
+            row->addWidget(remove);
+            row->addStretch();
+            list_->addLayout(row);
+        }
+        // Shown is read.
+        if (own && !draft && comment.read == 0) {
+            context_.guarded(
+                [&] { database::Reviews(context_.store()).mark_read(context_.session(), comment.id); });
+        }
+    }
+}
+
+void CommentsCard::write(bool send) {
+    const std::string words = plain(text_->toPlainText().trimmed());
+    if (words.empty()) {
+        text_->setFocus();
+        return;
+    }
+    if (context_.guarded([&] {
+            database::Reviews(context_.store()).write(context_.session(), attempt_id_, moment_, words, send);
+        })) {
+        text_->clear();
+    }
+    fill();
+}
+
+}  // namespace fulcrum::ui

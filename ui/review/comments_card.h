@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The comments on an attempt: each at a moment; educators write (drafts stay theirs until sent), the trainee reads.
+#pragma once
+
+#include <QFrame>
+#include <string>
+
+#include "ui/shell/context.h"
+
+class QLabel;
+class QPlainTextEdit;
+class QPushButton;
+class QVBoxLayout;
+
+namespace fulcrum::ui {
+
+class CommentsCard : public QFrame {
+    Q_OBJECT
+  public:
+    explicit CommentsCard(Context& context, QWidget* parent = nullptr);
+    /// `person_id`: whose attempt it is.
+    void open(const std::string& attempt_id, const std::string& person_id);
+    /// Where the next comment goes.
+    void set_moment(double time);
+
+  signals:
+    void time_chosen(double time);
+
+  private:
+    void fill();
+    void write(bool send);
+    Context& context_;
+    std::string attempt_id_, person_id_;
+    double moment_ = 0;
+    QVBoxLayout* list_;
+    QWidget* composer_;
+    QPlainTextEdit* text_;
+    QPushButton *send_, *draft_;
+    QLabel* title_;
+};
+
+}  // namespace fulcrum::ui

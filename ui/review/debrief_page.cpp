@@ -1,0 +1,468 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/review/debrief_page.h"
+
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QTableWidget>
+
+#include "assessment/metrics/registry.h"
+#include "ui/charts/time_chart.h"
+#include "ui/review/comments_card.h"
+#include "ui/review/path_view.h"
+#include "ui/review/replay_panel.h"
+#include "ui/shell/background_job.h"
+#include "ui/style/palette.h"
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+
+namespace fulcrum::ui {
+
+DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
+    auto* body = new QWidget;
+    auto* layout = new QVBoxLayout(body);
+    layout->setSpacing(14);
+    QPushButton* back = make_button(tr("← Back"), "debrief_back", "link");
+    connect(back, &QPushButton::clicked, this, [this] { emit this->context().home_wanted(); });
+    layout->addWidget(back, 0, Qt::AlignLeft);
+    job_bar_ = new JobBar;
+    connect(job_bar_, &JobBar::cancelled, this, [this] { emit this->context().home_wanted(); });
+    layout->addWidget(job_bar_);
+    content_ = new QWidget;
+    auto* content = new QVBoxLayout(content_);
+    content->setContentsMargins(0, 0, 0, 0);
+    content->setSpacing(14);
+    content->addWidget(build_head());
+
+    QFrame* gates_card = make_card(8);
+    card_layout(gates_card)->addWidget(make_label(tr("Gates"), "heading"));
+    gates_ = make_table({tr("Gate"), tr("Hand"), tr("Value"), tr("Benchmark"), tr("z"), tr("Result"), tr("Where the limit comes from")},
+                        "gates_table");
+    card_layout(gates_card)->addWidget(gates_);
+    card_layout(gates_card)->addWidget(
+        make_label(tr("Every gate counts. Choose a row to see the moment that decided it."), "muted"));
+    content->addWidget(gates_card);
+
+    auto* middle = new QHBoxLayout;
+    middle->setSpacing(14);
+    QFrame* replay_card = make_card(8);
+    replay_ = new ReplayPanel;
+    card_layout(replay_card)->addWidget(replay_);
+    middle->addWidget(replay_card, 3);
+    QFrame* events_card = make_card(8);
+    card_layout(events_card)->addWidget(make_label(tr("What happened"), "heading"));
+    penalties_only_ = new QCheckBox(tr("penalties only"));
+    penalties_only_->setObjectName(QStringLiteral("penalties_only"));
+    card_layout(events_card)->addWidget(penalties_only_);
+    events_ = new QListWidget;
+    events_->setObjectName(QStringLiteral("event_list"));
+    events_->setAccessibleName(tr("What happened"));
+    events_->setMinimumHeight(260);
+    card_layout(events_card)->addWidget(events_, 1);
+    middle->addWidget(events_card, 2);
+    content->addLayout(middle);
+
+    auto* charts = new QHBoxLayout;
+    charts->setSpacing(14);
+    QFrame* force_card = make_card(4);
+    card_layout(force_card)->addWidget(make_label(tr("Force of both hands on tissue"), "heading"));
+    force_ = new TimeChart(tr("force (N)"));
+    force_->setObjectName(QStringLiteral("force_chart"));
+    force_->setMinimumHeight(290);
+    card_layout(force_card)->addWidget(force_);
+    card_layout(force_card)->addWidget(
+        make_label(tr("Wheel zooms, drag moves, a click jumps there, double click shows all."), "muted"));
+    charts->addWidget(force_card, 3);
+    QFrame* path_card = make_card(4);
+    card_layout(path_card)->addWidget(make_label(tr("Path of both tips"), "heading"));
+    path_ = new PathView;
+    card_layout(path_card)->addWidget(path_, 1);
+    charts->addWidget(path_card, 2);
+    content->addLayout(charts);
+
+    comments_ = new CommentsCard(context);
+    content->addWidget(comments_);
+    all_metrics_ = make_button(tr("All figures"), "all_metrics");
+    content->addWidget(all_metrics_, 0, Qt::AlignLeft);
+    metrics_ = make_table({tr("Figure"), tr("Hand"), tr("Tissue"), tr("Value"), tr("Better"), tr("Why absent")},
+                          "metrics_table");
+    metrics_->setMinimumHeight(320);
+    metrics_->hide();
+    content->addWidget(metrics_);
+    content->addWidget(build_actions());
+    layout->addWidget(content_);
+    layout->addStretch();
+    content_->hide();
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(scrolled(body, 1240));
+
+    connect(all_metrics_, &QPushButton::clicked, this, [this] {
+        metrics_->setVisible(metrics_->isHidden());
+        all_metrics_->setText(metrics_->isHidden() ? tr("All figures") : tr("Hide the figures"));
+    });
+    connect(penalties_only_, &QCheckBox::toggled, this, &DebriefPage::fill_events);
+    connect(events_, &QListWidget::itemActivated, this,
+            [this](QListWidgetItem* item) { go_to(item->data(Qt::UserRole).toDouble()); });
+    connect(events_, &QListWidget::itemClicked, this,
+            [this](QListWidgetItem* item) { go_to(item->data(Qt::UserRole).toDouble()); });
+    for (QTableWidget* table : {gates_, metrics_}) {
+        const auto jump = [this, table](QTableWidgetItem* item) {
+            const QVariant time = table->item(item->row(), 0)->data(Qt::UserRole);
+            if (time.isValid()) go_to(time.toDouble());
+        };
+        connect(table, &QTableWidget::itemActivated, this, jump);
+        connect(table, &QTableWidget::itemClicked, this, jump);
+    }
+    connect(force_, &TimeChart::time_chosen, this, &DebriefPage::go_to);
+    connect(path_, &PathView::time_chosen, this, &DebriefPage::go_to);
+    connect(comments_, &CommentsCard::time_chosen, this, &DebriefPage::go_to);
+    connect(replay_, &ReplayPanel::time_changed, this, &DebriefPage::time_changed);
+}
+
+QWidget* DebriefPage::build_head() {
+    auto* head = new QWidget;
+    auto* layout = new QVBoxLayout(head);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(10);
+    auto* row = new QHBoxLayout;
+    title_ = make_label({}, "title");
+    row->addWidget(title_, 1);
+    verdict_ = make_label({}, "number");
+    verdict_->setObjectName(QStringLiteral("verdict"));
+    verdict_->setWordWrap(false);
+    row->addWidget(verdict_);
+    layout->addLayout(row);
+    about_ = make_label({}, "muted");
+    layout->addWidget(about_);
+    notes_ = make_label({});
+    notes_->setObjectName(QStringLiteral("debrief_notes"));
+    layout->addWidget(notes_);
+    auto* numbers = new QHBoxLayout;
+    numbers->setSpacing(14);
+    for (int i = 0; i < 4; ++i) {
+        QFrame* card = make_card(2);
+        number_title_[i] = make_label({}, "muted");
+        number_[i] = make_label({}, "number");
+        number_[i]->setObjectName(QStringLiteral("headline_%1").arg(i));
+        number_why_[i] = make_label({}, "muted");
+        for (QLabel* label : {number_title_[i], number_[i], number_why_[i]}) card_layout(card)->addWidget(label);
+        card_layout(card)->addStretch();
+        numbers->addWidget(card, 1);
+    }
+    layout->addLayout(numbers);
+    QFrame* advice_card = make_card(4);
+    advice_ = make_label({}, "heading");
+    advice_->setObjectName(QStringLiteral("advice"));
+    card_layout(advice_card)->addWidget(advice_);
+    layout->addWidget(advice_card);
+    return head;
+}
+
+QWidget* DebriefPage::build_actions() {
+    actions_ = make_card(8);
+    action_hint_ = make_label({}, "muted");
+    card_layout(actions_)->addWidget(action_hint_);
+    auto* row = new QHBoxLayout;
+    reason_ = new QLineEdit;
+    reason_->setObjectName(QStringLiteral("action_reason"));
+    reason_->setAccessibleName(tr("Reason"));
+    row->addWidget(reason_, 1);
+    void_ = make_button(tr("Void this attempt"), "void_attempt");
+    request_ = make_button(tr("Ask for a correction"), "request_correction");
+    row->addWidget(void_);
+    row->addWidget(request_);
+    card_layout(actions_)->addLayout(row);
+    connect(void_, &QPushButton::clicked, this, &DebriefPage::void_attempt);
+    connect(request_, &QPushButton::clicked, this, &DebriefPage::ask_correction);
+    return actions_;
+}
+
+void DebriefPage::open(const std::string& attempt_id, double time_s) {
+    leave();
+    attempt_id_ = attempt_id;
+    wanted_time_ = time_s;
+    std::optional<Scene> scene;
+    std::string task_id;
+    if (!context().guarded([&] {
+            task_id = database::Attempts(context().store()).read(context().session(), attempt_id).meta.task_id;
+        })) {
+        return;
+    }
+    if (const TaskDefinition* task = context().task(task_id)) {
+        context().guarded([&] { scene = context().services().scene_for(*task); });
+    }
+    auto loaded = std::make_shared<std::optional<AttemptModel>>();
+    job_ = BackgroundJob::run(
+        this,
+        [loaded, scene, attempt_id, path = context().store().path(),
+         session = context().session()](const Progress& progress) {
+            database::StoreOptions options;
+            options.read_only = true;
+            const database::Store store = database::Store::open(path, options);
+            *loaded = load_attempt(store, session, attempt_id, scene, progress);
+        },
+        [this, loaded] {
+            job_ = nullptr;
+            if (!*loaded) return;
+            model_ = std::make_shared<const AttemptModel>(std::move(**loaded));
+            show_model();
+        },
+        [this](const QString& why) {
+            job_ = nullptr;
+            context().complain(why);
+        });
+    job_bar_->watch(job_, tr("Reading the attempt …"));
+}
+
+void DebriefPage::leave() {
+    if (job_ != nullptr) job_->cancel();
+    job_ = nullptr;
+    replay_->close();
+    model_.reset();
+    content_->hide();
+}
+
+double DebriefPage::moment() const { return replay_->time(); }
+
+void DebriefPage::show_model() {
+    content_->show();
+    fill_head();
+    fill_gates();
+    fill_events();
+    fill_metrics();
+    fill_charts();
+    fill_actions();
+    comments_->open(attempt_id_, model_->summary.meta.person_id);
+    const TaskDefinition* task = context().task(model_->summary.meta.task_id);
+    std::unique_ptr<ReplaySource> source;
+    QString why;
+    if (model_->trace->samples.empty()) {
+        why = tr("Nothing was recorded.");
+    } else {
+        try {
+            source = context().services().open_replay(model_->summary.meta.task_id, model_->summary.meta.seed,
+                                                      model_->trace);
+        } catch (const std::exception& error) {
+            why = tr("No picture: %1").arg(QString::fromUtf8(error.what()));
+        }
+    }
+    replay_->open(model_, std::move(source), task, why);
+    go_to(std::max(0.0, wanted_time_));
+    emit ready();
+}
+
+void DebriefPage::fill_head() {
+    const database::AttemptSummary& attempt = model_->summary;
+    title_->setText(context().task_title(attempt.meta.task_id));
+    const bool voided = attempt.state == "voided";
+    const std::optional<bool> passed = model_->score ? model_->score->passed : attempt.passed;
+    QString verdict_words = verdict(passed, attempt.provisional);
+    if (voided) verdict_words = tr("voided");
+    verdict_->setText((!voided && passed ? (*passed ? QStringLiteral("✓ ") : QStringLiteral("✕ ")) : QString()) +
+                      verdict_words);
+    QColor colour = colours().neutral;
+    if (!voided && passed) colour = *passed ? colours().good : colours().bad;
+    verdict_->setStyleSheet(QStringLiteral("color: %1").arg(colour.name()));
+    QString about = tr("%1 · %2 · %3 · %4 · %5")
+                        .arg(text(attempt.person_name), local_time(attempt.meta.started),
+                             attempt.meta.mode == "assessed" ? tr("assessed") : tr("practice"),
+                             device_class_text(attempt.meta.device_class),
+                             attempt_state(voided ? attempt.recorded_state : attempt.state));
+    const std::optional<double> points = model_->score ? model_->score->points : attempt.points;
+    if (points && passed) about += tr(" · %1 points").arg(figure(*points));
+    about_->setText(about);
+    QStringList notes;
+    if (voided) {
+        notes << tr("Voided by %1 on %2: %3. It counts nowhere.")
+                     .arg(text(attempt.voided_by), local_time(attempt.voided_at), text(attempt.void_reason));
+    }
+    if (attempt.synthetic || attempt.meta.device_class == "synthetic") {
+        notes << tr("Synthetic: made by a simulated operator, not by a person.");
+    }
+    if (!passed && !voided) {
+        const std::string why =
+            model_->score ? model_->score->not_scored_because : attempt.not_scored_because;
+        notes << tr("Not scored: %1").arg(why.empty() ? tr("the attempt has no score") : text(why));
+    }
+    if (attempt.provisional) {
+        notes << tr("The limits are provisional (synthetic operators): they allow \"passed (provisional)\", never "
+                    "proficiency.");
+    }
+    if (attempt.meta.device_class == "mouse-keyboard" || attempt.meta.device_class == "controller") {
+        notes << tr("Force was not felt: the device cannot render it; it was shown as bars.");
+    }
+    if (attempt.lost_samples > 0) notes << tr("%1 samples were lost.").arg(attempt.lost_samples);
+    notes_->setText(notes.join(QLatin1Char('\n')));
+    notes_->setVisible(!notes.isEmpty());
+    const std::array<Headline, 4> shown = headlines(*model_);
+    for (std::size_t i = 0; i < 4; ++i) {
+        number_title_[i]->setText(shown[i].title);
+        number_[i]->setText(shown[i].value);
+        number_why_[i]->setText(shown[i].why);
+        number_why_[i]->setVisible(!shown[i].why.isEmpty());
+    }
+    const std::string advice = model_->score ? model_->score->advice : std::string();
+    advice_->setText(text(advice));
+    advice_->parentWidget()->setVisible(!advice.empty());
+}
+
+void DebriefPage::fill_gates() {
+    gates_->setRowCount(0);
+    gates_->parentWidget()->setVisible(model_->score.has_value() && !model_->score->gates.empty());
+    if (!model_->score) return;
+    for (const database::GateRow& gate : model_->score->gates) {
+        const MetricDescriptor* metric = find_metric(gate.metric);
+        const int row = gates_->rowCount();
+        gates_->insertRow(row);
+        QString name = metric == nullptr ? text(gate.metric) : text(metric->name);
+        if (!gate.tissue.empty()) name += QStringLiteral(", ") + text(gate.tissue);
+        auto* first = make_cell(name);
+        if (metric != nullptr) first->setToolTip(text(metric->explanation));
+        const database::MetricRow* values = find_metric_row(*model_->score, gate.metric, gate.hand, gate.tissue);
+        if (values != nullptr && !values->evidence.empty()) {
+            first->setData(Qt::UserRole, values->evidence.front().first);
+        }
+        const bool higher = metric != nullptr && metric->direction == Direction::higher;
+        QString limit = (higher ? QStringLiteral("≥ ") : QStringLiteral("≤ ")) + figure_with_unit(gate.limit, gate.unit);
+        if (gate.provisional) limit += tr(" (provisional)");
+        QString result = tr("– not judged");
+        if (gate.passed) result = *gate.passed ? tr("✓ met") : tr("✕ not met");
+        auto* verdict_cell = make_cell(result);
+        verdict_cell->setForeground(!gate.passed ? colours().muted : *gate.passed ? colours().good : colours().bad);
+        verdict_cell->setToolTip(text(gate.not_passed_because));
+        const Qt::Alignment right = Qt::AlignRight | Qt::AlignVCenter;
+        gates_->setItem(row, 0, first);
+        gates_->setItem(row, 1, make_cell(gate.hand == "left" ? tr("left") : gate.hand == "right" ? tr("right") : QString()));
+        gates_->setItem(row, 2, make_cell(figure_with_unit(gate.value, gate.unit), right));
+        gates_->setItem(row, 3, make_cell(limit, right));
+        gates_->setItem(row, 4, make_cell(gate.z ? QString::number(*gate.z, 'f', 2) : QStringLiteral("–"), right));
+        gates_->setItem(row, 5, verdict_cell);
+        gates_->setItem(row, 6, make_cell(gate.value ? text(gate.limit_source) : text(gate.not_passed_because)));
+    }
+    gates_->resizeColumnsToContents();
+    gates_->setFixedHeight(gates_->horizontalHeader()->sizeHint().height() + 34 * gates_->rowCount() + 12);
+}
+
+void DebriefPage::fill_events() {
+    events_->clear();
+    if (!model_) return;
+    for (const EventLine& line : model_->events) {
+        if (penalties_only_->isChecked() && !line.severe) continue;
+        QString words = QStringLiteral("%1   %2%3").arg(
+            clock_text(line.time), line.critical ? QStringLiteral("✕ ") : line.severe ? QStringLiteral("▲ ") : QString(),
+            line.words);
+        auto* item = new QListWidgetItem(words, events_);
+        item->setData(Qt::UserRole, line.time);
+        if (line.severe) item->setForeground(colours().bad);
+    }
+    if (events_->count() == 0) {
+        auto* none = new QListWidgetItem(tr("nothing"), events_);
+        none->setFlags(Qt::NoItemFlags);
+    }
+}
+
+void DebriefPage::fill_metrics() {
+    metrics_->setRowCount(0);
+    all_metrics_->setVisible(model_->score.has_value());
+    if (!model_->score) return;
+    for (const database::MetricRow& value : model_->score->metrics) {
+        const MetricDescriptor* metric = find_metric(value.id);
+        const int row = metrics_->rowCount();
+        metrics_->insertRow(row);
+        auto* first = make_cell(metric == nullptr ? text(value.id) : text(metric->name));
+        first->setToolTip((metric == nullptr ? QString() : text(metric->explanation) + QLatin1Char('\n')) +
+                          text(value.id) + QStringLiteral(", version %1").arg(value.version));
+        if (!value.evidence.empty()) first->setData(Qt::UserRole, value.evidence.front().first);
+        metrics_->setItem(row, 0, first);
+        metrics_->setItem(row, 1, make_cell(value.hand == "left" ? tr("left") : value.hand == "right" ? tr("right") : QString()));
+        metrics_->setItem(row, 2, make_cell(text(value.tissue)));
+        metrics_->setItem(row, 3, make_cell(figure_with_unit(value.value, value.unit), Qt::AlignRight | Qt::AlignVCenter));
+        metrics_->setItem(row, 4, make_cell(value.direction == "lower"    ? tr("↓ lower")
+                                            : value.direction == "higher" ? tr("↑ higher")
+                                                                          : tr("context")));
+        metrics_->setItem(row, 5, make_cell(text(value.absent_because)));
+    }
+    metrics_->resizeColumnsToContents();
+}
+
+void DebriefPage::fill_charts() {
+    force_->clear();
+    force_->add_series(tr("left hand"), colours().left_hand, Qt::SolidLine, model_->force[0]);
+    force_->add_series(tr("right hand"), colours().right_hand, Qt::DashLine, model_->force[1]);
+    for (const auto& [tissue, limit] : model_->force_limits) {
+        force_->add_limit(tr("limit, %1").arg(text(tissue)), limit);
+    }
+    std::vector<ChartMark> marks;
+    for (const EventLine& line : model_->events) {
+        marks.push_back({line.time, line.words,
+                         line.critical ? colours().bad : line.severe ? colours().warning : colours().neutral,
+                         line.severe});
+    }
+    force_->set_marks(std::move(marks));
+    force_->show_all();
+    path_->set_attempt(*model_);
+}
+
+void DebriefPage::fill_actions() {
+    const database::AttemptSummary& attempt = model_->summary;
+    const database::Subject subject = database::Subject::person(attempt.meta.person_id);
+    const bool own = attempt.meta.person_id == context().session().person_id();
+    const bool can_void =
+        attempt.state != "voided" && !own && context().allowed(database::Operation::void_attempt, subject);
+    const bool can_ask = attempt.state != "voided" && own &&
+                         context().allowed(database::Operation::request_correction, subject);
+    actions_->setVisible(can_void || can_ask);
+    void_->setVisible(can_void);
+    request_->setVisible(can_ask);
+    reason_->clear();
+    reason_->setPlaceholderText(can_void ? tr("reason, kept in the audit log") : tr("what is wrong with it"));
+    action_hint_->setText(
+        can_void ? tr("Voiding takes the attempt out of progress, cohorts and benchmarks; it stays visible, struck "
+                      "through, with your reason.")
+                 : tr("Wrong person, or a mistaken attempt? An educator can void or reassign it."));
+}
+
+void DebriefPage::go_to(double time) {
+    if (model_) replay_->seek(time);
+}
+
+void DebriefPage::time_changed(double time) {
+    force_->set_cursor(time);
+    path_->set_cursor(time);
+    comments_->set_moment(time);
+}
+
+void DebriefPage::void_attempt() {
+    const std::string reason = plain(reason_->text().trimmed());
+    if (reason.empty()) {
+        reason_->setFocus();
+        context().complain(tr("A reason is needed."));
+        return;
+    }
+    if (context().guarded([&] {
+            database::Attempts(context().store()).void_attempt(context().session(), attempt_id_, reason);
+        })) {
+        context().say(tr("The attempt is voided."));
+        open(attempt_id_, moment());
+    }
+}
+
+void DebriefPage::ask_correction() {
+    const std::string words = plain(reason_->text().trimmed());
+    if (words.empty()) {
+        reason_->setFocus();
+        context().complain(tr("Say what is wrong with it."));
+        return;
+    }
+    if (context().guarded([&] {
+            database::Attempts(context().store()).request_correction(context().session(), attempt_id_, words);
+        })) {
+        reason_->clear();
+        context().say(tr("Your educators will see the request."));
+    }
+}
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// After an attempt, for the trainee, the educator and the director alike: four numbers, the verdict and one sentence first; then gates,
+// replay, what happened, force, path, comments; every penalty leads to its moment.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "ui/review/attempt_model.h"
+#include "ui/shell/context.h"
+
+class QCheckBox;
+class QFrame;
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QTableWidget;
+
+namespace fulcrum::ui {
+
+class BackgroundJob;
+class CommentsCard;
+class JobBar;
+class PathView;
+class ReplayPanel;
+class TimeChart;
+
+class DebriefPage : public Page {
+    Q_OBJECT
+  public:
+    explicit DebriefPage(Context& context);
+    /// Reads the attempt off the UI thread; `time_s` < 0: from the start.
+    void open(const std::string& attempt_id, double time_s);
+    void leave() override;
+    bool is_ready() const { return model_ != nullptr; }
+    double moment() const;
+    const AttemptModel* model() const { return model_.get(); }
+
+  signals:
+    void ready();
+
+  private:
+    QWidget* build_head();
+    QWidget* build_actions();
+    void show_model();
+    void fill_head();
+    void fill_gates();
+    void fill_events();
+    void fill_metrics();
+    void fill_charts();
+    void fill_actions();
+    void go_to(double time);
+    void time_changed(double time);
+    void void_attempt();
+    void ask_correction();
+
+    std::shared_ptr<const AttemptModel> model_;
+    std::string attempt_id_;
+    double wanted_time_ = -1;
+    BackgroundJob* job_ = nullptr;
+    JobBar* job_bar_;
+    QWidget* content_;
+    QLabel *title_, *verdict_, *about_, *notes_, *advice_;
+    QLabel *number_[4], *number_title_[4], *number_why_[4];
+    QTableWidget *gates_, *metrics_;
+    ReplayPanel* replay_;
+    QListWidget* events_;
+    QCheckBox* penalties_only_;
+    TimeChart* force_;
+    PathView* path_;
+    CommentsCard* comments_;
+    QPushButton* all_metrics_;
+    QFrame* actions_;
+    QLineEdit* reason_;
+    QPushButton *void_, *request_;
+    QLabel* action_hint_;
+};
+
+}  // namespace fulcrum::ui

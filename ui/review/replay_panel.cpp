@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/review/replay_panel.h"
+
+#include <QComboBox>
+#include <QSlider>
+#include <algorithm>
+#include <cmath>
+
+#include "database/trace_codec.h"
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+#include "ui/theatre/theatre_view.h"
+
+namespace fulcrum::ui {
+namespace {
+
+constexpr double speeds[] = {0.1, 0.25, 0.5, 1, 2, 5, 10};
+constexpr double step_s = 0.02;
+
+}  // namespace
+
+ReplayPanel::ReplayPanel(QWidget* parent) : QWidget(parent), view_(new TheatreView) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    view_->setMinimumHeight(360);
+    layout->addWidget(view_, 1);
+    slider_ = new QSlider(Qt::Horizontal);
+    slider_->setObjectName(QStringLiteral("replay_slider"));
+    slider_->setAccessibleName(tr("Moment of the attempt"));
+    layout->addWidget(slider_);
+    auto* row = new QHBoxLayout;
+    play_ = make_button(tr("Play"), "replay_play", "primary");
+    back_ = make_button(tr("◀ Step"), "replay_back");
+    forward_ = make_button(tr("Step ▶"), "replay_forward");
+    speed_ = new QComboBox;
+    speed_->setObjectName(QStringLiteral("replay_speed"));
+    speed_->setAccessibleName(tr("Speed"));
+    for (const double speed : speeds) speed_->addItem(QStringLiteral("×%1").arg(speed), speed);
+    speed_->setCurrentIndex(3);
+    clock_ = make_label({});
+    clock_->setWordWrap(false);
+    state_ = make_label({}, "muted");
+    row->addWidget(play_);
+    row->addWidget(back_);
+    row->addWidget(forward_);
+    row->addWidget(speed_);
+    row->addWidget(clock_);
+    row->addWidget(state_, 1);
+    layout->addLayout(row);
+    connect(play_, &QPushButton::clicked, this, [this] { play(!playing_); });
+    connect(back_, &QPushButton::clicked, this, [this] { step(-1); });
+    connect(forward_, &QPushButton::clicked, this, [this] { step(1); });
+    connect(speed_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+            [this] { factor_ = speed_->currentData().toDouble(); });
+    connect(slider_, &QSlider::valueChanged, this, [this](int value) { seek(value * 1e-2); });
+    timer_.setInterval(16);
+    connect(&timer_, &QTimer::timeout, this, &ReplayPanel::tick);
+}
+
+ReplayPanel::~ReplayPanel() = default;
+
+void ReplayPanel::open(std::shared_ptr<const AttemptModel> model, std::unique_ptr<ReplaySource> source,
+                       const TaskDefinition* task, const QString& why_no_picture) {
+    close();
+    model_ = std::move(model);
+    source_ = std::move(source);
+    task_ = task;
+    const QSignalBlocker quiet(slider_);
+    slider_->setRange(0, std::max(1, static_cast<int>(std::ceil(model_->duration * 100))));
+    slider_->setPageStep(std::max(1, slider_->maximum() / 20));
+    slider_->setValue(0);
+    state_->setText(why_no_picture);
+    view_->setVisible(source_ != nullptr);
+    timer_.start();
+    since_.start();
+    show_time();
+}
+
+void ReplayPanel::close() {
+    play(false);
+    timer_.stop();
+    view_->unload();
+    source_.reset();
+    model_.reset();
+    time_ = 0;
+    loaded_ = false;
+}
+
+void ReplayPanel::seek(double time) {
+    if (!model_) return;
+    time_ = std::clamp(time, 0.0, model_->duration);
+    if (source_) source_->seek(time_);
+    show_time();
+    emit time_changed(time_);
+}
+
+void ReplayPanel::play(bool on) {
+    if (on && model_ && time_ >= model_->duration - 1e-9) seek(0);
+    playing_ = on && model_ != nullptr;
+    play_->setText(playing_ ? tr("Pause") : tr("Play"));
+    since_.restart();
+}
+
+void ReplayPanel::set_speed(double factor) {
+    for (int i = 0; i < speed_->count(); ++i) {
+        if (std::abs(speed_->itemData(i).toDouble() - factor) < 1e-9) speed_->setCurrentIndex(i);
+    }
+}
+
+void ReplayPanel::step(int steps) {
+    play(false);
+    seek(time_ + steps * step_s);
+}
+
+void ReplayPanel::show_time() {
+    const QSignalBlocker quiet(slider_);
+    slider_->setValue(static_cast<int>(std::lround(time_ * 100)));
+    clock_->setText(QStringLiteral("%1 / %2").arg(clock_text(time_), clock_text(model_ ? model_->duration : 0)));
+}
+
+void ReplayPanel::tick() {
+    const double dt = static_cast<double>(since_.restart()) * 1e-3;
+    if (playing_) {
+        seek(time_ + dt * factor_);
+        if (model_ && time_ >= model_->duration - 1e-9) play(false);
+    }
+    if (!source_ || !source_->update()) return;
+    if (!loaded_) {
+        loaded_ = true;
+        view_->load(source_->scene(), source_->snapshot());
+    }
+    fill_hud();
+    view_->show_world(source_->snapshot());
+    if (source_->differs_from_s()) {
+        state_->setText(tr("tissue differs from the record from %1 s on (another build); poses and forces are the "
+                           "recorded ones")
+                            .arg(*source_->differs_from_s(), 0, 'f', 1));
+    } else if (source_->ready() < 1) {
+        state_->setText(tr("preparing %1 %").arg(static_cast<int>(source_->ready() * 100)));
+    } else {
+        state_->clear();
+    }
+}
+
+void ReplayPanel::fill_hud() {
+    HudState hud;
+    hud.task = task_;
+    hud.place = playing_ ? tr("replay ×%1").arg(factor_) : tr("replay");
+    const std::vector<TickSample>& samples = model_->trace->samples;
+    const auto tick = static_cast<std::uint32_t>(time_ / model_->tick);
+    const auto found = std::lower_bound(samples.begin(), samples.end(), tick,
+                                        [](const TickSample& sample, std::uint32_t t) { return sample.tick < t; });
+    if (found != samples.end()) {
+        for (std::size_t h = 0; h < hand_count; ++h) {
+            const HandSample& hand = found->hand[h];
+            hud.display.force[h] = static_cast<float>(model_->force[h]->value_at(time_));
+            hud.jaws_closed[h] = (hand.flags & hand_grasping) != 0 || hand.jaw_angle < 50000;
+            hud.display.warning[h] = (hand.flags & hand_warned) != 0;
+            const auto tissue = static_cast<std::size_t>(std::max<std::int16_t>(hand.tissue, 0));
+            if (hand.tissue >= 0 && tissue < model_->tissues.size()) {
+                for (const auto& [label, limit] : model_->force_limits) {
+                    if (label == model_->tissues[tissue]) {
+                        hud.display.force_limit[h] = static_cast<float>(limit);
+                    }
+                }
+            }
+        }
+    }
+    std::vector<bool> done;
+    int active = -1;
+    for (const Event& event : model_->trace->events) {
+        if (event.tick > tick) break;
+        if (event.kind == EventKind::phase_begin) {
+            hud.display.goal = event.detail;
+            hud.display.goal_progress = 0;
+        }
+        if (event.kind == EventKind::target_shown) active = event.detail;
+        if (event.kind == EventKind::goal_progress && event.detail == hud.display.goal) {
+            hud.display.run_covered_m = static_cast<double>(event.value);
+            hud.display.lift_height_m = static_cast<double>(event.value);
+        }
+        if (event.kind == EventKind::target_reached && event.detail >= 0) {
+            done.resize(std::max(done.size(), static_cast<std::size_t>(event.detail) + 1), false);
+            done[static_cast<std::size_t>(event.detail)] = true;
+            if (active == event.detail) active = -1;
+        }
+        if (event.kind == EventKind::first_movement) hud.display.moving_seen = true;
+        if (is_critical(event.kind)) hud.display.critical = true;
+    }
+    hud.display.elapsed_s = time_;
+    hud.display.remaining_s = std::max(0.0, model_->duration - time_);
+    view_->set_hud(hud);
+    view_->set_targets(done, active, false);
+}
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A stored attempt seen again: the scope's picture, a scrubber by time, ×0.1 to ×10, single steps.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+
+#include "ui/application_services.h"
+#include "ui/review/attempt_model.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QSlider;
+
+namespace fulcrum::ui {
+
+class TheatreView;
+
+class ReplayPanel : public QWidget {
+    Q_OBJECT
+  public:
+    explicit ReplayPanel(QWidget* parent = nullptr);
+    ~ReplayPanel() override;
+    /// `source` null: no picture, the scrubber still moves the charts.
+    void open(std::shared_ptr<const AttemptModel> model, std::unique_ptr<ReplaySource> source,
+              const TaskDefinition* task, const QString& why_no_picture);
+    void close();
+    double time() const { return time_; }
+    bool is_playing() const { return playing_; }
+    /// Without telling time_changed's listeners twice.
+    void seek(double time);
+    void play(bool on);
+    void set_speed(double factor);
+    void step(int steps);
+
+  signals:
+    void time_changed(double time);
+
+  private:
+    void tick();
+    void show_time();
+    void fill_hud();
+
+    std::shared_ptr<const AttemptModel> model_;
+    std::unique_ptr<ReplaySource> source_;
+    const TaskDefinition* task_ = nullptr;
+    TheatreView* view_;
+    QSlider* slider_;
+    QLabel *clock_, *state_;
+    QPushButton *play_, *back_, *forward_;
+    QComboBox* speed_;
+    QTimer timer_;
+    QElapsedTimer since_;
+    double time_ = 0, factor_ = 1;
+    bool playing_ = false, loaded_ = false;
+};
+
+}  // namespace fulcrum::ui
