@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/decimation.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace fulcrum::ui {
+namespace {
+
+struct Series {
+    std::vector<double> x;
+    std::vector<float> y;
+};
+
+Series noise(std::size_t count, unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<float> normal(0.0F, 1.0F);
+    Series series;
+    for (std::size_t i = 0; i < count; ++i) {
+        series.x.push_back(static_cast<double>(i) * 1e-3);
+        series.y.push_back(normal(random));
+    }
+    return series;
+}
+
+bool holds(const std::vector<ChartPoint>& points, double x, double y) {
+    return std::any_of(points.begin(), points.end(),
+                       [&](const ChartPoint& point) { return point.x == x && point.y == y; });
+}
+
+TEST(Decimation, KeepsASingleSampleOfPeakInAnHour) {
+    Series series = noise(3'600'000, 1);
+    series.y[2'345'678] = 40.0F;
+    series.y[777'777] = -35.0F;
+    const MinMaxPyramid pyramid(series.x, series.y);
+    const std::vector<ChartPoint> points = pyramid.view(0, 3600);
+    EXPECT_LE(points.size(), chart_point_limit);
+    EXPECT_GT(points.size(), chart_point_limit / 4);
+    EXPECT_TRUE(holds(points, series.x[2'345'678], 40.0));
+    EXPECT_TRUE(holds(points, series.x[777'777], -35.0));
+    EXPECT_EQ(pyramid.highest(), 40.0);
+    EXPECT_EQ(pyramid.lowest(), -35.0);
+}
+
+TEST(Decimation, ShowsEverySampleOfAShortView) {
+    const Series series = noise(100'000, 2);
+    const MinMaxPyramid pyramid(series.x, series.y);
+    const std::vector<ChartPoint> points = pyramid.view(50.0, 51.0);
+    // 1001 samples of the view and one beyond each end.
+    ASSERT_EQ(points.size(), 1003U);
+    EXPECT_EQ(points[1].y, static_cast<double>(series.y[50'000]));
+}
+
+TEST(Decimation, RisesKeepsExtremesAndStaysWithinTheLimitForAnyView) {
+    rc::check([] {
+        const auto count = *rc::gen::inRange<std::size_t>(1, 60'000);
+        const Series series = noise(count, *rc::gen::arbitrary<unsigned>());
+        const MinMaxPyramid pyramid(series.x, series.y);
+        const double last = series.x.back();
+        double from = *rc::gen::inRange(0, 1000) * 1e-3 * last, to = *rc::gen::inRange(0, 1000) * 1e-3 * last;
+        if (from > to) std::swap(from, to);
+        const auto limit = *rc::gen::inRange<std::size_t>(5, 5000);
+        const std::vector<ChartPoint> points = pyramid.view(from, to, limit);
+        RC_ASSERT(points.size() <= std::max<std::size_t>(limit, 3));
+        for (std::size_t i = 1; i < points.size(); ++i) RC_ASSERT(points[i].x > points[i - 1].x);
+        float high = -std::numeric_limits<float>::infinity(), low = -high;
+        for (std::size_t i = 0; i < count; ++i) {
+            if (series.x[i] < from || series.x[i] > to) continue;
+            high = std::max(high, series.y[i]);
+            low = std::min(low, series.y[i]);
+        }
+        if (!std::isfinite(high)) return;
+        double drawn_high = -1e9, drawn_low = 1e9;
+        for (const ChartPoint& point : points) {
+            drawn_high = std::max(drawn_high, point.y);
+            drawn_low = std::min(drawn_low, point.y);
+        }
+        RC_ASSERT(drawn_high >= static_cast<double>(high));
+        RC_ASSERT(drawn_low <= static_cast<double>(low));
+    });
+}
+
+TEST(Decimation, LeavesOutWhatIsNotANumber) {
+    Series series = noise(10'000, 3);
+    series.y[5000] = std::numeric_limits<float>::quiet_NaN();
+    series.y[6000] = std::numeric_limits<float>::infinity();
+    const MinMaxPyramid pyramid(series.x, series.y);
+    EXPECT_EQ(pyramid.size(), 9998U);
+    EXPECT_TRUE(std::isfinite(pyramid.highest()));
+}
+
+TEST(Decimation, GivesTheValueAtATime) {
+    const MinMaxPyramid pyramid({0.0, 1.0, 2.0}, {5.0F, 6.0F, 7.0F});
+    EXPECT_EQ(pyramid.value_at(-1), 0.0);
+    EXPECT_EQ(pyramid.value_at(0.5), 5.0);
+    EXPECT_EQ(pyramid.value_at(1.0), 6.0);
+    EXPECT_EQ(pyramid.value_at(99), 7.0);
+    EXPECT_EQ(MinMaxPyramid().value_at(1), 0.0);
+    EXPECT_TRUE(MinMaxPyramid().view(0, 1).empty());
+}
+
+}  // namespace
+}  // namespace fulcrum::ui
