@@ -7,12 +7,16 @@
 
 namespace fulcrum {
 
-/// Thrown at the edge (files, command line), never on the haptic or world thread. what() is one line: `FILE:PLACE: wrong; mend`.
+/// Thrown at the edge (files, command line), never on the haptic or world thread. what() is one line:
+/// `FILE:PLACE: wrong; mend`.
 class InputError : public std::runtime_error {
   public:
     InputError(std::string file, std::string place, std::string wrong, std::string mend)
         : std::runtime_error(file + (place.empty() ? "" : ":" + place) + ": " + wrong + "; " + mend),
-          file_(std::move(file)), place_(std::move(place)), wrong_(std::move(wrong)), mend_(std::move(mend)) {}
+          file_(std::move(file)),
+          place_(std::move(place)),
+          wrong_(std::move(wrong)),
+          mend_(std::move(mend)) {}
     const std::string& file() const noexcept { return file_; }
     const std::string& place() const noexcept { return place_; }
     const std::string& wrong() const noexcept { return wrong_; }

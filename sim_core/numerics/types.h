@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The vector and matrix types every room uses. Units are SI everywhere inside the program: m, kg, s, N, Pa, rad.
+// The vector and matrix types every room uses. Units are SI everywhere inside the program: m, kg, s, N, Pa,
+// rad.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,6 +17,8 @@ using Quaternion = Eigen::Quaterniond;
 /// The two operating hands. Arrays over hands are indexed with these values.
 enum class Hand : std::uint8_t { left = 0, right = 1 };
 inline constexpr int hand_count = 2;
-constexpr const char* hand_name(Hand hand) { return hand == Hand::left ? "left" : "right"; }
+constexpr const char* hand_name(Hand hand) {
+    return hand == Hand::left ? "left" : "right";
+}
 
 }  // namespace fulcrum

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Symmetric block-pentadiagonal matrix of 4 x 4 blocks and its L D L^T factorisation: O(n), no allocation
+// after construction. Block row i couples with i - 1 and i - 2 only: what a chain gives whose energies span
+// three neighbours.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "sim_core/numerics/lanes.h"
+
+namespace fulcrum {
+
+/// 4 x 4 block by columns: column[k][r] is row r of column k.
+struct Block4 {
+    Lanes column[4];
+};
+
+class BlockBand {
+  public:
+    explicit BlockBand(std::size_t blocks = 0);
+
+    std::size_t blocks() const { return diagonal.size(); }
+    std::size_t bytes() const;
+    void set_zero();
+
+    std::vector<Block4> diagonal;  ///< block (i, i), both triangles
+    std::vector<Block4> first;     ///< block (i + 1, i)
+    std::vector<Block4> second;    ///< block (i + 2, i)
+};
+
+/// Factor of a BlockBand; kept apart, so that the matrix stays for products and reactions.
+class BlockBandFactor {
+  public:
+    explicit BlockBandFactor(std::size_t blocks = 0);
+
+    /// Factors matrix + shift * diag(weights) (4 blocks() entries; null: no shift). False at the first pivot
+    /// that is not above `smallest` times its original diagonal entry, or not finite: the matrix is not
+    /// positive definite to working accuracy.
+    bool factor(const BlockBand& matrix, double shift = 0, const double* weights = nullptr,
+                double smallest = 1e-14);
+    /// x = A^-1 b in place; 4 blocks() entries.
+    void solve(double* x) const;
+    std::size_t blocks() const { return lower_.size(); }
+    std::size_t bytes() const;
+
+  private:
+    std::vector<Block4> lower_;           // unit lower triangle of each diagonal block
+    std::vector<Block4> first_, second_;  // blocks of L below it
+    std::vector<double> inverse_pivot_;
+};
+
+/// y = A x. x and y: 4 blocks() entries, distinct.
+void multiply(const BlockBand& matrix, const double* x, double* y);
+
+}  // namespace fulcrum

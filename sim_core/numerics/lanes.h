@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Four doubles side by side: what the rod's kernels compute with. Every operation is the IEEE one of each
+// lane.
+#pragma once
+
+#include <cmath>
+#include <cstring>
+#if defined(__AVX__)
+#include <immintrin.h>
+#endif
+
+namespace fulcrum {
+
+using Lanes = double __attribute__((vector_size(32)));
+
+inline Lanes load_lanes(const double* from) {
+    Lanes value;
+    std::memcpy(&value, from, sizeof value);
+    return value;
+}
+
+inline void store_lanes(double* to, const Lanes& value) {
+    std::memcpy(to, &value, sizeof value);
+}
+
+inline Lanes all_lanes(double value) {
+    return Lanes{value, value, value, value};
+}
+
+inline Lanes sqrt_lanes(const Lanes& value) {
+#if defined(__AVX__)
+    return _mm256_sqrt_pd(value);
+#else
+    return Lanes{std::sqrt(value[0]), std::sqrt(value[1]), std::sqrt(value[2]), std::sqrt(value[3])};
+#endif
+}
+
+/// Rows become columns.
+inline void transpose_lanes(Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
+#if defined(__AVX__)
+    const __m256d ab_low = _mm256_unpacklo_pd(a, b), ab_high = _mm256_unpackhi_pd(a, b);
+    const __m256d cd_low = _mm256_unpacklo_pd(c, d), cd_high = _mm256_unpackhi_pd(c, d);
+    a = _mm256_permute2f128_pd(ab_low, cd_low, 0x20);
+    b = _mm256_permute2f128_pd(ab_high, cd_high, 0x20);
+    c = _mm256_permute2f128_pd(ab_low, cd_low, 0x31);
+    d = _mm256_permute2f128_pd(ab_high, cd_high, 0x31);
+#else
+    const Lanes p = a, q = b, r = c, s = d;
+    a = Lanes{p[0], q[0], r[0], s[0]};
+    b = Lanes{p[1], q[1], r[1], s[1]};
+    c = Lanes{p[2], q[2], r[2], s[2]};
+    d = Lanes{p[3], q[3], r[3], s[3]};
+#endif
+}
+
+/// Sum of the four lanes, in a fixed order.
+inline double sum_lanes(const Lanes& v) {
+    return (v[0] + v[1]) + (v[2] + v[3]);
+}
+
+}  // namespace fulcrum

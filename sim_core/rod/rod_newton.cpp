@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_core/rod/rod_newton.h"
+
+#include <cmath>
+#include <utility>
+
+namespace fulcrum {
+namespace {
+
+constexpr double contact_tolerance = 1e-7;  // m, multiplier change over penalty
+constexpr double largest_turn = 1.0;        // of a segment's edge, relative to its length, in one step
+
+double reaction_scale(const RodScratch::Data& data) {
+    double squared = data.reaction_squared;
+    const std::size_t last = 4 * (data.matrix.blocks() - 1);
+    for (std::size_t e = 0; e < 2; ++e) {
+        if (!data.fixed[e]) continue;
+        const double* g = &data.gradient[e == 0 ? 0 : last];
+        squared += g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
+    }
+    const double reactions = std::sqrt(squared);
+    return reactions > data.dead_norm ? reactions : data.dead_norm;
+}
+
+double boundary_distance(const RodShape& shape, const RodScratch::Data& data) {
+    double largest = 0;
+    const std::size_t last = 4 * (data.matrix.blocks() - 1);
+    for (std::size_t e = 0; e < 2; ++e) {
+        if (!data.fixed[e]) continue;
+        const double* p = &shape.position[e == 0 ? 0 : last];
+        const double away = (Vector3(p[0], p[1], p[2]) - data.target[e]).norm();
+        largest = away > largest ? away : largest;
+    }
+    return largest;
+}
+
+// Largest share of the step that turns or stretches no segment by more than the bound.
+double step_bound(const RodShape& shape, const RodScratch::Data& data, std::size_t segments) {
+    double largest = 0;
+    for (std::size_t j = 0; j < segments; ++j) {
+        const Lanes d = load_lanes(&data.step[4 * (j + 1)]) - load_lanes(&data.step[4 * j]);
+        const double squared =
+            (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) * shape.inverse[j + 1] * shape.inverse[j + 1];
+        largest = squared > largest ? squared : largest;
+    }
+    largest = std::sqrt(largest);
+    return largest > largest_turn ? largest_turn / largest : 1.0;
+}
+
+// Factors the reduced matrix, shifted as little as makes it positive definite.
+bool factor(RodScratch::Data& data, bool& shifted) {
+    shifted = false;
+    if (data.factor.factor(data.matrix)) {
+        data.shift *= 0.1;
+        return true;
+    }
+    shifted = true;
+    double shift = data.shift * 0.2 > 1e-7 ? data.shift * 0.2 : 1e-7;
+    for (int attempt = 0; attempt < 24; ++attempt, shift *= 8) {
+        if (data.factor.factor(data.matrix, shift, data.shift_weight.data())) {
+            data.shift = shift;
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+NewtonResult newton(const Rod::Tables& tables, RodInputs& inputs, RodScratch::Data& data, int limit,
+                    double tolerance, double constraint_tolerance, bool full_steps) {
+    NewtonResult result;
+    const std::size_t segments = static_cast<std::size_t>(tables.segments), entries = 4 * (segments + 1);
+    const double floor = 1e-13 * tables.stretch[0] * tables.rest_length[0];
+    const auto done = [&](const RodShape& shape) {
+        result.force_residual = free_residual(data);
+        const double scale = reaction_scale(data);
+        result.residual =
+            scale > 0 ? result.force_residual / scale : (result.force_residual > floor ? 1.0 : 0.0);
+        const double noise = floor + data.gradient_noise;
+        return (result.force_residual <= tolerance * scale || result.force_residual <= noise) &&
+               data.constraint_residual <= constraint_tolerance &&
+               data.multiplier_change <= contact_tolerance && boundary_distance(shape, data) <= 1e-12;
+    };
+    for (int i = 0; i < limit; ++i) {
+        if (!evaluate(tables, data.shape, inputs, true, data)) {
+            result.finite = false;
+            return result;
+        }
+        if (i == 0 && !full_steps && data.dt <= 0 && done(data.shape)) {
+            // Statics may start at the answer; the matrix still tells whether it is a minimum.
+            reduce(data.shape, data);
+            result.positive_definite = data.factor.factor(data.matrix);
+            result.converged = true;
+            return result;
+        }
+        const double energy = data.energy, noise = data.energy_noise, before = free_residual(data);
+        const bool prescribed = boundary_distance(data.shape, data) > 1e-12;
+        double slope = 0;
+        reduce(data.shape, data);
+        bool shifted = false;
+        if (!factor(data, shifted)) {
+            result.finite = false;
+            return result;
+        }
+        data.factor.solve(data.step.data());
+        for (std::size_t k = 0; k < entries; ++k) slope += data.gradient[k] * data.step[k];
+        if (!std::isfinite(slope)) {
+            result.finite = false;
+            return result;
+        }
+        ++result.iterations;
+        double share = full_steps ? 1.0 : step_bound(data.shape, data, segments);
+        bool accepted = false;
+        for (int attempt = 0; attempt < 30; ++attempt, share *= 0.5) {
+            if (!retract(tables, data.shape, data.step.data(), share, data.trial)) continue;
+            if (!evaluate(tables, data.trial, inputs, false, data)) continue;
+            if (full_steps || prescribed || data.energy <= energy + 1e-4 * share * slope + noise ||
+                (data.energy <= energy + 1e3 * noise && free_residual(data) < 0.5 * before)) {
+                accepted = true;
+                break;
+            }
+        }
+        if (!accepted) {
+            // No descent left above rounding: what was reached is what there is.
+            evaluate(tables, data.shape, inputs, false, data);
+            result.converged = done(data.shape);
+            result.positive_definite = !shifted;
+            return result;
+        }
+        std::swap(data.shape, data.trial);
+        const bool finished = done(data.shape);
+        update_multipliers(inputs, data);
+        result.positive_definite = !shifted;
+        if (finished && !shifted) {
+            result.converged = true;
+            return result;
+        }
+    }
+    return result;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// The system that one implicit step or static solve minimises: elastic energy, inertia, dead loads, tethers,
+// and the augmented Lagrangian of grasps and contacts. Everything lives in scratch; nothing allocates.
+#pragma once
+
+#include <vector>
+
+#include "sim_core/numerics/block_band.h"
+#include "sim_core/rod/rod.h"
+#include "sim_core/rod/rod_kernel.h"
+#include "sim_core/rod/rod_point.h"
+
+namespace fulcrum {
+
+struct RodScratch::Data {
+    RodShape shape, trial, start;
+    RodJointTerms joints;
+    BlockBand matrix, reduced;
+    BlockBandFactor factor;
+    std::vector<double> gradient;      ///< 4 a node: of the whole merit function at the last evaluated shape
+    std::vector<double> step;          ///< 4 a node: Newton step
+    std::vector<double> inertia;       ///< 4 a node: (mass / dt2 + damping / dt), spin likewise; 0 in statics
+    std::vector<double> predicted;     ///< 4 a node: where inertia and damping alone would leave the node
+    std::vector<double> dead;          ///< 4 a node: gravity, loads
+    std::vector<double> shift_weight;  ///< 4 a node: scale of the safeguard shift
+    std::vector<double> column;        ///< 4 a node: right-hand side of compliance
+    std::vector<double> damping_force;  ///< 4 a node, work
+    BlockBand damping;                  ///< elastic tangent at the start, stiffness-proportional damping
+    bool fixed[2] = {false, false};     ///< end positions prescribed
+    Vector3 target[2];                  ///< where prescribed ends shall be
+    std::vector<RodPoint> tether_points, grasp_points, contact_points, self_points;
+    std::vector<Vector3> grasp_lambda, grasp_force, grasp_target, tether_start, contact_start;
+    std::vector<double> contact_lambda, contact_force, contact_start_lambda, self_lambda, self_force;
+    double dt = 0;     ///< 0 in statics
+    double shift = 0;  ///< last safeguard shift that was needed
+    double dead_norm = 0;
+    double energy = 0, energy_noise = 0, gradient_noise = 0;
+    double bend = 0, twist = 0, stretch = 0;
+    double constraint_residual = 0, penetration = 0, multiplier_change = 0, reaction_squared = 0;
+    RodState saved;
+    std::vector<RodGrasp> saved_grasps;
+    std::vector<double> saved_lambda, saved_self_lambda;
+};
+
+/// Copies a state into a shape, with the end frames.
+void shape_from_state(const Rod::Tables& tables, const RodSpec& spec, const RodState& state,
+                      const RodFrame ends[2], RodShape& shape);
+void state_from_shape(const RodShape& shape, RodState& state);
+
+/// out = base moved by factor * step (4 a node). False where a segment turns over or vanishes.
+bool retract(const Rod::Tables& tables, const RodShape& base, const double* step, double factor,
+             RodShape& out);
+
+/// Merit and its gradient at `shape` (and, with hessian, the matrix) under the multipliers in scratch; false
+/// when not finite.
+bool evaluate(const Rod::Tables& tables, const RodShape& shape, RodInputs& inputs, bool hessian,
+              RodScratch::Data& data);
+
+/// Tethers, grasps, contacts: adds to energy, gradient and matrix.
+void add_constraints(const Rod::Tables& tables, const RodShape& shape, RodInputs& inputs, bool hessian,
+                     RodScratch::Data& data);
+
+/// Contacts of the rod with itself.
+void add_self_contacts(const Rod::Tables& tables, const RodShape& shape, RodInputs& inputs, bool hessian,
+                       RodScratch::Data& data);
+
+/// The multipliers become what the last evaluation used.
+void update_multipliers(const RodInputs& inputs, RodScratch::Data& data);
+
+/// Stiffness-proportional damping: the elastic tangent at data.shape times spec.stiffness_damping / dt.
+void add_damping(const Rod::Tables& tables, const RodSpec& spec, double dt, RodScratch::Data& data);
+
+/// Stretching energy of one segment and of the joints; without any constraint. Used by the energy report.
+double stretch_energy(const Rod::Tables& tables, const RodShape& shape);
+
+Vector3 point_position(const RodShape& shape, const RodPoint& point);
+/// r(s) + blended R X.
+Vector3 wall_position(const RodShape& shape, const RodPoint& point, const Vector3& offset);
+
+/// 3 x 4 derivative blocks of a wall point by nodes joint - 1, joint, joint + 1: columns are x, y, z, twist.
+struct RodJacobian {
+    Vector3 column[3][4];
+};
+void wall_jacobian(const RodShape& shape, const RodPoint& point, const Vector3& offset,
+                   RodJacobian& jacobian);
+
+/// rhs and matrix with prescribed ends eliminated; `step` receives -gradient and the prescribed increments.
+void reduce(const RodShape& shape, RodScratch::Data& data);
+
+/// Largest free residual, N (twist entries per radius of gyration are left in N m: they enter as they are).
+double free_residual(const RodScratch::Data& data);
+
+}  // namespace fulcrum
