@@ -1,137 +1,205 @@
 // SPDX-License-Identifier: Apache-2.0
+// The cavity as a tube of sections along a bent axis, from the pelvic floor through the inlet into the
+// insufflated abdomen. Each section is a superellipse with its own depth in front and behind, pushed in by
+// spine, psoas, bladder and the vessels at the brim.
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <string>
 
 #include "sim_core/anatomy/anatomy.h"
-#include "sim_core/anatomy/walls.h"
+#include "sim_core/anatomy/noise.h"
 #include "sim_core/numerics/functions.h"
 #include "sim_core/numerics/input_error.h"
-#include "sim_core/numerics/random.h"
 
 namespace fulcrum {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double wall_height = 0.16, cranial_end = 0.21;  // m
 
-double smooth_step(double edge_0, double edge_1, double x) {
-    const double u = std::clamp((x - edge_0) / (edge_1 - edge_0), 0.0, 1.0);
-    return u * u * (3.0 - 2.0 * u);
+// One section: where along the tube, centre (y, z), tilt of its front-to-back direction, half width, depth
+// behind and in front, all for a pelvis of 0.125 m width and 0.115 m depth.
+struct Section {
+    double at, y, z, tilt, half_width, behind, front;
+};
+
+constexpr std::array<Section, 9> sections = {{{0.00, -0.112, -0.018, -20, 0.042, 0.044, 0.040},
+                                              {0.14, -0.078, -0.033, -10, 0.051, 0.050, 0.045},
+                                              {0.29, -0.036, -0.024, 16, 0.058, 0.056, 0.050},
+                                              {0.41, 0.000, 0.000, 34, 0.0625, 0.060, 0.058},
+                                              {0.48, 0.022, 0.008, 31, 0.092, 0.066, 0.063},
+                                              {0.55, 0.048, 0.018, 22, 0.126, 0.075, 0.070},
+                                              {0.66, 0.095, 0.028, 8, 0.146, 0.084, 0.080},
+                                              {0.80, 0.160, 0.030, 0, 0.150, 0.088, 0.085},
+                                              {1.00, 0.285, 0.030, 0, 0.150, 0.088, 0.085}}};
+
+struct Shape {
+    double y = 0, z = 0, tilt = 0, half_width = 0, behind = 0, front = 0;
+};
+
+double component(const Section& s, int k) {
+    switch (k) {
+        case 0:
+            return s.y;
+        case 1:
+            return s.z;
+        case 2:
+            return s.tilt;
+        case 3:
+            return s.half_width;
+        case 4:
+            return s.behind;
+        default:
+            return s.front;
+    }
 }
 
-double bell(double x, double centre, double width) {
-    const double u = (x - centre) / width;
-    return math::exp(-u * u);
+// Cubic Hermite through the stations, tangents from central differences.
+double interpolate(double at, int k) {
+    std::size_t i = 0;
+    while (i + 2 < sections.size() && sections[i + 1].at <= at) ++i;
+    const auto slope = [k](std::size_t j) {
+        const std::size_t a = j > 0 ? j - 1 : 0, b = std::min(j + 1, sections.size() - 1);
+        return (component(sections[b], k) - component(sections[a], k)) / (sections[b].at - sections[a].at);
+    };
+    const double span = sections[i + 1].at - sections[i].at;
+    const double t = (at - sections[i].at) / span, t2 = t * t, t3 = t2 * t;
+    return (2 * t3 - 3 * t2 + 1) * component(sections[i], k) + (t3 - 2 * t2 + t) * span * slope(i) +
+           (3 * t2 - 2 * t3) * component(sections[i + 1], k) + (t3 - t2) * span * slope(i + 1);
 }
 
-void check(bool fine, const std::string& name, const std::string& range) {
-    if (!fine) throw InputError("anatomy", name, "out of range", "use " + range);
+double power(double x, double exponent) {
+    return x <= 0 ? 0.0 : math::exp(exponent * math::log(x));
+}
+double bell(double x, double width) {
+    return math::exp(-(x / width) * (x / width));
 }
 
-/// Half width of the cavity at height y.
-double half_width(const PelvisParameters& p, double y) {
-    const double pelvis = 0.5 * p.width * (0.80 + 0.20 * smooth_step(-p.depth, -0.2 * p.depth, y));
-    return pelvis + (0.5 * p.abdomen_width - pelvis) * smooth_step(-0.005, 0.075, y);
+Shape shape_at(double at, const PelvisParameters& p) {
+    Shape shape;
+    shape.y = interpolate(at, 0);
+    shape.z = interpolate(at, 1);
+    shape.tilt = interpolate(at, 2) * pi / 180;
+    // The bony pelvis follows its own width, the abdomen above the brim its own.
+    const double above = smooth_step(0.42, 0.68, at);
+    const double pelvis = p.width / 0.125, abdomen = p.abdomen_width / 0.30;
+    shape.half_width = interpolate(at, 3) * ((1 - above) * pelvis + above * abdomen);
+    const double depth_scale = (1 - above) * std::sqrt(pelvis) + above;
+    shape.behind = interpolate(at, 4) * depth_scale;
+    shape.front = interpolate(at, 5) * depth_scale;
+    if (shape.y < 0) shape.y *= p.depth / 0.115;
+    // Domes at both ends.
+    const double floor_end = std::min(1.0, at / 0.13), top_end = std::min(1.0, (1 - at) / 0.13);
+    const double dome = std::sqrt(std::max(0.0, 1 - (1 - floor_end) * (1 - floor_end))) *
+                        std::sqrt(std::max(0.0, 1 - (1 - top_end) * (1 - top_end)));
+    shape.half_width *= dome;
+    shape.behind *= dome;
+    shape.front *= dome;
+    return shape;
 }
 
-/// Posterior wall in the median plane: sacral hollow, promontory, lumbar lordosis.
-double posterior_median(const PelvisParameters& p, double y) {
-    const double hollow = -0.062 * bell(y, -0.55 * p.depth, 0.45 * p.depth);
-    const double promontory = 0.012 * bell(y, 0.004, 0.022);
-    return -0.030 + 0.5 * hollow + promontory - 0.018 * smooth_step(0.02, 0.09, y);
+// How far the wall is pushed in towards the axis, m; angle 0 is straight behind, x the lateral place.
+double pushed_in(double at, double angle, double x, const PelvisParameters& p) {
+    const double back = smooth_step(0.0, 0.5, math::cos(angle));
+    const double front = smooth_step(0.0, 0.6, -math::cos(angle));
+    const double lumbar = smooth_step(0.36, 0.50, at);
+    double in = 0;
+    in += back * lumbar * 0.020 * bell(x, 0.026);  // spine, promontory
+    const double psoas = smooth_step(0.46, 0.62, at);
+    in += back * psoas * 0.010 * (bell(x - 0.052, 0.020) + bell(x + 0.052, 0.020));  // psoas
+    in += front * 0.014 * bell(at - 0.34, 0.09) * bell(x, 0.04);                     // bladder
+    const double side = std::abs(math::sin(angle));
+    const double brim = 0.455 - 0.05 * math::cos(angle);
+    in +=
+        0.0055 * bell(at - brim, 0.022) * smooth_step(0.35, 0.7, side) * (p.width / 0.125);  // iliac vessels
+    return in;
 }
 
-double anterior_median(double y) {
-    const double abdomen = wall_height - 0.045;
-    return 0.040 + (abdomen - 0.040) * smooth_step(-0.06, 0.07, y);
+void check(const PelvisParameters& p) {
+    const auto refuse = [](const char* place, const char* range) {
+        throw InputError("pelvis parameters", place, "out of range", range);
+    };
+    if (!(p.width >= 0.09 && p.width <= 0.16)) refuse("width", "give 0.09 to 0.16 m");
+    if (!(p.depth >= 0.08 && p.depth <= 0.15)) refuse("depth", "give 0.08 to 0.15 m");
+    if (!(p.abdomen_width >= 0.24 && p.abdomen_width <= 0.40)) refuse("abdomen_width", "give 0.24 to 0.40 m");
+    if (p.triangles < 2000 || p.triangles > 200000) refuse("triangles", "give 2000 to 200000");
 }
 
 }  // namespace
 
-double posterior_wall(const PelvisParameters& p, double x, double y) {
-    // Beside the spine the wall falls away into the paravertebral gutters, then rises to the flank.
-    const double a = half_width(p, y);
-    const double u = std::min(1.0, std::abs(x) / a);
-    const double gutter = 0.016 * smooth_step(0.02, 0.10, y) * bell(std::abs(x), 0.5 * a, 0.035);
-    const double flank = 0.075 * u * u * u * u;
-    return posterior_median(p, y) - gutter + flank;
-}
+CavityShape make_cavity(const PelvisParameters& parameters) {
+    check(parameters);
+    // Twice as many triangles as quads; the tube is about 1.6 times as far around as along.
+    const int around =
+        std::max(16, 4 * static_cast<int>(std::lround(std::sqrt(parameters.triangles / 2.0 * 1.6) / 4)));
+    const int along = std::max(8, parameters.triangles / (2 * around) + 1);
 
-CavityShape make_cavity(const PelvisParameters& p) {
-    check(p.width >= 0.09 && p.width <= 0.16, "width", "0.09 to 0.16 m");
-    check(p.depth >= 0.08 && p.depth <= 0.15, "depth", "0.08 to 0.15 m");
-    check(p.triangles >= 2000 && p.triangles <= 200000, "triangles", "2000 to 200000");
-    const int columns = static_cast<int>(std::sqrt(0.54 * p.triangles)), rows = p.triangles / (2 * columns);
-    CavityShape shape;
-    TriangleMesh& mesh = shape.mesh;
-    Random random(p.seed);
-    double phase[6];
-    for (double& value : phase) value = 2.0 * pi * random.uniform();
+    CavityShape cavity;
+    TriangleMesh& mesh = cavity.mesh;
+    const auto add = [&](const Vector3& point, double u, double v, double fat) {
+        mesh.vertices.push_back(point);
+        mesh.texture_coordinates.emplace_back(u, v);
+        cavity.fat.push_back(static_cast<float>(std::clamp(fat, 0.0, 1.0)));
+    };
+    // Rows denser towards the ends, where the domes curve.
+    const auto station = [along](int row) {
+        const double t = static_cast<double>(row) / along;
+        return 0.72 * t + 0.28 * (t * t * (3 - 2 * t));
+    };
+    const Shape floor = shape_at(0, parameters), top = shape_at(1, parameters);
+    add(Vector3(0, floor.y, floor.z), 0.5, 0.0, 0.7);
+    for (int row = 1; row < along; ++row) {
+        const double at = station(row);
+        const Shape s = shape_at(at, parameters);
+        const Vector3 behind(0, math::sin(s.tilt), -math::cos(s.tilt));
+        for (int k = 0; k < around; ++k) {
+            const double angle = 2 * pi * k / around;
+            double sine = 0, cosine = 1;
+            math::sin_cos(angle, sine, cosine);
+            const double depth = cosine > 0 ? s.behind : s.front;
+            // The flanks run out flat behind, the insufflated wall in front is round.
+            const double squareness =
+                2.3 + 1.1 * smooth_step(0.45, 0.62, at) * smooth_step(-0.2, 0.3, cosine);
+            double r = 1 / power(power(std::abs(sine) / s.half_width, squareness) +
+                                     power(std::abs(cosine) / depth, squareness),
+                                 1 / squareness);
+            const double dome = std::min(1.0, std::min(s.half_width, depth) / 0.03);
+            r -= dome * pushed_in(at, angle, r * sine, parameters);
+            Vector3 point = Vector3(0, s.y, s.z) + r * (sine * Vector3::UnitX() + cosine * behind);
+            const Vector3 outward = sine * Vector3::UnitX() + cosine * behind;
+            const double rough = 0.0016 * noise3(point / 0.022, parameters.seed) +
+                                 0.0007 * noise3(point / 0.009, parameters.seed + 1);
+            point += dome * rough * outward;
+            const double patches =
+                noise3(point / 0.035, parameters.seed + 2) + 0.5 * noise3(point / 0.013, parameters.seed + 3);
+            const double pelvic = 1 - smooth_step(0.36, 0.52, at);
+            const double lateral = smooth_step(0.2, 0.9, std::abs(sine));
+            const double spine = bell(r * sine, 0.02) * smooth_step(0, 0.5, cosine);
+            add(point, static_cast<double>(k) / around, at,
+                0.30 + 0.45 * patches + 0.25 * pelvic + 0.15 * lateral - 0.35 * spine);
+        }
+    }
+    add(Vector3(0, top.y, top.z), 0.5, 1.0, 0.2);
 
-    const double bottom = -p.depth, top = cranial_end;
-    // Rows crowd towards both ends, where the surface closes.
-    const auto row_height = [&](int i) {
-        const double u = (i + 0.5) / rows;
-        return bottom + (top - bottom) * (u - 0.08 * math::sin(2.0 * pi * u) / (2.0 * pi) * 2.0);
-    };
-    const auto closing = [&](double y) {
-        // Share of the full cross-section: an ellipsoidal cap at the pelvic floor and at the cranial end.
-        const double from_floor = std::min(1.0, (y - bottom) / 0.045), from_top = std::min(1.0, (top - y) / 0.05);
-        const double share_floor = std::sqrt(std::max(0.0, from_floor * (2.0 - from_floor)));
-        const double share_top = std::sqrt(std::max(0.0, from_top * (2.0 - from_top)));
-        return std::max(0.02, std::min(share_floor, share_top));
-    };
-    for (int i = 0; i < rows; ++i) {
-        const double y = row_height(i);
-        const double share = closing(y), a = half_width(p, y);
-        const double front = anterior_median(y);
-        for (int j = 0; j < columns; ++j) {
-            const double angle = 2.0 * pi * j / columns;
-            const double c = math::cos(angle), s = math::sin(angle);
-            const double x = a * c;
-            const double back = posterior_wall(p, x, y);
-            const double level = posterior_wall(p, a, y);             // where front and back halves meet, at the flank
-            const double middle = 0.5 * (posterior_wall(p, 0, y) + front);
-            const double side = std::min(front - 0.01, std::max(level, middle - 0.02));
-            double z = 0;
-            if (s >= 0) {
-                z = side + (front - side) * smooth_step(0.0, 0.85, s);
+    const int last = static_cast<int>(mesh.vertices.size()) - 1;
+    const auto at = [around](int row, int k) { return 1 + (row - 1) * around + k % around; };
+    for (int k = 0; k < around; ++k) mesh.triangles.push_back({0, at(1, k), at(1, k + 1)});
+    for (int row = 1; row + 1 < along; ++row) {
+        for (int k = 0; k < around; ++k) {
+            const int a = at(row, k), b = at(row, k + 1), c = at(row + 1, k + 1), d = at(row + 1, k);
+            if ((row + k) % 2 == 0) {
+                mesh.triangles.push_back({a, c, b});
+                mesh.triangles.push_back({a, d, c});
             } else {
-                z = side + (back - side) * smooth_step(0.0, 0.75, -s);
+                mesh.triangles.push_back({a, d, b});
+                mesh.triangles.push_back({b, d, c});
             }
-            const double uneven = 0.0012 * (math::sin(70 * y + phase[0]) * math::sin(3 * angle + phase[1]) + math::sin(130 * y + phase[2]) * math::sin(7 * angle + phase[3]));
-            const double centre_z = 0.5 * (posterior_median(p, y) + front);
-            Vector3 vertex(x * share, y, centre_z + (z - centre_z) * share);
-            const Vector3 inward(-c, 0, -s);
-            vertex += uneven * share * inward;
-            mesh.vertices.push_back(vertex);
-            mesh.texture_coordinates.emplace_back(10.0 * y, static_cast<double>(j) / columns * 6.0);
         }
     }
-    const auto floor_pole = static_cast<std::int32_t>(mesh.vertices.size());
-    mesh.vertices.emplace_back(0, bottom, 0.5 * (posterior_median(p, bottom) + anterior_median(bottom)));
-    mesh.texture_coordinates.emplace_back(10.0 * bottom, 3.0);
-    const std::int32_t top_pole = floor_pole + 1;
-    mesh.vertices.emplace_back(0, top, 0.5 * (posterior_median(p, top) + anterior_median(top)));
-    mesh.texture_coordinates.emplace_back(10.0 * top, 3.0);
-
-    const auto at = [&](int i, int j) { return static_cast<std::int32_t>(i * columns + (j % columns)); };
-    for (int i = 0; i + 1 < rows; ++i) {
-        for (int j = 0; j < columns; ++j) {
-            mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
-            mesh.triangles.push_back({at(i, j + 1), at(i + 1, j), at(i + 1, j + 1)});
-        }
-    }
-    for (int j = 0; j < columns; ++j) {
-        mesh.triangles.push_back({floor_pole, at(0, j), at(0, j + 1)});
-        mesh.triangles.push_back({top_pole, at(rows - 1, j + 1), at(rows - 1, j)});
-    }
+    for (int k = 0; k < around; ++k) mesh.triangles.push_back({last, at(along - 1, k + 1), at(along - 1, k)});
     if (enclosed_volume(mesh.vertices, mesh.triangles) < 0) {
         for (Triangle& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
     }
-    shape.fat.assign(mesh.vertices.size(), 0.3F);
-    return shape;
+    return cavity;
 }
 
 }  // namespace fulcrum

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The two halves of make_bowel: the tube at rest and its place in the body.
+#pragma once
+
+#include "sim_core/anatomy/anatomy.h"
+
+namespace fulcrum {
+
+/// Mean outer radius at share 0 .. 1 of the length, as a factor of the parameter: the rectum is wide, the
+/// rectosigmoid narrow.
+double bowel_width(double share);
+
+/// Fills surface, taenia and radius.
+void make_bowel_surface(const BowelParameters& parameters, BowelShape& bowel);
+
+/// Fills centre_line and root_line. Throws InputError where a bowel of that length does not fit the cavity.
+void lay_bowel(const BowelParameters& parameters, const CavityShape& cavity, BowelShape& bowel);
+
+}  // namespace fulcrum

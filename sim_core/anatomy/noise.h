@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Seeded noise on lattices: the same value for the same arguments on every machine.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "sim_core/numerics/types.h"
+
+namespace fulcrum {
+
+/// 64 mixed bits of a lattice point (finaliser of SplitMix64).
+inline std::uint64_t lattice_bits(std::int64_t x, std::int64_t y, std::int64_t z, std::uint64_t seed) {
+    std::uint64_t h = seed * 0x9e3779b97f4a7c15ULL;
+    h ^= static_cast<std::uint64_t>(x) * 0xbf58476d1ce4e5b9ULL;
+    h = (h ^ (h >> 29U)) * 0x94d049bb133111ebULL;
+    h ^= static_cast<std::uint64_t>(y) * 0xd6e8feb86659fd93ULL;
+    h = (h ^ (h >> 31U)) * 0xbf58476d1ce4e5b9ULL;
+    h ^= static_cast<std::uint64_t>(z) * 0xa0761d6478bd642fULL;
+    h = (h ^ (h >> 30U)) * 0x94d049bb133111ebULL;
+    return h ^ (h >> 31U);
+}
+
+/// Uniform in [0, 1) by lattice point.
+inline double lattice_value(std::int64_t x, std::int64_t y, std::int64_t z, std::uint64_t seed) {
+    return static_cast<double>(lattice_bits(x, y, z, seed) >> 11U) * 0x1.0p-53;
+}
+
+/// 3 t2 - 2 t3 of t clamped to [0, 1].
+inline double smooth_step(double low, double high, double x) {
+    double t = (x - low) / (high - low);
+    t = t < 0 ? 0 : (t > 1 ? 1 : t);
+    return t * t * (3 - 2 * t);
+}
+
+/// Smooth value noise in [-1, 1], features of size 1.
+double noise3(const Vector3& point, std::uint64_t seed);
+
+/// Smooth value noise in [-1, 1] on a torus of period_x by period_y cells; x and y in cells.
+double tiled_noise(double x, double y, int period_x, int period_y, std::uint64_t seed);
+
+/// Sum of octaves of tiled noise, each twice as fine and `gain` as strong; x and y in 0 .. 1 of the tile.
+/// Scaled to about [-1, 1].
+double tiled_turbulence(double x, double y, int cells_x, int cells_y, int octaves, double gain,
+                        std::uint64_t seed);
+
+/// Distances to the nearest and second nearest of one random point a cell on a torus, in cells, and the
+/// nearest point's own random number.
+struct CellDistance {
+    double nearest = 0, second = 0, value = 0;
+};
+CellDistance tiled_cells(double x, double y, int period_x, int period_y, std::uint64_t seed);
+
+}  // namespace fulcrum
