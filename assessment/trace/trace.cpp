@@ -187,7 +187,8 @@ void split_blocks(Trace& trace, const std::vector<Event>& events) {
             trace.end = t;
         }
     }
-    if (paused || device_gone) trace.pauses.push_back({pause_begin, std::max(pause_begin, trace.end)});
+    const bool endless = paused || device_gone;  // never resumed
+    if (endless) trace.pauses.push_back({pause_begin, std::max(pause_begin, trace.end)});
 
     // Where samples are taken at a lower rate than ten a second, every one of them stands alone.
     std::sort(cuts.begin(), cuts.end());
@@ -202,7 +203,7 @@ void split_blocks(Trace& trace, const std::vector<Event>& events) {
             split = true;
             ++cut;
         }
-        while (pause < trace.pauses.size() && trace.pauses[pause].end <= t + slack) {
+        while (pause + (endless ? 1 : 0) < trace.pauses.size() && trace.pauses[pause].end <= t + slack) {
             split = true;
             ++pause;
         }

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// Smoothness through the whole pipeline: segments, medians, absence.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "assessment/metrics/analysis.h"
+#include "tests/assessment/metrics/traces.h"
+
+namespace fulcrum {
+namespace {
+
+using test::make_trace;
+using test::measure;
+using test::pi;
+using test::reaches;
+using test::set_force;
+using test::set_position;
+
+TEST(Segments, LieBetweenPausesAndReachOutToTheRestOfTheMovement) {
+    std::vector<double> speed(100, 0.0);
+    for (int i = 0; i <= 100; ++i) {
+        const double s = i / 100.0;
+        speed.push_back(0.1 * 30 * s * s * (1 - s) * (1 - s));
+    }
+    speed.resize(301, 0.0);
+    const std::vector<Segment> segments = find_segments(speed, find_pauses(speed));
+    ASSERT_EQ(segments.size(), 1U);
+    EXPECT_GT(segments[0].core.first, segments[0].whole.first);
+    EXPECT_EQ(segments[0].whole.first, 100U);  // down to the last sample at rest
+    EXPECT_EQ(segments[0].whole.last, 201U);
+}
+
+TEST(Segments, ShortSlowAndLongOnesAreDropped) {
+    const auto segments_of = [](double peak, double duration) {
+        std::vector<double> speed(50, 0.0);
+        const int n = static_cast<int>(duration * 100);
+        for (int i = 0; i < n; ++i) speed.push_back(peak * std::sin(pi * (i + 0.5) / n));
+        speed.resize(speed.size() + 50, 0.0);
+        return find_segments(speed, find_pauses(speed)).size();
+    };
+    EXPECT_EQ(segments_of(0.1, 1.0), 1U);
+    EXPECT_EQ(segments_of(0.1, 0.25), 0U);
+    EXPECT_EQ(segments_of(0.019, 1.0), 0U);
+    EXPECT_EQ(segments_of(0.1, 9.9), 1U);
+    EXPECT_EQ(segments_of(0.1, 10.5), 0U);
+}
+
+TEST(Segments, CutOffByTheBlockAreNone) {
+    std::vector<double> speed(100, 0.1);
+    speed.resize(200, 0.0);
+    EXPECT_TRUE(find_segments(speed, find_pauses(speed)).empty());
+}
+
+TEST(Sparc, OfReachesIsThatOfOneReach) {
+    Trace trace = make_trace(21.0);
+    set_position(trace, Hand::left, reaches(8, 0.1, 1.0, 1.5));
+    const MetricResult result = measure(trace, "sparc", "left");
+    ASSERT_TRUE(result.value) << result.absent_because;
+    EXPECT_EQ(result.count, 8);
+    EXPECT_NEAR(*result.value, -1.40583, 0.0014);
+    const MetricResult jerk = measure(trace, "ldlj", "left");
+    ASSERT_TRUE(jerk.value) << jerk.absent_because;
+    EXPECT_NEAR(*jerk.value, -5.25, 0.1);
+}
+
+TEST(Sparc, FewerThanFiveMovementsOrTooLittleOfTheTimeGiveNone) {
+    Trace few = make_trace(12.0);
+    set_position(few, Hand::left, reaches(4, 0.1, 1.0, 1.5));
+    EXPECT_EQ(measure(few, "sparc", "left").absent_because, "4 movements, fewer than 5");
+    // Five reaches of 1 s, then 20 s of steady motion that is no segment.
+    Trace trace = make_trace(40.0);
+    const auto five = reaches(5, 0.05, 1.0, 1.0);
+    set_position(trace, Hand::left,
+                 [&](double t) { return Vector3(five(t) + Vector3(0, 0.02 * std::max(0.0, t - 15.0), 0)); });
+    const MetricResult result = measure(trace, "sparc", "left");
+    EXPECT_FALSE(result.value);
+    EXPECT_NE(result.absent_because.find("half of the moving time"), std::string::npos);
+}
+
+TEST(Sparc, IsWorseForAMovementWithCorrections) {
+    Trace smooth = make_trace(21.0), rough = make_trace(21.0);
+    const auto course = reaches(8, 0.1, 1.0, 1.5);
+    set_position(smooth, Hand::left, course);
+    set_position(rough, Hand::left, [&](double t) {
+        const double moving = (course(t + 0.001) - course(t - 0.001)).norm();
+        return Vector3(course(t) + Vector3(0, moving * 30 * std::sin(2 * pi * 3 * t), 0));
+    });
+    EXPECT_LT(*measure(rough, "sparc", "left").value, *measure(smooth, "sparc", "left").value - 0.1);
+}
+
+TEST(LogJerk, IsAbsentWhereTheDeviceIsTooNoisy) {
+    Trace trace = make_trace(21.0);
+    set_position(trace, Hand::left, reaches(8, 0.1, 1.0, 1.5));
+    std::mt19937 random(3);
+    std::normal_distribution<double> noise(0.0, 8e-6);
+    for (double& x : trace.hand[0].py) x += noise(random);
+    const MetricResult result = measure(trace, "ldlj", "left");
+    EXPECT_EQ(result.absence, Absence::not_measured);
+    EXPECT_NE(result.absent_because.find("8 µm"), std::string::npos) << result.absent_because;
+    EXPECT_TRUE(measure(trace, "sparc", "left").value);
+}
+
+TEST(Tremor, IsTheShareOfItsBand) {
+    Trace trace = make_trace(20.0);
+    // Accelerations of equal amplitude at 3 Hz and 9 Hz: half of the power lies in the band.
+    const double slow = 1.0 / std::pow(2 * pi * 3, 2), fast = 1.0 / std::pow(2 * pi * 9, 2);
+    set_position(trace, Hand::left, [=](double t) {
+        return Vector3(slow * std::sin(2 * pi * 3 * t), fast * std::sin(2 * pi * 9 * t), 0);
+    });
+    const MetricResult result = measure(trace, "tremor", "left");
+    ASSERT_TRUE(result.value) << result.absent_because;
+    EXPECT_NEAR(*result.value, 0.5, 0.0005);
+    EXPECT_EQ(result.count, 18);
+    Trace brief = make_trace(3.5);
+    set_position(brief, Hand::left, [](double t) { return Vector3(t, 0, 0); });
+    EXPECT_EQ(measure(brief, "tremor", "left").absence, Absence::not_done);
+    Trace slow_rate = make_trace(20.0, 60.0);
+    set_position(slow_rate, Hand::left, [](double t) { return Vector3(std::sin(t), 0, 0); });
+    EXPECT_EQ(measure(slow_rate, "tremor", "left").absence, Absence::not_measured);
+}
+
+TEST(ForceSmoothness, NeedsForceInTheMovements) {
+    Trace trace = make_trace(21.0);
+    set_position(trace, Hand::left, reaches(8, 0.1, 1.0, 1.5));
+    set_force(trace, Hand::left, [](double) { return Vector3::Zero(); });
+    EXPECT_EQ(measure(trace, "f_sparc", "left").absent_because,
+              "0 movements with force on tissue, fewer than 5");
+    // A force that follows the position: its rate of change is a minimum-jerk speed profile too.
+    const auto course = reaches(8, 0.1, 1.0, 1.5);
+    set_force(trace, Hand::left, [&](double t) { return Vector3(30.0 * course(t)); });
+    const MetricResult result = measure(trace, "f_sparc", "left");
+    ASSERT_TRUE(result.value) << result.absent_because;
+    EXPECT_NEAR(*result.value, -1.40583, 0.005);  // segment ends as the speed has them, at 1 kHz
+}
+
+}  // namespace
+}  // namespace fulcrum

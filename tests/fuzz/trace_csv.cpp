@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whatever bytes arrive as a trace: either an InputError with file, place and mend, or a trace whose every
+// metric is finite.
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
+#include "assessment/metrics/metrics_json.h"
+#include "assessment/trace/trace_csv.h"
+#include "sim_core/numerics/input_error.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace fulcrum;
+    std::istringstream in(std::string(reinterpret_cast<const char*>(data), size));
+    Trace trace;
+    try {
+        trace = read_trace_csv(in, "fuzz.csv");
+    } catch (const InputError& error) {
+        if (error.place().empty() || error.mend().empty()) std::abort();
+        return 0;
+    }
+    std::stringstream text;
+    write_trace_csv(trace, text);
+    if (read_trace_csv(text, "again.csv").t != trace.t) std::abort();
+    // A few samples far apart in time still cover many grid points: keep each run short.
+    if (trace.t.back() - trace.t.front() > 60.0) return 0;
+    MetricContext context;
+    context.tissues = {{"bowel", 3.0}};
+    context.events_recorded = false;
+    const auto results = compute_metrics(trace, {}, context);
+    for (const MetricResult& result : results)
+        if (result.value && !std::isfinite(*result.value)) std::abort();
+    if (metrics_to_json(results).dump().empty()) std::abort();
+    return 0;
+}
