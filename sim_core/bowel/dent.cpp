@@ -67,7 +67,9 @@ void step_dents(const WinklerBed& bed, const double* vertex_areas, const Surface
         for (std::int32_t i = 0; i < load.filtered->count; ++i) {
             const auto n = static_cast<std::size_t>(i);
             const std::int32_t vertex = surface_vertex(load.vertex_of, load.filtered->vertex[n]);
-            const Vector3 target = compliance(bed, vertex_areas, vertex) * load.filtered->weight[n] * force;
+            const Vector3 linear = compliance(bed, vertex_areas, vertex) * load.filtered->weight[n] * force;
+            const Vector3 target =
+                linear / std::sqrt(1.0 + linear.squaredNorm() / (bed.most_depth * bed.most_depth));
             if (target.squaredNorm() <= vanished * vanished) continue;
             DentVertex* const entry = find_or_add(state, vertex);
             if (entry != nullptr) entry->displacement += (1.0 - keep) * target;

@@ -14,6 +14,9 @@ namespace fulcrum {
 struct WinklerBed {
     double stiffness_per_area = 0.0;  ///< k, N/m3
     double time_constant = 0.08;      ///< s, > 0
+    /// m: the bed stiffens as a dent nears this depth, u = t / sqrt(1 + (t / most_depth)^2) with t = C F.
+    /// Half a percent at a tenth of it; without a bottom a pointed contact would pierce the opposite wall.
+    double most_depth = 0.010;
 };
 
 /// Wall (constrained modulus over thickness) and backing (contents, opposite wall, fat) in series.
@@ -40,8 +43,8 @@ struct SurfaceLoad {
     double stiffness = 0.0;
 };
 
-/// One step: u += (1 - exp(-dt / tau)) (C F - u) for all touched and still dented vertices. vertex_areas: m2,
-/// of the surface.
+/// One step: u += (1 - exp(-dt / tau)) (u(C F) - u) for all touched and still dented vertices. vertex_areas:
+/// m2, of the surface.
 void step_dents(const WinklerBed& bed, const double* vertex_areas, const SurfaceLoad* loads, int load_count,
                 double dt, DentState& state);
 

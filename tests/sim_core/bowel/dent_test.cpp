@@ -18,7 +18,12 @@ const BowelSkin& skin() {
 }
 
 constexpr std::int32_t contact_vertex = 48 * 60 + 11;
-const WinklerBed bed = winkler_bed(32.3e3, 0.35, 0.003, 2.0e7, 0.05);
+WinklerBed endless_bed() {
+    WinklerBed result = winkler_bed(32.3e3, 0.35, 0.003, 2.0e7, 0.05);
+    result.most_depth = INFINITY;
+    return result;
+}
+const WinklerBed bed = endless_bed();
 const Vector3 push(0.1, -0.8, 0.2);
 
 FilteredForce filtered(FilterMode mode) {
@@ -117,6 +122,27 @@ TEST(Dent, RelaxesWithItsTimeConstantWhateverTheStep) {
             step_dents(bed, skin().vertex_areas().data(), nullptr, 0, 0.05 / steps, state);
         EXPECT_NEAR(dent_at(state, contact_vertex).norm() / final_depth,
                     (1.0 - std::exp(-1.0)) * std::exp(-1.0), 1e-6);
+    }
+}
+
+TEST(Dent, HasABottom) {
+    const WinklerBed shallow = winkler_bed(32.3e3, 0.35, 0.003, 2.0e7, 0.05);
+    const FilteredForce force = filtered(FilterMode::grade_0);
+    const auto depth_under = [&](double newton) {
+        const SurfaceLoad load{&force, nullptr, Vector3(0, 0, newton)};
+        DentState state;
+        for (int i = 0; i < 400; ++i)
+            step_dents(shallow, skin().vertex_areas().data(), &load, 1, 0.005, state);
+        return dent_at(state, contact_vertex).norm();
+    };
+    const double stiffness = contact_stiffness(shallow, skin().vertex_areas().data(), force);
+    EXPECT_NEAR(depth_under(0.01) * stiffness / 0.01, 1.0, 0.001) << "a small dent is the linear bed's";
+    double last = 0.0;
+    for (double newton = 0.1; newton < 1000.0; newton *= 2.0) {
+        const double depth = depth_under(newton);
+        EXPECT_GT(depth, last);
+        EXPECT_LE(depth, shallow.most_depth);
+        last = depth;
     }
 }
 
