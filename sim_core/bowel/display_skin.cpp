@@ -66,8 +66,8 @@ inline void accumulate(const float* block, const float* ring, Lanes& out) {
     }
 }
 
-// 1 / sqrt(x), relative error below 1e-6, x > 0: a seed from the exponent and three Newton steps. Unlike the library's square
-// root it sets no errno, so the compiler keeps the lanes together.
+// 1 / sqrt(x), relative error below 1e-6, x > 0: a seed from the exponent and three Newton steps. Unlike the
+// library's square root it sets no errno, so the compiler keeps the lanes together.
 inline float inverse_root(float x) {
     std::uint32_t bits;
     std::memcpy(&bits, &x, sizeof bits);

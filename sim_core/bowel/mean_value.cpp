@@ -2,7 +2,6 @@
 #include "sim_core/bowel/mean_value.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 #include "sim_core/geometry/closest_point.h"
@@ -14,20 +13,12 @@ namespace {
 constexpr double on_surface = 1e-13;  // distance over the cage's size below which the point is on the cage
 constexpr double maybe_on_surface =
     1e-9;  // volume of the unit tetrahedron that makes the closest point worth a look
+constexpr double well_spread = 1e-2;  // volume above which Cramer's rule is as good as elimination
 // In the plane of a triangle but outside it, the mean vector's part across the plane vanishes as the square
 // of the height: below these two it is rounding, and the weight along the plane's null direction is dropped
 // instead of amplified.
 constexpr double flat_pivot = 1e-8;
 constexpr double flat_residual = 1e-14;
-
-// beta times the unit normal of the sector between two unit vectors. Swapping them changes the sign and no
-// bit else, so the mean vectors of a closed cage cancel to rounding whatever the angles.
-Vector3 sector(const Vector3& a, const Vector3& b) {
-    const Vector3 cross = a.cross(b);
-    const double sine = cross.norm();
-    if (sine < 1e-300) return Vector3::Zero();
-    return cross * (math::atan2(sine, a.dot(b)) / sine);
-}
 
 // lambda with [a b c] lambda = m by elimination with complete pivoting: the residual stays at rounding even
 // where the three directions are nearly coplanar, and the residual is what linear reproduction rests on.
@@ -69,13 +60,69 @@ Vector3 solve_directions(const Vector3& a, const Vector3& b, const Vector3& c, c
     return lambda;
 }
 
+// The point's triangle, if it lies on one: within rounding of the cage's size.
+bool lies_on(const std::vector<Vector3>& vertices, const Triangle& triangle, const Vector3& point,
+             double size, double* weights) {
+    const auto i = static_cast<std::size_t>(triangle[0]), j = static_cast<std::size_t>(triangle[1]),
+               k = static_cast<std::size_t>(triangle[2]);
+    const TrianglePoint closest = closest_point_on_triangle(point, vertices[i], vertices[j], vertices[k]);
+    if ((closest.position - point).norm() > on_surface * size) return false;
+    std::fill(weights, weights + vertices.size(), 0.0);
+    weights[i] = closest.barycentric[0];
+    weights[j] = closest.barycentric[1];
+    weights[k] = closest.barycentric[2];
+    return true;
+}
+
+// Each edge's sector is computed once and used with both signs, so that the mean vectors of a closed cage
+// cancel to rounding whatever the angles.
+void fill_sectors(const CageTopology& topology, MeanValueScratch& scratch) {
+    for (std::size_t e = 0; e < topology.edges.size(); ++e) {
+        const Vector3& a = scratch.direction[static_cast<std::size_t>(topology.edges[e][0])];
+        const Vector3& b = scratch.direction[static_cast<std::size_t>(topology.edges[e][1])];
+        const Vector3 cross = a.cross(b);
+        const double sine = cross.norm();
+        scratch.cross[e] = cross;
+        // Parallel directions span no sector; opposite ones mean a point on the edge, which lies_on has
+        // answered.
+        scratch.sector[e] = sine < 1e-300 ? Vector3(Vector3::Zero())
+                                          : Vector3(cross * (0.5 * math::atan2(sine, a.dot(b)) / sine));
+    }
+}
+
 }  // namespace
 
-void mean_value_weights(const std::vector<Vector3>& vertices, const std::vector<Triangle>& triangles,
+CageTopology::CageTopology(std::vector<Triangle> cage_triangles) : triangles(std::move(cage_triangles)) {
+    for (const auto& triangle : triangles) {
+        for (std::size_t e = 0; e < 3; ++e) {
+            const auto a = triangle[e], b = triangle[(e + 1) % 3];
+            edges.push_back({std::min(a, b), std::max(a, b)});
+        }
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    for (const auto& triangle : triangles) {
+        std::array<std::int32_t, 3> numbers;
+        std::array<double, 3> signs;
+        for (std::size_t e = 0; e < 3; ++e) {
+            const auto a = triangle[e], b = triangle[(e + 1) % 3];
+            const std::array<std::int32_t, 2> edge = {std::min(a, b), std::max(a, b)};
+            numbers[e] =
+                static_cast<std::int32_t>(std::lower_bound(edges.begin(), edges.end(), edge) - edges.begin());
+            signs[e] = a < b ? 1.0 : -1.0;
+        }
+        triangle_edges.push_back(numbers);
+        edge_signs.push_back(signs);
+    }
+}
+
+void mean_value_weights(const std::vector<Vector3>& vertices, const CageTopology& topology,
                         const Vector3& point, MeanValueScratch& scratch, double* weights) {
     const std::size_t count = vertices.size();
     scratch.direction.resize(count);
     scratch.distance.resize(count);
+    scratch.cross.resize(topology.edges.size());
+    scratch.sector.resize(topology.edges.size());
     std::fill(weights, weights + count, 0.0);
     double size = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -90,30 +137,33 @@ void mean_value_weights(const std::vector<Vector3>& vertices, const std::vector<
         }
         scratch.direction[i] /= scratch.distance[i];
     }
-    for (const auto& triangle : triangles) {
+    fill_sectors(topology, scratch);
+    for (std::size_t t = 0; t < topology.triangles.size(); ++t) {
+        const Triangle& triangle = topology.triangles[t];
         const auto i = static_cast<std::size_t>(triangle[0]), j = static_cast<std::size_t>(triangle[1]),
                    k = static_cast<std::size_t>(triangle[2]);
-        const Vector3 &a = scratch.direction[i], &b = scratch.direction[j], &c = scratch.direction[k];
-        if (std::abs(a.dot(b.cross(c))) < maybe_on_surface) {
-            const TrianglePoint closest =
-                closest_point_on_triangle(point, vertices[i], vertices[j], vertices[k]);
-            if ((closest.position - point).norm() <= on_surface * size) {
-                std::fill(weights, weights + count, 0.0);
-                weights[i] = closest.barycentric[0];
-                weights[j] = closest.barycentric[1];
-                weights[k] = closest.barycentric[2];
-                return;
-            }
+        const auto& edges = topology.triangle_edges[t];
+        const auto& signs = topology.edge_signs[t];
+        const auto ab = static_cast<std::size_t>(edges[0]), bc = static_cast<std::size_t>(edges[1]),
+                   ca = static_cast<std::size_t>(edges[2]);
+        const double volume = signs[0] * scratch.cross[ab].dot(scratch.direction[k]);
+        if (std::abs(volume) < maybe_on_surface && lies_on(vertices, triangle, point, size, weights)) return;
+        const Vector3 mean =
+            signs[0] * scratch.sector[ab] + signs[1] * scratch.sector[bc] + signs[2] * scratch.sector[ca];
+        Vector3 lambda;
+        if (std::abs(volume) > well_spread) {
+            lambda = Vector3(signs[1] * scratch.cross[bc].dot(mean), signs[2] * scratch.cross[ca].dot(mean),
+                             signs[0] * scratch.cross[ab].dot(mean)) /
+                     volume;
+        } else {
+            lambda = solve_directions(scratch.direction[i], scratch.direction[j], scratch.direction[k], mean);
         }
-        const Vector3 mean = 0.5 * (sector(a, b) + sector(b, c) + sector(c, a));
-        const Vector3 lambda = solve_directions(a, b, c, mean);
         weights[i] += lambda[0] / scratch.distance[i];
         weights[j] += lambda[1] / scratch.distance[j];
         weights[k] += lambda[2] / scratch.distance[k];
     }
     double sum = 0.0;
     for (std::size_t i = 0; i < count; ++i) sum += weights[i];
-    assert(sum != 0.0 && "the point is outside a cage that is not closed");
     for (std::size_t i = 0; i < count; ++i) weights[i] /= sum;
 }
 

@@ -13,7 +13,9 @@ RingWindows::RingWindows(std::vector<Vector3> vertices, int vertices_per_ring, i
     : rings_(static_cast<int>(vertices.size()) / vertices_per_ring),
       per_ring_(vertices_per_ring),
       neighbours_(neighbours),
-      vertices_(std::move(vertices)) {
+      vertices_(std::move(vertices)),
+      window_(cage_triangles(std::min(rings_, 2 * neighbours_ + 1), per_ring_)),
+      global_(cage_triangles(rings_, per_ring_)) {
     assert(rings_ >= 2 && per_ring_ >= 3 && neighbours_ >= 1);
     for (int r = 0; r < rings_; ++r) {
         Vector3 centre = Vector3::Zero(), area = Vector3::Zero();
@@ -27,9 +29,6 @@ RingWindows::RingWindows(std::vector<Vector3> vertices, int vertices_per_ring, i
         centres_.push_back(centre);
         normals_.push_back(area.normalized());
     }
-    const int window = std::min(rings_, 2 * neighbours_ + 1);
-    window_triangles_ = cage_triangles(window, per_ring_);
-    global_triangles_ = cage_triangles(rings_, per_ring_);
 }
 
 double RingWindows::fraction(int gap, const Vector3& point) const {
@@ -65,8 +64,7 @@ void RingWindows::window_weights(int first, int count, const Vector3& point) {
     cage_.push_back(centres_[static_cast<std::size_t>(first)]);
     cage_.push_back(centres_[static_cast<std::size_t>(first + count - 1)]);
     cage_weights_.resize(cage_.size());
-    mean_value_weights(cage_, count == rings_ ? global_triangles_ : window_triangles_, point, scratch_,
-                       cage_weights_.data());
+    mean_value_weights(cage_, count == rings_ ? global_ : window_, point, scratch_, cage_weights_.data());
     // Fold the cap centres, which are means, back into their rings.
     const auto ring_vertices = static_cast<std::size_t>(count * per_ring);
     for (int k = 0; k < per_ring; ++k) {

@@ -44,7 +44,7 @@ class RingWindows {
     std::vector<Vector3> vertices_;
     std::vector<Vector3> centres_, normals_;  // of the rings' planes
     std::vector<Vector3> cage_;               // vertices of the window at hand, cap centres last
-    std::vector<Triangle> window_triangles_, global_triangles_;
+    CageTopology window_, global_;
     std::vector<double> cage_weights_;
     MeanValueScratch scratch_;
 };

@@ -84,11 +84,12 @@ struct Row {
 std::vector<Row> bind_global(const TriangleMesh& cage, const TriangleMesh& rest) {
     std::vector<Row> rows;
     MeanValueScratch scratch;
+    const CageTopology topology(cage.triangles);
     std::vector<std::int32_t> all(cage.vertices.size());
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<std::int32_t>(i);
     for (const auto& point : rest.vertices) {
         Row row{all, std::vector<double>(all.size())};
-        mean_value_weights(cage.vertices, cage.triangles, point, scratch, row.weight.data());
+        mean_value_weights(cage.vertices, topology, point, scratch, row.weight.data());
         rows.push_back(std::move(row));
     }
     return rows;

@@ -48,7 +48,7 @@ struct Errors {
 Errors errors_at(const Solid& solid, const Vector3& point) {
     std::vector<double> weights(solid.vertices.size());
     MeanValueScratch scratch;
-    mean_value_weights(solid.vertices, solid.triangles, point, scratch, weights.data());
+    mean_value_weights(solid.vertices, CageTopology(solid.triangles), point, scratch, weights.data());
     double sum = 0.0;
     Vector3 position = Vector3::Zero();
     for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -61,7 +61,7 @@ Errors errors_at(const Solid& solid, const Vector3& point) {
 Vector3 deform(const Solid& solid, const Vector3& point) {
     std::vector<double> weights(solid.vertices.size());
     MeanValueScratch scratch;
-    mean_value_weights(solid.vertices, solid.triangles, point, scratch, weights.data());
+    mean_value_weights(solid.vertices, CageTopology(solid.triangles), point, scratch, weights.data());
     Vector3 position = Vector3::Zero();
     for (std::size_t i = 0; i < weights.size(); ++i) {
         const Vector3& v = solid.vertices[i];
@@ -151,7 +151,8 @@ TEST(MeanValue, IsTheKroneckerDeltaAtVertices) {
     MeanValueScratch scratch;
     std::vector<double> weights(solid.vertices.size());
     for (std::size_t v = 0; v < solid.vertices.size(); ++v) {
-        mean_value_weights(solid.vertices, solid.triangles, solid.vertices[v], scratch, weights.data());
+        mean_value_weights(solid.vertices, CageTopology(solid.triangles), solid.vertices[v], scratch,
+                           weights.data());
         for (std::size_t i = 0; i < weights.size(); ++i) EXPECT_EQ(weights[i], i == v ? 1.0 : 0.0);
     }
 }
@@ -195,7 +196,7 @@ TEST(MeanValue, AgreesWithQuadratureOfItsDefinition) {
     double sum = 0.0;
     for (const double w : expected) sum += w;
     MeanValueScratch scratch;
-    mean_value_weights(solid.vertices, solid.triangles, point, scratch, weights.data());
+    mean_value_weights(solid.vertices, CageTopology(solid.triangles), point, scratch, weights.data());
     for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(weights[i], expected[i] / sum, 1e-5) << i;
 }
 
