@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// The world: what a scene lists is there, what it does not list is not; the bowel comes to rest and carries its weight; steps repeat
+// bit for bit and allocate nothing.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim_core/haptics/loop.h"
+#include "sim_core/world/world.h"
+#include "tests/support/allocation_count.h"
+#include "tests/support/support.h"
+
+namespace fulcrum {
+namespace {
+
+Scene scene(const std::string& name) { return load_scene(test::source_path("assets/scenes/" + name + ".json")); }
+
+/// Hands that stand still at the start.
+RigSample standing(const Scene& scene, std::uint32_t tick) {
+    RigSample input;
+    input.tick = tick;
+    for (const InstrumentSpec& spec : scene.instruments) {
+        input.hand[static_cast<int>(spec.hand)] = start_sample(spec.trocar, spec.start_insertion);
+        input.hand[static_cast<int>(spec.hand)].jaw = 1000000;
+    }
+    if (scene.camera) input.camera = start_sample(scene.camera->trocar, scene.camera->start_insertion);
+    return input;
+}
+
+struct Run {
+    Scene scene;
+    World world;
+    HapticLoop loop;
+    std::vector<TickOutput> outputs;
+    std::uint32_t tick = 0;
+    std::uint64_t hash = 0;
+    StepRecord last;
+
+    explicit Run(const std::string& name) : scene(fulcrum::scene(name)), world(scene, 1), loop(scene, world), outputs(5) {}
+    template <typename Change>
+    void step(Change&& change) {
+        for (int i = 0; i < 5; ++i) {
+            RigSample input = standing(scene, ++tick);
+            change(input);
+            outputs[static_cast<std::size_t>(i)] = loop.tick(input);
+        }
+        last = world.step(outputs.data(), outputs.size());
+        hash = hash * 31 + last.state_hash;
+        loop.adopt(world.local_models());
+    }
+    void step() {
+        step([](RigSample&) {});
+    }
+};
+
+TEST(World, ATargetSceneHasNoTissueInMemory) {
+    Run run("a2_targets");
+    EXPECT_EQ(run.world.bowel(), nullptr);
+    EXPECT_EQ(run.world.cavity(), nullptr);
+    EXPECT_TRUE(run.world.snapshot().rings.empty());
+    EXPECT_TRUE(run.world.snapshot().nodes.empty());
+    for (const PartCost& part : run.world.costs()) {
+        EXPECT_NE(part.part, "rod");
+        EXPECT_NE(part.part, "cage_and_surface");
+        EXPECT_NE(part.part, "collision");
+    }
+    EXPECT_EQ(run.world.snapshot().targets.size(), 20U);
+}
+
+TEST(World, TheBowelComesToRestAndIsCarried) {
+    Run run("b1_bowel");
+    const BowelPart& bowel = *run.world.bowel();
+    double fastest = 0;
+    for (int i = 0; i < 200; ++i) run.step();
+    for (const Vector3& velocity : bowel.state().velocities) fastest = std::max(fastest, velocity.norm());
+    EXPECT_LT(fastest, 2e-3);
+    EXPECT_LT(run.world.snapshot().residual_penetration, 1e-3);
+    EXPECT_GT(run.world.snapshot().floor_load, 0.3 * bowel.weight());
+    EXPECT_EQ(run.last.outcome, 0U);
+}
+
+TEST(World, StepsRepeatBitForBit) {
+    std::uint64_t hashes[2];
+    for (std::uint64_t& hash : hashes) {
+        Run run("b1_bowel");
+        for (int i = 0; i < 60; ++i) {
+            run.step([&](RigSample& input) {
+                input.hand[0].handle[0] += 3000 * static_cast<std::int32_t>(input.tick);
+                input.hand[1].handle[2] -= 2000 * static_cast<std::int32_t>(input.tick);
+            });
+        }
+        hash = run.hash;
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+    EXPECT_NE(hashes[0], 0U);
+}
+
+TEST(World, StepsAndTicksAllocateNothingAfterTheFirst) {
+    for (const char* name : {"a2_targets", "b1_bowel"}) {
+        Run run(name);
+        for (int i = 0; i < 40; ++i) run.step();
+        const std::uint64_t before = test::allocation_count();
+        for (int i = 0; i < 100; ++i) {
+            run.step([&](RigSample& input) { input.hand[0].handle[2] -= 4000 * (i < 60 ? i : 60); });
+        }
+        EXPECT_EQ(test::allocation_count() - before, 0U) << name;
+    }
+}
+
+TEST(World, APausedStepLeavesTheBowelWhereItIs) {
+    Run run("b1_bowel");
+    run.step();
+    const std::vector<Vector3> before = run.world.bowel()->state().nodes;
+    for (int i = 0; i < 20; ++i) run.step([](RigSample& input) { input.flags |= rig_paused; });
+    EXPECT_EQ(before, run.world.bowel()->state().nodes);
+}
+
+TEST(World, ANewWorldShowsTheInstrumentsWhereTheyAreAlignedAtTheStart) {
+    Run run("b1_bowel");
+    const Vector3 shown = run.world.snapshot().tools[0].tip;
+    run.step();
+    EXPECT_LT((run.world.snapshot().tools[0].tip - shown).norm(), 1e-6);
+}
+
+}  // namespace
+}  // namespace fulcrum
