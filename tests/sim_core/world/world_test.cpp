@@ -27,7 +27,7 @@ RigSample standing(const Scene& scene, std::uint32_t tick) {
     return input;
 }
 
-struct Run {
+struct Hands {
     Scene scene;
     World world;
     HapticLoop loop;
@@ -36,7 +36,7 @@ struct Run {
     std::uint64_t hash = 0;
     StepRecord last;
 
-    explicit Run(const std::string& name) : scene(fulcrum::scene(name)), world(scene, 1), loop(scene, world), outputs(5) {}
+    explicit Hands(const std::string& name) : scene(fulcrum::scene(name)), world(scene, 1), loop(scene, world), outputs(5) {}
     template <typename Change>
     void step(Change&& change) {
         for (int i = 0; i < 5; ++i) {
@@ -54,7 +54,7 @@ struct Run {
 };
 
 TEST(World, ATargetSceneHasNoTissueInMemory) {
-    Run run("a2_targets");
+    Hands run("a2_targets");
     EXPECT_EQ(run.world.bowel(), nullptr);
     EXPECT_EQ(run.world.cavity(), nullptr);
     EXPECT_TRUE(run.world.snapshot().rings.empty());
@@ -68,7 +68,7 @@ TEST(World, ATargetSceneHasNoTissueInMemory) {
 }
 
 TEST(World, TheBowelComesToRestAndIsCarried) {
-    Run run("b1_bowel");
+    Hands run("b1_bowel");
     const BowelPart& bowel = *run.world.bowel();
     double fastest = 0;
     for (int i = 0; i < 200; ++i) run.step();
@@ -82,7 +82,7 @@ TEST(World, TheBowelComesToRestAndIsCarried) {
 TEST(World, StepsRepeatBitForBit) {
     std::uint64_t hashes[2];
     for (std::uint64_t& hash : hashes) {
-        Run run("b1_bowel");
+        Hands run("b1_bowel");
         for (int i = 0; i < 60; ++i) {
             run.step([&](RigSample& input) {
                 input.hand[0].handle[0] += 3000 * static_cast<std::int32_t>(input.tick);
@@ -97,7 +97,7 @@ TEST(World, StepsRepeatBitForBit) {
 
 TEST(World, StepsAndTicksAllocateNothingAfterTheFirst) {
     for (const char* name : {"a2_targets", "b1_bowel"}) {
-        Run run(name);
+        Hands run(name);
         for (int i = 0; i < 40; ++i) run.step();
         const std::uint64_t before = test::allocation_count();
         for (int i = 0; i < 100; ++i) {
@@ -108,7 +108,7 @@ TEST(World, StepsAndTicksAllocateNothingAfterTheFirst) {
 }
 
 TEST(World, APausedStepLeavesTheBowelWhereItIs) {
-    Run run("b1_bowel");
+    Hands run("b1_bowel");
     run.step();
     const std::vector<Vector3> before = run.world.bowel()->state().nodes;
     for (int i = 0; i < 20; ++i) run.step([](RigSample& input) { input.flags |= rig_paused; });
@@ -116,7 +116,7 @@ TEST(World, APausedStepLeavesTheBowelWhereItIs) {
 }
 
 TEST(World, ANewWorldShowsTheInstrumentsWhereTheyAreAlignedAtTheStart) {
-    Run run("b1_bowel");
+    Hands run("b1_bowel");
     const Vector3 shown = run.world.snapshot().tools[0].tip;
     run.step();
     EXPECT_LT((run.world.snapshot().tools[0].tip - shown).norm(), 1e-6);
