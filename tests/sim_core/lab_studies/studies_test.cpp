@@ -9,6 +9,7 @@
 #include "sim_core/geometry/mesh_file.h"
 #include "sim_core/lab/filter_study.h"
 #include "sim_core/lab/skin_study.h"
+#include "sim_core/lab/studies.h"
 #include "tests/support/tube.h"
 
 namespace fulcrum {
@@ -116,6 +117,22 @@ TEST_F(Studies, FilterSharesOutTheForce) {
         EXPECT_GT(result["contact_area_m2"].get<double>(), 0.0);
         EXPECT_GT(result["local_triangle_area_m2"].get<double>(), 0.0);
     }
+}
+
+TEST_F(Studies, AreFoundByTheirModelsName) {
+    write("tube.obj", lab::make_tube(0.1, 40, 32, lab::plain_radius(0.016)));
+    const auto run = [&](const char* text) {
+        std::ofstream(folder_ / "study.json") << text;
+        return lab::run_study((folder_ / "study.json").string());
+    };
+    const auto result =
+        run(R"({"model": "filter", "mesh": "tube.obj", "vertex": 50, "force_n": [0, 0, 1], "grade": 1})");
+    EXPECT_EQ(result["grade"], 1);
+    for (const char* broken :
+         {"{}", "[]", "{", R"({"model": "soup"})", R"({"model": 5})", R"({"model": "filter"})"}) {
+        EXPECT_THROW(run(broken), InputError) << broken;
+    }
+    EXPECT_THROW(lab::run_study((folder_ / "none.json").string()), InputError);
 }
 
 TEST_F(Studies, RefuseBrokenKeysWithPlaceAndMend) {
