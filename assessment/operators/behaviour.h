@@ -17,6 +17,7 @@ struct Body {
     const DelayLine* eyes = nullptr;
     Vector3 view =
         Vector3(0, -1, -1).normalized();  ///< unit, the camera's line of sight: depth is misjudged along it
+    Vector3 gaze = Vector3::Zero();       ///< m, what the behaviour looks at; the camera follows
 };
 
 class Behaviour {

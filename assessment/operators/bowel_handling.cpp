@@ -16,10 +16,11 @@ constexpr double jaw_clearance =
 constexpr double deeper = 0.0015;  // m nearer at every further attempt
 constexpr int attempts_at_a_place = 4;
 constexpr double sideways = 0.008;     // m along the bowel after that
-constexpr double tent_height = 0.007;         // m that a fresh grasp is lifted, to see that it holds
+constexpr double tent_height = 0.007;  // m that a fresh grasp is lifted, to see that it holds
 constexpr double lift_margin = 0.006;  // m above the height asked for
-constexpr double open_share = 0.85, closed_share = 0.12;  // of the widest opening
-constexpr double grip_reserve = 1.5;                      // grip over what the seen load needs
+constexpr double open_share = 0.85, closed_share = 0.12;            // of the widest opening
+constexpr double before_frontier = 0.004, beyond_frontier = 0.018;  // m along the bowel
+constexpr double grip_reserve = 1.5;                                // grip over what the seen load needs
 
 enum class Stage : std::uint8_t { choose, travel, descend, close, tent, let_go, raise };
 
@@ -67,6 +68,7 @@ class BowelHandling : public Behaviour {
                 break;
         }
         hold_gently(seen, body);
+        body.gaze = line_point(seen.nodes, body.eyes->arc_lengths(), place_).position;
     }
 
   private:
@@ -103,7 +105,11 @@ class BowelHandling : public Behaviour {
         if (goal.kind == GoalKind::run_bowel) {
             direction_ = goal.to_m >= goal.from_m ? 1 : -1;
             const double frontier = goal.from_m + direction_ * seen.display.run_covered_m;
-            place = holder_ >= 0 ? holder_place_ + direction_ * skill_.stride : frontier;
+            // Without a hold that counts the run goes on where it got to, rather a little before it.
+            const bool counts =
+                holder_ >= 0 && std::abs(direction_ * (holder_place_ - frontier)) < beyond_frontier;
+            place =
+                counts ? holder_place_ + direction_ * skill_.stride : frontier - direction_ * before_frontier;
         } else {
             place = 0.5 * (goal.from_m + goal.to_m);
         }

@@ -16,6 +16,9 @@ constexpr double grip_rate = 20.0;     // N/s
 constexpr double path_time_s = 0.07;   // correlation time of the noise on the way
 constexpr double path_return_s = 0.5;  // how fast its trace fades
 constexpr double drift_time_s = 0.8;
+constexpr double path_smooth_s = 0.03, drift_smooth_s = 0.15;
+// What the second low-pass takes from the drift's strength, given back: sqrt(1 + drift_smooth / drift_time).
+constexpr double drift_gain = 1.0897247358851685;
 
 // Flash and Hogan 1985: share of the displacement at share t of the duration.
 double minimum_jerk(double t) {
@@ -92,10 +95,14 @@ void Limb::stop() noexcept {
     add({time_, shortest_s, length > 0.002 ? Vector3(coast * (0.002 / length)) : coast});
 }
 
+Vector3 Limb::wandering(const Vector3& value, double time, double strength) noexcept {
+    const double keep = 1 - period_ / time;
+    return keep * value + strength * std::sqrt(1 - keep * keep) * normal_vector(random_);
+}
+
 void Limb::tick() noexcept {
     time_ += period_;
     planned_ = settled_;
-    double speed = 0;
     Vector3 velocity = Vector3::Zero();
     for (int i = 0; i < count_;) {
         const SubMovement& movement = movements_[static_cast<std::size_t>(i)];
@@ -112,16 +119,15 @@ void Limb::tick() noexcept {
         velocity += minimum_jerk_rate(t) / movement.duration * movement.displacement;
         ++i;
     }
-    speed = velocity.norm();
+    const double speed = velocity.norm();
 
     // Signal-dependent noise: a velocity error that is as large as the movement is fast, slowly changing, its
-    // trace fading.
-    const double keep = 1 - period_ / path_time_s;
-    shake_ = keep * shake_ + std::sqrt(1 - keep * keep) * normal_vector(random_);
-    path_ += period_ * (skill_.path_noise * speed * shake_ - path_ / path_return_s);
-    const double drift_keep = 1 - period_ / drift_time_s;
-    drift_ =
-        drift_keep * drift_ + skill_.drift * std::sqrt(1 - drift_keep * drift_keep) * normal_vector(random_);
+    // trace fading. Each noise passes a second low-pass, so that the velocity itself is continuous.
+    path_raw_ = wandering(path_raw_, path_time_s, 1.0);
+    path_velocity_ += period_ / path_smooth_s * (path_raw_ - path_velocity_);
+    path_ += period_ * (skill_.path_noise * speed * path_velocity_ - path_ / path_return_s);
+    drift_raw_ = wandering(drift_raw_, drift_time_s, skill_.drift * drift_gain);
+    drift_ += period_ / drift_smooth_s * (drift_raw_ - drift_);
     Vector3 tremor;
     for (std::size_t i = 0; i < 3; ++i) {
         frequency_[i] = std::clamp(frequency_[i] + 0.03 * random_.normal(), 8.0, 12.0);

@@ -53,6 +53,9 @@ class Limb {
         Vector3 displacement = Vector3::Zero();
     };
     void add(const SubMovement& movement) noexcept;
+    /// One tick of a random walk that returns to zero: standard deviation `strength`, correlation time
+    /// `time`.
+    Vector3 wandering(const Vector3& value, double time, double strength) noexcept;
 
     Skill skill_;
     InstrumentSpec spec_;
@@ -64,7 +67,8 @@ class Limb {
     int count_ = 0;
     Vector3 settled_, planned_;
     Vector3 wander_ = Vector3::Zero();  // tremor + drift + path noise
-    Vector3 path_ = Vector3::Zero(), drift_ = Vector3::Zero(), shake_ = Vector3::Zero();
+    Vector3 path_raw_ = Vector3::Zero(), path_velocity_ = Vector3::Zero(), path_ = Vector3::Zero();
+    Vector3 drift_raw_ = Vector3::Zero(), drift_ = Vector3::Zero();
     std::array<double, 3> phase_{}, frequency_{}, loudness_{};
     double jaw_ = 0, jaw_wish_ = 0, grip_ = 0, grip_wish_ = 0;
     DeviceSample last_;
@@ -85,6 +89,8 @@ class Reach {
     void update(Limb& limb, const Vector3& seen) noexcept;
     /// Near enough, and no sub-movement under way.
     bool arrived() const noexcept { return arrived_; }
+    /// The first sub-movement has begun.
+    bool started() const noexcept { return !first_; }
     int corrections() const noexcept { return corrections_; }
 
   private:

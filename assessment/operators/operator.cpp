@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "assessment/operators/behaviour.h"
+#include "assessment/operators/camera_hand.h"
 #include "sim_core/numerics/input_error.h"
 
 namespace fulcrum {
@@ -26,21 +27,15 @@ class SyntheticOperator : public ObservingRig {
         : eyes_(scene, skill.reaction_s + 0.05),
           delay_(static_cast<std::uint32_t>(std::lround(skill.reaction_s * scene.tick_rate))),
           ticks_per_decision_(
-              static_cast<std::uint32_t>(std::max(1L, std::lround(decision_period * scene.tick_rate)))) {
+              static_cast<std::uint32_t>(std::max(1L, std::lround(decision_period * scene.tick_rate)))),
+          camera_(skill, scene) {
         for (const InstrumentSpec& spec : scene.instruments) {
             const auto hand = static_cast<std::size_t>(spec.hand);
             limbs_[hand].emplace(skill, spec, scene.tick_period(), Random(attempt, attempt_stream + hand));
             body_.limb[hand] = &*limbs_[hand];
         }
         body_.eyes = &eyes_;
-        if (scene.camera) {
-            const Trocar trocar = make_trocar(scene.camera->trocar);
-            DeviceReading reading;
-            reading.handle = handle_for_tip(
-                trocar, trocar.position + scene.camera->start_insertion * trocar.rotation.col(2));
-            camera_ = quantise(reading, camera_);
-            body_.view = view_direction(scope_pose(make_scope(*scene.camera), camera_));
-        }
+        body_.view = camera_.view();
         const bool bowel = std::any_of(task.goals.begin(), task.goals.end(), is_bowel_goal);
         behaviour_ = bowel ? make_bowel_handling(task, scene, skill) : make_targeting(task, scene, skill);
     }
@@ -51,14 +46,17 @@ class SyntheticOperator : public ObservingRig {
 
     void read(std::uint32_t tick, RigSample& sample) override {
         now_ = tick;
-        if (!eyes_.empty() && tick % ticks_per_decision_ == 0)
+        if (!eyes_.empty() && tick % ticks_per_decision_ == 0) {
+            body_.view = camera_.view();
             behaviour_->decide(eyes_.seen(tick, delay_), body_);
+            if (!body_.gaze.isZero()) camera_.look_at(body_.gaze);
+        }
         for (std::size_t hand = 0; hand < hand_count; ++hand) {
             if (!limbs_[hand]) continue;
             limbs_[hand]->tick();
             sample.hand[hand] = limbs_[hand]->sample();
         }
-        sample.camera = camera_;
+        sample.camera = camera_.tick();
     }
 
     // A position-driven arm: it feels through what it sees of the force (TaskDisplay::force), so that the
@@ -71,7 +69,7 @@ class SyntheticOperator : public ObservingRig {
     DelayLine eyes_;
     std::uint32_t delay_, ticks_per_decision_, now_ = 0;
     std::array<std::optional<Limb>, hand_count> limbs_;
-    DeviceSample camera_;
+    CameraHand camera_;
     Body body_;
     std::unique_ptr<Behaviour> behaviour_;
 };

@@ -30,6 +30,7 @@ Skill expert() {
     skill.tolerance = 0.7e-3;
     skill.lift_speed = 0.03;
     skill.stride = 0.064;
+    skill.standoff = 0.004;
     return skill;
 }
 
@@ -54,6 +55,7 @@ Skill novice() {
     skill.tolerance = 1.2e-3;
     skill.lift_speed = 0.018;
     skill.stride = 0.042;
+    skill.standoff = 0.0005;
     return skill;
 }
 
@@ -83,6 +85,7 @@ Skill intermediate() {
     skill.tolerance = between(a.tolerance, b.tolerance);
     skill.lift_speed = between(a.lift_speed, b.lift_speed);
     skill.stride = between(a.stride, b.stride);
+    skill.standoff = between(a.standoff, b.standoff);
     return skill;
 }
 

@@ -29,7 +29,8 @@ struct Skill {
     double comfortable_force = 1.2;  ///< N, tissue force at which pulling and pushing stop
     double tolerance = 1e-3;         ///< m, nearer than this is good enough
     double lift_speed = 0.02;        ///< m/s, moving tissue that is held
-    double stride = 0.055;           ///< m of bowel from one grasp to the next
+    double standoff = 0.002;  ///< m kept from a rigid target by the first movement, made good by the second
+    double stride = 0.055;    ///< m of bowel from one grasp to the next
 };
 
 /// Draws an individual around "novice", "intermediate" or "expert"; false for another name. Pure.

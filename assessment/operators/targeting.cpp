@@ -7,7 +7,8 @@
 namespace fulcrum {
 namespace {
 
-constexpr double clearance = 0.004;    // m, kept from spheres that are not to be touched
+constexpr double clearance = 0.004;  // m, kept from spheres that are not to be touched
+constexpr int most_detours = 3;
 constexpr double press_step_s = 0.25;  // between adjustments of the pressing force
 
 class Targeting : public Behaviour {
@@ -27,27 +28,22 @@ class Targeting : public Behaviour {
         Limb* limb = body.limb[hand];
         if (limb == nullptr) return;
         Reach& reach = reaches_[hand];
+        body.gaze = target.centre;
 
         if (wanted != target_) {
             target_ = wanted;
             const double depth = skill_.touch_force / stiffness_;
             reach_ = target.radius + tip_radius_[hand] - depth;
             press_time_ = 0;
-            const Vector3 from = limb->destination();
             const double choice = skill_.choice_s * limb->random().uniform(0.6, 1.4);
-            via_ = way_round(from, target, targets, hand);
-            on_detour_ = (via_ - from).norm() > 1e-6;
-            approach_ =
-                (on_detour_ ? Vector3(via_ - target.centre) : Vector3(from - target.centre)).normalized();
-            reach.start(*limb, on_detour_ ? via_ : goal(target), body.view, on_detour_ ? 0.02 : target.radius,
-                        choice);
+            detours_ = 0;
+            set_out(*limb, target, targets, reach, body.view, choice);
         }
         if (on_detour_ && (limb->destination() - via_).norm() < 0.012 && limb->remaining() < 0.12) {
-            on_detour_ = false;
-            approach_ = (limb->destination() - target.centre).normalized();
-            reach.start(*limb, goal(target), body.view, target.radius, 0.0);
+            set_out(*limb, target, targets, reach, body.view, 0.0);
         }
         reach.update(*limb, seen.tip[hand]);
+        if (!on_detour_ && reach.started()) reach.follow(goal(target, 0));
 
         // On the sphere: press as firmly as this hand likes to, by what it feels.
         if (!on_detour_ && reach.arrived() && limb->time() > press_time_) {
@@ -57,12 +53,29 @@ class Targeting : public Behaviour {
                 reach_ =
                     std::clamp(reach_ - 0.6 * error, 0.5 * target.radius, target.radius + tip_radius_[hand]);
             press_time_ = limb->time() + press_step_s;
-            reach.follow(goal(target));
+            reach.follow(goal(target, 0));
         }
     }
 
   private:
-    Vector3 goal(const TargetSphere& target) const noexcept { return target.centre + reach_ * approach_; }
+    // Starts the next leg: to a point beside what is in the way, or to the target itself.
+    void set_out(Limb& limb, const TargetSphere& target, const std::vector<TargetSphere>& targets,
+                 Reach& reach, const Vector3& view, double delay) noexcept {
+        const int hand = static_cast<int>(target.hand);
+        const Vector3 from = limb.destination();
+        via_ = way_round(from, target, targets, hand);
+        on_detour_ = detours_++ < most_detours && (via_ - from).norm() > 1e-6;
+        approach_ = (from - target.centre).normalized();
+        if (on_detour_) {
+            reach.start(limb, via_, view, 0.02, delay);
+        } else {
+            reach.start(limb, goal(target, skill_.standoff), view, target.radius, delay);
+        }
+    }
+
+    Vector3 goal(const TargetSphere& target, double standoff) const noexcept {
+        return target.centre + (reach_ + standoff) * approach_;
+    }
 
     /// The next point on a way that stays clear of the other spheres: the target itself, or a point beside
     /// the sphere in the way.
@@ -78,7 +91,7 @@ class Targeting : public Behaviour {
             const double reach = other.radius + tip_radius_[hand] + clearance;
             if ((other.centre - target.centre).norm() < 1e-9) continue;
             const double at = (other.centre - from).dot(along);
-            if (at <= 0.5 * reach || at >= length - target.radius || at >= first) continue;
+            if (at <= 0.001 || at >= length - target.radius || at >= first) continue;
             Vector3 beside = from + at * along - other.centre;
             const double distance = beside.norm();
             if (distance >= reach) continue;
@@ -86,7 +99,11 @@ class Targeting : public Behaviour {
             // straight through.
             if (distance < 1e-4) beside = Vector3(0, 0, 1) - along.z() * along;
             first = at;
-            via = other.centre + 1.6 * reach * beside.normalized();
+            beside.normalize();
+            // Off the sphere that was just touched: back out before going round.
+            const Vector3 back = from - other.centre;
+            if (back.norm() < reach) beside = (beside + 0.8 * back.normalized()).normalized();
+            via = other.centre + 1.6 * reach * beside;
         }
         return via;
     }
@@ -97,6 +114,7 @@ class Targeting : public Behaviour {
     double stiffness_ = 600;
     int target_ = -1;
     bool on_detour_ = false;
+    int detours_ = 0;
     Vector3 approach_ = Vector3::UnitZ(), via_ = Vector3::Zero();
     double reach_ = 0, press_time_ = 0;
 };

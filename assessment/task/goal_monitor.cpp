@@ -12,7 +12,7 @@ namespace {
 
 constexpr double touch_tolerance =
     0.001;  // m, beyond contact, so that a light touch's own tremor does not end a hold
-constexpr double run_tolerance = 0.01;  // m, how far past the frontier a hold may begin without a partner
+constexpr double run_tolerance = 0.02;  // m, how far past the frontier a hold may begin without a partner
 constexpr double hand_over_slack =
     0.005;  // m, on the shortest and longest step: half a jaw's width is nobody's fault
 

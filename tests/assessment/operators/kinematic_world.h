@@ -57,7 +57,8 @@ class KinematicWorld : public EventSink {
     /// Path of a tip, m, from positions 20 ms apart.
     double path(Hand hand) const {
         double sum = 0;
-        for (std::size_t i = 20; i < samples.size(); i += 20) sum += (tip(i, hand) - tip(i - 20, hand)).norm();
+        for (std::size_t i = 20; i < samples.size(); i += 20)
+            sum += (tip(i, hand) - tip(i - 20, hand)).norm();
         return sum;
     }
     double largest_force() const { return largest_force_; }
@@ -90,8 +91,8 @@ class KinematicWorld : public EventSink {
             const double s = bowel.length * i / bowel.segments, bight = 0.26;
             const int row = static_cast<int>(s / bight);
             const double along = (s - row * bight) / bight;
-            rest_.emplace_back((row % 2 == 0 ? 1 : -1) * (0.09 - 0.18 * along), 0.03 + 0.042 * (row + 0.3 * along),
-                               -0.025);
+            rest_.emplace_back((row % 2 == 0 ? 1 : -1) * (0.09 - 0.18 * along),
+                               0.03 + 0.042 * (row + 0.3 * along), -0.025);
             world_.node_arc_lengths.push_back(s);
         }
         world_.nodes = rest_;
@@ -111,7 +112,7 @@ class KinematicWorld : public EventSink {
                 force -= scene_.targets->stiffness * depth * away.normalized();
                 hand.tissue = 0;
             }
-            unsigned flags = tool_[h].inside ? hand_inside : 0U;
+            unsigned flags = tool_[h].inside ? static_cast<unsigned>(hand_inside) : 0U;
             if (world_.grasps[h].held) {
                 const auto node = static_cast<std::size_t>(held_node_[h]);
                 force = 30 * (world_.nodes[node] - rest_[node]);

@@ -5,29 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
-#include <new>
 
 #include "sim_core/haptics/device.h"
 #include "sim_core/numerics/input_error.h"
+#include "tests/support/allocation_count.h"
 #include "tests/support/support.h"
-
-namespace {
-std::size_t allocations = 0;
-}
-// Counts every allocation of this program, so that a test can say "none".
-void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
-    throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
 
 namespace fulcrum {
 namespace {
@@ -443,9 +426,7 @@ TEST(Monitor, DoesNotAllocateAndRepeatsItself) {
         }
     };
     Bench a("B1.json"), b("B1.json");
-    const std::size_t before = allocations;
-    run(a);
-    EXPECT_EQ(allocations, before);
+    EXPECT_EQ(test::allocations_in([&] { run(a); }), 0U);
     run(b);
     ASSERT_EQ(a.events.list.size(), b.events.list.size());
     EXPECT_GT(a.events.list.size(), 40U);
