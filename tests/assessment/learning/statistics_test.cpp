@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// The worked examples of the metrics specification, and order statistics against exact binomials.
+#include "assessment/learning/statistics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace fulcrum {
+namespace {
+
+TEST(ExpertBenchmark, TheWorkedExample) {
+    const auto benchmark = expert_benchmark(
+        {{"a", {10, 12, 14}}, {"b", {20, 22, 24}}, {"c", {15, 17, 19}}, {"d", {11, 13, 15}}}, 4);
+    ASSERT_TRUE(benchmark);
+    EXPECT_NEAR(benchmark->mean, 16.0, 1e-12);
+    EXPECT_NEAR(benchmark->deviation, 4.8305, 5e-5);
+    EXPECT_EQ(benchmark->experts, 4);
+    EXPECT_TRUE(benchmark->left_out.empty());
+}
+
+TEST(ExpertBenchmark, LeavesOneExpertOutInOnePass) {
+    std::vector<ExpertValues> experts;
+    for (const double mean : {62, 58, 65, 60, 63, 59, 110, 61})
+        experts.push_back({"expert " + std::to_string(static_cast<int>(mean)), {mean, mean, mean}});
+    const auto benchmark = expert_benchmark(experts);
+    ASSERT_TRUE(benchmark);
+    ASSERT_EQ(benchmark->left_out.size(), 1U);
+    EXPECT_EQ(benchmark->left_out[0].expert, "expert 110");
+    EXPECT_EQ(benchmark->left_out[0].mean, 110.0);
+    EXPECT_NEAR(benchmark->mean, 61.143, 5e-4);
+    EXPECT_NEAR(benchmark->means_deviation, 2.410, 5e-4);
+    EXPECT_NEAR(benchmark->deviation, 2.410, 5e-4);  // no spread within experts
+    EXPECT_EQ(benchmark->experts, 7);
+}
+
+TEST(ExpertBenchmark, NeedsSixExperts) {
+    std::vector<ExpertValues> experts;
+    for (int i = 0; i < 6; ++i) experts.push_back({std::to_string(i), {10.0 + i, 11.0 + i}});
+    EXPECT_TRUE(expert_benchmark(experts));
+    experts[5].values.clear();
+    EXPECT_FALSE(expert_benchmark(experts));
+    EXPECT_FALSE(expert_benchmark({}));
+}
+
+TEST(ExpertBenchmark, UsesTheHarmonicMeanOfUnequalNumbers) {
+    // Means 10 and 20, within-expert mean square 2, attempts 2 and 4: r = 8/3, s2 = 50.
+    const auto benchmark =
+        expert_benchmark({{"a", {9, 11}}, {"b", {20 - std::sqrt(2.0), 20 + std::sqrt(2.0), 20, 20}}}, 2);
+    ASSERT_TRUE(benchmark);
+    const double mean_square = (2.0 + 4.0) / 4.0;
+    EXPECT_NEAR(benchmark->deviation, std::sqrt(50.0 - mean_square * 3.0 / 8.0 + mean_square), 1e-12);
+}
+
+TEST(ExpertBenchmark, NeverGoesBelowTheSpreadWithinExperts) {
+    const auto benchmark = expert_benchmark({{"a", {0, 10}}, {"b", {0.1, 10.1}}}, 2);
+    ASSERT_TRUE(benchmark);
+    EXPECT_NEAR(benchmark->deviation, std::sqrt(50.0), 1e-9);
+}
+
+TEST(Median, OfOddAndEvenNumbers) {
+    EXPECT_EQ(median_of({3, 1, 2}), 2.0);
+    EXPECT_EQ(median_of({4, 1, 3, 2}), 2.5);
+    EXPECT_EQ(median_of({7}), 7.0);
+}
+
+TEST(MedianInterval, OfTwentyValuesIsTheSixthToTheFifteenth) {
+    std::vector<double> values;
+    for (int i = 20; i >= 1; --i) values.push_back(i);
+    const auto interval = median_interval(values);
+    ASSERT_TRUE(interval);
+    EXPECT_EQ(interval->rank_low, 6);
+    EXPECT_EQ(interval->low, 6.0);
+    EXPECT_EQ(interval->high, 15.0);
+    EXPECT_EQ(interval->median, 10.5);
+    // 1 - 2 P(B <= 5), B binomial(20, 1/2) = 1 - 2 * 21700 / 2^20
+    EXPECT_NEAR(interval->coverage, 1.0 - 2.0 * 21700.0 / 1048576.0, 1e-12);
+}
+
+TEST(MedianInterval, NeedsSixValues) {
+    EXPECT_FALSE(median_interval({1, 2, 3, 4, 5}));
+    const auto six = median_interval({1, 2, 3, 4, 5, 6});
+    ASSERT_TRUE(six);
+    EXPECT_EQ(six->low, 1.0);
+    EXPECT_EQ(six->high, 6.0);
+    EXPECT_NEAR(six->coverage, 1.0 - 2.0 / 64.0, 1e-12);
+    EXPECT_FALSE(median_interval({}));
+}
+
+TEST(MedianInterval, CoversAsOftenAsItSays) {
+    std::mt19937 random(11);
+    std::exponential_distribution<double> draw(1.0);
+    int covered = 0;
+    constexpr int trials = 4000;
+    for (int k = 0; k < trials; ++k) {
+        std::vector<double> values;
+        for (int i = 0; i < 20; ++i) values.push_back(draw(random));
+        const auto interval = median_interval(values);
+        covered += interval->low <= std::log(2.0) && std::log(2.0) <= interval->high ? 1 : 0;
+    }
+    EXPECT_NEAR(covered / static_cast<double>(trials), 0.9586, 0.012);
+}
+
+}  // namespace
+}  // namespace fulcrum

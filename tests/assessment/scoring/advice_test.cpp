@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// One sentence: the right gate, the right words, always the same.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/assessment/scoring/fixtures.h"
+
+namespace fulcrum {
+namespace {
+
+using test::figures;
+using test::small_set;
+using test::small_task;
+
+std::string advice_of(const std::vector<MetricResult>& metrics, std::vector<CriticalError> errors = {},
+                      AttemptState state = AttemptState::completed) {
+    const TaskDefinition task = small_task();
+    const BenchmarkSet set = small_set();
+    ScoreInput input{task, metrics, &set, state, true, std::move(errors)};
+    input.phases = {{"Find the start", {0, 5}}, {"Run the bowel", {5, 60}}};
+    const Score score = score_attempt(input);
+    EXPECT_EQ(score_attempt(input).advice, score.advice);
+    return score.advice;
+}
+
+TEST(Advice, CriticalErrorFirst) {
+    EXPECT_EQ(advice_of(figures(500, -9, 9, 9), {{"perforation", "left", "bowel", 43.2}}),
+              "Left hand, in 'Run the bowel': critical error, perforation (bowel) at 0:43; keep the tips in "
+              "view and never "
+              "push against resistance.");
+}
+
+TEST(Advice, ThenTheAbsoluteGateFurthestBeyondItsLimit) {
+    EXPECT_EQ(advice_of(figures(500, -9, 6, 0)),
+              "Left hand, in 'Run the bowel': the force rose to 6.0 N where 4.0 N is the most (50 % over); "
+              "use the weight of "
+              "the tissue, and stop pulling when it no longer gives.");
+    EXPECT_EQ(advice_of(figures(500, -9, 6, 3)),
+              "In 'Run the bowel': 3 objects were dropped where 1 are allowed (200 % over); let go only when "
+              "the object "
+              "rests.");
+}
+
+TEST(Advice, ThenTheBenchmarkGateFurthestFromTheExperts) {
+    EXPECT_EQ(advice_of(figures(std::exp(4.6), -1.9, 1, 0)),
+              "Right hand, in 'Run the bowel': movements were made of many corrections: smoothness -1.90 "
+              "where at least "
+              "-1.70 is needed (4.0 standard deviations from the experts); start each move slowly and let it "
+              "run out in one "
+              "stroke.");
+}
+
+TEST(Advice, OfAPassNamesTheNarrowestGate) {
+    EXPECT_EQ(advice_of(figures(std::exp(4.0), -1.65, 1, 0)),
+              "All gates are met, most narrowly Smoothness (SPARC), right hand (-1.65 where the limit is "
+              "-1.70); start each "
+              "move slowly and let it run out in one stroke.");
+}
+
+TEST(Advice, OfWhatHasNoFigure) {
+    std::vector<MetricResult> metrics = figures(50, -1.5, 1, 0);
+    metrics[0] = test::missing("time", "", Absence::not_done);
+    EXPECT_EQ(advice_of(metrics).substr(0, 43), "Time has no value because it was not done; ");
+    metrics[0] = test::missing("time", "", Absence::not_measured);
+    EXPECT_EQ(advice_of(metrics), "Not scored: Time: a channel is missing.");
+    EXPECT_EQ(
+        advice_of(figures(50, -1.5, 1, 0), {}, AttemptState::abandoned),
+        "The attempt was abandoned before the last goal was reached; carry the next one through to its end.");
+}
+
+TEST(Advice, EveryMetricMakesASentenceWithoutLeftOverMarks) {
+    for (const Metric& metric : metric_registry()) {
+        const MetricDescriptor& d = metric.descriptor;
+        if (d.direction == Direction::context) continue;
+        TaskDefinition task = small_task();
+        const std::string hand = d.hands == Hands::each ? "left" : "";
+        task.gates = {{d.id, hand, "", "absolute", d.direction == Direction::lower ? 1.0 : 3.0, "test"}};
+        const std::vector<MetricResult> metrics = {test::figure(d.id, hand, 2.0)};
+        const Score score = score_attempt(ScoreInput{task, metrics});
+        EXPECT_EQ(score.passed, false) << d.id;
+        EXPECT_EQ(score.advice.find('{'), std::string::npos) << score.advice;
+        EXPECT_EQ(score.advice.back(), '.') << score.advice;
+        EXPECT_NE(score.advice.find(d.advice_remedy), std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace fulcrum
