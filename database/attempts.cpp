@@ -43,7 +43,8 @@ TraceChunk chunk_of_row(Query& rows) {
 Trace read_chunks(Connection& connection, const std::string& attempt_id, bool events_only) {
     Query rows(connection, QString("SELECT stream, number, first_tick, last_tick, records, checksum, data "
                                    "FROM trace_chunk WHERE attempt_id = ? ") +
-                               (events_only ? "AND stream = 3 " : "") + "ORDER BY stream, number");
+                               (events_only ? "AND stream = 3 " : "") +
+                               "ORDER BY stream = 0, stream, number");
     rows.bind(attempt_id);
     Trace trace;
     TraceCodec codec;
@@ -63,7 +64,7 @@ Trace read_chunks(Connection& connection, const std::string& attempt_id, bool ev
             const TraceChunk chunk = chunk_of_row(rows);
             switch (chunk.stream) {
                 case TraceStream::samples:
-                    codec.decode(chunk, trace.samples);
+                    codec.decode(chunk, trace.samples, &trace.inputs);  // inputs come first
                     break;
                 case TraceStream::inputs:
                     codec.decode(chunk, trace.inputs);

@@ -99,12 +99,22 @@ struct Recorder::State {
         return *store;
     }
 
+    TraceChunk encode(const TickSample* records, std::size_t count) {
+        // Usually both streams were fed tick by tick; where they were not, the codec does without.
+        const auto begin = static_cast<std::size_t>(records - samples.data());
+        return codec.encode(records, count, begin + count <= inputs.size() ? inputs.data() + begin : nullptr);
+    }
+    template <typename Record>
+    TraceChunk encode(const Record* records, std::size_t count) {
+        return codec.encode(records, count);
+    }
+
     template <typename Record>
     std::size_t write_chunks(const std::vector<Record>& records, int& number) {
         std::size_t written = 0;
         for (std::size_t begin = 0; begin < records.size(); begin += chunk_maximum_records) {
             const TraceChunk chunk =
-                codec.encode(records.data() + begin, std::min(chunk_maximum_records, records.size() - begin));
+                encode(records.data() + begin, std::min(chunk_maximum_records, records.size() - begin));
             Query(opened().connection(),
                   "INSERT INTO trace_chunk (attempt_id, stream, number, first_tick, last_tick, records, "
                   "checksum, data) "

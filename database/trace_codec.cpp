@@ -1,328 +1,96 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A record is a row of 32-bit columns. Every column is predicted from its own past (order 0 to 3, wrapping
-// arithmetic) and, where a partner is named, from an earlier column's residual; the residual is zigzag-coded
-// in Rice codes whose parameter is chosen per block. zstd then removes what repeats.
+// A record is a row of 32-bit columns. Every column is predicted from its own past (differences of order 0 to
+// 3, wrapping) and, where that makes it smaller, from the residual of a partner column, or from the residuals
+// of the inputs of the same ticks by coefficients fitted to every 256 ticks: the shaft's axis and the tip are
+// functions of the handle, and most of what is left of them after differencing is the handle's own
+// quantisation seen through a lever. Residuals become Rice codes; zstd removes what repeats.
 #include "database/trace_codec.h"
 
 #include <zstd.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
-#include <cstring>
+#include <cmath>
 #include <limits>
 
 #include "database/crypto.h"
 #include "database/errors.h"
+#include "database/trace_bits.h"
+#include "database/trace_layout.h"
 
 namespace fulcrum::database {
 namespace {
 
 constexpr std::uint8_t layout_version = 1;
 constexpr std::size_t checksum_size = 16;
-constexpr unsigned block_size = 128;       // residuals that share a Rice parameter
-constexpr unsigned zero_block = 31;        // parameter that says: all residuals are 0
-constexpr unsigned longest_quotient = 20;  // then the residual follows in 32 plain bits
 constexpr unsigned highest_order = 3;
 constexpr int compression_level = 3;
+constexpr std::size_t header_size = 6;
+constexpr std::size_t segment = 256;        // ticks that share coefficients
+constexpr unsigned coefficient_bits = 20;   // two's complement
+constexpr unsigned coefficient_shift = 10;  // value = coefficient / 1024, so |value| < 512
+constexpr std::int64_t coefficient_limit = (std::int64_t{1} << (coefficient_bits - 1U)) - 1;
 
-[[noreturn]] void corrupt(const char* what) {
-    throw StoreError(StoreErrorKind::corrupt, std::string("a trace chunk is damaged (") + what + ")",
-                     "the rest of the attempt can be read; restore the newest backup for this part");
-}
-
-class BitWriter {
-  public:
-    explicit BitWriter(std::vector<std::uint8_t>& bytes) : bytes_(bytes) {}
-    /// The low `count` bits of value, lowest first; count 0 to 32.
-    void put(std::uint32_t value, unsigned count) {
-        pending_ |= static_cast<std::uint64_t>(value) << filled_;
-        filled_ += count;
-        while (filled_ >= 8) {
-            bytes_.push_back(static_cast<std::uint8_t>(pending_));
-            pending_ >>= 8U;
-            filled_ -= 8;
-        }
-    }
-    void finish() {
-        if (filled_ > 0) bytes_.push_back(static_cast<std::uint8_t>(pending_));
-        pending_ = 0;
-        filled_ = 0;
-    }
-
-  private:
-    std::vector<std::uint8_t>& bytes_;
-    std::uint64_t pending_ = 0;
-    unsigned filled_ = 0;
-};
-
-class BitReader {
-  public:
-    BitReader(const std::uint8_t* begin, const std::uint8_t* end) : next_(begin), end_(end) {}
-    std::uint32_t take(unsigned count) {
-        while (filled_ < count) {
-            if (next_ == end_) corrupt("it ends too early");
-            pending_ |= static_cast<std::uint64_t>(*next_++) << filled_;
-            filled_ += 8;
-        }
-        const auto value = static_cast<std::uint32_t>(pending_ & ((std::uint64_t{1} << count) - 1U));
-        pending_ >>= count;
-        filled_ -= count;
-        return value;
-    }
-    bool at_end() const { return next_ == end_; }
-
-  private:
-    const std::uint8_t *next_, *end_;
-    std::uint64_t pending_ = 0;
-    unsigned filled_ = 0;
-};
-
-std::uint32_t zigzag(std::uint32_t value) {
-    return (value << 1U) ^ (0U - (value >> 31U));
-}
-std::uint32_t unzigzag(std::uint32_t value) {
-    return (value >> 1U) ^ (0U - (value & 1U));
-}
+using Column = std::vector<std::uint32_t>;
+using Coefficients = std::array<std::int64_t, 3>;
+enum Share : unsigned { share_none = 0, share_less = 1, share_plus = 2, share_guided = 3 };
 
 /// Pass 0, 1, 2 of differences in place. Pass p leaves the first p + 1 values alone, so that only the first
 /// of a column is large.
-void difference(std::vector<std::uint32_t>& column, std::size_t pass) {
+void difference(Column& column, std::size_t pass) {
     for (std::size_t i = column.size(); i-- > pass + 1;) column[i] -= column[i - 1];
 }
-void restore(std::vector<std::uint32_t>& column, std::size_t pass) {
+void restore(Column& column, std::size_t pass) {
     for (std::size_t i = pass + 1; i < column.size(); ++i) column[i] += column[i - 1];
 }
 
-unsigned bit_length(std::uint32_t value) {
-    unsigned bits = 0;
-    while (value != 0) {
-        ++bits;
-        value >>= 1U;
-    }
-    return bits;
-}
-
-std::uint64_t rice_cost(const std::uint32_t* values, std::size_t count, unsigned parameter) {
+/// Sum of bit lengths: what choosing a prediction goes by.
+std::uint64_t roughness(const Column& column) {
     std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::uint32_t quotient = values[i] >> parameter;
-        bits += quotient < longest_quotient ? quotient + 1U + parameter : longest_quotient + 32U;
-    }
+    for (const std::uint32_t value : column) bits += bit_length(zigzag(value));
     return bits;
 }
 
-unsigned best_parameter(const std::uint32_t* values, std::size_t count) {
-    std::uint64_t sum = 0;
-    for (std::size_t i = 0; i < count; ++i) sum += values[i];
-    if (sum == 0) return zero_block;
-    // The parameter near log2 of the mean is best for a geometric distribution; its neighbours cover
-    // outliers.
-    const unsigned middle =
-        bit_length(static_cast<std::uint32_t>(std::min<std::uint64_t>(sum / count, 0x3fffffffU)));
-    unsigned best = 0;
-    std::uint64_t best_bits = std::numeric_limits<std::uint64_t>::max();
-    for (unsigned parameter = middle >= 3 ? middle - 3 : 0; parameter <= std::min(middle + 1, 30U);
-         ++parameter) {
-        const std::uint64_t bits = rice_cost(values, count, parameter);
-        if (bits < best_bits) {
-            best_bits = bits;
-            best = parameter;
-        }
-    }
-    return best;
+std::int64_t signed_value(std::uint32_t value) {
+    return static_cast<std::int32_t>(value);
 }
 
-/// Sum of bit lengths: what choosing the prediction goes by.
-std::uint64_t roughness(const std::vector<std::uint32_t>& column, const std::vector<std::uint32_t>* partner,
-                        bool add) {
-    std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < column.size(); ++i) {
-        const std::uint32_t reference = partner == nullptr ? 0U : (*partner)[i];
-        bits += bit_length(zigzag(add ? column[i] + reference : column[i] - reference));
+/// What the guides' residuals say of a column's, rounded; the same integers on both sides.
+std::uint32_t guided(const Coefficients& coefficients, const std::array<const Column*, 3>& guides,
+                     std::size_t i) {
+    std::int64_t sum = std::int64_t{1} << (coefficient_shift - 1U);
+    for (std::size_t g = 0; g < 3; ++g) {
+        if (guides[g] != nullptr) sum += coefficients[g] * signed_value((*guides[g])[i]);
     }
-    return bits;
+    return static_cast<std::uint32_t>(sum >> coefficient_shift);
 }
 
-/// Columns and their partners (an earlier column, or -1) of each kind of record.
-template <typename Record>
-struct Layout;
-
-// Values narrower than 32 bits are checked on the way back: a damaged chunk that passed its checksum must not
-// wrap.
-template <typename Narrow>
-Narrow narrow(std::uint32_t value) {
-    const auto wide = static_cast<std::int32_t>(value);
-    if (wide < std::numeric_limits<Narrow>::min() || wide > std::numeric_limits<Narrow>::max())
-        corrupt("a value out of range");
-    return static_cast<Narrow>(wide);
-}
-
-class ColumnWriter {
-  public:
-    explicit ColumnWriter(std::uint32_t* out) : out_(out) {}
-    void operator()(std::uint32_t value) { *out_++ = value; }
-    void operator()(std::int32_t value) { *out_++ = static_cast<std::uint32_t>(value); }
-    void operator()(std::uint16_t value) { *out_++ = value; }
-    void operator()(std::int16_t value) {
-        *out_++ = static_cast<std::uint32_t>(static_cast<std::int32_t>(value));
-    }
-    void operator()(std::uint8_t value) { *out_++ = value; }
-    void operator()(std::int8_t value) {
-        *out_++ = static_cast<std::uint32_t>(static_cast<std::int32_t>(value));
-    }
-
-  private:
-    std::uint32_t* out_;
-};
-
-class ColumnReader {
-  public:
-    explicit ColumnReader(const std::uint32_t* in) : in_(in) {}
-    void operator()(std::uint32_t& value) { value = *in_++; }
-    void operator()(std::int32_t& value) { value = static_cast<std::int32_t>(*in_++); }
-    template <typename Narrow>
-    void operator()(Narrow& value) {
-        value = narrow<Narrow>(*in_++);
-    }
-
-  private:
-    const std::uint32_t* in_;
-};
-
-template <typename Visitor, typename Hand>
-void visit_hand(Visitor& visit, Hand& hand) {
-    for (auto& value : hand.tip) visit(value);
-    for (auto& value : hand.axis) visit(value);
-    visit(hand.roll);
-    visit(hand.jaw_angle);
-    for (auto& value : hand.force) visit(value);
-    for (auto& value : hand.device_force) visit(value);
-    visit(hand.jaw_force);
-    visit(hand.jaw_area);
-    visit(hand.tissue);
-    visit(hand.patch);
-    visit(hand.flags);
-    visit(hand.filter_grade);
-}
-
-template <typename Visitor, typename Device>
-void visit_device(Visitor& visit, Device& device) {
-    for (auto& value : device.handle) visit(value);
-    visit(device.roll);
-    visit(device.jaw);
-    visit(device.grip);
-    visit(device.buttons);
-    visit(device.present);
-    visit(device.faulty);
-}
-
-template <>
-struct Layout<TickSample> {
-    static constexpr TraceStream stream = TraceStream::samples;
-    static constexpr std::size_t hand_columns = 20, columns = 4 + 2 * hand_columns + 7;
-    template <typename Visitor, typename Record>
-    static void visit(Visitor& visitor, Record& record) {
-        visitor(record.tick);
-        visitor(record.rig_flags);
-        visitor(record.model_step);
-        visitor(record.missed);
-        for (auto& hand : record.hand) visit_hand(visitor, hand);
-        for (auto& value : record.camera.tip) visitor(value);
-        for (auto& value : record.camera.orientation) visitor(value);
-    }
-    static int partner(std::size_t column) {
-        if (column < 4 || column >= 4 + 2 * hand_columns) return -1;
-        // The device force follows the force.
-        const std::size_t within = (column - 4) % hand_columns;
-        return within >= 11 && within < 14 ? static_cast<int>(column) - 3 : -1;
-    }
-    static std::uint32_t first_tick(const TickSample& record) { return record.tick; }
-    static std::uint32_t last_tick(const TickSample& record) { return record.tick; }
-};
-
-template <>
-struct Layout<RigSample> {
-    static constexpr TraceStream stream = TraceStream::inputs;
-    static constexpr std::size_t columns = 2 + 3 * 9;
-    template <typename Visitor, typename Record>
-    static void visit(Visitor& visitor, Record& record) {
-        visitor(record.tick);
-        visitor(record.flags);
-        for (auto& hand : record.hand) visit_device(visitor, hand);
-        visit_device(visitor, record.camera);
-    }
-    static int partner(std::size_t) { return -1; }
-    static std::uint32_t first_tick(const RigSample& record) { return record.tick; }
-    static std::uint32_t last_tick(const RigSample& record) { return record.tick; }
-};
-
-template <>
-struct Layout<StepRecord> {
-    static constexpr TraceStream stream = TraceStream::steps;
-    static constexpr std::size_t columns = 6;
-    static void visit(ColumnWriter& visitor, const StepRecord& record) {
-        visitor(record.step);
-        visitor(record.first_tick);
-        visitor(record.last_tick);
-        visitor(record.outcome);
-        visitor(static_cast<std::uint32_t>(record.state_hash));
-        visitor(static_cast<std::uint32_t>(record.state_hash >> 32U));
-    }
-    static void visit(ColumnReader& visitor, StepRecord& record) {
-        visitor(record.step);
-        visitor(record.first_tick);
-        visitor(record.last_tick);
-        visitor(record.outcome);
-        std::uint32_t low = 0, high = 0;
-        visitor(low);
-        visitor(high);
-        record.state_hash = low | static_cast<std::uint64_t>(high) << 32U;
-    }
-    static int partner(std::size_t column) { return column == 2 ? 1 : -1; }
-    static std::uint32_t first_tick(const StepRecord& record) { return record.first_tick; }
-    static std::uint32_t last_tick(const StepRecord& record) { return record.last_tick; }
-};
-
-template <>
-struct Layout<Event> {
-    static constexpr TraceStream stream = TraceStream::events;
-    static constexpr std::size_t columns = 6;
-    static void visit(ColumnWriter& visitor, const Event& record) {
-        visitor(record.tick);
-        visitor(static_cast<std::uint16_t>(record.kind));
-        visitor(record.hand);
-        visitor(record.tissue);
-        visitor(record.detail);
-        std::uint32_t bits = 0;
-        std::memcpy(&bits, &record.value, sizeof bits);
-        visitor(bits);
-    }
-    static void visit(ColumnReader& visitor, Event& record) {
-        visitor(record.tick);
-        std::uint16_t kind = 0;
-        visitor(kind);
-        record.kind = static_cast<EventKind>(kind);
-        visitor(record.hand);
-        visitor(record.tissue);
-        visitor(record.detail);
-        std::uint32_t bits = 0;
-        visitor(bits);
-        std::memcpy(&record.value, &bits, sizeof bits);
-    }
-    static int partner(std::size_t) { return -1; }
-    static std::uint32_t first_tick(const Event& record) { return record.tick; }
-    static std::uint32_t last_tick(const Event& record) { return record.tick; }
-};
-
-void put_header(std::vector<std::uint8_t>& bytes, TraceStream stream, std::size_t count,
-                std::size_t columns) {
+void put_header(std::vector<std::uint8_t>& bytes, TraceStream stream, std::size_t count, std::size_t columns,
+                bool with_inputs) {
     bytes.push_back(layout_version);
     bytes.push_back(static_cast<std::uint8_t>(stream));
     bytes.push_back(static_cast<std::uint8_t>(count & 0xffU));
     bytes.push_back(static_cast<std::uint8_t>(count >> 8U));
     bytes.push_back(static_cast<std::uint8_t>(columns));
+    bytes.push_back(with_inputs ? 1U : 0U);
 }
-constexpr std::size_t header_size = 5;
+
+template <typename Record>
+bool same_ticks(const Record* records, const RigSample* inputs, std::size_t count) {
+    if constexpr (std::is_same_v<Record, TickSample>) {
+        if (inputs == nullptr) return false;
+        for (std::size_t i = 0; i < count; ++i) {
+            if (records[i].tick != inputs[i].tick) return false;
+        }
+        return true;
+    } else {
+        static_cast<void>(records);
+        static_cast<void>(inputs);
+        static_cast<void>(count);
+        return false;
+    }
+}
 
 }  // namespace
 
@@ -344,9 +112,12 @@ struct TraceCodec::State {
     ZSTD_CCtx* compressor = ZSTD_createCCtx();
     ZSTD_DCtx* decompressor = ZSTD_createDCtx();
     std::vector<std::uint32_t> rows;  // record after record
-    std::vector<std::vector<std::uint32_t>>
-        residuals;  // column after column, as coded before any partner was taken off
-    std::vector<std::uint32_t> candidate, codes;
+    std::vector<Column> residuals;    // column after column, at its order, before any share was taken off
+    std::array<unsigned, 64> orders{};
+    std::array<std::vector<Column>, highest_order + 1>
+        inputs;  // residuals of the inputs' columns at every order
+    bool with_inputs = false;
+    Column candidate, shared, codes;
     std::vector<std::uint8_t> plain;
 
     ~State() {
@@ -354,103 +125,174 @@ struct TraceCodec::State {
         ZSTD_freeDCtx(decompressor);
     }
 
+    void load_inputs(const RigSample* records, std::size_t count) {
+        using Columns = Layout<RigSample>;
+        std::array<std::uint32_t, Columns::columns> row{};
+        for (auto& order : inputs) {
+            order.resize(Columns::columns);
+            for (Column& column : order) column.resize(count);
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            ColumnWriter writer(row.data());
+            Columns::visit(writer, records[i]);
+            for (std::size_t column = 0; column < Columns::columns; ++column)
+                inputs[0][column][i] = row[column];
+        }
+        for (std::size_t order = 1; order <= highest_order; ++order) {
+            for (std::size_t column = 0; column < Columns::columns; ++column) {
+                inputs[order][column] = inputs[order - 1][column];
+                difference(inputs[order][column], order - 1);
+            }
+        }
+    }
+
+    std::array<const Column*, 3> guides_at(const Guides& guides, unsigned order) const {
+        std::array<const Column*, 3> columns{nullptr, nullptr, nullptr};
+        for (std::size_t g = 0; g < 3; ++g) {
+            if (guides[g] >= 0) columns[g] = &inputs[order][static_cast<std::size_t>(guides[g])];
+        }
+        return columns;
+    }
+
+    /// Least squares of candidate on the guides over one segment, the first values (not yet differences) left
+    /// out.
+    Coefficients fit(const std::array<const Column*, 3>& guides, std::size_t begin, std::size_t end) const {
+        Matrix3 normal = Matrix3::Zero();
+        Vector3 right = Vector3::Zero();
+        for (std::size_t i = std::max<std::size_t>(begin, highest_order); i < end; ++i) {
+            Vector3 value;
+            for (std::size_t g = 0; g < 3; ++g) {
+                value[static_cast<Eigen::Index>(g)] =
+                    guides[g] == nullptr ? 0.0 : static_cast<double>(signed_value((*guides[g])[i]));
+            }
+            normal += value * value.transpose();
+            right += value * static_cast<double>(signed_value(candidate[i]));
+        }
+        normal.diagonal().array() += 1e-3;  // a guide that rests takes no part
+        const Vector3 solution = normal.ldlt().solve(right) * static_cast<double>(1U << coefficient_shift);
+        Coefficients coefficients{};
+        for (std::size_t g = 0; g < 3; ++g) {
+            const double limit = static_cast<double>(coefficient_limit),
+                         wanted = solution[static_cast<Eigen::Index>(g)];
+            coefficients[g] = std::isfinite(wanted)
+                                  ? static_cast<std::int64_t>(std::lround(std::clamp(wanted, -limit, limit)))
+                                  : 0;
+        }
+        return coefficients;
+    }
+
     void write_column(BitWriter& writer, std::size_t column, std::size_t columns, std::size_t count,
-                      int partner) {
+                      int partner, const Guides& guides) {
         candidate.resize(count);
         for (std::size_t i = 0; i < count; ++i) candidate[i] = rows[i * columns + column];
-        // Order, and sign of the partner's share: 0 none, 1 less it, 2 plus it.
-        unsigned best_order = 0, best_share = 0;
+        unsigned best_order = 0;
+        Share best_share = share_none;
         std::uint64_t best = std::numeric_limits<std::uint64_t>::max();
-        const auto* reference = partner >= 0 ? &residuals[static_cast<std::size_t>(partner)] : nullptr;
+        std::vector<Coefficients> best_coefficients;
+        const auto offer = [&](const Column& left, unsigned order, Share share, std::uint64_t extra) {
+            const std::uint64_t bits = roughness(left) + extra;
+            if (bits >= best) return false;
+            best = bits;
+            best_order = order;
+            best_share = share;
+            residuals[column] = candidate;
+            codes = left;
+            return true;
+        };
+        shared.resize(count);
         for (unsigned order = 0; order <= highest_order; ++order) {
             if (order > 0) difference(candidate, order - 1);
-            const std::uint64_t own = roughness(candidate, nullptr, false);
-            if (own < best) {
-                best = own;
-                best_order = order;
-                best_share = 0;
-                residuals[column] = candidate;
+            offer(candidate, order, share_none, 0);
+            if (partner >= 0 && orders[static_cast<std::size_t>(partner)] == order) {
+                const Column& reference = residuals[static_cast<std::size_t>(partner)];
+                for (std::size_t i = 0; i < count; ++i) shared[i] = candidate[i] - reference[i];
+                offer(shared, order, share_less, 0);
+                for (std::size_t i = 0; i < count; ++i) shared[i] = candidate[i] + reference[i];
+                offer(shared, order, share_plus, 0);
             }
-            if (reference != nullptr && orders[static_cast<std::size_t>(partner)] == order) {
-                for (const unsigned share : {1U, 2U}) {
-                    const std::uint64_t shared = roughness(candidate, reference, share == 2U);
-                    if (shared < best) {
-                        best = shared;
-                        best_order = order;
-                        best_share = share;
-                        residuals[column] = candidate;
+            // Orders 1 and 2 are those at which moving hands are best predicted.
+            if (with_inputs && guides[0] >= 0 && (order == 1 || order == 2) && best > count) {
+                const auto columns_of_guides = guides_at(guides, order);
+                std::vector<Coefficients> coefficients;
+                std::uint64_t extra = 0;
+                for (std::size_t begin = 0; begin < count; begin += segment) {
+                    const std::size_t end = std::min(begin + segment, count);
+                    coefficients.push_back(fit(columns_of_guides, begin, end));
+                    for (const int guide : guides) extra += guide >= 0 ? coefficient_bits : 0U;
+                    for (std::size_t i = begin; i < end; ++i) {
+                        shared[i] =
+                            candidate[i] -
+                            (i < highest_order ? 0U : guided(coefficients.back(), columns_of_guides, i));
                     }
                 }
+                if (offer(shared, order, share_guided, extra)) best_coefficients = std::move(coefficients);
             }
         }
         orders[column] = best_order;
         writer.put(best_order, 2);
         writer.put(best_share, 2);
-        codes.resize(count);
-        for (std::size_t i = 0; i < count; ++i) {
-            std::uint32_t value = residuals[column][i];
-            if (best_share == 1U) value -= (*reference)[i];
-            if (best_share == 2U) value += (*reference)[i];
-            codes[i] = zigzag(value);
-        }
-        for (std::size_t begin = 0; begin < count; begin += block_size) {
-            const std::size_t length = std::min<std::size_t>(block_size, count - begin);
-            const unsigned parameter = best_parameter(codes.data() + begin, length);
-            writer.put(parameter, 5);
-            if (parameter == zero_block) continue;
-            for (std::size_t i = begin; i < begin + length; ++i) {
-                const std::uint32_t quotient = codes[i] >> parameter;
-                if (quotient < longest_quotient) {
-                    writer.put((1U << quotient) - 1U, quotient + 1U);  // ones, then a zero
-                    writer.put(codes[i] & ((1U << parameter) - 1U), parameter);
-                } else {
-                    writer.put((1U << longest_quotient) - 1U, longest_quotient);
-                    writer.put(codes[i], 32);
+        if (best_share == share_guided) {
+            for (const Coefficients& coefficients : best_coefficients) {
+                for (std::size_t g = 0; g < 3; ++g) {
+                    if (guides[g] >= 0) {
+                        writer.put(
+                            static_cast<std::uint32_t>(coefficients[g]) & ((1U << coefficient_bits) - 1U),
+                            coefficient_bits);
+                    }
                 }
             }
         }
+        for (std::uint32_t& code : codes) code = zigzag(code);
+        write_rice(writer, codes.data(), count);
     }
 
     void read_column(BitReader& reader, std::size_t column, std::size_t columns, std::size_t count,
-                     int partner) {
+                     int partner, const Guides& guides) {
         const unsigned order = reader.take(2), share = reader.take(2);
-        if (share > 2U ||
-            (share != 0U && (partner < 0 || orders[static_cast<std::size_t>(partner)] != order)))
-            corrupt("its layout");
         orders[column] = order;
-        auto& values = residuals[column];
+        Column& values = residuals[column];
         values.resize(count);
-        for (std::size_t begin = 0; begin < count; begin += block_size) {
-            const std::size_t end = std::min<std::size_t>(begin + block_size, count);
-            const unsigned parameter = reader.take(5);
-            for (std::size_t i = begin; i < end; ++i) {
-                std::uint32_t code = 0;
-                if (parameter != zero_block) {
-                    unsigned quotient = 0;
-                    while (quotient < longest_quotient && reader.take(1) == 1U) ++quotient;
-                    code = quotient == longest_quotient ? reader.take(32)
-                                                        : quotient << parameter | reader.take(parameter);
+        std::vector<Coefficients> coefficients;
+        if (share == share_guided) {
+            if (!with_inputs || guides[0] < 0) damaged_chunk("its layout");
+            coefficients.resize((count + segment - 1) / segment);
+            for (Coefficients& each : coefficients) {
+                for (std::size_t g = 0; g < 3; ++g) {
+                    if (guides[g] < 0) continue;
+                    const auto bits = static_cast<std::int64_t>(reader.take(coefficient_bits));
+                    each[g] = bits > coefficient_limit ? bits - (std::int64_t{1} << coefficient_bits) : bits;
                 }
-                values[i] = unzigzag(code);
-                if (share == 1U) values[i] += residuals[static_cast<std::size_t>(partner)][i];
-                if (share == 2U) values[i] -= residuals[static_cast<std::size_t>(partner)][i];
             }
+        } else if (share != share_none &&
+                   (partner < 0 || orders[static_cast<std::size_t>(partner)] != order)) {
+            damaged_chunk("its layout");
+        }
+        read_rice(reader, values.data(), count);
+        for (std::uint32_t& value : values) value = unzigzag(value);
+        if (share == share_guided) {
+            const auto columns_of_guides = guides_at(guides, order);
+            for (std::size_t i = highest_order; i < count; ++i)
+                values[i] += guided(coefficients[i / segment], columns_of_guides, i);
+        } else if (share != share_none) {
+            const Column& reference = residuals[static_cast<std::size_t>(partner)];
+            for (std::size_t i = 0; i < count; ++i)
+                values[i] += share == share_less ? reference[i] : 0U - reference[i];
         }
         candidate = values;
         for (unsigned pass = order; pass-- > 0;) restore(candidate, pass);
         for (std::size_t i = 0; i < count; ++i) rows[i * columns + column] = candidate[i];
     }
 
-    std::array<unsigned, 64> orders{};
-
     template <typename Record>
-    TraceChunk encode(const Record* records, std::size_t count) {
+    TraceChunk encode(const Record* records, std::size_t count, const RigSample* of_same_ticks) {
         using Columns = Layout<Record>;
         if (count == 0 || count > chunk_maximum_records) {
             throw StoreError(StoreErrorKind::bad_value,
                              "a trace chunk holds 1 to " + std::to_string(chunk_maximum_records) + " records",
                              "split it");
         }
+        with_inputs = same_ticks(records, of_same_ticks, count);
+        if (with_inputs) load_inputs(of_same_ticks, count);
         rows.resize(count * Columns::columns);
         residuals.resize(std::max(residuals.size(), Columns::columns));
         for (std::size_t i = 0; i < count; ++i) {
@@ -458,10 +300,11 @@ struct TraceCodec::State {
             Columns::visit(writer, records[i]);
         }
         plain.clear();
-        put_header(plain, Columns::stream, count, Columns::columns);
+        put_header(plain, Columns::stream, count, Columns::columns, with_inputs);
         BitWriter writer(plain);
         for (std::size_t column = 0; column < Columns::columns; ++column) {
-            write_column(writer, column, Columns::columns, count, Columns::partner(column));
+            write_column(writer, column, Columns::columns, count, Columns::partner(column),
+                         Columns::guides(column));
         }
         writer.finish();
 
@@ -482,37 +325,57 @@ struct TraceCodec::State {
         return chunk;
     }
 
-    template <typename Record>
-    void decode(const TraceChunk& chunk, std::vector<Record>& records) {
-        using Columns = Layout<Record>;
-        if (chunk.stream != Columns::stream) corrupt("another stream");
+    void unpack(const TraceChunk& chunk, TraceStream stream, std::size_t columns) {
+        if (chunk.stream != stream) damaged_chunk("another stream");
         if (chunk.data.size() > chunk_maximum_bytes || chunk.count == 0 ||
             chunk.count > chunk_maximum_records)
-            corrupt("its size");
-        if (chunk.checksum != blake2b(chunk.data, checksum_size)) corrupt("its checksum");
-        const std::size_t count = chunk.count;
-        // No residual takes more than longest_quotient + 32 bits: nothing honest is larger than this.
-        const std::size_t most = header_size + Columns::columns * (1 + count * 7 + count / block_size + 1);
+            damaged_chunk("its size");
+        if (chunk.checksum != blake2b(chunk.data, checksum_size)) damaged_chunk("its checksum");
+        const std::size_t coefficients = (chunk.count / segment + 1) * 3 * coefficient_bits / 8 + 1;
+        const std::size_t most = header_size + columns * (1 + coefficients + rice_bound(chunk.count));
         const unsigned long long announced = ZSTD_getFrameContentSize(chunk.data.data(), chunk.data.size());
         if (announced == ZSTD_CONTENTSIZE_ERROR || announced == ZSTD_CONTENTSIZE_UNKNOWN ||
             announced > most || announced < header_size) {
-            corrupt("its length");
+            damaged_chunk("its length");
         }
         plain.resize(static_cast<std::size_t>(announced));
         const std::size_t size = ZSTD_decompressDCtx(decompressor, plain.data(), plain.size(),
                                                      chunk.data.data(), chunk.data.size());
-        if (ZSTD_isError(size) != 0U || size != plain.size()) corrupt("its compression");
+        if (ZSTD_isError(size) != 0U || size != plain.size()) damaged_chunk("its compression");
         std::vector<std::uint8_t> header;
-        put_header(header, Columns::stream, count, Columns::columns);
-        if (!std::equal(header.begin(), header.end(), plain.begin())) corrupt("its header");
+        with_inputs = plain[header_size - 1] == 1U;
+        put_header(header, stream, chunk.count, columns, with_inputs);
+        if (!std::equal(header.begin(), header.end(), plain.begin())) damaged_chunk("its header");
+    }
 
+    template <typename Record>
+    void decode(const TraceChunk& chunk, std::vector<Record>& records,
+                const std::vector<RigSample>* all_inputs) {
+        using Columns = Layout<Record>;
+        unpack(chunk, Columns::stream, Columns::columns);
+        const std::size_t count = chunk.count;
+        if (with_inputs) {
+            const RigSample* begin = nullptr;
+            if (all_inputs != nullptr) {
+                const auto found = std::lower_bound(
+                    all_inputs->begin(), all_inputs->end(), chunk.first_tick,
+                    [](const RigSample& input, std::uint32_t tick) { return input.tick < tick; });
+                if (static_cast<std::size_t>(all_inputs->end() - found) >= count) begin = &*found;
+            }
+            if (begin == nullptr || begin->tick != chunk.first_tick ||
+                begin[count - 1].tick != chunk.last_tick) {
+                damaged_chunk("the inputs that it was made with are missing");
+            }
+            load_inputs(begin, count);
+        }
         rows.resize(count * Columns::columns);
         residuals.resize(std::max(residuals.size(), Columns::columns));
         BitReader reader(plain.data() + header_size, plain.data() + plain.size());
         for (std::size_t column = 0; column < Columns::columns; ++column) {
-            read_column(reader, column, Columns::columns, count, Columns::partner(column));
+            read_column(reader, column, Columns::columns, count, Columns::partner(column),
+                        Columns::guides(column));
         }
-        if (!reader.at_end()) corrupt("something follows its end");
+        if (!reader.at_end()) damaged_chunk("something follows its end");
         std::vector<Record> decoded(count);
         for (std::size_t i = 0; i < count; ++i) {
             ColumnReader column_reader(rows.data() + i * Columns::columns);
@@ -520,39 +383,38 @@ struct TraceCodec::State {
         }
         if (Columns::first_tick(decoded.front()) != chunk.first_tick ||
             Columns::last_tick(decoded.back()) != chunk.last_tick) {
-            corrupt("its ticks");
+            damaged_chunk("its ticks");
         }
         records.insert(records.end(), decoded.begin(), decoded.end());
     }
 };
 
-TraceCodec::TraceCodec() : state_(new State) {}
-TraceCodec::~TraceCodec() {
-    delete state_;
-}
-TraceChunk TraceCodec::encode(const TickSample* records, std::size_t count) {
-    return state_->encode(records, count);
+TraceCodec::TraceCodec() : state_(std::make_unique<State>()) {}
+TraceCodec::~TraceCodec() = default;
+TraceChunk TraceCodec::encode(const TickSample* records, std::size_t count, const RigSample* inputs) {
+    return state_->encode(records, count, inputs);
 }
 TraceChunk TraceCodec::encode(const RigSample* records, std::size_t count) {
-    return state_->encode(records, count);
+    return state_->encode(records, count, nullptr);
 }
 TraceChunk TraceCodec::encode(const StepRecord* records, std::size_t count) {
-    return state_->encode(records, count);
+    return state_->encode(records, count, nullptr);
 }
 TraceChunk TraceCodec::encode(const Event* records, std::size_t count) {
-    return state_->encode(records, count);
+    return state_->encode(records, count, nullptr);
 }
-void TraceCodec::decode(const TraceChunk& chunk, std::vector<TickSample>& records) {
-    state_->decode(chunk, records);
+void TraceCodec::decode(const TraceChunk& chunk, std::vector<TickSample>& records,
+                        const std::vector<RigSample>* inputs) {
+    state_->decode(chunk, records, inputs);
 }
 void TraceCodec::decode(const TraceChunk& chunk, std::vector<RigSample>& records) {
-    state_->decode(chunk, records);
+    state_->decode(chunk, records, nullptr);
 }
 void TraceCodec::decode(const TraceChunk& chunk, std::vector<StepRecord>& records) {
-    state_->decode(chunk, records);
+    state_->decode(chunk, records, nullptr);
 }
 void TraceCodec::decode(const TraceChunk& chunk, std::vector<Event>& records) {
-    state_->decode(chunk, records);
+    state_->decode(chunk, records, nullptr);
 }
 
 }  // namespace fulcrum::database

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -39,20 +40,23 @@ class TraceCodec {
     TraceCodec& operator=(const TraceCodec&) = delete;
 
     /// At most chunk_maximum_records records; at least one.
-    TraceChunk encode(const TickSample* records, std::size_t count);
+    /// `inputs`: the inputs of the same ticks, one for each record, or null. With them a chunk is about a
+    /// third smaller, and decoding needs them again.
+    TraceChunk encode(const TickSample* records, std::size_t count, const RigSample* inputs = nullptr);
     TraceChunk encode(const RigSample* records, std::size_t count);
     TraceChunk encode(const StepRecord* records, std::size_t count);
     TraceChunk encode(const Event* records, std::size_t count);
 
-    /// Appends to `records`.
-    void decode(const TraceChunk& chunk, std::vector<TickSample>& records);
+    /// Appends to `records`. `inputs`: those of the whole attempt so far, ticks rising.
+    void decode(const TraceChunk& chunk, std::vector<TickSample>& records,
+                const std::vector<RigSample>* inputs = nullptr);
     void decode(const TraceChunk& chunk, std::vector<RigSample>& records);
     void decode(const TraceChunk& chunk, std::vector<StepRecord>& records);
     void decode(const TraceChunk& chunk, std::vector<Event>& records);
 
   private:
     struct State;
-    State* state_;
+    std::unique_ptr<State> state_;
 };
 
 /// A whole attempt's record, in order.

