@@ -17,6 +17,7 @@ Fidelity named_fidelity(const std::string& id) {
         return fidelity;
     }
     if (id == "fine") {
+        fidelity.rod = "newton";
         fidelity.material = "exp2";
         fidelity.collision = "brute";
         fidelity.tool_contact = "query";

@@ -100,8 +100,8 @@ struct TetherSpec {
 /// One choice for every row of the speed-accuracy table (theory, section 8).
 struct Fidelity {
     std::string id = "standard";
-    std::string rod = "newton";                   ///< linearised | newton_k | newton
-    int rod_iterations = 4;
+    std::string rod = "newton_k";                 ///< linearised | newton_k | newton
+    int rod_iterations = 8;
     std::string material = "linear";              ///< linear | exp2
     std::string skinning = "local";               ///< local | global
     std::string collision = "coherent";           ///< coherent | brute
