@@ -279,6 +279,7 @@ RodScratch Rod::make_scratch(int tethers, int grasps, int contacts, int self_con
     d.contact_start.resize(size(contacts), Vector3::Zero());
     for (auto* array : {&d.contact_lambda, &d.contact_force, &d.contact_start_lambda})
         array->resize(size(contacts), 0.0);
+    d.contact_active.resize(size(contacts), 0);
     d.self_points.resize(2 * size(self_contacts));
     for (auto* array : {&d.self_lambda, &d.self_force}) array->resize(size(self_contacts), 0.0);
     d.saved = make_state();

@@ -3,9 +3,9 @@
 // (augmented Lagrangian) form,
 //     [H  J^T; J  -1/rho] [dx; dl] = -[grad + J^T l; c],  eliminated to  (H + rho J^T J) dx = -grad - J^T (l
 //     + rho c),
-// the multiplier being brought to l + rho c after every Newton step: the band of the chain stays, sixty
-// contacts cost little, and at convergence c = 0 and l is the reaction (proximal method of multipliers;
-// Rockafellar 1976).
+// the multiplier of a grasp being brought to l + rho c after every Newton step, those of contacts once the
+// forces balance: the band of the chain stays, sixty contacts cost little, and at convergence c = 0 and l is
+// the reaction (proximal method of multipliers; Rockafellar 1976).
 #include <cmath>
 
 #include "sim_core/rod/rod_system.h"
@@ -137,6 +137,7 @@ void wall_jacobian(const RodShape& shape, const RodPoint& point, const Vector3& 
 
 void add_constraints(const Rod::Tables& tables, const RodShape& shape, RodInputs& inputs, bool hessian,
                      RodScratch::Data& data) {
+    data.active_changes = 0;
     data.constraint_residual = data.penetration = data.multiplier_change = data.reaction_squared = 0;
     RodJacobian jacobian;
     double largest_position = 0;
@@ -191,7 +192,8 @@ void add_constraints(const Rod::Tables& tables, const RodShape& shape, RodInputs
         add_gradient(jacobian, base, force, data.gradient);
         if (hessian) {
             add_hessian(jacobian, base, tables.grasp_penalty * Matrix3::Identity(), data.matrix);
-            add_wall_geometric(shape, point, grasp.offset, force, data.matrix);
+            // The multiplier alone, as in the Lagrangian: rho c is no force until the constraint is met.
+            add_wall_geometric(shape, point, grasp.offset, lambda, data.matrix);
         }
         if (!grasp.hold_rotation) continue;
         // Half the squared distance of the blended directors from the target's, which a rotation by phi makes
@@ -218,6 +220,11 @@ void add_constraints(const Rod::Tables& tables, const RodShape& shape, RodInputs
         const double before = data.contact_lambda[i];
         double lambda = before - penalty * gap;
         const bool active = lambda > 0;
+        if (hessian) {
+            data.contact_active[i] = active;
+        } else if (data.contact_active[i] != active) {
+            ++data.active_changes;
+        }
         lambda = active ? lambda : 0;
         data.contact_force[i] = lambda;
         data.penetration = -gap > data.penetration ? -gap : data.penetration;
@@ -236,6 +243,7 @@ void add_constraints(const Rod::Tables& tables, const RodShape& shape, RodInputs
             data.energy += size > reach ? limit * (size - 0.5 * reach) : 0.5 * rate * size * size;
             force += rate * slid;
             stiffness += rate * (Matrix3::Identity() - contact.normal * contact.normal.transpose());
+            if (size > reach) stiffness -= (rate / (size * size)) * (slid * slid.transpose());
         } else if (!active) {
             continue;
         }
@@ -302,8 +310,11 @@ void add_self_contacts(const Rod::Tables& tables, const RodShape& shape, RodInpu
     }
 }
 
-void update_multipliers(const RodInputs& inputs, RodScratch::Data& data) {
-    for (std::size_t i = 0; i < inputs.grasps.size(); ++i) data.grasp_lambda[i] = data.grasp_force[i];
+void update_multipliers(const RodInputs& inputs, bool grasps, bool contacts, RodScratch::Data& data) {
+    if (grasps) {
+        for (std::size_t i = 0; i < inputs.grasps.size(); ++i) data.grasp_lambda[i] = data.grasp_force[i];
+    }
+    if (!contacts) return;
     for (std::size_t i = 0; i < inputs.contacts.size(); ++i) data.contact_lambda[i] = data.contact_force[i];
     for (std::size_t i = 0; i < inputs.self_contacts.size(); ++i) data.self_lambda[i] = data.self_force[i];
 }

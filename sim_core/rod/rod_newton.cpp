@@ -7,7 +7,10 @@
 namespace fulcrum {
 namespace {
 
-constexpr double contact_tolerance = 1e-7;  // m, multiplier change over penalty
+constexpr int free_changes =
+    10;  // Newton steps in which contacts may change sides without a descent (active set)
+constexpr double contact_tolerance = 1e-6;  // m, multiplier change over penalty
+constexpr double near_target = 1e-3;        // m
 constexpr double largest_turn = 1.0;        // of a segment's edge, relative to its length, in one step
 
 double reaction_scale(const RodScratch::Data& data) {
@@ -95,7 +98,8 @@ NewtonResult newton(const Rod::Tables& tables, RodInputs& inputs, RodScratch::Da
             return result;
         }
         const double energy = data.energy, noise = data.energy_noise, before = free_residual(data);
-        const bool prescribed = boundary_distance(data.shape, data) > 1e-12;
+        const bool prescribed = boundary_distance(data.shape, data) > 1e-12 ||
+                                (data.constraint_residual > 1e-7 && i < free_changes);
         double slope = 0;
         reduce(data.shape, data);
         bool shifted = false;
@@ -115,7 +119,8 @@ NewtonResult newton(const Rod::Tables& tables, RodInputs& inputs, RodScratch::Da
         for (int attempt = 0; attempt < 30; ++attempt, share *= 0.5) {
             if (!retract(tables, data.shape, data.step.data(), share, data.trial)) continue;
             if (!evaluate(tables, data.trial, inputs, false, data)) continue;
-            if (full_steps || prescribed || data.energy <= energy + 1e-4 * share * slope + noise ||
+            if (full_steps || prescribed || (data.active_changes > 0 && i < free_changes) ||
+                data.energy <= energy + 1e-4 * share * slope + noise ||
                 (data.energy <= energy + 1e3 * noise && free_residual(data) < 0.5 * before)) {
                 accepted = true;
                 break;
@@ -130,7 +135,11 @@ NewtonResult newton(const Rod::Tables& tables, RodInputs& inputs, RodScratch::Da
         }
         std::swap(data.shape, data.trial);
         const bool finished = done(data.shape);
-        update_multipliers(inputs, data);
+        // The multipliers of contacts move only once the forces balance, those of grasps once the wall point
+        // is near its target: the overshoot of an iterate is no force.
+        const bool balanced = result.force_residual <= 10 * tolerance * reaction_scale(data);
+        update_multipliers(inputs, data.constraint_residual < near_target,
+                           balanced && data.multiplier_change > contact_tolerance, data);
         result.positive_definite = !shifted;
         if (finished && !shifted) {
             result.converged = true;

@@ -51,6 +51,7 @@ void locate_all(const Rod::Tables& tables, RodInputs& inputs, RodScratch::Data& 
     grow(d.contact_start, inputs.contacts.size(), Vector3(Vector3::Zero()));
     for (auto* array : {&d.contact_lambda, &d.contact_force, &d.contact_start_lambda})
         grow(*array, inputs.contacts.size(), 0.0);
+    grow(d.contact_active, inputs.contacts.size(), char{0});
     grow(d.self_points, 2 * inputs.self_contacts.size(), RodPoint{});
     for (auto* array : {&d.self_lambda, &d.self_force}) grow(*array, inputs.self_contacts.size(), 0.0);
     for (std::size_t i = 0; i < inputs.tethers.size(); ++i)
@@ -211,7 +212,14 @@ RodReport Rod::step(RodState& state, RodInputs& inputs, double dt, RodScratch& s
     const int limit =
         one ? 1
             : (solve.iterations > 0 ? solve.iterations : (solve.level == RodSolve::Level::newton ? 25 : 4));
-    for (int parts = 1; parts <= 4; parts *= 2) {
+    // A grasp that leaps is followed in parts from the start.
+    double leap = 0;
+    for (const RodGrasp& grasp : inputs.grasps) {
+        const double distance = (grasp.target - wall_point(state, grasp.s, grasp.offset)).norm();
+        leap = distance > leap ? distance : leap;
+    }
+    leap *= spec_.segments / length_;
+    for (int parts = leap > 2 ? 4 : (leap > 1 ? 2 : 1); parts <= 8; parts *= 2) {
         report.substeps = parts;
         report.iterations = 0;
         NewtonResult result;
@@ -253,7 +261,7 @@ RodReport Rod::step(RodState& state, RodInputs& inputs, double dt, RodScratch& s
         const bool acceptable =
             report.finite &&
             (result.converged || solve.level != RodSolve::Level::newton || result.residual < 1e-3);
-        if (acceptable || (report.finite && parts == 4 && result.residual < 0.1)) {
+        if (acceptable || (report.finite && parts == 8 && result.residual < 0.1)) {
             report.fault = parts > 1 ? RodFault::substepped : RodFault::none;
             state.ends[0] = inputs.ends[0];
             state.ends[1] = inputs.ends[1];

@@ -31,8 +31,10 @@ struct RodScratch::Data {
     std::vector<RodPoint> tether_points, grasp_points, contact_points, self_points;
     std::vector<Vector3> grasp_lambda, grasp_force, grasp_target, tether_start, contact_start;
     std::vector<double> contact_lambda, contact_force, contact_start_lambda, self_lambda, self_force;
-    double dt = 0;     ///< 0 in statics
-    double shift = 0;  ///< last safeguard shift that was needed
+    std::vector<char> contact_active;  ///< active in the last matrix
+    int active_changes = 0;            ///< contacts that changed side since, at the last evaluation
+    double dt = 0;                     ///< 0 in statics
+    double shift = 0;                  ///< last safeguard shift that was needed
     double dead_norm = 0;
     double energy = 0, energy_noise = 0, gradient_noise = 0;
     double bend = 0, twist = 0, stretch = 0;
@@ -64,8 +66,8 @@ void add_constraints(const Rod::Tables& tables, const RodShape& shape, RodInputs
 void add_self_contacts(const Rod::Tables& tables, const RodShape& shape, RodInputs& inputs, bool hessian,
                        RodScratch::Data& data);
 
-/// The multipliers become what the last evaluation used.
-void update_multipliers(const RodInputs& inputs, RodScratch::Data& data);
+/// The multipliers of grasps and of contacts, where asked, become the forces of the last evaluation.
+void update_multipliers(const RodInputs& inputs, bool grasps, bool contacts, RodScratch::Data& data);
 
 /// Stiffness-proportional damping: the elastic tangent at data.shape times spec.stiffness_damping / dt.
 void add_damping(const Rod::Tables& tables, const RodSpec& spec, double dt, RodScratch::Data& data);

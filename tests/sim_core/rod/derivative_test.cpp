@@ -37,7 +37,7 @@ struct Fixture {
             RodGrasp grasp;
             grasp.s = 0.081;
             grasp.offset = Vector3(-0.012, 0.009, 0.001);
-            grasp.target = rod.wall_point(state, grasp.s, grasp.offset) + Vector3(1e-6, 2e-6, -1e-6);
+            grasp.target = rod.wall_point(state, grasp.s, grasp.offset);
             grasp.reaction = Vector3(0.3, -0.2, 0.4);
             inputs.grasps = {grasp};
             RodContact contact;

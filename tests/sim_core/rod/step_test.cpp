@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: Apache-2.0
+// The dynamic step: what scene B1 asks of the rod.
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "sim_core/rod/rod.h"
+#include "tests/support/allocation_count.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr double dt = 0.005;
+
+// A bowel in a bow between two held ends over a floor, a mesentery above it.
+struct Bowel {
+    explicit Bowel(int segments = 64, RodEnd end = RodEnd::clamped) {
+        RodSpec spec;
+        spec.segments = segments;
+        spec.length = 0.9;
+        spec.ends[0] = spec.ends[1] = end;
+        std::vector<Vector3> nodes;
+        for (int i = 0; i <= segments; ++i) {
+            const double u = static_cast<double>(i) / segments;
+            nodes.emplace_back(0.25 * std::cos(3.0 * u), 0.25 * std::sin(3.0 * u), 0.02 * std::sin(6 * u));
+        }
+        spec.rest_nodes = nodes;
+        rod = std::make_unique<Rod>(spec);
+        state = rod->make_state();
+        scratch = rod->make_scratch();
+        inputs.gravity = Vector3(0, 0, -9.81);
+        inputs.ends[0] = state.ends[0];
+        inputs.ends[1] = state.ends[1];
+        inputs.contacts.reserve(128);
+        inputs.grasps.reserve(4);
+        for (int i = 0; i < 24; ++i) {
+            RodTether tether;
+            tether.s = rod->length() * (0.1 + 0.8 * i / 23.0);
+            tether.offset = Vector3(0, 0.015, 0);
+            const Vector3 p = rod->wall_point(state, tether.s, tether.offset);
+            tether.anchor = Vector3(0.3 * p.x(), 0.3 * p.y(), 0.05);
+            tether.rest_length = 1.15 * (p - tether.anchor).norm();
+            tether.stiffness = 15;
+            tether.damping = 0.2;
+            inputs.tethers.push_back(tether);
+        }
+    }
+    // Every sphere within reach of the floor is a contact: a fixed list, so that multipliers stay with their
+    // spheres.
+    void add_floor(double height, int spheres, double friction = 0.3) {
+        for (int i = 0; i < spheres; ++i) {
+            RodContact contact;
+            contact.s = rod->length() * (i + 0.5) / spheres;
+            contact.point = Vector3(0, 0, height);
+            contact.radius = 0.015;
+            contact.friction = friction;
+            inputs.contacts.push_back(contact);
+        }
+    }
+    RodGrasp& grasp(double s, const Vector3& offset) {
+        RodGrasp g;
+        g.s = s;
+        g.offset = offset;
+        g.target = rod->wall_point(state, s, offset);
+        inputs.grasps.push_back(g);
+        return inputs.grasps.back();
+    }
+    RodReport step() { return rod->step(state, inputs, dt, scratch); }
+    std::unique_ptr<Rod> rod;
+    RodState state;
+    RodScratch scratch;
+    RodInputs inputs;
+};
+
+TEST(RodStep, HandlesABowelOnAFloorWithTethersAndTwoGrasps) {
+    Bowel bowel;
+    bowel.add_floor(-0.06, 60);
+    int iterations = 0;
+    for (int i = 0; i < 200; ++i) {
+        const RodReport report = bowel.step();
+        ASSERT_TRUE(report.converged)
+            << i << " residual " << report.residual << " iterations " << report.iterations;
+        ASSERT_EQ(report.fault, RodFault::none);
+        iterations += report.iterations;
+    }
+    EXPECT_LT(iterations, 200 * 6);
+    bowel.grasp(0.3, Vector3(0, 0.015, 0));
+    bowel.grasp(0.55, Vector3(0.015, 0, 0));
+    double work = 0;
+    for (int i = 0; i < 400; ++i) {
+        const double speed = i < 200 ? 0.05 : -0.05;
+        bowel.inputs.grasps[0].target += Vector3(0, 0, speed) * dt;
+        bowel.inputs.grasps[1].target += Vector3(-0.3 * speed, 0, speed) * dt;
+        const RodReport report = bowel.step();
+        ASSERT_TRUE(report.converged)
+            << i << " residual " << report.residual << " iterations " << report.iterations;
+        ASSERT_LE(report.constraint_residual, 1e-9);
+        ASSERT_LE(report.penetration, 1e-5);
+        work += bowel.inputs.grasps[0].reaction.dot(Vector3(0, 0, speed) * dt);
+        if (i == 199) {
+            EXPECT_GT(bowel.inputs.grasps[0].reaction.z(), 0.02);
+        }
+    }
+    EXPECT_GT(work, 0) << "lifting and lowering a damped bowel costs work";
+}
+
+TEST(RodStep, SettlesAndItsSupportsCarryItsWeight) {
+    Bowel bowel;
+    bowel.add_floor(-0.03, 60, 0.0);
+    bowel.grasp(0.4, Vector3(0, 0.015, 0)).target += Vector3(0, 0, 0.02);
+    RodReport report;
+    for (int i = 0; i < 3000; ++i) report = bowel.step();
+    ASSERT_TRUE(report.converged);
+    Vector3 sum = bowel.inputs.grasps[0].reaction + report.end_force[0] + report.end_force[1];
+    for (const RodContact& contact : bowel.inputs.contacts) sum += contact.lambda * contact.normal;
+    for (const RodTether& tether : bowel.inputs.tethers) sum += tether.force;
+    const double weight = 0.25 * bowel.rod->length() * 9.81;
+    EXPECT_NEAR(sum.z(), weight, 1e-4 * weight);
+    EXPECT_NEAR(sum.x(), 0, 1e-4 * weight);
+    EXPECT_NEAR(sum.y(), 0, 1e-4 * weight);
+    EXPECT_LT(bowel.rod->energy(bowel.state, bowel.inputs).kinetic, 1e-9);
+}
+
+TEST(RodStep, AFreeBowelOnAFloorCarriesItsWeight) {
+    RodSpec spec;
+    spec.segments = 64;
+    Rod rod(spec);
+    RodState state = rod.make_state();
+    RodScratch scratch = rod.make_scratch();
+    RodInputs inputs;
+    inputs.gravity = Vector3(0, 0, -9.81);
+    for (int i = 0; i < 60; ++i) {
+        RodContact contact;
+        contact.s = rod.length() * (i + 0.5) / 60;
+        contact.point = Vector3(0, 0, -0.03);
+        contact.radius = 0.015;
+        inputs.contacts.push_back(contact);
+    }
+    RodReport report;
+    for (int i = 0; i < 3000; ++i) report = rod.step(state, inputs, dt, scratch);
+    const double weight = 0.25 * 0.9 * 9.81;
+    EXPECT_NEAR(report.contact_sum, weight, 1e-6 * weight);
+    EXPECT_LE(report.penetration, 1e-6);
+    for (const RodContact& contact : inputs.contacts) {
+        EXPECT_GE(contact.lambda, 0);
+        EXPECT_LE(contact.lambda * std::fabs(contact.gap), 1e-9);
+    }
+}
+
+TEST(RodStep, GivesTheSameBitsTwiceAndAllocatesNothing) {
+    RodState results[2];
+    for (RodState& result : results) {
+        Bowel bowel;
+        bowel.add_floor(-0.06, 60);
+        bowel.grasp(0.3, Vector3(0, 0.015, 0));
+        std::uint64_t before = 0;
+        for (int i = 0; i < 200; ++i) {
+            if (i == 20) before = test::allocation_count();
+            bowel.inputs.grasps[0].target += Vector3(0.0002, 0, 0.0003);
+            bowel.step();
+            (void)bowel.rod->frame_at(bowel.state, 0.4);
+            (void)bowel.rod->stiffness_at(bowel.state, 0.3, Vector3(0, 0.015, 0), bowel.scratch);
+        }
+        EXPECT_EQ(test::allocation_count() - before, 0u);
+        result = bowel.state;
+    }
+    const auto same = [](const auto& a, const auto& b) {
+        return std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
+    };
+    EXPECT_TRUE(same(results[0].nodes, results[1].nodes));
+    EXPECT_TRUE(same(results[0].directors, results[1].directors));
+    EXPECT_TRUE(same(results[0].velocities, results[1].velocities));
+    EXPECT_TRUE(same(results[0].joint_twist, results[1].joint_twist));
+    EXPECT_TRUE(same(results[0].spins, results[1].spins));
+}
+
+TEST(RodStep, KeepsMomentumInFreeFlight) {
+    RodSpec spec;
+    spec.mass_damping = 0;
+    spec.segments = 24;
+    Rod rod(spec);
+    RodState state = rod.make_state();
+    for (std::size_t i = 0; i < state.nodes.size(); ++i)
+        state.velocities[i] = Vector3(0.1, std::sin(0.3 * static_cast<double>(i)), 0.2);
+    RodScratch scratch = rod.make_scratch();
+    RodInputs inputs;
+    const auto momentum = [&] {
+        Vector3 sum = Vector3::Zero();
+        for (std::size_t i = 0; i < state.nodes.size(); ++i)
+            sum += rod.node_mass(static_cast<int>(i)) * state.velocities[i];
+        return sum;
+    };
+    const Vector3 start = momentum();
+    RodSolve exact;
+    exact.tolerance = 1e-12;
+    for (int i = 0; i < 100; ++i) ASSERT_TRUE(rod.step(state, inputs, dt, scratch, exact).finite);
+    EXPECT_LT((momentum() - start).norm(), 1e-10);
+}
+
+TEST(RodStep, StiffnessAtAGraspIsWhatASmallPullFeels) {
+    Bowel bowel;
+    const Vector3 offset(0, 0.015, 0);
+    bowel.grasp(0.4, offset);
+    for (int i = 0; i < 400; ++i) bowel.step();
+    // The force answers a displaced target within one step by the stiffness of that step.
+    const RodState state = bowel.state;
+    const RodInputs inputs = bowel.inputs;
+    const Matrix3 stiffness = bowel.rod->stiffness_at(state, 0.4, offset, bowel.scratch);
+    bowel.step();
+    const Vector3 still = bowel.inputs.grasps[0].reaction;
+    for (int axis = 0; axis < 3; ++axis) {
+        bowel.state = state;
+        bowel.inputs = inputs;
+        bowel.inputs.grasps[0].target[axis] += 1e-6;
+        bowel.step();
+        const Vector3 change = (bowel.inputs.grasps[0].reaction - still) / 1e-6;
+        EXPECT_LT((change - stiffness.col(axis)).norm(), 0.02 * stiffness.norm()) << axis;
+    }
+    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Matrix3>(stiffness).eigenvalues()[0], 0);
+}
+
+TEST(RodStep, PowerOfALoadIsThePowerOfItsFrame) {
+    Bowel bowel;
+    for (int i = 0; i < 10; ++i) bowel.step();
+    // Work of the load on the unknowns over a small motion against force . velocity + moment . angular
+    // velocity.
+    const double s = 0.437;
+    const RodMotion motion = bowel.rod->frame_at(bowel.state, s);
+    RodState ahead = bowel.state;
+    const double h = 1e-7;
+    for (std::size_t i = 0; i < ahead.nodes.size(); ++i) ahead.nodes[i] += h * bowel.state.velocities[i];
+    const Vector3 moved = (bowel.rod->frame_at(ahead, s).frame.position - motion.frame.position) / h;
+    EXPECT_LT((moved - motion.velocity).norm(), 1e-6);
+}
+
+TEST(RodStep, NothingNonFiniteLeavesAnExtremeStep) {
+    const double infinity = std::numeric_limits<double>::infinity(),
+                 nan = std::numeric_limits<double>::quiet_NaN();
+    for (const double jump : {0.05, 0.3, 1.0, 10.0}) {
+        Bowel bowel;
+        bowel.add_floor(-0.06, 60);
+        bowel.grasp(0.3, Vector3(0, 0.015, 0));
+        bowel.grasp(0.5, Vector3(0, 0.015, 0));
+        for (int i = 0; i < 60; ++i) {
+            if (i == 10) bowel.inputs.grasps[0].target += Vector3(jump, -jump, jump);
+            if (i == 30) bowel.inputs.grasps[0].target -= Vector3(jump, -jump, jump);
+            const RodReport report = bowel.step();
+            ASSERT_TRUE(Rod::finite(bowel.state)) << jump << " " << i;
+            if (i > 50 && jump < 0.1) {
+                EXPECT_NE(report.fault, RodFault::frozen) << i << " residual " << report.residual;
+            }
+        }
+    }
+    Bowel bowel;
+    bowel.grasp(0.3, Vector3(0, 0.015, 0));
+    for (const double bad : {nan, infinity, -infinity}) {
+        bowel.inputs.grasps[0].target.x() = bad;
+        const RodReport report = bowel.step();
+        EXPECT_EQ(report.fault, RodFault::frozen);
+        EXPECT_FALSE(report.finite);
+        ASSERT_TRUE(Rod::finite(bowel.state));
+    }
+    bowel.inputs.grasps[0].target = bowel.rod->wall_point(bowel.state, 0.3, Vector3(0, 0.015, 0));
+    EXPECT_TRUE(bowel.step().converged);
+    for (const double force : {1.0, 1000.0}) {
+        Bowel pulled;
+        RodLoad load;
+        load.s = 0.4;
+        load.force = Vector3(0, force, force);
+        load.moment = Vector3(force * 0.01, 0, 0);
+        pulled.inputs.loads.push_back(load);
+        for (int i = 0; i < 100; ++i) {
+            pulled.step();
+            ASSERT_TRUE(Rod::finite(pulled.state)) << force << " " << i;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace fulcrum
