@@ -11,11 +11,6 @@ double fade(double t) {
     return t * t * t * (t * (t * 6 - 15) + 10);
 }
 
-std::int64_t wrap(std::int64_t i, int period) {
-    const std::int64_t r = i % period;
-    return r < 0 ? r + period : r;
-}
-
 }  // namespace
 
 double noise3(const Vector3& point, std::uint64_t seed) {
@@ -33,48 +28,70 @@ double noise3(const Vector3& point, std::uint64_t seed) {
     return 2 * (plane[0] + w * (plane[1] - plane[0])) - 1;
 }
 
-double tiled_noise(double x, double y, int period_x, int period_y, std::uint64_t seed) {
-    const double fx = std::floor(x), fy = std::floor(y);
-    const double u = fade(x - fx), v = fade(y - fy);
-    const std::int64_t x0 = wrap(static_cast<std::int64_t>(fx), period_x), x1 = wrap(x0 + 1, period_x);
-    const std::int64_t y0 = wrap(static_cast<std::int64_t>(fy), period_y), y1 = wrap(y0 + 1, period_y);
-    const double a = lattice_value(x0, y0, 0, seed), b = lattice_value(x1, y0, 0, seed);
-    const double c = lattice_value(x0, y1, 0, seed), d = lattice_value(x1, y1, 0, seed);
-    const double low = a + u * (b - a), high = c + u * (d - c);
-    return 2 * (low + v * (high - low)) - 1;
-}
-
-double tiled_turbulence(double x, double y, int cells_x, int cells_y, int octaves, double gain,
-                        std::uint64_t seed) {
-    double sum = 0, strength = 1, total = 0;
+TiledNoise::TiledNoise(int cells_x, int cells_y, int octaves, double gain, std::uint64_t seed) {
+    double strength = 1, total = 0;
     for (int i = 0; i < octaves; ++i) {
-        sum += strength *
-               tiled_noise(x * cells_x, y * cells_y, cells_x, cells_y, seed + static_cast<std::uint64_t>(i));
+        Octave octave;
+        octave.cells_x = cells_x;
+        octave.cells_y = cells_y;
+        octave.strength = strength;
+        for (int y = 0; y < cells_y; ++y) {
+            for (int x = 0; x < cells_x; ++x)
+                octave.values.push_back(static_cast<float>(2 * lattice_value(x, y, i, seed) - 1));
+        }
         total += strength;
         strength *= gain;
         cells_x *= 2;
         cells_y *= 2;
+        octaves_.push_back(std::move(octave));
     }
-    return sum / total;
+    for (Octave& octave : octaves_) octave.strength /= total;
 }
 
-CellDistance tiled_cells(double x, double y, int period_x, int period_y, std::uint64_t seed) {
-    const double fx = std::floor(x), fy = std::floor(y);
-    CellDistance result;
+double TiledNoise::operator()(double u, double v) const {
+    u -= std::floor(u);
+    v -= std::floor(v);
+    double sum = 0;
+    for (const Octave& octave : octaves_) {
+        const double x = u * octave.cells_x, y = v * octave.cells_y;
+        const int x0 = std::min(static_cast<int>(x), octave.cells_x - 1),
+                  y0 = std::min(static_cast<int>(y), octave.cells_y - 1);
+        const double s = fade(x - x0), t = fade(y - y0);
+        const int x1 = x0 + 1 == octave.cells_x ? 0 : x0 + 1, y1 = y0 + 1 == octave.cells_y ? 0 : y0 + 1;
+        const float* low = octave.values.data() + y0 * octave.cells_x;
+        const float* high = octave.values.data() + y1 * octave.cells_x;
+        const double a = low[x0] + s * (low[x1] - low[x0]), b = high[x0] + s * (high[x1] - high[x0]);
+        sum += octave.strength * (a + t * (b - a));
+    }
+    return sum;
+}
+
+TiledCells::TiledCells(int cells, std::uint64_t seed) : cells_(cells) {
+    for (int y = 0; y < cells; ++y) {
+        for (int x = 0; x < cells; ++x) {
+            points_.push_back({static_cast<float>(lattice_value(x, y, 1, seed)),
+                               static_cast<float>(lattice_value(x, y, 2, seed)),
+                               static_cast<float>(lattice_value(x, y, 3, seed))});
+        }
+    }
+}
+
+CellDistance TiledCells::operator()(double u, double v) const {
+    const double x = (u - std::floor(u)) * cells_, y = (v - std::floor(v)) * cells_;
+    const int cx = std::min(static_cast<int>(x), cells_ - 1), cy = std::min(static_cast<int>(y), cells_ - 1);
     double first = 1e9, second = 1e9;
+    CellDistance result;
     for (int j = -1; j <= 1; ++j) {
         for (int i = -1; i <= 1; ++i) {
-            const std::int64_t cx = wrap(static_cast<std::int64_t>(fx) + i, period_x);
-            const std::int64_t cy = wrap(static_cast<std::int64_t>(fy) + j, period_y);
-            const std::uint64_t bits = lattice_bits(cx, cy, 1, seed);
-            const double px = static_cast<double>(bits & 0xffffU) * 0x1.0p-16;
-            const double py = static_cast<double>((bits >> 16U) & 0xffffU) * 0x1.0p-16;
-            const double dx = fx + i + px - x, dy = fy + j + py - y;
+            const auto& point = points_[static_cast<std::size_t>((cy + j + cells_) % cells_ * cells_ +
+                                                                 (cx + i + cells_) % cells_)];
+            const double dx = cx + i + static_cast<double>(point[0]) - x,
+                         dy = cy + j + static_cast<double>(point[1]) - y;
             const double distance = dx * dx + dy * dy;
             if (distance < first) {
                 second = first;
                 first = distance;
-                result.value = static_cast<double>((bits >> 32U) & 0xffffU) * 0x1.0p-16;
+                result.value = static_cast<double>(point[2]);
             } else {
                 second = std::min(second, distance);
             }

@@ -2,8 +2,10 @@
 // Seeded noise on lattices: the same value for the same arguments on every machine.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include "sim_core/numerics/types.h"
 
@@ -36,19 +38,36 @@ inline double smooth_step(double low, double high, double x) {
 /// Smooth value noise in [-1, 1], features of size 1.
 double noise3(const Vector3& point, std::uint64_t seed);
 
-/// Smooth value noise in [-1, 1] on a torus of period_x by period_y cells; x and y in cells.
-double tiled_noise(double x, double y, int period_x, int period_y, std::uint64_t seed);
+/// Sum of octaves of smooth value noise on a torus, each twice as fine and `gain` as strong, about [-1, 1].
+class TiledNoise {
+  public:
+    TiledNoise(int cells_x, int cells_y, int octaves, double gain, std::uint64_t seed);
+    /// u and v in tiles: any two that differ by whole numbers give the same.
+    double operator()(double u, double v) const;
 
-/// Sum of octaves of tiled noise, each twice as fine and `gain` as strong; x and y in 0 .. 1 of the tile.
-/// Scaled to about [-1, 1].
-double tiled_turbulence(double x, double y, int cells_x, int cells_y, int octaves, double gain,
-                        std::uint64_t seed);
+  private:
+    struct Octave {
+        int cells_x = 0, cells_y = 0;
+        double strength = 0;
+        std::vector<float> values;
+    };
+    std::vector<Octave> octaves_;
+};
 
 /// Distances to the nearest and second nearest of one random point a cell on a torus, in cells, and the
 /// nearest point's own random number.
 struct CellDistance {
     double nearest = 0, second = 0, value = 0;
 };
-CellDistance tiled_cells(double x, double y, int period_x, int period_y, std::uint64_t seed);
+class TiledCells {
+  public:
+    TiledCells(int cells, std::uint64_t seed);
+    /// u and v in tiles.
+    CellDistance operator()(double u, double v) const;
+
+  private:
+    int cells_;
+    std::vector<std::array<float, 3>> points_;  // place in the cell, random number
+};
 
 }  // namespace fulcrum

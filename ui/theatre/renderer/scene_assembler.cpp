@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/theatre/renderer/scene_assembler.h"
+
+#include <algorithm>
+
+#include "sim_core/bowel/display_skin.h"
+#include "sim_core/world/anatomy_binding.h"
+
+namespace fulcrum::ui {
+
+struct SceneAssembler::Impl {
+    Scene scene;
+    AnatomyTextures textures;
+    std::unique_ptr<CavityShape> cavity;
+    std::unique_ptr<BowelShape> bowel;
+    std::unique_ptr<MesenteryShape> mesentery;
+    std::unique_ptr<BowelSkin> skin;
+    std::unique_ptr<DisplaySkin> display;
+    std::vector<float> ring_floats, positions, normals, sheet_positions, sheet_normals;
+    SceneFrame frame;
+};
+
+SceneAssembler::SceneAssembler(const Scene& scene, const WorldSnapshot& first)
+    : impl_(std::make_unique<Impl>()) {
+    Impl& i = *impl_;
+    i.scene = scene;
+    i.textures = make_textures(scene.cavity ? scene.cavity->seed : 1, scene.bowel ? 1024 : 128);
+    if (scene.cavity) i.cavity = std::make_unique<CavityShape>(make_cavity(pelvis_parameters(*scene.cavity)));
+    if (!scene.bowel || !i.cavity || first.rings.size() < 3) return;
+    i.bowel = std::make_unique<BowelShape>(make_bowel(bowel_parameters(*scene.bowel), *i.cavity));
+    // The world's cage: a sphere at every second ring.
+    SphereChain spheres;
+    for (std::size_t ring = 0; ring < first.ring_arc_lengths.size(); ring += 2) {
+        spheres.arc_lengths.push_back(first.ring_arc_lengths[ring]);
+        spheres.radii.push_back(i.bowel->radius(first.ring_arc_lengths[ring]));
+    }
+    i.skin =
+        std::make_unique<BowelSkin>(i.bowel->surface, build_cage(i.bowel->surface, i.bowel->length, spheres));
+    i.display = std::make_unique<DisplaySkin>(*i.skin);
+    i.ring_floats.resize(12 * static_cast<std::size_t>(i.skin->rings()));
+    i.positions.resize(3 * static_cast<std::size_t>(i.display->vertices()));
+    i.normals.resize(i.positions.size());
+    if (scene.tethers) {
+        i.mesentery = std::make_unique<MesenteryShape>(
+            make_mesentery(*i.bowel, *i.cavity, scene.tethers->first, scene.tethers->last));
+        i.sheet_positions.resize(3 * i.mesentery->vertices.size());
+        i.sheet_normals.resize(i.sheet_positions.size());
+    }
+}
+
+SceneAssembler::~SceneAssembler() = default;
+
+void SceneAssembler::install(SceneRenderer& renderer) const {
+    renderer.clear_scene();
+    renderer.set_textures(impl_->textures);
+    if (impl_->cavity) renderer.set_cavity(*impl_->cavity);
+    if (impl_->bowel) renderer.set_bowel(impl_->bowel->surface, impl_->bowel->taenia);
+    if (impl_->mesentery) renderer.set_mesentery(*impl_->mesentery);
+}
+
+SceneFrame& SceneAssembler::assemble(const WorldSnapshot& snapshot) {
+    Impl& i = *impl_;
+    i.frame.camera = snapshot.camera;
+    i.frame.targets.resize(snapshot.targets.size());
+    for (std::size_t k = 0; k < snapshot.targets.size(); ++k) {
+        const TargetSphere& sphere = snapshot.targets[k];
+        i.frame.targets[k] = {sphere.centre, sphere.radius, TargetLook::waiting, sphere.hand};
+    }
+    i.frame.tools.clear();
+    for (int hand = 0; hand < hand_count; ++hand) {
+        const InstrumentSpec* spec = i.scene.instrument(static_cast<Hand>(hand));
+        if (spec == nullptr) continue;
+        DrawnTool tool;
+        tool.pose = snapshot.tools[hand];
+        tool.jaws = spec->kind != "probe";
+        tool.jaw_length = spec->jaw_length;
+        tool.shaft_radius = spec->shaft_radius;
+        i.frame.tools.push_back(tool);
+    }
+    i.frame.bowel_positions = i.frame.bowel_normals = nullptr;
+    i.frame.mesentery_positions = i.frame.mesentery_normals = nullptr;
+    if (!i.display || static_cast<int>(snapshot.rings.size()) != i.skin->rings()) return i.frame;
+    i.display->evaluate(snapshot.rings.data(), i.ring_floats.data(), i.positions.data(), i.normals.data());
+    if (snapshot.dent_count > 0)
+        i.display->add_dents(snapshot.dents.data(), snapshot.dent_count, i.positions.data(),
+                             i.normals.data());
+    i.frame.bowel_positions = i.positions.data();
+    i.frame.bowel_normals = i.normals.data();
+    if (i.mesentery) {
+        evaluate_mesentery(*i.mesentery, snapshot.rings.data(), snapshot.ring_arc_lengths.data(),
+                           static_cast<int>(snapshot.rings.size()), i.sheet_positions.data(),
+                           i.sheet_normals.data());
+        i.frame.mesentery_positions = i.sheet_positions.data();
+        i.frame.mesentery_normals = i.sheet_normals.data();
+    }
+    return i.frame;
+}
+
+}  // namespace fulcrum::ui

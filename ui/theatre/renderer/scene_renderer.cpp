@@ -1,0 +1,441 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/theatre/renderer/scene_renderer.h"
+
+#include <QMatrix4x4>
+#include <QOpenGLFramebufferObject>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "ui/theatre/renderer/gl_objects.h"
+#include "ui/theatre/renderer/shaders.h"
+
+namespace fulcrum::ui {
+namespace {
+
+constexpr float near_plane = 0.003F, far_plane = 0.8F;  // m
+constexpr double wall_tile = 0.12;                      // m, as the wall's program
+constexpr int most_tools = 4;
+const QVector3D lamp(0.0F, 0.0035F, 0.001F);  // beside the lens, camera space
+
+QVector3D vector(const Vector3& v) {
+    return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+
+QQuaternion quaternion(const Quaternion& q) {
+    return {static_cast<float>(q.w()), static_cast<float>(q.x()), static_cast<float>(q.y()),
+            static_cast<float>(q.z())};
+}
+
+QMatrix4x4 camera_matrix(const CameraPose& camera) {
+    QMatrix4x4 matrix;
+    matrix.rotate(quaternion(camera.orientation).conjugated());
+    matrix.translate(-vector(camera.position));
+    return matrix;
+}
+
+QMatrix4x4 projection_matrix(const CameraPose& camera) {
+    QMatrix4x4 matrix;
+    matrix.perspective(static_cast<float>(camera.field_of_view * 180 / 3.14159265358979), 1, near_plane,
+                       far_plane);
+    return matrix;
+}
+
+struct TargetPaint {
+    QVector3D hue;
+    float glow, opacity;
+};
+
+// Blue and orange of Okabe and Ito's palette: told apart by every kind of colour vision.
+TargetPaint paint_of(const DrawnTarget& target) {
+    const QVector3D hue =
+        target.hand == Hand::left ? QVector3D(0.00F, 0.45F, 0.80F) : QVector3D(0.95F, 0.58F, 0.05F);
+    switch (target.look) {
+        case TargetLook::current:
+            return {hue, 1.0F, 1.0F};
+        case TargetLook::touched:
+            return {QVector3D(0.98F, 0.95F, 0.75F), 0.8F, 1.0F};
+        case TargetLook::done:
+            return {QVector3D(0.35F, 0.36F, 0.38F), 0.0F, 0.35F};
+        case TargetLook::waiting:
+            break;
+    }
+    return {0.62F * hue, 0.0F, 1.0F};
+}
+
+}  // namespace
+
+struct SceneRenderer::Impl {
+    RendererOptions options;
+    QString error;
+
+    // What was set; uploaded at the next picture.
+    std::optional<AnatomyTextures> textures;
+    bool textures_changed = false;
+    struct Geometry {
+        SurfaceMesh mesh;
+        std::vector<float> positions, normals, detail;
+        bool present = false, changed = false;
+    };
+    Geometry cavity, bowel, mesentery;
+
+    bool ready = false;
+    using Program = std::unique_ptr<QOpenGLShaderProgram>;
+    Program tissue, wall, box, steel, target, screen;
+    GlTissue serosa, fat, peritoneum, metal;
+    std::unique_ptr<GlSurface> gl_cavity, gl_bowel, gl_mesentery;
+    std::unique_ptr<GlRigid> shaft, clevis, jaw, probe_end, sphere, room, frame_mask, quad;
+    std::unique_ptr<QOpenGLFramebufferObject> image, resolved;
+
+    QMatrix4x4 to_camera, projection;
+
+    void take(Geometry& geometry, std::unique_ptr<GlSurface>& surface) const {
+        if (!geometry.changed) return;
+        geometry.changed = false;
+        surface.reset();
+        if (!geometry.present) return;
+        surface = std::make_unique<GlSurface>(
+            geometry.mesh, geometry.positions.empty() ? nullptr : geometry.positions.data(),
+            geometry.normals.empty() ? nullptr : geometry.normals.data(), geometry.detail);
+    }
+
+    void upload_changes() {
+        if (textures_changed) {
+            serosa = upload(textures->serosa);
+            fat = upload(textures->fat);
+            peritoneum = upload(textures->peritoneum);
+            metal = upload(textures->steel);
+            textures_changed = false;
+        }
+        take(cavity, gl_cavity);
+        take(bowel, gl_bowel);
+        take(mesentery, gl_mesentery);
+    }
+
+    void start(QOpenGLShaderProgram& program, const SceneFrame& frame) const {
+        program.bind();
+        program.setUniformValue("to_camera", to_camera);
+        program.setUniformValue("projection", projection);
+        program.setUniformValue("lamp", lamp);
+        program.setUniformValue("brightness", static_cast<float>(frame.brightness));
+        program.setUniformValue("albedo", 0);
+        program.setUniformValue("relief", 1);
+        QVector4D from[most_tools], to[most_tools];
+        float strains[most_tools] = {0, 0, 0, 0};
+        int count = 0;
+        for (const DrawnTool& tool : frame.tools) {
+            if (tool.ghost || !tool.pose.inside || count == most_tools) continue;
+            const double length = tool.jaws ? tool.jaw_length : 4 * tool.shaft_radius;
+            const QVector3D tip = to_camera.map(vector(tool.pose.tip));
+            const QVector3D heel = to_camera.map(vector(tool.pose.tip - 1.6 * length * tool.pose.axis));
+            // Open jaws shade less of what lies between them.
+            from[count] = QVector4D(heel, 1.0F);
+            to[count] = QVector4D(tip, static_cast<float>(2.1 * tool.shaft_radius +
+                                                          0.15 * tool.jaw_length * tool.pose.jaw_angle));
+            strains[count] = static_cast<float>(std::clamp(tool.strain, 0.0, 1.0));
+            ++count;
+        }
+        program.setUniformValueArray("shadow_from", from, most_tools);
+        program.setUniformValueArray("shadow_to", to, most_tools);
+        program.setUniformValue("strain", QVector4D(strains[0], strains[1], strains[2], strains[3]));
+        program.setUniformValue("shadows", count);
+    }
+
+    void draw_part(QOpenGLExtraFunctions& gl, GlRigid& part, const QMatrix4x4& pose) const {
+        steel->setUniformValue("to_camera", to_camera * pose);
+        part.draw(gl);
+    }
+
+    void draw_tool(QOpenGLExtraFunctions& gl, const DrawnTool& tool) const {
+        if (!tool.pose.inside) return;
+        const QVector4D tint = tool.ghost ? QVector4D(0.55F, 0.85F, 1.0F, 0.55F) : QVector4D(1, 1, 1, 1);
+        steel->setUniformValue("tint", tint);
+        const auto radius = static_cast<float>(tool.shaft_radius);
+        const auto jaw_length = static_cast<float>(tool.jaws ? tool.jaw_length : 0);
+        const auto whole = static_cast<float>((tool.pose.tip - tool.pose.trocar).norm());
+        QMatrix4x4 hinge;
+        hinge.translate(vector(tool.pose.tip));
+        hinge.rotate(quaternion(tool.pose.orientation));
+        hinge.translate(0, 0, -jaw_length);
+        // The insulation ends a little before the jaws; the steel shows there.
+        const float bare = tool.jaws ? 0.012F : 0.020F;
+        QMatrix4x4 black = hinge;
+        black.translate(0, 0, -whole - 0.05F);
+        black.scale(radius, radius, std::max(0.001F, whole + 0.05F - bare));
+        steel->setUniformValue("insulated", 1.0F);
+        draw_part(gl, *shaft, black);
+        steel->setUniformValue("insulated", 0.0F);
+        QMatrix4x4 steel_end = hinge;
+        steel_end.translate(0, 0, -bare - 0.001F);
+        steel_end.scale(0.86F * radius, 0.86F * radius, bare - (tool.jaws ? radius : 3 * radius) + 0.001F);
+        draw_part(gl, *shaft, steel_end);
+        if (!tool.jaws) {
+            QMatrix4x4 end = hinge;
+            end.scale(0.86F * radius);
+            draw_part(gl, *probe_end, end);
+            return;
+        }
+        QMatrix4x4 fork = hinge;
+        fork.scale(0.9F * radius);
+        draw_part(gl, *clevis, fork);
+        const auto half = static_cast<float>(0.5 * tool.pose.jaw_angle * 180 / 3.14159265358979);
+        for (const float side : {0.0F, 180.0F}) {
+            QMatrix4x4 blade = hinge;
+            blade.rotate(side, 0, 0, 1);
+            blade.rotate(-half, 1, 0, 0);
+            blade.scale(jaw_length);
+            draw_part(gl, *jaw, blade);
+        }
+    }
+
+    void draw_tools(QOpenGLExtraFunctions& gl, const SceneFrame& frame, bool ghosts) const {
+        start(*steel, frame);
+        metal.bind();
+        for (const DrawnTool& tool : frame.tools) {
+            if (tool.ghost == ghosts) draw_tool(gl, tool);
+        }
+    }
+
+    void draw_targets(QOpenGLExtraFunctions& gl, const SceneFrame& frame, bool translucent) const {
+        if (frame.targets.empty()) return;
+        start(*target, frame);
+        for (const DrawnTarget& item : frame.targets) {
+            const TargetPaint paint = paint_of(item);
+            if ((paint.opacity < 1) != translucent) continue;
+            QMatrix4x4 pose;
+            pose.translate(vector(item.centre));
+            pose.scale(static_cast<float>(item.radius));
+            target->setUniformValue("to_camera", to_camera * pose);
+            target->setUniformValue("hue", paint.hue);
+            target->setUniformValue("glow", paint.glow);
+            target->setUniformValue("opacity", paint.opacity);
+            target->setUniformValue("bands", item.hand == Hand::left ? 1.0F : 2.0F);
+            sphere->draw(gl);
+        }
+    }
+
+    void draw_scene(QOpenGLExtraFunctions& gl, const SceneFrame& frame) {
+        gl.glEnable(GL_DEPTH_TEST);
+        gl.glDepthFunc(GL_LESS);
+        gl.glDisable(GL_BLEND);
+        gl.glDisable(GL_CULL_FACE);
+        gl.glClearColor(0, 0, 0, 1);
+        gl.glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        // Nothing outside the round image is worth a fragment.
+        gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        screen->bind();
+        screen->setUniformValue("reach", QVector2D(1, 1));
+        frame_mask->draw(gl);
+        gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+
+        draw_tools(gl, frame, false);
+        draw_targets(gl, frame, false);
+        gl.glEnable(GL_CULL_FACE);
+        if (gl_bowel && frame.bowel_positions != nullptr && frame.bowel_normals != nullptr) {
+            gl_bowel->update(frame.bowel_positions, frame.bowel_normals);
+            start(*tissue, frame);
+            tissue->setUniformValue("bump", 1.0F);
+            tissue->setUniformValue("rim_fade", 0.0F);
+            serosa.bind();
+            gl.glCullFace(GL_BACK);
+            gl_bowel->draw(gl, 0, gl_bowel->index_count());
+        }
+        if (gl_cavity) {
+            start(*wall, frame);
+            wall->setUniformValue("bump", 1.0F);
+            peritoneum.bind();
+            gl.glCullFace(GL_FRONT);  // seen from inside
+            wall->setUniformValue("blended", 0);
+            gl_cavity->draw(gl, 0, gl_cavity->blended_from());
+            wall->setUniformValue("blended", 1);
+            gl_cavity->draw(gl, gl_cavity->blended_from(), gl_cavity->index_count());
+        } else {
+            gl.glDisable(GL_CULL_FACE);
+            start(*box, frame);
+            QMatrix4x4 pose;
+            pose.translate(-0.15F, -0.11F, -0.085F);
+            box->setUniformValue("to_camera", to_camera * pose);
+            room->draw(gl);
+        }
+        gl.glDisable(GL_CULL_FACE);
+        gl.glEnable(GL_BLEND);
+        gl.glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+        if (gl_mesentery && frame.mesentery_positions != nullptr && frame.mesentery_normals != nullptr) {
+            gl_mesentery->update(frame.mesentery_positions, frame.mesentery_normals);
+            start(*tissue, frame);
+            tissue->setUniformValue("bump", 1.0F);
+            tissue->setUniformValue("rim_fade", 0.3F);
+            fat.bind();
+            gl_mesentery->draw(gl, 0, gl_mesentery->index_count());
+        }
+        draw_targets(gl, frame, true);
+        draw_tools(gl, frame, true);
+        gl.glDisable(GL_BLEND);
+    }
+
+    void prepare_image(int side) {
+        if (image && image->width() == side) return;
+        QOpenGLFramebufferObjectFormat format;
+        format.setAttachment(QOpenGLFramebufferObject::Depth);
+        format.setSamples(options.multisample ? 4 : 0);
+        image = std::make_unique<QOpenGLFramebufferObject>(side, side, format);
+        resolved.reset();
+        if (options.multisample) resolved = std::make_unique<QOpenGLFramebufferObject>(side, side);
+    }
+
+    void draw(const SceneFrame& frame, QSize size) {
+        QOpenGLExtraFunctions& gl = *QOpenGLContext::currentContext()->extraFunctions();
+        GLint target_buffer = 0;
+        gl.glGetIntegerv(GL_FRAMEBUFFER_BINDING, &target_buffer);
+        const int shorter = std::max(16, std::min(size.width(), size.height()));
+        const bool hidden = !frame.notice.isEmpty();
+        if (!hidden) {
+            upload_changes();
+            prepare_image(std::max(
+                16, static_cast<int>(std::lround(shorter * std::clamp(options.resolution, 0.25, 1.0)))));
+            to_camera = camera_matrix(frame.camera);
+            projection = projection_matrix(frame.camera);
+            image->bind();
+            gl.glViewport(0, 0, image->width(), image->height());
+            draw_scene(gl, frame);
+            if (resolved) QOpenGLFramebufferObject::blitFramebuffer(resolved.get(), image.get());
+        }
+        gl.glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(target_buffer));
+        gl.glViewport(0, 0, size.width(), size.height());
+        gl.glDisable(GL_DEPTH_TEST);
+        gl.glDisable(GL_CULL_FACE);
+        if (hidden) {
+            gl.glClearColor(0, 0, 0, 1);
+            gl.glClear(GL_COLOR_BUFFER_BIT);
+            return;
+        }
+        screen->bind();
+        const float radius = 0.5F * static_cast<float>(shorter);
+        screen->setUniformValue("reach", QVector2D(0.5F * static_cast<float>(size.width()) / radius,
+                                                   0.5F * static_cast<float>(size.height()) / radius));
+        screen->setUniformValue("pixel", 1 / radius);
+        screen->setUniformValue("hidden", 0.0F);
+        screen->setUniformValue("image", 0);
+        gl.glActiveTexture(GL_TEXTURE0);
+        gl.glBindTexture(GL_TEXTURE_2D, resolved ? resolved->texture() : image->texture());
+        quad->draw(gl);
+        gl.glBindTexture(GL_TEXTURE_2D, 0);
+        screen->release();
+    }
+};
+
+SceneRenderer::SceneRenderer(const RendererOptions& options) : impl_(std::make_unique<Impl>()) {
+    impl_->options = options;
+}
+SceneRenderer::~SceneRenderer() = default;
+
+void SceneRenderer::set_textures(const AnatomyTextures& textures) {
+    impl_->textures = textures;
+    impl_->textures_changed = true;
+}
+
+void SceneRenderer::set_cavity(const CavityShape& cavity) {
+    impl_->cavity = {split_by_plane(cavity.mesh, wall_tile),
+                     float_positions(cavity.mesh),
+                     float_normals(cavity.mesh),
+                     cavity.fat,
+                     true,
+                     true};
+    // Seen from inside: the normals look in.
+    for (float& value : impl_->cavity.normals) value = -value;
+}
+
+void SceneRenderer::set_bowel(const TriangleMesh& rest_surface, const std::vector<float>& taenia) {
+    impl_->bowel = {split_seam(rest_surface), {}, {}, taenia, true, true};
+    // The serosa's tile is two circumferences long.
+    std::vector<float>& coordinates = impl_->bowel.mesh.coordinates;
+    for (std::size_t i = 1; i < coordinates.size(); i += 2) coordinates[i] *= 0.5F;
+}
+
+void SceneRenderer::set_mesentery(const MesenteryShape& mesentery) {
+    SurfaceMesh mesh;
+    mesh.base = static_cast<std::uint32_t>(mesentery.mesh.vertices.size());
+    for (const auto& uv : mesentery.mesh.texture_coordinates) {
+        mesh.coordinates.push_back(static_cast<float>(uv.x()));
+        mesh.coordinates.push_back(static_cast<float>(uv.y()));
+    }
+    for (const Triangle& triangle : mesentery.mesh.triangles) {
+        for (const auto vertex : triangle) mesh.indices.push_back(static_cast<std::uint32_t>(vertex));
+    }
+    mesh.blended_from = mesh.indices.size();
+    std::vector<float> fraction;
+    for (const MesenteryVertex& vertex : mesentery.vertices)
+        fraction.push_back(static_cast<float>(vertex.fraction));
+    impl_->mesentery = {std::move(mesh), {}, {}, std::move(fraction), true, true};
+}
+
+void SceneRenderer::clear_scene() {
+    for (Impl::Geometry* geometry : {&impl_->cavity, &impl_->bowel, &impl_->mesentery}) {
+        *geometry = {};
+        geometry->changed = true;
+    }
+}
+
+bool SceneRenderer::initialise() {
+    if (impl_->ready) return true;
+    Impl& i = *impl_;
+    if (QOpenGLContext::currentContext() == nullptr) {
+        i.error = QStringLiteral("no OpenGL context is current");
+        return false;
+    }
+    namespace s = shaders;
+    i.tissue = compile(s::surface_vertex, s::light, s::tissue_fragment, i.error);
+    i.wall = i.tissue ? compile(s::surface_vertex, s::light, s::wall_fragment, i.error) : nullptr;
+    i.box = i.wall ? compile(s::surface_vertex, s::light, s::box_fragment, i.error) : nullptr;
+    i.steel = i.box ? compile(s::rigid_vertex, s::light, s::steel_fragment, i.error) : nullptr;
+    i.target = i.steel ? compile(s::rigid_vertex, s::light, s::target_fragment, i.error) : nullptr;
+    i.screen = i.target ? compile(s::screen_vertex, "", s::screen_fragment, i.error) : nullptr;
+    if (!i.screen) return false;
+    i.shaft = std::make_unique<GlRigid>(make_shaft());
+    i.clevis = std::make_unique<GlRigid>(make_clevis());
+    i.jaw = std::make_unique<GlRigid>(make_jaw());
+    i.probe_end = std::make_unique<GlRigid>(make_probe_end());
+    i.sphere = std::make_unique<GlRigid>(make_sphere());
+    i.room = std::make_unique<GlRigid>(make_box(0.30F, 0.34F, 0.24F));
+    i.quad = std::make_unique<GlRigid>(make_screen_quad());
+    i.frame_mask = std::make_unique<GlRigid>(make_frame_mask());
+    if (!i.textures) i.textures = make_textures(1, i.options.texture_size);
+    i.textures_changed = true;
+    for (Impl::Geometry* geometry : {&i.cavity, &i.bowel, &i.mesentery}) geometry->changed = true;
+    i.ready = true;
+    return true;
+}
+
+const QString& SceneRenderer::error() const {
+    return impl_->error;
+}
+
+void SceneRenderer::draw(const SceneFrame& frame, QSize size) {
+    if (!impl_->ready && !initialise()) return;
+    impl_->draw(frame, size);
+}
+
+QVector3D SceneRenderer::project(const CameraPose& camera, const Vector3& point, QSize size) {
+    const QVector3D local = camera_matrix(camera).map(vector(point));
+    const float radius = 0.5F * static_cast<float>(std::min(size.width(), size.height()));
+    const float depth = -local.z();
+    const float scale =
+        radius / (std::max(1e-6F, depth) * static_cast<float>(std::tan(0.5 * camera.field_of_view)));
+    return {0.5F * static_cast<float>(size.width()) + scale * local.x(),
+            0.5F * static_cast<float>(size.height()) - scale * local.y(), depth};
+}
+
+void SceneRenderer::release() {
+    Impl& i = *impl_;
+    for (Impl::Program* program : {&i.tissue, &i.wall, &i.box, &i.steel, &i.target, &i.screen})
+        program->reset();
+    for (GlTissue* tissue : {&i.serosa, &i.fat, &i.peritoneum, &i.metal}) *tissue = {};
+    for (auto* surface : {&i.gl_cavity, &i.gl_bowel, &i.gl_mesentery}) surface->reset();
+    for (auto* part : {&i.shaft, &i.clevis, &i.jaw, &i.probe_end, &i.sphere, &i.room, &i.frame_mask, &i.quad})
+        part->reset();
+    i.image.reset();
+    i.resolved.reset();
+    i.ready = false;
+}
+
+}  // namespace fulcrum::ui

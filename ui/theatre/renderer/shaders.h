@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The renderer's programs in GLSL 3.30.
+#pragma once
+
+namespace fulcrum::ui::shaders {
+
+extern const char* const head;             ///< version line
+extern const char* const surface_vertex;   ///< tissue, box
+extern const char* const rigid_vertex;     ///< instruments, targets
+extern const char* const light;            ///< functions that every fragment program shares
+extern const char* const tissue_fragment;  ///< textured by coordinates: bowel, mesentery
+extern const char* const wall_fragment;    ///< textured by position: cavity
+extern const char* const box_fragment;     ///< training box
+extern const char* const steel_fragment;   ///< instruments
+extern const char* const target_fragment;  ///< target spheres
+extern const char* const screen_vertex;
+extern const char* const screen_fragment;  ///< round image in a black frame
+
+}  // namespace fulcrum::ui::shaders
