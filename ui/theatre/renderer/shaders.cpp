@@ -77,7 +77,7 @@ vec2 shade(vec3 p) {
         // Contact: what lies close to the jaws is closed in by them.
         float d2 = segment_distance(p, a, b);
         float near_tip = exp2(-1.2 * d2 / (r * r));
-        // Cast: the tip thrown onto the tissue along the ray of a lamp that sits a little higher than it does.
+        // Shadow: the tip thrown onto the tissue along the ray of a lamp that sits a little higher than it does.
         vec3 from = lamp + vec3(0.0, 0.016, 0.0);
         vec3 ray = normalize(p - from);
         vec3 tip = b - from;
@@ -85,8 +85,8 @@ vec2 shade(vec3 p) {
         vec3 off = tip - along * ray;
         float gap = max(distance(p, from) - along, 0.0);
         float width = 0.8 * r + 0.12 * gap;
-        float cast = exp2(-1.4 * dot(off, off) / (width * width)) * exp2(-gap * 22.0);
-        lit *= 1.0 - shadow_from[i].w * (0.62 * near_tip + 0.48 * cast * (1.0 - near_tip));
+        float thrown = exp2(-1.4 * dot(off, off) / (width * width)) * exp2(-gap * 22.0);
+        lit *= 1.0 - shadow_from[i].w * (0.62 * near_tip + 0.48 * thrown * (1.0 - near_tip));
         pale += strain[i] * exp2(-d2 / (0.006 * 0.006));
     }
     return vec2(lit, pale);
