@@ -48,8 +48,8 @@ struct Butterworth {
 std::vector<double> magnitude_spectrum(const std::vector<double>& signal, std::size_t length) {
     std::vector<double> padded(signal);
     padded.resize(length, 0.0);
-    Eigen::FFT<double> fft;
-    fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+    // Keeps the twiddle factors of the lengths it has seen: making them costs more than a transform.
+    thread_local Eigen::FFT<double> fft(Eigen::FFT<double>::impl_type(), Eigen::FFT<double>::HalfSpectrum);
     std::vector<std::complex<double>> spectrum;
     fft.fwd(spectrum, padded);
     std::vector<double> magnitude(spectrum.size());
@@ -231,9 +231,13 @@ std::vector<double> window_power(const std::vector<double>& signal, std::size_t 
     std::vector<double> window(begin, begin + static_cast<std::ptrdiff_t>(length));
     double mean = 0;
     for (const double value : window) mean += value / static_cast<double>(length);
-    for (std::size_t i = 0; i < length; ++i)
-        window[i] = (window[i] - mean) *
-                    (0.5 - 0.5 * std::cos(2.0 * pi * static_cast<double>(i) / static_cast<double>(length)));
+    thread_local std::vector<double> hann;
+    if (hann.size() != length) {
+        hann.resize(length);
+        for (std::size_t i = 0; i < length; ++i)
+            hann[i] = 0.5 - 0.5 * std::cos(2.0 * pi * static_cast<double>(i) / static_cast<double>(length));
+    }
+    for (std::size_t i = 0; i < length; ++i) window[i] = (window[i] - mean) * hann[i];
     std::vector<double> power = magnitude_spectrum(window, length);
     for (double& value : power) value *= value;
     return power;
