@@ -18,6 +18,7 @@ namespace fulcrum::database {
 namespace {
 
 constexpr std::size_t product_maximum_bytes = 64U << 20U;
+constexpr unsigned longest_wait_s = 60;  // of trace kept in memory while another program holds the store
 
 StoreOptions for_writing(StoreOptions options) {
     options.read_only = false;
@@ -192,6 +193,8 @@ Recorder::Recorder(const std::string& store_path, const Session& session, Attemp
     state.inputs.reserve(2 * flush_ticks);
     state.samples.reserve(2 * flush_ticks);
     state.steps.reserve(2 * flush_ticks);
+    // The thread that feeds the recorder opens its own.
+    state.store.reset();
 }
 
 Recorder::~Recorder() = default;
@@ -222,9 +225,18 @@ void Recorder::append(const Event& event) {
     state_->events.push_back(event);
 }
 void Recorder::append(const TickSample& sample) {
-    state_->samples.push_back(sample);
-    // After a refused flush the next try waits for another second's worth.
-    if (state_->samples.size() % flush_ticks == 0) flush();
+    State& state = *state_;
+    state.samples.push_back(sample);
+    if (state.samples.size() % flush_ticks != 0) return;
+    try {
+        flush();
+    } catch (const StoreError& error) {
+        // Someone else writes just now: what has gathered waits for the next second. Only a lock that stays
+        // is told.
+        if (error.kind() != StoreErrorKind::locked ||
+            state.samples.size() >= std::size_t{longest_wait_s} * flush_ticks)
+            throw;
+    }
 }
 
 void Recorder::flush() {

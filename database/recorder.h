@@ -29,7 +29,10 @@ class Recorder {
     const std::string& attempt_id() const noexcept;
     const AttemptMeta& meta() const noexcept;
 
-    /// A pair of input and what it led to; flushes by itself whenever flush_ticks samples have gathered.
+    /// An input and what it led to, in pairs. Flushes by itself whenever flush_ticks samples have gathered;
+    /// while another program holds the store it keeps up to a minute and tries again each second, then throws
+    /// StoreError locked. Other failures of the store (disk_full ...) throw at once. Either way nothing that
+    /// was appended is dropped.
     void append(const RigSample& input);
     void append(const TickSample& sample);
     void append(const StepRecord& step);

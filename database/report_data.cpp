@@ -2,6 +2,7 @@
 #include "database/report_data.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <tuple>
@@ -32,13 +33,23 @@ class Provenance {
   public:
     explicit Provenance(const Store& store) : store_(store) {}
     void add(const AttemptSummary& attempt) {
-        programs_.insert(attempt.meta.program_version);
-        if (!attempt.meta.limits.empty()) sets_.insert(attempt.meta.limits);
+        const AttemptMeta& meta = attempt.meta;
+        programs_.insert(meta.program_version);
+        if (!meta.limits.empty()) sets_.insert(meta.limits);
+        // One program gives one set of metric versions for a task: asked once, not for every attempt.
+        if (!seen_
+                 .insert({meta.program_version, meta.task_id, std::to_string(meta.task_version),
+                          meta.device_class})
+                 .second)
+            return;
         Query rows(store_.connection(),
                    "SELECT DISTINCT m.id, m.version FROM metric m JOIN score s ON s.id = m.score_id "
                    "WHERE s.attempt_id = ? AND s.in_force = 1");
         rows.bind(attempt.meta.id);
-        while (rows.next()) metrics_.insert(rows.text(0) + "@" + rows.text(1));
+        while (rows.next()) {
+            metrics_.insert(rows.text(0) + "@" + rows.text(1));
+            seen_.insert(key);
+        }
     }
     template <typename Report>
     void write(Report& report) const {
@@ -51,6 +62,7 @@ class Provenance {
   private:
     const Store& store_;
     std::set<std::string> metrics_, sets_, programs_;
+    std::set<std::array<std::string, 4>> seen_;
 };
 
 void count(CohortRow& row, const AttemptSummary& attempt) {

@@ -84,16 +84,19 @@ TEST(Recorder, ALockedStoreSaysSoAndLosesNothing) {
     sqlite3* other = nullptr;
     ASSERT_EQ(sqlite3_open(programme.path.c_str(), &other), SQLITE_OK);
     ASSERT_EQ(sqlite3_exec(other, "BEGIN IMMEDIATE", nullptr, nullptr, nullptr), SQLITE_OK);
-    EXPECT_EQ(error_kind([&] { Programme::append_second(recorder); }), StoreErrorKind::locked);
+    Programme::append_second(recorder);
+    Programme::append_second(recorder, 1000);
+    EXPECT_EQ(recorder.bytes_written(), 0U);
+    EXPECT_EQ(error_kind([&] { recorder.flush(); }), StoreErrorKind::locked);
     EXPECT_EQ(error_kind([&] { recorder.finish(example_result(true, 1)); }), StoreErrorKind::locked);
     EXPECT_FALSE(recorder.finished());
     sqlite3_exec(other, "ROLLBACK", nullptr, nullptr, nullptr);
     sqlite3_close(other);
     recorder.finish(example_result(true, 1));
     const Trace trace = programme.attempts().read_trace(programme.session("ann"), recorder.attempt_id());
-    EXPECT_EQ(trace.samples.size(), 1000U);
-    EXPECT_EQ(trace.inputs.size(), 1000U);
-    EXPECT_EQ(trace.samples.back().tick, 999U);
+    EXPECT_EQ(trace.samples.size(), 2000U);
+    EXPECT_EQ(trace.inputs.size(), 2000U);
+    EXPECT_EQ(trace.samples.back().tick, 1999U);
 }
 
 /// What the child tells: shared memory outlives a kill.

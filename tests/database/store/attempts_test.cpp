@@ -242,6 +242,20 @@ TEST(CohortTable, CountsWhatCountsAndPoolsNothing) {
     EXPECT_EQ(personal[0].best_points, 80);
 }
 
+TEST(Progress, AnAttemptWithoutAScoreHidesNoVersions) {
+    Programme programme;
+    programme.record_broken("ann");
+    programme.open();
+    programme.clock.pass_s(60);
+    programme.record("ann");
+    const PersonProgress progress =
+        Reports(*programme.store).person_progress(programme.session("ann"), programme.id("ann"), "A2");
+    EXPECT_EQ(progress.metric_versions, (std::vector<std::string>{"path_len@1", "sparc@2"}));
+    ASSERT_EQ(progress.series[0].points.size(), 2U);
+    EXPECT_EQ(progress.series[0].points[0].state, "interrupted");
+    EXPECT_FALSE(progress.series[0].points[0].counting);
+}
+
 TEST(Progress, OrdersAttemptsByTimeWithinADeviceClass) {
     Programme programme;
     std::vector<std::string> recorded;
