@@ -9,7 +9,8 @@ namespace {
 
 constexpr double clearance = 0.004;  // m, kept from spheres that are not to be touched
 constexpr int most_detours = 3;
-constexpr double press_step_s = 0.25;  // between adjustments of the pressing force
+constexpr double parked_within = 0.02;  // m
+constexpr double press_step_s = 0.25;   // between adjustments of the pressing force
 
 class Targeting : public Behaviour {
   public:
@@ -37,11 +38,13 @@ class Targeting : public Behaviour {
             press_time_ = 0;
             const double choice = skill_.choice_s * limb->random().uniform(0.6, 1.4);
             detours_ = 0;
+            parking_[hand] = false;
             set_out(*limb, target, targets, reach, body.view, choice);
         }
         if (on_detour_ && (limb->destination() - via_).norm() < 0.012 && limb->remaining() < 0.12) {
             set_out(*limb, target, targets, reach, body.view, 0.0);
         }
+        park(1 - hand, seen, body);
         reach.update(*limb, seen.tip[hand]);
         if (!on_detour_ && reach.started()) reach.follow(goal(target, 0));
 
@@ -58,6 +61,19 @@ class Targeting : public Behaviour {
     }
 
   private:
+    // The hand that is not asked goes back to where it began, out of the other's way.
+    void park(int hand, const Perception& seen, Body& body) noexcept {
+        Limb* limb = body.limb[hand];
+        if (limb == nullptr) return;
+        const Vector3 home =
+            limb->trocar().position + limb->spec().start_insertion * limb->trocar().rotation.col(2);
+        if (!parking_[hand] && (limb->destination() - home).norm() > parked_within) {
+            parking_[hand] = true;
+            reaches_[hand].start(*limb, home, body.view, 0.02, 0.0, 8);
+        }
+        if (parking_[hand]) reaches_[hand].update(*limb, seen.tip[hand]);
+    }
+
     // Starts the next leg: to a point beside what is in the way, or to the target itself.
     void set_out(Limb& limb, const TargetSphere& target, const std::vector<TargetSphere>& targets,
                  Reach& reach, const Vector3& view, double delay) noexcept {
@@ -113,7 +129,7 @@ class Targeting : public Behaviour {
     double tip_radius_[hand_count] = {0.0025, 0.0025};
     double stiffness_ = 600;
     int target_ = -1;
-    bool on_detour_ = false;
+    bool on_detour_ = false, parking_[hand_count] = {false, false};
     int detours_ = 0;
     Vector3 approach_ = Vector3::UnitZ(), via_ = Vector3::Zero();
     double reach_ = 0, press_time_ = 0;

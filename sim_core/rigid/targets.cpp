@@ -35,8 +35,9 @@ std::vector<TargetSphere> place_targets(const TargetFieldSpec& field, std::uint6
                 const Vector3 unit(random.uniform(-1, 1), random.uniform(-1, 1), 2.0 * depth - 1.0);
                 centre = field.centre + field.half_extent.cwiseProduct(unit);
                 bool clear = true;
-                for (const Vector3& placed : centres[hand])
-                    clear = clear && (placed - centre).norm() >= distance;
+                for (const auto& of_hand : centres) {
+                    for (const Vector3& placed : of_hand) clear = clear && (placed - centre).norm() >= distance;
+                }
                 if (clear) break;
                 if (attempt % attempts == 0) distance *= 0.8;
             }

@@ -18,7 +18,7 @@ struct SphereDepthResult {
 SphereDepthResult sphere_depth(const Vector3& tip, double tip_radius, const Vector3& centre, double radius);
 
 /// Draws per_hand targets a hand inside the field's box, hands in turn (left, right, left, ...), the depth
-/// stratified over the box so that every hand works near and far; centres of one hand at least
+/// stratified over the box so that every hand works near and far; centres of either hand at least
 /// minimum_distance apart (relaxed where the box is too small). Same seed, same targets.
 std::vector<TargetSphere> place_targets(const TargetFieldSpec& field, std::uint64_t seed);
 

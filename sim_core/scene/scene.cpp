@@ -167,8 +167,8 @@ class SceneReader {
         // Random packing of points with spheres of half the distance succeeds well below a fill of 0.2;
         // beyond that it may never end.
         const double box = 8 * targets.half_extent.prod();
-        const double filled = targets.per_hand * 0.5236 * std::pow(targets.minimum_distance, 3);
-        if (filled > 0.15 * box) {
+        const double filled = 2 * targets.per_hand * 0.5236 * std::pow(targets.minimum_distance, 3);
+        if (filled > 0.32 * box) {
             document_.fail("/targets/per_hand", "so many targets so far apart do not fit into the box",
                            "give fewer targets, a smaller minimum_distance or a larger half_extent");
         }

@@ -59,7 +59,7 @@ struct TargetFieldSpec {
     double radius = 0.006;                        ///< m
     Vector3 centre = Vector3::Zero();             ///< m
     Vector3 half_extent = Vector3(0.05, 0.04, 0.03);  ///< m
-    double minimum_distance = 0.02;               ///< m between centres of one hand
+    double minimum_distance = 0.02;               ///< m between centres, whichever hand they are for
     std::string tissue = "target";
     double stiffness = 600;                       ///< N/m
     double damping = 0.5;                         ///< N s/m
