@@ -37,11 +37,9 @@ class Provenance {
         programs_.insert(meta.program_version);
         if (!meta.limits.empty()) sets_.insert(meta.limits);
         // One program gives one set of metric versions for a task: asked once, not for every attempt.
-        if (!seen_
-                 .insert({meta.program_version, meta.task_id, std::to_string(meta.task_version),
-                          meta.device_class})
-                 .second)
-            return;
+        const std::array<std::string, 4> key{meta.program_version, meta.task_id,
+                                             std::to_string(meta.task_version), meta.device_class};
+        if (seen_.count(key) > 0) return;
         Query rows(store_.connection(),
                    "SELECT DISTINCT m.id, m.version FROM metric m JOIN score s ON s.id = m.score_id "
                    "WHERE s.attempt_id = ? AND s.in_force = 1");
