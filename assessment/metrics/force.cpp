@@ -250,7 +250,7 @@ std::vector<Metric> force_metrics() {
                  "Horeman 2012; Trejos 2014",
                  {"Largest force of the instrument on tissue.",
                   "the force rose to {value} where {limit} is the most",
-                  "use the weight of the tissue, and stop pulling when it no longer gives"}),
+                  "approach slowly, and stop pulling when the tissue no longer gives"}),
         {}, f_max);
     add(describe({"f_sd", "Force variation", "N", 0.01}, D::lower, Scale::raw, A::deviation, E::moderate,
                  "Trejos 2014",

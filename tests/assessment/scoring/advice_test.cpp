@@ -34,8 +34,7 @@ TEST(Advice, CriticalErrorFirst) {
 TEST(Advice, ThenTheAbsoluteGateFurthestBeyondItsLimit) {
     EXPECT_EQ(advice_of(figures(500, -9, 6, 0)),
               "Left hand, in 'Run the bowel': the force rose to 6.0 N where 4.0 N is the most (50 % over); "
-              "use the weight of "
-              "the tissue, and stop pulling when it no longer gives.");
+              "approach slowly, and stop pulling when the tissue no longer gives.");
     EXPECT_EQ(advice_of(figures(500, -9, 6, 3)),
               "In 'Run the bowel': 3 objects were dropped where 1 are allowed (200 % over); let go only when "
               "the object "
