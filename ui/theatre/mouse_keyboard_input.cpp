@@ -213,8 +213,18 @@ void MouseKeyboardInput::advance(double dt) {
         targets_.hand[h].grip = closed ? hand_[h].grip : 0;
         targets_.hand[h].buttons = closed ? button_primary : button_none;
     }
+    publish();
+}
+
+void MouseKeyboardInput::publish() {
     rig_->targets().write_slot() = targets_;
     rig_->targets().publish();
+}
+
+void MouseKeyboardInput::set_connected(bool connected) {
+    for (DeviceReading& reading : targets_.hand) reading.present = connected;
+    targets_.camera.present = connected;
+    publish();
 }
 
 QStringList MouseKeyboardInput::help_lines() {

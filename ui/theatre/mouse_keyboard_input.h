@@ -63,6 +63,8 @@ class MouseKeyboardInput {
     void release_key(int key);
     /// The window lost the keyboard: nothing is held down any more; latched jaws stay.
     void release_all();
+    /// Whether the devices answer at all; a station whose mouse or keyboard was unplugged says no.
+    void set_connected(bool connected);
     /// Integrates held keys over `dt` seconds and hands the targets to the haptic thread.
     void advance(double dt);
     const HandTargets& targets() const { return targets_; }
@@ -79,6 +81,7 @@ class MouseKeyboardInput {
     /// Moves a handle by `shift` (m, patient frame) across its shaft; the insertion stays.
     void shift_handle(DeviceReading& reading, const Trocar& trocar, const Vector3& shift) const;
     void insert(DeviceReading& reading, const Trocar& trocar, double depth) const;
+    void publish();
     Vector3 on_screen(double right, double up) const { return view_ * Vector3(right, up, 0); }
 
     HandTargets targets_;

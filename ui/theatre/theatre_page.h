@@ -34,6 +34,8 @@ class TheatrePage : public Page {
     void ask_before_leaving();
     TheatreView* view() const { return view_; }
     const AttemptSession* session() const { return session_.get(); }
+    /// The hands while an attempt runs, else null.
+    MouseKeyboardInput* input() const { return input_.get(); }
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Services for the window's tests: a real store in a temporary folder, and attempts without threads or physics. Time passes when the
+// window asks for the newest world; the record, its events and its score go through the real Recorder.
+#pragma once
+
+#include <QTemporaryDir>
+#include <memory>
+
+#include "database/recorder.h"
+#include "database/trace_codec.h"
+#include "ui/application_services.h"
+
+namespace fulcrum::ui::test {
+
+/// What the test can do to the attempt that runs.
+struct AttemptControl {
+    bool complete = false;      ///< ends it as completed at the next update
+    bool drop_device = false;   ///< as if the device were gone
+    bool press_hard = false;    ///< the left hand presses with 9 N: over-force
+    int ticks_per_update = 200;
+    std::string last_attempt_id;
+};
+
+class FakeServices : public ApplicationServices {
+  public:
+    FakeServices();
+    database::Store* store() override { return store_.get(); }
+    std::string store_path(bool demo) const override;
+    void open_store(bool demo) override;
+    bool demo_is_built() const override { return database::Store::exists(store_path(true)); }
+    bool build_demo(const Progress& progress) override;
+    const std::vector<TaskDefinition>& tasks() const override { return tasks_; }
+    Scene scene_for(const TaskDefinition& task) const override;
+    std::unique_ptr<AttemptSession> start_attempt(const AttemptRequest& request) override;
+    std::unique_ptr<ReplaySource> open_replay(const std::string& task_id, std::uint64_t seed,
+                                              std::shared_ptr<const database::Trace> trace) override;
+    std::string program_version() const override { return "0.1.0-test"; }
+
+    AttemptControl control;
+
+  private:
+    QTemporaryDir folder_;
+    std::vector<TaskDefinition> tasks_;
+    std::unique_ptr<database::Store> store_;
+};
+
+}  // namespace fulcrum::ui::test
