@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A person at the window: finds what is visible by its name, clicks and types with real events, waits for conditions.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QDir>
+#include <QLineEdit>
+#include <QtTest>
+#include <functional>
+
+namespace fulcrum::ui::test {
+
+template <typename T>
+T* find(QWidget& window, const char* name) {
+    T* found = nullptr;
+    QTest::qWaitFor(
+        [&] {
+            for (T* widget : window.findChildren<T*>(QString::fromLatin1(name))) {
+                if (widget->isVisible()) found = widget;
+            }
+            return found != nullptr;
+        },
+        5000);
+    EXPECT_NE(found, nullptr) << "nothing visible is called " << name;
+    return found;
+}
+
+inline bool sees(QWidget& window, const char* name) {
+    for (QWidget* widget : window.findChildren<QWidget*>(QString::fromLatin1(name))) {
+        if (widget->isVisible()) return true;
+    }
+    return false;
+}
+
+inline bool wait_for(const std::function<bool()>& condition, int milliseconds = 15000) {
+    return QTest::qWaitFor(condition, milliseconds);
+}
+
+inline void click(QWidget& window, const char* name) {
+    ASSERT_TRUE(wait_for([&] { return sees(window, name); })) << name;
+    auto* button = find<QAbstractButton>(window, name);
+    ASSERT_NE(button, nullptr);
+    ASSERT_TRUE(button->isEnabled()) << name;
+    QTest::mouseClick(button, Qt::LeftButton);
+}
+
+inline void type(QWidget& window, const char* name, const QString& words) {
+    auto* edit = find<QLineEdit>(window, name);
+    ASSERT_NE(edit, nullptr);
+    edit->setFocus();
+    edit->selectAll();
+    QTest::keyClicks(edit, words);
+}
+
+/// Kept where FULCRUM_PICTURES says, for people to look at.
+inline void keep_picture(QWidget& window, const QString& name) {
+    const QByteArray folder = qgetenv("FULCRUM_PICTURES");
+    if (folder.isEmpty()) return;
+    QDir().mkpath(QString::fromLocal8Bit(folder));
+    QTest::qWait(60);
+    window.grab().save(QString::fromLocal8Bit(folder) + QLatin1Char('/') + name + QStringLiteral(".png"));
+}
+
+}  // namespace fulcrum::ui::test
