@@ -70,7 +70,17 @@ void PatchBuilder::build(const RingMotion* rings, const PatchRequest& request, S
     if (!request.tool.inside || ring_total < skin_rings) return;
 
     // Nearest ring: where the tool holds on, or where the shaft comes nearest to the tube.
-    const bool holds = request.contact_vertex >= 0 && request.contact_vertex < skin_.vertices();
+    struct Frames {
+        const RingMotion* rings;
+        const RingFrame& operator[](std::size_t r) const { return rings[r].frame; }
+    };
+    const Frames frames{rings};
+    bool holds = request.contact_vertex >= 0 && request.contact_vertex < skin_.vertices();
+    if (holds) {
+        // A tool that has jumped away has let go, whatever the tick still reported.
+        const Vector3 held = skin_vertex(skin_.rows()[index(request.contact_vertex)], frames);
+        holds = to_shaft(request.tool, held).distance2 < options_.radius * options_.radius;
+    }
     int nearest = 0;
     double nearest_distance = 1e30;
     if (holds) {
@@ -96,11 +106,6 @@ void PatchBuilder::build(const RingMotion* rings, const PatchRequest& request, S
     const int from = std::clamp(nearest - 1 - search_intervals, patch.first_ring, last_row);
     const int to = std::clamp(nearest - 1 + search_intervals, patch.first_ring, last_row);
 
-    struct Frames {
-        const RingMotion* rings;
-        const RingFrame& operator[](std::size_t r) const { return rings[r].frame; }
-    };
-    const Frames frames{rings};
     const auto& offsets = skin_.by_ring_offsets();
     const auto& by_ring = skin_.by_ring();
     const std::int32_t candidates = offsets[index(to + 1)] - offsets[index(from)];

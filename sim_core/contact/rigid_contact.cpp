@@ -76,7 +76,17 @@ void touch_wall(const ToolContactModel& model, const LocalModel& local, const To
         if (walk.at_border || (!seeded.at_border && seeded.distance < walk.distance)) walk = seeded;
     }
     if (walk.at_border && state.touching_wall) {
-        walk = walk_from(model.cavity->closest(tool.tip, wall_search).triangle, Vector3::Constant(1.0 / 3));
+        // Lost, as at a fan of slivers: the exact closest point of the tip serves until the walk finds its
+        // feet.
+        const CavityPoint exact = model.cavity->closest(tool.tip, wall_search);
+        walk = walk_from(exact.triangle, Vector3::Constant(1.0 / 3));
+        if (walk.at_border && exact.triangle >= 0) {
+            walk.at_border = false;
+            walk.triangle = exact.triangle;
+            walk.barycentric = Vector3::Constant(1.0 / 3);
+            walk.normal = exact.normal;
+            walk.distance = exact.distance;
+        }
     }
     state.touching_wall = false;
     if (walk.at_border) {

@@ -39,7 +39,7 @@ std::vector<TargetSphere> place_targets(const TargetFieldSpec& field, std::uint6
                     for (const Vector3& placed : of_hand) clear = clear && (placed - centre).norm() >= distance;
                 }
                 if (clear) break;
-                if (attempt % attempts == 0) distance *= 0.8;
+                if (attempt % attempts == 0) distance = distance > 1e-6 ? 0.8 * distance : 0.0;
             }
             centres[hand].push_back(centre);
         }

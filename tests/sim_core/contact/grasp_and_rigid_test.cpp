@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "sim_core/contact/rigid_contact.h"
+#include "sim_core/numerics/random.h"
+#include "sim_core/rigid/targets.h"
+#include "tests/sim_core/contact/contact_rig.h"
+#include "tests/support/cavity.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr double pi = 3.141592653589793;
+
+// ---- jaws ----
+
+TEST(Jaws, SlipRatioIsTheFrictionCone) {
+    const Vector3 closing = Vector3::UnitY();
+    // Two faces of 5 N at mu 0.5 hold 5 N.
+    EXPECT_NEAR(slip_ratio({5, 0, 0}, closing, 5, 0.5), 1.0, 1e-12);
+    EXPECT_NEAR(slip_ratio({0, 100, 2.5}, closing, 5, 0.5), 0.5, 1e-12);
+    EXPECT_EQ(slip_ratio({0, 7, 0}, closing, 0, 0.5), 0.0);
+    EXPECT_GT(slip_ratio({1, 0, 0}, closing, 0, 0.5), 1e6);
+    EXPECT_TRUE(std::isfinite(slip_ratio({1e300, 0, 0}, closing, 0, 0.5)));
+}
+
+TEST(Jaws, PressureAndDamage) {
+    EXPECT_NEAR(jaw_pressure(5, 50e-6), 1e5, 1e-6);
+    EXPECT_NEAR(jaw_pressure(5, 0), 5e6, 1e-3);  // an edge bite counts as 1 mm2
+    PatchDamage damage;
+    for (int k = 0; k < 1000; ++k) add_damage(damage, 3.0, 2.0, 1e-3);
+    add_damage(damage, std::numeric_limits<double>::quiet_NaN(), 2.0, 1e-3);
+    add_damage(damage, 1.0, 2.0, 1e-3);
+    EXPECT_NEAR(damage.impulse, 1.0, 1e-12);
+    EXPECT_EQ(damage.peak, 3.0);
+}
+
+TEST(Jaws, FindTissueBetweenThemAndNoneBeside) {
+    test::ContactRig rig;
+    const ToolKinematics tool = rig.tool_at({0.2, 0, 0.0120});  // jaws 4 mm into the wall
+    rig.publish(tool);
+    const JawContact wide =
+        find_jaw_contact(rig.model.instrument, tool, 0.9, *rig.local, rig.tick, *rig.tick_scratch);
+    ASSERT_GE(wide.vertex, 0);
+    EXPECT_GT(wide.area, 10e-6);
+    EXPECT_LE(wide.area, 2 * 0.020 * 0.005 + 1e-12);
+    EXPECT_GT(wide.normal.z(), 0.8);
+    EXPECT_NEAR((wide.point - Vector3(0.2, 0, 0.016)).norm(), 0, 0.003);
+    const JawContact narrow =
+        find_jaw_contact(rig.model.instrument, tool, 0.1, *rig.local, rig.tick, *rig.tick_scratch);
+    EXPECT_LT(narrow.area, wide.area);
+    const ToolKinematics above = rig.tool_at({0.2, 0, 0.030});
+    EXPECT_EQ(
+        find_jaw_contact(rig.model.instrument, above, 0.9, *rig.local, rig.tick, *rig.tick_scratch).vertex,
+        -1);
+    EXPECT_NEAR(held_opening(rig.model.instrument, 0.006), 2 * std::atan(0.3), 1e-12);
+}
+
+// ---- grasp ----
+
+struct GraspRig : test::ContactRig {
+    GraspRig() {
+        publish(tool_at({0.2, 0, 0.0165}));
+        local->mode = LocalMode::grasp;
+        local->grasp.point = Vector3(0.2, 0, 0.0165);
+        local->grasp.reaction = Vector3(0, 0, 1.0);
+        local->grasp.stiffness = 150 * Matrix3::Identity();
+        local->grasp.friction = 0.5;
+        local->grasp.area = 4e-5;
+        local->grasp.tissue = 0;
+        local->grasp.tissue_patch = 7;
+        local->grasp.vertex = local->patch.vertex_id[local->patch.vertex_count > 100 ? 100 : 0];
+    }
+    ToolKinematics gripping(const Vector3& tip, double grip) const {
+        ToolKinematics tool = tool_at(tip);
+        tool.grip = grip;
+        return tool;
+    }
+};
+
+TEST(Grasp, ForceIsTheReactionAndItsSlope) {
+    GraspRig rig;
+    const ToolContactResult& held = rig.touch(rig.gripping({0.2, 0, 0.0165}, 8));
+    EXPECT_NEAR((held.grasp_force - Vector3(0, 0, 1)).norm(), 0, 1e-4);
+    EXPECT_TRUE(held.grasping);
+    EXPECT_FALSE(held.slipping);
+    EXPECT_FALSE(held.touching_surface);
+    EXPECT_EQ(held.tissue_patch, 7);
+    EXPECT_EQ(held.jaw_area, 4e-5);
+    const ToolContactResult& pulled = rig.touch(rig.gripping({0.2, 0, 0.0265}, 8));
+    EXPECT_NEAR(pulled.grasp_force.z(), 1 + 150 * 0.01, 1e-3);
+    EXPECT_EQ(pulled.tissue, 0);
+}
+
+TEST(Grasp, SlipsAtTheConeAndHoldsNoMore) {
+    GraspRig rig;
+    const ToolContactResult& result = rig.touch(rig.gripping({0.2, 0, 0.0465}, 2));  // 5.5 N asked, 2 N held
+    EXPECT_TRUE(result.slipping);
+    EXPECT_NEAR(result.slip_ratio, 5.5 / 2.0, 0.01);
+    EXPECT_NEAR(result.grasp_force.norm(), 2.0, 0.01);
+}
+
+TEST(Grasp, ForceIsFilteredAtTheHeldVertex) {
+    GraspRig rig;
+    const ToolContactResult& result = rig.touch(rig.gripping({0.2, 0, 0.0165}, 8));
+    ASSERT_GT(result.filtered.count, 0);
+    EXPECT_EQ(result.filtered.vertex[0], rig.local->grasp.vertex);
+    EXPECT_EQ(result.vertex, rig.local->grasp.vertex);
+    EXPECT_EQ(result.grade, 2);
+}
+
+TEST(Grasp, WorksWithoutAPatch) {
+    GraspRig rig;
+    rig.local->patch.triangle_count = 0;
+    const ToolContactResult& result = rig.touch(rig.gripping({0.2, 0, 0.0265}, 8));
+    EXPECT_NEAR(result.grasp_force.z(), 2.5, 1e-3);
+    EXPECT_EQ(result.filtered.count, 0);
+}
+
+// ---- targets ----
+
+TEST(Targets, ForceIsTheSpringsAndTheNearestIsNamed) {
+    test::ContactRig rig;
+    rig.local->mode = LocalMode::none;
+    rig.local->target_count = 2;
+    rig.local->targets[0].centre = Vector3(0.2, 0, 0.05);
+    rig.local->targets[0].radius = 0.006;
+    rig.local->targets[0].id = 4;
+    rig.local->targets[0].tissue = 1;
+    rig.local->targets[1] = rig.local->targets[0];
+    rig.local->targets[1].centre.x() = 0.25;
+    rig.local->targets[1].id = 5;
+    const ToolContactResult& touching = rig.touch(rig.tool_at({0.2, 0, 0.0575}));
+    EXPECT_TRUE(touching.touching_target);
+    EXPECT_EQ(touching.target, 4);
+    EXPECT_EQ(touching.tissue, 1);
+    EXPECT_NEAR(touching.target_force.z(), -600 * 0.001, 1e-3);
+    EXPECT_NEAR(touching.target_distance, -0.001, 1e-6);
+    const ToolContactResult& apart = rig.touch(rig.tool_at({0.2, 0, 0.07}));
+    EXPECT_FALSE(apart.touching_target);
+    EXPECT_EQ(apart.target, -1);
+    EXPECT_EQ(apart.force, Vector3::Zero());
+    rig.local->targets[0].solid = false;
+    EXPECT_EQ(rig.touch(rig.tool_at({0.2, 0, 0.0575})).force, Vector3::Zero());
+    EXPECT_TRUE(rig.result.touching_target);
+}
+
+TEST(Targets, ArePlacedBySeedApartAndAtAllDepths) {
+    TargetFieldSpec field;
+    const auto targets = place_targets(field, 42), again = place_targets(field, 42),
+               other = place_targets(field, 43);
+    ASSERT_EQ(targets.size(), 20U);
+    double difference = 0;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        EXPECT_EQ(targets[i].centre, again[i].centre);
+        difference += (targets[i].centre - other[i].centre).norm();
+        EXPECT_EQ(targets[i].hand, i % 2 == 0 ? Hand::left : Hand::right);
+        EXPECT_LE(((targets[i].centre - field.centre).cwiseAbs() - field.half_extent).maxCoeff(), 0);
+        for (std::size_t j = 0; j < i; ++j) {
+            if (targets[i].hand == targets[j].hand) {
+                EXPECT_GE((targets[i].centre - targets[j].centre).norm(), field.minimum_distance);
+            }
+        }
+    }
+    EXPECT_GT(difference, 0.1);
+    for (int hand = 0; hand < 2; ++hand) {  // one in each tenth of the depth
+        int layers = 0;
+        for (std::size_t i = 0; i < targets.size(); ++i) {
+            if (static_cast<int>(targets[i].hand) != hand) continue;
+            layers |= 1 << static_cast<int>((targets[i].centre.z() / field.half_extent.z() + 1) * 5);
+        }
+        EXPECT_EQ(layers, 0x3FF);
+    }
+    field.half_extent = Vector3::Zero();  // no room at all: still ends
+    EXPECT_EQ(place_targets(field, 1).size(), 20U);
+}
+
+// ---- wall ----
+
+struct WallRig : test::ContactRig {
+    CavityModel cavity;
+    WallRig() : cavity(test::make_bowl(Vector3(0.06, 0.055, 0.05), 60, 80, 0.0), FreeSide::behind) {
+        model.cavity = &cavity;
+        model.wall.tissue = 2;
+        model.wall.most_stiffness = 700;
+        InstrumentSpec spec;
+        spec.trocar.position = Vector3(0, 0.02, 0.09);
+        spec.trocar.direction = Vector3(0, 0, -1);
+        spec.trocar.up = Vector3(0, 1, 0);
+        model.instrument = make_instrument(spec, 1e-3);
+    }
+};
+
+TEST(Wall, TheTipPressesOnItAndTheShaftBehindDoesNotFeelTheTrocar) {
+    WallRig rig;
+    for (int k = 0; k <= 120; ++k) {
+        const double z =
+            -0.040 - 0.0001 * k;  // the bowl's bottom is at -0.05; above, the shaft pierces the bowl
+        rig.tick = static_cast<std::uint32_t>(k);
+        const ToolKinematics tool = rig.tool_at({0, 0, z});
+        if (k % 5 == 0) seed_wall(&rig.cavity, tool, 0.02, *rig.local);
+        const ToolContactResult& result = rig.touch(tool);
+        const double depth = 0.0025 - (0.05 + z);
+        if (depth > 1e-4) {
+            ASSERT_TRUE(result.touching_wall) << k;
+            EXPECT_NEAR(result.wall_force.z(), -700 * depth, 0.05 + 0.02 * 700 * depth) << k;
+            EXPECT_EQ(result.tissue, 2);
+        }
+        if (depth < -1e-4) {
+            EXPECT_FALSE(result.touching_wall) << k;
+        }
+    }
+}
+
+TEST(Wall, DepthsAgreeWithTheCavitysClosestPoint) {
+    WallRig rig;
+    Random random(30);
+    int touched = 0;
+    for (int trial = 0; trial < 300; ++trial) {
+        const double polar = pi - random.uniform(0, 1.0), around = random.uniform(0, 2 * pi);
+        const double scale = random.uniform(0.93, 1.04);
+        const Vector3 tip =
+            scale * Vector3(0.06 * std::sin(polar) * std::cos(around),
+                            0.055 * std::sin(polar) * std::sin(around), 0.05 * std::cos(polar));
+        const ToolKinematics tool = rig.tool_at(tip);
+        rig.state = ToolContactState{};
+        seed_wall(&rig.cavity, tool, 0.02, *rig.local);
+        const ToolContactResult& result = rig.touch(tool);
+        const double exact = rig.cavity.closest(tool.tip, 0.1).distance - 0.0025;
+        if (exact < -1e-4) {
+            ++touched;
+            ASSERT_TRUE(result.touching_wall) << trial;
+            EXPECT_NEAR(result.wall_force.norm(), -700 * exact, 0.12 + 0.1 * 700 * -exact) << trial;
+        }
+        if (exact > 2e-4) {
+            EXPECT_FALSE(result.touching_wall) << trial;
+        }
+    }
+    EXPECT_GT(touched, 50);
+}
+
+// ---- tool against tool ----
+
+TEST(Tools, CrossingShaftsPushEachOtherApart) {
+    ToolContactModel model;
+    ToolKinematics left, right;
+    left.inside = right.inside = true;
+    left.trocar = Vector3(-0.1, 0, 0);
+    left.tip = Vector3(0.1, 0, 0);
+    left.axis = Vector3::UnitX();
+    right.trocar = Vector3(0, -0.1, 0.004);
+    right.tip = Vector3(0, 0.1, 0.004);
+    right.axis = Vector3::UnitY();
+    ToolContactResult a, b;
+    EXPECT_NEAR(collide_tools(model, left, model, right, a, b), 0.001, 1e-12);
+    EXPECT_TRUE(a.touching_tool);
+    EXPECT_NEAR((a.tool_force + b.tool_force).norm(), 0, 1e-15);
+    EXPECT_NEAR(a.tool_force.z(), 0.8, 1e-9);  // on the right tool, upwards
+    right.trocar.z() = right.tip.z() = 0.006;
+    a = b = ToolContactResult{};
+    EXPECT_LT(collide_tools(model, left, model, right, a, b), 0);
+    EXPECT_EQ(a.force, Vector3::Zero());
+    right = left;  // one on the other
+    EXPECT_TRUE(std::isfinite(collide_tools(model, left, model, right, a, b)));
+    EXPECT_TRUE(a.force.allFinite());
+    left.tip.x() = std::numeric_limits<double>::quiet_NaN();
+    a = b = ToolContactResult{};
+    collide_tools(model, left, model, right, a, b);
+    EXPECT_TRUE(a.force.allFinite());
+}
+
+}  // namespace
+}  // namespace fulcrum
