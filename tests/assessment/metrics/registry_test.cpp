@@ -8,6 +8,7 @@
 #include <fstream>
 #include <set>
 #include <stdexcept>
+#include <thread>
 
 #include "assessment/metrics/metrics_json.h"
 #include "assessment/trace/trace_csv.h"
@@ -82,6 +83,19 @@ TEST(Compute, GivesOneRowAValueAndRefusesUnknownIds) {
     MetricContext context;
     context.metrics = {"path_len", "no_such_metric"};
     EXPECT_THROW(compute_metrics(trace, {}, context), std::invalid_argument);
+}
+
+TEST(Compute, GivesTheSameRowsOnEveryThreadAndTheSecondTime) {
+    Trace trace = test::make_trace(12.0);
+    test::set_position(trace, Hand::left, test::reaches(5, 0.1, 1.0, 1.0));
+    test::set_force(trace, Hand::left, [](double t) { return Vector3(std::sin(t), 1, 0); });
+    const nlohmann::json first = metrics_to_json(compute_metrics(trace, {}, {}));
+    nlohmann::json other;
+    std::thread thread([&] { other = metrics_to_json(compute_metrics(trace, {}, {})); });
+    const nlohmann::json second = metrics_to_json(compute_metrics(trace, {}, {}));
+    thread.join();
+    EXPECT_EQ(first, second);
+    EXPECT_EQ(first, other);
 }
 
 TEST(Compute, OfAnEmptyRecordIsAbsentThroughout) {

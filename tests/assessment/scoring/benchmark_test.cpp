@@ -5,11 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <random>
 
 #include "assessment/learning/statistics.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/assessment/scoring/fixtures.h"
+#include "tests/support/support.h"
 
 namespace fulcrum {
 namespace {
@@ -70,6 +72,27 @@ TEST(BenchmarkFile, BrokenInTenWays) {
     }
     EXPECT_THROW(parse_benchmark("{", "set.json"), InputError);
     EXPECT_THROW(load_benchmark("no/such/set.json"), InputError);
+}
+
+TEST(ShippedTasks, CanBeGatedAndFitTheirSets) {
+    int tasks = 0;
+    for (const auto& file : std::filesystem::directory_iterator(test::source_path("assets/tasks"))) {
+        const TaskDefinition task = load_task(file.path().string());
+        EXPECT_NO_THROW(check_gates(task, file.path().string()));
+        ++tasks;
+        const std::string path = test::source_path("assets/benchmarks/" + task.id + ".json");
+        if (!std::filesystem::exists(path)) continue;  // built by `fulcrum benchmark build`
+        const BenchmarkSet set = load_benchmark(path);
+        EXPECT_EQ(set.task, task.id);
+        EXPECT_EQ(set.task_version, task.version);
+        EXPECT_GE(set.expert_pass_share, 1.0 - set.p0 - 1e-12);
+        for (const GateSpec& gate : task.gates) {
+            if (gate.kind != "benchmark") continue;
+            EXPECT_NE(set.find(gate.metric, gate.hand, gate.tissue), nullptr)
+                << task.id << " " << gate.metric;
+        }
+    }
+    EXPECT_GE(tasks, 2);
 }
 
 /// Attempts of persons whose figures scatter around ln time `time`, sparc, force.
