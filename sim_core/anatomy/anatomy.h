@@ -41,7 +41,7 @@ struct BowelParameters {
     double radius = 0.016;           ///< m, mean outer radius, 0.010 .. 0.022
     int vertices = 20000;            ///< asked, 1000 .. 200000; the generator rounds
     double haustra_spacing = 0.034;  ///< m between two semilunar folds, 0.02 .. 0.06
-    double haustra_depth = 0.16;     ///< folds, fraction of the radius, 0 .. 0.3
+    double haustra_depth = 0.24;     ///< folds, fraction of the radius, 0 .. 0.3
     double taenia_width = 0.007;     ///< m, 0.003 .. 0.012
     std::uint64_t seed = 1;          ///< sizes of the haustra
 };

@@ -45,7 +45,7 @@ double crease(const Folds& folds, double s, double spacing) {
         if (i < 0 || i >= static_cast<std::ptrdiff_t>(folds.at.size())) return;
         const auto k = static_cast<std::size_t>(i);
         const double d = std::abs(s - folds.at[k]) / spacing;
-        const double shape = 0.62 * bell(d, 0.11) + 0.38 * bell(d, 0.30);
+        const double shape = 0.60 * bell(d, 0.10) + 0.40 * bell(d, 0.26);
         result = std::max(result, folds.depth[k] * shape);
     };
     const auto i = next - folds.at.begin();

@@ -62,8 +62,9 @@ MesenteryShape make_mesentery(const BowelShape& bowel, const CavityShape& cavity
             const double least = wall.height(straight.x(), straight.y()) + 0.0012 + 0.0025 * middle;
             vertex.lift = Vector3(0, 0, std::max(0.0, std::min(0.03, least - straight.z())) + fat);
             mesentery.mesh.vertices.push_back(place(vertex, edge));
-            mesentery.mesh.texture_coordinates.emplace_back(vertex.arc_length / 0.06,
-                                                            (edge - root).norm() * vertex.fraction / 0.06);
+            // The sheet lies nearly flat at rest: projected coordinates do not shrink towards the root.
+            const Vector3& rest = mesentery.mesh.vertices.back();
+            mesentery.mesh.texture_coordinates.emplace_back(rest.x() / 0.06, (rest.y() + 0.5 * rest.z()) / 0.06);
             mesentery.vertices.push_back(vertex);
         }
     }

@@ -128,13 +128,16 @@ GlTissue upload(const TissueTexture& texture) {
     return {upload(texture.albedo), upload(texture.normal)};
 }
 
-std::unique_ptr<QOpenGLShaderProgram> compile(const char* vertex, const char* shared, const char* fragment,
-                                              QString& error) {
+std::unique_ptr<QOpenGLShaderProgram> compile(std::initializer_list<const char*> vertex,
+                                              std::initializer_list<const char*> fragment, QString& error) {
+    const auto joined = [](std::initializer_list<const char*> parts) {
+        QByteArray source(shaders::head);
+        for (const char* part : parts) source += part;
+        return source;
+    };
     auto program = std::make_unique<QOpenGLShaderProgram>();
-    const QByteArray head(shaders::head);
-    if (program->addShaderFromSourceCode(QOpenGLShader::Vertex, head + vertex) &&
-        program->addShaderFromSourceCode(QOpenGLShader::Fragment, head + shared + fragment) &&
-        program->link())
+    if (program->addShaderFromSourceCode(QOpenGLShader::Vertex, joined(vertex)) &&
+        program->addShaderFromSourceCode(QOpenGLShader::Fragment, joined(fragment)) && program->link())
         return program;
     error = program->log();
     return nullptr;

@@ -60,7 +60,7 @@ struct GlTissue {
 GlTissue upload(const TissueTexture& texture);
 
 /// Null with a message in `error` where it does not compile.
-std::unique_ptr<QOpenGLShaderProgram> compile(const char* vertex, const char* shared, const char* fragment,
-                                              QString& error);
+std::unique_ptr<QOpenGLShaderProgram> compile(std::initializer_list<const char*> vertex,
+                                              std::initializer_list<const char*> fragment, QString& error);
 
 }  // namespace fulcrum::ui

@@ -224,7 +224,6 @@ struct SceneRenderer::Impl {
         // Nothing outside the round image is worth a fragment.
         gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
         screen->bind();
-        screen->setUniformValue("reach", QVector2D(1, 1));
         frame_mask->draw(gl);
         gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 
@@ -304,21 +303,17 @@ struct SceneRenderer::Impl {
         gl.glViewport(0, 0, size.width(), size.height());
         gl.glDisable(GL_DEPTH_TEST);
         gl.glDisable(GL_CULL_FACE);
-        if (hidden) {
-            gl.glClearColor(0, 0, 0, 1);
-            gl.glClear(GL_COLOR_BUFFER_BIT);
-            return;
-        }
+        gl.glClearColor(0, 0, 0, 1);
+        gl.glClear(GL_COLOR_BUFFER_BIT);
+        if (hidden) return;
+        gl.glViewport((size.width() - shorter) / 2, (size.height() - shorter) / 2, shorter, shorter);
         screen->bind();
-        const float radius = 0.5F * static_cast<float>(shorter);
-        screen->setUniformValue("reach", QVector2D(0.5F * static_cast<float>(size.width()) / radius,
-                                                   0.5F * static_cast<float>(size.height()) / radius));
-        screen->setUniformValue("pixel", 1 / radius);
-        screen->setUniformValue("hidden", 0.0F);
+        screen->setUniformValue("pixel", 2.0F / static_cast<float>(shorter));
         screen->setUniformValue("image", 0);
         gl.glActiveTexture(GL_TEXTURE0);
         gl.glBindTexture(GL_TEXTURE_2D, resolved ? resolved->texture() : image->texture());
         quad->draw(gl);
+        gl.glViewport(0, 0, size.width(), size.height());
         gl.glBindTexture(GL_TEXTURE_2D, 0);
         screen->release();
     }
@@ -384,12 +379,12 @@ bool SceneRenderer::initialise() {
         return false;
     }
     namespace s = shaders;
-    i.tissue = compile(s::surface_vertex, s::light, s::tissue_fragment, i.error);
-    i.wall = i.tissue ? compile(s::surface_vertex, s::light, s::wall_fragment, i.error) : nullptr;
-    i.box = i.wall ? compile(s::surface_vertex, s::light, s::box_fragment, i.error) : nullptr;
-    i.steel = i.box ? compile(s::rigid_vertex, s::light, s::steel_fragment, i.error) : nullptr;
-    i.target = i.steel ? compile(s::rigid_vertex, s::light, s::target_fragment, i.error) : nullptr;
-    i.screen = i.target ? compile(s::screen_vertex, "", s::screen_fragment, i.error) : nullptr;
+    i.tissue = compile({s::light, s::surface_vertex}, {s::wet, s::tissue_fragment}, i.error);
+    if (i.tissue) i.wall = compile({s::light, s::surface_vertex}, {s::wet, s::wall_fragment}, i.error);
+    if (i.wall) i.box = compile({s::rigid_vertex}, {s::light, s::wet, s::box_fragment}, i.error);
+    if (i.box) i.steel = compile({s::rigid_vertex}, {s::light, s::wet, s::steel_fragment}, i.error);
+    if (i.steel) i.target = compile({s::rigid_vertex}, {s::light, s::wet, s::target_fragment}, i.error);
+    if (i.target) i.screen = compile({s::screen_vertex}, {s::screen_fragment}, i.error);
     if (!i.screen) return false;
     i.shaft = std::make_unique<GlRigid>(make_shaft());
     i.clevis = std::make_unique<GlRigid>(make_clevis());

@@ -8,8 +8,8 @@
 namespace fulcrum::ui {
 namespace {
 
-// Weight below which a plane does not show in the wall's program (0.40 there, kept a little apart).
-constexpr double plane_threshold = 0.42;
+// Weight below which a plane does not show in the wall's program (the same number there).
+constexpr double plane_threshold = 0.52;
 
 void add_coordinates(SurfaceMesh& surface, double u, double v) {
     surface.coordinates.push_back(static_cast<float>(u));
