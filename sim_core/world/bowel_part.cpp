@@ -35,6 +35,8 @@ FilterMode filter_mode(const std::string& name) {
     return FilterMode::adaptive;
 }
 
+constexpr double unsolved_residual = 0.05;  // share of the largest force: beyond it a step's reactions mean nothing
+
 RodSolve rod_solve(const Fidelity& fidelity) {
     RodSolve solve;
     if (fidelity.rod == "linearised") {
@@ -121,6 +123,11 @@ BowelPart::BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel
     inputs_.self_contacts.reserve(512);
     inputs_.ends[0] = state_.ends[0];
     inputs_.ends[1] = state_.ends[1];
+    good_inputs_.grasps.reserve(hand_count);
+    good_inputs_.contacts.reserve(inputs_.contacts.capacity());
+    good_inputs_.self_contacts.reserve(inputs_.self_contacts.capacity());
+    good_inputs_.loads.reserve(inputs_.loads.capacity());
+    good_inputs_.tethers.reserve(static_cast<std::size_t>(std::max(1, tethers)));
     if (scene.tethers) {
         const TetherSpec& tether = *scene.tethers;
         for (int i = 0; i < tether.count; ++i) {
@@ -170,7 +177,18 @@ std::uint32_t BowelPart::step(const ToolAction* actions, double dt) noexcept {
     {
         Stopwatch watch(measuring_, costs_.rod);
         good_ = state_;
+        good_inputs_ = inputs_;
         report_ = rod_->step(state_, inputs_, dt, scratch_, solve_);
+        if (solve_.level == RodSolve::Level::newton_k && report_.finite && !report_.converged && report_.residual > unsolved_residual) {
+            // A fixed number of iterations ended far from balance, as when contacts change hands: one step of reactions that nobody
+            // exerted would be felt and scored. This step is worth the full solve, in parts if need be.
+            state_ = good_;
+            inputs_ = good_inputs_;
+            RodSolve full = solve_;
+            full.level = RodSolve::Level::newton;
+            full.iterations = 0;
+            report_ = rod_->step(state_, inputs_, dt, scratch_, full);
+        }
     }
     std::uint32_t outcome = 0;
     if (!report_.finite || !Rod::finite(state_)) {

@@ -104,7 +104,7 @@ class BowelPart {
     FilterMode filter_ = FilterMode::adaptive;
 
     RodState state_, good_;
-    RodInputs inputs_;
+    RodInputs inputs_, good_inputs_;
     RodScratch scratch_;
     RodReport report_;
     SphereCollision::Lists lists_;
