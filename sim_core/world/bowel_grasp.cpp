@@ -15,6 +15,7 @@ constexpr double grasp_reach = 0.006;                    // m from the middle of
 constexpr double correction_time = 0.06;                 // s: the tissue is drawn into the jaws in this time
 constexpr double fastest_hold = 2.0;                     // m/s: a device that jumps does not tear the tissue along at once
 constexpr double slip_delay = 0.02;                      // s of overload before the tissue leaves the jaws
+constexpr double pinch_share = 2.0;                      // of the tissue's contact stiffness: both walls between the jaws
 
 }  // namespace
 
@@ -131,7 +132,11 @@ void BowelPart::fill_local_model(Hand hand, const PatchRequest& request, LocalMo
     model.grasp.velocity = grasp.velocity;
     model.grasp.reaction = grasp.state.reaction;
     model.grasp.hold_offset = grasp.hold_offset;
-    model.grasp.stiffness = grasp.stiffness;
+    // In series with the pinched wall itself: however firmly the rod is held elsewhere, the jaws feel no more than tissue.
+    const double wall = pinch_share * scene_.tissues[static_cast<std::size_t>(index)].stiffness;
+    const Matrix3 compliance = grasp.stiffness.inverse() + Matrix3::Identity() / wall;
+    const Matrix3 stiffness = compliance.inverse();
+    model.grasp.stiffness = stiffness.allFinite() ? Matrix3(0.5 * (stiffness + stiffness.transpose())) : Matrix3(wall * Matrix3::Identity());
     model.grasp.damping = scene_.tissues[static_cast<std::size_t>(index)].damping;
     model.grasp.friction = scene_.tissues[static_cast<std::size_t>(index)].friction;
     model.grasp.vertex = grasp.vertex;
