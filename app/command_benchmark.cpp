@@ -44,6 +44,7 @@ std::vector<BenchmarkAttempt> run_operators(const LoadedTask& loaded, const std:
                 request.loaded = loaded;
                 request.operator_name = jobs[k].preset;
                 request.seed = jobs[k].seed;
+                request.individual = seed_base + static_cast<std::uint64_t>(jobs[k].individual * counted);  // one individual, many attempts
                 const Performed performed = perform(request, nullptr, nullptr);
                 attempts[k].person = preset + "-" + std::to_string(jobs[k].individual + 1);
                 attempts[k].metrics = performed.scored.metrics;
@@ -142,7 +143,7 @@ int command_benchmark(const std::vector<std::string>& words) {
     if (arguments.has("--operators")) {
         request.source = "synthetic operators, seeds 1000-1999";
         request.provisional = true;
-        request.familiarisation = 0;
+        request.familiarisation = request.minimum_familiarisation = 0;
         request.experts = run_operators(loaded, "expert", first_seed);
         request.novices = run_operators(loaded, "novice", first_seed + 500);
     } else {

@@ -115,7 +115,7 @@ Performed perform(const PerformRequest& request, database::Recorder* recorder, c
     if (request.input_trace != nullptr) {
         rig = std::make_unique<TraceRig>(request.input_trace->inputs);
     } else {
-        rig = make_operator(request.operator_name, request.loaded.task, request.loaded.scene, request.seed);
+        rig = make_operator(request.operator_name, request.loaded.task, request.loaded.scene, request.individual.value_or(request.seed), request.seed);
     }
     std::unique_ptr<MemorySink> sink = recorder != nullptr ? std::make_unique<RecordingSink>(*recorder) : std::make_unique<MemorySink>();
     performed.outcome = run_headless(engine, *rig, *sink, request.keep_going);

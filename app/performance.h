@@ -53,6 +53,7 @@ struct PerformRequest {
     std::string operator_name;            ///< empty: input_trace
     const AttemptRecord* input_trace = nullptr;
     std::uint64_t seed = 1;
+    std::optional<std::uint64_t> individual;  ///< operator: who performs; without it the seed draws one
     bool assessed = true;
     std::function<bool(double)> keep_going;  ///< simulated seconds; may be empty
 };

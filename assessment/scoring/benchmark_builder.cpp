@@ -143,8 +143,9 @@ std::string too_few(const BenchmarkRequest& request, const std::vector<Benchmark
         if (expert.attempts < request.minimum_attempts)
             return expert.name + " has " + std::to_string(expert.attempts) + " counted attempts where " +
                    std::to_string(request.minimum_attempts) + " are needed";
-    if (request.familiarisation < 3)
-        return "fewer than 3 familiarisation attempts came before the counted ones";
+    if (request.familiarisation < request.minimum_familiarisation)
+        return "fewer than " + std::to_string(request.minimum_familiarisation) +
+               " familiarisation attempts came before the counted ones";
     return {};
 }
 

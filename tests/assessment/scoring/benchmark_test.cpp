@@ -191,6 +191,8 @@ TEST(BenchmarkBuilder, RefusesTooFewExpertsOrAttempts) {
     request = request_of(1);
     request.familiarisation = 2;
     EXPECT_FALSE(build_benchmark(small_task(), request).set);
+    request.minimum_familiarisation = 0;  // operators do not learn
+    EXPECT_TRUE(build_benchmark(small_task(), request).set);
     request = request_of(1);
     for (BenchmarkAttempt& attempt : request.experts)
         if (attempt.person > "expert 4")
