@@ -158,7 +158,7 @@ void PeoplePage::fill() {
         table_->setItem(row, 4, make_cell(local_time(person.last_sign_in)));
         if (person.id == kept) table_->selectRow(row);
     }
-    table_->resizeColumnsToContents();
+    fit_columns(table_);
     select();
 }
 

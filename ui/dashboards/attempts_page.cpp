@@ -104,7 +104,7 @@ void AttemptsPage::fill_requests() {
     }
     requests_card_->setVisible(!open.empty());
     requests_->addWidget(
-        make_label(tr("%n correction(s) asked for", nullptr, static_cast<int>(open.size())), "heading"));
+        make_label(tr("Corrections asked for: %1").arg(open.size()), "heading"));
     for (const database::CorrectionRequest& request : open) {
         QPushButton* button = make_button(tr("%1, %2: %3").arg(text(request.person_name), local_time(request.asked),
                                                                text(request.text).simplified().left(110)),
@@ -157,10 +157,10 @@ void AttemptsPage::load() {
         }
     }
     table_->setUpdatesEnabled(true);
-    table_->resizeColumnsToContents();
+    fit_columns(table_);
     if (!attempts_.empty()) table_->setCurrentCell(0, 0);
     count_->setText(attempts_.size() >= 500 ? tr("the newest 500")
-                                            : tr("%n attempt(s)", nullptr, static_cast<int>(attempts_.size())));
+                                            : tr("attempts: %1").arg(attempts_.size()));
 }
 
 void AttemptsPage::open_row(int row) {

@@ -28,7 +28,7 @@ QString cohort_cell_text(const database::CohortRow& row) {
             break;
     }
     if (row.device_class.empty()) return state;
-    QString line = CohortPage::tr("%1 · %n attempt(s)", nullptr, row.attempts).arg(state);
+    QString line = CohortPage::tr("%1 · attempts %2").arg(state).arg(row.attempts);
     if (row.best_points) line += CohortPage::tr(" · best %1").arg(figure(*row.best_points));
     return line + QStringLiteral("\n") + device_class_text(row.device_class);
 }
@@ -135,9 +135,9 @@ void CohortPage::load() {
     }
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     table_->resizeRowsToContents();
-    QString line_text = tr("%n people", nullptr, data_->people);
+    QString line_text = tr("n = %1 people").arg(data_->people);
     if (data_->left_out_synthetic > 0) {
-        line_text += tr(" · %n synthetic left out", nullptr, data_->left_out_synthetic);
+        line_text += tr(" · synthetic left out: %1").arg(data_->left_out_synthetic);
     }
     line_text += tr(" · counting attempts only; device classes are never pooled");
     summary_->setText(line_text);

@@ -62,7 +62,7 @@ void CommentsCard::fill() {
         comments = database::Reviews(context_.store()).comments(context_.session(), attempt_id_);
     });
     title_->setText(comments.empty() ? tr("Comments")
-                                     : tr("%n comment(s)", nullptr, static_cast<int>(comments.size())));
+                                     : tr("Comments (%1)").arg(comments.size()));
     if (comments.empty() && composer_->isHidden()) list_->addWidget(make_label(tr("None yet."), "muted"));
     const bool own = context_.session().person_id() == person_id_;
     for (const database::Comment& comment : comments) {

@@ -342,7 +342,7 @@ void DebriefPage::fill_gates() {
         gates_->setItem(row, 5, verdict_cell);
         gates_->setItem(row, 6, make_cell(gate.value ? text(gate.limit_source) : text(gate.not_passed_because)));
     }
-    gates_->resizeColumnsToContents();
+    fit_columns(gates_);
     gates_->setFixedHeight(gates_->horizontalHeader()->sizeHint().height() + 34 * gates_->rowCount() + 12);
 }
 
@@ -385,7 +385,7 @@ void DebriefPage::fill_metrics() {
                                                                           : tr("context")));
         metrics_->setItem(row, 5, make_cell(text(value.absent_because)));
     }
-    metrics_->resizeColumnsToContents();
+    fit_columns(metrics_);
 }
 
 void DebriefPage::fill_charts() {

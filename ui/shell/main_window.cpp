@@ -88,7 +88,7 @@ void MainWindow::build_top_bar() {
     role_ = new QComboBox;
     role_->setObjectName(QStringLiteral("acting_role"));
     role_->setAccessibleName(tr("Acting role"));
-    role_->setMinimumWidth(150);
+    role_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     bar->addWidget(role_);
     theme_ = make_button(tr("Dark"), "theme");
     bar->addWidget(theme_);
@@ -135,6 +135,9 @@ void MainWindow::build_top_bar() {
 
     connect(role_, QOverload<int>::of(&QComboBox::activated), this, &MainWindow::change_role);
     connect(switch_user_, &QPushButton::clicked, this, &MainWindow::switch_user);
+    message_timer_.setSingleShot(true);
+    message_timer_.setInterval(6000);
+    connect(&message_timer_, &QTimer::timeout, message_, &QWidget::hide);
     connect(theme_, &QPushButton::clicked, this,
             [this] { set_theme(current_theme() == Theme::light ? Theme::dark : Theme::light); });
     theme_->setText(current_theme() == Theme::light ? tr("Dark") : tr("Light"));
@@ -214,6 +217,7 @@ void MainWindow::set_theme(Theme theme) {
 void MainWindow::show_page(Page* next) {
     Page* before = current_page();
     if (before != nullptr && before != next) before->leave();
+    if (before != next && typeid(*next) == typeid(TheatrePage)) message_->hide();
     stack_->setCurrentWidget(next);
     const bool theatre = typeid(*next) == typeid(TheatrePage);
     const bool before_sign_in = !context_.signed_in();
@@ -353,6 +357,9 @@ void MainWindow::show_message(const QString& line, bool is_error) {
     message_text_->setText(line);
     set_role(message_, is_error ? "error" : "message");
     message_->show();
+    // What went well goes by itself; what went wrong stays until it was seen.
+    message_timer_.stop();
+    if (!is_error) message_timer_.start();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

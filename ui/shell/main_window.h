@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QTimer>
 #include <functional>
 #include <map>
 #include <vector>
@@ -71,6 +72,7 @@ class MainWindow : public QMainWindow {
     QStackedWidget* stack_ = nullptr;
     QFrame *top_bar_ = nullptr, *rail_ = nullptr, *banner_ = nullptr, *message_ = nullptr;
     QLabel *programme_ = nullptr, *person_ = nullptr, *banner_text_ = nullptr, *message_text_ = nullptr;
+    QTimer message_timer_;
     QComboBox* role_ = nullptr;
     QPushButton *switch_user_ = nullptr, *theme_ = nullptr;
     QVBoxLayout* rail_layout_ = nullptr;

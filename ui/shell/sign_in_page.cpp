@@ -130,9 +130,9 @@ void SignInPage::enter() {
     const auto& interrupted = context().store().interrupted_at_open();
     notice_->setVisible(!interrupted.empty());
     if (!interrupted.empty()) {
-        notice_->setText(tr("%n attempt(s) were running when the program last ended. They are listed as "
-                            "interrupted; nothing that was recorded is lost.",
-                            nullptr, static_cast<int>(interrupted.size())));
+        notice_->setText(tr("Attempts that were running when the program last ended: %1. They are listed as "
+                            "interrupted; nothing that was recorded is lost.")
+                             .arg(interrupted.size()));
     }
     if (demo) {
         picker_->hide();

@@ -6,6 +6,9 @@
 #include <QPalette>
 #include <QStyleFactory>
 
+/// Resources of a static library are linked in only where somebody asks for them, outside any namespace.
+static void load_style_resources() { Q_INIT_RESOURCE(style); }
+
 namespace fulcrum::ui {
 namespace {
 
@@ -49,11 +52,13 @@ QPushButton[role="card"] { background: @card; border: 1px solid @line; border-ra
 QPushButton[role="card"]:focus, QPushButton[role="card"]:hover { border: 2px solid @accent; padding: 13px; }
 QLineEdit, QPlainTextEdit, QTextEdit, QComboBox, QSpinBox { background: @window; border: 1px solid @line; border-radius: 6px; padding: 6px 8px; selection-background-color: @accent; selection-color: @accent_text; }
 QLineEdit:focus, QPlainTextEdit:focus, QComboBox:focus, QTextEdit:focus { border: 2px solid @accent; padding: 5px 7px; }
+QComboBox::drop-down { border: none; width: 24px; }
+QComboBox::down-arrow { image: url(:/style/icons/arrow_@theme.svg); width: 12px; height: 12px; }
 QComboBox QAbstractItemView { background: @card; selection-background-color: @accent; selection-color: @accent_text; border: 1px solid @line; }
 QTableWidget, QTableView, QListWidget { background: @card; alternate-background-color: @raised; border: 1px solid @line; border-radius: 8px; gridline-color: @line; selection-background-color: @accent; selection-color: @accent_text; }
 QTableView::item, QListWidget::item { padding: 4px 6px; }
 QHeaderView { background: @card; }
-QHeaderView::section { background: @card; color: @muted; border: none; border-bottom: 1px solid @line; padding: 7px 8px; font-weight: 600; }
+QHeaderView::section { background: @card; color: @muted; border: none; border-bottom: 1px solid @line; padding: 7px 4px; font-weight: 600; }
 QTableCornerButton::section { background: @card; border: none; }
 QProgressBar { background: @raised; border: none; border-radius: 4px; height: 8px; text-align: center; color: transparent; }
 QProgressBar::chunk { background: @accent; border-radius: 4px; }
@@ -67,6 +72,13 @@ QTabBar::tab:selected { color: @text; border-bottom: 3px solid @accent; font-wei
 QTabBar::tab:focus { color: @accent; }
 QCheckBox, QRadioButton { background: transparent; spacing: 8px; padding: 3px; }
 QCheckBox:focus, QRadioButton:focus { color: @accent; }
+QCheckBox::indicator, QListWidget::indicator { width: 16px; height: 16px; border: 1px solid @muted; border-radius: 4px; background: @window; }
+QCheckBox::indicator:checked, QListWidget::indicator:checked { background: @accent; border-color: @accent; image: url(:/style/icons/check_@theme.svg); }
+QRadioButton::indicator { width: 10px; height: 10px; border: 4px solid @window; border-radius: 9px; background: @window; }
+QRadioButton::indicator:unchecked { width: 16px; height: 16px; border: 1px solid @muted; border-radius: 9px; }
+QRadioButton::indicator:checked { width: 8px; height: 8px; border: 5px solid @accent; border-radius: 9px; background: @card; }
+QRadioButton::indicator:disabled, QCheckBox::indicator:disabled { border-color: @line; }
+QRadioButton:disabled, QCheckBox:disabled { color: @muted; }
 QToolTip { background: @card; color: @text; border: 1px solid @line; padding: 4px; }
 QScrollBar:vertical { background: transparent; width: 11px; margin: 2px; }
 QScrollBar::handle:vertical { background: @line; border-radius: 4px; min-height: 30px; }
@@ -79,6 +91,7 @@ QSplitter::handle { background: transparent; }
         {"@accent_text", p.accent_text}, {"@accent", p.accent}, {"@window", p.window}, {"@card", p.card},
         {"@raised", p.raised},           {"@line", p.line},     {"@text", p.text},     {"@muted", p.muted},
         {"@good", p.good},               {"@bad", p.bad},       {"@warning", p.warning}};
+    sheet.replace(QLatin1String("@theme"), p.window.lightness() > 128 ? QStringLiteral("light") : QStringLiteral("dark"));
     for (const auto& [token, colour] : tokens) sheet.replace(QLatin1String(token), colour.name());
     return sheet;
 }
@@ -100,6 +113,7 @@ const Palette& palette_of(Theme theme) {
 Theme current_theme() { return theme_in_force; }
 
 void apply_theme(QApplication& application, Theme theme) {
+    load_style_resources();
     theme_in_force = theme;
     const Palette& p = palette_of(theme);
     application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));

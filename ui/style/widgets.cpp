@@ -58,6 +58,19 @@ QTableWidgetItem* make_cell(const QString& shown, Qt::Alignment alignment) {
     return item;
 }
 
+void fit_columns(QTableWidget* table) {
+    QHeaderView* header = table->horizontalHeader();
+    header->setStretchLastSection(false);
+    table->resizeColumnsToContents();
+    for (int column = 0; column < table->columnCount(); ++column) {
+        header->resizeSection(column, header->sectionSize(column) + 16);
+        if (table->rowCount() > 0 && table->item(0, column) != nullptr) {
+            table->horizontalHeaderItem(column)->setTextAlignment(table->item(0, column)->textAlignment());
+        }
+    }
+    header->setStretchLastSection(true);
+}
+
 void set_role(QWidget* widget, const char* role) {
     widget->setProperty("role", role);
     widget->style()->unpolish(widget);

@@ -19,6 +19,8 @@ inline QVBoxLayout* card_layout(QFrame* card) { return static_cast<QVBoxLayout*>
 /// A table that is read: rows selectable, no editing, no vertical header.
 QTableWidget* make_table(const QStringList& columns, const char* name);
 QTableWidgetItem* make_cell(const QString& shown, Qt::Alignment alignment = Qt::AlignLeft | Qt::AlignVCenter);
+/// Columns as wide as what they hold, with air between them; a header stands above its figures; the last column takes the rest.
+void fit_columns(QTableWidget* table);
 /// Changes a label's role (and so its look).
 void set_role(QWidget* widget, const char* role);
 /// Empties a layout and deletes its widgets.

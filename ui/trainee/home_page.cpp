@@ -71,7 +71,7 @@ void HomePage::fill_comments() {
     context().guarded([&] { unread = database::Reviews(context().store()).unread(context().session()); });
     comments_card_->setVisible(!unread.empty());
     comments_->addWidget(
-        make_label(tr("%n unread comment(s)", nullptr, static_cast<int>(unread.size())), "heading"));
+        make_label(tr("Unread comments: %1").arg(unread.size()), "heading"));
     for (const database::Comment& comment : unread) {
         QString line = text(comment.text).simplified();
         if (line.size() > 110) line = line.left(107) + QStringLiteral(" …");
@@ -113,9 +113,9 @@ QFrame* HomePage::task_card(const TaskSummary& summary) {
             break;
     }
     card_layout(card)->addWidget(state);
-    QString figures = tr("%n counting attempt(s)", nullptr, summary.attempts);
+    QString figures = tr("counting attempts: %1").arg(summary.attempts);
     if (summary.best_points) figures += tr(" · best %1 points").arg(figure(*summary.best_points));
-    if (summary.not_counting > 0) figures += tr(" · %n not counting", nullptr, summary.not_counting);
+    if (summary.not_counting > 0) figures += tr(" · not counting: %1").arg(summary.not_counting);
     card_layout(card)->addWidget(make_label(figures, "muted"));
     card_layout(card)->addWidget(make_label(summary.last_attempt == 0
                                                 ? tr("never tried")

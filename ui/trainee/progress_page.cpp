@@ -213,7 +213,7 @@ void ProgressPage::fill_table() {
             table_->setItem(row, 7, make_cell(figure(point.points), Qt::AlignRight | Qt::AlignVCenter));
         }
     }
-    table_->resizeColumnsToContents();
+    fit_columns(table_);
 }
 
 void ProgressPage::export_report() {

@@ -16,7 +16,7 @@ namespace fulcrum::ui::test {
 template <typename T>
 T* find(QWidget& window, const char* name) {
     T* found = nullptr;
-    QTest::qWaitFor(
+    const bool seen = QTest::qWaitFor(
         [&] {
             for (T* widget : window.findChildren<T*>(QString::fromLatin1(name))) {
                 if (widget->isVisible()) found = widget;
@@ -24,7 +24,7 @@ T* find(QWidget& window, const char* name) {
             return found != nullptr;
         },
         5000);
-    EXPECT_NE(found, nullptr) << "nothing visible is called " << name;
+    EXPECT_TRUE(seen) << "nothing visible is called " << name;
     return found;
 }
 
@@ -62,6 +62,17 @@ inline void keep_picture(QWidget& window, const QString& name) {
     QDir().mkpath(QString::fromLocal8Bit(folder));
     QTest::qWait(60);
     window.grab().save(QString::fromLocal8Bit(folder) + QLatin1Char('/') + name + QStringLiteral(".png"));
+}
+
+/// The whole body of a scrolled page, beyond what the window shows.
+inline void keep_body(QWidget& window, QWidget& page, const QString& name) {
+    const QByteArray folder = qgetenv("FULCRUM_PICTURES");
+    if (folder.isEmpty()) return;
+    auto* body = page.findChild<QWidget*>(QStringLiteral("page_body"));
+    ASSERT_NE(body, nullptr);
+    QTest::qWait(100);
+    body->grab().save(QString::fromLocal8Bit(folder) + QLatin1Char('/') + name + QStringLiteral(".png"));
+    window.raise();
 }
 
 }  // namespace fulcrum::ui::test
