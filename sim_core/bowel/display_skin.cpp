@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_core/bowel/display_skin.h"
 
-#include <cassert>
+#if defined(__AVX2__) && defined(__FMA__)
+#include <immintrin.h>
+#endif
+
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -11,28 +16,43 @@ namespace {
 constexpr int lanes = 16;                  // vertices a block: two 256-bit or one 512-bit register of floats
 constexpr int row_terms = 4 * skin_rings;  // W_j, Y_j
 constexpr std::size_t block_floats = static_cast<std::size_t>(lanes) * row_terms;
+constexpr double length_unit =
+    1.0 / 64;                          // m, of ring positions under tangent terms: brings W and Y to one size
 constexpr double tangent_step = 1e-6;  // m, forward difference of the rows along the rest surface
 
 // Row terms in the order W_0, Y_0x, Y_0y, Y_0z, W_1 ...
-void store_row(const SkinRow& row, double scale, std::int32_t first_ring, float* block, int lane) {
-    const int shift = row.first_ring - first_ring;
-    for (int j = 0; j < skin_rings; ++j) {
-        const int place = j + shift;
-        if (place < 0 || place >= skin_rings)
-            continue;  // a forced gap shares its window: nothing lies outside
-        float* const terms = block + static_cast<std::size_t>(4 * place) * lanes + lane;
-        terms[0] += static_cast<float>(scale * row.weight[j]);
-        for (int i = 0; i < 3; ++i) terms[(i + 1) * lanes] += static_cast<float>(scale * row.offset[j][i]);
+using Terms = std::array<double, row_terms>;
+
+Terms terms_of(const SkinRow& row) {
+    Terms terms;
+    for (std::size_t j = 0; j < skin_rings; ++j) {
+        terms[4 * j] = row.weight[j];
+        for (std::size_t i = 0; i < 3; ++i) terms[4 * j + 1 + i] = row.offset[j][static_cast<int>(i)];
     }
+    return terms;
 }
 
-SkinRow difference(const SkinRow& a, const SkinRow& b) {
-    SkinRow result = a;
-    for (int j = 0; j < skin_rings; ++j) {
-        result.weight[j] -= b.weight[j];
-        result.offset[j] -= b.offset[j];
+void store_position(const SkinRow& row, float* block, int lane) {
+    const Terms terms = terms_of(row);
+    for (std::size_t i = 0; i < row_terms; ++i)
+        block[i * lanes + static_cast<std::size_t>(lane)] = static_cast<float>(terms[i]);
+}
+
+// The change of the row along a tangent, scaled to the range of 16 bits: a normal needs its tangents'
+// directions only.
+void store_tangent(const SkinRow& moved, const SkinRow& row, std::int16_t* block, int lane) {
+    const Terms after = terms_of(moved), before = terms_of(row);
+    Terms change;
+    double largest = 0.0;
+    for (std::size_t i = 0; i < row_terms; ++i) {
+        change[i] = (after[i] - before[i]) * (i % 4 == 0 ? length_unit : 1.0);
+        largest = std::max(largest, std::abs(change[i]));
     }
-    return result;
+    const double scale = largest > 0.0 ? 32767.0 / largest : 0.0;
+    for (std::size_t i = 0; i < row_terms; ++i) {
+        block[i * lanes + static_cast<std::size_t>(lane)] =
+            static_cast<std::int16_t>(std::lround(scale * change[i]));
+    }
 }
 
 // A right-handed pair of unit tangents: first x second = normal.
@@ -46,25 +66,64 @@ struct Lanes {
     float x[lanes], y[lanes], z[lanes];
 };
 
-// sum over rings of W_j c_j + R_j Y_j for one block; ring: 12 floats each, position then rotation by columns.
-inline void accumulate(const float* block, const float* ring, Lanes& out) {
-    float x[lanes], y[lanes], z[lanes];
-    for (int l = 0; l < lanes; ++l) x[l] = y[l] = z[l] = 0.0f;
-    for (int term = 0; term < row_terms; ++term) {
-        const float* const values = block + term * lanes;
-        const float fx = ring[3 * term], fy = ring[3 * term + 1], fz = ring[3 * term + 2];
-        for (int l = 0; l < lanes; ++l) {
-            x[l] = std::fma(values[l], fx, x[l]);
-            y[l] = std::fma(values[l], fy, y[l]);
-            z[l] = std::fma(values[l], fz, z[l]);
+// The weights of a tangent sum to zero, so its ring positions may be taken from any origin: from the first
+// ring they are small and sixteen bits lose nothing that could be seen.
+inline void shift_rings(const float* ring, float* shifted) {
+    for (int j = 0; j < skin_rings; ++j) {
+        for (int i = 0; i < 12; ++i) {
+            shifted[12 * j + i] = i < 3 ? (ring[12 * j + i] - ring[i]) * static_cast<float>(1.0 / length_unit)
+                                        : ring[12 * j + i];
         }
     }
-    for (int l = 0; l < lanes; ++l) {
-        out.x[l] = x[l];
-        out.y[l] = y[l];
-        out.z[l] = z[l];
+}
+
+// sum over rings of W_j c_j + R_j Y_j for one block; ring: 12 floats each, position then rotation by columns.
+#if defined(__AVX2__) && defined(__FMA__)
+inline __m256 load_eight(const float* values) {
+    return _mm256_loadu_ps(values);
+}
+inline __m256 load_eight(const std::int16_t* values) {
+    const __m128i packed = _mm_loadu_si128(reinterpret_cast<const __m128i*>(values));
+    return _mm256_cvtepi32_ps(_mm256_cvtepi16_epi32(packed));
+}
+
+// Left to itself the compiler spills the six sums of a block; written out they stay in registers.
+template <typename Value>
+inline void accumulate(const Value* block, const float* ring, Lanes& out) {
+    static_assert(lanes == 16, "two registers of eight");
+    __m256 x0 = _mm256_setzero_ps(), x1 = x0, y0 = x0, y1 = x0, z0 = x0, z1 = x0;
+    for (int term = 0; term < row_terms; ++term) {
+        const __m256 low = load_eight(block + term * lanes), high = load_eight(block + term * lanes + 8);
+        const __m256 fx = _mm256_broadcast_ss(ring + 3 * term), fy = _mm256_broadcast_ss(ring + 3 * term + 1),
+                     fz = _mm256_broadcast_ss(ring + 3 * term + 2);
+        x0 = _mm256_fmadd_ps(low, fx, x0);
+        x1 = _mm256_fmadd_ps(high, fx, x1);
+        y0 = _mm256_fmadd_ps(low, fy, y0);
+        y1 = _mm256_fmadd_ps(high, fy, y1);
+        z0 = _mm256_fmadd_ps(low, fz, z0);
+        z1 = _mm256_fmadd_ps(high, fz, z1);
+    }
+    _mm256_storeu_ps(out.x, x0);
+    _mm256_storeu_ps(out.x + 8, x1);
+    _mm256_storeu_ps(out.y, y0);
+    _mm256_storeu_ps(out.y + 8, y1);
+    _mm256_storeu_ps(out.z, z0);
+    _mm256_storeu_ps(out.z + 8, z1);
+}
+#else
+template <typename Value>
+inline void accumulate(const Value* block, const float* ring, Lanes& out) {
+    out = Lanes{};
+    for (int term = 0; term < row_terms; ++term) {
+        for (int l = 0; l < lanes; ++l) {
+            const float value = static_cast<float>(block[term * lanes + l]);
+            out.x[l] += value * ring[3 * term];
+            out.y[l] += value * ring[3 * term + 1];
+            out.z[l] += value * ring[3 * term + 2];
+        }
     }
 }
+#endif
 
 // 1 / sqrt(x), relative error below 1e-6, x > 0: a seed from the exponent and three Newton steps. Unlike the
 // library's square root it sets no errno, so the compiler keeps the lanes together.
@@ -116,9 +175,9 @@ DisplaySkin::DisplaySkin(const BowelSkin& skin)
         for (std::int32_t first = begin; first < end; first += lanes) {
             block_ring_.push_back(r);
             position_rows_.resize(position_rows_.size() + block_floats, 0.0f);
-            tangent_rows_.resize(tangent_rows_.size() + 2 * block_floats, 0.0f);
+            tangent_rows_.resize(tangent_rows_.size() + 2 * block_floats, 0);
             float* const position = position_rows_.data() + position_rows_.size() - block_floats;
-            float* const tangent = tangent_rows_.data() + tangent_rows_.size() - 2 * block_floats;
+            std::int16_t* const tangent = tangent_rows_.data() + tangent_rows_.size() - 2 * block_floats;
             for (int l = 0; l < lanes; ++l) {
                 const std::int32_t v = first + l < end ? order[static_cast<std::size_t>(first + l)] : -1;
                 block_vertices_.push_back(v);
@@ -128,11 +187,11 @@ DisplaySkin::DisplaySkin(const BowelSkin& skin)
                 const int gap = binder.gap_of(point);
                 Vector3 directions[2];
                 tangents_of(skin.rest_normals()[n], directions[0], directions[1]);
-                store_row(skin.rows()[n], 1.0, r, position, l);
+                store_position(skin.rows()[n], position, l);
                 for (int t = 0; t < 2; ++t) {
                     const SkinRow moved = binder.bind(gap, point + tangent_step * directions[t]);
-                    store_row(difference(moved, skin.rows()[n]), 1.0 / tangent_step, r,
-                              tangent + static_cast<std::size_t>(t) * block_floats, l);
+                    store_tangent(moved, skin.rows()[n], tangent + static_cast<std::size_t>(t) * block_floats,
+                                  l);
                 }
             }
         }
@@ -150,6 +209,9 @@ void DisplaySkin::evaluate(const RingFrame* frames, float* ring_floats, float* p
             }
         }
     }
+    std::int32_t shifted_for = -1;
+    float shifted[12 * skin_rings];  // the block's rings as its tangents see them: from the first ring, in
+                                     // length units
     for (std::size_t block = 0; block < block_ring_.size(); ++block) {
         const float* const ring = ring_floats + 12 * block_ring_[block];
         const std::int32_t* const vertices = block_vertices_.data() + block * lanes;
@@ -157,9 +219,13 @@ void DisplaySkin::evaluate(const RingFrame* frames, float* ring_floats, float* p
         accumulate(position_rows_.data() + block * block_floats, ring, values);
         scatter(values, vertices, positions);
         if (normals == nullptr) continue;
+        if (shifted_for != block_ring_[block]) {
+            shifted_for = block_ring_[block];
+            shift_rings(ring, shifted);
+        }
         Lanes first, second;
-        accumulate(tangent_rows_.data() + 2 * block * block_floats, ring, first);
-        accumulate(tangent_rows_.data() + (2 * block + 1) * block_floats, ring, second);
+        accumulate(tangent_rows_.data() + 2 * block * block_floats, shifted, first);
+        accumulate(tangent_rows_.data() + (2 * block + 1) * block_floats, shifted, second);
         cross_unit(first, second, values);
         scatter(values, vertices, normals);
     }
@@ -193,7 +259,7 @@ void DisplaySkin::add_dents(const DentVertex* dents, int count, float* positions
 }
 
 std::size_t DisplaySkin::bytes() const {
-    return sizeof(float) * (position_rows_.size() + tangent_rows_.size()) +
+    return sizeof(float) * position_rows_.size() + sizeof(std::int16_t) * tangent_rows_.size() +
            sizeof(std::int32_t) * (block_ring_.size() + block_vertices_.size());
 }
 

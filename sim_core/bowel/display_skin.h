@@ -35,7 +35,8 @@ class DisplaySkin {
     std::vector<std::int32_t> block_ring_;      // first ring of each block
     std::vector<std::int32_t> block_vertices_;  // lanes a block, -1 in unused lanes
     std::vector<float> position_rows_;          // 16 rows of lanes a block: W_j, Y_j for j = 0..3
-    std::vector<float> tangent_rows_;           // the same for the two rest tangents
+    std::vector<std::int16_t>
+        tangent_rows_;  // the same for the two rest tangents, each vertex to its own scale
 };
 
 }  // namespace fulcrum
