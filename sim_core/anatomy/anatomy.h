@@ -41,7 +41,7 @@ struct BowelParameters {
     double radius = 0.016;           ///< m, mean outer radius, 0.010 .. 0.022
     int vertices = 20000;            ///< asked, 1000 .. 200000; the generator rounds
     double haustra_spacing = 0.034;  ///< m between two semilunar folds, 0.02 .. 0.06
-    double haustra_depth = 0.24;     ///< folds, fraction of the radius, 0 .. 0.3
+    double haustra_depth = 0.27;     ///< folds, fraction of the radius, 0 .. 0.4
     double taenia_width = 0.007;     ///< m, 0.003 .. 0.012
     std::uint64_t seed = 1;          ///< sizes of the haustra
 };
@@ -92,6 +92,15 @@ MesenteryShape make_mesentery(const BowelShape& bowel, const CavityShape& cavity
 /// rises; ring_count >= 2. Allocates nothing.
 void evaluate_mesentery(const MesenteryShape& mesentery, const RingFrame* rings,
                         const double* ring_arc_lengths, int ring_count, float* positions, float* normals);
+
+/// The peritoneum turning from the pelvic wall onto the rectum: a funnel around its end, to be drawn. It
+/// stays where the rectum is held.
+struct ReflectionShape {
+    TriangleMesh mesh;            ///< open, outward side towards the cavity; u once around (0 .. 1)
+    std::vector<float> thinness;  ///< one a vertex: 1 at the edge on the rectum, where it fades
+};
+
+ReflectionShape make_reflection(const BowelShape& bowel);
 
 /// Eight bits a channel, rows from v = 0 up.
 struct Image {

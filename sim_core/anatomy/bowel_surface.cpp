@@ -45,7 +45,7 @@ double crease(const Folds& folds, double s, double spacing) {
         if (i < 0 || i >= static_cast<std::ptrdiff_t>(folds.at.size())) return;
         const auto k = static_cast<std::size_t>(i);
         const double d = std::abs(s - folds.at[k]) / spacing;
-        const double shape = 0.60 * bell(d, 0.10) + 0.40 * bell(d, 0.26);
+        const double shape = 0.62 * bell(d, 0.085) + 0.38 * bell(d, 0.22);
         result = std::max(result, folds.depth[k] * shape);
     };
     const auto i = next - folds.at.begin();
@@ -63,7 +63,7 @@ void check(const BowelParameters& p) {
     if (p.vertices < 1000 || p.vertices > 200000) refuse("vertices", "give 1000 to 200000");
     if (!(p.haustra_spacing >= 0.02 && p.haustra_spacing <= 0.06))
         refuse("haustra_spacing", "give 0.02 to 0.06 m");
-    if (!(p.haustra_depth >= 0 && p.haustra_depth <= 0.3)) refuse("haustra_depth", "give 0 to 0.3");
+    if (!(p.haustra_depth >= 0 && p.haustra_depth <= 0.4)) refuse("haustra_depth", "give 0 to 0.4");
     if (!(p.taenia_width >= 0.003 && p.taenia_width <= 0.012))
         refuse("taenia_width", "give 0.003 to 0.012 m");
 }
@@ -107,11 +107,11 @@ void make_bowel_surface(const BowelParameters& p, BowelShape& bowel) {
         const auto sector = static_cast<std::size_t>(static_cast<int>(std::floor(turned)) % sectors);
         const double off_taenia = std::min(across, 1 - across) * 2 * pi * p.radius / 3;
         taenia = 1 - smooth_step(0.35 * p.taenia_width, 0.62 * p.taenia_width, off_taenia);
-        const double colon = smooth_step(0.10, 0.24, s / p.length);
+        const double colon = smooth_step(0.08, 0.17, s / p.length);
         const double middle = smooth_step(0.0, 0.42, std::min(across, 1 - across));
         const double fold = crease(folds[sector], s, p.haustra_spacing);
-        double factor = 1 + colon * (0.055 * middle - 0.045 * (1 - middle) -
-                                     p.haustra_depth * fold * (0.25 + 0.75 * middle));
+        double factor = 1 + colon * (0.085 * middle * (1 - fold) - 0.055 * (1 - middle) -
+                                     p.haustra_depth * fold * (0.2 + 0.8 * middle));
         const Vector3 place(s / 0.02, 2.5 * across, static_cast<double>(sector) * 7.0);
         factor += 0.012 * noise3(place, p.seed + 9) * (2.5 * middle * (1 - middle) + 0.2);
         taenia *= 0.25 + 0.75 * colon;

@@ -6,6 +6,7 @@
 #include "sim_core/anatomy/anatomy.h"
 #include "sim_core/anatomy/noise.h"
 #include "sim_core/anatomy/posterior_wall.h"
+#include "sim_core/numerics/functions.h"
 #include "sim_core/numerics/input_error.h"
 
 namespace fulcrum {
@@ -64,7 +65,8 @@ MesenteryShape make_mesentery(const BowelShape& bowel, const CavityShape& cavity
             mesentery.mesh.vertices.push_back(place(vertex, edge));
             // The sheet lies nearly flat at rest: projected coordinates do not shrink towards the root.
             const Vector3& rest = mesentery.mesh.vertices.back();
-            mesentery.mesh.texture_coordinates.emplace_back(rest.x() / 0.06, (rest.y() + 0.5 * rest.z()) / 0.06);
+            mesentery.mesh.texture_coordinates.emplace_back(rest.x() / 0.06,
+                                                            (rest.y() + 0.5 * rest.z()) / 0.06);
             mesentery.vertices.push_back(vertex);
         }
     }
@@ -81,6 +83,48 @@ MesenteryShape make_mesentery(const BowelShape& bowel, const CavityShape& cavity
         }
     }
     return mesentery;
+}
+
+ReflectionShape make_reflection(const BowelShape& bowel) {
+    constexpr int around = 48, rows = 20;
+    constexpr double reach = 0.110, above = 0.036, below = 0.004;  // m
+    constexpr double pi = 3.14159265358979323846;
+    ReflectionShape shape;
+    const double step = bowel.length / static_cast<double>(bowel.centre_line.size() - 1);
+    const auto line_at = [&](double s) {
+        const double at = std::max(0.0, s) / step;
+        const auto i = std::min(static_cast<std::size_t>(at), bowel.centre_line.size() - 2);
+        return Vector3(bowel.centre_line[i] +
+                       (at - static_cast<double>(i)) * (bowel.centre_line[i + 1] - bowel.centre_line[i]));
+    };
+    const Vector3 tangent = (line_at(above) - line_at(0)).normalized();
+    const Vector3 side = Vector3::UnitX() - tangent.x() * tangent;
+    const Vector3 first = side.normalized(), second = tangent.cross(first);
+    for (int row = 0; row < rows; ++row) {
+        // From the wall inwards and up along the rectum: a quarter of a superellipse, steep at the bowel.
+        const double t = static_cast<double>(row) / (rows - 1);
+        const double s = below + (above - below) * t * t;
+        const double inner = 0.97 * bowel.radius(s);
+        const double radius = inner + (reach - inner) * (1 - t) * (1 - t) * (1 - t);
+        for (int k = 0; k < around; ++k) {
+            const double u = static_cast<double>(k) / around;
+            double sine = 0, cosine = 1;
+            math::sin_cos(2 * pi * u, sine, cosine);
+            const Vector3 direction = cosine * first + sine * second;
+            const double uneven = 1 + 0.10 * (1 - t) * noise3(Vector3(3 * cosine, 3 * sine, 2 * t), 91);
+            shape.mesh.vertices.push_back(line_at(s) + uneven * radius * direction);
+            shape.mesh.texture_coordinates.emplace_back(u, 0.5 * t);
+            shape.thinness.push_back(static_cast<float>(t));
+        }
+    }
+    const auto at = [](int row, int k) { return row * around + k % around; };
+    for (int row = 0; row + 1 < rows; ++row) {
+        for (int k = 0; k < around; ++k) {
+            shape.mesh.triangles.push_back({at(row, k), at(row, k + 1), at(row + 1, k + 1)});
+            shape.mesh.triangles.push_back({at(row, k), at(row + 1, k + 1), at(row + 1, k)});
+        }
+    }
+    return shape;
 }
 
 void evaluate_mesentery(const MesenteryShape& mesentery, const RingFrame* rings,

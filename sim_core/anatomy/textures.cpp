@@ -97,10 +97,10 @@ TissueTexture serosa(std::uint64_t seed, int size) {
     growth.reach = 0.14;
     growth.seed = seed + 12;
     vessels.grow(growth);
-    const Colour pink(222, 140, 126), salmon(206, 112, 94), pale(236, 184, 166), band(240, 208, 188),
+    const Colour pink(216, 118, 106), salmon(196, 86, 72), pale(230, 162, 146), band(240, 208, 188),
         vein(126, 30, 40), artery(176, 34, 30);
     const TiledNoise field_0(4, 8, 4, 0.55, seed + 1);
-    const TiledNoise field_1(40, 80, 2, 0.6, seed + 2);
+    const TiledNoise field_1(64, 128, 2, 0.6, seed + 2);
     const TiledNoise field_2(96, 12, 2, 0.6, seed + 3);
     const TiledNoise field_3(8, 150, 2, 0.5, seed + 4);
     const TiledNoise field_4(6, 6, 1, 1.0, seed + 5);
@@ -122,7 +122,7 @@ TissueTexture serosa(std::uint64_t seed, int size) {
         // A halo: blood beneath the serosa tints its neighbourhood.
         texel.wetness = 0.86 + 0.14 * fine;
         texel.height =
-            0.10 * cloud + 0.035 * fine + 0.16 * vessel + taenia * (0.10 + 0.06 * fibres) + 0.02 * rings;
+            0.12 * cloud + 0.05 * fine + 0.16 * vessel + taenia * (0.10 + 0.06 * fibres) + 0.02 * rings;
         return texel;
     });
 }
@@ -178,7 +178,7 @@ TissueTexture peritoneum(std::uint64_t seed, int size) {
     growth.reach = 0.16;
     growth.seed = seed + 32;
     vessels.grow(growth);
-    const Colour grey(206, 170, 160), muscle(172, 92, 82), film(226, 208, 202), vein(104, 66, 92),
+    const Colour grey(200, 150, 140), muscle(166, 74, 66), film(222, 196, 190), vein(104, 66, 92),
         artery(160, 52, 50);
     const TiledNoise field_0(3, 3, 5, 0.55, seed + 33);
     const TiledNoise field_1(7, 44, 3, 0.55, seed + 34);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/theatre/renderer/gl_objects.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "ui/theatre/renderer/shaders.h"
 
 namespace fulcrum::ui {
@@ -68,6 +71,33 @@ GlSurface::GlSurface(const SurfaceMesh& mesh, const float* positions, const floa
     indices_.bind();
     indices_.allocate(mesh.indices.data(), bytes(mesh.indices.size(), sizeof(std::uint32_t)));
     array_.release();
+
+    constexpr std::size_t run_length = 3 * 400;
+    for (const std::uint32_t index : mesh.indices)
+        sources_of_indices_.push_back(index < base_ ? index : source_[index - base_]);
+    const std::pair<std::size_t, std::size_t> parts[] = {{0, blended_from_}, {blended_from_, index_count_}};
+    for (const auto& part : parts) {
+        for (std::size_t first = part.first; first < part.second; first += run_length)
+            runs_.push_back({first, std::min(first + run_length, part.second), Vector3::Zero(), 0.0});
+    }
+    bound(positions != nullptr ? positions : zeros.data());
+}
+
+void GlSurface::bound(const float* positions) {
+    for (Run& run : runs_) {
+        Eigen::Vector3f low = Eigen::Vector3f::Constant(1e9F), high = -low;
+        // Neighbouring triangles share vertices: every seventh corner is dense enough for a box with a
+        // margin.
+        for (std::size_t i = run.first; i < run.last; i += 7) {
+            const float* p = positions + 3 * sources_of_indices_[i];
+            const Eigen::Vector3f point(p[0], p[1], p[2]);
+            low = low.cwiseMin(point);
+            high = high.cwiseMax(point);
+        }
+        constexpr double margin = 0.008;  // m
+        run.centre = (0.5F * (low + high)).cast<double>();
+        run.radius = 0.5 * static_cast<double>((high - low).norm()) + margin;
+    }
 }
 
 void GlSurface::fill(QOpenGLBuffer& buffer, const float* values) {
@@ -86,13 +116,33 @@ void GlSurface::update(const float* positions, const float* normals) {
     normals_.bind();
     fill(normals_, normals);
     normals_.release();
+    bound(positions);
 }
 
-void GlSurface::draw(QOpenGLExtraFunctions& gl, std::size_t first, std::size_t last) {
-    if (first >= last) return;
+void GlSurface::draw(QOpenGLExtraFunctions& gl, std::size_t first, std::size_t last, const Sight& sight) {
+    const double sine = std::sin(sight.half_angle), cosine = std::cos(sight.half_angle);
     array_.bind();
-    gl.glDrawElements(GL_TRIANGLES, static_cast<int>(last - first), GL_UNSIGNED_INT,
-                      reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
+    std::size_t from = 0, to = 0;
+    const auto flush = [&]() {
+        if (from < to) {
+            gl.glDrawElements(GL_TRIANGLES, static_cast<int>(to - from), GL_UNSIGNED_INT,
+                              reinterpret_cast<const void*>(from * sizeof(std::uint32_t)));
+        }
+    };
+    for (const Run& run : runs_) {
+        if (run.first < first || run.last > last) continue;
+        // Distance of the ball's centre from the cone's surface, positive outside.
+        const Vector3 to_centre = run.centre - sight.eye;
+        const double ahead = to_centre.dot(sight.forward);
+        const double aside = (to_centre - ahead * sight.forward).norm();
+        if (aside * cosine - ahead * sine > run.radius || ahead < -run.radius) continue;
+        if (run.first != to) {
+            flush();
+            from = run.first;
+        }
+        to = run.last;
+    }
+    flush();
     array_.release();
 }
 

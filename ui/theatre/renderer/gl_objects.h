@@ -23,13 +23,28 @@ class GlSurface {
     GlSurface(const SurfaceMesh& mesh, const float* positions, const float* normals,
               const std::vector<float>& detail);
     void update(const float* positions, const float* normals);
+    /// What of the surface may be seen: a cone from the eye, patient frame. Whole runs of triangles outside
+    /// are left out.
+    struct Sight {
+        Vector3 eye = Vector3::Zero(), forward = -Vector3::UnitZ();
+        double half_angle = 0.6;  ///< rad
+    };
     /// Triangles whose indices lie in [first, last).
-    void draw(QOpenGLExtraFunctions& gl, std::size_t first, std::size_t last);
+    void draw(QOpenGLExtraFunctions& gl, std::size_t first, std::size_t last, const Sight& sight);
     std::size_t blended_from() const { return blended_from_; }
     std::size_t index_count() const { return index_count_; }
 
   private:
+    // A run of triangles and a ball around it.
+    struct Run {
+        std::size_t first, last;
+        Vector3 centre;
+        double radius;
+    };
     void fill(QOpenGLBuffer& buffer, const float* values);
+    void bound(const float* positions);
+    std::vector<Run> runs_;
+    std::vector<std::uint32_t> sources_of_indices_;
     std::uint32_t base_;
     std::vector<std::uint32_t> source_;
     std::vector<float> copies_;

@@ -54,7 +54,10 @@ void SceneAssembler::install(SceneRenderer& renderer) const {
     renderer.clear_scene();
     renderer.set_textures(impl_->textures);
     if (impl_->cavity) renderer.set_cavity(*impl_->cavity);
-    if (impl_->bowel) renderer.set_bowel(impl_->bowel->surface, impl_->bowel->taenia);
+    if (impl_->bowel) {
+        renderer.set_bowel(impl_->bowel->surface, impl_->bowel->taenia);
+        renderer.set_reflection(make_reflection(*impl_->bowel));
+    }
     if (impl_->mesentery) renderer.set_mesentery(*impl_->mesentery);
 }
 

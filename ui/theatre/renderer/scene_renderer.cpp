@@ -16,6 +16,9 @@ namespace {
 constexpr float near_plane = 0.003F, far_plane = 0.8F;  // m
 constexpr double wall_tile = 0.12;                      // m, as the wall's program
 constexpr int most_tools = 4;
+// A processor draws a scene of 500 x 500 within its budget and scales it up; what is lost is less than a lens
+// loses.
+constexpr double software_resolution = 0.7;
 const QVector3D lamp(0.0F, 0.0035F, 0.001F);  // beside the lens, camera space
 
 QVector3D vector(const Vector3& v) {
@@ -77,13 +80,14 @@ struct SceneRenderer::Impl {
         std::vector<float> positions, normals, detail;
         bool present = false, changed = false;
     };
-    Geometry cavity, bowel, mesentery;
+    Geometry cavity, bowel, mesentery, reflection;
 
     bool ready = false;
+    double share_of_resolution = 1;
     using Program = std::unique_ptr<QOpenGLShaderProgram>;
     Program tissue, wall, box, steel, target, screen;
     GlTissue serosa, fat, peritoneum, metal;
-    std::unique_ptr<GlSurface> gl_cavity, gl_bowel, gl_mesentery;
+    std::unique_ptr<GlSurface> gl_cavity, gl_bowel, gl_mesentery, gl_reflection;
     std::unique_ptr<GlRigid> shaft, clevis, jaw, probe_end, sphere, room, frame_mask, quad;
     std::unique_ptr<QOpenGLFramebufferObject> image, resolved;
 
@@ -110,6 +114,7 @@ struct SceneRenderer::Impl {
         take(cavity, gl_cavity);
         take(bowel, gl_bowel);
         take(mesentery, gl_mesentery);
+        take(reflection, gl_reflection);
     }
 
     void start(QOpenGLShaderProgram& program, const SceneFrame& frame) const {
@@ -215,6 +220,10 @@ struct SceneRenderer::Impl {
     }
 
     void draw_scene(QOpenGLExtraFunctions& gl, const SceneFrame& frame) {
+        GlSurface::Sight sight;
+        sight.eye = frame.camera.position;
+        sight.forward = -(frame.camera.orientation * Vector3::UnitZ());
+        sight.half_angle = 0.5 * frame.camera.field_of_view;
         gl.glEnable(GL_DEPTH_TEST);
         gl.glDepthFunc(GL_LESS);
         gl.glDisable(GL_BLEND);
@@ -237,7 +246,7 @@ struct SceneRenderer::Impl {
             tissue->setUniformValue("rim_fade", 0.0F);
             serosa.bind();
             gl.glCullFace(GL_BACK);
-            gl_bowel->draw(gl, 0, gl_bowel->index_count());
+            gl_bowel->draw(gl, 0, gl_bowel->index_count(), sight);
         }
         if (gl_cavity) {
             start(*wall, frame);
@@ -245,9 +254,9 @@ struct SceneRenderer::Impl {
             peritoneum.bind();
             gl.glCullFace(GL_FRONT);  // seen from inside
             wall->setUniformValue("blended", 0);
-            gl_cavity->draw(gl, 0, gl_cavity->blended_from());
+            gl_cavity->draw(gl, 0, gl_cavity->blended_from(), sight);
             wall->setUniformValue("blended", 1);
-            gl_cavity->draw(gl, gl_cavity->blended_from(), gl_cavity->index_count());
+            gl_cavity->draw(gl, gl_cavity->blended_from(), gl_cavity->index_count(), sight);
         } else {
             gl.glDisable(GL_CULL_FACE);
             start(*box, frame);
@@ -259,13 +268,20 @@ struct SceneRenderer::Impl {
         gl.glDisable(GL_CULL_FACE);
         gl.glEnable(GL_BLEND);
         gl.glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+        if (gl_reflection) {
+            start(*tissue, frame);
+            tissue->setUniformValue("bump", 1.0F);
+            tissue->setUniformValue("rim_fade", 0.45F);
+            peritoneum.bind();
+            gl_reflection->draw(gl, 0, gl_reflection->index_count(), sight);
+        }
         if (gl_mesentery && frame.mesentery_positions != nullptr && frame.mesentery_normals != nullptr) {
             gl_mesentery->update(frame.mesentery_positions, frame.mesentery_normals);
             start(*tissue, frame);
             tissue->setUniformValue("bump", 1.0F);
             tissue->setUniformValue("rim_fade", 0.3F);
             fat.bind();
-            gl_mesentery->draw(gl, 0, gl_mesentery->index_count());
+            gl_mesentery->draw(gl, 0, gl_mesentery->index_count(), sight);
         }
         draw_targets(gl, frame, true);
         draw_tools(gl, frame, true);
@@ -291,7 +307,7 @@ struct SceneRenderer::Impl {
         if (!hidden) {
             upload_changes();
             prepare_image(std::max(
-                16, static_cast<int>(std::lround(shorter * std::clamp(options.resolution, 0.25, 1.0)))));
+                16, static_cast<int>(std::lround(shorter * std::clamp(share_of_resolution, 0.25, 1.0)))));
             to_camera = camera_matrix(frame.camera);
             projection = projection_matrix(frame.camera);
             image->bind();
@@ -312,6 +328,8 @@ struct SceneRenderer::Impl {
         screen->setUniformValue("image", 0);
         gl.glActiveTexture(GL_TEXTURE0);
         gl.glBindTexture(GL_TEXTURE_2D, resolved ? resolved->texture() : image->texture());
+        gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
         quad->draw(gl);
         gl.glViewport(0, 0, size.width(), size.height());
         gl.glBindTexture(GL_TEXTURE_2D, 0);
@@ -364,8 +382,17 @@ void SceneRenderer::set_mesentery(const MesenteryShape& mesentery) {
     impl_->mesentery = {std::move(mesh), {}, {}, std::move(fraction), true, true};
 }
 
+void SceneRenderer::set_reflection(const ReflectionShape& reflection) {
+    impl_->reflection = {split_seam(reflection.mesh),
+                         float_positions(reflection.mesh),
+                         float_normals(reflection.mesh),
+                         reflection.thinness,
+                         true,
+                         true};
+}
+
 void SceneRenderer::clear_scene() {
-    for (Impl::Geometry* geometry : {&impl_->cavity, &impl_->bowel, &impl_->mesentery}) {
+    for (Impl::Geometry* geometry : {&impl_->cavity, &impl_->bowel, &impl_->mesentery, &impl_->reflection}) {
         *geometry = {};
         geometry->changed = true;
     }
@@ -386,6 +413,12 @@ bool SceneRenderer::initialise() {
     if (i.steel) i.target = compile({s::rigid_vertex}, {s::light, s::wet, s::target_fragment}, i.error);
     if (i.target) i.screen = compile({s::screen_vertex}, {s::screen_fragment}, i.error);
     if (!i.screen) return false;
+    QOpenGLFunctions& gl = *QOpenGLContext::currentContext()->functions();
+    const QByteArray device(reinterpret_cast<const char*>(gl.glGetString(GL_RENDERER)));
+    const bool software =
+        device.contains("llvmpipe") || device.contains("softpipe") || device.contains("SWR");
+    i.share_of_resolution =
+        i.options.resolution > 0 ? i.options.resolution : (software ? software_resolution : 1.0);
     i.shaft = std::make_unique<GlRigid>(make_shaft());
     i.clevis = std::make_unique<GlRigid>(make_clevis());
     i.jaw = std::make_unique<GlRigid>(make_jaw());
@@ -396,7 +429,8 @@ bool SceneRenderer::initialise() {
     i.frame_mask = std::make_unique<GlRigid>(make_frame_mask());
     if (!i.textures) i.textures = make_textures(1, i.options.texture_size);
     i.textures_changed = true;
-    for (Impl::Geometry* geometry : {&i.cavity, &i.bowel, &i.mesentery}) geometry->changed = true;
+    for (Impl::Geometry* geometry : {&i.cavity, &i.bowel, &i.mesentery, &i.reflection})
+        geometry->changed = true;
     i.ready = true;
     return true;
 }
@@ -425,7 +459,7 @@ void SceneRenderer::release() {
     for (Impl::Program* program : {&i.tissue, &i.wall, &i.box, &i.steel, &i.target, &i.screen})
         program->reset();
     for (GlTissue* tissue : {&i.serosa, &i.fat, &i.peritoneum, &i.metal}) *tissue = {};
-    for (auto* surface : {&i.gl_cavity, &i.gl_bowel, &i.gl_mesentery}) surface->reset();
+    for (auto* surface : {&i.gl_cavity, &i.gl_bowel, &i.gl_mesentery, &i.gl_reflection}) surface->reset();
     for (auto* part : {&i.shaft, &i.clevis, &i.jaw, &i.probe_end, &i.sphere, &i.room, &i.frame_mask, &i.quad})
         part->reset();
     i.image.reset();

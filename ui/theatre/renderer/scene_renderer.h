@@ -52,7 +52,9 @@ struct SceneFrame {
 
 struct RendererOptions {
     int texture_size = 1024;  ///< width of the serosa's tile; others follow
-    double resolution = 1.0;  ///< share of the framebuffer's resolution that the scene is drawn in, 0.25 .. 1
+    /// Share of the framebuffer's resolution that the scene is drawn in, 0.25 .. 1; 0: 1 on a GPU, less on a
+    /// processor.
+    double resolution = 0;
     bool multisample = false;  ///< 4 samples; only for a GPU or for a still picture
 };
 
@@ -67,6 +69,7 @@ class SceneRenderer {
     void set_cavity(const CavityShape& cavity);
     void set_bowel(const TriangleMesh& rest_surface, const std::vector<float>& taenia);
     void set_mesentery(const MesenteryShape& mesentery);
+    void set_reflection(const ReflectionShape& reflection);
     /// Nothing but tools and targets (and a plain training box around them).
     void clear_scene();
 

@@ -51,7 +51,7 @@ vec2 shade(vec3 p) {
 float arriving(vec3 p) {
     vec3 to_lamp = lamp - p;
     float d2 = dot(to_lamp, to_lamp);
-    float fall = 1.0 / (0.12 + d2 * 95.0 + d2 * d2 * 2600.0);
+    float fall = 1.0 / (0.14 + d2 * 70.0 + d2 * d2 * 6200.0);
     float axis = -p.z * inversesqrt(dot(p, p));
     float beam = smoothstep(0.70, 1.0, axis);
     return brightness * fall * (0.42 + 0.75 * beam);
@@ -116,7 +116,8 @@ vec3 expose(vec3 c) {
 // reflects twice: a broad sheen and a sharp glint.
 vec3 wet(vec3 colour, vec3 n, vec3 film, vec3 to_eye, float wetness, float light) {
     float raw = dot(n, to_eye);
-    float diffuse = max(raw, 0.0);
+    // Nothing wet is black at its rim: the neighbourhood lights it a little.
+    float diffuse = max(raw * 0.88 + 0.12, 0.0);
     float across = max(dot(film, to_eye), 0.0);
     float a2 = across * across;
     float a4 = a2 * a2;
@@ -126,11 +127,11 @@ vec3 wet(vec3 colour, vec3 n, vec3 film, vec3 to_eye, float wetness, float light
     float s128 = sheen * sheen;
     s128 *= s128;
     float glint = s128 * s128 * s128;
-    float rim = 1.0 - diffuse;
+    float rim = 1.0 - max(raw, 0.0);
     float fresnel = 0.30 + 0.70 * rim * rim;
     // Blood beneath carries red light sideways into the half-shade.
     vec3 body = colour * vec3(diffuse * 0.72 + 0.28 * max(raw * 0.8 + 0.2, 0.0), diffuse, diffuse);
-    return expose(light * (2.0 * body + (wetness * fresnel) * (0.34 * sheen + 13.0 * glint)) + 0.004 * colour);
+    return expose(light * (2.35 * body + (wetness * fresnel) * (0.34 * sheen + 13.0 * glint)) + 0.004 * colour);
 }
 )";
 
@@ -155,7 +156,7 @@ void main() {
     vec3 px = dFdx(place), py = dFdy(place);
     vec2 tx = dFdx(uv), ty = dFdy(uv);
     vec3 along = px * ty.y - py * tx.y, across = py * tx.x - px * ty.x;
-    float scale = bump * sign(tx.x * ty.y - tx.y * ty.x) * inversesqrt(max(dot(along, along), 1e-24));
+    float scale = bump * sign(tx.x * ty.y - tx.y * ty.x) * inversesqrt(max(max(dot(along, along), dot(across, across)), 1e-24));
     vec3 rough = normalize(n + scale * (raised.x * along + raised.y * across));
     vec3 film = mix(n, rough, 0.62);
     vec3 own = texel.rgb * texel.rgb;
@@ -247,7 +248,7 @@ void main() {
     }
     vec3 l = normalize(lamp - place);
     vec3 v = normalize(-place);
-    float light = 0.32 * arriving(place);
+    float light = 0.40 * arriving(place);
     vec3 h = normalize(l + v);
     float lambert = max(dot(n, l), 0.0);
     vec3 linear;

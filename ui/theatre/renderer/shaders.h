@@ -7,8 +7,8 @@ namespace fulcrum::ui::shaders {
 extern const char* const head;             ///< version line
 extern const char* const surface_vertex;   ///< tissue, box
 extern const char* const rigid_vertex;     ///< instruments, targets
-extern const char* const light;           ///< light and shadow at a point
-extern const char* const wet;             ///< reflection of a wet surface
+extern const char* const light;            ///< light and shadow at a point
+extern const char* const wet;              ///< reflection of a wet surface
 extern const char* const tissue_fragment;  ///< textured by coordinates: bowel, mesentery
 extern const char* const wall_fragment;    ///< textured by position: cavity
 extern const char* const box_fragment;     ///< training box
