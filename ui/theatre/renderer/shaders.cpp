@@ -131,7 +131,7 @@ vec3 wet(vec3 colour, vec3 n, vec3 film, vec3 to_eye, float wetness, float light
     float fresnel = 0.30 + 0.70 * rim * rim;
     // Blood beneath carries red light sideways into the half-shade.
     vec3 body = colour * vec3(diffuse * 0.72 + 0.28 * max(raw * 0.8 + 0.2, 0.0), diffuse, diffuse);
-    return expose(light * (2.35 * body + (wetness * fresnel) * (0.34 * sheen + 13.0 * glint)) + 0.004 * colour);
+    return expose(light * (2.35 * body + (wetness * fresnel) * (0.42 * sheen + 20.0 * glint)) + 0.004 * colour);
 }
 )";
 
