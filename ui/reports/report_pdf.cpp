@@ -251,10 +251,8 @@ QString cohort_cell(const std::vector<database::CohortRow>& rows, const std::str
             lines << QStringLiteral("%1  %2").arg(state_text(row)).arg(row.attempts);
             continue;
         }
-        lines << tr("%1: %2, attempts %3, best %4")
-                     .arg(device_class_text(row.device_class), state_text(row))
-                     .arg(row.attempts)
-                     .arg(figure(row.best_points));
+        lines << tr("%1 · attempts %2 · best %3").arg(state_text(row)).arg(row.attempts).arg(figure(row.best_points));
+        lines << device_class_text(row.device_class);
     }
     return lines.join(QLatin1Char('\n'));
 }

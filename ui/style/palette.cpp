@@ -57,6 +57,7 @@ QComboBox::down-arrow { image: url(:/style/icons/arrow_@theme.svg); width: 12px;
 QComboBox QAbstractItemView { background: @card; selection-background-color: @accent; selection-color: @accent_text; border: 1px solid @line; }
 QTableWidget, QTableView, QListWidget { background: @card; alternate-background-color: @raised; border: 1px solid @line; border-radius: 8px; gridline-color: @line; selection-background-color: @accent; selection-color: @accent_text; }
 QTableView::item, QListWidget::item { padding: 4px 6px; }
+QTableView::item:selected, QListWidget::item:selected { background: @accent; color: @accent_text; }
 QHeaderView { background: @card; }
 QHeaderView::section { background: @card; color: @muted; border: none; border-bottom: 1px solid @line; padding: 7px 4px; font-weight: 600; }
 QTableCornerButton::section { background: @card; border: none; }

@@ -123,6 +123,7 @@ void TheatreView::paintGL() {
     const bool hidden = !notice_.isEmpty();
     const QSize pixels = size() * devicePixelRatioF();
     bool drawn = false;
+    QPainter painter(this);
     if (error_.isEmpty() && assembler_ && has_world_ && !hidden) {
         if (!installed_) {
             assembler_->install(*renderer_);
@@ -139,10 +140,12 @@ void TheatreView::paintGL() {
             const double limit = hud_.display.force_limit[h];
             frame.tools[h].strain = limit > 0 ? std::clamp(hud_.display.force[h] / limit, 0.0, 1.0) : 0;
         }
+        // Between these two the painter expects its own state to be disturbed.
+        painter.beginNativePainting();
         renderer_->draw(frame, pixels);
+        painter.endNativePainting();
         drawn = true;
     }
-    QPainter painter(this);
     if (!drawn) painter.fillRect(rect(), Qt::black);
     if (has_hud_ && !hidden) paint_hud(painter, rect(), hud_);
     if (!drawn) {
