@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/attempts.h"
 
+#include <algorithm>
+
 #include "database/attempt_query.h"
 #include "database/audit.h"
 #include "database/crypto.h"
@@ -47,6 +49,18 @@ Trace read_chunks(Connection& connection, const std::string& attempt_id, bool ev
                                "ORDER BY stream = 0, stream, number");
     rows.bind(attempt_id);
     Trace trace;
+    if (!events_only) {
+        Query sizes(connection,
+                    "SELECT stream, SUM(records) FROM trace_chunk WHERE attempt_id = ? GROUP BY stream");
+        sizes.bind(attempt_id);
+        while (sizes.next()) {
+            // A hint only: what a damaged row says must not decide how much memory is asked for.
+            const auto records =
+                static_cast<std::size_t>(std::clamp<std::int64_t>(sizes.integer(1), 0, 4000000));
+            if (sizes.integer(0) == 0) trace.samples.reserve(records);
+            if (sizes.integer(0) == 1) trace.inputs.reserve(records);
+        }
+    }
     TraceCodec codec;
     std::int64_t stream = -1, expected = 0;
     while (rows.next()) {

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace fulcrum::database {
@@ -43,6 +44,8 @@ class BitWriter {
     unsigned filled_ = 0;
 };
 
+static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "the reader loads little-endian words");
+
 class BitReader {
   public:
     BitReader(const std::uint8_t* begin, const std::uint8_t* end) : next_(begin), end_(end) {}
@@ -69,6 +72,15 @@ class BitReader {
 
   private:
     void refill() {
+        if (end_ - next_ >= 8) {
+            // Eight bytes at once; what does not fit is loaded again by the next refill.
+            std::uint64_t bytes = 0;
+            std::memcpy(&bytes, next_, sizeof bytes);
+            pending_ |= bytes << filled_;
+            next_ += (63U - filled_) >> 3U;
+            filled_ |= 56U;
+            return;
+        }
         while (filled_ <= 56U && next_ != end_) {
             pending_ |= static_cast<std::uint64_t>(*next_++) << filled_;
             filled_ += 8;

@@ -60,9 +60,7 @@ std::int64_t signed_value(std::uint32_t value) {
 std::uint32_t guided(const Coefficients& coefficients, const std::array<const Column*, 3>& guides,
                      std::size_t i) {
     std::int64_t sum = std::int64_t{1} << (coefficient_shift - 1U);
-    for (std::size_t g = 0; g < 3; ++g) {
-        if (guides[g] != nullptr) sum += coefficients[g] * signed_value((*guides[g])[i]);
-    }
+    for (std::size_t g = 0; g < 3; ++g) sum += coefficients[g] * signed_value((*guides[g])[i]);
     return static_cast<std::uint32_t>(sum >> coefficient_shift);
 }
 
@@ -90,6 +88,14 @@ bool same_ticks(const Record* records, const RigSample* inputs, std::size_t coun
         static_cast<void>(count);
         return false;
     }
+}
+
+template <typename Columns>
+bool is_partner(std::size_t column) {
+    for (std::size_t other = column + 1; other < Columns::columns; ++other) {
+        if (Columns::partner(other) == static_cast<int>(column)) return true;
+    }
+    return false;
 }
 
 }  // namespace
@@ -128,42 +134,48 @@ struct TraceCodec::State {
     void load_inputs(const RigSample* records, std::size_t count) {
         using Columns = Layout<RigSample>;
         std::array<std::uint32_t, Columns::columns> row{};
-        for (auto& order : inputs) {
-            order.resize(Columns::columns);
-            for (Column& column : order) column.resize(count);
-        }
+        for (auto& order : inputs) order.resize(Columns::columns);
+        for (Column& column : inputs[0]) column.resize(count);
         for (std::size_t i = 0; i < count; ++i) {
             ColumnWriter writer(row.data());
             Columns::visit(writer, records[i]);
             for (std::size_t column = 0; column < Columns::columns; ++column)
                 inputs[0][column][i] = row[column];
         }
-        for (std::size_t order = 1; order <= highest_order; ++order) {
-            for (std::size_t column = 0; column < Columns::columns; ++column) {
-                inputs[order][column] = inputs[order - 1][column];
-                difference(inputs[order][column], order - 1);
-            }
+        for (unsigned order = 1; order <= highest_order; ++order) {
+            for (Column& column : inputs[order]) column.clear();  // made when first asked for
         }
     }
 
-    std::array<const Column*, 3> guides_at(const Guides& guides, unsigned order) const {
-        std::array<const Column*, 3> columns{nullptr, nullptr, nullptr};
+    const Column& input_residuals(std::size_t column, unsigned order) {
+        Column& wanted = inputs[order][column];
+        if (wanted.empty()) {
+            wanted = input_residuals(column, order - 1);
+            difference(wanted, order - 1);
+        }
+        return wanted;
+    }
+
+    /// A guide that is not there is the first one again, with a coefficient of 0.
+    std::array<const Column*, 3> guides_at(const Guides& guides, unsigned order) {
+        std::array<const Column*, 3> columns{};
         for (std::size_t g = 0; g < 3; ++g) {
-            if (guides[g] >= 0) columns[g] = &inputs[order][static_cast<std::size_t>(guides[g])];
+            columns[g] = &input_residuals(static_cast<std::size_t>(guides[guides[g] >= 0 ? g : 0]), order);
         }
         return columns;
     }
 
     /// Least squares of candidate on the guides over one segment, the first values (not yet differences) left
     /// out.
-    Coefficients fit(const std::array<const Column*, 3>& guides, std::size_t begin, std::size_t end) const {
+    Coefficients fit(const Guides& used, const std::array<const Column*, 3>& guides, std::size_t begin,
+                     std::size_t end) const {
         Matrix3 normal = Matrix3::Zero();
         Vector3 right = Vector3::Zero();
         for (std::size_t i = std::max<std::size_t>(begin, highest_order); i < end; ++i) {
             Vector3 value;
             for (std::size_t g = 0; g < 3; ++g) {
                 value[static_cast<Eigen::Index>(g)] =
-                    guides[g] == nullptr ? 0.0 : static_cast<double>(signed_value((*guides[g])[i]));
+                    used[g] < 0 ? 0.0 : static_cast<double>(signed_value((*guides[g])[i]));
             }
             normal += value * value.transpose();
             right += value * static_cast<double>(signed_value(candidate[i]));
@@ -217,7 +229,7 @@ struct TraceCodec::State {
                 std::uint64_t extra = 0;
                 for (std::size_t begin = 0; begin < count; begin += segment) {
                     const std::size_t end = std::min(begin + segment, count);
-                    coefficients.push_back(fit(columns_of_guides, begin, end));
+                    coefficients.push_back(fit(guides, columns_of_guides, begin, end));
                     for (const int guide : guides) extra += guide >= 0 ? coefficient_bits : 0U;
                     for (std::size_t i = begin; i < end; ++i) {
                         shared[i] =
@@ -247,7 +259,7 @@ struct TraceCodec::State {
     }
 
     void read_column(BitReader& reader, std::size_t column, std::size_t columns, std::size_t count,
-                     int partner, const Guides& guides) {
+                     int partner, const Guides& guides, bool is_partner) {
         const unsigned order = reader.take(2), share = reader.take(2);
         orders[column] = order;
         Column& values = residuals[column];
@@ -278,9 +290,11 @@ struct TraceCodec::State {
             for (std::size_t i = 0; i < count; ++i)
                 values[i] += share == share_less ? reference[i] : 0U - reference[i];
         }
-        candidate = values;
-        for (unsigned pass = order; pass-- > 0;) restore(candidate, pass);
-        for (std::size_t i = 0; i < count; ++i) rows[i * columns + column] = candidate[i];
+        // The residuals stay for the columns whose partner this one is; most are nobody's.
+        Column& restored = is_partner ? candidate : values;
+        if (is_partner) candidate = values;
+        for (unsigned pass = order; pass-- > 0;) restore(restored, pass);
+        for (std::size_t i = 0; i < count; ++i) rows[i * columns + column] = restored[i];
     }
 
     template <typename Record>
@@ -373,7 +387,7 @@ struct TraceCodec::State {
         BitReader reader(plain.data() + header_size, plain.data() + plain.size());
         for (std::size_t column = 0; column < Columns::columns; ++column) {
             read_column(reader, column, Columns::columns, count, Columns::partner(column),
-                        Columns::guides(column));
+                        Columns::guides(column), is_partner<Columns>(column));
         }
         if (!reader.at_end()) damaged_chunk("something follows its end");
         std::vector<Record> decoded(count);
