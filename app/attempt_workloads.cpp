@@ -117,10 +117,10 @@ std::vector<lab::Workload> attempt_workloads() {
             bench.world();
         }
         auto codec = std::make_shared<database::TraceCodec>();
-        auto bytes = std::make_shared<std::size_t>(codec->encode(samples->data(), samples->size()).data.size() + codec->encode(inputs->data(), inputs->size()).data.size());
+        auto bytes = std::make_shared<std::size_t>(codec->encode(samples->data(), samples->size(), inputs->data()).data.size() + codec->encode(inputs->data(), inputs->size()).data.size());
         lab::Workload::Prepared prepared;
         prepared.step = [codec, samples, inputs] {
-            codec->encode(samples->data(), samples->size());
+            codec->encode(samples->data(), samples->size(), inputs->data());
             codec->encode(inputs->data(), inputs->size());
         };
         prepared.bytes = *bytes;

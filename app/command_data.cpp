@@ -112,7 +112,8 @@ int command_db(const std::vector<std::string>& words) {
         return 0;
     }
     if (action == "check") {
-        const database::Store store = open_store(arguments, false, true);
+        const bool signs_in = arguments.has("--as");  // which the store keeps, so it must be writable
+        const database::Store store = open_store(arguments, false, !signs_in);
         const database::CheckReport report = store.check(session_of(arguments, store));
         nlohmann::json items = nlohmann::json::array();
         for (const database::CheckItem& item : report.items) {

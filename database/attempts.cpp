@@ -2,6 +2,7 @@
 #include "database/attempts.h"
 
 #include <algorithm>
+#include <set>
 
 #include "database/attempt_query.h"
 #include "database/audit.h"
@@ -139,6 +140,25 @@ std::vector<AttemptSummary> Attempts::list(const Session& session, const Attempt
 AttemptSummary Attempts::read(const Session& session, const std::string& attempt_id) const {
     require_attempt(store_, session, Operation::read_attempt, attempt_id);
     return query_attempt(store_, attempt_id);
+}
+
+std::vector<AttemptSummary> Attempts::interrupted_without_score(const Session& session) const {
+    store_.require(session, Operation::score_interrupted);
+    AttemptFilter filter;
+    filter.state = "interrupted";
+    filter.limit = -1;
+    std::vector<AttemptSummary> attempts = query_attempts(store_, session, filter);
+    Query scored(store_.connection(),
+                 "SELECT attempt_id FROM score WHERE in_force = 1 AND attempt_id IN "
+                 "(SELECT id FROM attempt WHERE state = 'interrupted')");
+    std::set<std::string> done;
+    while (scored.next()) done.insert(scored.text(0));
+    attempts.erase(
+        std::remove_if(attempts.begin(), attempts.end(),
+                       [&](const AttemptSummary& attempt) { return done.count(attempt.meta.id) > 0; }),
+        attempts.end());
+    std::reverse(attempts.begin(), attempts.end());
+    return attempts;
 }
 
 std::vector<ScoreRow> Attempts::scores(const Session& session, const std::string& attempt_id) const {

@@ -71,7 +71,10 @@ TEST(Recorder, OneThatNeverFinishedIsListedWithWhatItHolds) {
     programme.open();
     EXPECT_TRUE(programme.store->interrupted_at_open().empty());
     // What was recorded failed already: the trainee's own session scores it, and then it counts.
+    ASSERT_EQ(programme.attempts().interrupted_without_score(programme.session("ann")).size(), 1U);
+    EXPECT_TRUE(programme.attempts().interrupted_without_score(programme.session("ben")).empty());
     programme.attempts().add_score(programme.session("ann"), attempt, example_score(false, 0));
+    EXPECT_TRUE(programme.attempts().interrupted_without_score(programme.session("ann")).empty());
     EXPECT_TRUE(programme.attempts().read(programme.session("ann"), attempt).counting);
     EXPECT_THROW(programme.attempts().add_score(programme.session("ann"), attempt, example_score(true, 100)),
                  AccessDenied);
