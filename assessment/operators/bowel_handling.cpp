@@ -6,6 +6,7 @@
 
 #include "assessment/operators/behaviour.h"
 #include "assessment/task/bowel_line.h"
+#include "sim_core/geometry/closest_point.h"
 
 namespace fulcrum {
 namespace {
@@ -20,7 +21,9 @@ constexpr double tent_height = 0.007;  // m that a fresh grasp is lifted, to see
 constexpr double lift_margin = 0.006;  // m above the height asked for
 constexpr double open_share = 0.85, closed_share = 0.12;            // of the widest opening
 constexpr double before_frontier = 0.004, beyond_frontier = 0.018;  // m along the bowel
-constexpr double grip_reserve = 1.5;                                // grip over what the seen load needs
+constexpr double shaft_clearance = 0.011;  // m between the shafts' axes on a planned way
+constexpr double way_tolerance = 0.015;    // m from a point that is only passed
+constexpr double grip_reserve = 1.5;       // grip over what the seen load needs
 
 enum class Stage : std::uint8_t { choose, travel, descend, close, tent, let_go, raise };
 
@@ -60,6 +63,8 @@ class BowelHandling : public Behaviour {
             case Stage::let_go:
                 if (limb.time() > until_) {
                     retract(*body.limb[mover_]);
+                    if (clear_away_) retract(*body.limb[1 - mover_]);
+                    clear_away_ = false;
                     stage_ = Stage::choose;
                 }
                 break;
@@ -76,7 +81,7 @@ class BowelHandling : public Behaviour {
         // A new goal begins with free hands.
         goal_ = seen.display.goal;
         for (int hand = 0; hand < hand_count; ++hand) {
-            if (holds_[hand]) open(*body.limb[hand]);
+            open(*body.limb[hand]);  // also one that has closed and does not yet see what it holds
             holds_[hand] = false;
         }
         holder_ = -1;
@@ -84,6 +89,7 @@ class BowelHandling : public Behaviour {
         shift_ = 0;
         stage_ = goal_ == 0 ? Stage::choose : Stage::let_go;
         until_ = body.limb[mover_]->time() + 0.4;
+        clear_away_ = goal_ > 0;
     }
 
     // Tissue that left the jaws: the hand opens and the place is taken again.
@@ -127,14 +133,64 @@ class BowelHandling : public Behaviour {
         open(limb);
         depth_ = attempts_ * deeper;
         stage_ = Stage::travel;
-        reaches_[mover_].start(limb, above(seen, body), body.view, 0.015,
-                               skill_.choice_s * limb.random().uniform(0.6, 1.4), 4);
+        const double delay = skill_.choice_s * limb.random().uniform(0.6, 1.4);
+        const Vector3 goal_place = above(seen, body);
+        plan_way(limb.destination(), goal_place, body);
+        if (way_next_ < way_count_) {
+            reaches_[mover_].start(limb, way_[way_next_], body.view, 0.025, delay, 8);
+        } else {
+            reaches_[mover_].start(limb, goal_place, body.view, 0.015, delay, 4);
+        }
+    }
+
+    // Straight there, or out along the shaft and round where the instruments would strike each other.
+    void plan_way(const Vector3& from, const Vector3& to, Body& body) noexcept {
+        way_count_ = way_next_ = 0;
+        Limb& limb = *body.limb[mover_];
+        if (limb.random().uniform() > skill_.foresight || !strikes(from, to, body)) return;
+        const Vector3 pivot = limb.trocar().position;
+        for (const double depth : {0.10, 0.075, 0.05}) {
+            const Vector3 out = pivot + std::min(depth, (from - pivot).norm()) * (from - pivot).normalized();
+            const Vector3 over = pivot + std::min(depth, (to - pivot).norm()) * (to - pivot).normalized();
+            if (strikes(from, out, body) || strikes(out, over, body) || strikes(over, to, body)) continue;
+            way_[0] = out;
+            way_[1] = over;
+            way_count_ = 2;
+            return;
+        }
+    }
+
+    // True if the moving shaft comes near the other one when its tip goes straight from one place to another.
+    bool strikes(const Vector3& from, const Vector3& to, const Body& body) const noexcept {
+        const Limb& limb = *body.limb[mover_];
+        const Limb& other = *body.limb[1 - mover_];
+        constexpr int steps = 10;
+        for (int i = 1; i <= steps; ++i) {
+            const Vector3 tip = from + (to - from) * i / steps;
+            const SegmentPair pair = closest_points_of_segments(limb.trocar().position, tip,
+                                                                other.trocar().position, other.destination());
+            if ((pair.on_first - pair.on_second).norm() < shaft_clearance) return true;
+        }
+        return false;
     }
 
     void travel(const Perception& seen, Body& body) noexcept {
         Limb& limb = *body.limb[mover_];
         Reach& reach = reaches_[mover_];
         const Vector3 goal = above(seen, body);
+        if (way_next_ < way_count_) {
+            reach.update(limb, seen.tip[mover_]);
+            if (!reach.started() || (limb.destination() - way_[way_next_]).norm() > way_tolerance ||
+                limb.remaining() > 0.12)
+                return;
+            ++way_next_;
+            if (way_next_ < way_count_) {
+                reach.start(limb, way_[way_next_], body.view, 0.025, 0, 8);
+            } else {
+                reach.start(limb, goal, body.view, 0.015, 0, 4);
+            }
+            return;
+        }
         reach.follow(goal);
         reach.update(limb, seen.tip[mover_]);
         if (reach.arrived() || ((limb.destination() - goal).norm() < 0.006 && limb.remaining() < 0.1 &&
@@ -257,6 +313,9 @@ class BowelHandling : public Behaviour {
     double radius_ = 0.016, friction_ = 0.5;
     Stage stage_ = Stage::choose;
     int goal_ = -1, mover_ = 1, holder_ = -1, attempts_ = 0;
+    bool clear_away_ = false;
+    Vector3 way_[2] = {Vector3::Zero(), Vector3::Zero()};
+    int way_count_ = 0, way_next_ = 0;
     bool holds_[hand_count] = {false, false};
     double believe_[hand_count] = {0, 0};
     double place_ = 0, grasped_place_ = 0, holder_place_ = 0, direction_ = 1, shift_ = 0, depth_ = 0,

@@ -75,7 +75,17 @@ void Limb::reach(const Vector3& displacement, double width, double slowness) noe
 }
 
 void Limb::carry(const Vector3& displacement, double duration) noexcept {
-    add({time_, std::max(duration, shortest_s), displacement});
+    // A hesitant hand moves in pieces, each a movement of its own, with short halts between.
+    const int pieces = 1 + static_cast<int>(skill_.hesitation * random_.uniform(0.6, 1.4) + 0.5);
+    double start = time_;
+    for (int i = 0; i < pieces; ++i) {
+        SubMovement movement;
+        movement.start = start;
+        movement.duration = std::max(duration / pieces, shortest_s);
+        movement.displacement = displacement / pieces;
+        add(movement);
+        start += movement.duration * (pieces > 1 ? random_.uniform(0.7, 1.2) : 1.0);
+    }
 }
 
 void Limb::stop() noexcept {

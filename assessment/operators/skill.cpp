@@ -30,6 +30,8 @@ Skill expert() {
     skill.tolerance = 0.7e-3;
     skill.lift_speed = 0.03;
     skill.stride = 0.064;
+    skill.foresight = 0.97;
+    skill.hesitation = 0;
     skill.standoff = 0.004;
     return skill;
 }
@@ -42,9 +44,9 @@ Skill novice() {
     skill.gain = 0.80;
     skill.gain_spread = 0.20;
     skill.endpoint_noise = 0.13;
-    skill.path_noise = 0.22;
+    skill.path_noise = 0.32;
     skill.depth_error = 0.006;
-    skill.gap_s = 0.06;
+    skill.gap_s = 0.02;
     skill.gap_spread_s = 0.06;
     skill.tremor = 3e-5;
     skill.drift = 2.5e-4;
@@ -55,6 +57,8 @@ Skill novice() {
     skill.tolerance = 1.2e-3;
     skill.lift_speed = 0.018;
     skill.stride = 0.042;
+    skill.foresight = 0.2;
+    skill.hesitation = 2;
     skill.standoff = 0.0005;
     return skill;
 }
@@ -85,6 +89,8 @@ Skill intermediate() {
     skill.tolerance = between(a.tolerance, b.tolerance);
     skill.lift_speed = between(a.lift_speed, b.lift_speed);
     skill.stride = between(a.stride, b.stride);
+    skill.foresight = between(a.foresight, b.foresight);
+    skill.hesitation = between(a.hesitation, b.hesitation);
     skill.standoff = between(a.standoff, b.standoff);
     return skill;
 }

@@ -30,6 +30,8 @@ struct Skill {
     double tolerance = 1e-3;         ///< m, nearer than this is good enough
     double lift_speed = 0.02;        ///< m/s, moving tissue that is held
     double standoff = 0.002;  ///< m kept from a rigid target by the first movement, made good by the second
+    double foresight = 0.5;   ///< share of movements planned clear of the other instrument
+    double hesitation = 0;    ///< pieces beyond one in which held tissue is moved
     double stride = 0.055;    ///< m of bowel from one grasp to the next
 };
 

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double release_share =
     0.9;  // an over-force ends below this share of the limit, so that noise does not split it
+constexpr double rearm_s = 0.5;  // s without contact until the next perforation can be counted
 
 }  // namespace
 
@@ -91,7 +92,9 @@ void HandMonitor::tick(const TickSample& tick_sample, EventSink& sink) noexcept 
     // The published perforation forces are for a tip that is pushed in; what jaws hold between them tears or
     // slips instead.
     const bool grasping = (sample.flags & hand_grasping) != 0;
-    if (!known) perforated_ = false;
+    // One hole is one event: another can follow only after the tip has been away for a while.
+    away_ticks_ = known ? 0 : away_ticks_ + 1;
+    if (away_ticks_ > rearm_s * tick_rate_) perforated_ = false;
     if (!grasping && !perforated_ && watch.perforation_limit > 0 && force > watch.perforation_limit) {
         perforated_ = true;
         emit(sink, tick, EventKind::perforation, sample.tissue, sample.patch, force * sample_force_unit);

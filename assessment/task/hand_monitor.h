@@ -66,6 +66,7 @@ class HandMonitor {
     bool over_ = false, perforated_ = false, pressed_ = false, on_wall_ = false, held_ = false,
          faulty_ = false;
     int over_tissue_ = -1;
+    std::uint32_t away_ticks_ = 0;
     double over_peak_ = 0, over_limit_ = 0;
     GraspState last_grasp_;
     Released released_;
