@@ -67,9 +67,19 @@ class Targeting : public Behaviour {
         if (limb == nullptr) return;
         const Vector3 home =
             limb->trocar().position + limb->spec().start_insertion * limb->trocar().rotation.col(2);
-        if (!parking_[hand] && (limb->destination() - home).norm() > parked_within) {
+        const Vector3 from = limb->destination();
+        const bool begins = !parking_[hand] && (from - home).norm() > parked_within;
+        const bool leg_done = parking_[hand] && legs_[hand] > 0 && limb->remaining() < 0.12 &&
+                              (from - park_via_[hand]).norm() < 0.012;
+        if (begins) legs_[hand] = most_detours;
+        if (begins || leg_done) {
             parking_[hand] = true;
-            reaches_[hand].start(*limb, home, body.view, 0.02, 0.0, 8);
+            const TargetSphere place{home, 0, static_cast<Hand>(hand)};
+            const Vector3 via = way_round(from, place, body.eyes->targets(), hand);
+            const bool direct = (via - from).norm() < 1e-6;
+            legs_[hand] = direct ? 0 : legs_[hand] - 1;
+            park_via_[hand] = direct ? home : via;
+            reaches_[hand].start(*limb, park_via_[hand], body.view, 0.02, 0.0, 8);
         }
         if (parking_[hand]) reaches_[hand].update(*limb, seen.tip[hand]);
     }
@@ -130,7 +140,8 @@ class Targeting : public Behaviour {
     double stiffness_ = 600;
     int target_ = -1;
     bool on_detour_ = false, parking_[hand_count] = {false, false};
-    int detours_ = 0;
+    int detours_ = 0, legs_[hand_count] = {0, 0};
+    Vector3 park_via_[hand_count] = {Vector3::Zero(), Vector3::Zero()};
     Vector3 approach_ = Vector3::UnitZ(), via_ = Vector3::Zero();
     double reach_ = 0, press_time_ = 0;
 };
