@@ -211,11 +211,22 @@ double ellipsoid_volume(const Eigen::Matrix3Xd& points, double radius_squared) {
 double pearson(const std::vector<double>& a, const std::vector<double>& b) {
     assert(a.size() == b.size());
     if (a.empty()) return not_a_number;
-    const auto n = static_cast<Eigen::Index>(a.size());
-    const Eigen::Map<const Eigen::ArrayXd> x(a.data(), n), y(b.data(), n);
-    const Eigen::ArrayXd dx = x - x.mean(), dy = y - y.mean();
-    const double product = dx.square().sum() * dy.square().sum();
-    return product > 0 ? (dx * dy).sum() / std::sqrt(product) : not_a_number;
+    // Plain loops: Eigen's sums over a std::vector's memory depend on its alignment, and a metric must be the same bits each time.
+    const auto n = static_cast<double>(a.size());
+    double mean_a = 0, mean_b = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        mean_a += a[i] / n;
+        mean_b += b[i] / n;
+    }
+    double aa = 0, bb = 0, ab = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const double da = a[i] - mean_a, db = b[i] - mean_b;
+        aa += da * da;
+        bb += db * db;
+        ab += da * db;
+    }
+    const double product = aa * bb;
+    return product > 0 ? ab / std::sqrt(product) : not_a_number;
 }
 
 double integral(const std::vector<double>& signal, double step) {
