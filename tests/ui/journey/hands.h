@@ -8,6 +8,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QLineEdit>
+#include <QScreen>
 #include <QtTest>
 #include <functional>
 
@@ -60,8 +61,11 @@ inline void keep_picture(QWidget& window, const QString& name) {
     const QByteArray folder = qgetenv("FULCRUM_PICTURES");
     if (folder.isEmpty()) return;
     QDir().mkpath(QString::fromLocal8Bit(folder));
-    QTest::qWait(60);
-    window.grab().save(QString::fromLocal8Bit(folder) + QLatin1Char('/') + name + QStringLiteral(".png"));
+    QTest::qWait(120);
+    // From the screen: QWidget::grab() would redirect the painter that draws over the OpenGL picture.
+    QPixmap picture = window.screen()->grabWindow(window.winId());
+    if (picture.isNull()) picture = window.grab();
+    picture.save(QString::fromLocal8Bit(folder) + QLatin1Char('/') + name + QStringLiteral(".png"));
 }
 
 /// The whole body of a scrolled page, beyond what the window shows.
