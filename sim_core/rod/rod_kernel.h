@@ -3,7 +3,8 @@
 //
 // A joint between unit tangents s (of edge a) and t (of edge b), c = s.t, curvature binormal k = 2 s x t / (1
 // + c), has
-//     2 B (1 - c)/(1 + c) + Re(w K_a) + B |K0|^2 / 2 + T (m - m0)^2 / 2,
+//     2 B (1 - c)/(1 + c) [- B (1 - c)^2 / 3 without natural curvature] + Re(w K_a) + B |K0|^2 / 2 + T (m -
+//     m0)^2 / 2,
 // the first three terms being B |K - K0|^2 / 2 with K = (k.d1 + i k.d2) seen from directors turned half the
 // twist m (so that both sides see the same), K_a = K e^(i m/2) seen from edge a, and w = -B conj(K0) e^(-i
 // m/2). Directors follow tangents by parallel transport (Bergou et al. 2008, 2010); the derivatives are of

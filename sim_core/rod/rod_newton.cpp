@@ -117,7 +117,7 @@ NewtonResult newton(const Rod::Tables& tables, RodInputs& inputs, RodScratch::Da
         double share = full_steps ? 1.0 : step_bound(data.shape, data, segments);
         bool accepted = false;
         for (int attempt = 0; attempt < 30; ++attempt, share *= 0.5) {
-            if (!retract(tables, data.shape, data.step.data(), share, data.trial)) continue;
+            if (!retract(tables, data.shape, data.step.data(), share, data.trial, data.anchor)) continue;
             if (!evaluate(tables, data.trial, inputs, false, data)) continue;
             if (full_steps || prescribed || (data.active_changes > 0 && i < free_changes) ||
                 data.energy <= energy + 1e-4 * share * slope + noise ||

@@ -116,6 +116,10 @@ void prepare(const Rod& rod, const RodState& state, RodInputs& inputs, double dt
     const RodSpec& spec = rod.spec();
     const std::size_t n = static_cast<std::size_t>(tables.segments);
     d.dt = dt;
+    const bool alone = inputs.grasps.empty() && inputs.contacts.empty() && inputs.self_contacts.empty() &&
+                       inputs.tethers.empty();
+    const bool first = spec.ends[0] != RodEnd::free, last = spec.ends[1] != RodEnd::free;
+    d.anchor = dt <= 0 && alone && first != last ? (first ? 0 : 1) : -1;
     for (std::size_t e = 0; e < 2; ++e) d.fixed[e] = spec.ends[e] != RodEnd::free;
     gather_loads(tables, inputs, d);
     const double cell = rod.length() / rod.segments();

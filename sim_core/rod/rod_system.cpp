@@ -115,11 +115,49 @@ void state_from_shape(const RodShape& shape, RodState& state) {
         state.directors[j] = Vector3(shape.dx[j + 1], shape.dy[j + 1], shape.dz[j + 1]);
 }
 
+namespace {
+
+// Nodes from one end along segments that were turned and stretched by the step as rigid bodies.
+void turn_segments(const RodShape& base, std::size_t n, const double* step, double factor, int anchor,
+                   RodShape& out) {
+    const std::size_t start = anchor == 0 ? 0 : n;
+    store_lanes(&out.position[4 * start],
+                load_lanes(&base.position[4 * start]) + load_lanes(&step[4 * start]) * factor);
+    for (std::size_t k = 0; k < n; ++k) {
+        const std::size_t j = anchor == 0 ? k : n - 1 - k;
+        const double *a = step + 4 * j, *b = step + 4 * j + 4;
+        const Small change = Small{b[0] - a[0], b[1] - a[1], b[2] - a[2]} * factor, t = tangent(base, j + 1);
+        const double along = dot(change, t), length = base.length[j + 1];
+        const Small turn = (change - t * along) * base.inverse[j + 1];
+        const double angle = std::sqrt(dot(turn, turn));
+        Small to = t;
+        if (angle > 1e-12) {
+            double sine, cosine;
+            math::sin_cos(angle, sine, cosine);
+            to = t * cosine + turn * (sine / angle);
+        }
+        const double stretched = length + along > 0.25 * length ? length + along : 0.25 * length;
+        const Small edge = to * (anchor == 0 ? stretched : -stretched);
+        const double* from = &out.position[4 * (anchor == 0 ? j : j + 1)];
+        const Lanes next{from[0] + edge.x, from[1] + edge.y, from[2] + edge.z, 0};
+        store_lanes(&out.position[4 * (anchor == 0 ? j + 1 : j)], next);
+    }
+    for (std::size_t i = 0; i <= n; ++i) {
+        out.position[4 * i + 3] = base.position[4 * i + 3] + step[4 * i + 3] * factor;
+    }
+}
+
+}  // namespace
+
 bool retract(const Rod::Tables& tables, const RodShape& base, const double* step, double factor,
-             RodShape& out) {
+             RodShape& out, int anchor) {
     const std::size_t n = static_cast<std::size_t>(tables.segments);
-    for (std::size_t i = 0; i < 4 * (n + 1); i += 4) {
-        store_lanes(&out.position[i], load_lanes(&base.position[i]) + load_lanes(&step[i]) * factor);
+    if (anchor >= 0) {
+        turn_segments(base, n, step, factor, anchor, out);
+    } else {
+        for (std::size_t i = 0; i < 4 * (n + 1); i += 4) {
+            store_lanes(&out.position[i], load_lanes(&base.position[i]) + load_lanes(&step[i]) * factor);
+        }
     }
     bool good;
     edges(out, tables.segments, out, good);

@@ -33,8 +33,9 @@ struct RodScratch::Data {
     std::vector<double> contact_lambda, contact_force, contact_start_lambda, self_lambda, self_force;
     std::vector<char> contact_active;  ///< active in the last matrix
     int active_changes = 0;            ///< contacts that changed side since, at the last evaluation
-    double dt = 0;                     ///< 0 in statics
-    double shift = 0;                  ///< last safeguard shift that was needed
+    int anchor = -1;   ///< statics of a rod held at one end only: that end; segments then turn as wholes
+    double dt = 0;     ///< 0 in statics
+    double shift = 0;  ///< last safeguard shift that was needed
     double dead_norm = 0;
     double energy = 0, energy_noise = 0, gradient_noise = 0;
     double bend = 0, twist = 0, stretch = 0;
@@ -49,9 +50,11 @@ void shape_from_state(const Rod::Tables& tables, const RodSpec& spec, const RodS
                       const RodFrame ends[2], RodShape& shape);
 void state_from_shape(const RodShape& shape, RodState& state);
 
-/// out = base moved by factor * step (4 a node). False where a segment turns over or vanishes.
+/// out = base moved by factor * step (4 a node). False where a segment turns over or vanishes. With an anchor
+/// (0: first, 1: last node) the step's first-order turn and stretch of every segment are carried out in full
+/// and the nodes follow from that end, so that a large turn does not stretch.
 bool retract(const Rod::Tables& tables, const RodShape& base, const double* step, double factor,
-             RodShape& out);
+             RodShape& out, int anchor = -1);
 
 /// Merit and its gradient at `shape` (and, with hessian, the matrix) under the multipliers in scratch; false
 /// when not finite.

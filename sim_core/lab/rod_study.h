@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// `fulcrum lab run` for one rod alone: a JSON study in, its full result out (contract in docs/FORMATS.md).
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace fulcrum {
+
+/// Runs {"model": "rod", ...}. Throws InputError (file, JSON pointer, what is wrong, mend) on a bad study.
+nlohmann::json run_rod_study(const nlohmann::json& study, const std::string& file);
+
+}  // namespace fulcrum
