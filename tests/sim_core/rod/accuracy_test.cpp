@@ -78,7 +78,7 @@ TEST(RodAccuracy, CantileverUnderDeadLoadsFromStraightWithDefaults) {
 
 TEST(RodAccuracy, CantileverIsOfSecondOrder) {
     double before = 0;
-    for (const int segments : {16, 32, 64, 128}) {
+    for (const int segments : {32, 64, 128, 256}) {
         const Rod rod(cantilever_spec(segments));
         const double error = tip_error(distributed(rod, 10), reference(rod, 10), rod.length());
         if (before > 0) {
@@ -156,7 +156,7 @@ TEST(RodAccuracy, BothEndsHeldAndTwoGraspsMeetTheirTargets) {
     for (int i = 0; i < 100; ++i) {
         inputs.grasps[0].target += Vector3(0, 0, 0.00025);
         inputs.grasps[1].target += Vector3(0, 0.00025, 0);
-        inputs.ends[1].position += Vector3(-0.0005, 0, 0);
+        inputs.ends[1].position += Vector3(0.0001, 0.0002, 0);
         const RodReport report = rod.solve(state, inputs, scratch);
         ASSERT_TRUE(report.converged) << i << " " << report.residual << " " << report.constraint_residual;
         EXPECT_LE(report.constraint_residual, 1e-9);
