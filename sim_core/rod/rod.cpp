@@ -219,7 +219,8 @@ Rod::Rod(RodSpec spec) : spec_(std::move(spec)) {
     const double shortest = length_ / spec_.segments;
     const double scale =
         axial_stiffness_ / shortest + 12 * bending_stiffness_ / (shortest * shortest * shortest);
-    tables->contact_penalty = scale;  // stiffer ones make the active set chatter; multipliers close the gap
+    tables->contact_penalty =
+        30 * scale;  // stiffer ones make the active set chatter; multipliers close the gap
     tables->self_penalty = scale;
     tables->grasp_penalty = 1e4 * scale;
     tables->turn_penalty = 1e3 * bending_stiffness_ / shortest;

@@ -152,7 +152,9 @@ bool pass(const Rod::Tables& tables, const RodShape& shape, RodJointTerms& out) 
         const Vec pa = t - s * c, pb = s - t * c;
         const Lanes ix2 = ix * ix, f1 = stiff * (flattening * (1.0 - c) - 4.0 * ix2);
         Lanes moment = torsion * offset;
-        bend_sum += stiff * (1.0 - c) * (2.0 * ix - 0.5 * flattening * (1.0 - c));
+        // 1 - c without the cancellation that a nearly straight rod would suffer.
+        const Lanes versine = 0.5 * dot(s - t, s - t);
+        bend_sum += stiff * versine * (2.0 * ix - 0.5 * flattening * versine);
         twist_sum += 0.5 * torsion * offset * offset;
 
         Natural q;

@@ -100,6 +100,7 @@ NewtonResult newton(const Rod::Tables& tables, RodInputs& inputs, RodScratch::Da
         const double energy = data.energy, noise = data.energy_noise, before = free_residual(data);
         const bool prescribed = boundary_distance(data.shape, data) > 1e-12 ||
                                 (data.constraint_residual > 1e-7 && i < free_changes);
+        const double elastic = data.bend + data.twist + data.stretch;
         double slope = 0;
         reduce(data.shape, data);
         bool shifted = false;
@@ -121,7 +122,8 @@ NewtonResult newton(const Rod::Tables& tables, RodInputs& inputs, RodScratch::Da
             if (!evaluate(tables, data.trial, inputs, false, data)) continue;
             if (full_steps || prescribed || (data.active_changes > 0 && i < free_changes) ||
                 data.energy <= energy + 1e-4 * share * slope + noise ||
-                (data.energy <= energy + 1e3 * noise && free_residual(data) < 0.5 * before)) {
+                (data.energy <= energy + 1e3 * noise + 1e-9 * elastic &&
+                 free_residual(data) < 0.5 * before)) {
                 accepted = true;
                 break;
             }

@@ -89,11 +89,13 @@ TEST(RodAccuracy, CantileverIsOfSecondOrder) {
     }
 }
 
-// Inextensible cantilever with a tip force across it (Bisshopp and Drucker 1945): sqrt(P L^2 / EI) = K(k) - F(phi, k).
+// Inextensible cantilever with a tip force across it (Bisshopp and Drucker 1945): sqrt(P L^2 / EI) = K(k) -
+// F(phi, k).
 TEST(RodAccuracy, SlenderCantileverMatchesEllipticIntegrals) {
     const double length = 1.0, radius = 0.0019;  // L / r_g = 1053
     for (const double degrees : {15.0, 30.0, 45.0, 60.0}) {
-        const double tip = degrees * pi / 180, k = std::sqrt((1 + std::sin(tip)) / 2), phi = std::asin(1 / (k * std::sqrt(2.0)));
+        const double tip = degrees * pi / 180, k = std::sqrt((1 + std::sin(tip)) / 2),
+                     phi = std::asin(1 / (k * std::sqrt(2.0)));
         const double root = std::comp_ellint_1(k) - std::ellint_1(k, phi);
         const double down = 1 - 2 * (std::comp_ellint_2(k) - std::ellint_2(k, phi)) / root;
         const double along = std::sqrt(2 * std::sin(tip)) / root;
@@ -168,7 +170,8 @@ TEST(RodAccuracy, BothEndsHeldAndTwoGraspsMeetTheirTargets) {
     }
     // Without other loads the jaws and the supports balance.
     const RodReport report = rod.solve(state, inputs, scratch);
-    const Vector3 sum = report.end_force[0] + report.end_force[1] + inputs.grasps[0].reaction + inputs.grasps[1].reaction;
+    const Vector3 sum =
+        report.end_force[0] + report.end_force[1] + inputs.grasps[0].reaction + inputs.grasps[1].reaction;
     EXPECT_LT(sum.norm(), 1e-6 * inputs.grasps[0].reaction.norm());
 }
 
@@ -181,7 +184,8 @@ TEST(RodAccuracy, HelixFromNaturalCurvatureAndTorsion) {
     // Started straight, so that the solver has to find the helix.
     RodState state = rod.make_state();
     RodState straight = state;
-    for (std::size_t i = 0; i < state.nodes.size(); ++i) straight.nodes[i] = Vector3(rod.node_arc_lengths()[i], 0, 0);
+    for (std::size_t i = 0; i < state.nodes.size(); ++i)
+        straight.nodes[i] = Vector3(rod.node_arc_lengths()[i], 0, 0);
     for (Vector3& director : straight.directors) director = Vector3(0, 1, 0);
     for (double& twist : straight.joint_twist) twist = 0;
     const Solved solved = solve(rod, RodInputs{}, straight);
@@ -190,13 +194,15 @@ TEST(RodAccuracy, HelixFromNaturalCurvatureAndTorsion) {
     const double w = std::sqrt(curvature * curvature + torsion * torsion), length = rod.length();
     const Vector3 axis = (curvature * Vector3(0, 1, 0) + torsion * Vector3(1, 0, 0)) / w, t(1, 0, 0);
     const Vector3 along = axis * axis.dot(t), across = t - along;
-    const Vector3 tip = along * length + across * (std::sin(w * length) / w) + axis.cross(across) * ((1 - std::cos(w * length)) / w);
+    const Vector3 tip = along * length + across * (std::sin(w * length) / w) +
+                        axis.cross(across) * ((1 - std::cos(w * length)) / w);
     EXPECT_LT((solved.state.nodes.back() - tip).norm(), 1e-3 * length);
     EXPECT_LT(rod.energy(solved.state, RodInputs{}).elastic(), 1e-9);
 }
 
 // Smallest eigenvalue of the tangent on a shape, free unknowns only.
-double smallest_eigenvalue(const Rod& rod, const RodState& state, RodScratch& scratch, const std::vector<int>& held) {
+double smallest_eigenvalue(const Rod& rod, const RodState& state, RodScratch& scratch,
+                           const std::vector<int>& held) {
     RodScratch::Data& d = scratch.data();
     RodInputs inputs;
     shape_from_state(rod.tables(), rod.spec(), state, state.ends, d.shape);
@@ -227,7 +233,9 @@ TEST(RodAccuracy, EulerBucklingLoads) {
         bool far_slides;
     };
     // K = 2, 1, 0.5 (the far clamp slides along the axis).
-    for (const Row row : {Row{RodEnd::clamped, RodEnd::free, 2, false}, Row{RodEnd::pinned, RodEnd::pinned, 1, true}, Row{RodEnd::clamped, RodEnd::clamped, 0.5, true}}) {
+    for (const Row row :
+         {Row{RodEnd::clamped, RodEnd::free, 2, false}, Row{RodEnd::pinned, RodEnd::pinned, 1, true},
+          Row{RodEnd::clamped, RodEnd::clamped, 0.5, true}}) {
         const int n = 64;
         RodSpec spec = cantilever_spec(n, 0.5, 0.01);
         spec.ends[0] = row.near;
