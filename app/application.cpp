@@ -11,6 +11,7 @@
 #include "app/replay_source.h"
 #include "assessment/version.h"
 #include "ui/shell/main_window.h"
+#include "ui/style/palette.h"
 
 namespace fulcrum::app {
 namespace {
@@ -69,6 +70,7 @@ std::unique_ptr<ui::ApplicationServices> make_services(const std::string& data_f
 int run_window() {
     const char* folder = std::getenv("FULCRUM_DATA");
     const auto services = make_services(folder != nullptr ? folder : "");
+    ui::apply_theme(*qobject_cast<QApplication*>(QCoreApplication::instance()), ui::Theme::light);
     ui::MainWindow window(*services);
     window.resize(1280, 800);
     window.show();

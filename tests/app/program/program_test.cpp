@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program as other programs see it: exit statuses, JSON, errors that name file, place and mend.
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/support.h"
+
+namespace fulcrum::app {
+namespace {
+
+struct Outcome {
+    int status = -1;
+    std::string output, errors;
+    nlohmann::json json() const { return nlohmann::json::parse(output); }
+};
+
+class Program : public ::testing::Test {
+  protected:
+    Outcome run(const QStringList& words) const {
+        QProcess process;
+        process.setWorkingDirectory(folder.path());
+        process.start(QStringLiteral(FULCRUM_PROGRAM), words);
+        EXPECT_TRUE(process.waitForFinished(240000));
+        return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1, process.readAllStandardOutput().toStdString(),
+                process.readAllStandardError().toStdString()};
+    }
+    QString path(const char* name) const { return folder.filePath(name); }
+    void write(const char* name, const std::string& text) const {
+        QFile file(path(name));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(text.data(), static_cast<qint64>(text.size()));
+    }
+    QTemporaryDir folder;
+};
+
+TEST_F(Program, PerformsStoresAndReplaysA2) {
+    const Outcome performed = run({"perform", "A2", "--operator", "expert", "--seed", "11", "--db", path("a.db"), "--json"});
+    ASSERT_EQ(performed.status, 0) << performed.errors;
+    const nlohmann::json attempt = performed.json();
+    EXPECT_EQ(attempt["state"], "completed");
+    EXPECT_EQ(attempt["synthetic"], true);
+    EXPECT_EQ(attempt["device_class"], "synthetic");
+    EXPECT_GT(attempt["metrics"].size(), 40U);
+    for (const char* key : {"attempt", "task", "person", "person_id", "operator", "mode", "variant", "seed", "fidelity", "duration_s", "wall_s", "passed",
+                            "not_scored_because", "points", "gates", "critical_errors", "events", "missed_ticks", "state_hash"}) {
+        EXPECT_TRUE(attempt.contains(key)) << key;
+    }
+    const std::string id = attempt["attempt"];
+    const Outcome replayed = run({"replay", QString::fromStdString(id), "--verify", "--db", path("a.db"), "--json"});
+    EXPECT_EQ(replayed.status, 0) << replayed.errors << replayed.output;
+    EXPECT_EQ(replayed.json()["identical"], true);
+    EXPECT_EQ(replayed.json()["metrics_identical"], true);
+    EXPECT_EQ(replayed.json()["state_hash"], attempt["state_hash"]);
+    const Outcome checked = run({"db", "check", "--db", path("a.db"), "--json"});
+    EXPECT_EQ(checked.status, 0) << checked.output;
+    // The same seed gives the same attempt.
+    const Outcome again = run({"perform", "A2", "--operator", "expert", "--seed", "11", "--db", path("b.db"), "--json"});
+    EXPECT_EQ(again.json()["state_hash"], attempt["state_hash"]);
+}
+
+TEST_F(Program, RefusesBadCommandLinesWithTwo) {
+    const QStringList lines[] = {
+        {"dance"}, {"perform"}, {"perform", "A9"}, {"perform", "A2", "--operator", "clown"}, {"perform", "A2", "--seed", "many"},
+        {"perform", "A2", "--seed"}, {"perform", "A2", "--sed", "1"}, {"perform", "A2", "--fidelity", "ultra", "--db", path("x.db")},
+        {"perform", "A2", "--operator", "expert", "--input", "x.csv"}, {"replay", "nothing", "--db", path("none.db")}, {"metrics", path("none.csv")},
+        {"lab", "bench", "--only", "nothing"}, {"lab", "run"}, {"db", "dance"}, {"report", "--person", "x", "--as", "x"}, {"benchmark", "build", "A2"},
+        {"check", path("none.json")},
+    };
+    for (const QStringList& line : lines) {
+        const Outcome outcome = run(line);
+        EXPECT_EQ(outcome.status, 2) << line.join(' ').toStdString() << ": " << outcome.errors;
+        EXPECT_NE(outcome.errors.find("fulcrum: "), std::string::npos);
+        EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
+        EXPECT_NE(outcome.errors.find(';'), std::string::npos) << "no mend: " << outcome.errors;
+    }
+}
+
+TEST_F(Program, RefusesBrokenTraces) {
+    const std::pair<const char*, const char*> traces[] = {
+        {"empty", ""}, {"no t", "left.px\nm\n1\n"}, {"no units", "t\n"}, {"text", "t,left.px\ns,m\n0,a\n"}, {"back", "t\ns\n1\n0\n"},
+        {"rows", "t,left.px\ns,m\n0,1\n1\n"}, {"nan", "t,left.px\ns,m\n0,nan\n"}, {"unit", "t,left.px\ns,inch\n0,1\n"}, {"twice", "t,t\ns,s\n0,0\n"}, {"inf", "t\ns\ninf\n"},
+    };
+    for (const auto& [name, text] : traces) {
+        write("trace.csv", text);
+        const Outcome outcome = run({"metrics", path("trace.csv")});
+        EXPECT_EQ(outcome.status, 2) << name << ": " << outcome.errors;
+        EXPECT_NE(outcome.errors.find("trace.csv"), std::string::npos) << name;
+    }
+}
+
+TEST_F(Program, MeasuresAnyTrace) {
+    std::string text = "t,left.px,left.py,left.pz\ns,m,m,m\n";
+    for (int i = 0; i <= 2000; ++i) text += std::to_string(i * 0.001) + "," + std::to_string(0.05 * i * 0.001) + ",0,0\n";
+    write("line.csv", text);
+    const Outcome outcome = run({"metrics", path("line.csv"), "--json"});
+    ASSERT_EQ(outcome.status, 0) << outcome.errors;
+    bool found = false;
+    for (const auto& row : outcome.json()["metrics"]) {
+        if (row["id"] != "path_len" || row["hand"] != "left") continue;
+        found = true;
+        EXPECT_NEAR(row["value"].get<double>(), 100.0, 0.2);
+    }
+    EXPECT_TRUE(found);
+}
+
+TEST_F(Program, RefusesToWriteForARealPersonWithoutOne) {
+    EXPECT_EQ(run({"report", "--person", "x", "-o", path("x.pdf")}).status, 2);
+}
+
+}  // namespace
+}  // namespace fulcrum::app

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The true path with nothing faked: the program's own services, threads, world, recorder and store behind the window, driven by real
+// mouse and key events.
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QRadioButton>
+#include <QTemporaryDir>
+
+#include "app/application.h"
+#include "app/performance.h"
+#include "database/attempts.h"
+#include "tests/ui/journey/hands.h"
+#include "ui/review/debrief_page.h"
+#include "ui/shell/main_window.h"
+#include "ui/theatre/theatre_page.h"
+#include "ui/theatre/theatre_view.h"
+
+namespace fulcrum::app {
+namespace {
+
+using namespace fulcrum::ui;
+using namespace fulcrum::ui::test;
+
+class Window : public ::testing::Test {
+  protected:
+    Window() : services(make_services(folder.path().toStdString())), window(*services) {
+        window.resize(1280, 800);
+        window.show();
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(&window));
+        window.activateWindow();
+        window.start();
+    }
+    void expect_page(const char* name) {
+        EXPECT_TRUE(wait_for([&] { return window.current_page()->objectName() == QLatin1String(name); }, 60000))
+            << name << ", not " << window.current_page()->objectName().toStdString();
+    }
+    void create_programme_and_trainee() {
+        expect_page("first_start_page");
+        click(window, "create_programme");
+        type(window, "programme_name", "Department of Surgery");
+        type(window, "administrator_name", "Alma Admin");
+        type(window, "administrator_login", "alma");
+        type(window, "administrator_password", "correct horse");
+        type(window, "administrator_password_again", "correct horse");
+        click(window, "create_confirm");
+        ASSERT_TRUE(wait_for([&] { return sees(window, "recovery_code"); }));
+        find<QAbstractButton>(window, "code_noted")->setChecked(true);
+        click(window, "code_continue");
+        expect_page("people_page");
+        type(window, "new_person_name", "Tara Trainee");
+        type(window, "new_person_login", "tara");
+        click(window, "add_person");
+        const QString once = find<QLabel>(window, "one_time_password")->property("password").toString();
+        click(window, "switch_user");
+        expect_page("sign_in_page");
+        type(window, "login", "tara");
+        type(window, "password", once);
+        QTest::keyClick(find<QLineEdit>(window, "password"), Qt::Key_Return);
+        expect_page("password_page");
+        type(window, "old_password", once);
+        type(window, "new_password", "tara's password");
+        type(window, "new_password_again", "tara's password");
+        click(window, "password_change");
+        expect_page("home_page");
+    }
+    /// Starts, moves both hands for some seconds of real time, abandons; returns the attempt's id.
+    std::string perform_and_abandon(const char* task, int moves) {
+        click(window, qPrintable(QStringLiteral("briefing_") + QLatin1String(task)));
+        expect_page("briefing_page");
+        find<QRadioButton>(window, "mode_assessed")->setChecked(true);
+        click(window, "start_attempt");
+        expect_page("theatre_page");
+        auto* theatre = static_cast<TheatrePage*>(window.current_page());
+        TheatreView* view = theatre->view();
+        const QPoint middle = view->rect().center();
+        for (int i = 0; i < moves; ++i) {
+            QTest::mouseMove(view, middle + QPoint(5 * (i % 24), -3 * (i % 24)));
+            QTest::qWait(25);
+        }
+        QTest::keyPress(view, Qt::Key_D);
+        QTest::qWait(600);
+        QTest::keyRelease(view, Qt::Key_D);
+        EXPECT_TRUE(wait_for([&] { return theatre->session()->display().moving_seen; }, 20000));
+        keep_picture(window, QStringLiteral("20-real-theatre-") + QLatin1String(task));
+        click(window, "theatre_abandon");
+        click(window, "panel_abandon");
+        expect_page("debrief_page");
+        auto* debrief = static_cast<DebriefPage*>(window.current_page());
+        EXPECT_TRUE(wait_for([&] { return debrief->is_ready(); }, 60000));
+        keep_picture(window, QStringLiteral("21-real-debrief-") + QLatin1String(task));
+        const auto list = database::Attempts(*services->store()).list(window.context().session());
+        EXPECT_FALSE(list.empty());
+        return list.empty() ? std::string() : list.front().meta.id;
+    }
+
+    QTemporaryDir folder;
+    std::unique_ptr<ApplicationServices> services;
+    MainWindow window;
+};
+
+TEST_F(Window, ATraineeTouchesTheRealWorldAndTheRecordReplaysBitForBit) {
+    create_programme_and_trainee();
+    for (const char* task : {"A2", "B1"}) {
+        const std::string id = perform_and_abandon(task, 60);
+        ASSERT_FALSE(id.empty());
+        const database::Attempts attempts(*services->store());
+        const database::AttemptSummary summary = attempts.read(window.context().session(), id);
+        EXPECT_EQ(summary.state, "abandoned");
+        EXPECT_EQ(summary.passed, std::optional<bool>(false));
+        EXPECT_EQ(summary.lost_samples, 0U);
+        database::Trace trace = attempts.read_trace(window.context().session(), id);
+        EXPECT_GT(trace.samples.size(), 1000U);
+        const LoadedTask loaded = load_task_and_scene(task);
+        AttemptEngine engine(loaded.scene, loaded.task, summary.meta.seed);
+        const AttemptRecord record{trace.inputs, trace.samples, trace.steps, trace.events};
+        const ReplayOutcome replay = replay_record(engine, record);
+        EXPECT_TRUE(replay.identical) << task << " differs from " << replay.first_divergence_s << " s on";
+        click(window, "rail_home");
+        expect_page("home_page");
+    }
+}
+
+}  // namespace
+}  // namespace fulcrum::app
