@@ -98,13 +98,7 @@ Case read(const Reader& reader) {
     spec.poisson_ratio = reader.number("poisson", 0.35);
     spec.linear_density = reader.number("linear_density_kg_m", 0.25);
     const std::string law = reader.text("law", "linear");
-    if (law != "linear" && law != "exp2")
-        reader.fail("/law", "is not a material law", "use \"linear\" or \"exp2\"");
-    if (law == "exp2") {
-        spec.law = RodLaw::exp2;
-        spec.young_modulus = reader.number("young_pa", 30.0e3);
-        spec.exponent = reader.number("exponent", 3.0);
-    }
+    if (law != "linear") reader.fail("/law", "is not a law that this build has", "use \"linear\"");
     const std::string level = reader.text("level", "newton");
     if (level == "linearised") {
         c.solve.level = RodSolve::Level::linearised;

@@ -45,8 +45,6 @@ void check(const RodSpec& spec) {
     require(spec.linear_density > 0 && std::isfinite(spec.linear_density),
             "rod: linear density must be positive");
     require(spec.mass_damping >= 0 && spec.stiffness_damping >= 0, "rod: damping must not be negative");
-    require(spec.exponent >= 0 && std::isfinite(spec.exponent),
-            "rod: the exponent of EXP2 must not be negative");
     for (const double k : spec.intrinsic_curvature)
         require(std::isfinite(k), "rod: natural curvature must be finite");
     const bool shaped = !spec.rest_nodes.empty();

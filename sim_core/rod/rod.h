@@ -31,18 +31,14 @@ enum class RodEnd : std::uint8_t {
               ///< length)
 };
 
-enum class RodLaw : std::uint8_t { linear, exp2 };
-
 /// What a rod is made of. Defaults: a bowel.
 struct RodSpec {
     int segments = 64;              ///< 2 .. 4096
     double length = 0.9;            ///< m, at rest
     double outer_radius = 0.015;    ///< m
     double inner_radius = 0.012;    ///< m, 0 for a solid rod
-    double young_modulus = 32.3e3;  ///< Pa (E0 of theory 1.1 when law is exp2)
+    double young_modulus = 32.3e3;  ///< Pa, linear law
     double poisson_ratio = 0.35;
-    RodLaw law = RodLaw::linear;
-    double exponent = 3.0;           ///< alpha of EXP2
     double linear_density = 0.25;    ///< kg/m
     double mass_damping = 6.0;       ///< 1/s: force -c m v
     double stiffness_damping = 0.0;  ///< s: force -c K v, K the elastic tangent at the start of the step

@@ -18,7 +18,6 @@ Fidelity named_fidelity(const std::string& id) {
     }
     if (id == "fine") {
         fidelity.rod = "newton";
-        fidelity.material = "exp2";
         fidelity.collision = "brute";
         fidelity.tool_contact = "query";
         fidelity.projection_iterations = 8;

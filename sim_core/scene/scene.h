@@ -102,7 +102,7 @@ struct Fidelity {
     std::string id = "standard";
     std::string rod = "newton_k";                 ///< linearised | newton_k | newton
     int rod_iterations = 8;
-    std::string material = "linear";              ///< linear | exp2
+    std::string material = "linear";              ///< linear
     std::string skinning = "local";               ///< local | global
     std::string collision = "coherent";           ///< coherent | brute
     int projection_iterations = 3;

@@ -58,7 +58,6 @@ RodSpec rod_spec(const Scene& scene, const std::vector<Vector3>& centre_line) {
     spec.inner_radius = bowel.outer_radius - bowel.wall_thickness;
     spec.young_modulus = bowel.young_modulus;
     spec.poisson_ratio = bowel.poisson_ratio;
-    spec.law = scene.fidelity.material == "exp2" ? RodLaw::exp2 : RodLaw::linear;
     spec.linear_density = bowel.linear_density;
     spec.mass_damping = bowel.damping;
     spec.ends[0] = RodEnd::clamped;
