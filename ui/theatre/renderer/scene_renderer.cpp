@@ -84,6 +84,7 @@ struct SceneRenderer::Impl {
 
     bool ready = false;
     double share_of_resolution = 1;
+    bool smooth = false;  // four samples a pixel
     using Program = std::unique_ptr<QOpenGLShaderProgram>;
     Program tissue, wall, box, steel, target, screen;
     GlTissue serosa, fat, peritoneum, metal;
@@ -104,6 +105,7 @@ struct SceneRenderer::Impl {
     }
 
     void upload_changes() {
+        if (!textures) textures = make_textures(1, options.texture_size);
         if (textures_changed) {
             serosa = upload(textures->serosa);
             fat = upload(textures->fat);
@@ -292,10 +294,10 @@ struct SceneRenderer::Impl {
         if (image && image->width() == side) return;
         QOpenGLFramebufferObjectFormat format;
         format.setAttachment(QOpenGLFramebufferObject::Depth);
-        format.setSamples(options.multisample ? 4 : 0);
+        format.setSamples(smooth ? 4 : 0);
         image = std::make_unique<QOpenGLFramebufferObject>(side, side, format);
         resolved.reset();
-        if (options.multisample) resolved = std::make_unique<QOpenGLFramebufferObject>(side, side);
+        if (smooth) resolved = std::make_unique<QOpenGLFramebufferObject>(side, side);
     }
 
     void draw(const SceneFrame& frame, QSize size) {
@@ -417,6 +419,7 @@ bool SceneRenderer::initialise() {
     const QByteArray device(reinterpret_cast<const char*>(gl.glGetString(GL_RENDERER)));
     const bool software =
         device.contains("llvmpipe") || device.contains("softpipe") || device.contains("SWR");
+    i.smooth = i.options.multisample || !software;
     i.share_of_resolution =
         i.options.resolution > 0 ? i.options.resolution : (software ? software_resolution : 1.0);
     i.shaft = std::make_unique<GlRigid>(make_shaft());
@@ -427,7 +430,6 @@ bool SceneRenderer::initialise() {
     i.room = std::make_unique<GlRigid>(make_box(0.30F, 0.34F, 0.24F));
     i.quad = std::make_unique<GlRigid>(make_screen_quad());
     i.frame_mask = std::make_unique<GlRigid>(make_frame_mask());
-    if (!i.textures) i.textures = make_textures(1, i.options.texture_size);
     i.textures_changed = true;
     for (Impl::Geometry* geometry : {&i.cavity, &i.bowel, &i.mesentery, &i.reflection})
         geometry->changed = true;

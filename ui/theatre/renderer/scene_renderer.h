@@ -55,7 +55,7 @@ struct RendererOptions {
     /// Share of the framebuffer's resolution that the scene is drawn in, 0.25 .. 1; 0: 1 on a GPU, less on a
     /// processor.
     double resolution = 0;
-    bool multisample = false;  ///< 4 samples; only for a GPU or for a still picture
+    bool multisample = false;  ///< 4 samples on a processor too (a GPU always takes them)
 };
 
 class SceneRenderer {

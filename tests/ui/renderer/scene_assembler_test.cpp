@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/theatre/renderer/scene_assembler.h"
+
+#include <gtest/gtest.h>
+
+#include <QImage>
+
+#include "sim_core/world/world.h"
+#include "ui/theatre/renderer/offscreen.h"
+
+namespace fulcrum::ui {
+namespace {
+
+const std::string scenes = std::string(FULCRUM_SOURCE_DIR) + "/assets/scenes/";
+
+TEST(SceneAssembler, DrawsTheBowelWhereTheWorldHasIt) {
+    const Scene scene = load_scene(scenes + "b1_bowel.json");
+    const World world(scene, 1);
+    WorldSnapshot snapshot = world.snapshot();
+    SceneAssembler assembler(scene, snapshot);
+    const SceneFrame& frame = assembler.assemble(snapshot);
+    ASSERT_NE(frame.bowel_positions, nullptr);
+    ASSERT_NE(frame.mesentery_positions, nullptr);
+    ASSERT_EQ(frame.tools.size(), scene.instruments.size());
+    // Every ring has skin round it.
+    for (std::size_t r = 2; r + 2 < snapshot.rings.size(); r += 4) {
+        double nearest = 1;
+        for (int v = 0; v < 19000; ++v) {
+            const float* p = frame.bowel_positions + 3 * v;
+            nearest = std::min(nearest, (Vector3(p[0], p[1], p[2]) - snapshot.rings[r].position).norm());
+        }
+        EXPECT_GT(nearest, 0.4 * scene.bowel->outer_radius);
+        EXPECT_LT(nearest, 1.2 * scene.bowel->outer_radius);
+    }
+    // What the world lifts is drawn lifted.
+    const float before = frame.bowel_positions[3 * 5000 + 2];
+    for (RingFrame& ring : snapshot.rings) ring.position.z() += 0.01;
+    EXPECT_NEAR(assembler.assemble(snapshot).bowel_positions[3 * 5000 + 2], before + 0.01F, 1e-5F);
+}
+
+TEST(SceneAssembler, TargetsOnlyNeedNoBowel) {
+    const Scene scene = load_scene(scenes + "a2_targets.json");
+    const World world(scene, 3);
+    SceneAssembler assembler(scene, world.snapshot());
+    const SceneFrame& frame = assembler.assemble(world.snapshot());
+    EXPECT_EQ(frame.bowel_positions, nullptr);
+    EXPECT_EQ(frame.targets.size(), world.snapshot().targets.size());
+    RendererOptions options;
+    options.texture_size = 128;
+    SceneRenderer renderer(options);
+    assembler.install(renderer);
+    const QImage image = render_offscreen(renderer, frame, QSize(320, 240));
+    EXPECT_GT(qRed(image.pixel(160, 120)) + qGreen(image.pixel(160, 120)) + qBlue(image.pixel(160, 120)), 30);
+}
+
+}  // namespace
+}  // namespace fulcrum::ui
