@@ -31,7 +31,7 @@ TEST(SurfaceMesh, SeamIsClosedByCopiesAndNoTriangleRunsRoundTheTube) {
             low = std::min(low, surface.coordinates[2 * index]);
             high = std::max(high, surface.coordinates[2 * index]);
         }
-        EXPECT_LE(high - low, 0.51F);
+        EXPECT_LE(high - low, 0.53F);  // the fans of the two caps reach half round
     }
 }
 

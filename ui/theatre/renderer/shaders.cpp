@@ -41,7 +41,7 @@ vec2 shade(vec3 p) {
         float gap = max(distance(p, from) - along, 0.0);
         float width = 0.8 * r + 0.12 * gap;
         float thrown = exp2(-1.4 * dot(off, off) / (width * width)) * exp2(-gap * 22.0);
-        lit *= 1.0 - shadow_from[i].w * (0.66 * near_tip + 0.50 * thrown * (1.0 - near_tip));
+        lit *= 1.0 - shadow_from[i].w * (0.78 * near_tip + 0.60 * thrown * (1.0 - near_tip));
         pale += strain[i] * exp2(-d2 / (0.006 * 0.006));
     }
     return vec2(lit, min(pale, 1.0));
@@ -51,7 +51,7 @@ vec2 shade(vec3 p) {
 float arriving(vec3 p) {
     vec3 to_lamp = lamp - p;
     float d2 = dot(to_lamp, to_lamp);
-    float fall = 1.0 / (0.14 + d2 * 70.0 + d2 * d2 * 6200.0);
+    float fall = 1.0 / (0.80 + d2 * 52.0 + d2 * d2 * 5000.0);
     float axis = -p.z * inversesqrt(dot(p, p));
     float beam = smoothstep(0.70, 1.0, axis);
     return brightness * fall * (0.42 + 0.75 * beam);
