@@ -120,7 +120,8 @@ void CohortsPage::fill() {
 
 const database::Cohort* CohortsPage::selected() const {
     const int row = list_->currentRow();
-    return row < 0 || row >= static_cast<int>(cohorts_.size()) ? nullptr : &cohorts_[static_cast<std::size_t>(row)];
+    return row < 0 || row >= static_cast<int>(cohorts_.size()) ? nullptr
+                                                               : &cohorts_[static_cast<std::size_t>(row)];
 }
 
 void CohortsPage::select() {

@@ -62,7 +62,8 @@ PeoplePage::PeoplePage(Context& context) : Page(context, "people_page") {
     secret_->hide();
     layout->addWidget(secret_);
     layout->addWidget(build_add());
-    table_ = make_table({tr("Name"), tr("Login"), tr("Roles"), tr("Account"), tr("Last sign-in")}, "people_table");
+    table_ =
+        make_table({tr("Name"), tr("Login"), tr("Roles"), tr("Account"), tr("Last sign-in")}, "people_table");
     table_->setMinimumHeight(240);
     layout->addWidget(table_);
     layout->addWidget(build_editor());
@@ -164,7 +165,8 @@ void PeoplePage::fill() {
 
 const database::Person* PeoplePage::selected() const {
     const int row = table_->currentRow();
-    if (row < 0 || row >= static_cast<int>(people_.size()) || table_->selectedItems().isEmpty()) return nullptr;
+    if (row < 0 || row >= static_cast<int>(people_.size()) || table_->selectedItems().isEmpty())
+        return nullptr;
     return &people_[static_cast<std::size_t>(row)];
 }
 
@@ -183,7 +185,8 @@ void PeoplePage::select() {
 
 void PeoplePage::show_secret(const QString& who, const std::string& secret) {
     secret_text_->setText(
-        tr("%1: %2\nValid for 24 hours, shown this once; it is changed at the first sign-in.").arg(who, text(secret)));
+        tr("%1: %2\nValid for 24 hours, shown this once; it is changed at the first sign-in.")
+            .arg(who, text(secret)));
     secret_text_->setProperty("password", text(secret));
     secret_->show();
 }
@@ -208,7 +211,8 @@ void PeoplePage::save() {
             const database::People people(context().store());
             const std::string name = plain(name_->text().trimmed());
             if (name != person->display_name) people.rename(context().session(), person->id, name);
-            if (chosen(roles_) != person->roles) people.set_roles(context().session(), person->id, chosen(roles_));
+            if (chosen(roles_) != person->roles)
+                people.set_roles(context().session(), person->id, chosen(roles_));
         })) {
         context().say(tr("Saved."));
     }
@@ -219,8 +223,9 @@ void PeoplePage::issue() {
     const database::Person* person = selected();
     if (person == nullptr) return;
     context().guarded([&] {
-        show_secret(text(person->display_name),
-                    database::People(context().store()).issue_one_time_password(context().session(), person->id));
+        show_secret(
+            text(person->display_name),
+            database::People(context().store()).issue_one_time_password(context().session(), person->id));
     });
 }
 

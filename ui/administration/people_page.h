@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Accounts: add people, give and take roles, one-time passwords, deactivate; the sign-in picker. No scores here.
+// Accounts: add people, give and take roles, one-time passwords, deactivate; the sign-in picker. No scores
+// here.
 #pragma once
 
 #include <vector>

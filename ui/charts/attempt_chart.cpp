@@ -56,14 +56,15 @@ Frame frame_of(const QRectF& area, const AttemptChartData& data, double unit) {
 
 }  // namespace
 
-void paint_attempt_chart(QPainter& painter, const QRectF& area, const AttemptChartData& data, const Palette& p,
-                         double unit, const std::string& selected) {
+void paint_attempt_chart(QPainter& painter, const QRectF& area, const AttemptChartData& data,
+                         const Palette& p, double unit, const std::string& selected) {
     const Frame frame = frame_of(area, data, unit);
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     const double line_height = QFontMetricsF(painter.font(), painter.device()).height();
     painter.setPen(p.muted);
-    painter.drawText(QRectF(area.left(), area.top(), area.width() / 2, line_height), Qt::AlignLeft, data.y_title);
+    painter.drawText(QRectF(area.left(), area.top(), area.width() / 2, line_height), Qt::AlignLeft,
+                     data.y_title);
     for (double y = 0; y <= frame.y_high * 1.0001; y += frame.y_step) {
         const QPointF left = frame.at(frame.x_low, y), right = frame.at(frame.x_high, y);
         painter.setPen(QPen(p.line, unit));
@@ -76,8 +77,8 @@ void paint_attempt_chart(QPainter& painter, const QRectF& area, const AttemptCha
     const int step = std::max(1, last / 12);
     for (int number = 1; number <= last; number += step) {
         const QPointF foot = frame.at(number, 0);
-        painter.drawText(QRectF(foot.x() - 30 * unit, foot.y() + 4 * unit, 60 * unit, line_height), Qt::AlignCenter,
-                         QString::number(number));
+        painter.drawText(QRectF(foot.x() - 30 * unit, foot.y() + 4 * unit, 60 * unit, line_height),
+                         Qt::AlignCenter, QString::number(number));
     }
     painter.drawText(QRectF(frame.plot.left(), area.bottom() - line_height, frame.plot.width(), line_height),
                      Qt::AlignCenter, QCoreApplication::translate("fulcrum::ui::AttemptChart", "attempt"));
@@ -87,8 +88,8 @@ void paint_attempt_chart(QPainter& painter, const QRectF& area, const AttemptCha
         painter.drawText(frame.at(frame.x_low, *data.limit) + QPointF(6 * unit, -4 * unit), data.limit_name);
     }
     const QColor colours[] = {p.left_hand, p.right_hand, p.good, p.limit, p.neutral, p.text};
-    const Qt::PenStyle styles[] = {Qt::SolidLine, Qt::DashLine, Qt::DotLine, Qt::DashDotLine, Qt::DashDotDotLine,
-                                   Qt::SolidLine};
+    const Qt::PenStyle styles[] = {Qt::SolidLine,   Qt::DashLine,       Qt::DotLine,
+                                   Qt::DashDotLine, Qt::DashDotDotLine, Qt::SolidLine};
     double legend_x = area.right();
     for (std::size_t s = 0; s < data.series.size(); ++s) {
         const AttemptSeries& series = data.series[s];
@@ -127,8 +128,8 @@ void paint_attempt_chart(QPainter& painter, const QRectF& area, const AttemptCha
         painter.drawLine(QPointF(legend_x, area.top() + line_height / 2),
                          QPointF(legend_x + 20 * unit, area.top() + line_height / 2));
         painter.setPen(p.text);
-        painter.drawText(QRectF(legend_x + 26 * unit, area.top(), width + 4 * unit, line_height), Qt::AlignLeft,
-                         series.name);
+        painter.drawText(QRectF(legend_x + 26 * unit, area.top(), width + 4 * unit, line_height),
+                         Qt::AlignLeft, series.name);
     }
     painter.restore();
 }
@@ -202,8 +203,9 @@ void AttemptChart::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Right && !points.empty()) {
         selected_ = points[index >= points.size() ? 0 : std::min(index + 1, points.size() - 1)]->attempt_id;
     } else if (event->key() == Qt::Key_Left && !points.empty()) {
-        selected_ = points[index >= points.size() ? points.size() - 1 : index - std::min<std::size_t>(index, 1)]
-                        ->attempt_id;
+        selected_ =
+            points[index >= points.size() ? points.size() - 1 : index - std::min<std::size_t>(index, 1)]
+                ->attempt_id;
     } else if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && index < points.size()) {
         emit attempt_chosen(text(selected_));
     } else {

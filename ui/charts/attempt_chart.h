@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A figure over the attempts of one task: one line a device class (never pooled), passed, failed and not scored told apart by shape.
-// Painted by one function, so that screen and paper show the same. Arrow keys choose an attempt, Enter opens it.
+// A figure over the attempts of one task: one line a device class (never pooled), passed, failed and not
+// scored told apart by shape. Painted by one function, so that screen and paper show the same. Arrow keys
+// choose an attempt, Enter opens it.
 #pragma once
 
 #include <QString>
@@ -17,10 +18,10 @@ namespace fulcrum::ui {
 
 struct AttemptPoint {
     std::string attempt_id;
-    int number = 0;                ///< 1, 2, ...
-    std::optional<double> value;   ///< nothing is drawn without one
+    int number = 0;               ///< 1, 2, ...
+    std::optional<double> value;  ///< nothing is drawn without one
     std::optional<bool> passed;
-    bool counting = false;         ///< practice and the like are drawn smaller
+    bool counting = false;  ///< practice and the like are drawn smaller
     QString tip;
 };
 struct AttemptSeries {
@@ -35,9 +36,10 @@ struct AttemptChartData {
     std::optional<double> y_maximum;  ///< fixed top, for points (100)
 };
 
-/// Draws into `area` of any device; `selected` an attempt id or "". `unit` is the size of one screen pixel in the painter's coordinates.
-void paint_attempt_chart(QPainter& painter, const QRectF& area, const AttemptChartData& data, const Palette& palette,
-                         double unit, const std::string& selected = {});
+/// Draws into `area` of any device; `selected` an attempt id or "". `unit` is the size of one screen pixel in
+/// the painter's coordinates.
+void paint_attempt_chart(QPainter& painter, const QRectF& area, const AttemptChartData& data,
+                         const Palette& palette, double unit, const std::string& selected = {});
 
 class AttemptChart : public QWidget {
     Q_OBJECT

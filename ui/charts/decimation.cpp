@@ -7,7 +7,8 @@
 
 namespace fulcrum::ui {
 
-MinMaxPyramid::MinMaxPyramid(std::vector<double> x, std::vector<float> y) : x_(std::move(x)), y_(std::move(y)) {
+MinMaxPyramid::MinMaxPyramid(std::vector<double> x, std::vector<float> y)
+    : x_(std::move(x)), y_(std::move(y)) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < std::min(x_.size(), y_.size()); ++i) {
         if (!std::isfinite(y_[i]) || !std::isfinite(x_[i])) continue;
@@ -65,7 +66,8 @@ std::vector<ChartPoint> MinMaxPyramid::view(double from, double to, std::size_t 
         for (std::size_t i = begin; i < end; ++i) add(i);
         return candidates;
     }
-    // The coarsest level whose buckets still give four candidates a point: cheap, and LTTB has something to choose from.
+    // The coarsest level whose buckets still give four candidates a point: cheap, and LTTB has something to
+    // choose from.
     std::size_t level = 0;
     while (level + 1 < levels_.size() && (count / (base_width << (level + 1))) * 2 > 4 * limit) ++level;
     const std::size_t width = base_width << level;

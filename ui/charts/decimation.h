@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From millions of samples to at most a few thousand points on a screen without losing a peak: a min/max pyramid gives the candidates of a
-// view, then buckets of them keep their lowest point, their highest point and the one that largest-triangle-three-buckets (Steinarsson
-// 2013) chooses. Pure; any thread.
+// From millions of samples to at most a few thousand points on a screen without losing a peak: a min/max
+// pyramid gives the candidates of a view, then buckets of them keep their lowest point, their highest point
+// and the one that largest-triangle-three-buckets (Steinarsson 2013) chooses. Pure; any thread.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,8 @@ struct ChartPoint {
 class MinMaxPyramid {
   public:
     MinMaxPyramid() = default;
-    /// x never falls; both have the same length; non-finite y are left out. O(n) time, n/8 indices of memory beside the data.
+    /// x never falls; both have the same length; non-finite y are left out. O(n) time, n/8 indices of memory
+    /// beside the data.
     MinMaxPyramid(std::vector<double> x, std::vector<float> y);
 
     std::size_t size() const noexcept { return y_.size(); }
@@ -31,8 +32,9 @@ class MinMaxPyramid {
     /// The value of the last sample at or before x; 0 before the first.
     double value_at(double x) const noexcept;
 
-    /// At most `limit` points (limit >= 5) of the samples in [from, to], with one sample beyond each end so that lines reach the border.
-    /// Every sample when they are few enough. The lowest and the highest sample of the view are always among them. x rises.
+    /// At most `limit` points (limit >= 5) of the samples in [from, to], with one sample beyond each end so
+    /// that lines reach the border. Every sample when they are few enough. The lowest and the highest sample
+    /// of the view are always among them. x rises.
     std::vector<ChartPoint> view(double from, double to, std::size_t limit = chart_point_limit) const;
 
   private:

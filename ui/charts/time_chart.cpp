@@ -36,10 +36,15 @@ TimeChart::TimeChart(const QString& y_title, QWidget* parent)
     shown->legend()->setAlignment(Qt::AlignTop);
     x_axis_->setTitleText(tr("time (s)"));
     y_axis_->setTitleText(y_title);
-    x_axis_->setTickCount(9);
     y_axis_->setTickCount(4);
     x_axis_->setLabelFormat(QStringLiteral("%g"));
     y_axis_->setLabelFormat(QStringLiteral("%g"));
+    x_axis_->setTickCount(8);
+    restyle();
+}
+
+void TimeChart::restyle() {
+    QChart* shown = chart();
     const Palette& p = colours();
     shown->setBackgroundBrush(p.card);
     shown->setPlotAreaBackgroundVisible(false);
@@ -51,6 +56,11 @@ TimeChart::TimeChart(const QString& y_title, QWidget* parent)
         axis->setLinePenColor(p.line);
     }
     setBackgroundBrush(p.card);
+}
+
+void TimeChart::changeEvent(QEvent* event) {
+    QChartView::changeEvent(event);
+    if (event->type() == QEvent::StyleChange || event->type() == QEvent::PaletteChange) restyle();
 }
 
 void TimeChart::clear() {
@@ -75,7 +85,9 @@ void TimeChart::add_series(const QString& name, const QColor& colour, Qt::PenSty
     series_.push_back({line, std::move(samples)});
 }
 
-void TimeChart::add_limit(const QString& name, double value) { limits_.emplace_back(name, value); }
+void TimeChart::add_limit(const QString& name, double value) {
+    limits_.emplace_back(name, value);
+}
 
 void TimeChart::set_marks(std::vector<ChartMark> marks) {
     marks_ = std::move(marks);
@@ -110,6 +122,9 @@ void TimeChart::show_range(double from, double to) {
     const double span = std::clamp(to - from, 0.05, std::max(last_ - first_, 0.05));
     from = std::clamp(from, first_, std::max(first_, last_ - span));
     x_axis_->setRange(from, from + span);
+    x_axis_->setLabelFormat(span < 1    ? QStringLiteral("%.2f")
+                            : span < 20 ? QStringLiteral("%.1f")
+                                        : QStringLiteral("%.0f"));
     refresh();
 }
 
@@ -153,11 +168,12 @@ void TimeChart::drawForeground(QPainter* painter, const QRectF& rect) {
         if (mark.time < x_axis_->min() || mark.time > x_axis_->max()) continue;
         const double x = x_of(mark.time);
         painter->setPen(QPen(mark.colour, mark.severe ? 1.6 : 1.0));
-        painter->drawLine(QPointF(x, area.top() - 8), QPointF(x, mark.severe ? area.bottom() : area.top() + 2));
+        painter->drawLine(QPointF(x, area.top() - 8),
+                          QPointF(x, mark.severe ? area.bottom() : area.top() + 2));
         if (mark.severe) {
             painter->setBrush(mark.colour);
-            painter->drawPolygon(QPolygonF(
-                {QPointF(x - 5, area.top() - 10), QPointF(x + 5, area.top() - 10), QPointF(x, area.top() - 1)}));
+            painter->drawPolygon(QPolygonF({QPointF(x - 5, area.top() - 10), QPointF(x + 5, area.top() - 10),
+                                            QPointF(x, area.top() - 1)}));
         }
     }
     if (cursor_ >= x_axis_->min() && cursor_ <= x_axis_->max()) {
@@ -218,7 +234,8 @@ const ChartMark* TimeChart::mark_near(const QPoint& position) const {
 
 void TimeChart::mouseReleaseEvent(QMouseEvent* event) {
     if (pressed_ && !dragged_) {
-        const ChartMark* mark = event->pos().y() < chart()->plotArea().top() + 6 ? mark_near(event->pos()) : nullptr;
+        const ChartMark* mark =
+            event->pos().y() < chart()->plotArea().top() + 6 ? mark_near(event->pos()) : nullptr;
         emit time_chosen(std::clamp(mark != nullptr ? mark->time : time_at(event->pos()), first_, last_));
     }
     pressed_ = false;
@@ -258,7 +275,8 @@ bool TimeChart::viewportEvent(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
         if (const ChartMark* mark = mark_near(help->pos())) {
-            QToolTip::showText(help->globalPos(), tr("%1 s: %2").arg(mark->time, 0, 'f', 2).arg(mark->text), this);
+            QToolTip::showText(help->globalPos(), tr("%1 s: %2").arg(mark->time, 0, 'f', 2).arg(mark->text),
+                               this);
         } else {
             QToolTip::hideText();
         }

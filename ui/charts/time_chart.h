@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Quantities over the time of an attempt: any number of series (at most 4,000 points each, whatever the length), limits, event marks, a
-// cursor. Wheel zooms at the pointer, a drag moves, a click chooses a time, double click shows all; keys: arrows move the cursor, + and -
-// zoom, 0 shows all.
+// Quantities over the time of an attempt: any number of series (at most 4,000 points each, whatever the
+// length), limits, event marks, a cursor. Wheel zooms at the pointer, a drag moves, a click chooses a time,
+// double click shows all; keys: arrows move the cursor, + and - zoom, 0 shows all.
 #pragma once
 
 #include <QChartView>
@@ -51,8 +51,10 @@ class TimeChart : public QtCharts::QChartView {
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     bool viewportEvent(QEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
   private:
+    void restyle();
     struct Series {
         QtCharts::QLineSeries* line = nullptr;
         std::shared_ptr<const MinMaxPyramid> data;

@@ -36,12 +36,13 @@ AttemptsPage::AttemptsPage(Context& context) : Page(context, "attempts_page") {
     count_ = make_label({}, "muted");
     row->addWidget(count_);
     layout->addLayout(row);
-    table_ = make_table({tr("Person"), tr("Task"), tr("Started"), tr("Mode"), tr("Device"), tr("Ended"), tr("Time"),
-                         tr("Result"), tr("Points"), tr("Comments")},
+    table_ = make_table({tr("Person"), tr("Task"), tr("Started"), tr("Mode"), tr("Device"), tr("Ended"),
+                         tr("Time"), tr("Result"), tr("Points"), tr("Comments")},
                         "attempts_table");
     table_->setMinimumHeight(360);
     layout->addWidget(table_, 1);
-    connect(table_, &QTableWidget::itemActivated, this, [this](QTableWidgetItem* item) { open_row(item->row()); });
+    connect(table_, &QTableWidget::itemActivated, this,
+            [this](QTableWidgetItem* item) { open_row(item->row()); });
     connect(table_, &QTableWidget::cellDoubleClicked, this, [this](int clicked, int) { open_row(clicked); });
     QPushButton* open = make_button(tr("Open the attempt"), "open_attempt", "primary");
     connect(open, &QPushButton::clicked, this, [this] { open_row(table_->currentRow()); });
@@ -63,7 +64,8 @@ void AttemptsPage::enter() {
 }
 
 void AttemptsPage::fill_filters() {
-    const auto refill = [](QComboBox* box, const QString& all, const std::vector<std::pair<QString, QString>>& rows) {
+    const auto refill = [](QComboBox* box, const QString& all,
+                           const std::vector<std::pair<QString, QString>>& rows) {
         const QString before = box->currentData().toString();
         box->clear();
         box->addItem(all, QString());
@@ -103,11 +105,11 @@ void AttemptsPage::fill_requests() {
         });
     }
     requests_card_->setVisible(!open.empty());
-    requests_->addWidget(
-        make_label(tr("Corrections asked for: %1").arg(open.size()), "heading"));
+    requests_->addWidget(make_label(tr("Corrections asked for: %1").arg(open.size()), "heading"));
     for (const database::CorrectionRequest& request : open) {
-        QPushButton* button = make_button(tr("%1, %2: %3").arg(text(request.person_name), local_time(request.asked),
-                                                               text(request.text).simplified().left(110)),
+        QPushButton* button = make_button(tr("%1, %2: %3")
+                                              .arg(text(request.person_name), local_time(request.asked),
+                                                   text(request.text).simplified().left(110)),
                                           "correction_request", "link");
         connect(button, &QPushButton::clicked, this,
                 [this, id = text(request.attempt_id)] { emit context().debrief_wanted(id, -1); });
@@ -133,25 +135,26 @@ void AttemptsPage::load() {
         if (attempt.synthetic) who += tr(" (synthetic)");
         QString comments = attempt.comments == 0 ? QString() : QString::number(attempt.comments);
         if (attempt.unread_comments > 0) comments += tr(" (%1 unread)").arg(attempt.unread_comments);
-        const QString cells[] = {
-            who,
-            text(attempt.meta.task_id),
-            local_time(attempt.meta.started),
-            attempt.meta.mode == "assessed" ? tr("assessed") : tr("practice"),
-            device_class_text(attempt.meta.device_class),
-            voided ? tr("voided") : attempt_state(attempt.state),
-            clock_text(attempt.duration_s),
-            verdict(attempt.passed, attempt.provisional),
-            figure(attempt.points),
-            comments};
+        const QString cells[] = {who,
+                                 text(attempt.meta.task_id),
+                                 local_time(attempt.meta.started),
+                                 attempt.meta.mode == "assessed" ? tr("assessed") : tr("practice"),
+                                 device_class_text(attempt.meta.device_class),
+                                 voided ? tr("voided") : attempt_state(attempt.state),
+                                 clock_text(attempt.duration_s),
+                                 verdict(attempt.passed, attempt.provisional),
+                                 figure(attempt.points),
+                                 comments};
         for (int column = 0; column < 10; ++column) {
             const bool numeric = column == 6 || column == 8;
-            auto* item = make_cell(cells[column], (numeric ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+            auto* item =
+                make_cell(cells[column], (numeric ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
             if (voided) {
                 QFont font = item->font();
                 font.setStrikeOut(true);
                 item->setFont(font);
-                item->setToolTip(tr("Voided by %1: %2").arg(text(attempt.voided_by), text(attempt.void_reason)));
+                item->setToolTip(
+                    tr("Voided by %1: %2").arg(text(attempt.voided_by), text(attempt.void_reason)));
             }
             table_->setItem(static_cast<int>(i), column, item);
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The attempts that the acting role may read, newest first, with filters; any of them opens in the debrief. The corrections that
-// trainees asked for stand above. Trainees see their own.
+// The attempts that the acting role may read, newest first, with filters; any of them opens in the debrief.
+// The corrections that trainees asked for stand above. Trainees see their own.
 #pragma once
 
 #include <vector>

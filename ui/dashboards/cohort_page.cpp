@@ -75,7 +75,8 @@ void CohortPage::enter() {
     const QString before = cohort_->currentData().toString();
     cohort_->clear();
     context().guarded([&] {
-        for (const database::Cohort& cohort : database::People(context().store()).cohorts(context().session())) {
+        for (const database::Cohort& cohort :
+             database::People(context().store()).cohorts(context().session())) {
             cohort_->addItem(text(cohort.name), text(cohort.id));
         }
     });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cohort table: people by tasks, each with state, attempts and best points a device class; exported as PDF, CSV and JSON.
+// The cohort table: people by tasks, each with state, attempts and best points a device class; exported as
+// PDF, CSV and JSON.
 #pragma once
 
 #include <optional>

@@ -12,7 +12,8 @@
 namespace fulcrum::ui {
 namespace {
 
-std::vector<ReportTask> titles_of(const std::vector<std::string>& ids, const std::vector<TaskDefinition>& tasks) {
+std::vector<ReportTask> titles_of(const std::vector<std::string>& ids,
+                                  const std::vector<TaskDefinition>& tasks) {
     std::vector<ReportTask> titles;
     for (const std::string& id : ids) {
         ReportTask shown{id, id, ""};
@@ -65,7 +66,8 @@ ReportFormat parse_report_format(const std::string& name) {
     if (name == "pdf") return ReportFormat::pdf;
     if (name == "csv") return ReportFormat::csv;
     if (name == "json") return ReportFormat::json;
-    throw InputError("command line", "--format", "unknown report format \"" + name + "\"", "use pdf, csv or json");
+    throw InputError("command line", "--format", "unknown report format \"" + name + "\"",
+                     "use pdf, csv or json");
 }
 
 PersonReport gather_person(const database::Store& store, const database::Session& session,
@@ -93,15 +95,16 @@ PersonReport gather_person(const database::Store& store, const database::Session
 }
 
 std::optional<CohortReport> gather_cohort(const database::Store& store, const database::Session& session,
-                                          const std::string& cohort_id, const std::vector<TaskDefinition>& tasks,
+                                          const std::string& cohort_id,
+                                          const std::vector<TaskDefinition>& tasks,
                                           const std::string& program_version, bool with_people,
                                           const Progress& progress) {
     CohortReport report;
     report.provenance = provenance_of(store, session, program_version);
     database::CohortTableOptions options;
     options.tasks = ids_of(tasks);
-    report.table = database::Reports(store).cohort_table(session, cohort_id, options,
-                                                         database::ReportPurpose::exported);
+    report.table =
+        database::Reports(store).cohort_table(session, cohort_id, options, database::ReportPurpose::exported);
     report.tasks = titles_of(report.table.tasks, tasks);
     report.provenance.as_of = report.table.as_of;
     report.provenance.audit_head = report.table.audit_head;

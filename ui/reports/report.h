@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Progress on paper and as data: one gathering of the figures (database/report_data.h) and four ways to write them, so that PDF, CSV and
-// JSON agree with the screens. Usable without a window (PDF needs a QGuiApplication for fonts). Any thread, with a Store of that thread.
+// Progress on paper and as data: one gathering of the figures (database/report_data.h) and four ways to write
+// them, so that PDF, CSV and JSON agree with the screens. Usable without a window (PDF needs a
+// QGuiApplication for fonts). Any thread, with a Store of that thread.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +18,9 @@ namespace fulcrum::ui {
 struct ReportProvenance {
     std::string programme, program_version, audit_head;
     std::vector<std::string> metric_versions, benchmark_sets, program_versions;
-    std::int64_t as_of = 0;     ///< UTC ms
+    std::int64_t as_of = 0;        ///< UTC ms
     std::string made_by, made_as;  ///< who asked for it, in which role
-    bool demo = false;          ///< watermark
+    bool demo = false;             ///< watermark
 };
 
 struct ReportTask {
@@ -31,7 +32,7 @@ struct PersonReport {
     std::string person_id, login, name;
     bool synthetic = false;
     std::vector<ReportTask> tasks;
-    std::vector<database::CohortRow> rows;          ///< by task, then device class
+    std::vector<database::CohortRow> rows;           ///< by task, then device class
     std::vector<database::PersonProgress> progress;  ///< one a task
 };
 
@@ -50,10 +51,11 @@ ReportFormat parse_report_format(const std::string& name);
 PersonReport gather_person(const database::Store& store, const database::Session& session,
                            const std::string& person_id, const std::vector<TaskDefinition>& tasks,
                            const std::string& program_version);
-/// Tells its progress; an empty optional when it was stopped. Only the PDF prints the people's pages; the others need no more than the
-/// table (`with_people` false).
+/// Tells its progress; an empty optional when it was stopped. Only the PDF prints the people's pages; the
+/// others need no more than the table (`with_people` false).
 std::optional<CohortReport> gather_cohort(const database::Store& store, const database::Session& session,
-                                          const std::string& cohort_id, const std::vector<TaskDefinition>& tasks,
+                                          const std::string& cohort_id,
+                                          const std::vector<TaskDefinition>& tasks,
                                           const std::string& program_version, bool with_people,
                                           const Progress& progress = {});
 
@@ -73,7 +75,8 @@ struct ReportRequest {
     ReportFormat format = ReportFormat::pdf;
     std::string path;
 };
-/// Gathers and writes; a CSV gets its dictionary beside it (FILE.dictionary.csv). Returns the files, none when stopped.
+/// Gathers and writes; a CSV gets its dictionary beside it (FILE.dictionary.csv). Returns the files, none
+/// when stopped.
 std::vector<std::string> write_report(const database::Store& store, const database::Session& session,
                                       const ReportRequest& request, const std::vector<TaskDefinition>& tasks,
                                       const std::string& program_version, const Progress& progress = {});

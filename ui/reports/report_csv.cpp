@@ -26,7 +26,8 @@ const std::vector<Column>& cohort_columns() {
         {"device_class", "-", "device class; classes are never pooled; empty where the task was not tried"},
         {"state", "-", "open (no counting attempt), attempted (none passed), passed"},
         {"provisional", "1", "1: every pass rests on provisional limits"},
-        {"attempts", "1", "counting attempts: assessed, scored, ended by the trainee or the clock, not voided"},
+        {"attempts", "1",
+         "counting attempts: assessed, scored, ended by the trainee or the clock, not voided"},
         {"passes", "1", "of these, passed"},
         {"not_counting", "1", "practice, interrupted or not scored attempts"},
         {"best_points", "points", "best points of a counting attempt, 0 to 100; empty: none"},
@@ -213,7 +214,8 @@ std::string person_csv(const PersonReport& report) {
         for (const database::ProgressSeries& series : progress.series) {
             for (const database::ProgressPoint& point : series.points) {
                 std::map<std::string, std::optional<double>> values;
-                for (const database::MetricRow& metric : point.metrics) values[metric_column(metric)] = metric.value;
+                for (const database::MetricRow& metric : point.metrics)
+                    values[metric_column(metric)] = metric.value;
                 Row row(csv);
                 row.words(report.person_id)
                     .words(report.login)

@@ -12,8 +12,12 @@ template <typename T>
 Json or_null(const std::optional<T>& value) {
     return value ? Json(*value) : Json(nullptr);
 }
-Json or_null(const std::string& value) { return value.empty() ? Json(nullptr) : Json(value); }
-Json time_or_null(std::int64_t time) { return time == 0 ? Json(nullptr) : Json(database::iso_utc(time)); }
+Json or_null(const std::string& value) {
+    return value.empty() ? Json(nullptr) : Json(value);
+}
+Json time_or_null(std::int64_t time) {
+    return time == 0 ? Json(nullptr) : Json(database::iso_utc(time));
+}
 
 Json provenance_json(const ReportProvenance& provenance) {
     return {{"programme", provenance.programme},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reports on A4 by QPainter: a person on one page, a cohort as a table of people and tasks with a page for each person behind it.
+// Reports on A4 by QPainter: a person on one page, a cohort as a table of people and tasks with a page for
+// each person behind it.
 #include <QCoreApplication>
 #include <QFile>
 #include <QPageSize>
@@ -17,7 +18,9 @@ namespace {
 
 constexpr int dots_per_inch = 300;
 
-QString tr(const char* source) { return QCoreApplication::translate("fulcrum::ui::report", source); }
+QString tr(const char* source) {
+    return QCoreApplication::translate("fulcrum::ui::report", source);
+}
 
 QString joined(const std::vector<std::string>& parts) {
     QStringList list;
@@ -51,7 +54,8 @@ class Sheet {
         painter_.end();
         QFile::remove(text(path_));
         if (!QFile::rename(text(part_), text(path_))) {
-            throw database::StoreError(database::StoreErrorKind::failed, path_ + ": the PDF cannot be written",
+            throw database::StoreError(database::StoreErrorKind::failed,
+                                       path_ + ": the PDF cannot be written",
                                        "choose another folder or free some space");
         }
     }
@@ -91,7 +95,8 @@ class Sheet {
     void cell(double x, double cell_width, const QString& shown, Qt::Alignment alignment = Qt::AlignLeft) {
         const QString fitted =
             QFontMetricsF(painter_.font(), &writer_).elidedText(shown, Qt::ElideRight, cell_width - mm(1.5));
-        painter_.drawText(QRectF(x, y_, cell_width - mm(1.5), line_height()), alignment | Qt::AlignVCenter, fitted);
+        painter_.drawText(QRectF(x, y_, cell_width - mm(1.5), line_height()), alignment | Qt::AlignVCenter,
+                          fitted);
     }
     void watermark(const QString& shown) {
         painter_.save();
@@ -141,12 +146,14 @@ void footer(Sheet& sheet, const ReportProvenance& provenance, const QString& n) 
     sheet.paragraph(tr("Benchmark sets: %1 · %2 · program %3")
                         .arg(joined(provenance.benchmark_sets), n, text(provenance.program_version)));
     sheet.paragraph(tr("%1 · made %2 by %3 (%4) · audit %5")
-                        .arg(text(provenance.programme), local_time(provenance.as_of), text(provenance.made_by),
-                             role_text(provenance.made_as), text(provenance.audit_head.substr(0, 16))));
+                        .arg(text(provenance.programme), local_time(provenance.as_of),
+                             text(provenance.made_by), role_text(provenance.made_as),
+                             text(provenance.audit_head.substr(0, 16))));
 }
 
 bool any_provisional(const std::vector<database::CohortRow>& rows) {
-    return std::any_of(rows.begin(), rows.end(), [](const database::CohortRow& row) { return row.provisional; });
+    return std::any_of(rows.begin(), rows.end(),
+                       [](const database::CohortRow& row) { return row.provisional; });
 }
 
 AttemptChartData chart_of(const database::PersonProgress& progress) {
@@ -157,7 +164,8 @@ AttemptChartData chart_of(const database::PersonProgress& progress) {
         AttemptSeries shown;
         shown.name = device_class_text(series.device_class);
         for (const database::ProgressPoint& point : series.points) {
-            shown.points.push_back({point.attempt_id, point.number, point.points, point.passed, point.counting, {}});
+            shown.points.push_back(
+                {point.attempt_id, point.number, point.points, point.passed, point.counting, {}});
         }
         data.series.push_back(std::move(shown));
     }
@@ -179,17 +187,19 @@ void person_page(Sheet& sheet, const PersonReport& report) {
     }
     if (any_provisional(report.rows)) {
         sheet.font(9, true, paper_palette().bad);
-        sheet.paragraph(tr("Provisional limits (synthetic operators): they allow \"passed (provisional)\", never proficiency "
-                           "or a certificate."));
+        sheet.paragraph(
+            tr("Provisional limits (synthetic operators): they allow \"passed (provisional)\", never "
+               "proficiency "
+               "or a certificate."));
     }
     sheet.skip(2);
     const double columns[] = {0, 0.30, 0.47, 0.66, 0.76, 0.84, 0.92, 1.0};
-    const QString titles[] = {tr("task"), tr("device"), tr("state"), tr("attempts"), tr("passed"), tr("other"),
-                              tr("best")};
+    const QString titles[] = {tr("task"),   tr("device"), tr("state"), tr("attempts"),
+                              tr("passed"), tr("other"),  tr("best")};
     sheet.font(8, true, paper_palette().muted);
     const auto cell = [&](int column, const QString& shown) {
-        sheet.cell(columns[column] * sheet.width(), (columns[column + 1] - columns[column]) * sheet.width(), shown,
-                   column >= 3 ? Qt::AlignRight : Qt::AlignLeft);
+        sheet.cell(columns[column] * sheet.width(), (columns[column + 1] - columns[column]) * sheet.width(),
+                   shown, column >= 3 ? Qt::AlignRight : Qt::AlignLeft);
     };
     for (int column = 0; column < 7; ++column) cell(column, titles[column]);
     sheet.skip(5);
@@ -232,7 +242,8 @@ void person_page(Sheet& sheet, const PersonReport& report) {
             sheet.cell(x, width, text(drawn[i]->task_id));
             sheet.font(7);
             const double heading = Sheet::mm(6);
-            paint_attempt_chart(sheet.painter(), QRectF(x, sheet.y() + heading, width, each - heading - Sheet::mm(3)),
+            paint_attempt_chart(sheet.painter(),
+                                QRectF(x, sheet.y() + heading, width, each - heading - Sheet::mm(3)),
                                 chart_of(*drawn[i]), paper_palette(), dots_per_inch / 120.0);
         }
     } else {
@@ -251,7 +262,10 @@ QString cohort_cell(const std::vector<database::CohortRow>& rows, const std::str
             lines << QStringLiteral("%1  %2").arg(state_text(row)).arg(row.attempts);
             continue;
         }
-        lines << tr("%1 · attempts %2 · best %3").arg(state_text(row)).arg(row.attempts).arg(figure(row.best_points));
+        lines << tr("%1 · attempts %2 · best %3")
+                     .arg(state_text(row))
+                     .arg(row.attempts)
+                     .arg(figure(row.best_points));
         lines << device_class_text(row.device_class);
     }
     return lines.join(QLatin1Char('\n'));
@@ -260,7 +274,8 @@ QString cohort_cell(const std::vector<database::CohortRow>& rows, const std::str
 void cohort_pages(Sheet& sheet, const CohortReport& report) {
     std::vector<std::pair<std::string, std::string>> people;
     for (const database::CohortRow& row : report.table.rows) {
-        if (people.empty() || people.back().first != row.person_id) people.emplace_back(row.person_id, row.name);
+        if (people.empty() || people.back().first != row.person_id)
+            people.emplace_back(row.person_id, row.name);
     }
     const double name_width = sheet.width() * 0.22;
     const double task_width =
@@ -282,8 +297,9 @@ void cohort_pages(Sheet& sheet, const CohortReport& report) {
         sheet.paragraph(line);
         if (any_provisional(report.table.rows)) {
             sheet.font(9, true, paper_palette().bad);
-            sheet.paragraph(tr("Provisional limits (synthetic operators): they allow \"passed (provisional)\", never "
-                               "proficiency or a certificate."));
+            sheet.paragraph(
+                tr("Provisional limits (synthetic operators): they allow \"passed (provisional)\", never "
+                   "proficiency or a certificate."));
         }
         sheet.skip(2);
         sheet.font(8.5, true, paper_palette().muted);

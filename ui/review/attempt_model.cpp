@@ -9,7 +9,9 @@
 namespace fulcrum::ui {
 namespace {
 
-QString tr(const char* source) { return QCoreApplication::translate("fulcrum::ui::debrief", source); }
+QString tr(const char* source) {
+    return QCoreApplication::translate("fulcrum::ui::debrief", source);
+}
 
 QString hand_words(const Event& event) {
     if (event.hand == 0) return tr("left hand");
@@ -19,7 +21,9 @@ QString hand_words(const Event& event) {
 
 }  // namespace
 
-bool is_critical(EventKind kind) { return kind == EventKind::perforation; }
+bool is_critical(EventKind kind) {
+    return kind == EventKind::perforation;
+}
 
 bool is_penalty(EventKind kind) {
     switch (kind) {
@@ -42,15 +46,33 @@ bool is_penalty(EventKind kind) {
 QString event_words(const Event& event, const std::vector<std::string>& tissues) {
     QString words;
     switch (event.kind) {
-        case EventKind::attempt_begin: words = tr("Attempt begins"); break;
-        case EventKind::first_movement: words = tr("First movement"); break;
-        case EventKind::phase_begin: words = tr("Step %1 begins").arg(event.detail + 1); break;
-        case EventKind::target_reached: words = tr("Target %1 held").arg(event.detail + 1); break;
-        case EventKind::grasp: words = tr("Grasp"); break;
-        case EventKind::release: words = tr("Release"); break;
-        case EventKind::slip: words = tr("Tissue slipped from the jaws"); break;
-        case EventKind::drop: words = tr("Dropped"); break;
-        case EventKind::regrasp: words = tr("Same place grasped again"); break;
+        case EventKind::attempt_begin:
+            words = tr("Attempt begins");
+            break;
+        case EventKind::first_movement:
+            words = tr("First movement");
+            break;
+        case EventKind::phase_begin:
+            words = tr("Step %1 begins").arg(event.detail + 1);
+            break;
+        case EventKind::target_reached:
+            words = tr("Target %1 held").arg(event.detail + 1);
+            break;
+        case EventKind::grasp:
+            words = tr("Grasp");
+            break;
+        case EventKind::release:
+            words = tr("Release");
+            break;
+        case EventKind::slip:
+            words = tr("Tissue slipped from the jaws");
+            break;
+        case EventKind::drop:
+            words = tr("Dropped");
+            break;
+        case EventKind::regrasp:
+            words = tr("Same place grasped again");
+            break;
         case EventKind::over_force_begin: {
             words = tr("Too much force: %1 N").arg(figure(static_cast<double>(event.value)));
             if (event.detail > 0) words += tr(" (limit %1 N)").arg(figure(event.detail * 1e-3));
@@ -59,19 +81,45 @@ QString event_words(const Event& event, const std::vector<std::string>& tissues)
         case EventKind::perforation:
             words = tr("Perforation at %1 N").arg(figure(static_cast<double>(event.value)));
             break;
-        case EventKind::tool_collision: words = tr("Instruments touch"); break;
-        case EventKind::pause: words = tr("Pause"); break;
-        case EventKind::resume: words = tr("Goes on"); break;
-        case EventKind::device_lost: words = tr("Device lost"); break;
-        case EventKind::device_back: words = tr("Device back"); break;
-        case EventKind::device_fault: words = tr("Device gave an impossible reading"); break;
-        case EventKind::simulator_fault: words = tr("Simulator fault"); break;
-        case EventKind::completed: words = tr("Completed"); break;
-        case EventKind::abandoned: words = tr("Abandoned"); break;
-        case EventKind::timed_out: words = tr("Time limit reached"); break;
-        case EventKind::interrupted: words = tr("Interrupted"); break;
-        case EventKind::samples_lost: words = tr("%1 samples lost").arg(event.detail); break;
-        case EventKind::tear: words = tr("Tear"); break;
+        case EventKind::tool_collision:
+            words = tr("Instruments touch");
+            break;
+        case EventKind::pause:
+            words = tr("Pause");
+            break;
+        case EventKind::resume:
+            words = tr("Goes on");
+            break;
+        case EventKind::device_lost:
+            words = tr("Device lost");
+            break;
+        case EventKind::device_back:
+            words = tr("Device back");
+            break;
+        case EventKind::device_fault:
+            words = tr("Device gave an impossible reading");
+            break;
+        case EventKind::simulator_fault:
+            words = tr("Simulator fault");
+            break;
+        case EventKind::completed:
+            words = tr("Completed");
+            break;
+        case EventKind::abandoned:
+            words = tr("Abandoned");
+            break;
+        case EventKind::timed_out:
+            words = tr("Time limit reached");
+            break;
+        case EventKind::interrupted:
+            words = tr("Interrupted");
+            break;
+        case EventKind::samples_lost:
+            words = tr("%1 samples lost").arg(event.detail);
+            break;
+        case EventKind::tear:
+            words = tr("Tear");
+            break;
         case EventKind::jaw_pressure:
             words = tr("Jaw pressure %1 kPa").arg(figure(static_cast<double>(event.value)));
             break;
@@ -151,8 +199,8 @@ std::optional<AttemptModel> load_attempt(const database::Store& store, const dat
     if (progress && !progress(0.7, {})) return std::nullopt;
     prepare_samples(trace->samples, scene ? scene->tick_period() : 1e-3, model);
     for (const Event& event : trace->events) {
-        EventLine line{event.tick * model.tick, event, event_words(event, model.tissues), is_penalty(event.kind),
-                       is_critical(event.kind)};
+        EventLine line{event.tick * model.tick, event, event_words(event, model.tissues),
+                       is_penalty(event.kind), is_critical(event.kind)};
         if (!line.words.isEmpty()) model.events.push_back(std::move(line));
     }
     model.trace = std::move(trace);

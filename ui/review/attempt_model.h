@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything the debrief shows of one attempt, read and prepared off the UI thread from the stored record: nothing is simulated again
-// and no figure is computed here that the score does not hold.
+// Everything the debrief shows of one attempt, read and prepared off the UI thread from the stored record:
+// nothing is simulated again and no figure is computed here that the score does not hold.
 #pragma once
 
 #include <QString>
@@ -19,8 +19,8 @@
 namespace fulcrum::ui {
 
 struct PathPoint {
-    double time = 0;                    ///< s
-    Vector3 position = Vector3::Zero(); ///< m, patient frame
+    double time = 0;                     ///< s
+    Vector3 position = Vector3::Zero();  ///< m, patient frame
 };
 
 /// A line of the event list.
@@ -28,7 +28,7 @@ struct EventLine {
     double time = 0;
     Event event;
     QString words;
-    bool severe = false;    ///< a penalty: over-force, perforation, tear, drop, slip
+    bool severe = false;  ///< a penalty: over-force, perforation, tear, drop, slip
     bool critical = false;
 };
 
@@ -36,13 +36,13 @@ struct AttemptModel {
     database::AttemptSummary summary;
     std::optional<database::ScoreRow> score;
     std::shared_ptr<const database::Trace> trace;
-    double duration = 0;                ///< s, of the record
+    double duration = 0;                                                 ///< s, of the record
     std::array<std::shared_ptr<const MinMaxPyramid>, hand_count> force;  ///< N over s
-    std::array<std::vector<PathPoint>, hand_count> path;                  ///< at most 4,000 points each
-    std::vector<EventLine> events;      ///< those worth a line, by time
-    std::vector<std::pair<std::string, double>> force_limits;             ///< tissue label, N
+    std::array<std::vector<PathPoint>, hand_count> path;                 ///< at most 4,000 points each
+    std::vector<EventLine> events;                                       ///< those worth a line, by time
+    std::vector<std::pair<std::string, double>> force_limits;            ///< tissue label, N
     std::vector<std::string> tissues;
-    double tick = 1e-3;                 ///< s
+    double tick = 1e-3;  ///< s
 };
 
 /// Reads and prepares; worker thread. Empty when stopped. Throws AccessDenied, StoreError.
@@ -52,7 +52,8 @@ std::optional<AttemptModel> load_attempt(const database::Store& store, const dat
 
 /// The record's samples as forces and paths; pure.
 void prepare_samples(const std::vector<TickSample>& samples, double tick, AttemptModel& model);
-/// Keeps points at least `spacing` m from the one kept before, then doubles the spacing until at most `limit` are left.
+/// Keeps points at least `spacing` m from the one kept before, then doubles the spacing until at most `limit`
+/// are left.
 std::vector<PathPoint> thin_path(std::vector<PathPoint> points, double spacing, std::size_t limit);
 /// In words; "" for events that are no line of the list (shown targets, progress).
 QString event_words(const Event& event, const std::vector<std::string>& tissues);

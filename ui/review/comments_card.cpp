@@ -58,11 +58,9 @@ void CommentsCard::set_moment(double time) {
 void CommentsCard::fill() {
     clear_layout(list_);
     std::vector<database::Comment> comments;
-    context_.guarded([&] {
-        comments = database::Reviews(context_.store()).comments(context_.session(), attempt_id_);
-    });
-    title_->setText(comments.empty() ? tr("Comments")
-                                     : tr("Comments (%1)").arg(comments.size()));
+    context_.guarded(
+        [&] { comments = database::Reviews(context_.store()).comments(context_.session(), attempt_id_); });
+    title_->setText(comments.empty() ? tr("Comments") : tr("Comments (%1)").arg(comments.size()));
     if (comments.empty() && composer_->isHidden()) list_->addWidget(make_label(tr("None yet."), "muted"));
     const bool own = context_.session().person_id() == person_id_;
     for (const database::Comment& comment : comments) {
@@ -86,7 +84,8 @@ void CommentsCard::fill() {
                 fill();
             });
             connect(remove, &QPushButton::clicked, this, [this, id = comment.id] {
-                context_.guarded([&] { database::Reviews(context_.store()).delete_draft(context_.session(), id); });
+                context_.guarded(
+                    [&] { database::Reviews(context_.store()).delete_draft(context_.session(), id); });
                 fill();
             });
             row->addWidget(send);

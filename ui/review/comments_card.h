@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The comments on an attempt: each at a moment; educators write (drafts stay theirs until sent), the trainee reads.
+// The comments on an attempt: each at a moment; educators write (drafts stay theirs until sent), the trainee
+// reads.
 #pragma once
 
 #include <QFrame>

@@ -38,11 +38,13 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
 
     QFrame* gates_card = make_card(8);
     card_layout(gates_card)->addWidget(make_label(tr("Gates"), "heading"));
-    gates_ = make_table({tr("Gate"), tr("Hand"), tr("Value"), tr("Benchmark"), tr("z"), tr("Result"), tr("Where the limit comes from")},
+    gates_ = make_table({tr("Gate"), tr("Hand"), tr("Value"), tr("Benchmark"), tr("z"), tr("Result"),
+                         tr("Where the limit comes from")},
                         "gates_table");
     card_layout(gates_card)->addWidget(gates_);
-    card_layout(gates_card)->addWidget(
-        make_label(tr("Every gate counts. Choose a row to see the moment that decided it."), "muted"));
+    card_layout(gates_card)
+        ->addWidget(
+            make_label(tr("Every gate counts. Choose a row to see the moment that decided it."), "muted"));
     content->addWidget(gates_card);
 
     auto* middle = new QHBoxLayout;
@@ -72,8 +74,9 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
     force_->setObjectName(QStringLiteral("force_chart"));
     force_->setMinimumHeight(290);
     card_layout(force_card)->addWidget(force_);
-    card_layout(force_card)->addWidget(
-        make_label(tr("Wheel zooms, drag moves, a click jumps there, double click shows all."), "muted"));
+    card_layout(force_card)
+        ->addWidget(
+            make_label(tr("Wheel zooms, drag moves, a click jumps there, double click shows all."), "muted"));
     charts->addWidget(force_card, 3);
     QFrame* path_card = make_card(4);
     card_layout(path_card)->addWidget(make_label(tr("Path of both tips"), "heading"));
@@ -86,8 +89,9 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
     content->addWidget(comments_);
     all_metrics_ = make_button(tr("All figures"), "all_metrics");
     content->addWidget(all_metrics_, 0, Qt::AlignLeft);
-    metrics_ = make_table({tr("Figure"), tr("Hand"), tr("Tissue"), tr("Value"), tr("Better"), tr("Why absent")},
-                          "metrics_table");
+    metrics_ =
+        make_table({tr("Figure"), tr("Hand"), tr("Tissue"), tr("Value"), tr("Better"), tr("Why absent")},
+                   "metrics_table");
     metrics_->setMinimumHeight(320);
     metrics_->hide();
     content->addWidget(metrics_);
@@ -136,6 +140,7 @@ QWidget* DebriefPage::build_head() {
     row->addWidget(verdict_);
     layout->addLayout(row);
     about_ = make_label({}, "muted");
+    about_->setObjectName(QStringLiteral("debrief_about"));
     layout->addWidget(about_);
     notes_ = make_label({});
     notes_->setObjectName(QStringLiteral("debrief_notes"));
@@ -148,7 +153,8 @@ QWidget* DebriefPage::build_head() {
         number_[i] = make_label({}, "number");
         number_[i]->setObjectName(QStringLiteral("headline_%1").arg(i));
         number_why_[i] = make_label({}, "muted");
-        for (QLabel* label : {number_title_[i], number_[i], number_why_[i]}) card_layout(card)->addWidget(label);
+        for (QLabel* label : {number_title_[i], number_[i], number_why_[i]})
+            card_layout(card)->addWidget(label);
         card_layout(card)->addStretch();
         numbers->addWidget(card, 1);
     }
@@ -187,7 +193,8 @@ void DebriefPage::open(const std::string& attempt_id, double time_s) {
     std::optional<Scene> scene;
     std::string task_id;
     if (!context().guarded([&] {
-            task_id = database::Attempts(context().store()).read(context().session(), attempt_id).meta.task_id;
+            task_id =
+                database::Attempts(context().store()).read(context().session(), attempt_id).meta.task_id;
         })) {
         return;
     }
@@ -225,7 +232,9 @@ void DebriefPage::leave() {
     content_->hide();
 }
 
-double DebriefPage::moment() const { return replay_->time(); }
+double DebriefPage::moment() const {
+    return replay_->time();
+}
 
 void DebriefPage::show_model() {
     content_->show();
@@ -261,8 +270,9 @@ void DebriefPage::fill_head() {
     const std::optional<bool> passed = model_->score ? model_->score->passed : attempt.passed;
     QString verdict_words = verdict(passed, attempt.provisional);
     if (voided) verdict_words = tr("voided");
-    verdict_->setText((!voided && passed ? (*passed ? QStringLiteral("✓ ") : QStringLiteral("✕ ")) : QString()) +
-                      verdict_words);
+    verdict_->setText(
+        (!voided && passed ? (*passed ? QStringLiteral("✓ ") : QStringLiteral("✕ ")) : QString()) +
+        verdict_words);
     QColor colour = colours().neutral;
     if (!voided && passed) colour = *passed ? colours().good : colours().bad;
     verdict_->setStyleSheet(QStringLiteral("color: %1").arg(colour.name()));
@@ -288,8 +298,9 @@ void DebriefPage::fill_head() {
         notes << tr("Not scored: %1").arg(why.empty() ? tr("the attempt has no score") : text(why));
     }
     if (attempt.provisional) {
-        notes << tr("The limits are provisional (synthetic operators): they allow \"passed (provisional)\", never "
-                    "proficiency.");
+        notes << tr(
+            "The limits are provisional (synthetic operators): they allow \"passed (provisional)\", never "
+            "proficiency.");
     }
     if (attempt.meta.device_class == "mouse-keyboard" || attempt.meta.device_class == "controller") {
         notes << tr("Force was not felt: the device cannot render it; it was shown as bars.");
@@ -321,26 +332,35 @@ void DebriefPage::fill_gates() {
         if (!gate.tissue.empty()) name += QStringLiteral(", ") + text(gate.tissue);
         auto* first = make_cell(name);
         if (metric != nullptr) first->setToolTip(text(metric->explanation));
-        const database::MetricRow* values = find_metric_row(*model_->score, gate.metric, gate.hand, gate.tissue);
+        const database::MetricRow* values =
+            find_metric_row(*model_->score, gate.metric, gate.hand, gate.tissue);
         if (values != nullptr && !values->evidence.empty()) {
             first->setData(Qt::UserRole, values->evidence.front().first);
         }
         const bool higher = metric != nullptr && metric->direction == Direction::higher;
-        QString limit = (higher ? QStringLiteral("≥ ") : QStringLiteral("≤ ")) + figure_with_unit(gate.limit, gate.unit);
+        QString limit =
+            (higher ? QStringLiteral("≥ ") : QStringLiteral("≤ ")) + figure_with_unit(gate.limit, gate.unit);
         if (gate.provisional) limit += tr(" (provisional)");
         QString result = tr("– not judged");
         if (gate.passed) result = *gate.passed ? tr("✓ met") : tr("✕ not met");
         auto* verdict_cell = make_cell(result);
-        verdict_cell->setForeground(!gate.passed ? colours().muted : *gate.passed ? colours().good : colours().bad);
+        verdict_cell->setForeground(!gate.passed   ? colours().muted
+                                    : *gate.passed ? colours().good
+                                                   : colours().bad);
         verdict_cell->setToolTip(text(gate.not_passed_because));
         const Qt::Alignment right = Qt::AlignRight | Qt::AlignVCenter;
         gates_->setItem(row, 0, first);
-        gates_->setItem(row, 1, make_cell(gate.hand == "left" ? tr("left") : gate.hand == "right" ? tr("right") : QString()));
+        gates_->setItem(row, 1,
+                        make_cell(gate.hand == "left"    ? tr("left")
+                                  : gate.hand == "right" ? tr("right")
+                                                         : QString()));
         gates_->setItem(row, 2, make_cell(figure_with_unit(gate.value, gate.unit), right));
         gates_->setItem(row, 3, make_cell(limit, right));
-        gates_->setItem(row, 4, make_cell(gate.z ? QString::number(*gate.z, 'f', 2) : QStringLiteral("–"), right));
+        gates_->setItem(row, 4,
+                        make_cell(gate.z ? QString::number(*gate.z, 'f', 2) : QStringLiteral("–"), right));
         gates_->setItem(row, 5, verdict_cell);
-        gates_->setItem(row, 6, make_cell(gate.value ? text(gate.limit_source) : text(gate.not_passed_because)));
+        gates_->setItem(row, 6,
+                        make_cell(gate.value ? text(gate.limit_source) : text(gate.not_passed_because)));
     }
     fit_columns(gates_);
     gates_->setFixedHeight(gates_->horizontalHeader()->sizeHint().height() + 34 * gates_->rowCount() + 12);
@@ -351,9 +371,12 @@ void DebriefPage::fill_events() {
     if (!model_) return;
     for (const EventLine& line : model_->events) {
         if (penalties_only_->isChecked() && !line.severe) continue;
-        QString words = QStringLiteral("%1   %2%3").arg(
-            clock_text(line.time), line.critical ? QStringLiteral("✕ ") : line.severe ? QStringLiteral("▲ ") : QString(),
-            line.words);
+        QString words = QStringLiteral("%1   %2%3")
+                            .arg(clock_text(line.time),
+                                 line.critical ? QStringLiteral("✕ ")
+                                 : line.severe ? QStringLiteral("▲ ")
+                                               : QString(),
+                                 line.words);
         auto* item = new QListWidgetItem(words, events_);
         item->setData(Qt::UserRole, line.time);
         if (line.severe) item->setForeground(colours().bad);
@@ -377,12 +400,17 @@ void DebriefPage::fill_metrics() {
                           text(value.id) + QStringLiteral(", version %1").arg(value.version));
         if (!value.evidence.empty()) first->setData(Qt::UserRole, value.evidence.front().first);
         metrics_->setItem(row, 0, first);
-        metrics_->setItem(row, 1, make_cell(value.hand == "left" ? tr("left") : value.hand == "right" ? tr("right") : QString()));
+        metrics_->setItem(row, 1,
+                          make_cell(value.hand == "left"    ? tr("left")
+                                    : value.hand == "right" ? tr("right")
+                                                            : QString()));
         metrics_->setItem(row, 2, make_cell(text(value.tissue)));
-        metrics_->setItem(row, 3, make_cell(figure_with_unit(value.value, value.unit), Qt::AlignRight | Qt::AlignVCenter));
-        metrics_->setItem(row, 4, make_cell(value.direction == "lower"    ? tr("↓ lower")
-                                            : value.direction == "higher" ? tr("↑ higher")
-                                                                          : tr("context")));
+        metrics_->setItem(
+            row, 3, make_cell(figure_with_unit(value.value, value.unit), Qt::AlignRight | Qt::AlignVCenter));
+        metrics_->setItem(row, 4,
+                          make_cell(value.direction == "lower"    ? tr("↓ lower")
+                                    : value.direction == "higher" ? tr("↑ higher")
+                                                                  : tr("context")));
         metrics_->setItem(row, 5, make_cell(text(value.absent_because)));
     }
     fit_columns(metrics_);
@@ -398,7 +426,9 @@ void DebriefPage::fill_charts() {
     std::vector<ChartMark> marks;
     for (const EventLine& line : model_->events) {
         marks.push_back({line.time, line.words,
-                         line.critical ? colours().bad : line.severe ? colours().warning : colours().neutral,
+                         line.critical ? colours().bad
+                         : line.severe ? colours().warning
+                                       : colours().neutral,
                          line.severe});
     }
     force_->set_marks(std::move(marks));
@@ -420,7 +450,8 @@ void DebriefPage::fill_actions() {
     reason_->clear();
     reason_->setPlaceholderText(can_void ? tr("reason, kept in the audit log") : tr("what is wrong with it"));
     action_hint_->setText(
-        can_void ? tr("Voiding takes the attempt out of progress, cohorts and benchmarks; it stays visible, struck "
+        can_void ? tr("Voiding takes the attempt out of progress, cohorts and benchmarks; it stays visible, "
+                      "struck "
                       "through, with your reason.")
                  : tr("Wrong person, or a mistaken attempt? An educator can void or reassign it."));
 }

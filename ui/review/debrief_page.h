@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// After an attempt, for the trainee, the educator and the director alike: four numbers, the verdict and one sentence first; then gates,
-// replay, what happened, force, path, comments; every penalty leads to its moment.
+// After an attempt, for the trainee, the educator and the director alike: four numbers, the verdict and one
+// sentence first; then gates, replay, what happened, force, path, comments; every penalty leads to its
+// moment.
 #pragma once
 
 #include <memory>

@@ -56,7 +56,8 @@ Vector3 PathView::position_at(std::size_t hand, double time) const {
 }
 
 QPointF PathView::project(const Vector3& point, double* depth) const {
-    // Seen from the patient's left and front at yaw and pitch 0: x to the right, z (anterior) up, y into the screen.
+    // Seen from the patient's left and front at yaw and pitch 0: x to the right, z (anterior) up, y into the
+    // screen.
     const Vector3 p = point - centre_;
     const double x = std::cos(yaw_) * p.x() - std::sin(yaw_) * p.y();
     const double y = std::sin(yaw_) * p.x() + std::cos(yaw_) * p.y();
@@ -79,7 +80,8 @@ void PathView::paintEvent(QPaintEvent*) {
         constexpr int shades = 6;
         std::array<QVector<QLineF>, shades> lines;
         for (std::size_t i = 1; i < path.size(); ++i) {
-            if (path[i].time - path[i - 1].time > 1.0 && (path[i].position - path[i - 1].position).norm() > 0.02) {
+            if (path[i].time - path[i - 1].time > 1.0 &&
+                (path[i].position - path[i - 1].position).norm() > 0.02) {
                 continue;
             }
             double depth = 0;
@@ -181,13 +183,27 @@ void PathView::wheelEvent(QWheelEvent* event) {
 
 void PathView::keyPressEvent(QKeyEvent* event) {
     switch (event->key()) {
-        case Qt::Key_Left: yaw_ -= 0.1; break;
-        case Qt::Key_Right: yaw_ += 0.1; break;
-        case Qt::Key_Up: pitch_ = std::min(pitch_ + 0.1, 1.55); break;
-        case Qt::Key_Down: pitch_ = std::max(pitch_ - 0.1, -1.55); break;
-        case Qt::Key_Plus: zoom_ = std::min(zoom_ * 1.2, 20.0); break;
-        case Qt::Key_Minus: zoom_ = std::max(zoom_ / 1.2, 0.4); break;
-        default: QWidget::keyPressEvent(event); return;
+        case Qt::Key_Left:
+            yaw_ -= 0.1;
+            break;
+        case Qt::Key_Right:
+            yaw_ += 0.1;
+            break;
+        case Qt::Key_Up:
+            pitch_ = std::min(pitch_ + 0.1, 1.55);
+            break;
+        case Qt::Key_Down:
+            pitch_ = std::max(pitch_ - 0.1, -1.55);
+            break;
+        case Qt::Key_Plus:
+            zoom_ = std::min(zoom_ * 1.2, 20.0);
+            break;
+        case Qt::Key_Minus:
+            zoom_ = std::max(zoom_ / 1.2, 0.4);
+            break;
+        default:
+            QWidget::keyPressEvent(event);
+            return;
     }
     update();
 }
@@ -196,7 +212,8 @@ bool PathView::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
         if (const Mark* mark = mark_near(help->pos())) {
-            QToolTip::showText(help->globalPos(), tr("%1 s: %2").arg(mark->time, 0, 'f', 2).arg(mark->words), this);
+            QToolTip::showText(help->globalPos(), tr("%1 s: %2").arg(mark->time, 0, 'f', 2).arg(mark->words),
+                               this);
         } else {
             QToolTip::hideText();
         }

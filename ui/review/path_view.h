@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The paths of both tips in space, turned with the mouse or the arrow keys, with the penalties where they happened. A click on one of
-// them chooses its time.
+// The paths of both tips in space, turned with the mouse or the arrow keys, with the penalties where they
+// happened. A click on one of them chooses its time.
 #pragma once
 
 #include <QWidget>

@@ -115,7 +115,8 @@ void ReplayPanel::step(int steps) {
 void ReplayPanel::show_time() {
     const QSignalBlocker quiet(slider_);
     slider_->setValue(static_cast<int>(std::lround(time_ * 100)));
-    clock_->setText(QStringLiteral("%1 / %2").arg(clock_text(time_), clock_text(model_ ? model_->duration : 0)));
+    clock_->setText(
+        QStringLiteral("%1 / %2").arg(clock_text(time_), clock_text(model_ ? model_->duration : 0)));
 }
 
 void ReplayPanel::tick() {
@@ -132,9 +133,10 @@ void ReplayPanel::tick() {
     fill_hud();
     view_->show_world(source_->snapshot());
     if (source_->differs_from_s()) {
-        state_->setText(tr("tissue differs from the record from %1 s on (another build); poses and forces are the "
-                           "recorded ones")
-                            .arg(*source_->differs_from_s(), 0, 'f', 1));
+        state_->setText(
+            tr("tissue differs from the record from %1 s on (another build); poses and forces are the "
+               "recorded ones")
+                .arg(*source_->differs_from_s(), 0, 'f', 1));
     } else if (source_->ready() < 1) {
         state_->setText(tr("preparing %1 %").arg(static_cast<int>(source_->ready() * 100)));
     } else {
@@ -148,8 +150,9 @@ void ReplayPanel::fill_hud() {
     hud.place = playing_ ? tr("replay ×%1").arg(factor_) : tr("replay");
     const std::vector<TickSample>& samples = model_->trace->samples;
     const auto tick = static_cast<std::uint32_t>(time_ / model_->tick);
-    const auto found = std::lower_bound(samples.begin(), samples.end(), tick,
-                                        [](const TickSample& sample, std::uint32_t t) { return sample.tick < t; });
+    const auto found =
+        std::lower_bound(samples.begin(), samples.end(), tick,
+                         [](const TickSample& sample, std::uint32_t t) { return sample.tick < t; });
     if (found != samples.end()) {
         for (std::size_t h = 0; h < hand_count; ++h) {
             const HandSample& hand = found->hand[h];

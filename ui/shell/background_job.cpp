@@ -26,7 +26,9 @@ class Work : public QRunnable {
 BackgroundJob::BackgroundJob(QObject* parent)
     : QObject(parent), stop_(std::make_shared<std::atomic<bool>>(false)) {}
 
-BackgroundJob::~BackgroundJob() { stop_->store(true); }
+BackgroundJob::~BackgroundJob() {
+    stop_->store(true);
+}
 
 BackgroundJob* BackgroundJob::run(QObject* parent, std::function<void(const Progress&)> work,
                                   std::function<void()> done, std::function<void(const QString&)> failed) {
@@ -79,7 +81,9 @@ void BackgroundJob::cancel() {
     deleteLater();
 }
 
-bool BackgroundJob::cancelled() const { return stop_->load(); }
+bool BackgroundJob::cancelled() const {
+    return stop_->load();
+}
 
 JobBar::JobBar(QWidget* parent) : QWidget(parent), line_(make_label({})), bar_(new QProgressBar) {
     button_ = make_button(tr("Cancel"), "cancel_job");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Long work off the UI thread, with progress and a way to stop it. The job belongs to its parent: when that is deleted the work is asked
-// to stop and its answer is dropped.
+// Long work off the UI thread, with progress and a way to stop it. The job belongs to its parent: when that
+// is deleted the work is asked to stop and its answer is dropped.
 #pragma once
 
 #include <QObject>
@@ -21,8 +21,9 @@ namespace fulcrum::ui {
 class BackgroundJob : public QObject {
     Q_OBJECT
   public:
-    /// `work` runs on a worker thread with a Progress to call; it must own what it touches (open its own Store). `done` runs on the UI
-    /// thread after it returned, `failed` if it threw. Neither is called after cancel().
+    /// `work` runs on a worker thread with a Progress to call; it must own what it touches (open its own
+    /// Store). `done` runs on the UI thread after it returned, `failed` if it threw. Neither is called after
+    /// cancel().
     static BackgroundJob* run(QObject* parent, std::function<void(const Progress&)> work,
                               std::function<void()> done, std::function<void(const QString&)> failed);
     ~BackgroundJob() override;

@@ -19,7 +19,8 @@ void Context::sign_out() {
 }
 
 bool Context::allowed(database::Operation operation, const database::Subject& subject) {
-    return session_.has_value() && services_.store() != nullptr && store().allowed(*session_, operation, subject);
+    return session_.has_value() && services_.store() != nullptr &&
+           store().allowed(*session_, operation, subject);
 }
 
 const TaskDefinition* Context::task(const std::string& id) {

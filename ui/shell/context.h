@@ -58,7 +58,8 @@ class Context : public QObject {
     std::optional<database::Session> session_;
 };
 
-/// A page of the window's stack. enter() is called each time it is shown; leave() before another takes its place.
+/// A page of the window's stack. enter() is called each time it is shown; leave() before another takes its
+/// place.
 class Page : public QWidget {
     Q_OBJECT
   public:

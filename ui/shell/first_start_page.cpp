@@ -31,8 +31,9 @@ QWidget* FirstStartPage::build_choice() {
     layout->setSpacing(18);
     layout->addSpacing(40);
     layout->addWidget(make_label(QStringLiteral("Fulcrum"), "title"));
-    layout->addWidget(make_label(tr("A simulator for laparoscopic rectal surgery, and the programme around it: "
-                                    "tasks you can feel, scores that say why, reviews and reports.")));
+    layout->addWidget(
+        make_label(tr("A simulator for laparoscopic rectal surgery, and the programme around it: "
+                      "tasks you can feel, scores that say why, reviews and reports.")));
     trouble_ = make_label({}, "bad");
     trouble_->hide();
     layout->addWidget(trouble_);
@@ -44,10 +45,10 @@ QWidget* FirstStartPage::build_choice() {
     row->setSpacing(18);
     QFrame* create = make_card(12);
     card_layout(create)->addWidget(make_label(tr("Create programme"), "heading"));
-    card_layout(create)->addWidget(
-        make_label(tr("For a department or a training centre. You become its first administrator; people, roles "
-                      "and cohorts come next."),
-                   "muted"));
+    card_layout(create)->addWidget(make_label(
+        tr("For a department or a training centre. You become its first administrator; people, roles "
+           "and cohorts come next."),
+        "muted"));
     card_layout(create)->addStretch();
     start_create_ = make_button(tr("Create programme"), "create_programme", "primary");
     connect(start_create_, &QPushButton::clicked, this, [this] {
@@ -58,10 +59,10 @@ QWidget* FirstStartPage::build_choice() {
     row->addWidget(create);
     QFrame* look = make_card(12);
     card_layout(look)->addWidget(make_label(tr("Look around"), "heading"));
-    card_layout(look)->addWidget(
-        make_label(tr("A demonstration programme with a synthetic cohort, really simulated. Nothing in it is a "
-                      "person; you can practise, and every screen has something to show."),
-                   "muted"));
+    card_layout(look)->addWidget(make_label(
+        tr("A demonstration programme with a synthetic cohort, really simulated. Nothing in it is a "
+           "person; you can practise, and every screen has something to show."),
+        "muted"));
     card_layout(look)->addStretch();
     QPushButton* look_button = make_button(tr("Look around"), "look_around");
     connect(look_button, &QPushButton::clicked, this, &FirstStartPage::look_around);
@@ -128,9 +129,9 @@ QWidget* FirstStartPage::build_recovery() {
     layout->addSpacing(30);
     layout->addWidget(make_label(tr("Your recovery code"), "title"));
     QFrame* card = make_card(12);
-    card_layout(card)->addWidget(
-        make_label(tr("It is shown this once and kept only as a hash. Write it down and lock it away: with it the "
-                      "last administrator can set a new password; without it nobody can.")));
+    card_layout(card)->addWidget(make_label(
+        tr("It is shown this once and kept only as a hash. Write it down and lock it away: with it the "
+           "last administrator can set a new password; without it nobody can.")));
     code_ = make_label({}, "number");
     code_->setObjectName(QStringLiteral("recovery_code"));
     code_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
@@ -139,7 +140,8 @@ QWidget* FirstStartPage::build_recovery() {
     code_->setFont(mono);
     card_layout(card)->addWidget(code_);
     QPushButton* copy = make_button(tr("Copy"), "copy_code");
-    connect(copy, &QPushButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(code_->text()); });
+    connect(copy, &QPushButton::clicked, this,
+            [this] { QGuiApplication::clipboard()->setText(code_->text()); });
     card_layout(card)->addWidget(copy, 0, Qt::AlignLeft);
     auto* noted = new QCheckBox(tr("I have written it down"));
     noted->setObjectName(QStringLiteral("code_noted"));
@@ -177,7 +179,8 @@ void FirstStartPage::create() {
         return;
     }
     if (password_->text().size() < database::password_minimum_length) {
-        problem_->setText(tr("The password needs at least %1 characters.").arg(database::password_minimum_length));
+        problem_->setText(
+            tr("The password needs at least %1 characters.").arg(database::password_minimum_length));
         password_->setFocus();
         return;
     }
@@ -191,8 +194,9 @@ void FirstStartPage::create() {
     }
     auto created = std::make_shared<std::optional<database::CreatedProgramme>>();
     create_->setEnabled(false);
-    const std::string programme = plain(programme_->text().trimmed()), login = plain(login_->text().trimmed()),
-                      name = plain(name_->text().trimmed()), password = plain(password_->text());
+    const std::string programme = plain(programme_->text().trimmed()),
+                      login = plain(login_->text().trimmed()), name = plain(name_->text().trimmed()),
+                      password = plain(password_->text());
     BackgroundJob* job = BackgroundJob::run(
         this,
         [=](const Progress&) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The first screen where no programme exists: make one, or look around in the demo. Also shows what went wrong with a store and the way on.
+// The first screen where no programme exists: make one, or look around in the demo. Also shows what went
+// wrong with a store and the way on.
 #pragma once
 
 #include "ui/shell/context.h"
@@ -38,7 +39,8 @@ class FirstStartPage : public Page {
     QStackedWidget* steps_;
     QLabel *trouble_ = nullptr, *problem_ = nullptr, *code_ = nullptr;
     QPushButton *again_ = nullptr, *create_ = nullptr, *continue_ = nullptr, *start_create_ = nullptr;
-    QLineEdit *programme_ = nullptr, *name_ = nullptr, *login_ = nullptr, *password_ = nullptr, *repeat_ = nullptr;
+    QLineEdit *programme_ = nullptr, *name_ = nullptr, *login_ = nullptr, *password_ = nullptr,
+              *repeat_ = nullptr;
     JobBar *job_ = nullptr, *create_job_ = nullptr;
 };
 

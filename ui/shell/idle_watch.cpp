@@ -25,7 +25,9 @@ void IdleWatch::set_active(bool active) {
     }
 }
 
-void IdleWatch::note_input() { since_input_.restart(); }
+void IdleWatch::note_input() {
+    since_input_.restart();
+}
 
 void IdleWatch::unlocked() {
     locked_ = closed_ = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Locks the window after a time without input, and says when it has been locked for as long again. Any key, button, wheel or pointer
-// movement of the application counts, and whatever a device reports through note_input().
+// Locks the window after a time without input, and says when it has been locked for as long again. Any key,
+// button, wheel or pointer movement of the application counts, and whatever a device reports through
+// note_input().
 #pragma once
 
 #include <QElapsedTimer>

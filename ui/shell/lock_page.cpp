@@ -56,7 +56,9 @@ void LockPage::enter() {
     (demo ? static_cast<QWidget*>(unlock_) : password_)->setFocus();
 }
 
-void LockPage::set_notice(const QString& line) { notice_->setText(line); }
+void LockPage::set_notice(const QString& line) {
+    notice_->setText(line);
+}
 
 void LockPage::unlock() {
     if (!unlock_->isEnabled()) return;

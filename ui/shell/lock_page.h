@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is shown while the window is locked: nothing of the content; the password of the person who is signed in, or another user.
+// What is shown while the window is locked: nothing of the content; the password of the person who is signed
+// in, or another user.
 #pragma once
 
 #include "ui/shell/context.h"

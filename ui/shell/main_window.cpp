@@ -105,14 +105,15 @@ void MainWindow::build_top_bar() {
     message_text_->setObjectName(QStringLiteral("message_text"));
     message_text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     QPushButton* close = make_button(tr("Close"), "close_message");
-    connect(close, &QPushButton::clicked, message_, &QWidget::hide);
+    connect(close, &QPushButton::clicked, this, [this] { message_area_->hide(); });
     message_row->addWidget(message_text_, 1);
     message_row->addWidget(close);
-    auto* message_holder = new QHBoxLayout;
+    message_area_ = new QWidget;
+    auto* message_holder = new QHBoxLayout(message_area_);
     message_holder->setContentsMargins(18, 6, 18, 0);
     message_holder->addWidget(message_);
-    layout->addLayout(message_holder);
-    message_->hide();
+    layout->addWidget(message_area_);
+    message_area_->hide();
 
     auto* middle = new QHBoxLayout;
     middle->setSpacing(0);
@@ -137,7 +138,7 @@ void MainWindow::build_top_bar() {
     connect(switch_user_, &QPushButton::clicked, this, &MainWindow::switch_user);
     message_timer_.setSingleShot(true);
     message_timer_.setInterval(6000);
-    connect(&message_timer_, &QTimer::timeout, message_, &QWidget::hide);
+    connect(&message_timer_, &QTimer::timeout, message_area_, &QWidget::hide);
     connect(theme_, &QPushButton::clicked, this,
             [this] { set_theme(current_theme() == Theme::light ? Theme::dark : Theme::light); });
     theme_->setText(current_theme() == Theme::light ? tr("Dark") : tr("Light"));
@@ -190,7 +191,8 @@ void MainWindow::start() {
     auto* sign_in = page<SignInPage>();
     connect(sign_in, &SignInPage::leave_demo, this, &MainWindow::start, Qt::UniqueConnection);
     try {
-        if (database::Store::exists(context_.services().store_path(false))) context_.services().open_store(false);
+        if (database::Store::exists(context_.services().store_path(false)))
+            context_.services().open_store(false);
         const bool ready = context_.services().store() != nullptr && !context_.store().is_demo() &&
                            context_.store().has_administrator();
         first->show_trouble({}, {});
@@ -205,7 +207,9 @@ void MainWindow::start() {
     }
 }
 
-Page* MainWindow::current_page() const { return static_cast<Page*>(stack_->currentWidget()); }
+Page* MainWindow::current_page() const {
+    return static_cast<Page*>(stack_->currentWidget());
+}
 
 void MainWindow::set_theme(Theme theme) {
     apply_theme(*qApp, theme);
@@ -217,7 +221,7 @@ void MainWindow::set_theme(Theme theme) {
 void MainWindow::show_page(Page* next) {
     Page* before = current_page();
     if (before != nullptr && before != next) before->leave();
-    if (before != next && typeid(*next) == typeid(TheatrePage)) message_->hide();
+    if (before != next && typeid(*next) == typeid(TheatrePage)) message_area_->hide();
     stack_->setCurrentWidget(next);
     const bool theatre = typeid(*next) == typeid(TheatrePage);
     const bool before_sign_in = !context_.signed_in();
@@ -248,7 +252,7 @@ void MainWindow::session_changed() {
         pages_ = std::move(kept);
         clear_layout(rail_layout_);
         rail_buttons_.clear();
-        message_->hide();
+        message_area_->hide();
         setWindowTitle(tr("Fulcrum"));
         show_sign_in();
         return;
@@ -256,7 +260,8 @@ void MainWindow::session_changed() {
     const database::Session& session = context_.session();
     const QString role = role_text(database::role_name(session.role()));
     setWindowTitle(tr("Fulcrum — %1, %2").arg(text(session.display_name()), role));
-    programme_->setText(context_.store().is_demo() ? tr("Demonstration") : text(context_.store().programme_name()));
+    programme_->setText(context_.store().is_demo() ? tr("Demonstration")
+                                                   : text(context_.store().programme_name()));
     person_->setText(text(session.display_name()));
     role_->clear();
     for (const database::Role held : session.roles()) {
@@ -323,7 +328,9 @@ void MainWindow::show_home() {
     }
 }
 
-void MainWindow::show_sign_in() { show_page(page<SignInPage>()); }
+void MainWindow::show_sign_in() {
+    show_page(page<SignInPage>());
+}
 
 void MainWindow::change_role(int index) {
     const auto role = static_cast<database::Role>(role_->itemData(index).toInt());
@@ -342,7 +349,7 @@ void MainWindow::switch_user() {
 
 void MainWindow::lock() {
     if (TheatrePage* theatre = running_theatre()) theatre->pause();
-    message_->hide();
+    message_area_->hide();
     layers_->setCurrentWidget(lock_page_);
     lock_page_->enter();
 }
@@ -356,7 +363,7 @@ void MainWindow::unlock() {
 void MainWindow::show_message(const QString& line, bool is_error) {
     message_text_->setText(line);
     set_role(message_, is_error ? "error" : "message");
-    message_->show();
+    message_area_->show();
     // What went well goes by itself; what went wrong stays until it was seen.
     message_timer_.stop();
     if (!is_error) message_timer_.start();

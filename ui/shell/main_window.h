@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one window: a top bar (programme, acting role, person, switch user), a rail of the role's pages, the page stack, and the lock.
+// The one window: a top bar (programme, acting role, person, switch user), a rail of the role's pages, the
+// page stack, and the lock.
 #pragma once
 
 #include <QMainWindow>
@@ -33,7 +34,8 @@ class MainWindow : public QMainWindow {
     explicit MainWindow(ApplicationServices& services, QWidget* parent = nullptr,
                         int lock_ms = IdleWatch::lock_after_ms, int close_ms = IdleWatch::close_after_ms);
     ~MainWindow() override;
-    /// Opens the store if there is one and shows the first page: first start, sign-in, or what went wrong and the way on.
+    /// Opens the store if there is one and shows the first page: first start, sign-in, or what went wrong and
+    /// the way on.
     void start();
     Context& context() { return context_; }
     Page* current_page() const;
@@ -71,6 +73,7 @@ class MainWindow : public QMainWindow {
     QStackedWidget* layers_ = nullptr;  ///< the window proper, the lock
     QStackedWidget* stack_ = nullptr;
     QFrame *top_bar_ = nullptr, *rail_ = nullptr, *banner_ = nullptr, *message_ = nullptr;
+    QWidget* message_area_ = nullptr;
     QLabel *programme_ = nullptr, *person_ = nullptr, *banner_text_ = nullptr, *message_text_ = nullptr;
     QTimer message_timer_;
     QComboBox* role_ = nullptr;

@@ -66,9 +66,10 @@ PasswordPage::PasswordPage(Context& context) : Page(context, "password_page") {
 
 void PasswordPage::enter() {
     const bool must = context().session().must_change_password();
-    why_->setText(must ? tr("You signed in with a one-time password. It was made for you by somebody else, so choose "
-                            "one that only you know.")
-                       : tr("It takes effect at your next sign-in."));
+    why_->setText(
+        must ? tr("You signed in with a one-time password. It was made for you by somebody else, so choose "
+                  "one that only you know.")
+             : tr("It takes effect at your next sign-in."));
     cancel_->setText(must ? tr("Sign out") : tr("Cancel"));
     for (QLineEdit* edit : {old_, new_, again_}) edit->clear();
     problem_->clear();
@@ -83,7 +84,8 @@ void PasswordPage::change() {
         return;
     }
     if (new_->text().size() < database::password_minimum_length) {
-        problem_->setText(tr("The password needs at least %1 characters.").arg(database::password_minimum_length));
+        problem_->setText(
+            tr("The password needs at least %1 characters.").arg(database::password_minimum_length));
         new_->setFocus();
         return;
     }
@@ -92,8 +94,8 @@ void PasswordPage::change() {
     auto changed = std::make_shared<std::optional<database::Session>>();
     BackgroundJob* job = BackgroundJob::run(
         this,
-        [changed, path = context().store().path(), session = context().session(), before = plain(old_->text()),
-         after = plain(new_->text())](const Progress&) {
+        [changed, path = context().store().path(), session = context().session(),
+         before = plain(old_->text()), after = plain(new_->text())](const Progress&) {
             const database::Store store = database::Store::open(path);
             *changed = database::People(store).change_password(session, before, after);
         },

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Changing one's own password: asked for at the first sign-in with a one-time password, offered at any other time.
+// Changing one's own password: asked for at the first sign-in with a one-time password, offered at any other
+// time.
 #pragma once
 
 #include "ui/shell/context.h"

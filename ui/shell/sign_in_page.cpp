@@ -194,7 +194,8 @@ void SignInPage::sign_in() {
     problem_->clear();
     button_->setEnabled(false);
     BackgroundJob* job = sign_in_job(
-        this, context().store().path(), plain(login_->text().trimmed()), plain(password_->text()), std::nullopt,
+        this, context().store().path(), plain(login_->text().trimmed()), plain(password_->text()),
+        std::nullopt,
         [this](const database::Session& session) {
             password_->clear();
             context().set_session(session);
@@ -225,7 +226,8 @@ void SignInPage::recover() {
         [this, next] {
             recovery_password_->clear();
             recovery_code_->clear();
-            context().say(tr("The password is set. Your next recovery code, shown this once: %1").arg(text(*next)));
+            context().say(
+                tr("The password is set. Your next recovery code, shown this once: %1").arg(text(*next)));
         },
         [this](const QString& why) { problem_->setText(why); });
     job_->watch(job, tr("Checking the recovery code …"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sign-in: a login field, and a picker of those who signed in here in the last 30 days. In the demo: the people of the demo, no password.
-// Also the last administrator's way back with the recovery code.
+// Sign-in: a login field, and a picker of those who signed in here in the last 30 days. In the demo: the
+// people of the demo, no password. Also the last administrator's way back with the recovery code.
 #pragma once
 
 #include "ui/shell/context.h"

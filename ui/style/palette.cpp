@@ -7,7 +7,9 @@
 #include <QStyleFactory>
 
 /// Resources of a static library are linked in only where somebody asks for them, outside any namespace.
-static void load_style_resources() { Q_INIT_RESOURCE(style); }
+static void load_style_resources() {
+    Q_INIT_RESOURCE(style);
+}
 
 namespace fulcrum::ui {
 namespace {
@@ -16,7 +18,6 @@ Theme theme_in_force = Theme::light;
 
 QString style_sheet(const Palette& p) {
     QString sheet = QStringLiteral(R"(
-QWidget { color: @text; }
 QMainWindow, QWidget#page, QStackedWidget, QScrollArea, QWidget#page_body { background: @window; }
 QScrollArea { border: none; }
 QLabel { background: transparent; }
@@ -88,11 +89,19 @@ QScrollBar::handle:horizontal { background: @line; border-radius: 4px; min-width
 QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QSplitter::handle { background: transparent; }
 )");
-    const std::pair<const char*, QColor> tokens[] = {
-        {"@accent_text", p.accent_text}, {"@accent", p.accent}, {"@window", p.window}, {"@card", p.card},
-        {"@raised", p.raised},           {"@line", p.line},     {"@text", p.text},     {"@muted", p.muted},
-        {"@good", p.good},               {"@bad", p.bad},       {"@warning", p.warning}};
-    sheet.replace(QLatin1String("@theme"), p.window.lightness() > 128 ? QStringLiteral("light") : QStringLiteral("dark"));
+    const std::pair<const char*, QColor> tokens[] = {{"@accent_text", p.accent_text},
+                                                     {"@accent", p.accent},
+                                                     {"@window", p.window},
+                                                     {"@card", p.card},
+                                                     {"@raised", p.raised},
+                                                     {"@line", p.line},
+                                                     {"@text", p.text},
+                                                     {"@muted", p.muted},
+                                                     {"@good", p.good},
+                                                     {"@bad", p.bad},
+                                                     {"@warning", p.warning}};
+    sheet.replace(QLatin1String("@theme"),
+                  p.window.lightness() > 128 ? QStringLiteral("light") : QStringLiteral("dark"));
     for (const auto& [token, colour] : tokens) sheet.replace(QLatin1String(token), colour.name());
     return sheet;
 }
@@ -111,7 +120,9 @@ const Palette& palette_of(Theme theme) {
     return theme == Theme::light ? light : dark;
 }
 
-Theme current_theme() { return theme_in_force; }
+Theme current_theme() {
+    return theme_in_force;
+}
 
 void apply_theme(QApplication& application, Theme theme) {
     load_style_resources();

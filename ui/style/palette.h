@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The colours of the window, dark and light. Data colours come from the Okabe-Ito set, which people with any of the common colour
-// vision deficiencies can tell apart; hands also differ by dash, verdicts by sign, so that colour is never alone.
+// The colours of the window, dark and light. Data colours come from the Okabe-Ito set, which people with any
+// of the common colour vision deficiencies can tell apart; hands also differ by dash, verdicts by sign, so
+// that colour is never alone.
 #pragma once
 
 #include <QColor>
@@ -14,18 +15,22 @@ enum class Theme { light, dark };
 
 struct Palette {
     QColor window, card, raised, line, text, muted, accent, accent_text;
-    QColor left_hand, right_hand;    ///< the two hands, everywhere
+    QColor left_hand, right_hand;  ///< the two hands, everywhere
     QColor good, bad, warning, neutral;
-    QColor limit;                    ///< limits and benchmarks in charts and bars
+    QColor limit;  ///< limits and benchmarks in charts and bars
 };
 
 const Palette& palette_of(Theme theme);
 /// The theme in force; light until apply_theme was called.
 Theme current_theme();
-inline const Palette& colours() { return palette_of(current_theme()); }
+inline const Palette& colours() {
+    return palette_of(current_theme());
+}
 /// Sets fonts, palette and style sheet of the whole application. UI thread.
 void apply_theme(QApplication& application, Theme theme);
 /// For painting on paper whatever the theme.
-inline const Palette& paper_palette() { return palette_of(Theme::light); }
+inline const Palette& paper_palette() {
+    return palette_of(Theme::light);
+}
 
 }  // namespace fulcrum::ui

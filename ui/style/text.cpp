@@ -9,7 +9,9 @@
 namespace fulcrum::ui {
 namespace {
 
-QString words(const char* source) { return QCoreApplication::translate("fulcrum::ui::text", source); }
+QString words(const char* source) {
+    return QCoreApplication::translate("fulcrum::ui::text", source);
+}
 
 }  // namespace
 
@@ -33,7 +35,9 @@ QString figure(double value) {
     return shown;
 }
 
-QString figure(const std::optional<double>& value) { return value ? figure(*value) : QStringLiteral("–"); }
+QString figure(const std::optional<double>& value) {
+    return value ? figure(*value) : QStringLiteral("–");
+}
 
 QString unit_text(const std::string& unit) {
     if (unit.empty() || unit == "count" || unit == "-" || unit == "1" || unit == "–" || unit == "share") {

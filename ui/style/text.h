@@ -9,10 +9,15 @@
 
 namespace fulcrum::ui {
 
-inline QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
-inline std::string plain(const QString& shown) { return shown.toStdString(); }
+inline QString text(const std::string& utf8) {
+    return QString::fromStdString(utf8);
+}
+inline std::string plain(const QString& shown) {
+    return shown.toStdString();
+}
 
-/// A metric's value as it is shown: 3 significant digits below 100, whole numbers above, "–" when absent. No unit.
+/// A metric's value as it is shown: 3 significant digits below 100, whole numbers above, "–" when absent. No
+/// unit.
 QString figure(double value);
 QString figure(const std::optional<double>& value);
 /// With its unit, "12.3 mm"; counts and dimensionless figures stand alone.

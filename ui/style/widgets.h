@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small helpers that every page is built from: labels by role, cards, buttons with a name that tests and assistive technology can find.
+// Small helpers that every page is built from: labels by role, cards, buttons with a name that tests and
+// assistive technology can find.
 #pragma once
 
 #include <QFrame>
@@ -15,11 +16,14 @@ QLabel* make_label(const QString& shown, const char* role = nullptr);
 QPushButton* make_button(const QString& shown, const char* name, const char* role = nullptr);
 /// A rounded frame with a vertical layout (reach it by card->layout()).
 QFrame* make_card(int spacing = 8);
-inline QVBoxLayout* card_layout(QFrame* card) { return static_cast<QVBoxLayout*>(card->layout()); }
+inline QVBoxLayout* card_layout(QFrame* card) {
+    return static_cast<QVBoxLayout*>(card->layout());
+}
 /// A table that is read: rows selectable, no editing, no vertical header.
 QTableWidget* make_table(const QStringList& columns, const char* name);
 QTableWidgetItem* make_cell(const QString& shown, Qt::Alignment alignment = Qt::AlignLeft | Qt::AlignVCenter);
-/// Columns as wide as what they hold, with air between them; a header stands above its figures; the last column takes the rest.
+/// Columns as wide as what they hold, with air between them; a header stands above its figures; the last
+/// column takes the rest.
 void fit_columns(QTableWidget* table);
 /// Changes a label's role (and so its look).
 void set_role(QWidget* widget, const char* role);

@@ -11,10 +11,14 @@
 namespace fulcrum::ui {
 namespace {
 
-QString tr(const char* source) { return QCoreApplication::translate("fulcrum::ui::hud", source); }
+QString tr(const char* source) {
+    return QCoreApplication::translate("fulcrum::ui::hud", source);
+}
 
 /// The theatre is dark whatever the theme.
-const Palette& dark() { return palette_of(Theme::dark); }
+const Palette& dark() {
+    return palette_of(Theme::dark);
+}
 
 QFont hud_font(double points, bool bold = false) {
     QFont font(QStringLiteral("DejaVu Sans"));
@@ -61,7 +65,8 @@ void draw_force(QPainter& painter, const QRectF& box, const HudState& state, int
         painter.setPen(QPen(p.warning, 2));
         painter.drawLine(QPointF(bar.left() - 5, y), QPointF(bar.right() + 5, y));
         painter.setFont(hud_font(12));
-        painter.drawText(QRectF(bar.right() + 8, y - 12, 60, 24), Qt::AlignVCenter, tr("%1 N").arg(figure(limit)));
+        painter.drawText(QRectF(bar.right() + 8, y - 12, 60, 24), Qt::AlignVCenter,
+                         tr("%1 N").arg(figure(limit)));
     }
     painter.setFont(hud_font(13, true));
     painter.setPen(colour);
@@ -70,12 +75,13 @@ void draw_force(QPainter& painter, const QRectF& box, const HudState& state, int
                      (active ? QStringLiteral("▶ ") : QString()) + (h == 0 ? tr("Left") : tr("Right")));
     painter.setFont(hud_font(12));
     painter.setPen(p.text);
-    painter.drawText(QRectF(box.left() - 4, box.top() + 25, box.width(), 26), Qt::AlignLeft | Qt::AlignVCenter,
+    painter.drawText(QRectF(box.left() - 4, box.top() + 25, box.width(), 26),
+                     Qt::AlignLeft | Qt::AlignVCenter,
                      state.jaws_closed[h] ? tr("jaws closed") : tr("jaws open"));
     painter.setFont(hud_font(14, true));
     painter.setPen(over ? p.bad : p.text);
-    painter.drawText(QRectF(box.left() - 4, bar.bottom() + 6, box.width(), 26), Qt::AlignLeft | Qt::AlignVCenter,
-                     tr("%1 N").arg(force, 0, 'f', 1));
+    painter.drawText(QRectF(box.left() - 4, bar.bottom() + 6, box.width(), 26),
+                     Qt::AlignLeft | Qt::AlignVCenter, tr("%1 N").arg(force, 0, 'f', 1));
     if (warn) {
         painter.setFont(hud_font(13, true));
         painter.setPen(p.warning);
@@ -92,9 +98,13 @@ QString goal_detail(const HudState& state, const Goal& goal) {
                 .arg(std::lround(display.goal_progress * goal.count))
                 .arg(goal.count);
         case GoalKind::run_bowel:
-            return tr("%1 of %2 cm").arg(display.run_covered_m * 100, 0, 'f', 0).arg(goal.length_m * 100, 0, 'f', 0);
+            return tr("%1 of %2 cm")
+                .arg(display.run_covered_m * 100, 0, 'f', 0)
+                .arg(goal.length_m * 100, 0, 'f', 0);
         case GoalKind::lift_and_hold:
-            return tr("%1 of %2 mm high").arg(display.lift_height_m * 1000, 0, 'f', 0).arg(goal.height_m * 1000, 0, 'f', 0);
+            return tr("%1 of %2 mm high")
+                .arg(display.lift_height_m * 1000, 0, 'f', 0)
+                .arg(goal.height_m * 1000, 0, 'f', 0);
     }
     return {};
 }
@@ -110,19 +120,24 @@ void paint_hud(QPainter& painter, const QRectF& area, const HudState& state) {
     // Top left: the clock and the mode.
     painter.setPen(p.text);
     painter.setFont(hud_font(26, true));
-    painter.drawText(QRectF(area.left() + margin, area.top() + 10, column, 42), Qt::AlignLeft | Qt::AlignVCenter,
-                     clock_text(state.display.elapsed_s));
+    painter.drawText(QRectF(area.left() + margin, area.top() + 10, column, 42),
+                     Qt::AlignLeft | Qt::AlignVCenter, clock_text(state.display.elapsed_s));
     painter.setFont(hud_font(12));
     painter.setPen(p.muted);
-    painter.drawText(QRectF(area.left() + margin, area.top() + 52, column, 24), Qt::AlignLeft | Qt::AlignVCenter,
+    painter.drawText(QRectF(area.left() + margin, area.top() + 52, column, 24),
+                     Qt::AlignLeft | Qt::AlignVCenter,
                      tr("%1 left").arg(clock_text(state.display.remaining_s)));
     painter.setPen(p.text);
-    const QString mode = !state.place.isEmpty() ? state.place : state.assessed ? tr("assessed") : tr("practice");
-    painter.drawText(QRectF(area.left() + margin, area.top() + 74, column, 24), Qt::AlignLeft | Qt::AlignVCenter, mode);
+    const QString mode = !state.place.isEmpty() ? state.place
+                         : state.assessed       ? tr("assessed")
+                                                : tr("practice");
+    painter.drawText(QRectF(area.left() + margin, area.top() + 74, column, 24),
+                     Qt::AlignLeft | Qt::AlignVCenter, mode);
 
     // Top right: the goal.
     if (state.task != nullptr && !state.task->goals.empty()) {
-        const auto index = std::min(static_cast<std::size_t>(std::max(state.display.goal, 0)), state.task->goals.size() - 1);
+        const auto index =
+            std::min(static_cast<std::size_t>(std::max(state.display.goal, 0)), state.task->goals.size() - 1);
         const Goal& goal = state.task->goals[index];
         const QRectF box(area.right() - margin - 240, area.top() + 12, 240, 150);
         painter.setFont(hud_font(12));
@@ -132,8 +147,8 @@ void paint_hud(QPainter& painter, const QRectF& area, const HudState& state) {
         painter.setFont(hud_font(13, true));
         painter.setPen(p.text);
         QRectF used;
-        painter.drawText(QRectF(box.left(), box.top() + 22, box.width(), 90), Qt::AlignRight | Qt::TextWordWrap,
-                         text(goal.text), &used);
+        painter.drawText(QRectF(box.left(), box.top() + 22, box.width(), 90),
+                         Qt::AlignRight | Qt::TextWordWrap, text(goal.text), &used);
         double y = used.bottom() + 6;
         painter.setFont(hud_font(12));
         painter.drawText(QRectF(box.left(), y, box.width(), 22), Qt::AlignRight | Qt::AlignVCenter,
@@ -143,8 +158,10 @@ void paint_hud(QPainter& painter, const QRectF& area, const HudState& state) {
         if (state.display.hold_progress > 0) {
             y += 14;
             painter.setPen(p.text);
-            painter.drawText(QRectF(box.left(), y, box.width() - 110, 22), Qt::AlignRight | Qt::AlignVCenter, tr("hold"));
-            draw_goal_bar(painter, QRectF(box.right() - 100, y + 7, 100, 8), state.display.hold_progress, p.warning);
+            painter.drawText(QRectF(box.left(), y, box.width() - 110, 22), Qt::AlignRight | Qt::AlignVCenter,
+                             tr("hold"));
+            draw_goal_bar(painter, QRectF(box.right() - 100, y + 7, 100, 8), state.display.hold_progress,
+                          p.warning);
         }
     }
 
@@ -178,7 +195,7 @@ void paint_cover(QPainter& painter, const QRectF& area, const QString& heading, 
     const Palette& p = dark();
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    const double line_height = 30, width = std::min(area.width() - 60, 820.0);
+    const double line_height = 30, width = std::min(area.width() - 60, 940.0);
     const double height = 90 + line_height * lines.size();
     const QRectF box(area.center().x() - width / 2, area.center().y() - height / 2 - 20, width, height);
     painter.setPen(QPen(p.line, 1));
@@ -186,18 +203,18 @@ void paint_cover(QPainter& painter, const QRectF& area, const QString& heading, 
     painter.drawRoundedRect(box, 12, 12);
     painter.setPen(p.text);
     painter.setFont(hud_font(18, true));
-    painter.drawText(QRectF(box.left() + 28, box.top() + 18, box.width() - 56, 40), Qt::AlignLeft | Qt::AlignVCenter,
-                     heading);
+    painter.drawText(QRectF(box.left() + 28, box.top() + 18, box.width() - 56, 40),
+                     Qt::AlignLeft | Qt::AlignVCenter, heading);
     painter.setFont(hud_font(12));
     double y = box.top() + 66;
     for (const QString& line : lines) {
         const int tab = line.indexOf(QLatin1Char('\t'));
         if (tab >= 0) {
             painter.setPen(p.accent);
-            painter.drawText(QRectF(box.left() + 28, y, 290, line_height), Qt::AlignLeft | Qt::AlignVCenter,
+            painter.drawText(QRectF(box.left() + 28, y, 330, line_height), Qt::AlignLeft | Qt::AlignVCenter,
                              line.left(tab));
             painter.setPen(p.text);
-            painter.drawText(QRectF(box.left() + 322, y, box.width() - 340, line_height),
+            painter.drawText(QRectF(box.left() + 368, y, box.width() - 386, line_height),
                              Qt::AlignLeft | Qt::AlignVCenter, line.mid(tab + 1));
         } else {
             painter.setPen(p.text);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The head-up display over the scope's picture: time, current goal, force bars with their limits, warnings. Painted with QPainter in the
-// black corners beside the round image; nothing smaller than 12 pt.
+// The head-up display over the scope's picture: time, current goal, force bars with their limits, warnings.
+// Painted with QPainter in the black corners beside the round image; nothing smaller than 12 pt.
 #pragma once
 
 #include <QRectF>
@@ -19,11 +19,11 @@ struct HudState {
     TaskDisplay display;
     bool assessed = false;
     Hand active_hand = Hand::right;
-    bool shows_active_hand = false;   ///< mouse: which hand it moves
+    bool shows_active_hand = false;  ///< mouse: which hand it moves
     bool force_felt = true;
     bool jaws_closed[hand_count] = {false, false};
-    QString health;                   ///< small line at the foot, "" none
-    QString place;                    ///< where it happens: "replay ×0.5" instead of the mode, "" live
+    QString health;  ///< small line at the foot, "" none
+    QString place;   ///< where it happens: "replay ×0.5" instead of the mode, "" live
 };
 
 void paint_hud(QPainter& painter, const QRectF& area, const HudState& state);

@@ -8,15 +8,15 @@
 namespace fulcrum::ui {
 namespace {
 
-constexpr double metres_per_pixel = 0.35e-3;    // of the handle
+constexpr double metres_per_pixel = 0.35e-3;  // of the handle
 constexpr double radians_per_pixel = 0.008;
-constexpr double metres_per_notch = 4e-3;       // of insertion
-constexpr double handle_speed = 0.07;           // m/s, keys
-constexpr double insertion_speed = 0.05;        // m/s
-constexpr double roll_speed = 1.8;              // rad/s
-constexpr double camera_speed = 0.045;          // m/s of the scope's handle
-constexpr double widest_tilt = 1.2;             // rad from the nominal shaft
-constexpr double least_inside = 0.005;          // m of insertion
+constexpr double metres_per_notch = 4e-3;  // of insertion
+constexpr double handle_speed = 0.07;      // m/s, keys
+constexpr double insertion_speed = 0.05;   // m/s
+constexpr double roll_speed = 1.8;         // rad/s
+constexpr double camera_speed = 0.045;     // m/s of the scope's handle
+constexpr double widest_tilt = 1.2;        // rad from the nominal shaft
+constexpr double least_inside = 0.005;     // m of insertion
 
 // Follow rates at one tick of 1 ms: 1 - exp(-2 pi 12 Hz 1 ms), and the same at 6 Hz for the jaws.
 constexpr double follow_rate = 0.07262, jaw_rate = 0.03700;
@@ -27,14 +27,14 @@ struct KeyMove {
     double right, up, in, roll;
 };
 constexpr KeyMove key_moves[] = {
-    {Qt::Key_A, 0, -1, 0, 0, 0},     {Qt::Key_D, 0, 1, 0, 0, 0},       {Qt::Key_W, 0, 0, 1, 0, 0},
-    {Qt::Key_S, 0, 0, -1, 0, 0},     {Qt::Key_R, 0, 0, 0, 1, 0},       {Qt::Key_F, 0, 0, 0, -1, 0},
-    {Qt::Key_Q, 0, 0, 0, 0, -1},     {Qt::Key_E, 0, 0, 0, 0, 1},       {Qt::Key_J, 1, -1, 0, 0, 0},
-    {Qt::Key_L, 1, 1, 0, 0, 0},      {Qt::Key_I, 1, 0, 1, 0, 0},       {Qt::Key_K, 1, 0, -1, 0, 0},
-    {Qt::Key_P, 1, 0, 0, 1, 0},      {Qt::Key_Semicolon, 1, 0, 0, -1, 0}, {Qt::Key_U, 1, 0, 0, 0, -1},
-    {Qt::Key_O, 1, 0, 0, 0, 1},      {Qt::Key_Left, 2, 1, 0, 0, 0},    {Qt::Key_Right, 2, -1, 0, 0, 0},
-    {Qt::Key_Up, 2, 0, -1, 0, 0},    {Qt::Key_Down, 2, 0, 1, 0, 0},    {Qt::Key_PageUp, 2, 0, 0, 1, 0},
-    {Qt::Key_PageDown, 2, 0, 0, -1, 0}, {Qt::Key_Home, 2, 0, 0, 0, -1}, {Qt::Key_End, 2, 0, 0, 0, 1},
+    {Qt::Key_A, 0, -1, 0, 0, 0},        {Qt::Key_D, 0, 1, 0, 0, 0},          {Qt::Key_W, 0, 0, 1, 0, 0},
+    {Qt::Key_S, 0, 0, -1, 0, 0},        {Qt::Key_R, 0, 0, 0, 1, 0},          {Qt::Key_F, 0, 0, 0, -1, 0},
+    {Qt::Key_Q, 0, 0, 0, 0, -1},        {Qt::Key_E, 0, 0, 0, 0, 1},          {Qt::Key_J, 1, -1, 0, 0, 0},
+    {Qt::Key_L, 1, 1, 0, 0, 0},         {Qt::Key_I, 1, 0, 1, 0, 0},          {Qt::Key_K, 1, 0, -1, 0, 0},
+    {Qt::Key_P, 1, 0, 0, 1, 0},         {Qt::Key_Semicolon, 1, 0, 0, -1, 0}, {Qt::Key_U, 1, 0, 0, 0, -1},
+    {Qt::Key_O, 1, 0, 0, 0, 1},         {Qt::Key_Left, 2, 1, 0, 0, 0},       {Qt::Key_Right, 2, -1, 0, 0, 0},
+    {Qt::Key_Up, 2, 0, -1, 0, 0},       {Qt::Key_Down, 2, 0, 1, 0, 0},       {Qt::Key_PageUp, 2, 0, 0, 1, 0},
+    {Qt::Key_PageDown, 2, 0, 0, -1, 0}, {Qt::Key_Home, 2, 0, 0, 0, -1},      {Qt::Key_End, 2, 0, 0, 0, 1},
 };
 
 DeviceReading start_reading(double shaft_length, double insertion, double jaw) {
@@ -113,7 +113,8 @@ MouseKeyboardInput::MouseKeyboardInput(const Scene& scene) {
     rig_ = std::make_shared<MouseKeyboardRig>(targets_);
 }
 
-void MouseKeyboardInput::shift_handle(DeviceReading& reading, const Trocar& trocar, const Vector3& shift) const {
+void MouseKeyboardInput::shift_handle(DeviceReading& reading, const Trocar& trocar,
+                                      const Vector3& shift) const {
     const double outside = reading.handle.norm();
     const Vector3 along = reading.handle / outside;
     Vector3 step = trocar.rotation.transpose() * shift;
@@ -153,7 +154,9 @@ void MouseKeyboardInput::turn_wheel(double notches) {
     if (hand_[h].exists) insert(targets_.hand[h], hand_[h].trocar, notches * metres_per_notch);
 }
 
-void MouseKeyboardInput::set_primary_button(bool pressed) { button_ = pressed; }
+void MouseKeyboardInput::set_primary_button(bool pressed) {
+    button_ = pressed;
+}
 
 bool MouseKeyboardInput::press_key(int key) {
     switch (key) {
@@ -168,7 +171,8 @@ bool MouseKeyboardInput::press_key(int key) {
             hand_[1].latched = !hand_[1].latched;
             return true;
         case Qt::Key_Space:
-            hand_[static_cast<std::size_t>(active_)].latched = !hand_[static_cast<std::size_t>(active_)].latched;
+            hand_[static_cast<std::size_t>(active_)].latched =
+                !hand_[static_cast<std::size_t>(active_)].latched;
             return true;
         default:
             break;
@@ -182,7 +186,9 @@ bool MouseKeyboardInput::press_key(int key) {
     return false;
 }
 
-void MouseKeyboardInput::release_key(int key) { held_.remove(key); }
+void MouseKeyboardInput::release_key(int key) {
+    held_.remove(key);
+}
 
 void MouseKeyboardInput::release_all() {
     held_.clear();

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two instruments and the scope by mouse and keyboard. The mouse moves the *handle* of the active hand in the plane of the screen, so the
-// tip goes the other way, as through any trocar; keys move either hand's handle and the scope at the same time.
+// Two instruments and the scope by mouse and keyboard. The mouse moves the *handle* of the active hand in the
+// plane of the screen, so the tip goes the other way, as through any trocar; keys move either hand's handle
+// and the scope at the same time.
 //
-// Threads: MouseKeyboardInput lives on the UI thread and hands targets over through a triple buffer; its rig is read by the haptic thread,
-// which follows the targets smoothly (two low-passes at 12 Hz in a row) so that 60 window events a second become 1,000 steady ticks.
+// Threads: MouseKeyboardInput lives on the UI thread and hands targets over through a triple buffer; its rig
+// is read by the haptic thread, which follows the targets smoothly (two low-passes at 12 Hz in a row) so that
+// 60 window events a second become 1,000 steady ticks.
 #pragma once
 
 #include <QPointF>

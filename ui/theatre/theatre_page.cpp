@@ -111,7 +111,8 @@ void TheatrePage::pause() {
     if (session_ == nullptr || session_->phase() != AttemptPhase::running) return;
     session_->pause();
     input_->release_all();
-    show_panel(Panel::paused, tr("Paused"), tr("The clock stands and the scene is hidden. A pause is logged."));
+    show_panel(Panel::paused, tr("Paused"),
+               tr("The clock stands and the scene is hidden. A pause is logged."));
 }
 
 void TheatrePage::resume() {
@@ -131,7 +132,8 @@ void TheatrePage::ask_before_leaving() {
     input_->release_all();
     const bool counts = session_->assessed() && session_->display().moving_seen;
     show_panel(Panel::leaving, tr("Abandon this attempt?"),
-               counts ? tr("It is assessed and you have begun: abandoned counts as failed. Everything up to now is kept.")
+               counts ? tr("It is assessed and you have begun: abandoned counts as failed. Everything up to "
+                           "now is kept.")
                       : tr("It is kept as abandoned and does not count."));
 }
 
@@ -182,16 +184,24 @@ void TheatrePage::resizeEvent(QResizeEvent* event) {
 
 void TheatrePage::toggle_help() {
     help_shown_ = !help_shown_;
-    view_->set_cover(tr("Mouse and keyboard"), help_shown_ ? MouseKeyboardInput::help_lines() : QStringList());
+    view_->set_cover(tr("Mouse and keyboard"),
+                     help_shown_ ? MouseKeyboardInput::help_lines() : QStringList());
 }
 
 void TheatrePage::tick() {
     if (session_ == nullptr) return;
     const double dt = std::min(static_cast<double>(since_tick_.restart()) * 1e-3, 0.1);
     if (session_->phase() == AttemptPhase::running) input_->advance(dt);
-    const bool changed = session_->update();
+    world_is_new_ = session_->update() || world_is_new_;
     follow_phase();
-    if (session_ != nullptr && changed) show_world();
+    if (session_ == nullptr || !world_is_new_) return;
+    // At most 33 pictures a second, and never so many that drawing takes more than two thirds of this thread:
+    // the hands are read here too.
+    const double pause_ms = std::max(30.0, 1.5 * view_->last_frame_ms());
+    if (since_picture_.isValid() && static_cast<double>(since_picture_.elapsed()) < pause_ms) return;
+    since_picture_.start();
+    world_is_new_ = false;
+    show_world();
 }
 
 void TheatrePage::follow_phase() {
@@ -277,7 +287,8 @@ void TheatrePage::show_world() {
 }
 
 bool TheatrePage::eventFilter(QObject* watched, QEvent* event) {
-    if (watched != view_ || session_ == nullptr || input_ == nullptr) return Page::eventFilter(watched, event);
+    if (watched != view_ || session_ == nullptr || input_ == nullptr)
+        return Page::eventFilter(watched, event);
     const bool live = shown_ == Panel::none;
     switch (event->type()) {
         case QEvent::ShortcutOverride:
@@ -297,7 +308,8 @@ bool TheatrePage::eventFilter(QObject* watched, QEvent* event) {
             return true;
         }
         case QEvent::MouseButtonRelease:
-            if (static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton) input_->set_primary_button(false);
+            if (static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton)
+                input_->set_primary_button(false);
             return true;
         case QEvent::MouseMove:
             mouse_move(static_cast<QMouseEvent*>(event));
@@ -349,7 +361,8 @@ void TheatrePage::mouse_move(QMouseEvent* event) {
     }
     mouse_known_ = true;
     last_mouse_ = now;
-    // The hand's reach must not end at the window's border: from there the pointer is put back into the middle.
+    // The hand's reach must not end at the window's border: from there the pointer is put back into the
+    // middle.
     if (!view_->rect().adjusted(40, 40, -40, -40).contains(now) && view_->isActiveWindow()) {
         last_mouse_ = view_->rect().center();
         QCursor::setPos(view_->mapToGlobal(last_mouse_));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The theatre: an attempt while it runs. Reads mouse and keyboard, shows the world, pauses (scene hidden), helps, abandons; when the
-// attempt is stored it goes on to the debrief.
+// The theatre: an attempt while it runs. Reads mouse and keyboard, shows the world, pauses (scene hidden),
+// helps, abandons; when the attempt is stored it goes on to the debrief.
 #pragma once
 
 #include <QElapsedTimer>
@@ -62,12 +62,12 @@ class TheatrePage : public Page {
     QLabel *panel_heading_, *panel_text_;
     QPushButton *resume_, *abandon_, *pause_, *help_, *leave_;
     QTimer timer_;
-    QElapsedTimer since_tick_;
+    QElapsedTimer since_tick_, since_picture_;
     Panel shown_ = Panel::none;
     std::vector<bool> done_;
     int active_target_ = -1;
     QPoint last_mouse_;
-    bool mouse_known_ = false, help_shown_ = false, world_loading_ = false;
+    bool world_is_new_ = false, mouse_known_ = false, help_shown_ = false, world_loading_ = false;
 };
 
 }  // namespace fulcrum::ui

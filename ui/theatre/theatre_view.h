@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The scope's picture with the HUD over it; serves the running attempt and the replay. Geometry is prepared on a worker thread.
+// The scope's picture with the HUD over it; serves the running attempt and the replay. Geometry is prepared
+// on a worker thread.
 #pragma once
 
 #include <QOpenGLWidget>

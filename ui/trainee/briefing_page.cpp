@@ -33,7 +33,8 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
 
     QFrame* start_card = make_card(8);
     card_layout(start_card)->addWidget(make_label(tr("Does it count?"), "heading"));
-    assessed_ = new QRadioButton(tr("Assessed — it counts from the first movement; abandoned or timed out is failed"));
+    assessed_ = new QRadioButton(
+        tr("Assessed — it counts from the first movement; abandoned or timed out is failed"));
     assessed_->setObjectName(QStringLiteral("mode_assessed"));
     practice_ = new QRadioButton(tr("Practice — scored and kept, but it does not count"));
     practice_->setObjectName(QStringLiteral("mode_practice"));
@@ -81,9 +82,9 @@ void BriefingPage::fill() {
     for (const std::string& step : task->steps) {
         steps_->addWidget(make_label(QStringLiteral("%1.  %2").arg(++number).arg(text(step))));
     }
-    steps_->addWidget(make_label(tr("Time limit %1 · left behind: %2")
-                                     .arg(clock_text(task->time_limit_s), text(task->product)),
-                                 "muted"));
+    steps_->addWidget(make_label(
+        tr("Time limit %1 · left behind: %2").arg(clock_text(task->time_limit_s), text(task->product)),
+        "muted"));
     steps_->addStretch();
     judged_->addWidget(make_label(tr("What is judged"), "heading"));
     for (const GateSpec& gate : task->gates) {
@@ -105,11 +106,13 @@ void BriefingPage::fill() {
     if (!task->critical_errors.empty()) {
         QStringList errors;
         for (const std::string& error : task->critical_errors) errors << text(error).replace('_', ' ');
-        judged_->addWidget(make_label(tr("Fails the attempt at once: %1").arg(errors.join(QStringLiteral(", "))), "bad"));
+        judged_->addWidget(
+            make_label(tr("Fails the attempt at once: %1").arg(errors.join(QStringLiteral(", "))), "bad"));
     }
     judged_->addStretch();
-    mode_note_->setText(demo ? tr("The demonstration takes practice only.")
-                             : tr("You work with mouse and keyboard: force is shown as bars, not felt. F1 shows the keys."));
+    mode_note_->setText(
+        demo ? tr("The demonstration takes practice only.")
+             : tr("You work with mouse and keyboard: force is shown as bars, not felt. F1 shows the keys."));
 }
 
 }  // namespace fulcrum::ui

@@ -70,17 +70,17 @@ void HomePage::fill_comments() {
     std::vector<database::Comment> unread;
     context().guarded([&] { unread = database::Reviews(context().store()).unread(context().session()); });
     comments_card_->setVisible(!unread.empty());
-    comments_->addWidget(
-        make_label(tr("Unread comments: %1").arg(unread.size()), "heading"));
+    comments_->addWidget(make_label(tr("Unread comments: %1").arg(unread.size()), "heading"));
     for (const database::Comment& comment : unread) {
         QString line = text(comment.text).simplified();
         if (line.size() > 110) line = line.left(107) + QStringLiteral(" …");
-        QPushButton* open = make_button(
-            tr("%1 at %2: %3").arg(text(comment.author_name), clock_text(comment.time_s), line), "unread_comment",
-            "link");
-        connect(open, &QPushButton::clicked, this, [this, id = text(comment.attempt_id), time = comment.time_s] {
-            emit context().debrief_wanted(id, time);
-        });
+        QPushButton* open =
+            make_button(tr("%1 at %2: %3").arg(text(comment.author_name), clock_text(comment.time_s), line),
+                        "unread_comment", "link");
+        connect(open, &QPushButton::clicked, this,
+                [this, id = text(comment.attempt_id), time = comment.time_s] {
+                    emit context().debrief_wanted(id, time);
+                });
         comments_->addWidget(open);
     }
 }
@@ -122,11 +122,13 @@ QFrame* HomePage::task_card(const TaskSummary& summary) {
                                                 : tr("last on %1").arg(local_time(summary.last_attempt)),
                                             "muted"));
     auto* row = new QHBoxLayout;
-    QPushButton* briefing = make_button(tr("Briefing"), qPrintable(QStringLiteral("briefing_") + text(summary.task_id)));
+    QPushButton* briefing =
+        make_button(tr("Briefing"), qPrintable(QStringLiteral("briefing_") + text(summary.task_id)));
     connect(briefing, &QPushButton::clicked, this,
             [this, id = text(summary.task_id)] { emit context().briefing_wanted(id); });
     row->addWidget(briefing);
-    QPushButton* progress = make_button(tr("Progress"), qPrintable(QStringLiteral("progress_") + text(summary.task_id)));
+    QPushButton* progress =
+        make_button(tr("Progress"), qPrintable(QStringLiteral("progress_") + text(summary.task_id)));
     connect(progress, &QPushButton::clicked, this, [this, id = text(summary.task_id)] {
         emit context().progress_wanted(text(context().session().person_id()), id);
     });

@@ -34,7 +34,8 @@ std::vector<TaskSummary> summarise(const std::vector<database::CohortRow>& rows,
             summary.not_counting += row.not_counting;
             summary.last_attempt = std::max(summary.last_attempt, row.last_attempt);
             if (row.best_points) {
-                summary.best_points = std::max(summary.best_points.value_or(*row.best_points), *row.best_points);
+                summary.best_points =
+                    std::max(summary.best_points.value_or(*row.best_points), *row.best_points);
             }
         }
         summaries.push_back(std::move(summary));
@@ -61,26 +62,28 @@ NextTask next_task(const std::vector<TaskSummary>& summaries, const std::vector<
     }
     if (chosen == nullptr) return {};
     const auto days = static_cast<int>((now_ms - chosen->last_attempt) / 86'400'000);
-    const QString ago = days <= 0 ? words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task", "today"))
-                        : days == 1
-                            ? words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task", "yesterday"))
-                            : words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task", "%n days ago"), days);
+    const QString ago = days <= 0   ? words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task", "today"))
+                        : days == 1 ? words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task", "yesterday"))
+                                    : words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task", "%n days ago"), days);
     NextTask next;
     next.task_id = chosen->task_id;
     if (all_passed) {
-        next.why = words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
-                                           "You have passed every task; this is the one you have not done for the "
-                                           "longest time (%1)."))
-                       .arg(ago);
+        next.why =
+            words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
+                                    "You have passed every task; this is the one you have not done for the "
+                                    "longest time (%1)."))
+                .arg(ago);
     } else if (chosen->last_attempt == 0) {
-        next.why = words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
-                                           "You have not tried it yet, and it belongs to stage %1, the first that "
-                                           "you have not passed."))
-                       .arg(text(stage));
+        next.why =
+            words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
+                                    "You have not tried it yet, and it belongs to stage %1, the first that "
+                                    "you have not passed."))
+                .arg(text(stage));
     } else {
-        next.why = words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
-                                           "Not passed yet; of the tasks left in stage %1 it is the one you have not "
-                                           "practised for the longest time (%2)."))
+        next.why = words(QT_TRANSLATE_NOOP(
+                             "fulcrum::ui::next_task",
+                             "Not passed yet; of the tasks left in stage %1 it is the one you have not "
+                             "practised for the longest time (%2)."))
                        .arg(text(stage), ago);
     }
     return next;

@@ -61,13 +61,13 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     chart_ = new AttemptChart;
     chart_->setMinimumHeight(280);
     card_layout(card)->addWidget(chart_);
-    card_layout(card)->addWidget(
-        make_label(tr("● passed   ✕ failed   ○ not scored   small: does not count. Device classes are never pooled. "
-                      "Choose a point to open the attempt."),
-                   "muted"));
+    card_layout(card)->addWidget(make_label(
+        tr("● passed   ✕ failed   ○ not scored   small: does not count. Device classes are never pooled. "
+           "Choose a point to open the attempt."),
+        "muted"));
     layout->addWidget(card);
-    table_ = make_table({tr("No."), tr("Started"), tr("Device"), tr("Mode"), tr("Ended"), tr("Time"), tr("Result"),
-                         tr("Points")},
+    table_ = make_table({tr("No."), tr("Started"), tr("Device"), tr("Mode"), tr("Ended"), tr("Time"),
+                         tr("Result"), tr("Points")},
                         "progress_table");
     table_->setMinimumHeight(220);
     layout->addWidget(table_);
@@ -97,12 +97,14 @@ void ProgressPage::fill_choices() {
     person_->clear();
     context().guarded([&] {
         for (const database::Person& person : database::People(context().store()).list(session)) {
-            if (!context().allowed(database::Operation::read_progress, database::Subject::person(person.id))) continue;
+            if (!context().allowed(database::Operation::read_progress, database::Subject::person(person.id)))
+                continue;
             person_->addItem(text(person.display_name), text(person.id));
         }
     });
     if (person_->findData(text(session.person_id())) < 0 &&
-        context().allowed(database::Operation::read_progress, database::Subject::person(session.person_id()))) {
+        context().allowed(database::Operation::read_progress,
+                          database::Subject::person(session.person_id()))) {
         person_->addItem(text(session.display_name()), text(session.person_id()));
     }
     if (person_id_.empty()) person_id_ = session.person_id();
@@ -121,14 +123,15 @@ void ProgressPage::load() {
     progress_.reset();
     if (!person_id_.empty() && !task_id_.empty()) {
         context().guarded([&] {
-            progress_ =
-                database::Reports(context().store()).person_progress(context().session(), person_id_, task_id_);
+            progress_ = database::Reports(context().store())
+                            .person_progress(context().session(), person_id_, task_id_);
         });
     }
     export_->setVisible(
         context().allowed(database::Operation::export_person, database::Subject::person(person_id_)));
-    title_->setText(person_id_ == context().session().person_id() ? tr("My progress")
-                                                                  : tr("Progress of %1").arg(person_->currentText()));
+    title_->setText(person_id_ == context().session().person_id()
+                        ? tr("My progress")
+                        : tr("Progress of %1").arg(person_->currentText()));
     const QString before = metric_->currentData().toString();
     metric_->clear();
     metric_->addItem(tr("Points"), QStringLiteral("points"));
@@ -190,7 +193,8 @@ void ProgressPage::draw() {
             drawn.series.push_back(std::move(shown));
         }
     }
-    summary_->setText(tr("%1 · %2 counting attempts, %3 passed").arg(task_->currentText()).arg(counting).arg(passed));
+    summary_->setText(
+        tr("%1 · %2 counting attempts, %3 passed").arg(task_->currentText()).arg(counting).arg(passed));
     chart_->set_data(std::move(drawn));
 }
 
@@ -208,7 +212,8 @@ void ProgressPage::fill_table() {
             table_->setItem(row, 2, make_cell(device_class_text(series.device_class)));
             table_->setItem(row, 3, make_cell(point.mode == "assessed" ? tr("assessed") : tr("practice")));
             table_->setItem(row, 4, make_cell(attempt_state(point.state)));
-            table_->setItem(row, 5, make_cell(clock_text(point.duration_s), Qt::AlignRight | Qt::AlignVCenter));
+            table_->setItem(row, 5,
+                            make_cell(clock_text(point.duration_s), Qt::AlignRight | Qt::AlignVCenter));
             table_->setItem(row, 6, make_cell(verdict(point.passed, point.provisional)));
             table_->setItem(row, 7, make_cell(figure(point.points), Qt::AlignRight | Qt::AlignVCenter));
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One person's attempts of one task over time: a chart of points, time or any metric, and the table beneath it. Trainees see their own;
-// educators and directors choose the person.
+// One person's attempts of one task over time: a chart of points, time or any metric, and the table beneath
+// it. Trainees see their own; educators and directors choose the person.
 #pragma once
 
 #include <optional>

@@ -15,8 +15,8 @@ WorldSnapshot first_world(const Scene& scene) {
     WorldSnapshot world;
     for (const InstrumentSpec& spec : scene.instruments) {
         DeviceSample sample;
-        sample.handle[2] =
-            -static_cast<std::int32_t>((spec.trocar.shaft_length - spec.start_insertion) / device_length_unit);
+        sample.handle[2] = -static_cast<std::int32_t>((spec.trocar.shaft_length - spec.start_insertion) /
+                                                      device_length_unit);
         world.tools[static_cast<int>(spec.hand)] =
             tool_pose(make_instrument(spec, scene.tick_period()), sample).pose();
     }
@@ -57,7 +57,8 @@ class FakeAttempt : public AttemptSession {
         meta.seed = 7;
         meta.limits = task.id + "-operators@1";
         meta.program_version = "0.1.0-test";
-        recorder_ = std::make_unique<database::Recorder>(store_path, request.session, meta, std::move(options));
+        recorder_ =
+            std::make_unique<database::Recorder>(store_path, request.session, meta, std::move(options));
         world_ = first_world(scene_);
         for (const InstrumentSpec& spec : scene_.instruments) {
             model_[static_cast<int>(spec.hand)] = make_instrument(spec, scene_.tick_period());
@@ -90,7 +91,8 @@ class FakeAttempt : public AttemptSession {
     void abandon() override { end("abandoned", EventKind::abandoned); }
     void interrupt() override { end("interrupted", EventKind::interrupted); }
     std::string message() const override {
-        return phase_ == AttemptPhase::device_lost ? "The device does not answer; plug it in again and go on." : "";
+        return phase_ == AttemptPhase::device_lost ? "The device does not answer; plug it in again and go on."
+                                                   : "";
     }
     const std::optional<AttemptOutcome>& outcome() const override { return outcome_; }
 
@@ -204,24 +206,40 @@ database::ScoreRow FakeAttempt::score(const std::string& state) const {
         one.evidence = {{0.5, 1.0}};
         return one;
     };
-    row.metrics = {metric("time", "", tick_ * 1e-3, "s"), metric("path_len", "left", path_[0] * 1e3, "mm"),
-                   metric("path_len", "right", path_[1] * 1e3, "mm"), metric("over_impulse", "left", over_, "N·s"),
-                   metric("over_impulse", "right", 0, "N·s"), metric("f_max", "left", worst_force_, "N")};
+    row.metrics = {metric("time", "", tick_ * 1e-3, "s"),
+                   metric("path_len", "left", path_[0] * 1e3, "mm"),
+                   metric("path_len", "right", path_[1] * 1e3, "mm"),
+                   metric("over_impulse", "left", over_, "N·s"),
+                   metric("over_impulse", "right", 0, "N·s"),
+                   metric("f_max", "left", worst_force_, "N")};
     database::MetricRow absent = metric("sparc", "left", 0, "-");
     absent.value.reset();
     absent.absent_because = "fewer than 5 movement segments";
     row.metrics.push_back(absent);
     const bool force_met = worst_force_ <= 4.0;
     const bool done = state == "completed";
-    database::GateRow time{"time", "", "", "benchmark", tick_ * 1e-3, "s", 120.0, task_.id + "-operators@1",
-                           0.8,    75.0, true, true, ""};
-    database::GateRow force{"f_max", "left", "", "absolute", worst_force_, "N", 4.0, "training limit, provisional",
-                            std::nullopt, std::nullopt, force_met, true, force_met ? "" : "above the limit"};
+    database::GateRow time{
+        "time", "",   "",   "benchmark", tick_ * 1e-3, "s", 120.0, task_.id + "-operators@1", 0.8,
+        75.0,   true, true, ""};
+    database::GateRow force{"f_max",
+                            "left",
+                            "",
+                            "absolute",
+                            worst_force_,
+                            "N",
+                            4.0,
+                            "training limit, provisional",
+                            std::nullopt,
+                            std::nullopt,
+                            force_met,
+                            true,
+                            force_met ? "" : "above the limit"};
     row.gates = {time, force};
     row.passed = done && force_met;
     row.points = 75.0;
-    row.advice = force_met ? "Left hand: shorten the way, move in one sweep from target to target."
-                           : "Left hand: you pressed with 9 N, 2.3 times the limit; slow down before you touch.";
+    row.advice = force_met
+                     ? "Left hand: shorten the way, move in one sweep from target to target."
+                     : "Left hand: you pressed with 9 N, 2.3 times the limit; slow down before you touch.";
     return row;
 }
 
@@ -247,7 +265,9 @@ class FakeReplay : public ReplaySource {
     FakeReplay(Scene scene, std::shared_ptr<const database::Trace> trace)
         : scene_(std::move(scene)), trace_(std::move(trace)), world_(first_world(scene_)) {}
     const Scene& scene() const override { return scene_; }
-    double duration_s() const override { return trace_->samples.empty() ? 0 : trace_->samples.back().tick * 1e-3; }
+    double duration_s() const override {
+        return trace_->samples.empty() ? 0 : trace_->samples.back().tick * 1e-3;
+    }
     void seek(double time_s) override {
         time_ = time_s;
         fresh_ = true;
@@ -293,8 +313,8 @@ std::string FakeServices::store_path(bool demo) const {
 void FakeServices::open_store(bool demo) {
     const std::string path = store_path(demo);
     store_.reset();
-    store_ = std::make_unique<database::Store>(database::Store::exists(path) ? database::Store::open(path)
-                                                                             : database::Store::create(path, demo));
+    store_ = std::make_unique<database::Store>(
+        database::Store::exists(path) ? database::Store::open(path) : database::Store::create(path, demo));
 }
 
 bool FakeServices::build_demo(const Progress& progress) {

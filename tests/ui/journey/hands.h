@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A person at the window: finds what is visible by its name, clicks and types with real events, waits for conditions.
+// A person at the window: finds what is visible by its name, clicks and types with real events, waits for
+// conditions.
 #pragma once
 
 #include <gtest/gtest.h>

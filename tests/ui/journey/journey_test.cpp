@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole way of issue 2 through the window, with real key and mouse events: programme, people, attempts (completed, abandoned, device
-// gone), debrief, replay, comment, void, cohort table, exports.
+// The whole way of issue 2 through the window, with real key and mouse events: programme, people, attempts
+// (completed, abandoned, device gone), debrief, replay, comment, void, cohort table, exports.
 #include <gtest/gtest.h>
 
 #include <QComboBox>
@@ -64,7 +64,8 @@ class Journey : public ::testing::Test {
         type(window, "new_person_login", login);
         for (const char* one : {"trainee", "educator", "director", "administrator"}) {
             const QByteArray box = QByteArray("new_role_") + one;
-            find<QAbstractButton>(window, box.constData())->setChecked(QLatin1String(one) == QLatin1String(role));
+            find<QAbstractButton>(window, box.constData())
+                ->setChecked(QLatin1String(one) == QLatin1String(role));
         }
         click(window, "add_person");
         return find<QLabel>(window, "one_time_password")->property("password").toString();
@@ -158,7 +159,8 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     click(window, "save_cohort");
     switch_user();
 
-    // The trainee: one attempt completed with too much force, one abandoned, one with the device gone for a while.
+    // The trainee: one attempt completed with too much force, one abandoned, one with the device gone for a
+    // while.
     first_sign_in("tara", tara_once, "tara's password");
     expect_page("home_page");
     keep_picture(window, "05-home");
@@ -184,6 +186,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     const std::string first_attempt = services.control.last_attempt_id;
     EXPECT_TRUE(shown("verdict").contains("failed"));
     EXPECT_TRUE(shown("advice").contains("9 N"));
+    const QString debrief_about = shown("debrief_about");
     EXPECT_TRUE(shown("debrief_notes").contains("not felt"));
     EXPECT_TRUE(shown("debrief_notes").contains("provisional"));
     keep_picture(window, "08-debrief");
@@ -289,8 +292,9 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     EXPECT_TRUE(cell.contains("attempted · attempts 1")) << cell.toStdString();
     auto* cohort_page = static_cast<CohortPage*>(window.current_page());
     QTemporaryDir folder;
-    const std::pair<const char*, ReportFormat> formats[] = {
-        {"cohort.pdf", ReportFormat::pdf}, {"cohort.csv", ReportFormat::csv}, {"cohort.json", ReportFormat::json}};
+    const std::pair<const char*, ReportFormat> formats[] = {{"cohort.pdf", ReportFormat::pdf},
+                                                            {"cohort.csv", ReportFormat::csv},
+                                                            {"cohort.json", ReportFormat::json}};
     for (const auto& [name, format] : formats) {
         QSignalSpy done(cohort_page, &CohortPage::exported);
         cohort_page->export_to(folder.filePath(name), format);
@@ -304,6 +308,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     EXPECT_EQ(row["state"], "attempted");
     const double best = row["best_points"].get<double>();
     EXPECT_TRUE(cell.contains("best " + figure(best))) << cell.toStdString();
+    EXPECT_TRUE(debrief_about.contains(" · " + figure(best) + " points")) << debrief_about.toStdString();
     const std::string csv = read_text(folder.filePath("cohort.csv"));
     EXPECT_NE(csv.find(",attempted,0,1,0,"), std::string::npos) << csv;
     EXPECT_NE(csv.find("," + csv_number(best) + ","), std::string::npos);
@@ -318,9 +323,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
         QFile::remove(QString::fromLocal8Bit(pictures) + "/cohort.pdf");
         QFile::copy(folder.filePath("cohort.pdf"), QString::fromLocal8Bit(pictures) + "/cohort.pdf");
     }
-    EXPECT_EQ(database::Attempts(*services.store())
-                  .read(window.context().session(), first_attempt)
-                  .state,
+    EXPECT_EQ(database::Attempts(*services.store()).read(window.context().session(), first_attempt).state,
               "completed");
 }
 

@@ -41,7 +41,8 @@ std::vector<std::vector<std::string>> read_csv(const std::string& csv) {
     return rows;
 }
 
-std::string cell(const std::vector<std::vector<std::string>>& rows, std::size_t row, const std::string& column) {
+std::string cell(const std::vector<std::vector<std::string>>& rows, std::size_t row,
+                 const std::string& column) {
     for (std::size_t i = 0; i < rows[0].size(); ++i) {
         if (rows[0][i] == column) return rows.at(row).at(i);
     }
@@ -125,8 +126,9 @@ TEST(Report, CsvAndJsonCarryTheSameFigures) {
         EXPECT_EQ(std::to_string(row["attempts"].get<int>()), cell(rows, i + 2, "attempts"));
         EXPECT_EQ(std::to_string(row["passes"].get<int>()), cell(rows, i + 2, "passes"));
         EXPECT_EQ(row["state"].get<std::string>(), cell(rows, i + 2, "state"));
-        const std::optional<double> best =
-            row["best_points"].is_null() ? std::nullopt : std::optional<double>(row["best_points"].get<double>());
+        const std::optional<double> best = row["best_points"].is_null()
+                                               ? std::nullopt
+                                               : std::optional<double>(row["best_points"].get<double>());
         EXPECT_EQ(csv_number(best), cell(rows, i + 2, "best_points"));
     }
     EXPECT_EQ(json["n"], 2);

@@ -13,7 +13,9 @@
 namespace fulcrum::ui {
 namespace {
 
-Scene scene() { return load_scene(fulcrum::test::source_path("assets/scenes/a2_targets.json")); }
+Scene scene() {
+    return load_scene(fulcrum::test::source_path("assets/scenes/a2_targets.json"));
+}
 
 /// Lets the rig reach its target: one second of ticks.
 RigSample settle(Rig& rig, std::uint32_t ticks = 1000) {
@@ -35,7 +37,8 @@ TEST(MouseKeyboard, StartsWhereTheSceneSays) {
         const DeviceSample& hand = sample.hand[static_cast<int>(spec.hand)];
         EXPECT_EQ(hand.present, 1);
         EXPECT_EQ(hand.faulty, 0);
-        EXPECT_NEAR(hand.handle[2] * device_length_unit, -(spec.trocar.shaft_length - spec.start_insertion), 2e-7);
+        EXPECT_NEAR(hand.handle[2] * device_length_unit, -(spec.trocar.shaft_length - spec.start_insertion),
+                    2e-7);
     }
 }
 
