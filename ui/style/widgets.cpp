@@ -2,6 +2,7 @@
 #include "ui/style/widgets.h"
 
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QScrollArea>
 #include <QStyle>
 
@@ -15,8 +16,27 @@ QLabel* make_label(const QString& shown, const char* role) {
     return label;
 }
 
+namespace {
+
+/// Outside dialogs Qt's buttons answer to Space alone; people at the keyboard press Enter too.
+class EnterButton : public QPushButton {
+  public:
+    using QPushButton::QPushButton;
+
+  protected:
+    void keyPressEvent(QKeyEvent* event) override {
+        if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+            click();
+        } else {
+            QPushButton::keyPressEvent(event);
+        }
+    }
+};
+
+}  // namespace
+
 QPushButton* make_button(const QString& shown, const char* name, const char* role) {
-    auto* button = new QPushButton(shown);
+    auto* button = new EnterButton(shown);
     button->setObjectName(QString::fromLatin1(name));
     button->setAccessibleName(shown);
     button->setCursor(Qt::PointingHandCursor);
