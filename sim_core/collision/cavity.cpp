@@ -17,10 +17,10 @@ namespace {
 
 constexpr int stack_capacity = 128;  // nodes waiting: one a level of the tree, and one more
 
-// FCL's nodes, laid out for queries: boxes side by side, leaves named by ~triangle.
+// FCL's nodes, laid out for queries: boxes side by side, leaves named by ~cluster.
 struct Node {
     double low[3], high[3];
-    std::int32_t left = 0;  ///< right = left + 1; a leaf: ~triangle
+    std::int32_t left = 0;  ///< right = left + 1; a leaf: ~cluster
 };
 
 double squared_distance(const Node& node, const Vector3& p) {
@@ -54,6 +54,7 @@ CavityModel::CavityModel(const TriangleMesh& mesh, FreeSide side)
     const double sign = side_ == FreeSide::front ? 1.0 : -1.0;
     const std::size_t count = mesh_.triangles.size();
     triangles_.resize(count);
+    ridges_.resize(3 * count);
     edge_pseudonormals_.assign(3 * count, Vector3::Zero());
     vertex_pseudonormals_.assign(mesh_.vertices.size(), Vector3::Zero());
     normals_.assign(mesh_.vertices.size(), Vector3::Zero());
@@ -102,17 +103,48 @@ CavityModel::CavityModel(const TriangleMesh& mesh, FreeSide side)
     tree.beginModel(static_cast<int>(usable.size()), static_cast<int>(mesh_.vertices.size()));
     tree.addSubModel(mesh_.vertices, usable);
     tree.endModel();
-    hierarchy_->nodes.resize(static_cast<std::size_t>(tree.getNumBVs()));
-    for (int i = 0; i < tree.getNumBVs(); ++i) {
-        const auto& from = tree.getBV(i);
-        Node& node = hierarchy_->nodes[static_cast<std::size_t>(i)];
+    // FCL's tree, its small subtrees gathered into clusters.
+    struct Copy {
+        int from;
+        std::size_t to;
+    };
+    hierarchy_->nodes.emplace_back();
+    std::vector<Copy> waiting{{0, 0}};
+    while (!waiting.empty()) {
+        const Copy copy = waiting.back();
+        waiting.pop_back();
+        const auto& from = tree.getBV(copy.from);
+        Node node;
         for (int k = 0; k < 3; ++k) {
             node.low[k] = from.bv.min_[k];
             node.high[k] = from.bv.max_[k];
         }
-        node.left = from.isLeaf() ? ~number[static_cast<std::size_t>(from.primitiveId())] : from.leftChild();
+        if (from.num_primitives <= cluster_size) {
+            node.left = ~static_cast<std::int32_t>(clusters_.size());
+            TriangleCluster& cluster = clusters_.emplace_back();
+            cluster.count = 0;
+            std::vector<int> below{copy.from};
+            while (!below.empty()) {
+                const auto& leaf = tree.getBV(below.back());
+                below.pop_back();
+                if (leaf.isLeaf()) {
+                    cluster.triangle[cluster.count++] = number[static_cast<std::size_t>(leaf.primitiveId())];
+                } else {
+                    below.push_back(leaf.rightChild());
+                    below.push_back(leaf.leftChild());
+                }
+            }
+            fill_cluster(cluster);
+        } else {
+            node.left = static_cast<std::int32_t>(hierarchy_->nodes.size());
+            hierarchy_->nodes.emplace_back();
+            hierarchy_->nodes.emplace_back();
+            waiting.push_back({from.rightChild(), static_cast<std::size_t>(node.left) + 1});
+            waiting.push_back({from.leftChild(), static_cast<std::size_t>(node.left)});
+        }
+        hierarchy_->nodes[copy.to] = node;
     }
-    // Children come after their parent in FCL's array, so one pass gives every depth.
+    // Children come after their parent, so one pass gives every depth.
     std::vector<int> level(hierarchy_->nodes.size(), 0);
     for (std::size_t i = 0; i < level.size(); ++i) {
         const Node& node = hierarchy_->nodes[i];
@@ -126,9 +158,75 @@ CavityModel::CavityModel(const TriangleMesh& mesh, FreeSide side)
     }
 }
 
+void CavityModel::fill_cluster(TriangleCluster& cluster) {
+    const double sign = side_ == FreeSide::front ? 1.0 : -1.0;
+    Vector3 low = Vector3::Constant(1e30), high = -low;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(cluster_size); ++k) {
+        for (std::size_t plane = 0; plane < 4; ++plane) {
+            cluster.x[plane][k] = cluster.y[plane][k] = cluster.z[plane][k] = 0;
+            cluster.offset[plane][k] =
+                1e9F;  // a plane that nothing is beyond, a triangle that nothing is near
+        }
+        for (std::size_t e = 0; e < 3; ++e) cluster.wedge[e][k] = -1e9F;
+        if (k >= static_cast<std::size_t>(cluster.count)) {
+            cluster.triangle[k] = -1;
+            continue;
+        }
+        const auto t = static_cast<std::size_t>(cluster.triangle[k]);
+        const CavityTriangle& triangle = triangles_[t];
+        const auto set = [&](std::size_t plane, const Vector3& normal, const Vector3& point) {
+            cluster.x[plane][k] = static_cast<float>(normal.x());
+            cluster.y[plane][k] = static_cast<float>(normal.y());
+            cluster.z[plane][k] = static_cast<float>(normal.z());
+            cluster.offset[plane][k] = static_cast<float>(normal.dot(point));
+        };
+        set(0, triangle.normal, triangle.a);
+        const Vector3 corner[3] = {triangle.a, triangle.b, triangle.c};
+        for (std::size_t e = 0; e < 3; ++e) {
+            low = low.cwiseMin(corner[e]);
+            high = high.cwiseMax(corner[e]);
+            const Vector3& from = corner[e];
+            const Vector3 along = corner[(e + 1) % 3] - from;
+            const std::int32_t other = adjacency_.triangle_neighbours[3 * t + e];
+            if (other < 0 || triangles_[static_cast<std::size_t>(other)].normal.isZero()) {
+                set(e + 1, sign * along.cross(triangle.normal).normalized(), from);
+                cluster.wedge[e][k] = 1e9F;  // a rim: what is beyond it has its foot on it
+                ridges_[3 * t + e] = {0, 0, 0, -1};
+                continue;
+            }
+            double rise = 0;  // of the neighbour's far corner over this triangle's plane
+            for (const std::int32_t vertex : mesh_.triangles[static_cast<std::size_t>(other)]) {
+                const double height =
+                    triangle.normal.dot(mesh_.vertices[static_cast<std::size_t>(vertex)] - from);
+                if (std::abs(height) > std::abs(rise)) rise = height;
+            }
+            set(e + 1, sign * along.cross(triangle.normal).normalized(), from);
+            // The foot of a point in a ridge's wedge is on the ridge, for both triangles: the lower number
+            // keeps it.
+            if (rise < -1e-12 && static_cast<std::int32_t>(t) < other) {
+                const Vector3& across = triangles_[static_cast<std::size_t>(other)].normal;
+                const double sine = triangle.normal.cross(across).norm();
+                cluster.wedge[e][k] =
+                    triangle.normal.dot(across) > 0 ? static_cast<float>(sine * (1 + 1e-5) + 1e-5) : 1e9F;
+            }
+            const Vector3 beyond =
+                -sign * along.cross(triangles_[static_cast<std::size_t>(other)].normal).normalized();
+            ridges_[3 * t + e] = {static_cast<float>(beyond.x()), static_cast<float>(beyond.y()),
+                                  static_cast<float>(beyond.z()), static_cast<float>(beyond.dot(from))};
+        }
+    }
+    cluster.low[3] = cluster.high[3] = 0;
+    for (int i = 0; i < 3; ++i) {
+        const double slack = 1e-7 + 2e-7 * std::max(std::abs(low[i]), std::abs(high[i]));
+        cluster.low[i] = static_cast<float>(low[i] - slack);
+        cluster.high[i] = static_cast<float>(high[i] + slack);
+    }
+}
+
 std::size_t CavityModel::bytes() const {
     return sizeof(*this) + mesh_.vertices.capacity() * sizeof(Vector3) +
            mesh_.triangles.capacity() * sizeof(Triangle) + triangles_.capacity() * sizeof(CavityTriangle) +
+           clusters_.capacity() * sizeof(TriangleCluster) + ridges_.capacity() * sizeof(ridges_[0]) +
            (normals_.capacity() + vertex_pseudonormals_.capacity() + edge_pseudonormals_.capacity()) *
                sizeof(Vector3) +
            (adjacency_.triangle_neighbours.capacity() + adjacency_.vertex_triangle_offsets.capacity() +
@@ -204,7 +302,7 @@ bool CavityModel::examine(std::int32_t triangle, const Vector3& point, double re
     return true;
 }
 
-int CavityModel::list(const Vector3& point, double reach, ListedTriangle* found, int capacity) const {
+int CavityModel::list(const Vector3& point, double reach, ListedCluster* found, int capacity) const {
     const std::vector<Node>& nodes = hierarchy_->nodes;
     const double reach2 = reach * reach;
     std::int32_t stack[stack_capacity];
@@ -213,28 +311,15 @@ int CavityModel::list(const Vector3& point, double reach, ListedTriangle* found,
     stack[depth++] = 0;
     while (depth > 0) {
         const Node& node = nodes[static_cast<std::size_t>(stack[--depth])];
-        if (squared_distance(node, point) > reach2) continue;
+        const double distance2 = squared_distance(node, point);
+        if (distance2 > reach2) continue;
         if (node.left >= 0) {
             stack[depth++] = node.left + 1;
             stack[depth++] = node.left;
             continue;
         }
-        const std::int32_t number = ~node.left;
-        const CavityTriangle& t = triangles_[static_cast<std::size_t>(number)];
-        const double distance2 =
-            (point - closest_point_on_triangle(point, t.a, t.b, t.c).position).squaredNorm();
-        if (distance2 > reach2) continue;
         if (count < capacity) {
-            const Vector3 centre = (t.a + t.b + t.c) / 3.0;
-            const double radius = std::sqrt(std::max(
-                {(t.a - centre).squaredNorm(), (t.b - centre).squaredNorm(), (t.c - centre).squaredNorm()}));
-            ListedTriangle& entry = found[count];
-            entry.triangle = number;
-            entry.distance = std::max(0.0F, static_cast<float>(std::sqrt(distance2) * (1 - 1e-6)));
-            for (int k = 0; k < 3; ++k) entry.centre[k] = static_cast<float>(centre[k]);
-            // Single precision of a coordinate is off by at most 6e-8 of it.
-            entry.radius =
-                static_cast<float>(radius * (1 + 1e-6) + 2e-7 * (1e-3 + centre.cwiseAbs().maxCoeff()));
+            found[count] = {~node.left, static_cast<float>(std::sqrt(distance2) * (1 - 1e-6))};
         }
         ++count;
     }
@@ -259,14 +344,17 @@ CavityPoint CavityModel::closest(const Vector3& point, double reach) const {
         if (top.distance2 > best2) continue;
         const Node& node = nodes[static_cast<std::size_t>(top.node)];
         if (node.left < 0) {
-            const std::int32_t number = ~node.left;
-            const CavityTriangle& t = triangles_[static_cast<std::size_t>(number)];
-            const double distance2 =
-                (point - closest_point_on_triangle(point, t.a, t.b, t.c).position).squaredNorm();
-            // The lowest number wins a tie, so that the answer does not hang on the tree's order.
-            if (distance2 < best2 || (distance2 <= best2 && (nearest < 0 || number < nearest))) {
-                best2 = distance2;
-                nearest = number;
+            const TriangleCluster& cluster = clusters_[static_cast<std::size_t>(~node.left)];
+            for (int k = 0; k < cluster.count; ++k) {
+                const std::int32_t number = cluster.triangle[k];
+                const CavityTriangle& t = triangles_[static_cast<std::size_t>(number)];
+                const double distance2 =
+                    (point - closest_point_on_triangle(point, t.a, t.b, t.c).position).squaredNorm();
+                // The lowest number wins a tie, so that the answer does not hang on the tree's order.
+                if (distance2 < best2 || (distance2 <= best2 && (nearest < 0 || number < nearest))) {
+                    best2 = distance2;
+                    nearest = number;
+                }
             }
             continue;
         }

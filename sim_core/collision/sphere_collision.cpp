@@ -12,7 +12,7 @@ namespace {
 
 constexpr double no_move = 1e-8;    // m: shallower overlaps are the solve's rounding, not worth a projection
 constexpr double everywhere = 1e6;  // m
-constexpr int direct_capacity = 1024;  // triangles a sphere without a list can have within reach
+constexpr int direct_capacity = 1024;  // clusters that a sphere without a list can have within reach
 
 std::size_t index(int i) {
     return static_cast<std::size_t>(i);
@@ -48,7 +48,7 @@ SphereCollision::Lists SphereCollision::make_lists() const {
     Lists lists;
     const std::size_t count = index(spheres());
     if (cavity_ != nullptr) {
-        lists.triangles.resize(count * index(options_.list_capacity));
+        lists.clusters.resize(count * index(options_.list_capacity));
         lists.direct.resize(direct_capacity);
         lists.counts.assign(count, never_listed);
         lists.listed_at.assign(count, Vector3::Zero());
@@ -67,11 +67,38 @@ SphereCollision::Lists SphereCollision::make_lists() const {
 
 std::size_t SphereCollision::bytes() const {
     const std::size_t count = index(spheres());
-    const std::size_t a_sphere =
-        index(options_.list_capacity) * sizeof(ListedTriangle) + 3 * sizeof(Vector3) +
-        index(options_.planes_per_sphere) * sizeof(CavityContact) + 5 * sizeof(double);
+    const std::size_t a_sphere = index(options_.list_capacity) * sizeof(ListedCluster) + 3 * sizeof(Vector3) +
+                                 index(options_.planes_per_sphere) * sizeof(CavityContact) +
+                                 5 * sizeof(double);
     return sizeof(*this) + count * a_sphere + index(options_.near_pair_capacity) * 2 * sizeof(std::int32_t) +
            index(options_.pair_capacity) * sizeof(SphereContact);
+}
+
+// Whether a point is behind the wall, from the clusters around it.
+bool SphereCollision::is_behind(const ListedCluster* clusters, int count, const Vector3& centre) const {
+    CavityPoint nearest;
+    double nearest2 = everywhere * everywhere;
+    float concern[cluster_size];
+    const float point4[4] = {static_cast<float>(centre.x()), static_cast<float>(centre.y()),
+                             static_cast<float>(centre.z()), 0.0F};
+    for (int c = 0; c < count; ++c) {
+        const double bound = static_cast<double>(clusters[c].distance);
+        if (bound * bound > nearest2) continue;
+        const TriangleCluster& cluster = cavity_->cluster(clusters[c].cluster);
+        if (!CavityModel::concerns(cluster, point4, static_cast<float>(std::sqrt(nearest2)), concern))
+            continue;
+        for (int k = 0; k < cluster.count; ++k) {
+            CavityPoint point;
+            bool own_patch = false;
+            if (!(concern[k] < 0) || !cavity_->confirms(cluster, k, point4)) continue;
+            if (!cavity_->examine(cluster.triangle[k], centre, nearest2, point, own_patch)) continue;
+            if (point.distance * point.distance < nearest2 || nearest.triangle < 0) {
+                nearest2 = point.distance * point.distance;
+                nearest = point;
+            }
+        }
+    }
+    return nearest.distance < 0;
 }
 
 // Lists a sphere again from the hierarchy when it has moved further than its list is good for.
@@ -81,7 +108,11 @@ bool SphereCollision::refresh(int sphere, const Vector3& centre, Lists& lists) c
         (centre - lists.listed_at[i]).squaredNorm() < lists.free_motion[i] * lists.free_motion[i]) {
         return false;
     }
-    ListedTriangle* own = lists.triangles.data() + i * index(options_.list_capacity);
+    ListedCluster* own = lists.clusters.data() + i * index(options_.list_capacity);
+    // In front of the wall at the last listing and moved by less than the radius since: if it is behind now,
+    // it is near enough for gather() to see.
+    const bool known_in_front = lists.counts[i] >= 0 && (centre - lists.listed_at[i]).squaredNorm() <
+                                                            chain_.radii[i] * chain_.radii[i];
     const double reach = chain_.radii[i] + options_.contact_margin + options_.list_margin;
     const int count = cavity_->list(centre, reach, own, options_.list_capacity);
     lists.listed_at[i] = centre;
@@ -97,12 +128,9 @@ bool SphereCollision::refresh(int sphere, const Vector3& centre, Lists& lists) c
         lists.free_motion[i] = std::max(0.0, wall.distance - chain_.radii[i] - options_.contact_margin);
         return true;
     }
-    std::sort(own, own + count, [](const ListedTriangle& a, const ListedTriangle& b) {
-        return a.distance < b.distance || (a.distance <= b.distance && a.triangle < b.triangle);
-    });
     // In front of the wall at listing, a sphere stays within reach of the wall while the list is good. Behind
     // it, it may be anywhere, and only the way back matters.
-    if (cavity_->closest_on(own[0].triangle, centre).distance < 0) {
+    if (!known_in_front && is_behind(own, count, centre)) {
         lists.counts[i] = behind_wall;
         lists.free_motion[i] = 0;
     }
@@ -119,13 +147,13 @@ void SphereCollision::gather(int sphere, const Vector3& centre, Lists& lists, Ca
     if (lists.counts[i] == 0 && lists.free_motion[i] > 0) return;
     // A sphere without a list of its own asks the hierarchy: behind the wall for the way out alone, else for
     // everything.
-    const ListedTriangle* entries = lists.triangles.data() + i * index(options_.list_capacity);
+    const ListedCluster* entries = lists.clusters.data() + i * index(options_.list_capacity);
     int count = lists.counts[i];
     double drift = (centre - lists.listed_at[i]).norm();
     if (count == overflowed) {
         entries = lists.direct.data();
         count = cavity_->list(centre, reach, lists.direct.data(), direct_capacity);
-        drift = everywhere;  // not sorted: look at all of them
+        drift = 0;
         found.overflow = count > direct_capacity;
     }
     if (count <= 0 || count > direct_capacity) {
@@ -135,28 +163,30 @@ void SphereCollision::gather(int sphere, const Vector3& centre, Lists& lists, Ca
     }
     CavityPoint nearest;
     double nearest2 = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < count; ++k) {
-        const ListedTriangle& entry = entries[k];
-        if (static_cast<double>(entry.distance) - drift > reach) break;  // sorted: so are all that follow
-        const double dx = centre.x() - static_cast<double>(entry.centre[0]);
-        const double dy = centre.y() - static_cast<double>(entry.centre[1]);
-        const double dz = centre.z() - static_cast<double>(entry.centre[2]);
-        const double far = reach + static_cast<double>(entry.radius);
-        if (dx * dx + dy * dy + dz * dz > far * far) continue;
-        CavityPoint point;
-        bool own_patch = false;
-        if (!cavity_->examine(entry.triangle, centre, reach2, point, own_patch)) continue;
-        const double distance2 = point.distance * point.distance;
-        if (distance2 < nearest2 || (distance2 <= nearest2 && point.triangle < nearest.triangle)) {
-            nearest2 = distance2;
-            nearest = point;
+    float concern[cluster_size];
+    const float point4[4] = {static_cast<float>(centre.x()), static_cast<float>(centre.y()),
+                             static_cast<float>(centre.z()), 0.0F};
+    for (int c = 0; c < count; ++c) {
+        if (static_cast<double>(entries[c].distance) - drift > reach) continue;
+        const TriangleCluster& cluster = cavity_->cluster(entries[c].cluster);
+        if (!CavityModel::concerns(cluster, point4, static_cast<float>(reach), concern)) continue;
+        for (int k = 0; k < cluster.count; ++k) {
+            if (!(concern[k] < 0) || !cavity_->confirms(cluster, k, point4)) continue;
+            CavityPoint point;
+            bool own_patch = false;
+            if (!cavity_->examine(cluster.triangle[k], centre, reach2, point, own_patch)) continue;
+            const double distance2 = point.distance * point.distance;
+            if (distance2 < nearest2 || (distance2 <= nearest2 && point.triangle < nearest.triangle)) {
+                nearest2 = distance2;
+                nearest = point;
+            }
+            if (!own_patch || point.distance < 0) continue;
+            if (found.count == candidate_capacity) {
+                found.overflow = true;
+                continue;
+            }
+            found.points[found.count++] = point;
         }
-        if (!own_patch || point.distance < 0) continue;
-        if (found.count == candidate_capacity) {
-            found.overflow = true;
-            continue;
-        }
-        found.points[found.count++] = point;
     }
     if (nearest.triangle < 0) return;
     if (nearest.distance < 0) found.count = 0;  // behind the wall only the way out matters

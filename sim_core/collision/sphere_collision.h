@@ -21,13 +21,13 @@ namespace fulcrum {
 struct SphereCollisionOptions {
     double list_margin = 0.003;  ///< m of motion before a sphere is listed again
     double contact_margin =
-        0.001;  ///< m: planes with a gap below it are reported, so that the solve sees them coming
+        0.0005;  ///< m: planes with a gap below it are reported, so that the solve sees them coming
     double distinct_cosine =
         0.94;  ///< two patches are one where their normals' cosine is above this (20 degrees)
     double rest_exclusion =
         3.141592653589793;  ///< pairs closer than this many radii along the rest line are left out
     int projection_iterations = 3;
-    int list_capacity = 256;        ///< triangles a sphere
+    int list_capacity = 160;        ///< clusters of triangles a sphere
     int planes_per_sphere = 6;      ///< cavity planes a sphere
     int pair_capacity = 512;        ///< pairs of spheres in contact
     int near_pair_capacity = 8192;  ///< pairs of spheres near each other
@@ -88,11 +88,11 @@ class SphereCollision {
 
     /// The lists: a cache, not part of the world's state.
     struct Lists {
-        std::vector<ListedTriangle> triangles;  ///< [sphere * list_capacity + k], by rising distance
-        std::vector<ListedTriangle> direct;     ///< work space of a sphere whose list overflowed
-        std::vector<std::int32_t> counts;       ///< a sphere: triangles listed; < 0: ask the hierarchy
-        std::vector<Vector3> listed_at;         ///< m
-        std::vector<double> free_motion;        ///< m the sphere may move before it is listed again
+        std::vector<ListedCluster> clusters;  ///< [sphere * list_capacity + k], in the hierarchy's order
+        std::vector<ListedCluster> direct;    ///< work space of a sphere whose list overflowed
+        std::vector<std::int32_t> counts;     ///< a sphere: clusters listed; < 0: ask the hierarchy
+        std::vector<Vector3> listed_at;       ///< m
+        std::vector<double> free_motion;      ///< m the sphere may move before it is listed again
         std::vector<std::int32_t> near_first, near_second;  ///< pairs of spheres near each other
         std::vector<std::int32_t> order;                    ///< spheres by x, for the sweep
         std::vector<Vector3> near_at;                       ///< centres when the near pairs were listed
@@ -120,6 +120,7 @@ class SphereCollision {
         int count = 0;
         bool overflow = false;
     };
+    bool is_behind(const ListedCluster* clusters, int count, const Vector3& centre) const;
     bool refresh(int sphere, const Vector3& centre, Lists& lists) const;
     void gather(int sphere, const Vector3& centre, Lists& lists, Candidates& found) const;
     void keep_distinct(Candidates& found) const;

@@ -14,8 +14,8 @@
 namespace fulcrum::lab {
 namespace {
 
-constexpr int spheres = 200, recorded_steps = 200;
-constexpr double spacing = 0.0045, radius = 0.016, a_step = 0.050 * 0.005;
+constexpr int spheres = 200, recorded_steps = 60;
+constexpr double spacing = 0.0045, radius = 0.0125, a_step = 0.050 * 0.005;
 
 struct CollisionRun {
     std::unique_ptr<CavityModel> cavity;
@@ -42,14 +42,24 @@ std::shared_ptr<CollisionRun> build(bool with_cavity) {
     options.near_pair_capacity = 20000;
     if (with_cavity)
         run->cavity =
-            std::make_unique<CavityModel>(make_bowl({0.064, 0.056, 0.056}, 5, 0.03), FreeSide::behind);
+            std::make_unique<CavityModel>(make_bowl({0.075, 0.0535, 0.0535}, 5, 0.02), FreeSide::behind);
     run->collision = std::make_unique<SphereCollision>(run->cavity.get(), chain, options);
     run->lists = run->collision->make_lists();
     run->contacts = run->collision->make_contacts();
     run->depths.resize(spheres);
     for (int k = 0; k < 2 * recorded_steps; ++k) {
         const int there = k < recorded_steps ? k : 2 * recorded_steps - k;
-        run->centres.push_back(coil(spheres, spacing, 0.0385, 0.05, a_step * there));
+        run->centres.push_back(coil(spheres, spacing, 0.040, 0.094, a_step * there));
+    }
+    // Bowels lie on the wall and on each other: every recorded place is brought out of them first.
+    const CavityModel wall(make_bowl({0.075, 0.0535, 0.0535}, 5, 0.02), FreeSide::behind);
+    options.projection_iterations = 12;
+    const SphereCollision settle(&wall, chain, options);
+    SphereCollision::Lists lists = settle.make_lists();
+    SphereContacts contacts = settle.make_contacts();
+    for (auto& centres : run->centres) {
+        settle.collide(centres.data(), lists, contacts);
+        centres = lists.projected;
     }
     return run;
 }

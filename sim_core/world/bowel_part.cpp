@@ -345,7 +345,7 @@ void BowelPart::hash(StateHash& hash) const noexcept {
 }
 
 std::size_t BowelPart::bytes_rod() const { return rod_->bytes() + scratch_.bytes(); }
-std::size_t BowelPart::bytes_collision() const { return collision_->bytes() + lists_.triangles.capacity() * sizeof(ListedTriangle); }
+std::size_t BowelPart::bytes_collision() const { return collision_->bytes(); }
 std::size_t BowelPart::bytes_surface() const {
     return skin_->bytes() + surface_.capacity() * sizeof(Vector3) + rings_.capacity() * sizeof(RingMotion);
 }

@@ -27,36 +27,77 @@ double brute_distance(const TriangleMesh& mesh, const Vector3& point, std::size_
     return (point - closest_point_on_triangle(point, at(0), at(1), at(2)).position).norm();
 }
 
-TEST(Cavity, ListHasEveryTriangleWithinReachAndNoOther) {
+TEST(Cavity, ListHasEveryTriangleWithinReach) {
     const TriangleMesh mesh = test::make_bowl(half_axes, 30, 40, 0.05);
     const CavityModel cavity(mesh, FreeSide::behind);
     Random random(3);
-    std::vector<ListedTriangle> found(4000);
+    std::vector<ListedCluster> found(1000);
     for (int trial = 0; trial < 60; ++trial) {
         const Vector3 point(random.uniform(-0.07, 0.07), random.uniform(-0.07, 0.07),
                             random.uniform(-0.07, 0.07));
         const double reach = random.uniform(0.001, 0.03);
-        const int count = cavity.list(point, reach, found.data(), 4000);
+        const int count = cavity.list(point, reach, found.data(), 1000);
         std::set<std::int32_t> listed;
-        for (int k = 0; k < count; ++k) {
-            const ListedTriangle& entry = found[static_cast<std::size_t>(k)];
-            listed.insert(entry.triangle);
-            const double exact = brute_distance(mesh, point, static_cast<std::size_t>(entry.triangle));
-            EXPECT_LE(static_cast<double>(entry.distance), exact);
-            EXPECT_GT(static_cast<double>(entry.distance), exact - 1e-6);
-            const Vector3 centre(static_cast<double>(entry.centre[0]), static_cast<double>(entry.centre[1]),
-                                 static_cast<double>(entry.centre[2]));
-            for (const std::int32_t corner : mesh.triangles[static_cast<std::size_t>(entry.triangle)]) {
-                EXPECT_LE((mesh.vertices[static_cast<std::size_t>(corner)] - centre).norm(),
-                          static_cast<double>(entry.radius));
+        for (int c = 0; c < count; ++c) {
+            const ListedCluster& entry = found[static_cast<std::size_t>(c)];
+            EXPECT_LE(static_cast<double>(entry.distance), reach);
+            const TriangleCluster& cluster = cavity.cluster(entry.cluster);
+            for (int k = 0; k < cluster.count; ++k) {
+                EXPECT_TRUE(listed.insert(cluster.triangle[k]).second);
+                EXPECT_LE(static_cast<double>(entry.distance),
+                          brute_distance(mesh, point, static_cast<std::size_t>(cluster.triangle[k])));
             }
         }
+        EXPECT_LT(listed.size(), mesh.triangles.size());
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-            EXPECT_EQ(brute_distance(mesh, point, t) <= reach,
-                      listed.count(static_cast<std::int32_t>(t)) == 1)
-                << t;
+            if (brute_distance(mesh, point, t) <= reach) {
+                EXPECT_EQ(listed.count(static_cast<std::int32_t>(t)), 1U) << t;
+            }
         }
     }
+}
+
+// Rough: every vertex moved at random, so that ridges, valleys and saddles of all kinds meet.
+TriangleMesh rough_bowl(std::uint64_t seed, double roughness) {
+    TriangleMesh mesh = test::make_bowl(half_axes, 24, 32, 0.1);
+    Random random(seed);
+    for (Vector3& vertex : mesh.vertices) {
+        for (int i = 0; i < 3; ++i) vertex[i] += random.uniform(-roughness, roughness);
+    }
+    return mesh;
+}
+
+TEST(Cavity, WhoeverIsNotConcernedIsNeverTheNearest) {
+    std::vector<ListedCluster> found(1000);
+    long left_out = 0, kept = 0;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const CavityModel cavity(rough_bowl(seed, 0.0001 * static_cast<double>(seed)), FreeSide::behind);
+        Random random(seed, 1);
+        for (int trial = 0; trial < 300; ++trial) {
+            const Vector3 point(random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05),
+                                random.uniform(-0.05, 0.05));
+            const CavityPoint nearest = cavity.closest(point, 1.0);
+            const double reach = std::abs(nearest.distance) + 0.002;
+            bool concerned_nearest = false;
+            const int count = cavity.list(point, reach, found.data(), 1000);
+            for (int c = 0; c < count; ++c) {
+                const TriangleCluster& cluster = cavity.cluster(found[static_cast<std::size_t>(c)].cluster);
+                const float point4[4] = {static_cast<float>(point.x()), static_cast<float>(point.y()),
+                                         static_cast<float>(point.z()), 0.0F};
+                float concern[cluster_size];
+                const bool any = CavityModel::concerns(cluster, point4, static_cast<float>(reach), concern);
+                for (int k = 0; k < cluster.count; ++k) {
+                    const bool concerned = any && concern[k] < 0 && cavity.confirms(cluster, k, point4);
+                    (concerned ? kept : left_out) += 1;
+                    if (!concerned) continue;
+                    const double distance = std::abs(cavity.closest_on(cluster.triangle[k], point).distance);
+                    concerned_nearest = concerned_nearest || distance <= std::abs(nearest.distance) + 1e-12;
+                }
+            }
+            EXPECT_TRUE(concerned_nearest) << seed << " " << trial;
+        }
+    }
+    EXPECT_GT(left_out, 3 * kept);
 }
 
 TEST(Cavity, ClosestPointAgreesWithBruteForceAndFcl) {
@@ -111,8 +152,12 @@ TEST(Cavity, SliversAreLeftOutAndBadMeshesRefused) {
     mesh.triangles.push_back({0, 0, 1});
     mesh.triangles.push_back({0, 1, 2});  // collinear
     const CavityModel cavity(mesh, FreeSide::front);
-    std::vector<ListedTriangle> found(32);
-    EXPECT_EQ(cavity.list(Vector3(0, 0, 0.01), 1.0, found.data(), 32), 8);
+    std::vector<ListedCluster> found(32);
+    const int count = cavity.list(Vector3(0, 0, 0.01), 1.0, found.data(), 32);
+    int triangles = 0;
+    for (int c = 0; c < count; ++c)
+        triangles += cavity.cluster(found[static_cast<std::size_t>(c)].cluster).count;
+    EXPECT_EQ(triangles, 8);
     EXPECT_THROW(CavityModel(TriangleMesh{}, FreeSide::front), InputError);
     mesh.vertices[3].x() = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(CavityModel(mesh, FreeSide::front), InputError);
