@@ -21,7 +21,7 @@ namespace fulcrum {
 struct SphereCollisionOptions {
     double list_margin = 0.003;  ///< m of motion before a sphere is listed again
     double contact_margin =
-        0.0005;  ///< m: planes with a gap below it are reported, so that the solve sees them coming
+        0.001;  ///< m: planes with a gap below it are reported, so that the solve sees them coming
     double distinct_cosine =
         0.94;  ///< two patches are one where their normals' cosine is above this (20 degrees)
     double rest_exclusion =

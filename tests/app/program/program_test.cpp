@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QProcess>
 #include <QTemporaryDir>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/support.h"
@@ -95,7 +96,13 @@ TEST_F(Program, RefusesBrokenTraces) {
 
 TEST_F(Program, MeasuresAnyTrace) {
     std::string text = "t,left.px,left.py,left.pz\ns,m,m,m\n";
-    for (int i = 0; i <= 2000; ++i) text += std::to_string(i * 0.001) + "," + std::to_string(0.05 * i * 0.001) + ",0,0\n";
+    for (int i = 0; i <= 2000; ++i) {
+        // A minimum-jerk reach of 100 mm.
+        const double u = i / 2000.0, x = 0.1 * u * u * u * (10 - 15 * u + 6 * u * u);
+        char line[64];
+        std::snprintf(line, sizeof line, "%.3f,%.9f,0,0\n", i * 0.001, x);
+        text += line;
+    }
     write("line.csv", text);
     const Outcome outcome = run({"metrics", path("line.csv"), "--json"});
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
@@ -104,7 +111,7 @@ TEST_F(Program, MeasuresAnyTrace) {
     for (const auto& row : document["metrics"]) {
         if (row["id"] != "path_len" || row["hand"] != "left") continue;
         found = true;
-        EXPECT_NEAR(row["value"].get<double>(), 100.0, 0.2);
+        EXPECT_NEAR(row["value"].get<double>(), 100.0, 0.1);
     }
     EXPECT_TRUE(found);
 }
