@@ -341,6 +341,7 @@ void DebriefPage::fill_gates() {
         QString limit =
             (higher ? QStringLiteral("≥ ") : QStringLiteral("≤ ")) + figure_with_unit(gate.limit, gate.unit);
         if (gate.provisional) limit += tr(" (provisional)");
+        if (gate.limit_source.empty() && !gate.passed) limit = tr("none");  // no set has a level for it
         QString result = tr("– not judged");
         if (gate.passed) result = *gate.passed ? tr("✓ met") : tr("✕ not met");
         auto* verdict_cell = make_cell(result);
