@@ -6,9 +6,15 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QRadioButton>
+#include <QElapsedTimer>
 #include <QTemporaryDir>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
 
 #include "app/application.h"
+#include "app/live_attempt.h"
 #include "app/performance.h"
 #include "database/attempts.h"
 #include "tests/ui/journey/hands.h"
@@ -120,6 +126,60 @@ TEST_F(Window, ATraineeTouchesTheRealWorldAndTheRecordReplaysBitForBit) {
         click(window, "rail_home");
         expect_page("home_page");
     }
+}
+
+/// Resident memory of this process, bytes.
+double resident_bytes() {
+    std::ifstream file("/proc/self/statm");
+    double pages = 0, resident = 0;
+    file >> pages >> resident;
+    return resident * 4096.0;
+}
+
+/// Eight seconds in the suite; FULCRUM_SOAK_S=590 for the long run whose figures are in docs/results.
+TEST_F(Window, KeepsItsClockAndLosesNothingWhileItDraws) {
+    create_programme_and_trainee();
+    const char* asked = std::getenv("FULCRUM_SOAK_S");
+    const int seconds = asked != nullptr ? std::atoi(asked) : 8;
+    click(window, "briefing_B1");
+    expect_page("briefing_page");
+    find<QRadioButton>(window, "mode_practice")->setChecked(true);
+    click(window, "start_attempt");
+    expect_page("theatre_page");
+    auto* theatre = static_cast<TheatrePage*>(window.current_page());
+    TheatreView* view = theatre->view();
+    const QPoint middle = view->rect().center();
+    const auto* live = dynamic_cast<const LiveAttempt*>(theatre->session());
+    ASSERT_NE(live, nullptr);
+    QElapsedTimer clock;
+    clock.start();
+    double settled = 0;
+    for (int i = 0; clock.elapsed() < seconds * 1000LL; ++i) {
+        QTest::mouseMove(view, middle + QPoint(static_cast<int>(60 * std::sin(0.05 * i)), static_cast<int>(40 * std::cos(0.04 * i))));
+        QTest::qWait(20);
+        if (settled == 0 && clock.elapsed() > seconds * 250LL) settled = resident_bytes();
+    }
+    const double grown = resident_bytes() - settled;
+    const LoopStatistics statistics = live->statistics();
+    std::printf("ticks %llu, missed by program %llu, by scheduler %llu, late steps %llu, lost %llu, real-time priority %d\n",
+                static_cast<unsigned long long>(statistics.ticks), static_cast<unsigned long long>(statistics.missed_by_program),
+                static_cast<unsigned long long>(statistics.missed_by_scheduler), static_cast<unsigned long long>(statistics.late_steps),
+                static_cast<unsigned long long>(statistics.lost_samples), statistics.real_time_priority ? 1 : 0);
+    std::printf("wake p50 %.0f p99 %.0f p99.9 %.0f worst %.0f us; tick p50 %.0f p99 %.0f worst %.0f us; step p50 %.0f p99 %.0f worst %.0f us\n",
+                statistics.wake_p50_us, statistics.wake_p99_us, statistics.wake_p999_us, statistics.wake_worst_us, statistics.tick_p50_us,
+                statistics.tick_p99_us, statistics.tick_worst_us, statistics.step_p50_us, statistics.step_p99_us, statistics.step_worst_us);
+    std::printf("memory grown since the first quarter %.1f MiB, last frame %.1f ms\n", grown / 1048576.0, view->last_frame_ms());
+    click(window, "theatre_abandon");
+    click(window, "panel_abandon");
+    expect_page("debrief_page");
+    const database::Attempts attempts(*services->store());
+    const auto list = attempts.list(window.context().session());
+    ASSERT_EQ(list.size(), 1U);
+    const database::Trace trace = attempts.read_trace(window.context().session(), list[0].meta.id);
+    EXPECT_EQ(statistics.lost_samples, 0U);
+    ASSERT_GT(trace.samples.size(), static_cast<std::size_t>(seconds) * 900U);
+    for (std::size_t i = 0; i < trace.samples.size(); ++i) ASSERT_EQ(trace.samples[i].tick, i + 1);
+    EXPECT_LT(grown, 64.0 * 1048576.0);
 }
 
 }  // namespace
