@@ -151,6 +151,8 @@ TEST_F(Window, KeepsItsClockAndLosesNothingWhileItDraws) {
     const QPoint middle = view->rect().center();
     const auto* live = dynamic_cast<const LiveAttempt*>(theatre->session());
     ASSERT_NE(live, nullptr);
+    // Geometry and textures of the scene are made once, on a thread of their own: what they take is no growth.
+    ASSERT_TRUE(wait_for([&] { return view->is_loaded(); }, 60000));
     QElapsedTimer clock;
     clock.start();
     double settled = 0;
