@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// The paper's experiments: scenes run without a window that leave meshes, drawn side by side (`fulcrum lab
+// experiment`). sim_core makes the meshes and curves; whoever draws them needs nothing else.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "sim_core/geometry/mesh.h"
+#include "sim_core/numerics/types.h"
+
+namespace fulcrum::lab {
+
+/// A mesh at one moment. Positions in m, triangles counter-clockwise from outside.
+struct ExperimentMesh {
+    std::string name;  ///< "bowel", "floor", "cage", "tool" ...
+    TriangleMesh mesh;
+    std::array<float, 3> colour = {0.80F, 0.42F, 0.38F};  ///< linear RGB, 0 to 1
+    bool wireframe = false;                               ///< drawn as its edges (the cage)
+    bool smooth = true;                                   ///< vertex normals; false: facets show
+};
+
+/// One picture of the row: what is seen, and from where.
+struct ExperimentPanel {
+    std::string title;
+    std::vector<ExperimentMesh> meshes;
+    Vector3 eye = Vector3(0, -0.3, 0.1), target = Vector3::Zero(), up = Vector3::UnitZ();  ///< m
+    double field_of_view = 0.5;  ///< rad, full vertical angle
+};
+
+/// Figures measured along the way, printed under the picture and in the JSON.
+struct ExperimentFigure {
+    std::string name, unit;
+    double value = 0;
+};
+
+/// What an experiment leaves.
+struct ExperimentResult {
+    std::string id;       ///< file name of the picture, for example "fig03_force_filter"
+    std::string figure;   ///< the paper's figure, for example "Figs. 3 and 5"
+    std::string caption;  ///< one sentence: what is seen
+    int columns = 3;      ///< panels a row
+    std::vector<ExperimentPanel> panels;
+    std::vector<ExperimentFigure> figures;
+};
+
+}  // namespace fulcrum::lab
