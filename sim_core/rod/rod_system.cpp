@@ -214,7 +214,7 @@ double stretch_energy(const Rod::Tables& tables, const RodShape& shape) {
 
 namespace {
 
-constexpr Lanes plus_vector{1, 1, 1, 0}, minus_vector{-1, -1, -1, 0}, difference{-1, -1, -1, 1};
+constexpr Lanes plus_vector{1, 1, 1, 0}, difference{-1, -1, -1, 1};
 
 // Edge blocks to node blocks: z_j = A y_(j+1) + C y_j with A = diag(1, 1, 1, 0), C = diag(-1, -1, -1, 1).
 void assemble(const Rod::Tables& tables, const RodShape& shape, const RodJointTerms& joints,

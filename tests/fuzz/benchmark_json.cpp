@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whatever the bytes, a benchmark set is read with finite limits or refused with an InputError.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "assessment/scoring/benchmark.h"
+#include "sim_core/numerics/input_error.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    try {
+        const fulcrum::BenchmarkSet set =
+            fulcrum::parse_benchmark(std::string(reinterpret_cast<const char*>(data), size), "fuzz.json");
+        if (set.task.empty()) __builtin_trap();
+    } catch (const fulcrum::InputError& error) {
+        if (error.wrong().empty() || error.mend().empty()) __builtin_trap();
+    }
+    return 0;
+}
