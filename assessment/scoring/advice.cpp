@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One sentence: what, where (hand and phase), by how much, one thing to try. Worst first: a critical error,
-// an absolute gate by value over limit, a benchmark gate by z, a gate whose metric is absent.
+// an absolute gate by value over limit, a benchmark gate by z; then that the attempt was not carried to its
+// end, and only of one that was, a gate whose metric is absent: what was not reached was not done badly.
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -145,13 +146,6 @@ Advice make_advice(const ScoreInput& input, const Score& score) {
     for (const char* kind : {"absolute", "benchmark"})
         if (const GateResult* gate = worst_gate(score, kind))
             return {sentence_of(input, *gate), gate->evidence};
-    for (const GateResult& gate : score.gates)
-        if (gate.passed == false) {
-            const MetricDescriptor& d = *find_metric(gate.metric);
-            return {where_text(gate.hand, {}) + d.name + " has no value because " + gate.absent_because +
-                        "; " + d.advice_remedy + ".",
-                    {}};
-        }
     if (score.passed == true) return passed_advice(input, score);
     if (input.state == AttemptState::timed_out)
         return {
@@ -162,6 +156,13 @@ Advice make_advice(const ScoreInput& input, const Score& score) {
             "The attempt was abandoned before the last goal was reached; carry the next one through to its "
             "end.",
             {}};
+    for (const GateResult& gate : score.gates)
+        if (input.state == AttemptState::completed && gate.passed == false) {
+            const MetricDescriptor& d = *find_metric(gate.metric);
+            return {where_text(gate.hand, {}) + d.name + " has no value because " + gate.absent_because +
+                        "; " + d.advice_remedy + ".",
+                    {}};
+        }
     return {"Not scored: " + score.not_scored_because + ".", {}};
 }
 

@@ -68,6 +68,25 @@ TEST(Advice, OfWhatHasNoFigure) {
         "The attempt was abandoned before the last goal was reached; carry the next one through to its end.");
 }
 
+// A force that was never made is no fault of an attempt that was given up: the sentence is about giving up.
+TEST(Advice, OfAnAttemptThatWasNotCarriedToItsEndNamesNoAbsentFigure) {
+    for (const AttemptState state :
+         {AttemptState::abandoned, AttemptState::timed_out, AttemptState::interrupted}) {
+        std::vector<MetricResult> metrics = figures(50, -1.5, 1, 0);
+        for (MetricResult& metric : metrics)
+            if (metric.id == "f_max") metric = test::missing("f_max", metric.hand, Absence::not_done);
+        const std::string advice = advice_of(metrics, {}, state);
+        EXPECT_EQ(advice.find("has no value"), std::string::npos) << advice;
+        const char* about = state == AttemptState::abandoned   ? "The attempt was abandoned"
+                            : state == AttemptState::timed_out ? "The time ran out"
+                                                               : "Not scored: the attempt was interrupted";
+        EXPECT_EQ(advice.find(about), 0U) << advice;
+    }
+    // What was done badly before giving up is still the first thing to say.
+    EXPECT_NE(advice_of(figures(50, -1.5, 9, 0), {}, AttemptState::abandoned).find("the force rose to 9.0 N"),
+              std::string::npos);
+}
+
 TEST(Advice, EveryMetricMakesASentenceWithoutLeftOverMarks) {
     for (const Metric& metric : metric_registry()) {
         const MetricDescriptor& d = metric.descriptor;
