@@ -65,3 +65,21 @@ const char* const @symbol@ = R"embedded(@text@)embedded";
 ]=])
     target_sources(${target} PRIVATE ${source})
 endfunction()
+
+# fulcrum_build_info: lab::build_info() with compiler, flags and the commit, found anew by every build; links to programs only, so that a
+# new commit compiles one small file.
+function(fulcrum_build_info_library)
+    get_target_property(options fulcrum_flags INTERFACE_COMPILE_OPTIONS)
+    list(FILTER options EXCLUDE REGEX "^-W|^-fpch")
+    string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
+    list(JOIN options " " options)
+    set(source ${CMAKE_BINARY_DIR}/build_info/build_info.cpp)
+    add_custom_target(fulcrum_commit BYPRODUCTS ${source}
+        COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DOUTPUT=${source}
+            "-DCOMPILER=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}" "-DFLAGS=${CMAKE_CXX_FLAGS_${type}} ${options}"
+            -P ${PROJECT_SOURCE_DIR}/cmake/build_info.cmake
+        COMMENT "" VERBATIM)
+    add_library(fulcrum_build_info STATIC ${source})
+    add_dependencies(fulcrum_build_info fulcrum_commit)
+    target_link_libraries(fulcrum_build_info PUBLIC fulcrum_sim_core)
+endfunction()

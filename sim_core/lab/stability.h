@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "sim_core/lab/result_page.h"
+
 namespace fulcrum::lab {
 
 enum class StabilityOutcome : std::uint8_t {
@@ -48,5 +50,11 @@ struct StabilityMap {
     std::string theory_note;
     std::string measure;  ///< what StabilityCell::measure is, with unit; empty: none
 };
+
+/// Every map of sim_core, a model a line in stability.cpp.
+std::vector<StabilityMap> stability_maps();
+/// {"maps": [...], "non_finite": n} of docs/FORMATS.md.
+nlohmann::json to_json(const std::vector<StabilityMap>& maps);
+ResultPage stability_page(const std::vector<StabilityMap>& maps);
 
 }  // namespace fulcrum::lab

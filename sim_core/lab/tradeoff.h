@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "sim_core/lab/result_page.h"
+
 namespace fulcrum::lab {
 
 /// One level at one resolution: its error and the time of one step.
@@ -51,5 +53,21 @@ double median_time_us(int warm_up, int samples, Step&& step, Between&& between) 
     std::nth_element(times.begin(), middle, times.end());
     return *middle;
 }
+
+/// Every study of sim_core, a model a line in tradeoff.cpp, Pareto front marked. Takes a minute or two.
+std::vector<TradeoffStudy> tradeoff_studies();
+
+/// How one metric of one attempt moves when the same operator does the same task at another fidelity.
+struct ScoreSensitivity {
+    std::string task, operator_name, fidelity, metric;  ///< metric: id and hand
+    double value = 0, reference_value = 0;              ///< reference: the fidelity "fine"
+    double relative_change = 0;                         ///< (value - reference) / |reference|
+};
+
+/// {"studies": [...], "score_sensitivity": [...]} of docs/FORMATS.md.
+nlohmann::json to_json(const std::vector<TradeoffStudy>& studies,
+                       const std::vector<ScoreSensitivity>& sensitivity);
+ResultPage tradeoff_page(const std::vector<TradeoffStudy>& studies,
+                         const std::vector<ScoreSensitivity>& sensitivity);
 
 }  // namespace fulcrum::lab

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_core/lab/validation.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
+
+#include "sim_core/lab/chart.h"
+#include "sim_core/lab/validation_rooms.h"
 
 namespace fulcrum::lab {
 namespace {
@@ -41,7 +46,61 @@ ValidationCase absolute_case(std::string model, std::string name, std::string qu
 }
 
 std::vector<ValidationCase> validation_cases() {
-    return {};
+    std::vector<ValidationCase> cases;
+    for (const auto room : {rod_validation, rod_constraint_validation, buckling_validation}) {
+        std::vector<ValidationCase> more = room();
+        cases.insert(cases.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+    }
+    return cases;
+}
+
+nlohmann::json to_json(const std::vector<ValidationCase>& cases) {
+    nlohmann::json rows = nlohmann::json::array();
+    for (const ValidationCase& c : cases) {
+        rows.push_back({{"model", c.model},
+                        {"name", c.name},
+                        {"quantity", c.quantity},
+                        {"value", c.value},
+                        {"reference", c.reference},
+                        {"source", c.source},
+                        {"error", c.error},
+                        {"error_unit", c.error_unit},
+                        {"tolerance", c.tolerance},
+                        {"passed", c.passed}});
+    }
+    return {{"cases", rows}};
+}
+
+ResultPage validation_page(const std::vector<ValidationCase>& cases) {
+    ResultPage page("ACCURACY", "Accuracy", "fulcrum lab validate --output docs");
+    const auto failed =
+        std::count_if(cases.begin(), cases.end(), [](const ValidationCase& c) { return !c.passed; });
+    page.paragraph(
+        "Every model against closed forms and against solutions by another method; no reference uses the "
+        "model it judges. " +
+        std::to_string(cases.size()) + " cases, " + std::to_string(failed) +
+        " outside their tolerance. The same cases are asserted by the tests (tests/sim_core/lab). Errors are "
+        "relative to the reference or absolute in the quantity's unit, as said.");
+    ResultTable table;
+    table.name = "ACCURACY";
+    table.columns = {"model",     "case",      "quantity",
+                     "value",     "reference", "error",
+                     "tolerance", "passed",    "source of the reference"};
+    BarChart chart;
+    chart.title = "Error of each case, as a share of its tolerance";
+    chart.label = "error / tolerance (cases without any error are not drawn)";
+    chart.limit_name = "tolerance";
+    for (const ValidationCase& c : cases) {
+        table.rows.push_back({c.model, c.name, c.quantity, short_number(c.value, 8),
+                              short_number(c.reference, 8), short_number(c.error) + " " + c.error_unit,
+                              short_number(c.tolerance), c.passed ? "yes" : "**no**", c.source});
+        if (c.error > 0 && c.tolerance > 0)
+            chart.rows.push_back({c.model + ": " + c.name, c.error / c.tolerance, 1});
+    }
+    page.table(table);
+    page.chart("ACCURACY", "error over tolerance of each case", svg_bars(chart));
+    page.document(to_json(cases));
+    return page;
 }
 
 }  // namespace fulcrum::lab

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "sim_core/lab/result_page.h"
+
 namespace fulcrum::lab {
 
 /// One figure beside its reference.
@@ -32,5 +34,10 @@ ValidationCase absolute_case(std::string model, std::string name, std::string qu
 
 /// Every case, a room a function (add a line in validation.cpp for a new one). Takes less than 30 s.
 std::vector<ValidationCase> validation_cases();
+
+/// {"cases": [...]} of docs/FORMATS.md.
+nlohmann::json to_json(const std::vector<ValidationCase>& cases);
+/// docs/ACCURACY.md with its JSON, CSV and chart.
+ResultPage validation_page(const std::vector<ValidationCase>& cases);
 
 }  // namespace fulcrum::lab

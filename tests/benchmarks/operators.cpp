@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Experts against novices on a task over 20 seeds outside the benchmarks' own: medians with 95 % intervals by order statistics, and
-// whether every attempt replays bit for bit. Prints a table for docs/results.   usage: benchmark_operators A2|B1 [seeds]
+// Experts against novices on a task over 20 seeds outside the benchmarks' own: medians with 95 % intervals by
+// order statistics, and whether every attempt replays bit for bit. Prints the page, or writes it into a
+// folder.   usage: benchmark_operators A2|B1 [seeds] [FOLDER]
 #include <atomic>
 #include <chrono>
 #include <cstdio>
@@ -13,6 +14,8 @@
 #include "assessment/learning/statistics.h"
 #include "assessment/metrics/metrics_json.h"
 #include "assessment/operators/operator.h"
+#include "sim_core/lab/chart.h"
+#include "sim_core/lab/result_page.h"
 #include "tests/support/support.h"
 
 namespace {
@@ -36,7 +39,8 @@ struct Outcome {
     std::map<std::string, double> values;
 };
 
-Outcome attempt(const TaskDefinition& task, const Scene& scene, const std::string& preset, std::uint64_t seed) {
+Outcome attempt(const TaskDefinition& task, const Scene& scene, const std::string& preset,
+                std::uint64_t seed) {
     const auto begin = std::chrono::steady_clock::now();
     AttemptEngine engine(scene, task, seed);
     const auto rig = make_operator(preset, task, scene, seed);
@@ -52,7 +56,8 @@ Outcome attempt(const TaskDefinition& task, const Scene& scene, const std::strin
     MetricContext context = make_metric_context(scene, task, {});
     context.metrics = {"time", "path_len", "f_max", "sparc"};
     for (const MetricResult& row : compute_metrics(trace, sink.record.events, context)) {
-        if (row.tissue.empty() && row.value) outcome.values[row.id + (row.hand.empty() ? "" : " " + row.hand)] = *row.value;
+        if (row.tissue.empty() && row.value)
+            outcome.values[row.id + (row.hand.empty() ? "" : " " + row.hand)] = *row.value;
     }
     AttemptEngine again(scene, task, seed);
     const ReplayOutcome replay = replay_record(again, sink.record);
@@ -64,10 +69,11 @@ Outcome attempt(const TaskDefinition& task, const Scene& scene, const std::strin
 
 int main(int argc, char** argv) {
     if (argc < 2) {
-        std::fprintf(stderr, "usage: benchmark_operators A2|B1 [seeds]\n");
+        std::fprintf(stderr, "usage: benchmark_operators A2|B1 [seeds] [FOLDER]\n");
         return 2;
     }
-    const TaskDefinition task = load_task(test::source_path(std::string("assets/tasks/") + argv[1] + ".json"));
+    const TaskDefinition task =
+        load_task(test::source_path(std::string("assets/tasks/") + argv[1] + ".json"));
     const Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
     const int seeds = argc > 2 ? std::atoi(argv[2]) : 20;
     const char* presets[] = {"expert", "novice"};
@@ -77,12 +83,12 @@ int main(int argc, char** argv) {
     for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i) {
         threads.emplace_back([&] {
             for (int k = next++; k < 2 * seeds; k = next++) {
-                outcomes[static_cast<std::size_t>(k)] = attempt(task, scene, presets[k / seeds], 2000 + static_cast<std::uint64_t>(k % seeds));
+                outcomes[static_cast<std::size_t>(k)] =
+                    attempt(task, scene, presets[k / seeds], 2000 + static_cast<std::uint64_t>(k % seeds));
             }
         });
     }
     for (std::thread& thread : threads) thread.join();
-    std::printf("<!-- SPDX-License-Identifier: Apache-2.0 -->\n# %s: expert against novice, %d seeds from 2000\n\n", task.id.c_str(), seeds);
     std::map<std::string, std::vector<double>> values[2];
     int completed[2] = {0, 0}, identical = 0;
     double simulated = 0, wall = 0;
@@ -94,14 +100,50 @@ int main(int argc, char** argv) {
         wall += outcome.wall_s;
         for (const auto& [name, value] : outcome.values) values[k / seeds][name].push_back(value);
     }
-    std::printf("| metric | expert: median [95 %% interval] | novice: median [95 %% interval] | apart |\n| --- | --- | --- | --- |\n");
+    using lab::short_number;
+    lab::ResultPage page("operators_" + task.id,
+                         task.id + ": expert against novice, " + std::to_string(seeds) + " seeds from 2000",
+                         "benchmark_operators " + task.id + " " + std::to_string(seeds) + " docs/results");
+    lab::ResultTable table;
+    table.name = "operators_" + task.id;
+    table.columns = {"metric", "expert: median", "95 % interval", "novice: median", "95 % interval", "apart"};
+    nlohmann::json rows = nlohmann::json::array();
     for (const auto& [name, expert] : values[0]) {
         const auto a = median_interval(expert), b = median_interval(values[1][name]);
         if (!a || !b) continue;
-        std::printf("| %s | %.4g [%.4g, %.4g] | %.4g [%.4g, %.4g] | %s |\n", name.c_str(), a->median, a->low, a->high, b->median, b->low, b->high,
-                    a->high < b->low || b->high < a->low ? "yes" : "no");
+        const bool apart = a->high < b->low || b->high < a->low;
+        table.rows.push_back(
+            {name, short_number(a->median, 4), short_number(a->low, 4) + " to " + short_number(a->high, 4),
+             short_number(b->median, 4), short_number(b->low, 4) + " to " + short_number(b->high, 4),
+             apart ? "yes" : "no"});
+        rows.push_back({{"metric", name},
+                        {"expert", {a->median, a->low, a->high}},
+                        {"novice", {b->median, b->low, b->high}},
+                        {"apart", apart}});
     }
-    std::printf("\nCompleted: %d of %d experts, %d of %d novices. Replayed bit for bit: %d of %d. %.1f times real time a core, operators, record and scoring included.\n",
-                completed[0], seeds, completed[1], seeds, identical, 2 * seeds, simulated / wall);
+    page.table(table);
+    page.paragraph("Intervals by order statistics. Completed: " + std::to_string(completed[0]) + " of " +
+                   std::to_string(seeds) + " experts, " + std::to_string(completed[1]) + " of " +
+                   std::to_string(seeds) + " novices. Replayed bit for bit: " + std::to_string(identical) +
+                   " of " + std::to_string(2 * seeds) + ". " + short_number(simulated / wall) +
+                   " times real time a core, start, operators and record included, scoring and the replay "
+                   "that follows left out.");
+    page.paragraph(
+        "The presets were written so that experts are steadier, faster and gentler: this shows that tasks "
+        "and metrics tell them apart, not "
+        "that they tell people apart.");
+    page.document({{"task", task.id},
+                   {"seeds", seeds},
+                   {"completed", {completed[0], completed[1]}},
+                   {"identical", identical},
+                   {"real_time_factor", simulated / wall},
+                   {"metrics", rows}});
+    const lab::Machine machine = lab::this_machine(lab::build_info());
+    if (argc > 3) {
+        for (const std::string& path : page.write(argv[3], machine))
+            std::fprintf(stderr, "wrote %s\n", path.c_str());
+    } else {
+        std::printf("%s", page.text(machine).c_str());
+    }
     return identical == 2 * seeds ? 0 : 1;
 }

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The laboratory's commands that need the whole product: reference workloads with the attempt's own, what
+// each part of a scene costs, and how far the score moves with the fidelity.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sim_core/lab/result_page.h"
+#include "sim_core/lab/tradeoff.h"
+
+namespace fulcrum::app {
+
+/// A page and its JSON document.
+struct Measured {
+    lab::ResultPage page;
+    nlohmann::json document;
+};
+
+/// Reference workloads, all or the one named. Throws UsageError for a name there is none of.
+Measured measure_workloads(const std::optional<std::string>& only);
+/// Each part's price in each task's scene, under an expert operator at work.
+Measured measure_costs();
+/// Every metric of the same operator on the same task at each fidelity, against "fine".
+std::vector<lab::ScoreSensitivity> measure_score_sensitivity();
+
+}  // namespace fulcrum::app

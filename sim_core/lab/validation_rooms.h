@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The cases of each room; a new room is declared here and listed in validation.cpp.
+#pragma once
+
+#include <vector>
+
+#include "sim_core/lab/validation.h"
+
+namespace fulcrum::lab {
+
+/// Dead loads on a cantilever, helix, torque, rigid rotation, chain.
+std::vector<ValidationCase> rod_validation();
+/// Held ends, grasps against an elastica by multiple shooting, floor.
+std::vector<ValidationCase> rod_constraint_validation();
+/// Euler loads of three end conditions, twist of a straight rod: zeros of the tangent's smallest eigenvalue.
+std::vector<ValidationCase> buckling_validation();
+/// Mean value coordinates, rest pose, rings in a bend, volume.
+std::vector<ValidationCase> skinning_validation();
+/// Sum, power and continuity of the force filter.
+std::vector<ValidationCase> filter_validation();
+/// Eq. 8 and the device's stability boundary against a simulated device.
+std::vector<ValidationCase> haptic_validation();
+
+}  // namespace fulcrum::lab
