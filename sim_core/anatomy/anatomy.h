@@ -49,7 +49,7 @@ struct BowelParameters {
 struct BowelShape {
     /// Closed tube in the extended rest pose: along +x from 0 to the length, d3 = +x, d1 = +y, d2 = +z.
     /// Texture coordinates: u once around (0 .. 1, taeniae at 1/6, 3/6, 5/6), v = s / circumference. One
-    /// coordinate a vertex: drawing must duplicate the vertices of the seam u = 1 (renderer: split_seam).
+    /// coordinate a vertex: drawing must duplicate the vertices of the seam u = 1 (renderer: make_surface).
     TriangleMesh surface;
     double length = 0;          ///< m
     RadiusProfile radius;       ///< m, lumen radius by rest arc length; clamped at the ends
@@ -117,11 +117,16 @@ struct TissueTexture {
 struct AnatomyTextures {
     TissueTexture serosa;      ///< bowel: one circumference wide and two long; taeniae at u = 1/6, 3/6, 5/6
     TissueTexture fat;         ///< mesentery: 60 mm a tile
-    TissueTexture peritoneum;  ///< wall: 120 mm a tile
+    TissueTexture peritoneum;  ///< 120 mm a tile; the wall wears it through make_wall_texture
     TissueTexture steel;       ///< brushed along v: 20 mm a tile
 };
 
 /// size: width of the serosa's tile in pixels, a power of two, 128 .. 2048; the others follow.
 AnatomyTextures make_textures(std::uint64_t seed = 1, int size = 1024);
+
+/// The wall in one piece, by its own texture coordinates, width x width / 2 pixels (128 .. 4096): the peritoneum's
+/// tile seen along the three axes and blended by the normal, fat beneath it mixed in. normal: a vector of the
+/// patient frame to be added to the wall's unit normal, mapped from -1 .. 1.
+TissueTexture make_wall_texture(const CavityShape& cavity, const TissueTexture& peritoneum, int width = 2048);
 
 }  // namespace fulcrum

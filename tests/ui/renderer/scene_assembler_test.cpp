@@ -5,6 +5,7 @@
 
 #include <QImage>
 
+#include "sim_core/world/anatomy_binding.h"
 #include "sim_core/world/world.h"
 #include "ui/theatre/renderer/offscreen.h"
 
@@ -22,11 +23,11 @@ TEST(SceneAssembler, DrawsTheBowelWhereTheWorldHasIt) {
     ASSERT_NE(frame.bowel_positions, nullptr);
     ASSERT_NE(frame.mesentery_positions, nullptr);
     ASSERT_EQ(frame.tools.size(), scene.instruments.size());
+    const std::size_t vertices = bowel_anatomy(scene).surface.vertices.size();
     // Every ring has skin round it.
     for (std::size_t r = 2; r + 2 < snapshot.rings.size(); r += 4) {
-        if (snapshot.ring_arc_lengths[r] > 0.9 * scene.bowel->length) break;  // beyond the vertices looked at
         double nearest = 1;
-        for (int v = 0; v < 19000; ++v) {
+        for (std::size_t v = 0; v < vertices; ++v) {
             const float* p = frame.bowel_positions + 3 * v;
             nearest = std::min(nearest, (Vector3(p[0], p[1], p[2]) - snapshot.rings[r].position).norm());
         }

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <set>
+#include <cmath>
+#include <map>
+#include <numeric>
 
 #include "sim_core/anatomy/anatomy.h"
 #include "ui/theatre/renderer/tool_mesh.h"
@@ -17,55 +19,99 @@ std::uint32_t own(const SurfaceMesh& surface, std::uint32_t index) {
     return index < surface.base ? index : surface.source[index - surface.base];
 }
 
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+// How often each directed edge of the chosen triangles occurs, by the mesh's own vertices.
+std::map<Edge, int> edges_of(const SurfaceMesh& surface, const std::vector<std::uint32_t>& chosen) {
+    std::map<Edge, int> edges;
+    for (std::size_t t = 0; t < chosen.size(); t += 3) {
+        for (std::size_t c = 0; c < 3; ++c)
+            ++edges[{own(surface, chosen[t + c]), own(surface, chosen[t + (c + 1) % 3])}];
+    }
+    return edges;
+}
+
+std::vector<std::size_t> all_bands(const SurfaceMesh& surface) {
+    std::vector<std::size_t> order(surface.bands.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    return order;
+}
+
 TEST(SurfaceMesh, SeamIsClosedByCopiesAndNoTriangleRunsRoundTheTube) {
     const BowelShape bowel = make_bowel({}, PelvisParameters{});
-    const SurfaceMesh surface = split_seam(bowel.surface);
-    ASSERT_EQ(surface.indices.size(), 3 * bowel.surface.triangles.size());
+    const SurfaceMesh surface = make_surface(bowel.surface);
     ASSERT_EQ(surface.coordinates.size(), 2 * surface.vertices());
     EXPECT_GT(surface.source.size(), 100U);
     for (std::size_t t = 0; t < bowel.surface.triangles.size(); ++t) {
+        for (std::size_t c = 0; c < 3; ++c)
+            EXPECT_EQ(static_cast<std::int32_t>(own(surface, surface.indices[3 * t + c])),
+                      bowel.surface.triangles[t][c]);
+    }
+    // Coarse ones included: two columns of 48 at most.
+    for (std::size_t t = 0; t < surface.indices.size(); t += 3) {
         float low = 1e9F, high = -1e9F;
         for (std::size_t c = 0; c < 3; ++c) {
-            const std::uint32_t index = surface.indices[3 * t + c];
-            EXPECT_EQ(static_cast<std::int32_t>(own(surface, index)), bowel.surface.triangles[t][c]);
-            low = std::min(low, surface.coordinates[2 * index]);
-            high = std::max(high, surface.coordinates[2 * index]);
+            low = std::min(low, surface.coordinates[2 * surface.indices[t + c]]);
+            high = std::max(high, surface.coordinates[2 * surface.indices[t + c]]);
         }
-        EXPECT_LE(high - low, 0.53F);  // the fans of the two caps reach half round
+        EXPECT_LE(high - low, 2.001F / 48);
     }
 }
 
-TEST(SurfaceMesh, WallIsProjectedWhereItFacesAnAxisAndBlendedElsewhere) {
+TEST(SurfaceMesh, FineBandsAreTheMeshItself) {
     const CavityShape cavity = make_cavity({});
-    constexpr double tile = 0.12;
-    const SurfaceMesh surface = split_by_plane(cavity.mesh, tile);
-    ASSERT_EQ(surface.indices.size(), 3 * cavity.mesh.triangles.size());
-    EXPECT_GT(surface.blended_from, surface.indices.size() / 3);
-    EXPECT_LT(surface.blended_from, surface.indices.size());
-    std::multiset<std::array<std::int32_t, 3>> before(cavity.mesh.triangles.begin(),
-                                                      cavity.mesh.triangles.end()),
-        after;
-    for (std::size_t i = 0; i < surface.indices.size(); i += 3) {
-        std::array<std::int32_t, 3> triangle{};
-        for (std::size_t c = 0; c < 3; ++c)
-            triangle[c] = static_cast<std::int32_t>(own(surface, surface.indices[i + c]));
-        after.insert(triangle);
-        if (i >= surface.blended_from) continue;
-        // One projection for all three corners: lengths in the tile match lengths on the wall to the angle
-        // that it makes.
-        for (std::size_t c = 0; c < 3; ++c) {
-            const std::uint32_t a = surface.indices[i + c], b = surface.indices[i + (c + 1) % 3];
-            const double du = static_cast<double>(surface.coordinates[2 * a] - surface.coordinates[2 * b]);
-            const double dv =
-                static_cast<double>(surface.coordinates[2 * a + 1] - surface.coordinates[2 * b + 1]);
-            const double drawn = tile * std::hypot(du, dv);
-            const double real =
-                (cavity.mesh.vertices[own(surface, a)] - cavity.mesh.vertices[own(surface, b)]).norm();
-            EXPECT_LE(drawn, real * 1.001);
-            EXPECT_GE(drawn, real * 0.4);
+    const SurfaceMesh surface = make_surface(cavity.mesh);
+    std::vector<std::uint32_t> chosen;
+    choose_triangles(surface, all_bands(surface), std::vector<char>(surface.bands.size(), 1), chosen);
+    ASSERT_EQ(chosen.size(), 3 * cavity.mesh.triangles.size());
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+        ASSERT_EQ(static_cast<std::int32_t>(own(surface, chosen[i])), cavity.mesh.triangles[i / 3][i % 3]);
+}
+
+TEST(SurfaceMesh, CoarseAndFineBandsMeetWithoutAGap) {
+    for (const TriangleMesh& mesh : {make_bowel({}, PelvisParameters{}).surface, make_cavity({}).mesh}) {
+        const SurfaceMesh surface = make_surface(mesh);
+        ASSERT_GT(surface.bands.size(), 8U);
+        ASSERT_GT(surface.coarse_edge, 0.0);
+        const double fine_volume = std::abs(enclosed_volume(mesh.vertices, mesh.triangles));
+        for (std::uint32_t pattern = 0; pattern < 12; ++pattern) {
+            std::vector<char> fine(surface.bands.size());
+            for (std::size_t b = 0; b < fine.size(); ++b)
+                fine[b] = pattern == 0 ? 0 : static_cast<char>((b * 2654435761U * pattern >> 7) & 1U);
+            std::vector<std::uint32_t> chosen;
+            choose_triangles(surface, all_bands(surface), fine, chosen);
+            if (pattern == 0) {
+                EXPECT_LT(chosen.size(), mesh.triangles.size());  // a third of the indices at most
+            }
+            // Watertight and consistently oriented: each directed edge once, its reverse once.
+            const std::map<Edge, int> edges = edges_of(surface, chosen);
+            std::vector<Triangle> triangles;
+            for (const auto& [edge, count] : edges) {
+                ASSERT_EQ(count, 1);
+                ASSERT_EQ(edges.count({edge.second, edge.first}), 1U) << "pattern " << pattern;
+            }
+            for (std::size_t t = 0; t < chosen.size(); t += 3) {
+                triangles.push_back({});
+                for (std::size_t c = 0; c < 3; ++c)
+                    triangles.back()[c] = static_cast<std::int32_t>(own(surface, chosen[t + c]));
+            }
+            EXPECT_NEAR(std::abs(enclosed_volume(mesh.vertices, triangles)) / fine_volume, 1.0, 0.02);
         }
     }
-    EXPECT_EQ(before, after);
+}
+
+TEST(SurfaceMesh, AMeshWithoutRowsOrCoordinatesIsDrawnAsItIs) {
+    TriangleMesh mesh;
+    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+    const SurfaceMesh surface = make_surface(mesh);
+    EXPECT_EQ(surface.vertices(), 4U);
+    EXPECT_EQ(surface.coordinates.size(), 8U);
+    ASSERT_EQ(surface.bands.size(), 1U);
+    std::vector<std::uint32_t> chosen;
+    choose_triangles(surface, {0}, {0}, chosen);
+    EXPECT_EQ(chosen, surface.indices);
+    EXPECT_EQ(chosen.size(), 12U);
 }
 
 TEST(ToolMesh, NormalsAreUnitAndIndicesValid) {

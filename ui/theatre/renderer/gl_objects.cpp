@@ -36,81 +36,76 @@ std::unique_ptr<QOpenGLTexture> upload(const Image& image) {
 
 }  // namespace
 
-GlSurface::GlSurface(const SurfaceMesh& mesh, const float* positions, const float* normals,
+GlSurface::GlSurface(SurfaceMesh mesh, const float* positions, const float* normals,
                      const std::vector<float>& detail)
-    : base_(mesh.base),
-      source_(mesh.source),
-      copies_(3 * mesh.source.size()),
-      blended_from_(mesh.blended_from),
-      index_count_(mesh.indices.size()) {
+    : mesh_(std::move(mesh)), copies_(3 * mesh_.source.size()) {
     QOpenGLExtraFunctions& gl = *QOpenGLContext::currentContext()->extraFunctions();
     array_.create();
     array_.bind();
-    const std::vector<float> zeros(3 * static_cast<std::size_t>(base_), 0.0F);
+    const std::vector<float> zeros(3 * static_cast<std::size_t>(mesh_.base), 0.0F);
     for (QOpenGLBuffer* buffer : {&positions_, &normals_}) {
         buffer->create();
         buffer->setUsagePattern(QOpenGLBuffer::DynamicDraw);
         buffer->bind();
-        buffer->allocate(bytes(3 * mesh.vertices(), sizeof(float)));
+        buffer->allocate(bytes(3 * mesh_.vertices(), sizeof(float)));
         const float* given = buffer == &positions_ ? positions : normals;
         fill(*buffer, given != nullptr ? given : zeros.data());
         attribute(gl, buffer == &positions_ ? 0 : 1, 3, 0, 0);
     }
     coordinates_.create();
     coordinates_.bind();
-    coordinates_.allocate(mesh.coordinates.data(), bytes(mesh.coordinates.size(), sizeof(float)));
+    coordinates_.allocate(mesh_.coordinates.data(), bytes(mesh_.coordinates.size(), sizeof(float)));
     attribute(gl, 2, 2, 0, 0);
     std::vector<float> all = detail;
-    all.resize(base_, 0.0F);
-    for (const std::uint32_t vertex : source_) all.push_back(all[vertex]);
+    all.resize(mesh_.base, 0.0F);
+    for (const std::uint32_t vertex : mesh_.source) all.push_back(all[vertex]);
     detail_.create();
     detail_.bind();
     detail_.allocate(all.data(), bytes(all.size(), sizeof(float)));
     attribute(gl, 3, 1, 0, 0);
     indices_.create();
+    indices_.setUsagePattern(QOpenGLBuffer::StreamDraw);
     indices_.bind();
-    indices_.allocate(mesh.indices.data(), bytes(mesh.indices.size(), sizeof(std::uint32_t)));
     array_.release();
-
-    constexpr std::size_t run_length = 3 * 400;
-    for (const std::uint32_t index : mesh.indices)
-        sources_of_indices_.push_back(index < base_ ? index : source_[index - base_]);
-    const std::pair<std::size_t, std::size_t> parts[] = {{0, blended_from_}, {blended_from_, index_count_}};
-    for (const auto& part : parts) {
-        for (std::size_t first = part.first; first < part.second; first += run_length)
-            runs_.push_back({first, std::min(first + run_length, part.second), Vector3::Zero(), 0.0});
-    }
+    balls_.resize(mesh_.bands.size());
+    distances_.resize(mesh_.bands.size());
+    fine_.resize(mesh_.bands.size());
+    order_.reserve(mesh_.bands.size());
+    chosen_.reserve(mesh_.indices.size());
     bound(positions != nullptr ? positions : zeros.data());
 }
 
 void GlSurface::bound(const float* positions) {
-    for (Run& run : runs_) {
+    for (std::size_t b = 0; b < balls_.size(); ++b) {
         Eigen::Vector3f low = Eigen::Vector3f::Constant(1e9F), high = -low;
         // Neighbouring triangles share vertices: every seventh corner is dense enough for a box with a
         // margin.
-        for (std::size_t i = run.first; i < run.last; i += 7) {
-            const float* p = positions + 3 * sources_of_indices_[i];
+        for (std::size_t i = mesh_.bands[b].fine.first; i < mesh_.bands[b].fine.last; i += 7) {
+            const std::uint32_t index = mesh_.indices[i];
+            const float* p = positions + 3 * (index < mesh_.base ? index : mesh_.source[index - mesh_.base]);
             const Eigen::Vector3f point(p[0], p[1], p[2]);
             low = low.cwiseMin(point);
             high = high.cwiseMax(point);
         }
         constexpr double margin = 0.008;  // m
-        run.centre = (0.5F * (low + high)).cast<double>();
-        run.radius = 0.5 * static_cast<double>((high - low).norm()) + margin;
+        balls_[b] = {(0.5F * (low + high)).cast<double>(),
+                     0.5 * static_cast<double>((high - low).norm()) + margin};
     }
 }
 
 void GlSurface::fill(QOpenGLBuffer& buffer, const float* values) {
-    const int own = bytes(3 * static_cast<std::size_t>(base_), sizeof(float));
+    const int own = bytes(3 * static_cast<std::size_t>(mesh_.base), sizeof(float));
     buffer.write(0, values, own);
-    if (source_.empty()) return;
-    for (std::size_t i = 0; i < source_.size(); ++i) {
-        for (std::size_t c = 0; c < 3; ++c) copies_[3 * i + c] = values[3 * source_[i] + c];
+    if (mesh_.source.empty()) return;
+    for (std::size_t i = 0; i < mesh_.source.size(); ++i) {
+        for (std::size_t c = 0; c < 3; ++c) copies_[3 * i + c] = values[3 * mesh_.source[i] + c];
     }
     buffer.write(own, copies_.data(), bytes(copies_.size(), sizeof(float)));
 }
 
-void GlSurface::update(const float* positions, const float* normals) {
+void GlSurface::update(const float* positions, const float* normals, std::uint64_t version) {
+    if (version != 0 && version == version_) return;
+    version_ = version;
     positions_.bind();
     fill(positions_, positions);
     normals_.bind();
@@ -119,30 +114,32 @@ void GlSurface::update(const float* positions, const float* normals) {
     bound(positions);
 }
 
-void GlSurface::draw(QOpenGLExtraFunctions& gl, std::size_t first, std::size_t last, const Sight& sight) {
+void GlSurface::draw(QOpenGLExtraFunctions& gl, const Sight& sight) {
     const double sine = std::sin(sight.half_angle), cosine = std::cos(sight.half_angle);
-    array_.bind();
-    std::size_t from = 0, to = 0;
-    const auto flush = [&]() {
-        if (from < to) {
-            gl.glDrawElements(GL_TRIANGLES, static_cast<int>(to - from), GL_UNSIGNED_INT,
-                              reinterpret_cast<const void*>(from * sizeof(std::uint32_t)));
-        }
-    };
-    for (const Run& run : runs_) {
-        if (run.first < first || run.last > last) continue;
+    order_.clear();
+    for (std::size_t b = 0; b < balls_.size(); ++b) {
+        const Ball& ball = balls_[b];
         // Distance of the ball's centre from the cone's surface, positive outside.
-        const Vector3 to_centre = run.centre - sight.eye;
+        const Vector3 to_centre = ball.centre - sight.eye;
         const double ahead = to_centre.dot(sight.forward);
         const double aside = (to_centre - ahead * sight.forward).norm();
-        if (aside * cosine - ahead * sine > run.radius || ahead < -run.radius) continue;
-        if (run.first != to) {
-            flush();
-            from = run.first;
+        distances_[b] = std::max(0.0, to_centre.norm() - ball.radius);
+        fine_[b] = mesh_.coarse_edge > sight.coarse_edge_at_1m * distances_[b] ? 1 : 0;
+        for (const Vector3& place : sight.touched) {
+            if ((place - ball.centre).norm() < ball.radius) fine_[b] = 1;
         }
-        to = run.last;
+        if (aside * cosine - ahead * sine <= ball.radius && ahead >= -ball.radius) order_.push_back(b);
     }
-    flush();
+    std::sort(order_.begin(), order_.end(), [this](std::size_t a, std::size_t b) {
+        return distances_[a] != distances_[b] ? distances_[a] < distances_[b] : a < b;
+    });
+    chosen_.clear();
+    choose_triangles(mesh_, order_, fine_, chosen_);
+    if (chosen_.empty()) return;
+    array_.bind();
+    indices_.bind();
+    indices_.allocate(chosen_.data(), bytes(chosen_.size(), sizeof(std::uint32_t)));
+    gl.glDrawElements(GL_TRIANGLES, static_cast<int>(chosen_.size()), GL_UNSIGNED_INT, nullptr);
     array_.release();
 }
 

@@ -20,35 +20,39 @@ class GlSurface {
   public:
     /// positions, normals: of the mesh's own vertices; null: zeros until update(). detail: one a vertex, may
     /// be empty.
-    GlSurface(const SurfaceMesh& mesh, const float* positions, const float* normals,
+    GlSurface(SurfaceMesh mesh, const float* positions, const float* normals,
               const std::vector<float>& detail);
-    void update(const float* positions, const float* normals);
-    /// What of the surface may be seen: a cone from the eye, patient frame. Whole runs of triangles outside
-    /// are left out.
+    /// version: of the positions; the same number as last time, not 0: nothing is to be done.
+    void update(const float* positions, const float* normals, std::uint64_t version);
+    /// What of the surface may be seen, a cone from the eye, and how finely it is worth drawing. Patient
+    /// frame.
     struct Sight {
         Vector3 eye = Vector3::Zero(), forward = -Vector3::UnitZ();
         double half_angle = 0.6;  ///< rad
+        /// Coarse triangles with edges up to this long at a distance of 1 m may be drawn, m; 0: none.
+        double coarse_edge_at_1m = 0;
+        std::vector<Vector3> touched;  ///< places about which the surface has detail of its own: fine there
     };
-    /// Triangles whose indices lie in [first, last).
-    void draw(QOpenGLExtraFunctions& gl, std::size_t first, std::size_t last, const Sight& sight);
-    std::size_t blended_from() const { return blended_from_; }
-    std::size_t index_count() const { return index_count_; }
+    /// Nearest first. Whole bands outside the cone are left out.
+    void draw(QOpenGLExtraFunctions& gl, const Sight& sight);
+    std::size_t drawn_triangles() const { return chosen_.size() / 3; }
 
   private:
-    // A run of triangles and a ball around it.
-    struct Run {
-        std::size_t first, last;
+    // A ball around a band.
+    struct Ball {
         Vector3 centre;
         double radius;
     };
     void fill(QOpenGLBuffer& buffer, const float* values);
     void bound(const float* positions);
-    std::vector<Run> runs_;
-    std::vector<std::uint32_t> sources_of_indices_;
-    std::uint32_t base_;
-    std::vector<std::uint32_t> source_;
+    SurfaceMesh mesh_;
+    std::vector<Ball> balls_;
+    std::vector<double> distances_;
+    std::vector<std::size_t> order_;
+    std::vector<char> fine_;
+    std::vector<std::uint32_t> chosen_;
     std::vector<float> copies_;
-    std::size_t blended_from_, index_count_;
+    std::uint64_t version_ = 0;
     QOpenGLVertexArrayObject array_;
     QOpenGLBuffer positions_{QOpenGLBuffer::VertexBuffer}, normals_{QOpenGLBuffer::VertexBuffer},
         coordinates_{QOpenGLBuffer::VertexBuffer}, detail_{QOpenGLBuffer::VertexBuffer},
@@ -72,6 +76,7 @@ struct GlTissue {
     void bind() const;
 };
 
+/// RGBA images, which repeat.
 GlTissue upload(const TissueTexture& texture);
 
 /// Null with a message in `error` where it does not compile.

@@ -12,6 +12,7 @@ struct SceneAssembler::Impl {
     Scene scene;
     AnatomyTextures textures;
     std::unique_ptr<CavityShape> cavity;
+    std::shared_ptr<const TissueTexture> wall;
     std::unique_ptr<BowelShape> bowel;
     std::unique_ptr<MesenteryShape> mesentery;
     std::unique_ptr<BowelSkin> skin;
@@ -26,6 +27,8 @@ SceneAssembler::SceneAssembler(const Scene& scene, const WorldSnapshot& first)
     i.scene = scene;
     i.textures = make_textures(scene.cavity ? scene.cavity->seed : 1, scene.bowel ? 1024 : 128);
     if (scene.cavity) i.cavity = std::make_unique<CavityShape>(make_cavity(pelvis_parameters(*scene.cavity)));
+    if (i.cavity)
+        i.wall = std::make_shared<TissueTexture>(make_wall_texture(*i.cavity, i.textures.peritoneum));
     if (!scene.bowel || !i.cavity || first.rings.size() < 3) return;
     i.bowel = std::make_unique<BowelShape>(make_bowel(bowel_parameters(*scene.bowel), *i.cavity));
     // The world's cage: a sphere at every second ring.
@@ -53,7 +56,7 @@ SceneAssembler::~SceneAssembler() = default;
 void SceneAssembler::install(SceneRenderer& renderer) const {
     renderer.clear_scene();
     renderer.set_textures(impl_->textures);
-    if (impl_->cavity) renderer.set_cavity(*impl_->cavity);
+    if (impl_->cavity) renderer.set_cavity(*impl_->cavity, impl_->wall);
     if (impl_->bowel) {
         renderer.set_bowel(impl_->bowel->surface, impl_->bowel->taenia);
         renderer.set_reflection(make_reflection(*impl_->bowel));

@@ -14,11 +14,12 @@ namespace fulcrum::ui {
 namespace {
 
 constexpr float near_plane = 0.003F, far_plane = 0.8F;  // m
-constexpr double wall_tile = 0.12;                      // m, as the wall's program
 constexpr int most_tools = 4;
 // A processor draws a scene of 500 x 500 within its budget and scales it up; what is lost is less than a lens
 // loses.
 constexpr double software_resolution = 0.7;
+// A processor shades blocks of 4 x 4 pixels: of triangles much smaller than that most of the work is lost.
+constexpr double software_coarse_pixels = 24;
 const QVector3D lamp(0.0F, 0.0035F, 0.001F);  // beside the lens, camera space
 
 QVector3D vector(const Vector3& v) {
@@ -75,6 +76,8 @@ struct SceneRenderer::Impl {
     // What was set; uploaded at the next picture.
     std::optional<AnatomyTextures> textures;
     bool textures_changed = false;
+    std::shared_ptr<const TissueTexture> given_wall;
+    CavityShape wall_shape;  // kept until its texture is made
     struct Geometry {
         SurfaceMesh mesh;
         std::vector<float> positions, normals, detail;
@@ -84,10 +87,11 @@ struct SceneRenderer::Impl {
 
     bool ready = false;
     double share_of_resolution = 1;
-    bool smooth = false;  // four samples a pixel
+    bool smooth = false;       // four samples a pixel
+    double coarse_pixels = 0;  // coarse triangles with shorter edges than that are good enough; 0: none are
     using Program = std::unique_ptr<QOpenGLShaderProgram>;
     Program tissue, wall, box, steel, target, screen;
-    GlTissue serosa, fat, peritoneum, metal;
+    GlTissue serosa, fat, peritoneum, wall_skin, metal;
     std::unique_ptr<GlSurface> gl_cavity, gl_bowel, gl_mesentery, gl_reflection;
     std::unique_ptr<GlRigid> shaft, clevis, jaw, probe_end, sphere, room, frame_mask, quad;
     std::unique_ptr<QOpenGLFramebufferObject> image, resolved;
@@ -112,6 +116,11 @@ struct SceneRenderer::Impl {
             peritoneum = upload(textures->peritoneum);
             metal = upload(textures->steel);
             textures_changed = false;
+        }
+        if (cavity.changed && cavity.present) {
+            wall_skin = upload(
+                given_wall ? *given_wall
+                           : make_wall_texture(wall_shape, textures->peritoneum, 2 * options.texture_size));
         }
         take(cavity, gl_cavity);
         take(bowel, gl_bowel);
@@ -226,6 +235,12 @@ struct SceneRenderer::Impl {
         sight.eye = frame.camera.position;
         sight.forward = -(frame.camera.orientation * Vector3::UnitZ());
         sight.half_angle = 0.5 * frame.camera.field_of_view;
+        if (coarse_pixels > 0)
+            sight.coarse_edge_at_1m = coarse_pixels * 2 * std::tan(sight.half_angle) / image->height();
+        for (const DrawnTool& tool : frame.tools) {
+            if (tool.pose.inside)
+                sight.touched.push_back(tool.pose.tip - 0.5 * tool.jaw_length * tool.pose.axis);
+        }
         gl.glEnable(GL_DEPTH_TEST);
         gl.glDepthFunc(GL_LESS);
         gl.glDisable(GL_BLEND);
@@ -242,23 +257,20 @@ struct SceneRenderer::Impl {
         draw_targets(gl, frame, false);
         gl.glEnable(GL_CULL_FACE);
         if (gl_bowel && frame.bowel_positions != nullptr && frame.bowel_normals != nullptr) {
-            gl_bowel->update(frame.bowel_positions, frame.bowel_normals);
+            gl_bowel->update(frame.bowel_positions, frame.bowel_normals, frame.version);
             start(*tissue, frame);
             tissue->setUniformValue("bump", 1.0F);
             tissue->setUniformValue("rim_fade", 0.0F);
             serosa.bind();
             gl.glCullFace(GL_BACK);
-            gl_bowel->draw(gl, 0, gl_bowel->index_count(), sight);
+            gl_bowel->draw(gl, sight);
         }
         if (gl_cavity) {
             start(*wall, frame);
             wall->setUniformValue("bump", 1.0F);
-            peritoneum.bind();
+            wall_skin.bind();
             gl.glCullFace(GL_FRONT);  // seen from inside
-            wall->setUniformValue("blended", 0);
-            gl_cavity->draw(gl, 0, gl_cavity->blended_from(), sight);
-            wall->setUniformValue("blended", 1);
-            gl_cavity->draw(gl, gl_cavity->blended_from(), gl_cavity->index_count(), sight);
+            gl_cavity->draw(gl, sight);
         } else {
             gl.glDisable(GL_CULL_FACE);
             start(*box, frame);
@@ -275,15 +287,15 @@ struct SceneRenderer::Impl {
             tissue->setUniformValue("bump", 1.0F);
             tissue->setUniformValue("rim_fade", 0.45F);
             peritoneum.bind();
-            gl_reflection->draw(gl, 0, gl_reflection->index_count(), sight);
+            gl_reflection->draw(gl, sight);
         }
         if (gl_mesentery && frame.mesentery_positions != nullptr && frame.mesentery_normals != nullptr) {
-            gl_mesentery->update(frame.mesentery_positions, frame.mesentery_normals);
+            gl_mesentery->update(frame.mesentery_positions, frame.mesentery_normals, frame.version);
             start(*tissue, frame);
             tissue->setUniformValue("bump", 1.0F);
             tissue->setUniformValue("rim_fade", 0.3F);
             fat.bind();
-            gl_mesentery->draw(gl, 0, gl_mesentery->index_count(), sight);
+            gl_mesentery->draw(gl, sight);
         }
         draw_targets(gl, frame, true);
         draw_tools(gl, frame, true);
@@ -349,43 +361,31 @@ void SceneRenderer::set_textures(const AnatomyTextures& textures) {
     impl_->textures_changed = true;
 }
 
-void SceneRenderer::set_cavity(const CavityShape& cavity) {
-    impl_->cavity = {split_by_plane(cavity.mesh, wall_tile),
-                     float_positions(cavity.mesh),
-                     float_normals(cavity.mesh),
-                     cavity.fat,
-                     true,
-                     true};
+void SceneRenderer::set_cavity(const CavityShape& cavity, std::shared_ptr<const TissueTexture> wall) {
+    impl_->given_wall = std::move(wall);
+    impl_->wall_shape = cavity;
+    impl_->cavity = {
+        make_surface(cavity.mesh), float_positions(cavity.mesh), float_normals(cavity.mesh), {}, true, true};
     // Seen from inside: the normals look in.
     for (float& value : impl_->cavity.normals) value = -value;
 }
 
 void SceneRenderer::set_bowel(const TriangleMesh& rest_surface, const std::vector<float>& taenia) {
-    impl_->bowel = {split_seam(rest_surface), {}, {}, taenia, true, true};
+    impl_->bowel = {make_surface(rest_surface), {}, {}, taenia, true, true};
     // The serosa's tile is two circumferences long.
     std::vector<float>& coordinates = impl_->bowel.mesh.coordinates;
     for (std::size_t i = 1; i < coordinates.size(); i += 2) coordinates[i] *= 0.5F;
 }
 
 void SceneRenderer::set_mesentery(const MesenteryShape& mesentery) {
-    SurfaceMesh mesh;
-    mesh.base = static_cast<std::uint32_t>(mesentery.mesh.vertices.size());
-    for (const auto& uv : mesentery.mesh.texture_coordinates) {
-        mesh.coordinates.push_back(static_cast<float>(uv.x()));
-        mesh.coordinates.push_back(static_cast<float>(uv.y()));
-    }
-    for (const Triangle& triangle : mesentery.mesh.triangles) {
-        for (const auto vertex : triangle) mesh.indices.push_back(static_cast<std::uint32_t>(vertex));
-    }
-    mesh.blended_from = mesh.indices.size();
     std::vector<float> fraction;
     for (const MesenteryVertex& vertex : mesentery.vertices)
         fraction.push_back(static_cast<float>(vertex.fraction));
-    impl_->mesentery = {std::move(mesh), {}, {}, std::move(fraction), true, true};
+    impl_->mesentery = {make_surface(mesentery.mesh), {}, {}, std::move(fraction), true, true};
 }
 
 void SceneRenderer::set_reflection(const ReflectionShape& reflection) {
-    impl_->reflection = {split_seam(reflection.mesh),
+    impl_->reflection = {make_surface(reflection.mesh),
                          float_positions(reflection.mesh),
                          float_normals(reflection.mesh),
                          reflection.thinness,
@@ -420,6 +420,7 @@ bool SceneRenderer::initialise() {
     const bool software =
         device.contains("llvmpipe") || device.contains("softpipe") || device.contains("SWR");
     i.smooth = i.options.multisample || !software;
+    i.coarse_pixels = software ? software_coarse_pixels : 0;
     i.share_of_resolution =
         i.options.resolution > 0 ? i.options.resolution : (software ? software_resolution : 1.0);
     i.shaft = std::make_unique<GlRigid>(make_shaft());
@@ -460,7 +461,7 @@ void SceneRenderer::release() {
     Impl& i = *impl_;
     for (Impl::Program* program : {&i.tissue, &i.wall, &i.box, &i.steel, &i.target, &i.screen})
         program->reset();
-    for (GlTissue* tissue : {&i.serosa, &i.fat, &i.peritoneum, &i.metal}) *tissue = {};
+    for (GlTissue* tissue : {&i.serosa, &i.fat, &i.peritoneum, &i.wall_skin, &i.metal}) *tissue = {};
     for (auto* surface : {&i.gl_cavity, &i.gl_bowel, &i.gl_mesentery, &i.gl_reflection}) surface->reset();
     for (auto* part : {&i.shaft, &i.clevis, &i.jaw, &i.probe_end, &i.sphere, &i.room, &i.frame_mask, &i.quad})
         part->reset();

@@ -44,6 +44,8 @@ struct SceneFrame {
     const float* bowel_normals = nullptr;
     const float* mesentery_positions = nullptr;  ///< as evaluate_mesentery gives them; null: not drawn
     const float* mesentery_normals = nullptr;
+    std::uint64_t version =
+        0;  ///< of these four: equal and not 0, they have not changed since the last picture
     std::vector<DrawnTarget> targets;
     std::vector<DrawnTool> tools;
     double brightness = 1.0;  ///< of the light
@@ -66,7 +68,8 @@ class SceneRenderer {
 
     // What the scene is made of. May be called before there is a context; each replaces what was set before.
     void set_textures(const AnatomyTextures& textures);
-    void set_cavity(const CavityShape& cavity);
+    /// wall: what make_wall_texture gives for it; without it the renderer makes its own at the next picture.
+    void set_cavity(const CavityShape& cavity, std::shared_ptr<const TissueTexture> wall = nullptr);
     void set_bowel(const TriangleMesh& rest_surface, const std::vector<float>& taenia);
     void set_mesentery(const MesenteryShape& mesentery);
     void set_reflection(const ReflectionShape& reflection);

@@ -68,16 +68,12 @@ uniform mat4 projection;
 out vec3 place;      // camera space
 out vec3 facing;     // camera space
 out vec2 uv;
-out vec3 arrived;    // light, squeezed pale, and what the vertex knows: fat beneath, or fraction along the mesentery
-out vec3 body;       // patient frame
-out vec3 body_normal;
+out vec3 arrived;    // light, squeezed pale, and what the vertex knows: fraction along the mesentery
 void main() {
     vec4 p = to_camera * vec4(position, 1.0);
     place = p.xyz;
     facing = mat3(to_camera) * normal;
     uv = coordinates;
-    body = position;
-    body_normal = normal;
     // Light and shadow change slowly over a few millimetres: once a vertex is enough.
     vec2 shaded = shade(p.xyz);
     arrived = vec3(arriving(p.xyz) * shaded.x, shaded.y, detail);
@@ -171,42 +167,22 @@ in vec3 place;
 in vec3 facing;
 in vec2 uv;
 in vec3 arrived;
-in vec3 body;
-in vec3 body_normal;
 uniform vec3 lamp;
 uniform mat4 to_camera;
 uniform sampler2D albedo;
-uniform sampler2D relief;
+uniform sampler2D relief;   // to be added to the normal, patient frame
 uniform float bump;
-uniform int blended;   // 0: coordinates of the triangle's own plane; 1: three planes
 out vec4 colour;
-const float tile = 1.0 / 0.12;
-const float plane_threshold = 0.52;
 void main() {
     vec3 n = normalize(facing);
     vec3 to_eye = normalize(0.5 * lamp - place);
-    vec3 w = max(abs(body_normal) - plane_threshold, 0.0);
-    w /= w.x + w.y + w.z + 1e-6;
-    vec4 texel;
-    vec3 raised;
-    if (blended == 0) {
-        texel = texture(albedo, uv);
-        vec2 b = texture(relief, uv).xy * 2.0 - 1.0;
-        raised = w.x * vec3(0.0, b) + w.y * vec3(b.y, 0.0, b.x) + w.z * vec3(b, 0.0);
-    } else {
-        vec2 x = body.yz * tile, y = body.zx * tile, z = body.xy * tile;
-        texel = w.x * texture(albedo, x) + w.y * texture(albedo, y) + w.z * texture(albedo, z);
-        vec2 a = texture(relief, x).xy * 2.0 - 1.0, b = texture(relief, y).xy * 2.0 - 1.0,
-             c = texture(relief, z).xy * 2.0 - 1.0;
-        raised = w.x * vec3(0.0, a) + w.y * vec3(b.y, 0.0, b.x) + w.z * vec3(c, 0.0);
-    }
+    vec4 texel = texture(albedo, uv);
+    vec3 raised = texture(relief, uv).xyz * 2.0 - 1.0;
     vec3 rough = normalize(n + bump * (mat3(to_camera) * raised));
     vec3 film = mix(n, rough, 0.6);
     vec3 own = texel.rgb * texel.rgb;
-    // Fat beneath the film: yellow where there is much of it.
-    own = mix(own, own * vec3(1.10, 1.02, 0.62) + vec3(0.10, 0.055, 0.0), arrived.z * 0.8);
     own = mix(own, vec3(0.9, 0.75, 0.68), 0.6 * arrived.y);
-    colour = vec4(wet(own, rough, film, to_eye, 0.7 * texel.a, arrived.x), 1.0);
+    colour = vec4(wet(own, rough, film, to_eye, texel.a, arrived.x), 1.0);
 }
 )";
 

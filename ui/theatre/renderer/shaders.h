@@ -10,7 +10,7 @@ extern const char* const rigid_vertex;     ///< instruments, targets
 extern const char* const light;            ///< light and shadow at a point
 extern const char* const wet;              ///< reflection of a wet surface
 extern const char* const tissue_fragment;  ///< textured by coordinates: bowel, mesentery
-extern const char* const wall_fragment;    ///< textured by position: cavity
+extern const char* const wall_fragment;    ///< cavity, with a texture of its own
 extern const char* const box_fragment;     ///< training box
 extern const char* const steel_fragment;   ///< instruments
 extern const char* const target_fragment;  ///< target spheres

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the theatre's picture costs. Budget (quality.md): 33 ms a frame at 1280 x 720 in software, of it at
+// most 20 ms drawing, while tick and world run on the same cores. Needs a display with OpenGL (xvfb-run).
+//
+//   theatre/window    the product's own view in a window of that size; beside it a live attempt on B1: an
+//                     expert operator on the haptic thread's clock, the world's thread, the recorder's
+//   theatre/pictures  the same pictures without window and threads; one thread's instruction counts compare
+//                     (LP_NUM_THREADS=0 valgrind --tool=callgrind)
+//
+// drawing: from asking for the picture until it is on the screen, wall time; cpu: what this thread and the
+// software renderer's spent on it. FULCRUM_PICTURES names a folder for what theatre/pictures drew.
+#include <benchmark/benchmark.h>
+
+#include <QApplication>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+#include <algorithm>
+#include <fstream>
+#include <thread>
+
+#include "app/assets.h"
+#include "app/live_attempt.h"
+#include "assessment/operators/operator.h"
+#include "database/people.h"
+#include "sim_core/lab/yardstick.h"
+#include "ui/theatre/renderer/offscreen.h"
+#include "ui/theatre/renderer/scene_assembler.h"
+#include "ui/theatre/theatre_view.h"
+
+namespace fulcrum::app {
+namespace {
+
+constexpr QSize window_size(1280, 720);
+constexpr double frame_ms = 33.0;
+
+double share(std::vector<double> values, double quantile) {
+    if (values.empty()) return 0;
+    std::sort(values.begin(), values.end());
+    return values[std::min(values.size() - 1,
+                           static_cast<std::size_t>(quantile * static_cast<double>(values.size())))];
+}
+
+/// CPU time of the calling thread and of the software renderer's own, ms.
+double drawing_cpu_ms() {
+    double sum = 0;
+    const QString tasks = QStringLiteral("/proc/self/task/");
+    const QString own = QString::number(QCoreApplication::applicationPid());
+    for (const QString& thread : QDir(tasks).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
+        std::ifstream comm((tasks + thread + "/comm").toStdString());
+        std::string name;
+        std::getline(comm, name);
+        if (thread != own && name.rfind("llvmpipe", 0) != 0) continue;
+        std::ifstream schedule((tasks + thread + "/schedstat").toStdString());
+        double ns = 0;
+        schedule >> ns;
+        sum += 1e-6 * ns;
+    }
+    return sum;
+}
+
+double yardstick_ms() {
+    std::vector<double> runs;
+    for (int i = 0; i < 15; ++i) runs.push_back(1e-3 * lab::time_yardstick_us());
+    return share(runs, 0.5);
+}
+
+void report(benchmark::State& state, const std::vector<double>& drawing, const std::vector<double>& cpu) {
+    state.counters["drawing_ms"] = share(drawing, 0.5);
+    state.counters["drawing_p99_ms"] = share(drawing, 0.99);
+    state.counters["cpu_ms"] = share(cpu, 0.5);
+    state.counters["cpu_p99_ms"] = share(cpu, 0.99);
+    state.counters["G_ms"] = yardstick_ms();
+}
+
+std::unique_ptr<LiveAttempt> start_attempt(const database::Store& store, const LoadedTask& loaded) {
+    const database::Session session = store.station_session();
+    const database::Person person = database::People(store).ensure_synthetic(session, "frames", "Frames");
+    LiveRequest request{loaded,
+                        1,
+                        false,
+                        make_operator("expert", loaded.task, loaded.scene, 1),
+                        store.path(),
+                        session,
+                        attempt_meta(loaded, 1, "practice", "synthetic", "synthetic operator", nullptr),
+                        std::nullopt};
+    request.meta.person_id = person.id;
+    request.meta.operator_name = "expert";
+    return std::make_unique<LiveAttempt>(std::move(request));
+}
+
+void window(benchmark::State& state) {
+    const QTemporaryDir folder;
+    const database::Store store =
+        database::Store::create(folder.filePath(QStringLiteral("frames.db")).toStdString(), true);
+    const LoadedTask loaded = load_task_and_scene("B1");
+    ui::TheatreView view;
+    view.resize(window_size);
+    view.show();
+    std::unique_ptr<LiveAttempt> attempt = start_attempt(store, loaded);
+    view.load(attempt->scene(), attempt->snapshot());
+    while (!view.is_loaded()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
+    std::vector<double> drawing, cpu, interval;
+    QElapsedTimer clock;
+    clock.start();
+    double next = 0, before = -1;
+    const auto now_ms = [&clock] { return 1e-6 * static_cast<double>(clock.nsecsElapsed()); };
+    for (auto _ : state) {
+        // As the theatre's page does: poll, then one picture every 33 ms.
+        while (now_ms() < next) {
+            QCoreApplication::processEvents();
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        next = std::max(next + frame_ms, now_ms());
+        attempt->update();
+        ui::HudState hud;
+        hud.task = &attempt->task();
+        hud.display = attempt->display();
+        hud.shows_active_hand = true;
+        view.set_hud(hud);
+        view.show_world(attempt->snapshot());
+        const double from = now_ms(), cpu_from = drawing_cpu_ms();
+        view.repaint();
+        const double until = now_ms();
+        drawing.push_back(until - from);
+        cpu.push_back(drawing_cpu_ms() - cpu_from);
+        if (before >= 0) interval.push_back(from - before);
+        before = from;
+        state.SetIterationTime(1e-3 * drawing.back());
+    }
+    const LoopStatistics kept = attempt->statistics();
+    attempt->interrupt();
+    attempt.reset();
+    report(state, drawing, cpu);
+    state.counters["frame_ms"] = share(interval, 0.5);
+    state.counters["frame_p99_ms"] = share(interval, 0.99);
+    state.counters["missed_by_program"] = static_cast<double>(kept.missed_by_program);
+    state.counters["missed_by_scheduler"] = static_cast<double>(kept.missed_by_scheduler);
+    state.counters["late_steps"] = static_cast<double>(kept.late_steps);
+}
+
+/// The world every 0.5 s of an expert's first 20 s, as snapshots.
+std::vector<WorldSnapshot> recorded_worlds(const LoadedTask& loaded) {
+    AttemptEngine engine(loaded.scene, loaded.task, 1);
+    const auto rig = make_operator("expert", loaded.task, loaded.scene, 1);
+    MemorySink sink;
+    std::vector<WorldSnapshot> worlds = {engine.initial_snapshot()};
+    int step = 0;
+    run_headless(
+        engine, *rig, sink, [](double simulated) { return simulated < 20; },
+        [&] {
+            if (++step % 100 == 0) worlds.push_back(engine.world().snapshot());
+        });
+    return worlds;
+}
+
+void pictures(benchmark::State& state) {
+    const LoadedTask loaded = load_task_and_scene("B1");
+    const std::vector<WorldSnapshot> worlds = recorded_worlds(loaded);
+    ui::OffscreenStage stage;
+    ui::SceneRenderer renderer;
+    ui::SceneAssembler assembler(loaded.scene, worlds[0]);
+    assembler.install(renderer);
+    stage.draw(renderer, assembler.assemble(worlds[0]), window_size);
+    std::vector<double> drawing, cpu, assembling;
+    std::size_t next = 0;
+    QElapsedTimer clock;
+    for (auto _ : state) {
+        const double cpu_from = drawing_cpu_ms();
+        clock.start();
+        const ui::SceneFrame& frame = assembler.assemble(worlds[next++ % worlds.size()]);
+        assembling.push_back(1e-6 * static_cast<double>(clock.nsecsElapsed()));
+        stage.draw(renderer, frame, window_size);
+        drawing.push_back(1e-6 * static_cast<double>(clock.nsecsElapsed()));
+        cpu.push_back(drawing_cpu_ms() - cpu_from);
+        state.SetIterationTime(1e-3 * drawing.back());
+    }
+    report(state, drawing, cpu);
+    state.counters["assembling_ms"] = share(assembling, 0.5);
+    const QString folder = qEnvironmentVariable("FULCRUM_PICTURES");
+    if (!folder.isEmpty()) {
+        for (const std::size_t w : {std::size_t{1}, std::size_t{12}, std::size_t{24}, std::size_t{36}}) {
+            const QImage image = stage.picture(renderer, assembler.assemble(worlds.at(w)), window_size);
+            image.save(QStringLiteral("%1/B1-%2.png").arg(folder).arg(w));
+        }
+    }
+    stage.make_current();
+    renderer.release();
+}
+
+}  // namespace
+}  // namespace fulcrum::app
+
+int main(int argc, char** argv) {
+    benchmark::Initialize(&argc, argv);
+    QApplication application(argc, argv);
+    benchmark::RegisterBenchmark("theatre/window", fulcrum::app::window)
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond)
+        ->Iterations(600);
+    benchmark::RegisterBenchmark("theatre/pictures", fulcrum::app::pictures)
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond)
+        ->Iterations(120);
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}
