@@ -18,7 +18,5 @@ std::vector<ValidationCase> buckling_validation();
 std::vector<ValidationCase> skinning_validation();
 /// Sum, power and continuity of the force filter.
 std::vector<ValidationCase> filter_validation();
-/// Eq. 8 and the device's stability boundary against a simulated device.
-std::vector<ValidationCase> haptic_validation();
 
 }  // namespace fulcrum::lab

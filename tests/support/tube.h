@@ -1,27 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bowel simple enough for tests: a closed tube along +x with haustra, and centre lines in closed form to
-// bend it along.
+// The laboratory's reference tube and skin, under the tests' own name.
 #pragma once
 
-#include "sim_core/bowel/bowel_skin.h"
-#include "sim_core/lab/reference_tube.h"
+#include "sim_core/lab/reference_skin.h"
 
 namespace fulcrum::test {
 
+using lab::bent_frames;
 using lab::haustral_radius;
+using lab::make_skin;
 using lab::make_tube;
 using lab::plain_radius;
+using lab::rest_frames;
 using lab::TubeRadius;
-
-/// Tube bound to a cage of spheres `spacing` apart.
-BowelSkin make_skin(double length, double mean_radius, double spacing, int sections, int around,
-                    const TubeRadius& radius);
-
-/// Frames of the rings on a circular arc of that radius from the origin, tangent +x there, curving towards
-/// +y.
-std::vector<RingFrame> bent_frames(const Cage& cage, double bend_radius);
-/// Straight line, each frame turned about the tangent by `rate` rad per metre.
-std::vector<RingFrame> twisted_frames(const Cage& cage, double rate);
-std::vector<RingFrame> rest_frames(const Cage& cage);
+using lab::twisted_frames;
 
 }  // namespace fulcrum::test

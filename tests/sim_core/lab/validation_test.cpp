@@ -28,6 +28,12 @@ TEST(Validation, Rod) {
 TEST(Validation, RodConstraints) {
     expect_passed(rod_constraint_validation(), 6);
 }
+TEST(Validation, Skinning) {
+    expect_passed(skinning_validation(), 11);
+}
+TEST(Validation, Filter) {
+    expect_passed(filter_validation(), 5);
+}
 TEST(Validation, Buckling) {
     expect_passed(buckling_validation(), 4);
 }
