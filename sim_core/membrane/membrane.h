@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// A membrane: masses and springs on a triangle mesh (theory, section 3), with three ways to step it.
+//
+// symplectic: v += h a(x, v), x += h v. Stable for h < (2/w)(sqrt(1 + z^2) - z), w the highest frequency, z
+// its
+//   damping ratio; enforced: the step is divided, or refused and said so, never let go.
+// global_local: minimises implicit Euler's incremental potential with one matrix, factored beforehand, that
+// bounds
+//   the springs' stiffness from above in every shape (each spring's local problem, its direction, is solved
+//   exactly); quasi-Newton memory on top. A fixed number of iterations, or until a tolerance.
+// implicit: the same potential by Newton's method; inner systems by conjugate gradients behind the same
+// matrix.
+//
+// Model (Membrane, const) / state (MembraneState, copyable: what is cut is part of it) / scratch (one a
+// thread). step and solve neither allocate, lock nor throw, and give the same bits for the same bytes in. SI
+// units; vectors in the patient frame; vertex numbers are the mesh's.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "sim_core/geometry/mesh.h"
+#include "sim_core/membrane/springs.h"
+#include "sim_core/numerics/types.h"
+
+namespace fulcrum {
+
+enum class MembraneIntegrator : std::uint8_t { symplectic, global_local, implicit };
+
+/// What a step has to say for itself. From `refused` on the state is not the result of a step.
+enum class MembraneFault : std::uint8_t {
+    none,
+    substepped,   ///< symplectic: the step was above the limit and was divided
+    unconverged,  ///< implicit: the tolerance was not reached; finite, momentum kept, energy not at its least
+    refused,      ///< nothing was done: input not finite, step outside 1e-9 .. 1 s or too far above the limit
+    frozen        ///< the result was not finite or left all bounds: last good positions, at rest
+};
+const char* name_of(MembraneFault fault);
+
+/// Everything a membrane remembers. Copyable; same-size copies allocate nothing.
+struct MembraneState {
+    std::vector<Vector3> positions;   ///< m, one a vertex
+    std::vector<Vector3> velocities;  ///< m/s
+    std::vector<std::uint8_t> cut;    ///< one a spring, in Membrane::springs() order: 1 where it is gone
+    std::uint32_t topology = 0;       ///< raise it with every change of `cut`
+};
+
+/// What acts on a membrane in one step.
+struct MembraneInputs {
+    Vector3 gravity = Vector3::Zero();  ///< m/s2
+    std::vector<Vector3> forces;        ///< N, empty or one a vertex; dead
+    /// Where the attached vertices shall be at the end of the step, in Membrane::attached() order; empty:
+    /// where they are.
+    std::vector<Vector3> attachments;
+    /// Out: N, support on membrane, same order (sized by the caller; not written where the size differs).
+    /// Their sum and the forces change the momentum of the whole membrane, attached vertices included.
+    std::vector<Vector3> reactions;
+};
+
+struct MembraneSolve {
+    MembraneIntegrator integrator = MembraneIntegrator::global_local;
+    int iterations = 0;  ///< at most; 0: global_local 4 a step and 500 static, implicit 50
+    double tolerance =
+        0;  ///< on MembraneReport::residual; 0: global_local 0 (all iterations), implicit 1e-10
+    int most_substeps = 256;  ///< symplectic refuses beyond
+};
+
+struct MembraneReport {
+    double residual =
+        0;  ///< |free force imbalance| over the largest of |internal|, |external| and |inertial| force
+    double energy = 0;  ///< J, of the springs
+    double potential =
+        0;  ///< J, incremental potential that was minimised (static: springs minus work of dead loads)
+    int iterations = 0;        ///< linear systems' outer iterations
+    int inner_iterations = 0;  ///< conjugate gradient steps
+    int substeps = 1;
+    bool converged = true;
+    bool finite = true;  ///< false: input or result was not; the state is finite in any case
+    MembraneFault fault = MembraneFault::none;
+};
+
+struct MembraneEnergy {
+    double structural = 0, shear = 0, bend = 0, kinetic = 0;  ///< J
+    double elastic() const { return structural + shear + bend; }
+};
+
+/// Highest frequency and what it allows.
+struct MembraneLimit {
+    double frequency = 0;  ///< rad/s, of the tangent at the given state (Lanczos), from below within 1 %
+    double safe_frequency =
+        0;  ///< rad/s, bound that no shape exceeds; 1 to 2 times the former on meshes at rest
+    double damping_ratio = 0;   ///< of that mode
+    double time_step = 0;       ///< s, (2/w)(sqrt(1 + z^2) - z) for `frequency`; infinite without stiffness
+    double safe_time_step = 0;  ///< s, the same for `safe_frequency`: what is enforced
+};
+
+/// Work space and factor of one thread. Made by Membrane::make_scratch.
+class MembraneScratch {
+  public:
+    MembraneScratch();
+    ~MembraneScratch();
+    MembraneScratch(MembraneScratch&&) noexcept;
+    MembraneScratch& operator=(MembraneScratch&&) noexcept;
+    struct Data;
+    Data& data() { return *data_; }
+    std::size_t bytes() const;
+    /// Factorisations and rank-one updates so far.
+    int factorisations() const, factor_updates() const;
+
+  private:
+    friend class Membrane;
+    std::unique_ptr<Data> data_;
+};
+
+class Membrane {
+  public:
+    /// attached: vertices whose positions are given (fixed or moved), rising or not, no two equal. Throws
+    /// InputError on a bad mesh, material or vertex number.
+    Membrane(const TriangleMesh& mesh, const MembraneMaterial& material, std::vector<std::int32_t> attached);
+    ~Membrane();
+    Membrane(Membrane&&) noexcept;
+
+    std::int32_t vertices() const { return static_cast<std::int32_t>(masses_.size()); }
+    const std::vector<MembraneSpring>& springs() const { return springs_; }
+    const std::vector<Triangle>& triangles() const { return triangles_; }
+    const std::vector<std::int32_t>& attached() const { return attached_; }
+    const std::vector<double>& masses() const { return masses_; }  ///< kg
+    const MembraneMaterial& material() const { return material_; }
+    std::size_t bytes() const;
+    /// Multiplications of one factorisation, of one solve, and springs: for the size sweep.
+    struct Operations {
+        std::int64_t factor = 0, solve = 0, springs = 0;
+    };
+    Operations operations() const;
+
+    /// The mesh as given, at rest.
+    MembraneState make_state() const;
+    /// With the matrix of steps of dt seconds factored (another dt later costs one factorisation in the
+    /// step).
+    MembraneScratch make_scratch(double dt = 0.005) const;
+
+    /// One step of dt seconds. Springs cut since the last step enter the factor one by one, at most
+    /// `updates_per_step` of them each step: until then it bounds the stiffness all the more.
+    static constexpr int updates_per_step = 48;
+    MembraneReport step(MembraneState& state, MembraneInputs& inputs, double dt, MembraneScratch& scratch,
+                        const MembraneSolve& solve = {}) const noexcept;
+    /// Static equilibrium from the given state (velocities become zero); something must be attached, else
+    /// refused.
+    MembraneReport solve(MembraneState& state, MembraneInputs& inputs, MembraneScratch& scratch,
+                         const MembraneSolve& solve = {}) const noexcept;
+
+    MembraneEnergy energy(const MembraneState& state) const;
+    /// Incremental potential of a step of dt from `start` to `end` (implicit Euler's step is its least): what
+    /// the 1 % of the reference workloads is measured in. dt = 0: static, springs minus work of the loads
+    /// from start.
+    double incremental_potential(const MembraneState& start, const MembraneState& end,
+                                 const MembraneInputs& inputs, double dt, MembraneScratch& scratch) const;
+    /// Minus gradient of the springs' energy, N, one a vertex (attached ones too).
+    void forces(const MembraneState& state, std::vector<Vector3>& forces) const;
+    /// Tangent (second derivative of the energy) times `direction`, N, one a vertex.
+    void tangent_times(const MembraneState& state, const std::vector<Vector3>& direction,
+                       std::vector<Vector3>& product) const;
+    MembraneLimit limit(const MembraneState& state, MembraneScratch& scratch) const;
+    static bool finite(const MembraneState& state);
+
+    struct Tables;
+    const Tables& tables() const { return *tables_; }
+
+  private:
+    std::vector<MembraneSpring> springs_;
+    std::vector<Triangle> triangles_;
+    std::vector<Vector3> rest_;
+    std::vector<std::int32_t> attached_;
+    std::vector<double> masses_;
+    MembraneMaterial material_;
+    std::unique_ptr<const Tables> tables_;
+};
+
+}  // namespace fulcrum

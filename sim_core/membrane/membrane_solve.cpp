@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: Apache-2.0
+// The incremental potential and its minimisers.
+#include <algorithm>
+#include <cmath>
+
+#include "sim_core/membrane/membrane_system.h"
+
+namespace fulcrum::membrane_detail {
+namespace {
+
+std::size_t at(std::int32_t i) {
+    return static_cast<std::size_t>(i);
+}
+
+// y += a x over the free nodes.
+void add_scaled(double a, const Lanes* x, Lanes* y, std::size_t count) {
+    const Lanes scale = all_lanes(a);
+    for (std::size_t i = 0; i < count; ++i) y[i] += scale * x[i];
+}
+
+}  // namespace
+
+void load_step(const Membrane& membrane, const MembraneState& state, const MembraneInputs& inputs, double dt,
+               Data& d) {
+    const Membrane::Tables& t = membrane.tables();
+    const MembraneMaterial& material = membrane.material();
+    d.dt = dt;
+    const double mass_factor = dt > 0 ? (1 + material.mass_damping * dt) : 0;
+    const Lanes gravity = lanes_of(inputs.gravity);
+    for (std::int32_t k = 0; k < t.nodes; ++k) {
+        const std::size_t n = at(k), v = at(t.vertex_of[n]);
+        d.start[n] = lanes_of(state.positions[v]);
+        d.start_velocity[n] = lanes_of(state.velocities[v]);
+        d.load[n] = all_lanes(t.mass[n]) * gravity;
+        if (!inputs.forces.empty()) d.load[n] += lanes_of(inputs.forces[v]);
+        d.inertia[n] = dt > 0 && k < t.free ? t.mass[n] * mass_factor / (dt * dt) : 0;
+        d.target[n] = d.start[n];
+        if (d.inertia[n] > 0) d.target[n] += all_lanes(dt / mass_factor) * d.start_velocity[n];
+        d.position[n] = d.start[n];
+    }
+    if (!inputs.attachments.empty()) {
+        for (std::size_t a = 0; a < membrane.attached().size(); ++a)
+            d.position[at(t.node_of[at(membrane.attached()[a])])] = lanes_of(inputs.attachments[a]);
+    }
+    // Stiffness-proportional damping in implicit Euler is one more spring to the length at the start of the
+    // step: 1/2 k (l - r)^2 + (k b / 2h) (l - l_0)^2 has the form of one spring again.
+    const double damping = dt > 0 ? material.stiffness_damping / dt : 0;
+    for (std::size_t s = 0; s < t.first.size(); ++s) {
+        const std::int32_t number = t.spring_of[s];
+        const bool gone = number < 0 || state.cut[at(number)] != 0;
+        d.stiffness[s] = gone ? 0.0 : t.stiffness[s] * (1 + damping);
+        d.rest[s] = t.rest[s];
+        if (damping > 0) {
+            const Lanes difference = d.start[at(t.first[s])] - d.start[at(t.second[s])];
+            d.rest[s] = (t.rest[s] + damping * std::sqrt(sum_lanes(difference * difference))) / (1 + damping);
+        }
+    }
+}
+
+double potential(const Membrane::Tables& t, const Data& d, const Lanes* x, Lanes* gradient) {
+    Lanes energy = all_lanes(0);
+    for (std::int32_t k = 0; k < t.nodes; ++k) {
+        const std::size_t n = at(k);
+        const Lanes off = x[n] - d.target[n];
+        gradient[n] = all_lanes(d.inertia[n]) * off;
+        energy += all_lanes(0.5) * gradient[n] * off;
+        if (k >= t.free) continue;
+        energy -= d.load[n] * off;
+        gradient[n] -= d.load[n];
+    }
+    return sum_lanes(energy) + add_springs(t, d.stiffness.data(), d.rest.data(), x, gradient);
+}
+
+double scaled_residual(const Membrane::Tables& t, const Data& d, const Lanes* x, const Lanes* gradient) {
+    double imbalance = 0, external = 0, inertial = 0, internal = 0;
+    for (std::int32_t k = 0; k < t.free; ++k) {
+        const std::size_t n = at(k);
+        const Lanes inertia = all_lanes(d.inertia[n]) * (x[n] - d.target[n]);
+        const Lanes carried = all_lanes(d.inertia[n]) * (d.start[n] - d.target[n]);
+        const Lanes spring = gradient[n] - inertia + d.load[n];
+        imbalance += sum_lanes(gradient[n] * gradient[n]);
+        external += sum_lanes(d.load[n] * d.load[n]);
+        inertial += sum_lanes(carried * carried);
+        internal += sum_lanes(spring * spring);
+    }
+    // What is held pulls back with the springs' force there.
+    for (std::int32_t k = t.free; k < t.nodes; ++k) internal += sum_lanes(gradient[at(k)] * gradient[at(k)]);
+    const double scale = std::sqrt(std::max(std::max(external, inertial), internal));
+    return std::sqrt(imbalance) / std::max(scale, 1e-30);
+}
+
+bool refresh_factor(const Membrane& membrane, const MembraneState& state, double dt, Data& d) {
+    const Membrane::Tables& t = membrane.tables();
+    const MembraneMaterial& material = membrane.material();
+    const double damped = dt > 0 ? 1 + material.stiffness_damping / dt : 1;
+    const bool other_step = d.factored_dt != dt;
+    if (!other_step && d.factored_topology == state.topology && !d.factor_behind) return true;
+    bool whole = other_step;
+    int budget = Membrane::updates_per_step;
+    if (!whole) {
+        // Fewer springs than before: take each change of an edge into the factor. What does not fit into this
+        // step stays in: the factor still bounds the stiffness. A spring that came back has to be in at once.
+        d.factor_behind = false;
+        for (std::size_t s = 0; s < state.cut.size() && !whole; ++s) {
+            if (state.cut[s] == d.factored_cut[s]) continue;
+            if (state.cut[s] == 0) {
+                whole = true;
+                break;
+            }
+            const std::int32_t begin = t.share_offsets[s], end = t.share_offsets[s + 1];
+            if (end - begin > budget) {
+                d.factor_behind = true;
+                break;
+            }
+            for (std::int32_t k = begin; k < end && !whole; ++k) {
+                const auto& share = t.shares[at(k)];
+                const GraphEdge& edge = t.edges[at(share.edge)];
+                d.edge_weight[at(share.edge)] -= share.weight;
+                const bool inner = t.pattern_edge[at(share.edge)] >= 0;
+                if (edge[0] >= t.free) continue;
+                whole = !d.factor.update(edge[0], inner ? edge[1] : -1, -damped * share.weight);
+                ++d.updates;
+                --budget;
+            }
+            d.factored_cut[s] = 1;
+        }
+        d.factored_topology = state.topology;
+    }
+    if (!whole) return true;
+    std::fill(d.edge_weight.begin(), d.edge_weight.end(), 0.0);
+    for (std::size_t s = 0; s < state.cut.size(); ++s) {
+        d.factored_cut[s] = state.cut[s];
+        if (state.cut[s] != 0) continue;
+        for (std::int32_t k = t.share_offsets[s]; k < t.share_offsets[s + 1]; ++k)
+            d.edge_weight[at(t.shares[at(k)].edge)] += t.shares[at(k)].weight;
+    }
+    double largest = 0;
+    for (std::int32_t k = 0; k < t.free; ++k) {
+        d.diagonal[at(k)] = dt > 0 ? t.mass[at(k)] * (1 + material.mass_damping * dt) / (dt * dt) : 0;
+    }
+    for (std::size_t e = 0; e < t.edges.size(); ++e) {
+        const double weight = damped * d.edge_weight[e];
+        largest = std::max(largest, weight);
+        const std::int32_t inner = t.pattern_edge[e];
+        if (inner >= 0) {
+            d.pattern_weight[at(inner)] = weight;
+        } else if (t.edges[e][0] < t.free) {
+            d.diagonal[at(t.edges[e][0])] += weight;
+        }
+    }
+    // Statics: a part that hangs on nothing any more would make the matrix singular; this much holds it.
+    for (std::int32_t k = 0; k < t.free; ++k) d.diagonal[at(k)] += 1e-9 * largest;
+    ++d.factorisations;
+    const bool good = d.factor.factor(d.diagonal.data(), d.pattern_weight.data());
+    d.factored_dt = good ? dt : -1;
+    d.factored_topology = state.topology;
+    d.factor_behind = false;
+    return good;
+}
+
+void minimise_quasi_newton(const Membrane::Tables& t, Data& d, int iterations, double tolerance,
+                           MembraneReport& report) {
+    const auto count = at(t.free);
+    d.remembered = 0;
+    d.newest = -1;
+    double value = potential(t, d, d.position.data(), d.gradient.data());
+    report.converged = tolerance <= 0;
+    for (report.iterations = 0; report.iterations < iterations; ++report.iterations) {
+        if (tolerance > 0 &&
+            (report.residual = scaled_residual(t, d, d.position.data(), d.gradient.data())) <= tolerance) {
+            report.converged = true;
+            break;
+        }
+        Lanes* p = d.direction.data();
+        std::copy(d.gradient.begin(), d.gradient.begin() + static_cast<std::ptrdiff_t>(count), p);
+        double share[Data::memory];
+        for (int m = 0; m < d.remembered; ++m) {
+            const auto k = static_cast<std::size_t>((d.newest - m + Data::memory) % Data::memory);
+            share[k] = d.inverse_product[k] * dot(d.moved[k].data(), p, count);
+            add_scaled(-share[k], d.turned[k].data(), p, count);
+        }
+        d.factor.solve(p);
+        for (int m = d.remembered - 1; m >= 0; --m) {
+            const auto k = static_cast<std::size_t>((d.newest - m + Data::memory) % Data::memory);
+            const double back = d.inverse_product[k] * dot(d.turned[k].data(), p, count);
+            add_scaled(share[k] - back, d.moved[k].data(), p, count);
+        }
+        double slope = -dot(d.gradient.data(), p, count);
+        if (!(slope < 0)) {
+            if (!std::isfinite(slope)) break;
+            if (d.remembered == 0) break;  // at the bottom to working accuracy
+            d.remembered = 0;
+            continue;
+        }
+        double length = 1, next = 0;
+        bool lower = false;
+        for (int halving = 0; halving < 12; ++halving, length *= 0.5) {
+            for (std::size_t i = 0; i < count; ++i) d.trial[i] = d.position[i] - all_lanes(length) * p[i];
+            for (std::size_t i = count; i < at(t.nodes); ++i) d.trial[i] = d.position[i];
+            next = potential(t, d, d.trial.data(), d.trial_gradient.data());
+            lower = next <= value + 1e-4 * length * slope + 1e-15 * std::abs(value);
+            if (lower) break;
+        }
+        if (!lower) {
+            if (d.remembered == 0) break;  // rounding is all that is left
+            d.remembered = 0;
+            continue;
+        }
+        const auto k = static_cast<std::size_t>((d.newest + 1) % Data::memory);
+        for (std::size_t i = 0; i < count; ++i) {
+            d.moved[k][i] = d.trial[i] - d.position[i];
+            d.turned[k][i] = d.trial_gradient[i] - d.gradient[i];
+        }
+        const double product = dot(d.moved[k].data(), d.turned[k].data(), count);
+        if (product > 1e-12 * dot(d.turned[k].data(), d.turned[k].data(), count) * 1e-9 && product > 0) {
+            d.inverse_product[k] = 1 / product;
+            d.newest = static_cast<int>(k);
+            d.remembered = std::min(d.remembered + 1, Data::memory);
+        }
+        d.position.swap(d.trial);
+        d.gradient.swap(d.trial_gradient);
+        value = next;
+    }
+    report.potential = value;
+    report.residual = scaled_residual(t, d, d.position.data(), d.gradient.data());
+    if (tolerance > 0) report.converged = report.residual <= tolerance;
+}
+
+namespace {
+
+/// Direction of the tangent system by conjugate gradients behind the factor. Where the tangent is not
+/// positive the direction so far is kept, at least the bounding matrix's; then false.
+bool conjugate_gradients(const Membrane::Tables& t, Data& d, double tolerance, int most,
+                         MembraneReport& report) {
+    const auto count = at(t.free);
+    std::fill(d.direction.begin(), d.direction.end(), all_lanes(0));
+    std::copy(d.gradient.begin(), d.gradient.begin() + static_cast<std::ptrdiff_t>(count),
+              d.residual.begin());
+    std::copy(d.residual.begin(), d.residual.begin() + static_cast<std::ptrdiff_t>(count),
+              d.preconditioned.begin());
+    d.factor.solve(d.preconditioned.data());
+    Lanes* p = d.moved[0].data();
+    std::copy(d.preconditioned.begin(), d.preconditioned.begin() + static_cast<std::ptrdiff_t>(count), p);
+    std::fill(d.moved[0].begin() + static_cast<std::ptrdiff_t>(count), d.moved[0].end(), all_lanes(0));
+    double product = dot(d.residual.data(), d.preconditioned.data(), count);
+    const double start = product;
+    for (int k = 0; k < most && product > tolerance * tolerance * start; ++k) {
+        for (std::size_t i = 0; i < at(t.nodes); ++i) d.product[i] = all_lanes(d.inertia[i]) * p[i];
+        multiply_tangent(t, d, p, d.product.data());
+        const double curvature = dot(p, d.product.data(), count);
+        ++report.inner_iterations;
+        if (!(curvature > 1e-12 * dot(p, d.residual.data(), count))) {
+            if (k == 0) std::copy(p, p + count, d.direction.begin());
+            return false;
+        }
+        const double step = product / curvature;
+        add_scaled(step, p, d.direction.data(), count);
+        add_scaled(-step, d.product.data(), d.residual.data(), count);
+        std::copy(d.residual.begin(), d.residual.begin() + static_cast<std::ptrdiff_t>(count),
+                  d.preconditioned.begin());
+        d.factor.solve(d.preconditioned.data());
+        const double next = dot(d.residual.data(), d.preconditioned.data(), count);
+        const Lanes keep = all_lanes(next / product);
+        for (std::size_t i = 0; i < count; ++i) p[i] = d.preconditioned[i] + keep * p[i];
+        product = next;
+    }
+    return true;
+}
+
+}  // namespace
+
+void minimise_newton(const Membrane::Tables& t, Data& d, int iterations, double tolerance,
+                     MembraneReport& report) {
+    const auto count = at(t.free);
+    double value = potential(t, d, d.position.data(), d.gradient.data());
+    report.converged = false;
+    double last = 1;
+    int idle = 0;
+    for (report.iterations = 0; report.iterations < iterations; ++report.iterations) {
+        report.residual = scaled_residual(t, d, d.position.data(), d.gradient.data());
+        if (report.residual <= tolerance) {
+            report.converged = true;
+            break;
+        }
+        if (!std::isfinite(report.residual) || idle > 3) break;
+        const double forcing = std::min(0.1, std::max(1e-8, 0.5 * std::min(report.residual, last)));
+        last = report.residual;
+        make_tangent(t, d.stiffness.data(), d.rest.data(), d.position.data(), false, d);
+        if (!conjugate_gradients(t, d, forcing, 400, report)) {
+            make_tangent(t, d.stiffness.data(), d.rest.data(), d.position.data(), true, d);
+            conjugate_gradients(t, d, forcing, 400, report);
+        }
+        const double slope = -dot(d.gradient.data(), d.direction.data(), count);
+        if (!(slope < 0)) break;
+        double length = 1, next = 0;
+        bool lower = false;
+        for (int halving = 0; halving < 30; ++halving, length *= 0.5) {
+            for (std::size_t i = 0; i < count; ++i)
+                d.trial[i] = d.position[i] - all_lanes(length) * d.direction[i];
+            for (std::size_t i = count; i < at(t.nodes); ++i) d.trial[i] = d.position[i];
+            next = potential(t, d, d.trial.data(), d.trial_gradient.data());
+            // Near the bottom the value is lost in rounding before the gradient is.
+            lower = next <= value + 1e-4 * length * slope ||
+                    (std::abs(slope) < 1e-11 * std::abs(value) &&
+                     dot(d.trial_gradient.data(), d.trial_gradient.data(), count) <
+                         dot(d.gradient.data(), d.gradient.data(), count));
+            if (lower) break;
+        }
+        if (!lower) {
+            ++idle;
+            if (idle > 1) break;
+            // The true tangent may point where rounding hides the descent; the bounding matrix never does.
+            std::copy(d.gradient.begin(), d.gradient.begin() + static_cast<std::ptrdiff_t>(count),
+                      d.direction.begin());
+            d.factor.solve(d.direction.data());
+            for (std::size_t i = 0; i < count; ++i) d.trial[i] = d.position[i] - d.direction[i];
+            next = potential(t, d, d.trial.data(), d.trial_gradient.data());
+            if (!(next <= value)) break;
+        }
+        d.position.swap(d.trial);
+        d.gradient.swap(d.trial_gradient);
+        value = next;
+    }
+    report.potential = value;
+    report.residual = scaled_residual(t, d, d.position.data(), d.gradient.data());
+    report.converged = report.residual <= tolerance;
+}
+
+}  // namespace fulcrum::membrane_detail

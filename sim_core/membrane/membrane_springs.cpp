@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// Spring energy, gradient, dampers and tangent, four springs abreast.
+#include <algorithm>
+#include <cmath>
+
+#include "sim_core/membrane/membrane_system.h"
+
+namespace fulcrum::membrane_detail {
+namespace {
+
+constexpr double shortest = 1e-12;  // m: below it a spring has no direction; its force goes to zero with it
+
+struct Four {
+    Lanes difference[4];
+    Lanes length;
+};
+
+inline Four lengths(const std::int32_t* first, const std::int32_t* second, const Lanes* x) {
+    Four four;
+    for (int q = 0; q < 4; ++q) four.difference[q] = x[first[q]] - x[second[q]];
+    Lanes a = four.difference[0], b = four.difference[1], c = four.difference[2], d = four.difference[3];
+    transpose_lanes(a, b, c, d);
+    const Lanes squared = (a * a + b * b) + c * c;
+    const Lanes least = all_lanes(shortest * shortest);
+    four.length = sqrt_lanes(squared > least ? squared : least);
+    return four;
+}
+
+}  // namespace
+
+double dot(const Lanes* a, const Lanes* b, std::size_t count) {
+    Lanes even = all_lanes(0), odd = all_lanes(0);
+    std::size_t i = 0;
+    for (; i + 1 < count; i += 2) {
+        even += a[i] * b[i];
+        odd += a[i + 1] * b[i + 1];
+    }
+    if (i < count) even += a[i] * b[i];
+    return sum_lanes(even + odd);
+}
+
+double add_springs(const Membrane::Tables& tables, const double* stiffness, const double* rest,
+                   const Lanes* x, Lanes* gradient) {
+    Lanes energy = all_lanes(0);
+    const std::int32_t *first = tables.first.data(), *second = tables.second.data();
+    for (std::size_t s = 0; s < tables.first.size(); s += 4) {
+        const Four four = lengths(first + s, second + s, x);
+        const Lanes k = load_lanes(stiffness + s), stretch = four.length - load_lanes(rest + s);
+        energy += k * stretch * stretch;
+        const Lanes pull = k * stretch / four.length;
+        for (int q = 0; q < 4; ++q) {
+            const Lanes force = all_lanes(pull[q]) * four.difference[q];
+            gradient[first[s + static_cast<std::size_t>(q)]] += force;
+            gradient[second[s + static_cast<std::size_t>(q)]] -= force;
+        }
+    }
+    return 0.5 * sum_lanes(energy);
+}
+
+void add_dampers(const Membrane::Tables& tables, const double* stiffness, double damping, const Lanes* x,
+                 const Lanes* v, Lanes* gradient) {
+    for (std::size_t s = 0; s < tables.first.size(); ++s) {
+        const auto i = tables.first[s], j = tables.second[s];
+        const Lanes d = x[i] - x[j], u = v[i] - v[j];
+        const double squared = std::max(sum_lanes(d * d), shortest * shortest);
+        const Lanes force = all_lanes(damping * stiffness[s] * sum_lanes(d * u) / squared) * d;
+        gradient[i] += force;
+        gradient[j] -= force;
+    }
+}
+
+void make_tangent(const Membrane::Tables& tables, const double* stiffness, const double* rest, const Lanes* x,
+                  bool clamped, Data& data) {
+    for (std::size_t s = 0; s < tables.first.size(); s += 4) {
+        const Four four = lengths(tables.first.data() + s, tables.second.data() + s, x);
+        for (int q = 0; q < 4; ++q) {
+            const std::size_t place = s + static_cast<std::size_t>(q);
+            const double k = stiffness[place], l = four.length[q];
+            double across = k * (1 - rest[place] / l);
+            if (clamped) across = std::max(0.0, across);
+            data.across[place] = across;
+            data.along[place] = all_lanes(std::sqrt(std::max(0.0, k - across)) / l) * four.difference[q];
+        }
+    }
+}
+
+void multiply_tangent(const Membrane::Tables& tables, const Data& data, const Lanes* p, Lanes* product) {
+    const std::int32_t *first = tables.first.data(), *second = tables.second.data();
+    for (std::size_t s = 0; s < tables.first.size(); ++s) {
+        const Lanes difference = p[first[s]] - p[second[s]];
+        const Lanes& along = data.along[s];
+        const Lanes force =
+            all_lanes(data.across[s]) * difference + all_lanes(sum_lanes(along * difference)) * along;
+        product[first[s]] += force;
+        product[second[s]] -= force;
+    }
+}
+
+}  // namespace fulcrum::membrane_detail

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// The membrane's private side: nodes in elimination order (free ones first), springs four abreast, and the
+// potential that a step minimises.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "sim_core/membrane/membrane.h"
+#include "sim_core/membrane/mesh_factor.h"
+
+namespace fulcrum {
+
+struct Membrane::Tables {
+    std::int32_t nodes = 0, free = 0;   ///< free nodes are 0 .. free-1
+    std::vector<std::int32_t> node_of;  ///< node of a vertex
+    std::vector<std::int32_t> vertex_of;
+    std::vector<double> mass;  ///< kg, by node
+    /// Springs by node numbers, padded to a multiple of four with springs of no stiffness.
+    std::vector<std::int32_t> first, second;
+    std::vector<double> stiffness, rest;
+    std::vector<std::int32_t> spring_of;  ///< number in springs(), -1 for padding
+    std::vector<std::int32_t> place_of;   ///< the reverse
+    /// Edges that carry the bounding matrix; weight of edge e is the sum of share * stiffness of its springs.
+    std::vector<GraphEdge> edges;  ///< node numbers, lower first; the second may be an attached node
+    struct Share {
+        std::int32_t edge;
+        double weight;  ///< N/m
+    };
+    std::vector<std::int32_t> share_offsets;  ///< by number in springs()
+    std::vector<Share> shares;
+    std::vector<std::int32_t> pattern_edge;  ///< edge of the pattern, -1 where one end is attached
+    std::shared_ptr<const MeshFactorPattern> pattern;
+    double bounding = 0;  ///< 1/s2, bounding_eigenvalue with every spring there
+};
+
+struct MembraneScratch::Data {
+    const Membrane* membrane = nullptr;
+    // By node.
+    std::vector<Lanes> start, start_velocity, position, trial, target, gradient, trial_gradient, direction,
+        load, product, residual, preconditioned;
+    std::vector<double> inertia;  ///< N/m, mass / dt^2 with mass damping; 0 where attached or static
+    // By spring place.
+    std::vector<double> stiffness, rest;  ///< of the step: damping included, cut ones 0
+    std::vector<double> across;           ///< N/m, tangent: share of the identity
+    std::vector<Lanes> along;             ///< root of the rest of the tangent times the direction
+    // The factor and what is in it.
+    MeshFactor factor;
+    double factored_dt = -1;
+    std::vector<std::uint8_t> factored_cut;
+    std::uint32_t factored_topology = 0;
+    bool factor_behind = false;  ///< cut springs are not all in it yet
+    std::vector<double> edge_weight, pattern_weight, diagonal;
+    int factorisations = 0, updates = 0;
+    // Quasi-Newton memory.
+    static constexpr int memory = 6;
+    std::array<std::vector<Lanes>, memory> moved, turned;
+    std::array<double, memory> inverse_product = {};
+    int remembered = 0, newest = -1;
+    // Last good state.
+    MembraneState good;
+    double dt = 0;
+};
+
+namespace membrane_detail {
+
+using Data = MembraneScratch::Data;
+
+double dot(const Lanes* a, const Lanes* b, std::size_t count);
+inline Lanes lanes_of(const Vector3& v) {
+    return Lanes{v.x(), v.y(), v.z(), 0.0};
+}
+inline Vector3 vector_of(const Lanes& v) {
+    return Vector3(v[0], v[1], v[2]);
+}
+
+/// Energy of springs of the given stiffness and rest length, gradient added.
+double add_springs(const Membrane::Tables& tables, const double* stiffness, const double* rest,
+                   const Lanes* x, Lanes* gradient);
+/// Spring dampers: gradient += damping * stiffness * (n . (v_i - v_j)) n.
+void add_dampers(const Membrane::Tables& tables, const double* stiffness, double damping, const Lanes* x,
+                 const Lanes* v, Lanes* gradient);
+/// Prepares tangent products at x; `clamped` leaves out what compressed springs take away across their
+/// direction.
+void make_tangent(const Membrane::Tables& tables, const double* stiffness, const double* rest, const Lanes* x,
+                  bool clamped, Data& data);
+/// product = tangent * p (springs alone).
+void multiply_tangent(const Membrane::Tables& tables, const Data& data, const Lanes* p, Lanes* product);
+
+/// Loads the state, the step's springs, inertia and loads. dt = 0: static.
+void load_step(const Membrane& membrane, const MembraneState& state, const MembraneInputs& inputs, double dt,
+               Data& data);
+/// Potential at x and its gradient (zero at attached nodes; `support` then holds the springs' pull on them).
+double potential(const Membrane::Tables& tables, const Data& data, const Lanes* x, Lanes* gradient);
+/// Brings the factor to this dt and to what is cut. False: not positive definite.
+bool refresh_factor(const Membrane& membrane, const MembraneState& state, double dt, Data& data);
+double scaled_residual(const Membrane::Tables& tables, const Data& data, const Lanes* x,
+                       const Lanes* gradient);
+
+void minimise_quasi_newton(const Membrane::Tables& tables, Data& data, int iterations, double tolerance,
+                           MembraneReport& report);
+void minimise_newton(const Membrane::Tables& tables, Data& data, int iterations, double tolerance,
+                     MembraneReport& report);
+void step_symplectic(const Membrane& membrane, double safe_limit, double dt, const MembraneSolve& solve,
+                     MembraneReport& report, Data& data);
+/// Bound on the highest squared frequency in every shape, 1/s2.
+double bounding_eigenvalue(const Membrane::Tables& tables, const double* stiffness, Data& data);
+double stable_step(double frequency, double damping_ratio);
+
+}  // namespace membrane_detail
+}  // namespace fulcrum
