@@ -6,45 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "sim_core/geometry/closest_point.h"
 #include "sim_core/numerics/functions.h"
 #include "sim_core/numerics/input_error.h"
 
 namespace fulcrum {
-namespace {
-
-constexpr int stack_capacity = 128;  // nodes waiting: one a level of the tree, and one more
-
-// FCL's nodes, laid out for queries: boxes side by side, leaves named by ~cluster.
-struct Node {
-    double low[3], high[3];
-    std::int32_t left = 0;  ///< right = left + 1; a leaf: ~cluster
-};
-
-double squared_distance(const Node& node, const Vector3& p) {
-    double sum = 0;
-    for (int i = 0; i < 3; ++i) {
-        const double below = node.low[i] - p[i], above = p[i] - node.high[i];
-        const double outside = std::max(std::max(below, above), 0.0);
-        sum += outside * outside;
-    }
-    return sum;
-}
-
-}  // namespace
-
-struct CavityModel::Hierarchy {
-    std::vector<Node> nodes;
-};
-
-CavityModel::CavityModel(CavityModel&&) noexcept = default;
-CavityModel& CavityModel::operator=(CavityModel&&) noexcept = default;
-CavityModel::~CavityModel() = default;
-
-CavityModel::CavityModel(const TriangleMesh& mesh, FreeSide side)
-    : mesh_(mesh), side_(side), hierarchy_(std::make_unique<Hierarchy>()) {
+CavityModel::CavityModel(const TriangleMesh& mesh, FreeSide side) : mesh_(mesh), side_(side) {
     for (const Vector3& vertex : mesh_.vertices) {
         if (!vertex.allFinite()) {
             throw InputError("cavity mesh", "vertices", "a coordinate is not finite", "repair the mesh");
@@ -103,137 +71,88 @@ CavityModel::CavityModel(const TriangleMesh& mesh, FreeSide side)
     tree.beginModel(static_cast<int>(usable.size()), static_cast<int>(mesh_.vertices.size()));
     tree.addSubModel(mesh_.vertices, usable);
     tree.endModel();
-    // FCL's tree, its small subtrees gathered into clusters.
-    struct Copy {
-        int from;
-        std::size_t to;
-    };
-    hierarchy_->nodes.emplace_back();
-    std::vector<Copy> waiting{{0, 0}};
+    // Eight triangles that follow one another among the tree's leaves make a packet.
+    std::vector<int> waiting{0};
+    std::vector<Box> boxes;
+    packets_.reserve((usable.size() + packet_size - 1) / packet_size);
+    int lane = packet_size;
     while (!waiting.empty()) {
-        const Copy copy = waiting.back();
+        const auto& node = tree.getBV(waiting.back());
         waiting.pop_back();
-        const auto& from = tree.getBV(copy.from);
-        Node node;
-        for (int k = 0; k < 3; ++k) {
-            node.low[k] = from.bv.min_[k];
-            node.high[k] = from.bv.max_[k];
-        }
-        if (from.num_primitives <= cluster_size) {
-            node.left = ~static_cast<std::int32_t>(clusters_.size());
-            TriangleCluster& cluster = clusters_.emplace_back();
-            cluster.count = 0;
-            std::vector<int> below{copy.from};
-            while (!below.empty()) {
-                const auto& leaf = tree.getBV(below.back());
-                below.pop_back();
-                if (leaf.isLeaf()) {
-                    cluster.triangle[cluster.count++] = number[static_cast<std::size_t>(leaf.primitiveId())];
-                } else {
-                    below.push_back(leaf.rightChild());
-                    below.push_back(leaf.leftChild());
-                }
-            }
-            fill_cluster(cluster);
-        } else {
-            node.left = static_cast<std::int32_t>(hierarchy_->nodes.size());
-            hierarchy_->nodes.emplace_back();
-            hierarchy_->nodes.emplace_back();
-            waiting.push_back({from.rightChild(), static_cast<std::size_t>(node.left) + 1});
-            waiting.push_back({from.leftChild(), static_cast<std::size_t>(node.left)});
-        }
-        hierarchy_->nodes[copy.to] = node;
-    }
-    // Children come after their parent, so one pass gives every depth.
-    std::vector<int> level(hierarchy_->nodes.size(), 0);
-    for (std::size_t i = 0; i < level.size(); ++i) {
-        const Node& node = hierarchy_->nodes[i];
-        if (node.left < 0) continue;
-        for (int k = 0; k < 2; ++k) level[static_cast<std::size_t>(node.left + k)] = level[i] + 1;
-        if (level[i] + 3 > stack_capacity) {
-            throw InputError("cavity mesh", "triangles",
-                             "they cluster so unevenly that the hierarchy is too deep",
-                             "remove coincident triangles");
-        }
-    }
-}
-
-void CavityModel::fill_cluster(TriangleCluster& cluster) {
-    const double sign = side_ == FreeSide::front ? 1.0 : -1.0;
-    Vector3 low = Vector3::Constant(1e30), high = -low;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(cluster_size); ++k) {
-        for (std::size_t plane = 0; plane < 4; ++plane) {
-            cluster.x[plane][k] = cluster.y[plane][k] = cluster.z[plane][k] = 0;
-            cluster.offset[plane][k] =
-                1e9F;  // a plane that nothing is beyond, a triangle that nothing is near
-        }
-        for (std::size_t e = 0; e < 3; ++e) cluster.wedge[e][k] = -1e9F;
-        if (k >= static_cast<std::size_t>(cluster.count)) {
-            cluster.triangle[k] = -1;
+        if (!node.isLeaf()) {
+            waiting.push_back(node.rightChild());
+            waiting.push_back(node.leftChild());
             continue;
         }
-        const auto t = static_cast<std::size_t>(cluster.triangle[k]);
-        const CavityTriangle& triangle = triangles_[t];
-        const auto set = [&](std::size_t plane, const Vector3& normal, const Vector3& point) {
-            cluster.x[plane][k] = static_cast<float>(normal.x());
-            cluster.y[plane][k] = static_cast<float>(normal.y());
-            cluster.z[plane][k] = static_cast<float>(normal.z());
-            cluster.offset[plane][k] = static_cast<float>(normal.dot(point));
-        };
-        set(0, triangle.normal, triangle.a);
-        const Vector3 corner[3] = {triangle.a, triangle.b, triangle.c};
-        for (std::size_t e = 0; e < 3; ++e) {
-            low = low.cwiseMin(corner[e]);
-            high = high.cwiseMax(corner[e]);
-            const Vector3& from = corner[e];
-            const Vector3 along = corner[(e + 1) % 3] - from;
-            const std::int32_t other = adjacency_.triangle_neighbours[3 * t + e];
-            if (other < 0 || triangles_[static_cast<std::size_t>(other)].normal.isZero()) {
-                set(e + 1, sign * along.cross(triangle.normal).normalized(), from);
-                cluster.wedge[e][k] = 1e9F;  // a rim: what is beyond it has its foot on it
-                ridges_[3 * t + e] = {0, 0, 0, -1};
-                continue;
-            }
-            double rise = 0;  // of the neighbour's far corner over this triangle's plane
-            for (const std::int32_t vertex : mesh_.triangles[static_cast<std::size_t>(other)]) {
-                const double height =
-                    triangle.normal.dot(mesh_.vertices[static_cast<std::size_t>(vertex)] - from);
-                if (std::abs(height) > std::abs(rise)) rise = height;
-            }
-            set(e + 1, sign * along.cross(triangle.normal).normalized(), from);
-            // The foot of a point in a ridge's wedge is on the ridge, for both triangles: the lower number
-            // keeps it.
-            if (rise < -1e-12 && static_cast<std::int32_t>(t) < other) {
-                const Vector3& across = triangles_[static_cast<std::size_t>(other)].normal;
-                const double sine = triangle.normal.cross(across).norm();
-                cluster.wedge[e][k] =
-                    triangle.normal.dot(across) > 0 ? static_cast<float>(sine * (1 + 1e-5) + 1e-5) : 1e9F;
-            }
-            const Vector3 beyond =
-                -sign * along.cross(triangles_[static_cast<std::size_t>(other)].normal).normalized();
-            ridges_[3 * t + e] = {static_cast<float>(beyond.x()), static_cast<float>(beyond.y()),
-                                  static_cast<float>(beyond.z()), static_cast<float>(beyond.dot(from))};
+        if (lane == packet_size) {
+            packets_.emplace_back();
+            boxes.emplace_back();
+            lane = 0;
         }
+        const std::int32_t t = number[static_cast<std::size_t>(node.primitiveId())];
+        fill(packets_.back(), lane++, t);
+        const CavityTriangle& triangle = triangles_[static_cast<std::size_t>(t)];
+        for (const Vector3& corner : {triangle.a, triangle.b, triangle.c}) boxes.back().add(corner);
     }
-    cluster.low[3] = cluster.high[3] = 0;
-    for (int i = 0; i < 3; ++i) {
-        const double slack = 1e-7 + 2e-7 * std::max(std::abs(low[i]), std::abs(high[i]));
-        cluster.low[i] = static_cast<float>(low[i] - slack);
-        cluster.high[i] = static_cast<float>(high[i] + slack);
+    for (; lane < packet_size; ++lane) packets_.back().clear(lane);
+    boxes_ = BoxTree(std::move(boxes));
+}
+
+void CavityModel::fill(TrianglePacket& packet, int lane, std::int32_t number) {
+    const double sign = side_ == FreeSide::front ? 1.0 : -1.0;
+    const auto t = static_cast<std::size_t>(number);
+    const CavityTriangle& triangle = triangles_[t];
+    packet.clear(lane);
+    packet.triangle[lane] = number;
+    const auto set = [&](std::size_t plane, const Vector3& normal, const Vector3& point) {
+        packet.x[plane][lane] = static_cast<float>(normal.x());
+        packet.y[plane][lane] = static_cast<float>(normal.y());
+        packet.z[plane][lane] = static_cast<float>(normal.z());
+        packet.offset[plane][lane] = static_cast<float>(normal.dot(point));
+    };
+    set(0, triangle.normal, triangle.a);
+    const Vector3 corner[3] = {triangle.a, triangle.b, triangle.c};
+    for (std::size_t e = 0; e < 3; ++e) {
+        const Vector3& from = corner[e];
+        const Vector3 along = corner[(e + 1) % 3] - from;
+        set(e + 1, sign * along.cross(triangle.normal).normalized(), from);
+        const std::int32_t other = adjacency_.triangle_neighbours[3 * t + e];
+        if (other < 0 || triangles_[static_cast<std::size_t>(other)].normal.isZero()) {
+            packet.wedge[e][lane] = 1e9F;  // a rim: what is beyond it has its foot on it
+            ridges_[3 * t + e] = {0, 0, 0, -1};
+            continue;
+        }
+        double rise = 0;  // of the neighbour's far corner over this triangle's plane
+        for (const std::int32_t vertex : mesh_.triangles[static_cast<std::size_t>(other)]) {
+            const double height =
+                triangle.normal.dot(mesh_.vertices[static_cast<std::size_t>(vertex)] - from);
+            if (std::abs(height) > std::abs(rise)) rise = height;
+        }
+        // The foot of a point in a ridge's wedge is on the ridge, for both triangles: the lower number keeps
+        // it.
+        const Vector3& across = triangles_[static_cast<std::size_t>(other)].normal;
+        if (rise < -1e-12 && number < other) {
+            const double sine = triangle.normal.cross(across).norm();
+            packet.wedge[e][lane] =
+                triangle.normal.dot(across) > 0 ? static_cast<float>(sine * (1 + 1e-5) + 1e-5) : 1e9F;
+        }
+        const Vector3 beyond = -sign * along.cross(across).normalized();
+        ridges_[3 * t + e] = {static_cast<float>(beyond.x()), static_cast<float>(beyond.y()),
+                              static_cast<float>(beyond.z()), static_cast<float>(beyond.dot(from))};
     }
 }
 
 std::size_t CavityModel::bytes() const {
     return sizeof(*this) + mesh_.vertices.capacity() * sizeof(Vector3) +
            mesh_.triangles.capacity() * sizeof(Triangle) + triangles_.capacity() * sizeof(CavityTriangle) +
-           clusters_.capacity() * sizeof(TriangleCluster) + ridges_.capacity() * sizeof(ridges_[0]) +
+           packets_.capacity() * sizeof(TrianglePacket) + ridges_.capacity() * sizeof(ridges_[0]) +
            (normals_.capacity() + vertex_pseudonormals_.capacity() + edge_pseudonormals_.capacity()) *
                sizeof(Vector3) +
            (adjacency_.triangle_neighbours.capacity() + adjacency_.vertex_triangle_offsets.capacity() +
             adjacency_.vertex_triangles.capacity() + adjacency_.vertex_neighbour_offsets.capacity() +
             adjacency_.vertex_neighbours.capacity()) *
                sizeof(std::int32_t) +
-           hierarchy_->nodes.capacity() * sizeof(Node);
+           boxes_.bytes();
 }
 
 // Sign by the pseudonormal of the foot's feature.
@@ -302,68 +221,55 @@ bool CavityModel::examine(std::int32_t triangle, const Vector3& point, double re
     return true;
 }
 
-int CavityModel::list(const Vector3& point, double reach, ListedCluster* found, int capacity) const {
-    const std::vector<Node>& nodes = hierarchy_->nodes;
-    const double reach2 = reach * reach;
-    std::int32_t stack[stack_capacity];
-    int depth = 0, count = 0;
+int CavityModel::list(const Vector3& point, double reach, double margin, ListedPacket* found, int capacity,
+                      int& boxes) const {
+    const FloatPoint at(point);
+    const auto near = static_cast<float>(reach), soon = static_cast<float>(margin + sleep_slack);
+    int count = 0;
+    boxes = 0;
     if (!point.allFinite()) return 0;
-    stack[depth++] = 0;
-    while (depth > 0) {
-        const Node& node = nodes[static_cast<std::size_t>(stack[--depth])];
-        const double distance2 = squared_distance(node, point);
-        if (distance2 > reach2) continue;
-        if (node.left >= 0) {
-            stack[depth++] = node.left + 1;
-            stack[depth++] = node.left;
-            continue;
-        }
-        if (count < capacity) {
-            found[count] = {~node.left, static_cast<float>(std::sqrt(distance2) * (1 - 1e-6))};
-        }
+    boxes_.within(point, reach + margin, [&](std::int32_t box) {
+        ++boxes;
+        const TrianglePacket& packet = packets_[static_cast<std::size_t>(box)];
+        float concern[packet_size];
+        double first = 1e30;
+        for_each_lane(packet.concern(at, near, soon, concern), [&](int lane) {
+            auto awake = static_cast<double>(concern[lane]);
+            if (awake >= first) return;
+            if (awake < 0) {
+                // Planes do not end where the triangle does: how far it really is tells the rest.
+                const CavityTriangle& t = triangles_[static_cast<std::size_t>(packet.triangle[lane])];
+                const Vector3 foot = closest_point_on_triangle(point, t.a, t.b, t.c).position;
+                awake = std::max(awake, (point - foot).norm() - reach);
+            }
+            first = std::min(first, awake);
+        });
+        if (!(first < margin + sleep_slack)) return;
+        if (count < capacity) found[count] = {box, static_cast<float>(first - sleep_slack)};
         ++count;
-    }
+    });
     return count;
 }
 
 CavityPoint CavityModel::closest(const Vector3& point, double reach) const {
-    const std::vector<Node>& nodes = hierarchy_->nodes;
-    struct Waiting {
-        std::int32_t node;
-        double distance2;
-    };
-    Waiting stack[stack_capacity];
-    int depth = 0;
     CavityPoint best;
     if (!point.allFinite()) return best;
     double best2 = reach * reach;
     std::int32_t nearest = -1;
-    stack[depth++] = {0, squared_distance(nodes[0], point)};
-    while (depth > 0) {
-        const Waiting top = stack[--depth];
-        if (top.distance2 > best2) continue;
-        const Node& node = nodes[static_cast<std::size_t>(top.node)];
-        if (node.left < 0) {
-            const TriangleCluster& cluster = clusters_[static_cast<std::size_t>(~node.left)];
-            for (int k = 0; k < cluster.count; ++k) {
-                const std::int32_t number = cluster.triangle[k];
-                const CavityTriangle& t = triangles_[static_cast<std::size_t>(number)];
-                const double distance2 =
-                    (point - closest_point_on_triangle(point, t.a, t.b, t.c).position).squaredNorm();
-                // The lowest number wins a tie, so that the answer does not hang on the tree's order.
-                if (distance2 < best2 || (distance2 <= best2 && (nearest < 0 || number < nearest))) {
-                    best2 = distance2;
-                    nearest = number;
-                }
+    boxes_.nearest(point, reach, [&](std::int32_t box) {
+        for (const std::int32_t number : packets_[static_cast<std::size_t>(box)].triangle) {
+            if (number < 0) break;
+            const CavityTriangle& t = triangles_[static_cast<std::size_t>(number)];
+            const double distance2 =
+                (point - closest_point_on_triangle(point, t.a, t.b, t.c).position).squaredNorm();
+            // The lowest number wins a tie, so that the answer does not hang on the tree's order.
+            if (distance2 < best2 || (distance2 <= best2 && (nearest < 0 || number < nearest))) {
+                best2 = distance2;
+                nearest = number;
             }
-            continue;
         }
-        Waiting left{node.left, squared_distance(nodes[static_cast<std::size_t>(node.left)], point)};
-        Waiting right{node.left + 1, squared_distance(nodes[static_cast<std::size_t>(node.left + 1)], point)};
-        if (left.distance2 < right.distance2) std::swap(left, right);
-        if (left.distance2 <= best2) stack[depth++] = left;
-        if (right.distance2 <= best2) stack[depth++] = right;
-    }
+        return std::sqrt(best2);
+    });
     return nearest < 0 ? best : closest_on(nearest, point);
 }
 

@@ -12,7 +12,9 @@ namespace {
 
 constexpr double no_move = 1e-8;    // m: shallower overlaps are the solve's rounding, not worth a projection
 constexpr double everywhere = 1e6;  // m
-constexpr int direct_capacity = 1024;  // clusters that a sphere without a list can have within reach
+constexpr double on_time = 0.9;     // share of the list margin within which every sphere has had its turn
+constexpr double too_early = 0.1;   // share of it before which a turn is passed on
+constexpr int direct_capacity = 4096;  // packets that a listing can find
 
 std::size_t index(int i) {
     return static_cast<std::size_t>(i);
@@ -48,11 +50,14 @@ SphereCollision::Lists SphereCollision::make_lists() const {
     Lists lists;
     const std::size_t count = index(spheres());
     if (cavity_ != nullptr) {
-        lists.clusters.resize(count * index(options_.list_capacity));
+        lists.packets.resize(count * index(options_.list_capacity));
+        lists.band_ends.resize(count * index(bands));
+        lists.band.assign(count, 1.0);
         lists.direct.resize(direct_capacity);
         lists.counts.assign(count, never_listed);
         lists.listed_at.assign(count, Vector3::Zero());
         lists.free_motion.assign(count, 0);
+        lists.last_at.assign(count, Vector3::Zero());
     }
     lists.near_first.resize(index(options_.near_pair_capacity));
     lists.near_second.resize(index(options_.near_pair_capacity));
@@ -67,74 +72,113 @@ SphereCollision::Lists SphereCollision::make_lists() const {
 
 std::size_t SphereCollision::bytes() const {
     const std::size_t count = index(spheres());
-    const std::size_t a_sphere = index(options_.list_capacity) * sizeof(ListedCluster) + 3 * sizeof(Vector3) +
-                                 index(options_.planes_per_sphere) * sizeof(CavityContact) +
-                                 5 * sizeof(double);
+    const std::size_t a_sphere =
+        index(options_.list_capacity + bands) * sizeof(std::int32_t) + 3 * sizeof(Vector3) +
+        index(options_.planes_per_sphere) * sizeof(CavityContact) + 6 * sizeof(double);
     return sizeof(*this) + count * a_sphere + index(options_.near_pair_capacity) * 2 * sizeof(std::int32_t) +
            index(options_.pair_capacity) * sizeof(SphereContact);
 }
 
-// Whether a point is behind the wall, from the clusters around it.
-bool SphereCollision::is_behind(const ListedCluster* clusters, int count, const Vector3& centre) const {
-    CavityPoint nearest;
-    double nearest2 = everywhere * everywhere;
-    float concern[cluster_size];
-    const float point4[4] = {static_cast<float>(centre.x()), static_cast<float>(centre.y()),
-                             static_cast<float>(centre.z()), 0.0F};
-    for (int c = 0; c < count; ++c) {
-        const double bound = static_cast<double>(clusters[c].distance);
-        if (bound * bound > nearest2) continue;
-        const TriangleCluster& cluster = cavity_->cluster(clusters[c].cluster);
-        if (!CavityModel::concerns(cluster, point4, static_cast<float>(std::sqrt(nearest2)), concern))
-            continue;
-        for (int k = 0; k < cluster.count; ++k) {
-            CavityPoint point;
-            bool own_patch = false;
-            if (!(concern[k] < 0) || !cavity_->confirms(cluster, k, point4)) continue;
-            if (!cavity_->examine(cluster.triangle[k], centre, nearest2, point, own_patch)) continue;
-            if (point.distance * point.distance < nearest2 || nearest.triangle < 0) {
-                nearest2 = point.distance * point.distance;
-                nearest = point;
-            }
+// Puts what a listing found into the sphere's list, by bands of sleep. Where there are too many the sphere's
+// free motion ends before the first that was left out could wake.
+void SphereCollision::bin(int sphere, int count, Lists& lists) const {
+    const std::size_t i = index(sphere);
+    const int capacity = options_.list_capacity;
+    ListedPacket* found = lists.direct.data();
+    if (count > capacity) {
+        std::nth_element(found, found + capacity, found + count,
+                         [](const ListedPacket& a, const ListedPacket& b) { return a.sleep < b.sleep; });
+        lists.free_motion[i] = std::min(lists.free_motion[i], static_cast<double>(found[capacity].sleep));
+        count = capacity;
+        if (!(lists.free_motion[i] > 0)) {
+            lists.counts[i] = overflowed;
+            return;
         }
     }
-    return nearest.distance < 0;
+    lists.counts[i] = count;
+    lists.band[i] = std::max(lists.free_motion[i], 1e-9) / bands;
+    const auto per_width = static_cast<float>(1.0 / lists.band[i]);
+    std::int32_t* ends = lists.band_ends.data() + i * index(bands);
+    std::int32_t* packets = lists.packets.data() + i * index(capacity);
+    // Rounded down: a packet may wake early, never late.
+    const auto band_of = [&](float sleep) {
+        return std::clamp(static_cast<int>(sleep * per_width * (1 - 1e-5F)), 0, bands - 1);
+    };
+    std::fill(ends, ends + bands, 0);
+    for (int k = 0; k < count; ++k) ++ends[band_of(found[k].sleep)];
+    for (int b = 1; b < bands; ++b) ends[b] += ends[b - 1];
+    for (int k = count - 1; k >= 0; --k) packets[--ends[band_of(found[k].sleep)]] = found[k].packet;
+    // Filling has moved every end to its band's beginning.
+    for (int b = 0; b + 1 < bands; ++b) ends[b] = ends[b + 1];
+    ends[bands - 1] = count;
 }
 
-// Lists a sphere again from the hierarchy when it has moved further than its list is good for.
-bool SphereCollision::refresh(int sphere, const Vector3& centre, Lists& lists) const {
+// Lists a sphere again from the hierarchy when it has moved further than that share of what its list is good
+// for.
+bool SphereCollision::refresh(int sphere, const Vector3& centre, Lists& lists, double good_for) const {
     const std::size_t i = index(sphere);
-    if (lists.counts[i] != never_listed &&
-        (centre - lists.listed_at[i]).squaredNorm() < lists.free_motion[i] * lists.free_motion[i]) {
-        return false;
-    }
-    ListedCluster* own = lists.clusters.data() + i * index(options_.list_capacity);
+    const double motion2 = (centre - lists.listed_at[i]).squaredNorm();
+    const double free = good_for * lists.free_motion[i];
+    if (lists.counts[i] != never_listed && motion2 < free * free) return false;
     // In front of the wall at the last listing and moved by less than the radius since: if it is behind now,
     // it is near enough for gather() to see.
-    const bool known_in_front = lists.counts[i] >= 0 && (centre - lists.listed_at[i]).squaredNorm() <
-                                                            chain_.radii[i] * chain_.radii[i];
-    const double reach = chain_.radii[i] + options_.contact_margin + options_.list_margin;
-    const int count = cavity_->list(centre, reach, own, options_.list_capacity);
+    const bool known_in_front = lists.counts[i] >= 0 && motion2 < chain_.radii[i] * chain_.radii[i];
+    const double reach = chain_.radii[i] + options_.contact_margin;
     lists.listed_at[i] = centre;
     lists.free_motion[i] = options_.list_margin;
-    if (count > options_.list_capacity) {
-        lists.counts[i] = overflowed;
-        return true;
+    // Where the wall is too fine for its work space, the margin gives way.
+    int boxes = 0, count = 0;
+    for (double margin = options_.list_margin;; margin *= 0.5) {
+        lists.free_motion[i] = margin;
+        count = cavity_->list(centre, reach, margin, lists.direct.data(), direct_capacity, boxes);
+        if (count <= direct_capacity) break;
+        if (margin < 1e-5) {
+            lists.counts[i] = overflowed;
+            lists.free_motion[i] = 0;
+            return true;
+        }
     }
-    lists.counts[i] = count;
-    if (count == 0) {
+    if (boxes == 0) {
         // Far from the wall: free until it could come near. Far behind the wall: asked again at every step.
         const CavityPoint wall = cavity_->closest(centre, everywhere);
-        lists.free_motion[i] = std::max(0.0, wall.distance - chain_.radii[i] - options_.contact_margin);
+        lists.counts[i] = 0;
+        lists.band[i] = everywhere;
+        std::fill_n(lists.band_ends.begin() + static_cast<std::ptrdiff_t>(i) * bands, bands, 0);
+        lists.free_motion[i] = std::max(0.0, wall.distance - reach);
         return true;
     }
     // In front of the wall at listing, a sphere stays within reach of the wall while the list is good. Behind
     // it, it may be anywhere, and only the way back matters.
-    if (!known_in_front && is_behind(own, count, centre)) {
+    if (!known_in_front && cavity_->closest(centre, everywhere).distance < 0) {
         lists.counts[i] = behind_wall;
         lists.free_motion[i] = 0;
+        return true;
     }
+    bin(sphere, count, lists);
     return true;
+}
+
+// Spheres are listed in turn before they must be, as many a step as their motion asks for: a chain that moves
+// as one would otherwise be listed in one step.
+int SphereCollision::refresh_early(const Vector3* centres, Lists& lists) const {
+    double sum2 = 0;
+    for (int i = 0; i < spheres(); ++i) {
+        const double motion2 = (centres[i] - lists.last_at[index(i)]).squaredNorm();
+        if (std::isfinite(motion2)) sum2 += motion2;
+        lists.last_at[index(i)] = centres[i];
+    }
+    const double turns =
+        std::sqrt(sum2 / std::max(1, spheres())) / (on_time * std::max(options_.list_margin, 1e-9));
+    if (!(turns < 1)) return 0;  // nothing is coherent about that
+    const auto quota = static_cast<int>(std::ceil(turns * spheres()));
+    int relisted = 0;
+    for (int k = 0; k < spheres() && relisted < quota; ++k) {
+        const int i = lists.turn;
+        lists.turn = i + 1 < spheres() ? i + 1 : 0;
+        if (!centres[i].allFinite() || !(lists.free_motion[index(i)] > 0)) continue;
+        relisted += refresh(i, centres[i], lists, too_early) ? 1 : 0;
+    }
+    return relisted;
 }
 
 // All patches of the wall within the radius and the contact margin, nearest first.
@@ -144,49 +188,47 @@ void SphereCollision::gather(int sphere, const Vector3& centre, Lists& lists, Ca
     found.overflow = false;
     const double reach = chain_.radii[i] + options_.contact_margin;
     const double reach2 = reach * reach;
-    if (lists.counts[i] == 0 && lists.free_motion[i] > 0) return;
-    // A sphere without a list of its own asks the hierarchy: behind the wall for the way out alone, else for
-    // everything.
-    const ListedCluster* entries = lists.clusters.data() + i * index(options_.list_capacity);
     int count = lists.counts[i];
-    double drift = (centre - lists.listed_at[i]).norm();
     if (count == overflowed) {
-        entries = lists.direct.data();
-        count = cavity_->list(centre, reach, lists.direct.data(), direct_capacity);
-        drift = 0;
+        // Without a list of its own it asks the hierarchy for everything.
+        int boxes = 0;
+        count = cavity_->list(centre, reach, 0.0, lists.direct.data(), direct_capacity, boxes);
         found.overflow = count > direct_capacity;
-    }
-    if (count <= 0 || count > direct_capacity) {
+    } else if (count == behind_wall || (count == 0 && !(lists.free_motion[i] > 0))) {
+        // Behind the wall for the way out alone.
         const CavityPoint wall = cavity_->closest(centre, everywhere);
         if (wall.triangle >= 0 && wall.distance < reach) found.points[found.count++] = wall;
         return;
+    } else {
+        const double drift = (centre - lists.listed_at[i]).norm();
+        const int band = std::min(static_cast<int>(drift / lists.band[i]), bands - 1);
+        count = lists.band_ends[i * index(bands) + index(band)];
     }
     CavityPoint nearest;
     double nearest2 = std::numeric_limits<double>::infinity();
-    float concern[cluster_size];
-    const float point4[4] = {static_cast<float>(centre.x()), static_cast<float>(centre.y()),
-                             static_cast<float>(centre.z()), 0.0F};
-    for (int c = 0; c < count; ++c) {
-        if (static_cast<double>(entries[c].distance) - drift > reach) continue;
-        const TriangleCluster& cluster = cavity_->cluster(entries[c].cluster);
-        if (!CavityModel::concerns(cluster, point4, static_cast<float>(reach), concern)) continue;
-        for (int k = 0; k < cluster.count; ++k) {
-            if (!(concern[k] < 0) || !cavity_->confirms(cluster, k, point4)) continue;
+    const FloatPoint at(centre);
+    const bool direct = lists.counts[i] == overflowed;
+    const std::int32_t* packets = lists.packets.data() + i * index(options_.list_capacity);
+    for (int k = 0; k < std::min(count, direct_capacity); ++k) {
+        const TrianglePacket& packet = cavity_->packet(direct ? lists.direct[index(k)].packet : packets[k]);
+        float concern[packet_size];
+        for_each_lane(packet.concern(at, static_cast<float>(reach), 0.0F, concern), [&](int lane) {
+            if (!cavity_->confirms(packet, lane, at)) return;
             CavityPoint point;
             bool own_patch = false;
-            if (!cavity_->examine(cluster.triangle[k], centre, reach2, point, own_patch)) continue;
+            if (!cavity_->examine(packet.triangle[lane], centre, reach2, point, own_patch)) return;
             const double distance2 = point.distance * point.distance;
             if (distance2 < nearest2 || (distance2 <= nearest2 && point.triangle < nearest.triangle)) {
                 nearest2 = distance2;
                 nearest = point;
             }
-            if (!own_patch || point.distance < 0) continue;
+            if (!own_patch || point.distance < 0) return;
             if (found.count == candidate_capacity) {
                 found.overflow = true;
-                continue;
+                return;
             }
             found.points[found.count++] = point;
-        }
+        });
     }
     if (nearest.triangle < 0) return;
     if (nearest.distance < 0) found.count = 0;  // behind the wall only the way out matters
@@ -212,7 +254,7 @@ void SphereCollision::keep_distinct(Candidates& found) const {
 }
 
 int SphereCollision::depths(const Vector3* centres, Lists& lists, SphereDepth* results) const {
-    int relisted = 0;
+    int relisted = cavity_ != nullptr ? refresh_early(centres, lists) : 0;
     Candidates found;
     for (int i = 0; i < spheres(); ++i) {
         results[i] = SphereDepth{};
@@ -375,6 +417,7 @@ void SphereCollision::collide(const Vector3* centres, Lists& lists, SphereContac
     contacts.cavity_count = contacts.pair_count = contacts.relisted = 0;
     contacts.deepest_cavity = contacts.deepest_pair = contacts.residual_cavity = contacts.residual_pair = 0;
     contacts.list_overflow = contacts.plane_overflow = contacts.pair_overflow = false;
+    if (cavity_ != nullptr) contacts.relisted = refresh_early(centres, lists);
     Candidates found;
     for (int i = 0; i < spheres(); ++i) {
         lists.projected[index(i)] = centres[i];

@@ -5,11 +5,14 @@
 // constraint
 //     g = n . (c - p) - rho >= 0            (cavity)
 //     g = n . (c_i - c_j) - (rho_i + rho_j) >= 0   (spheres of the chain)
-// Coherence: each sphere keeps the list of all triangles within rho + m of where it was listed, sorted by
-// distance; while it has moved less than m the list is complete, so closest point and every contacting patch
-// are exact. Otherwise it is listed again from FCL's hierarchy. What comes out does not depend on the lists'
-// history. Model (const) / state / result; nothing allocates after construction, nothing throws: world
-// thread.
+// Coherence: each sphere keeps the list of all triangles that could hold its closest point or a contact
+// before it has moved by m, each with the motion before which it cannot (the planes that tell it off change
+// by at most the sphere's motion): a step looks only at those that the motion since has woken. While the
+// sphere has moved less than m the list is complete, so closest point and every contacting patch are exact.
+// Otherwise it is listed again from FCL's hierarchy, some spheres each step before they must, so that a
+// chain that moves as one is not listed in one step. Pairs of spheres likewise. What comes out does not
+// depend on the lists' history. Model (const) / state / result; nothing allocates after construction,
+// nothing throws: world thread.
 #pragma once
 
 #include <vector>
@@ -27,9 +30,9 @@ struct SphereCollisionOptions {
     double rest_exclusion =
         3.141592653589793;  ///< pairs closer than this many radii along the rest line are left out
     int projection_iterations = 3;
-    int list_capacity = 160;        ///< clusters of triangles a sphere
-    int planes_per_sphere = 6;      ///< cavity planes a sphere
-    int pair_capacity = 512;        ///< pairs of spheres in contact
+    int list_capacity = 64;     ///< packets of triangles a sphere; more: the least urgent wait for the next
+    int planes_per_sphere = 6;  ///< cavity planes a sphere
+    int pair_capacity = 512;    ///< pairs of spheres in contact
     int near_pair_capacity = 8192;  ///< pairs of spheres near each other
 };
 
@@ -64,7 +67,7 @@ struct SphereContacts {
     double residual_pair = 0;    ///< m
     int relisted = 0;            ///< spheres listed again
     bool list_overflow =
-        false;  ///< list_capacity too small: those spheres asked the hierarchy, exact but slow
+        false;  ///< list_capacity too small even for now: those spheres asked the hierarchy, exact but slow
     bool plane_overflow = false;  ///< planes_per_sphere too small: the shallowest were left out
     bool pair_overflow = false;   ///< pair_capacity or near_pair_capacity too small: pairs were left out
 };
@@ -88,10 +91,13 @@ class SphereCollision {
 
     /// The lists: a cache, not part of the world's state.
     struct Lists {
-        std::vector<ListedCluster> clusters;  ///< [sphere * list_capacity + k], in the hierarchy's order
-        std::vector<ListedCluster> direct;    ///< work space of a sphere whose list overflowed
-        std::vector<std::int32_t> counts;     ///< a sphere: clusters listed; < 0: ask the hierarchy
+        std::vector<std::int32_t> packets;    ///< [sphere * list_capacity + k], by sleep in bands
+        std::vector<std::int32_t> band_ends;  ///< [sphere * bands + b]: end of those that wake in band b
+        std::vector<double> band;             ///< m, of each sphere: width of a band
+        std::vector<ListedPacket> direct;     ///< work space of a listing
+        std::vector<std::int32_t> counts;     ///< a sphere: packets listed; < 0: ask the hierarchy
         std::vector<Vector3> listed_at;       ///< m
+        std::vector<Vector3> last_at;         ///< m, at the call before
         std::vector<double> free_motion;      ///< m the sphere may move before it is listed again
         std::vector<std::int32_t> near_first, near_second;  ///< pairs of spheres near each other
         std::vector<std::int32_t> order;                    ///< spheres by x, for the sweep
@@ -100,6 +106,7 @@ class SphereCollision {
         std::vector<std::uint8_t> moved;                    ///< a sphere: 1 if the last projection moved it
         std::vector<double> depth;                          ///< m, of each sphere in the wall
         std::int32_t near_count = -1;
+        std::int32_t turn = 0;  ///< sphere whose early listing is next
         bool near_overflow = false;
     };
     Lists make_lists() const;
@@ -114,14 +121,15 @@ class SphereCollision {
 
   private:
     static constexpr std::int32_t never_listed = -1, overflowed = -2, behind_wall = -3;
-    static constexpr int candidate_capacity = 64;
+    static constexpr int candidate_capacity = 64, bands = 16;
     struct Candidates {
         CavityPoint points[candidate_capacity];  ///< distinct patches, nearest first
         int count = 0;
         bool overflow = false;
     };
-    bool is_behind(const ListedCluster* clusters, int count, const Vector3& centre) const;
-    bool refresh(int sphere, const Vector3& centre, Lists& lists) const;
+    bool refresh(int sphere, const Vector3& centre, Lists& lists, double good_for = 1.0) const;
+    int refresh_early(const Vector3* centres, Lists& lists) const;
+    void bin(int sphere, int count, Lists& lists) const;
     void gather(int sphere, const Vector3& centre, Lists& lists, Candidates& found) const;
     void keep_distinct(Candidates& found) const;
     void refresh_pairs(const Vector3* centres, Lists& lists) const;

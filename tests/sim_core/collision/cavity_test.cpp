@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
 
 #include "sim_core/geometry/closest_point.h"
 #include "sim_core/numerics/input_error.h"
@@ -27,36 +26,6 @@ double brute_distance(const TriangleMesh& mesh, const Vector3& point, std::size_
     return (point - closest_point_on_triangle(point, at(0), at(1), at(2)).position).norm();
 }
 
-TEST(Cavity, ListHasEveryTriangleWithinReach) {
-    const TriangleMesh mesh = test::make_bowl(half_axes, 30, 40, 0.05);
-    const CavityModel cavity(mesh, FreeSide::behind);
-    Random random(3);
-    std::vector<ListedCluster> found(1000);
-    for (int trial = 0; trial < 60; ++trial) {
-        const Vector3 point(random.uniform(-0.07, 0.07), random.uniform(-0.07, 0.07),
-                            random.uniform(-0.07, 0.07));
-        const double reach = random.uniform(0.001, 0.03);
-        const int count = cavity.list(point, reach, found.data(), 1000);
-        std::set<std::int32_t> listed;
-        for (int c = 0; c < count; ++c) {
-            const ListedCluster& entry = found[static_cast<std::size_t>(c)];
-            EXPECT_LE(static_cast<double>(entry.distance), reach);
-            const TriangleCluster& cluster = cavity.cluster(entry.cluster);
-            for (int k = 0; k < cluster.count; ++k) {
-                EXPECT_TRUE(listed.insert(cluster.triangle[k]).second);
-                EXPECT_LE(static_cast<double>(entry.distance),
-                          brute_distance(mesh, point, static_cast<std::size_t>(cluster.triangle[k])));
-            }
-        }
-        EXPECT_LT(listed.size(), mesh.triangles.size());
-        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-            if (brute_distance(mesh, point, t) <= reach) {
-                EXPECT_EQ(listed.count(static_cast<std::int32_t>(t)), 1U) << t;
-            }
-        }
-    }
-}
-
 // Rough: every vertex moved at random, so that ridges, valleys and saddles of all kinds meet.
 TriangleMesh rough_bowl(std::uint64_t seed, double roughness) {
     TriangleMesh mesh = test::make_bowl(half_axes, 24, 32, 0.1);
@@ -67,37 +36,56 @@ TriangleMesh rough_bowl(std::uint64_t seed, double roughness) {
     return mesh;
 }
 
-TEST(Cavity, WhoeverIsNotConcernedIsNeverTheNearest) {
-    std::vector<ListedCluster> found(1000);
-    long left_out = 0, kept = 0;
+// What is not concerned is never the nearest; what is not listed is concerned nowhere within the margin.
+TEST(Cavity, WhatIsLeftOutIsNeverTheNearestWithinTheMargin) {
+    std::vector<ListedPacket> found(1000);
+    long left_out = 0, kept = 0, asleep = 0;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         const CavityModel cavity(rough_bowl(seed, 0.0001 * static_cast<double>(seed)), FreeSide::behind);
         Random random(seed, 1);
         for (int trial = 0; trial < 300; ++trial) {
-            const Vector3 point(random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05),
-                                random.uniform(-0.05, 0.05));
+            const Vector3 listed_at(random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05),
+                                    random.uniform(-0.05, 0.05));
+            const double margin = trial % 3 == 0 ? 0.0 : random.uniform(0.0, 0.004);
+            Vector3 motion(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+            motion *= random.uniform(0.0, margin) / motion.norm();
+            const Vector3 point = listed_at + motion;
             const CavityPoint nearest = cavity.closest(point, 1.0);
-            const double reach = std::abs(nearest.distance) + 0.002;
+            if (nearest.distance < 0) continue;
+            const double reach = nearest.distance + random.uniform(0.0, 0.002);
+            int boxes = 0;
+            const int count = cavity.list(listed_at, reach, margin, found.data(), 1000, boxes);
+            ASSERT_LE(count, 1000);
+            EXPECT_LE(count, boxes);
             bool concerned_nearest = false;
-            const int count = cavity.list(point, reach, found.data(), 1000);
             for (int c = 0; c < count; ++c) {
-                const TriangleCluster& cluster = cavity.cluster(found[static_cast<std::size_t>(c)].cluster);
-                const float point4[4] = {static_cast<float>(point.x()), static_cast<float>(point.y()),
-                                         static_cast<float>(point.z()), 0.0F};
-                float concern[cluster_size];
-                const bool any = CavityModel::concerns(cluster, point4, static_cast<float>(reach), concern);
-                for (int k = 0; k < cluster.count; ++k) {
-                    const bool concerned = any && concern[k] < 0 && cavity.confirms(cluster, k, point4);
+                const ListedPacket& entry = found[static_cast<std::size_t>(c)];
+                const TrianglePacket& packet = cavity.packet(entry.packet);
+                const FloatPoint at(point);
+                float concern[packet_size];
+                const unsigned lanes = packet.concern(at, static_cast<float>(reach), 0.0F, concern);
+                if (static_cast<double>(entry.sleep) > motion.norm()) ++asleep;
+                for (int lane = 0; lane < packet_size; ++lane) {
+                    if (packet.triangle[lane] < 0) continue;
+                    const bool concerned =
+                        (lanes >> static_cast<unsigned>(lane) & 1U) != 0 && cavity.confirms(packet, lane, at);
                     (concerned ? kept : left_out) += 1;
                     if (!concerned) continue;
-                    const double distance = std::abs(cavity.closest_on(cluster.triangle[k], point).distance);
-                    concerned_nearest = concerned_nearest || distance <= std::abs(nearest.distance) + 1e-12;
+                    const double distance =
+                        std::abs(cavity.closest_on(packet.triangle[lane], point).distance);
+                    // A packet that sleeps may be concerned by a plane alone, never by a foot within reach.
+                    if (static_cast<double>(entry.sleep) > motion.norm()) {
+                        EXPECT_GT(distance, reach);
+                        continue;
+                    }
+                    concerned_nearest = concerned_nearest || distance <= nearest.distance + 1e-12;
                 }
             }
             EXPECT_TRUE(concerned_nearest) << seed << " " << trial;
         }
     }
     EXPECT_GT(left_out, 3 * kept);
+    EXPECT_GT(asleep, 1000);
 }
 
 TEST(Cavity, ClosestPointAgreesWithBruteForceAndFcl) {
@@ -152,11 +140,14 @@ TEST(Cavity, SliversAreLeftOutAndBadMeshesRefused) {
     mesh.triangles.push_back({0, 0, 1});
     mesh.triangles.push_back({0, 1, 2});  // collinear
     const CavityModel cavity(mesh, FreeSide::front);
-    std::vector<ListedCluster> found(32);
-    const int count = cavity.list(Vector3(0, 0, 0.01), 1.0, found.data(), 32);
+    std::vector<ListedPacket> found(32);
+    int boxes = 0;
+    const int count = cavity.list(Vector3(0, 0, 0.01), 1.0, 1.0, found.data(), 32, boxes);
     int triangles = 0;
-    for (int c = 0; c < count; ++c)
-        triangles += cavity.cluster(found[static_cast<std::size_t>(c)].cluster).count;
+    for (int c = 0; c < count; ++c) {
+        for (const std::int32_t t : cavity.packet(found[static_cast<std::size_t>(c)].packet).triangle)
+            triangles += t >= 0 ? 1 : 0;
+    }
     EXPECT_EQ(triangles, 8);
     EXPECT_THROW(CavityModel(TriangleMesh{}, FreeSide::front), InputError);
     mesh.vertices[3].x() = std::numeric_limits<double>::quiet_NaN();
