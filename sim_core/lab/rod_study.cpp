@@ -87,6 +87,28 @@ struct Case {
     Vector3 moved = Vector3::Zero();
 };
 
+// Layers of the wall, lumen first, instead of inner_radius_m and young_pa.
+void read_layers(const Reader& reader, RodSpec& spec) {
+    if (!reader.has("layers")) return;
+    const json& layers = reader["layers"];
+    if (!layers.is_array() || layers.empty() || layers.size() > 8)
+        reader.fail("/layers", "must be a list of 1 to 8 layers",
+                    "write [{\"thickness_m\": .., \"young_pa\": ..}]");
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        const std::string place = "/layers/" + std::to_string(i);
+        const json& layer = layers[i];
+        if (!layer.is_object() || !layer.contains("thickness_m") || !layer.contains("young_pa"))
+            reader.fail(place, "must have thickness_m and young_pa",
+                        "write {\"thickness_m\": .., \"young_pa\": ..}");
+        WallLayer wall;
+        wall.thickness = reader.finite(layer.at("thickness_m"), place + "/thickness_m");
+        wall.young = reader.finite(layer.at("young_pa"), place + "/young_pa");
+        wall.exponent = layer.contains("exponent") ? reader.finite(layer.at("exponent"), place + "/exponent")
+                                                   : spec.exponent;
+        spec.layers.push_back(wall);
+    }
+}
+
 Case read(const Reader& reader) {
     Case c;
     RodSpec& spec = c.spec;
@@ -98,7 +120,14 @@ Case read(const Reader& reader) {
     spec.poisson_ratio = reader.number("poisson", 0.35);
     spec.linear_density = reader.number("linear_density_kg_m", 0.25);
     const std::string law = reader.text("law", "linear");
-    if (law != "linear") reader.fail("/law", "is not a law that this build has", "use \"linear\"");
+    if (law == "exp2") {
+        spec.law = MaterialLaw::exp2;
+        spec.young_modulus = reader.number("young_pa", Exp2{}.rest_stiffness);
+    } else if (law != "linear") {
+        reader.fail("/law", "is not a law", "use \"linear\" or \"exp2\"");
+    }
+    spec.exponent = reader.number("exponent", Exp2{}.exponent);
+    read_layers(reader, spec);
     const std::string level = reader.text("level", "newton");
     if (level == "linearised") {
         c.solve.level = RodSolve::Level::linearised;

@@ -4,13 +4,13 @@
 // mucosa and a puncture limit.
 //
 // Indentation: under a contact that is wide against the wall no layer can bulge sideways, so the layers lie
-// in series under one pressure p, each with the constrained form of EXP2, p = m E0 e exp(a e^2), m = (1 - nu)
-// /
-// ((1 + nu)(1 - 2 nu)), e its compression over its thickness; what lies behind the wall (contents, opposite
-// wall, fat) is one more spring of `backing` N/m3. A nodule of height h lies on the submucosa and takes the
-// place of as much mucosa: depth(p, h) = depth(p, 0) + h (e_nodule(p) - e_mucosa(p)), exactly. Pressure and
-// depth are tabulated once; a look-up is a bisection of the table and one cubic, without allocation, the same
-// bits for the same bytes. SI units. Model: const after construction, any number of threads may read it.
+// in series under one pressure p, each with the constrained form of EXP2, p = m E0 e exp(a e^2) with
+// m = (1 - nu) / ((1 + nu)(1 - 2 nu)), e its compression over its thickness; what lies behind the wall
+// (contents, opposite wall, fat) is one more spring of `backing` N/m3. A nodule of height h lies on the
+// submucosa and takes the place of as much mucosa: depth(p, h) = depth(p, 0) + h (e_nodule(p) - e_mucosa(p)),
+// exactly. Pressure and depth are tabulated once; a look-up is a bisection of the table and one cubic,
+// without allocation, the same bits for the same bytes. SI units. Model: const after construction, any number
+// of threads may read it.
 #pragma once
 
 #include <array>

@@ -42,6 +42,7 @@ void check(const RodSpec& spec) {
             "rod: Young's modulus must be positive");
     require(spec.poisson_ratio > -1 && spec.poisson_ratio <= 0.5,
             "rod: Poisson's ratio must be above -1 and at most 0.5");
+    require(spec.exponent >= 0.01 && spec.exponent <= 100, "rod: the exponent of EXP2 must be 0.01 to 100");
     require(spec.linear_density > 0 && std::isfinite(spec.linear_density),
             "rod: linear density must be positive");
     require(spec.mass_damping >= 0 && spec.stiffness_damping >= 0, "rod: damping must not be negative");
@@ -124,12 +125,17 @@ std::size_t RodScratch::bytes() const {
     if (!data_) return 0;
     const Data& d = *data_;
     return sizeof(Data) + d.shape.bytes() + d.trial.bytes() + d.start.bytes() + d.joints.bytes() +
-           d.matrix.bytes() + d.damping.bytes() + d.factor.bytes() +
+           d.section.bytes() + d.matrix.bytes() + d.damping.bytes() + d.factor.bytes() +
            8 * d.gradient.capacity() * sizeof(double) +
            d.contact_points.capacity() * (sizeof(RodPoint) + sizeof(Vector3) + 4 * sizeof(double));
 }
 
 Rod::Rod(RodSpec spec) : spec_(std::move(spec)) {
+    if (!spec_.layers.empty()) {
+        spec_.inner_radius = spec_.outer_radius;
+        for (const WallLayer& layer : spec_.layers) spec_.inner_radius -= layer.thickness;
+        if (std::fabs(spec_.inner_radius) < 1e-12 * spec_.outer_radius) spec_.inner_radius = 0;
+    }
     check(spec_);
     auto tables = std::make_shared<Tables>();
     const auto n = static_cast<std::size_t>(spec_.segments);
@@ -158,6 +164,16 @@ Rod::Rod(RodSpec spec) : spec_(std::move(spec)) {
     bending_stiffness_ = spec_.young_modulus * inertia;
     torsional_stiffness_ = shear * 2 * inertia;
     axial_stiffness_ = spec_.young_modulus * area;
+    if (!spec_.layers.empty()) {
+        const TubeStiffness tube = tube_stiffness(spec_.layers, ro, spec_.poisson_ratio);
+        axial_stiffness_ = tube.axial;
+        bending_stiffness_ = tube.bending;
+        torsional_stiffness_ = tube.torsional;
+    }
+    if (spec_.law == MaterialLaw::exp2) {
+        const WallLayer plain{ro - ri, spec_.young_modulus, spec_.exponent};
+        tables->section.emplace(spec_.layers.empty() ? std::vector<WallLayer>{plain} : spec_.layers, ro);
+    }
 
     for (auto* array : {&tables->bend, &tables->twist, &tables->rest_1, &tables->rest_2, &tables->rest_twist,
                         &tables->cell}) {
@@ -214,6 +230,11 @@ Rod::Rod(RodSpec spec) : spec_(std::move(spec)) {
         }
         if (tables->bend[i] > 0 && (tables->rest_1[i] != 0 || tables->rest_2[i] != 0)) tables->curved = true;
     }
+    if (tables->section) {
+        tables->none.assign(padded(n + 1), 0.0);
+        tables->unit = tables->none;
+        for (std::size_t i = 0; i <= n; ++i) tables->unit[i] = tables->bend[i] > 0 ? 1.0 : 0.0;
+    }
     const double shortest = length_ / spec_.segments;
     const double scale =
         axial_stiffness_ / shortest + 12 * bending_stiffness_ / (shortest * shortest * shortest);
@@ -221,7 +242,8 @@ Rod::Rod(RodSpec spec) : spec_(std::move(spec)) {
         30 * scale;  // stiffer ones make the active set chatter; multipliers close the gap
     tables->self_penalty = scale;
     tables->grasp_penalty = 1e4 * scale;
-    tables->turn_penalty = 1e3 * bending_stiffness_ / shortest;
+    tables->turn_penalty = 1e4 * bending_stiffness_ / shortest;
+    tables->outer_radius = ro;
     tables_ = tables;
 }
 
@@ -273,6 +295,7 @@ RodScratch Rod::make_scratch(int tethers, int grasps, int contacts, int self_con
     RodScratch::Data& d = *scratch.data_;
     for (RodShape* shape : {&d.shape, &d.trial, &d.start}) shape->resize(spec_.segments);
     d.joints.resize(spec_.segments);
+    if (tables_->section) d.section.resize(spec_.segments);
     d.matrix = BlockBand(n + 1);
     d.factor = BlockBandFactor(n + 1);
     if (spec_.stiffness_damping > 0) d.damping = BlockBand(n + 1);
@@ -284,8 +307,9 @@ RodScratch Rod::make_scratch(int tethers, int grasps, int contacts, int self_con
     d.tether_points.resize(size(tethers));
     d.tether_start.resize(size(tethers), Vector3::Zero());
     d.grasp_points.resize(size(grasps));
-    for (auto* array : {&d.grasp_lambda, &d.grasp_force, &d.grasp_target})
+    for (auto* array : {&d.grasp_lambda, &d.grasp_force, &d.grasp_target, &d.turn_lambda, &d.turn_force})
         array->resize(size(grasps), Vector3::Zero());
+    d.turn_target.resize(size(grasps), Matrix3::Identity());
     d.saved_grasps.reserve(size(grasps));
     d.contact_points.resize(size(contacts));
     d.contact_start.resize(size(contacts), Vector3::Zero());
@@ -409,14 +433,20 @@ Matrix3 Rod::stiffness_at(const RodState& state, double s, const Vector3& offset
 RodEnergy Rod::energy(const RodState& state, const RodInputs& inputs) const {
     RodShape shape;
     RodJointTerms joints;
+    RodSectionTerms section;
     shape.resize(spec_.segments);
     joints.resize(spec_.segments);
+    if (tables_->section) section.resize(spec_.segments);
     shape_from_state(*tables_, spec_, state, state.ends, shape);
     RodEnergy energy;
-    joint_terms(*tables_, shape, false, joints);
+    if (tables_->section) {
+        section_terms(*tables_, shape, false, section, joints);
+    } else {
+        joint_terms(*tables_, shape, false, joints);
+    }
     energy.bend = joints.bend;
     energy.twist = joints.twist;
-    energy.stretch = stretch_energy(*tables_, shape);
+    energy.stretch = tables_->section ? section.stretch : stretch_energy(*tables_, shape);
     for (std::size_t i = 0; i < state.nodes.size(); ++i) {
         energy.external -= node_mass_[i] * inputs.gravity.dot(state.nodes[i]);
         if (!inputs.nodal_forces.empty()) energy.external -= inputs.nodal_forces[i].dot(state.nodes[i]);

@@ -19,6 +19,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "sim_core/material/layered_wall.h"
 #include "sim_core/numerics/types.h"
 
 namespace fulcrum {
@@ -37,8 +38,15 @@ struct RodSpec {
     double length = 0.9;            ///< m, at rest
     double outer_radius = 0.015;    ///< m
     double inner_radius = 0.012;    ///< m, 0 for a solid rod
-    double young_modulus = 32.3e3;  ///< Pa, linear law
+    double young_modulus = 32.3e3;  ///< Pa, at rest: E of the linear law, E0 of EXP2
     double poisson_ratio = 0.35;
+    /// exp2: stretch and bending are coupled by quadrature over the wall (material/section.h); twist stays
+    /// linear.
+    MaterialLaw law = MaterialLaw::linear;
+    double exponent = 3.0;  ///< a of EXP2, 0.01 .. 100
+    /// Optional layers of the wall, lumen first: then inner_radius and young_modulus (and exponent) are
+    /// theirs. Their sum is at most outer_radius.
+    std::vector<WallLayer> layers;
     double linear_density = 0.25;    ///< kg/m
     double mass_damping = 6.0;       ///< 1/s: force -c m v
     double stiffness_damping = 0.0;  ///< s: force -c K v, K the elastic tangent at the start of the step
@@ -211,10 +219,10 @@ class Rod {
     const RodSpec& spec() const { return spec_; }
     int segments() const { return spec_.segments; }
     double length() const { return length_; }
-    double bending_stiffness() const { return bending_stiffness_; }                          ///< N m2, EI
-    double torsional_stiffness() const { return torsional_stiffness_; }                      ///< N m2, GJ
-    double axial_stiffness() const { return axial_stiffness_; }                              ///< N, EA
-    const std::vector<double>& node_arc_lengths() const { return node_arc_lengths_; }        ///< n + 1, m
+    double bending_stiffness() const { return bending_stiffness_; }                    ///< N m2, EI, at rest
+    double torsional_stiffness() const { return torsional_stiffness_; }                ///< N m2, GJ
+    double axial_stiffness() const { return axial_stiffness_; }                        ///< N, EA, at rest
+    const std::vector<double>& node_arc_lengths() const { return node_arc_lengths_; }  ///< n + 1, m
     double node_mass(int node) const { return node_mass_[static_cast<std::size_t>(node)]; }  ///< kg
     std::size_t bytes() const;
 

@@ -91,6 +91,44 @@ void add_wall_geometric(const RodShape& shape, const RodPoint& point, const Vect
     add_geometric(shape, joint, offset, force, point.segment_weight[1], matrix);
 }
 
+// Holds the rotation: c = 1/2 sum_k T_k x b_k = 0, T the target's axes and b the blended directors; for a
+// section turned by phi about an axis u from its target it is sin(phi) u. Linear in the directors, so the
+// section's own second derivative is all that its curvature adds.
+void add_held_rotation(const Rod::Tables& tables, const RodShape& shape, std::size_t i, bool hessian,
+                       RodScratch::Data& data) {
+    RodPoint turning = data.grasp_points[i];
+    turning.node_weight[0] = turning.node_weight[1] = turning.node_weight[2] = 0;
+    const Matrix3& target = data.turn_target[i];
+    const auto base = static_cast<std::size_t>(turning.joint) - 1;
+    RodJacobian by_axis, jacobian;
+    for (auto& row : jacobian.column) {
+        for (Vector3& column : row) column.setZero();
+    }
+    Vector3 away = Vector3::Zero();
+    for (int k = 0; k < 3; ++k) {
+        const Vector3 axis = Vector3::Unit(k), wanted = 0.5 * target.col(k);
+        away += wanted.cross(wall_position(shape, turning, axis));
+        wall_jacobian(shape, turning, axis, by_axis);
+        for (int q = 0; q < 3; ++q) {
+            for (int c = 0; c < 4; ++c) jacobian.column[q][c] += wanted.cross(by_axis.column[q][c]);
+        }
+    }
+    const double size = away.norm(), stiff = tables.turn_penalty, lever = size * tables.outer_radius;
+    const Vector3 lambda = data.turn_lambda[i], moment = lambda + stiff * away;
+    data.constraint_residual = lever > data.constraint_residual ? lever : data.constraint_residual;
+    data.turn_force[i] = moment;
+    data.energy += lambda.dot(away) + 0.5 * stiff * size * size;
+    data.energy_noise += 1e-15 * stiff * size;
+    data.reaction_squared += moment.squaredNorm() / (tables.outer_radius * tables.outer_radius);
+    add_gradient(jacobian, base, moment, data.gradient);
+    if (!hessian) return;
+    add_hessian(jacobian, base, stiff * Matrix3::Identity(), data.matrix);
+    for (int k = 0; k < 3; ++k) {
+        const Vector3 pull = 0.5 * lambda.cross(Vector3(target.col(k)));
+        add_wall_geometric(shape, turning, Vector3::Unit(k), pull, data.matrix);
+    }
+}
+
 }  // namespace
 
 Vector3 point_position(const RodShape& shape, const RodPoint& point) {
@@ -195,21 +233,7 @@ void add_constraints(const Rod::Tables& tables, const RodShape& shape, RodInputs
             // The multiplier alone, as in the Lagrangian: rho c is no force until the constraint is met.
             add_wall_geometric(shape, point, grasp.offset, lambda, data.matrix);
         }
-        if (!grasp.hold_rotation) continue;
-        // Half the squared distance of the blended directors from the target's, which a rotation by phi makes
-        // 1 - cos(phi) each.
-        grasp.moment.setZero();
-        for (int k = 0; k < 3; ++k) {
-            const Vector3 axis = Vector3::Unit(k), pull = -tables.turn_penalty * grasp.target_rotation.col(k);
-            RodPoint turning = point;
-            turning.node_weight[0] = turning.node_weight[1] = turning.node_weight[2] = 0;
-            const Vector3 now = wall_position(shape, turning, axis);
-            data.energy += pull.dot(now);
-            grasp.moment += now.cross(-pull);
-            wall_jacobian(shape, turning, axis, jacobian);
-            add_gradient(jacobian, base, pull, data.gradient);
-            if (hessian) add_wall_geometric(shape, turning, axis, pull, data.matrix);
-        }
+        if (grasp.hold_rotation) add_held_rotation(tables, shape, i, hessian, data);
     }
     const double penalty = tables.contact_penalty;
     for (std::size_t i = 0; i < inputs.contacts.size(); ++i) {
@@ -312,7 +336,10 @@ void add_self_contacts(const Rod::Tables& tables, const RodShape& shape, RodInpu
 
 void update_multipliers(const RodInputs& inputs, bool grasps, bool contacts, RodScratch::Data& data) {
     if (grasps) {
-        for (std::size_t i = 0; i < inputs.grasps.size(); ++i) data.grasp_lambda[i] = data.grasp_force[i];
+        for (std::size_t i = 0; i < inputs.grasps.size(); ++i) {
+            data.grasp_lambda[i] = data.grasp_force[i];
+            data.turn_lambda[i] = data.turn_force[i];
+        }
     }
     if (!contacts) return;
     for (std::size_t i = 0; i < inputs.contacts.size(); ++i) data.contact_lambda[i] = data.contact_force[i];

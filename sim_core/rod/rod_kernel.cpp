@@ -132,8 +132,9 @@ struct Natural {
     Lanes z, g0;         // t.f, t.g
 };
 
-template <bool curved, bool hessian>
-bool pass(const Rod::Tables& tables, const RodShape& shape, RodJointTerms& out) {
+template <bool curved, bool hessian, bool each>
+bool pass(const Rod::Tables& tables, const RodShape& shape, const double* bend, const double* twist,
+          RodJointTerms& out) {
     const std::size_t joints = static_cast<std::size_t>(tables.segments) + 1;
     Lanes bend_sum = all_lanes(0), twist_sum = all_lanes(0), smallest = all_lanes(2.0);
     const Lanes zero = all_lanes(0), one = all_lanes(1);
@@ -144,7 +145,7 @@ bool pass(const Rod::Tables& tables, const RodShape& shape, RodJointTerms& out) 
     for (std::size_t i = 0; i < joints; i += 4) {
         const Vec s = load(shape.tx, shape.ty, shape.tz, i), t = load(shape.tx, shape.ty, shape.tz, i + 1);
         const Lanes scale_a = load_lanes(&shape.inverse[i]), scale_b = load_lanes(&shape.inverse[i + 1]);
-        const Lanes stiff = load_lanes(&tables.bend[i]), torsion = load_lanes(&tables.twist[i]);
+        const Lanes stiff = load_lanes(bend + i), torsion = load_lanes(twist + i);
         const Lanes m = load_lanes(&shape.twist[i]), offset = m - load_lanes(&tables.rest_twist[i]);
         const Lanes c = dot(s, t), chi = 1.0 + c, ix = 1.0 / chi;
         smallest = chi < smallest ? chi : smallest;
@@ -154,7 +155,9 @@ bool pass(const Rod::Tables& tables, const RodShape& shape, RodJointTerms& out) 
         Lanes moment = torsion * offset;
         // 1 - c without the cancellation that a nearly straight rod would suffer.
         const Lanes versine = 0.5 * dot(s - t, s - t);
-        bend_sum += stiff * versine * (2.0 * ix - 0.5 * flattening * versine);
+        const Lanes bent = stiff * versine * (2.0 * ix - 0.5 * flattening * versine);
+        bend_sum += bent;
+        if constexpr (each) store_lanes(&out.energy[i], bent);
         twist_sum += 0.5 * torsion * offset * offset;
 
         Natural q;
@@ -181,7 +184,9 @@ bool pass(const Rod::Tables& tables, const RodShape& shape, RodJointTerms& out) 
             q.g0 = dot(t, q.g);
             q.fb = q.f - t * q.z;
             q.gb = q.g - t * q.g0;
-            bend_sum += q.z + 0.5 * stiff * (k1 * k1 + k2 * k2);
+            const Lanes natural = q.z + 0.5 * stiff * (k1 * k1 + k2 * k2);
+            bend_sum += natural;
+            if constexpr (each) store_lanes(&out.energy[i], bent + natural);
             grad_a = grad_a - q.fa * c - pa * (q.z * ix);
             grad_b = grad_b + q.fb - pb * (q.z * ix);
             moment += 0.5 * q.g0;  // multiplies the derivatives of m
@@ -287,16 +292,31 @@ void RodJointTerms::resize(int segments) {
     aa.resize(n);
     bb.resize(n);
     ab.resize(n);
+    energy.assign(n, 0.0);
 }
 
 std::size_t RodJointTerms::bytes() const {
     return sizeof(double) * 2 * gradient_a.capacity() + sizeof(Block4) * 3 * aa.capacity();
 }
 
-bool joint_terms(const Rod::Tables& tables, const RodShape& shape, bool hessian, RodJointTerms& out) {
+bool joint_terms(const Rod::Tables& tables, const RodShape& shape, const std::vector<double>& stiffness,
+                 bool hessian, RodJointTerms& out) {
+    const double *bend = stiffness.data(), *twist = tables.twist.data();
     if (tables.curved)
-        return hessian ? pass<true, true>(tables, shape, out) : pass<true, false>(tables, shape, out);
-    return hessian ? pass<false, true>(tables, shape, out) : pass<false, false>(tables, shape, out);
+        return hessian ? pass<true, true, false>(tables, shape, bend, twist, out)
+                       : pass<true, false, false>(tables, shape, bend, twist, out);
+    return hessian ? pass<false, true, false>(tables, shape, bend, twist, out)
+                   : pass<false, false, false>(tables, shape, bend, twist, out);
+}
+
+bool joint_terms(const Rod::Tables& tables, const RodShape& shape, bool hessian, RodJointTerms& out) {
+    return joint_terms(tables, shape, tables.bend, hessian, out);
+}
+
+bool unit_joint_terms(const Rod::Tables& tables, const RodShape& shape, RodJointTerms& out) {
+    const double *bend = tables.unit.data(), *twist = tables.none.data();
+    return tables.curved ? pass<true, false, true>(tables, shape, bend, twist, out)
+                         : pass<false, false, true>(tables, shape, bend, twist, out);
 }
 
 }  // namespace fulcrum

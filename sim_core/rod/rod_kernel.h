@@ -39,6 +39,7 @@ struct RodShape {
 struct RodJointTerms {
     std::vector<double> gradient_a, gradient_b;  ///< 4 a joint
     std::vector<Block4> aa, bb, ab;              ///< ab: rows a, columns b
+    std::vector<double> energy;                  ///< by joint, J; filled by unit_joint_terms alone
     double bend = 0, twist = 0;                  ///< J
 
     void resize(int segments);
@@ -47,5 +48,12 @@ struct RodJointTerms {
 
 /// False when a joint is folded back on itself (1 + c below 1e-9), where the energy has no bound.
 bool joint_terms(const Rod::Tables& tables, const RodShape& shape, bool hessian, RodJointTerms& out);
+
+/// As joint_terms, with the given bending stiffness of each joint (N m, padded) instead of the tables'.
+bool joint_terms(const Rod::Tables& tables, const RodShape& shape, const std::vector<double>& bend,
+                 bool hessian, RodJointTerms& out);
+
+/// Bending energy and its gradient by joint for stiffness 1 and no twist: half the squared turn.
+bool unit_joint_terms(const Rod::Tables& tables, const RodShape& shape, RodJointTerms& out);
 
 }  // namespace fulcrum

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim_core/numerics/functions.h"
 #include "sim_core/rod/rod_newton.h"
 
 namespace fulcrum {
@@ -25,7 +26,8 @@ bool finite_inputs(const RodInputs& inputs) {
              std::isfinite(t.stiffness + t.rest_length + t.damping + t.s);
     }
     for (const RodGrasp& g : inputs.grasps)
-        ok = ok && good(g.target) && good(g.offset) && good(g.reaction) && std::isfinite(g.s);
+        ok = ok && good(g.target) && good(g.offset) && good(g.reaction) && good(g.moment) &&
+             std::isfinite(g.s) && (!g.hold_rotation || std::isfinite(g.target_rotation.sum()));
     for (const RodContact& c : inputs.contacts) {
         ok = ok && good(c.normal) && good(c.point) && good(c.surface_velocity) &&
              std::isfinite(c.s + c.radius + c.lambda + c.friction);
@@ -44,7 +46,8 @@ void locate_all(const Rod::Tables& tables, RodInputs& inputs, RodScratch::Data& 
     grow(d.tether_points, inputs.tethers.size(), RodPoint{});
     grow(d.tether_start, inputs.tethers.size(), Vector3(Vector3::Zero()));
     grow(d.grasp_points, inputs.grasps.size(), RodPoint{});
-    for (auto* array : {&d.grasp_lambda, &d.grasp_force, &d.grasp_target}) {
+    grow(d.turn_target, inputs.grasps.size(), Matrix3(Matrix3::Identity()));
+    for (auto* array : {&d.grasp_lambda, &d.grasp_force, &d.grasp_target, &d.turn_lambda, &d.turn_force}) {
         grow(*array, inputs.grasps.size(), Vector3(Vector3::Zero()));
     }
     grow(d.contact_points, inputs.contacts.size(), RodPoint{});
@@ -59,6 +62,8 @@ void locate_all(const Rod::Tables& tables, RodInputs& inputs, RodScratch::Data& 
     for (std::size_t i = 0; i < inputs.grasps.size(); ++i) {
         d.grasp_points[i] = locate(tables, inputs.grasps[i].s);
         d.grasp_lambda[i] = d.grasp_force[i] = -inputs.grasps[i].reaction;
+        d.turn_lambda[i] = d.turn_force[i] =
+            inputs.grasps[i].hold_rotation ? Vector3(-inputs.grasps[i].moment) : Vector3(Vector3::Zero());
     }
     for (std::size_t i = 0; i < inputs.contacts.size(); ++i) {
         const RodContact& contact = inputs.contacts[i];
@@ -110,6 +115,45 @@ void gather_loads(const Rod::Tables& tables, const RodInputs& inputs, RodScratch
     d.dead_norm = std::sqrt(sum_lanes(sum));
 }
 
+// Rotation of the section that a grasp holds, orthonormal, and the angle from it to the asked one.
+Matrix3 held_rotation(const RodShape& shape, const RodPoint& point) {
+    RodPoint turning = point;
+    turning.node_weight[0] = turning.node_weight[1] = turning.node_weight[2] = 0;
+    Matrix3 now;
+    for (int k = 0; k < 3; ++k) now.col(k) = wall_position(shape, turning, Vector3::Unit(k));
+    now.col(2).normalize();
+    now.col(0) = (now.col(0) - now.col(2) * now.col(2).dot(now.col(0))).normalized();
+    now.col(1) = now.col(2).cross(now.col(0));
+    return now;
+}
+
+double angle_between(const Matrix3& a, const Matrix3& b) {
+    return math::acos(0.5 * ((a.transpose() * b).trace() - 1));
+}
+
+// The rotation `share` of the way from one to the other, along the shortest way.
+Matrix3 between(const Matrix3& from, const Matrix3& to, double share) {
+    if (share >= 1) return to;
+    const Matrix3 turn = to * from.transpose();
+    const double angle = share * angle_between(from, to);
+    Vector3 axis(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1));
+    if (axis.norm() < 1e-9) {
+        // Half a turn has an axis of its own: the largest column of (R + 1).
+        int largest = 0;
+        for (int k = 1; k < 3; ++k) largest = turn(k, k) > turn(largest, largest) ? k : largest;
+        axis = turn.col(largest) + Vector3(Vector3::Unit(largest));
+        if (angle < 1e-6 || axis.norm() < 1e-9) return to;
+    }
+    axis.normalize();
+    Matrix3 rotation;
+    const double sine = math::sin(angle), cosine = math::cos(angle);
+    for (int k = 0; k < 3; ++k) {
+        const Vector3 v = from.col(k);
+        rotation.col(k) = v * cosine + axis.cross(v) * sine + axis * (axis.dot(v) * (1 - cosine));
+    }
+    return rotation;
+}
+
 // Everything of one solve that does not change while it iterates. dt 0: statics.
 void prepare(const Rod& rod, const RodState& state, RodInputs& inputs, double dt, RodScratch::Data& d) {
     const Rod::Tables& tables = rod.tables();
@@ -156,6 +200,7 @@ void write_outputs(const Rod& rod, RodInputs& inputs, RodScratch::Data& d, RodRe
     report.contact_sum = 0;
     for (std::size_t i = 0; i < inputs.grasps.size(); ++i) {
         inputs.grasps[i].reaction = -d.grasp_force[i];
+        if (inputs.grasps[i].hold_rotation) inputs.grasps[i].moment = -d.turn_force[i];
         inputs.grasps[i].residual =
             (wall_position(d.shape, d.grasp_points[i], inputs.grasps[i].offset) - inputs.grasps[i].target)
                 .norm();
@@ -223,6 +268,12 @@ RodReport Rod::step(RodState& state, RodInputs& inputs, double dt, RodScratch& s
         leap = distance > leap ? distance : leap;
     }
     leap *= spec_.segments / length_;
+    for (const RodGrasp& grasp : inputs.grasps) {
+        // A section that shall turn by more than a radian has no constraint force towards it.
+        if (!grasp.hold_rotation) continue;
+        const double turn = angle_between(frame_at(state, grasp.s).frame.rotation, grasp.target_rotation);
+        leap = 2 * turn > leap ? 2 * turn : leap;
+    }
     for (int parts = leap > 2 ? 4 : (leap > 1 ? 2 : 1); parts <= 8; parts *= 2) {
         report.substeps = parts;
         report.iterations = 0;
@@ -239,6 +290,10 @@ RodReport Rod::step(RodState& state, RodInputs& inputs, double dt, RodScratch& s
             for (std::size_t i = 0; i < inputs.grasps.size(); ++i) {
                 const Vector3 now = wall_position(d.shape, d.grasp_points[i], inputs.grasps[i].offset);
                 d.grasp_target[i] = now + (inputs.grasps[i].target - now) * share;
+                if (inputs.grasps[i].hold_rotation) {
+                    d.turn_target[i] = between(held_rotation(d.shape, d.grasp_points[i]),
+                                               inputs.grasps[i].target_rotation, share);
+                }
             }
             std::copy(d.shape.position.begin(), d.shape.position.end(), d.start.position.begin());
             if (spec_.stiffness_damping > 0) {
@@ -296,10 +351,27 @@ RodReport Rod::solve(RodState& state, RodInputs& inputs, RodScratch& scratch, co
     prepare(*this, state, inputs, 0, d);
     d.target[0] = inputs.ends[0].position;
     d.target[1] = inputs.ends[1].position;
-    for (std::size_t i = 0; i < inputs.grasps.size(); ++i) d.grasp_target[i] = inputs.grasps[i].target;
-    NewtonResult result =
-        newton(*tables_, inputs, d, limit, solve.tolerance, solve.constraint_tolerance, one);
-    report.iterations = result.iterations;
+    double turn = 0;
+    for (std::size_t i = 0; i < inputs.grasps.size(); ++i) {
+        d.grasp_target[i] = inputs.grasps[i].target;
+        d.turn_target[i] = inputs.grasps[i].target_rotation;
+        if (!inputs.grasps[i].hold_rotation) continue;
+        const double angle = angle_between(held_rotation(d.shape, d.grasp_points[i]), d.turn_target[i]);
+        turn = angle > turn ? angle : turn;
+    }
+    NewtonResult result;
+    // A section that shall turn far is turned there in parts: beyond a right angle it has no force towards
+    // it.
+    for (int parts = 1 + static_cast<int>(turn); parts >= 1; --parts) {
+        for (std::size_t i = 0; i < inputs.grasps.size(); ++i) {
+            if (!inputs.grasps[i].hold_rotation) continue;
+            d.turn_target[i] = between(held_rotation(d.shape, d.grasp_points[i]),
+                                       inputs.grasps[i].target_rotation, 1.0 / parts);
+        }
+        result = newton(*tables_, inputs, d, limit, solve.tolerance, solve.constraint_tolerance, one);
+        report.iterations += result.iterations;
+        if (!result.finite) break;
+    }
     report.residual = result.residual;
     report.force_residual = result.force_residual;
     report.converged = result.converged;

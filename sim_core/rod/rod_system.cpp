@@ -216,9 +216,14 @@ namespace {
 
 constexpr Lanes plus_vector{1, 1, 1, 0}, difference{-1, -1, -1, 1};
 
+bool elastic_terms(const Rod::Tables& tables, const RodShape& shape, bool hessian, RodScratch::Data& data) {
+    return tables.section ? section_terms(tables, shape, hessian, data.section, data.joints)
+                          : joint_terms(tables, shape, hessian, data.joints);
+}
+
 // Edge blocks to node blocks: z_j = A y_(j+1) + C y_j with A = diag(1, 1, 1, 0), C = diag(-1, -1, -1, 1).
 void assemble(const Rod::Tables& tables, const RodShape& shape, const RodJointTerms& joints,
-              BlockBand& matrix) {
+              const RodSectionTerms& section, BlockBand& matrix) {
     const std::size_t n = static_cast<std::size_t>(tables.segments);
     Block4 previous{};  // edge block of segment i - 1
     for (int k = 0; k < 4; ++k) previous.column[k] = all_lanes(0);
@@ -229,8 +234,12 @@ void assemble(const Rod::Tables& tables, const RodShape& shape, const RodJointTe
             edge.column[k] = cross_now.column[k] = transposed.column[k] = all_lanes(0);
         if (i < n) {
             const Lanes t{shape.tx[i + 1], shape.ty[i + 1], shape.tz[i + 1], 0};
-            const double stiffness = tables.stretch[i];
-            const double side = stiffness * (1.0 - tables.rest_length[i] * shape.inverse[i + 1]);
+            double stiffness = tables.stretch[i];
+            double side = stiffness * (1.0 - tables.rest_length[i] * shape.inverse[i + 1]);
+            if (tables.section) {
+                stiffness = section.tangent[i];
+                side = section.force[i] * shape.inverse[i + 1];
+            }
             for (int k = 0; k < 4; ++k) {
                 edge.column[k] =
                     joints.bb[i].column[k] + joints.aa[i + 1].column[k] + t * (t[k] * (stiffness - side));
@@ -265,8 +274,8 @@ void assemble(const Rod::Tables& tables, const RodShape& shape, const RodJointTe
 }  // namespace
 
 void add_damping(const Rod::Tables& tables, const RodSpec& spec, double dt, RodScratch::Data& data) {
-    joint_terms(tables, data.shape, true, data.joints);
-    assemble(tables, data.shape, data.joints, data.damping);
+    elastic_terms(tables, data.shape, true, data);
+    assemble(tables, data.shape, data.joints, data.section, data.damping);
     const double rate = spec.stiffness_damping / dt;
     for (std::size_t i = 0; i < data.damping.blocks(); ++i) {
         for (int k = 0; k < 4; ++k) {
@@ -281,16 +290,20 @@ void add_damping(const Rod::Tables& tables, const RodSpec& spec, double dt, RodS
 bool evaluate(const Rod::Tables& tables, const RodShape& shape, RodInputs& inputs, bool hessian,
               RodScratch::Data& data) {
     const std::size_t n = static_cast<std::size_t>(tables.segments);
-    if (!joint_terms(tables, shape, hessian, data.joints)) return false;
-    if (hessian) assemble(tables, shape, data.joints, data.matrix);
+    if (!elastic_terms(tables, shape, hessian, data)) return false;
+    if (hessian) assemble(tables, shape, data.joints, data.section, data.matrix);
     Lanes previous = all_lanes(0), energy = all_lanes(0), noise = all_lanes(0);
     double stretch = 0;
     for (std::size_t i = 0; i <= n; ++i) {
         Lanes edge = all_lanes(0);
         if (i < n) {
-            const double extension = shape.length[i + 1] - tables.rest_length[i],
-                         force = tables.stretch[i] * extension;
-            stretch += 0.5 * force * extension;
+            const double extension = shape.length[i + 1] - tables.rest_length[i];
+            double force = tables.stretch[i] * extension;
+            if (tables.section) {
+                force = data.section.force[i];
+            } else {
+                stretch += 0.5 * force * extension;
+            }
             edge = load_lanes(&data.joints.gradient_b[4 * i]) +
                    load_lanes(&data.joints.gradient_a[4 * (i + 1)]) +
                    Lanes{shape.tx[i + 1], shape.ty[i + 1], shape.tz[i + 1], 0} * force;
@@ -308,6 +321,7 @@ bool evaluate(const Rod::Tables& tables, const RodShape& shape, RodInputs& input
     }
     data.bend = data.joints.bend;
     data.twist = data.joints.twist;
+    if (tables.section) stretch = data.section.stretch;
     data.stretch = stretch;
     data.energy = data.bend + data.twist + stretch + sum_lanes(energy);
     if (data.damping.blocks() != 0 && data.dt > 0) {

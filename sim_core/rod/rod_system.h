@@ -9,12 +9,14 @@
 #include "sim_core/rod/rod.h"
 #include "sim_core/rod/rod_kernel.h"
 #include "sim_core/rod/rod_point.h"
+#include "sim_core/rod/rod_section.h"
 
 namespace fulcrum {
 
 struct RodScratch::Data {
     RodShape shape, trial, start;
     RodJointTerms joints;
+    RodSectionTerms section;  ///< EXP2 alone
     BlockBand matrix, reduced;
     BlockBandFactor factor;
     std::vector<double> gradient;      ///< 4 a node: of the whole merit function at the last evaluated shape
@@ -30,6 +32,8 @@ struct RodScratch::Data {
     Vector3 target[2];                  ///< where prescribed ends shall be
     std::vector<RodPoint> tether_points, grasp_points, contact_points, self_points;
     std::vector<Vector3> grasp_lambda, grasp_force, grasp_target, tether_start, contact_start;
+    std::vector<Vector3> turn_lambda, turn_force;  ///< N m, of held rotations
+    std::vector<Matrix3> turn_target;
     std::vector<double> contact_lambda, contact_force, contact_start_lambda, self_lambda, self_force;
     std::vector<char> contact_active;  ///< active in the last matrix
     int active_changes = 0;            ///< contacts that changed side since, at the last evaluation

@@ -4,8 +4,10 @@
 // of four with zero stiffness.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "sim_core/material/section.h"
 #include "sim_core/rod/rod.h"
 
 namespace fulcrum {
@@ -20,6 +22,8 @@ struct Rod::Tables {
     std::vector<double> rest_twist;            ///< per joint: rad
     std::vector<double> cell;                  ///< per joint: m
     std::vector<double> rest_length, stretch;  ///< per segment: m, EA/length in N/m
+    std::optional<TubeSection> section;        ///< EXP2 alone: bend and stretch are then its values at rest
+    std::vector<double> unit, none;            ///< per joint: 1 where it bends; 0
     std::vector<double> mass;                  ///< per node, kg
     std::vector<double> spin_inertia;          ///< per segment, kg m2
     std::vector<double> node_s;                ///< per node, m
@@ -28,7 +32,8 @@ struct Rod::Tables {
     double contact_penalty = 0;  ///< N/m, of contacts
     double self_penalty = 0;     ///< N/m, of contacts of the rod with itself
     double grasp_penalty = 0;    ///< N/m, of grasps
-    double turn_penalty = 0;     ///< N m, of a held rotation
+    double turn_penalty = 0;     ///< N m, of held rotations
+    double outer_radius = 0;     ///< m, lever arm at which a held rotation's residual counts
 };
 
 }  // namespace fulcrum

@@ -185,6 +185,25 @@ class SceneReader {
         return cavity;
     }
 
+    // Thickness and stiffness of the whole wall follow from its layers.
+    void read_layers(const json& node, BowelSpec& bowel) {
+        bowel.wall_thickness = 0;
+        for (const json& entry : node) {
+            WallLayer layer;
+            copy(entry, "thickness", layer.thickness);
+            copy(entry, "young_modulus", layer.young);
+            copy(entry, "exponent", layer.exponent);
+            bowel.wall_thickness += layer.thickness;
+            bowel.layers.push_back(layer);
+        }
+        if (bowel.wall_thickness >= bowel.outer_radius) {
+            document_.fail("/bowel/layers", "the layers together are thicker than the bowel's radius",
+                           "give layers whose thicknesses add up to less than outer_radius");
+        }
+        const double one_pascal = tube_stiffness({{bowel.wall_thickness, 1.0, 1.0}}, bowel.outer_radius, 0).axial;
+        bowel.young_modulus = tube_stiffness(bowel.layers, bowel.outer_radius, 0).axial / one_pascal;
+    }
+
     BowelSpec read_bowel(const json& node) {
         BowelSpec bowel;
         copy(node, "length", bowel.length);
@@ -192,6 +211,7 @@ class SceneReader {
         copy(node, "wall_thickness", bowel.wall_thickness);
         copy(node, "young_modulus", bowel.young_modulus);
         copy(node, "poisson_ratio", bowel.poisson_ratio);
+        if (node.contains("layers")) read_layers(node.at("layers"), bowel);
         copy(node, "linear_density", bowel.linear_density);
         copy(node, "damping", bowel.damping);
         copy(node, "segments", bowel.segments);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "sim_core/material/layered_wall.h"
 #include "sim_core/numerics/types.h"
 
 namespace fulcrum {
@@ -78,6 +79,7 @@ struct BowelSpec {
     double wall_thickness = 0.003;                ///< m
     double young_modulus = 32.3e3;                ///< Pa
     double poisson_ratio = 0.35;
+    std::vector<WallLayer> layers;                ///< of the wall, lumen first; then wall_thickness is their sum and young_modulus the tube's mean
     double linear_density = 0.25;                 ///< kg/m
     double damping = 6.0;                         ///< 1/s, mass-proportional
     int segments = 64;
@@ -102,7 +104,7 @@ struct Fidelity {
     std::string id = "standard";
     std::string rod = "newton_k";                 ///< linearised | newton_k | newton
     int rod_iterations = 8;
-    std::string material = "linear";              ///< linear
+    std::string material = "linear";              ///< linear | EXP2
     std::string skinning = "local";               ///< local | global
     std::string collision = "coherent";           ///< coherent | brute
     int projection_iterations = 3;

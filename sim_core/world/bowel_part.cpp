@@ -58,6 +58,13 @@ RodSpec rod_spec(const Scene& scene, const std::vector<Vector3>& centre_line) {
     spec.inner_radius = bowel.outer_radius - bowel.wall_thickness;
     spec.young_modulus = bowel.young_modulus;
     spec.poisson_ratio = bowel.poisson_ratio;
+    spec.layers = bowel.layers;
+    if (scene.fidelity.material == "EXP2") {
+        // The same tissue: the scene's moduli are those of the line that fits EXP2 best.
+        spec.law = MaterialLaw::exp2;
+        spec.young_modulus *= exp2_rest_share;
+        for (WallLayer& layer : spec.layers) layer.young *= exp2_rest_share;
+    }
     spec.linear_density = bowel.linear_density;
     spec.mass_damping = bowel.damping;
     spec.ends[0] = RodEnd::clamped;

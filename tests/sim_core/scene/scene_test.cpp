@@ -56,6 +56,24 @@ TEST(Scene, BowelSceneListsBowelCavityAndTethers) {
     EXPECT_NEAR(scene.tissues[0].jaw_force_time_limit, 300, 1e-12);
 }
 
+TEST(Scene, ChoosesTheLawAndTheLayersOfTheWall) {
+    std::string text =
+        replaced(scene_text("b1_bowel.json"), "\"material\": \"linear\"", "\"material\": \"EXP2\"");
+    text = replaced(text, "\"wall_thickness\": 0.003,",
+                    "\"layers\": [{\"name\": \"mucosa\", \"thickness\": 0.001, \"young_modulus\": 8000}, "
+                    "{\"thickness\": 0.0005, \"young_modulus\": 80000, \"exponent\": 4}],");
+    const Scene scene = parse_scene(text, "b1.json");
+    EXPECT_EQ(scene.fidelity.material, "EXP2");
+    ASSERT_EQ(scene.bowel->layers.size(), 2U);
+    EXPECT_EQ(scene.bowel->layers[1].exponent, 4);
+    EXPECT_NEAR(scene.bowel->wall_thickness, 0.0015, 1e-15);
+    // The whole wall's modulus is the layers' mean by area.
+    EXPECT_GT(scene.bowel->young_modulus, 8000 + 72000 / 3.0);
+    EXPECT_LT(scene.bowel->young_modulus, 8000 + 72000 / 2.8);
+    EXPECT_THROW(parse_scene(replaced(text, "\"thickness\": 0.001,", "\"thickness\": 0.0199,"), "b1.json"),
+                 InputError);
+}
+
 struct BrokenScene {
     const char* name;
     const char* what;   // replaced in the asset ...

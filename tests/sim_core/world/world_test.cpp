@@ -36,7 +36,8 @@ struct Hands {
     std::uint64_t hash = 0;
     StepRecord last;
 
-    explicit Hands(const std::string& name) : scene(fulcrum::scene(name)), world(scene, 1), loop(scene, world), outputs(5) {}
+    explicit Hands(Scene chosen) : scene(std::move(chosen)), world(scene, 1), loop(scene, world), outputs(5) {}
+    explicit Hands(const std::string& name) : Hands(fulcrum::scene(name)) {}
     template <typename Change>
     void step(Change&& change) {
         for (int i = 0; i < 5; ++i) {
@@ -76,6 +77,19 @@ TEST(World, TheBowelComesToRestAndIsCarried) {
     EXPECT_LT(fastest, 2e-3);
     EXPECT_LT(run.world.snapshot().residual_penetration, 1e-3);
     EXPECT_GT(run.world.snapshot().floor_load, 0.3 * bowel.weight());
+    EXPECT_EQ(run.last.outcome, 0U);
+}
+
+TEST(World, ASceneChoosesExp2AndALayeredWall) {
+    Scene stiffening = scene("b1_bowel");
+    stiffening.fidelity.material = "EXP2";
+    stiffening.bowel->layers = bowel_wall_layers();
+    Hands run(stiffening);
+    double fastest = 0;
+    for (int i = 0; i < 100; ++i) run.step();
+    for (const Vector3& velocity : run.world.bowel()->state().velocities) fastest = std::max(fastest, velocity.norm());
+    EXPECT_LT(fastest, 5e-3);
+    EXPECT_LT(run.world.snapshot().residual_penetration, 1e-3);
     EXPECT_EQ(run.last.outcome, 0U);
 }
 
