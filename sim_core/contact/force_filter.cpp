@@ -86,6 +86,13 @@ double upper_share(double area, double threshold) {
 
 }  // namespace
 
+FilterMode filter_mode(const std::string& level) {
+    if (level == "1") return FilterMode::grade_1;
+    if (level == "2") return FilterMode::grade_2;
+    if (level == "adaptive") return FilterMode::adaptive;
+    return FilterMode::grade_0;
+}
+
 double contact_area(const TipBox& tip, const Vector3& normal) {
     const double a = tip.edges[0], b = tip.edges[1], c = tip.edges[2];
     return 0.5 * b * c * std::abs(tip.axes.col(0).dot(normal)) +

@@ -142,6 +142,10 @@ void touch_surface(const ToolContactModel& model, const LocalModel& local, const
     result.distance = -depth;
     result.shaft = walk.shaft;
     result.triangle = state.triangle_id;
+    if (state.held) state.left_in = depth;
+    state.held = false;
+    state.left_in =
+        std::clamp(state.left_in - model.let_out_speed * instrument.tick_period, 0.0, std::max(0.0, depth));
     if (!(depth > 0)) {
         state.touching = false;
         state.stiffness = 0;
@@ -175,7 +179,8 @@ void touch_surface(const ToolContactModel& model, const LocalModel& local, const
     response.damping = patch.contact.damping;
     response.friction = patch.contact.friction;
     response.onset_depth = model.onset_depth;
-    result.surface_force = response.force_on_tissue(depth, walk.normal, tool_velocity - tissue_velocity);
+    result.surface_force =
+        response.force_on_tissue(depth - state.left_in, walk.normal, tool_velocity - tissue_velocity);
     result.touching_surface = true;
     result.stiffness += state.stiffness * walk.normal * walk.normal.transpose();
     result.damping = std::max(result.damping, patch.contact.damping);
@@ -206,6 +211,7 @@ void hold_tissue(const ToolContactModel& model, const LocalModel& local, const T
     result.stiffness += grasp.stiffness;
     result.damping = std::max(result.damping, grasp.damping);
     state.touching = false;
+    state.held = true;
     state.triangle_id = -1;
     state.stiffness = 0;
     const std::int32_t vertex = local.patch.triangle_count > 0 ? local.patch.find_vertex(grasp.vertex) : -1;
@@ -237,6 +243,14 @@ void name_tissue(const ToolContactModel& model, const LocalModel& local, ToolCon
 
 }  // namespace
 
+ToolContactModel make_tool_contact(const Scene& scene, const InstrumentModel& instrument) {
+    ToolContactModel model;
+    model.instrument = instrument;
+    model.filter.mode = filter_mode(scene.fidelity.filter);
+    model.search_always = scene.fidelity.tool_contact == "query";
+    return model;
+}
+
 void step_tool_contact(const ToolContactModel& model, const LocalModel& local, const ToolKinematics& tool,
                        std::uint32_t tick, ToolContactState& state, ToolContactScratch& scratch,
                        ToolContactResult& result) {
@@ -259,9 +273,9 @@ void step_tool_contact(const ToolContactModel& model, const LocalModel& local, c
         }
     }
     if (local.mode == LocalMode::none || !(has_patch || local.mode == LocalMode::grasp)) {
-        state.touching = false;
+        state.touching = state.held = false;
         state.triangle_id = -1;
-        state.stiffness = 0;
+        state.stiffness = state.left_in = 0;
     }
     touch_targets(model, local, tool, result);
     touch_wall(model, local, tool, state, result);

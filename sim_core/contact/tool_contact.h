@@ -27,8 +27,12 @@ struct ToolContactModel {
     double onset_depth = 0.0005;          ///< m over which damping comes in with depth
     double start_reach =
         0.008;  ///< m, a walk that is further from the surface than this starts from the seed again
-    bool search_always = false;  ///< fidelity "query": full search of the patch at every tick
+    bool search_always = false;   ///< fidelity "query": full search of the patch at every tick
+    double let_out_speed = 0.02;  ///< m/s, at which the depth that a hold has left behind becomes contact
 };
+
+/// The instrument under the scene's fidelity, without a wall.
+ToolContactModel make_tool_contact(const Scene& scene, const InstrumentModel& instrument);
 
 /// What a hand's contact remembers between ticks; copyable.
 struct ToolContactState {
@@ -36,6 +40,11 @@ struct ToolContactState {
     Vector3 barycentric = Vector3(1.0 / 3, 1.0 / 3, 1.0 / 3);
     double shaft = 1.0;
     double stiffness = 0;  ///< N/m, relaxed K; 0 out of contact
+    /// m, depth that presses nothing yet: jaws that open stand where the tissue was drawn to. Taken at the
+    /// first contact after a hold; from then on it shrinks with time and with every way the tool itself makes
+    /// out.
+    double left_in = 0;
+    bool held = false;  ///< the jaws held tissue and no contact has been found since
     bool touching = false;
     std::int32_t wall_triangle = -1;
     Vector3 wall_barycentric = Vector3(1.0 / 3, 1.0 / 3, 1.0 / 3);

@@ -64,7 +64,7 @@ HapticLoop::HapticLoop(const Scene& scene, const World& world) : parts_(std::mak
         const int hand = static_cast<int>(spec.hand);
         ToolContactModel& contact = parts.contact[hand];
         parts.has_hand[hand] = true;
-        contact.instrument = make_instrument(spec, scene.tick_period());
+        contact = make_tool_contact(scene, make_instrument(spec, scene.tick_period()));
         contact.cavity = world.cavity();
         if (scene.cavity) {
             const int index = scene.tissue_index(scene.cavity->tissue);
@@ -72,9 +72,6 @@ HapticLoop::HapticLoop(const Scene& scene, const World& world) : parts_(std::mak
             contact.wall.most_stiffness = scene.tissues[static_cast<std::size_t>(index)].stiffness;
             contact.wall.damping = scene.tissues[static_cast<std::size_t>(index)].damping;
         }
-        const std::string& filter = scene.fidelity.filter;
-        contact.filter.mode = filter == "1" ? FilterMode::grade_1 : filter == "2" ? FilterMode::grade_2 : filter == "adaptive" ? FilterMode::adaptive : FilterMode::grade_0;
-        contact.search_always = scene.fidelity.tool_contact == "query";
         parts.held[hand] = start_sample(spec.trocar, spec.start_insertion);
     }
     if (scene.camera) {
@@ -178,9 +175,6 @@ const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {
 
         ContactReport& contact = output.contact[hand];
         contact.tool = tool;
-        contact.surface_force = result.surface_force;
-        contact.filtered = result.filtered;
-        contact.stiffness = result.stiffness.trace();
         contact.vertex = result.vertex;
         contact.slipping = result.slipping;
 
@@ -189,7 +183,7 @@ const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {
         store(tool.axis, sample_axis_unit, record.axis);
         record.roll = counts(tool.roll, sample_angle_unit);
         record.jaw_angle = counts(tool.jaw_angle, sample_angle_unit);
-        store(result.force, sample_force_unit, record.force);
+        store(result.force - result.tool_force, sample_force_unit, record.force);  // instruments that cross hurt no tissue
         store(sent.force, sample_force_unit, record.device_force);
         record.tissue = result.tissue;
         record.patch = result.tissue_patch;

@@ -2,7 +2,6 @@
 // What one haptic tick leaves behind: the record's sample and what the world must know of the contact.
 #pragma once
 
-#include "sim_core/contact/force_filter.h"
 #include "sim_core/haptics/device.h"
 #include "sim_core/instrument/instrument.h"
 #include "sim_core/telemetry/sample.h"
@@ -12,11 +11,8 @@ namespace fulcrum {
 /// One hand's contact as the world needs it; fixed size, crosses the input ring.
 struct ContactReport {
     ToolKinematics tool;
-    Vector3 surface_force = Vector3::Zero();  ///< N, instrument on the bowel's surface
-    FilteredForce filtered;                   ///< its shares by surface vertex; count 0 without contact
-    double stiffness = 0;                     ///< N/m, of the contact along its force
-    std::int32_t vertex = -1;                 ///< surface vertex of the contact
-    bool slipping = false;                    ///< the jaws cannot hold what they pull
+    std::int32_t vertex = -1;  ///< surface vertex of the contact
+    bool slipping = false;     ///< the jaws cannot hold what they pull
 };
 
 struct TickOutput {

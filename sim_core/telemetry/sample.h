@@ -30,7 +30,7 @@ struct HandSample {
     std::int32_t axis[3] = {0, 0, 0};          ///< 1e-8, unit vector trocar to tip
     std::int32_t roll = 0;                     ///< 1e-6 rad
     std::int32_t jaw_angle = 0;                ///< 1e-6 rad, actual opening
-    std::int32_t force[3] = {0, 0, 0};         ///< mN, instrument on tissue, the model's, before any clamp
+    std::int32_t force[3] = {0, 0, 0};         ///< mN, instrument on tissue (not on the other instrument), the model's, before any clamp
     std::int32_t device_force[3] = {0, 0, 0};  ///< mN, sent to the hand, after safety
     std::int32_t jaw_force = 0;                ///< mN
     std::int32_t jaw_area = 0;                 ///< 1e-9 m2

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim_core/contact/jaws.h"
+#include "sim_core/contact/series_stiffness.h"
 #include "sim_core/world/bowel_part.h"
 
 namespace fulcrum {
@@ -134,9 +135,7 @@ void BowelPart::fill_local_model(Hand hand, const PatchRequest& request, LocalMo
     model.grasp.hold_offset = grasp.hold_offset;
     // In series with the pinched wall itself: however firmly the rod is held elsewhere, the jaws feel no more than tissue.
     const double wall = pinch_share * scene_.tissues[static_cast<std::size_t>(index)].stiffness;
-    const Matrix3 compliance = grasp.stiffness.inverse() + Matrix3::Identity() / wall;
-    const Matrix3 stiffness = compliance.inverse();
-    model.grasp.stiffness = stiffness.allFinite() ? Matrix3(0.5 * (stiffness + stiffness.transpose())) : Matrix3(wall * Matrix3::Identity());
+    model.grasp.stiffness = stiffness_in_series(grasp.stiffness, wall);
     model.grasp.damping = scene_.tissues[static_cast<std::size_t>(index)].damping;
     model.grasp.friction = scene_.tissues[static_cast<std::size_t>(index)].friction;
     model.grasp.vertex = grasp.vertex;

@@ -28,13 +28,6 @@ std::vector<Vector3> resample(const std::vector<Vector3>& line, int points) {
     return result;
 }
 
-FilterMode filter_mode(const std::string& name) {
-    if (name == "off" || name == "0") return FilterMode::grade_0;
-    if (name == "1") return FilterMode::grade_1;
-    if (name == "2") return FilterMode::grade_2;
-    return FilterMode::adaptive;
-}
-
 constexpr double unsolved_residual = 0.05;  // share of the largest force: beyond it a step's reactions mean nothing
 
 RodSolve rod_solve(const Fidelity& fidelity) {
@@ -174,7 +167,7 @@ std::uint32_t BowelPart::step(const ToolAction* actions, double dt) noexcept {
     }
     {
         Stopwatch watch(measuring_, costs_.loads);
-        gather_loads(actions);
+        gather_loads(actions, dt);
     }
     {
         Stopwatch watch(measuring_, costs_.collision);
@@ -224,7 +217,8 @@ std::uint32_t BowelPart::step(const ToolAction* actions, double dt) noexcept {
         const RodGrasp& solved = inputs_.grasps[static_cast<std::size_t>(k++)];
         grasp.state.reaction = solved.reaction;
         grasp.state.point = rod_->wall_point(state_, solved.s, solved.offset);
-        grasp.stiffness = rod_->stiffness_at(state_, solved.s, solved.offset, scratch_);
+        // The factor of a solve that ended short of balance says nothing about the tissue: the last good one stays.
+        if (report_.converged) grasp.stiffness = rod_->stiffness_at(state_, solved.s, solved.offset, scratch_);
     }
     {
         Stopwatch watch(measuring_, costs_.rings);
@@ -272,32 +266,32 @@ void BowelPart::find_contacts() noexcept {
     }
 }
 
-void BowelPart::gather_loads(const ToolAction* actions) noexcept {
+void BowelPart::gather_loads(const ToolAction* actions, double dt) noexcept {
     inputs_.loads.clear();
     for (int hand = 0; hand < hand_count; ++hand) {
-        const ToolAction& action = actions[hand];
-        if (action.filtered == nullptr || action.filtered->count == 0 || !action.push.allFinite()) {
+        const ToolContactResult* contact = actions[hand].contact;
+        if (contact == nullptr || !contact->touching_surface || contact->filtered.count == 0 || !contact->surface_force.allFinite()) {
             applied_push_[hand].setZero();
             continue;
         }
-        const double s = std::clamp(skin_->rest().vertices[static_cast<std::size_t>(std::max(0, action.vertex))].x(), 0.0, rod_->length());
-        const Matrix3 stiffness = rod_->stiffness_at(state_, s, Vector3::Zero(), scratch_);
-        const Vector3 direction = action.push.norm() > 0 ? action.push.normalized().eval() : Vector3::UnitZ();
-        // One step of delay between tick and world: the implicit share keeps a stiff wall on a light rod from ringing.
-        const double rod_stiffness = std::max(1e-3, direction.dot(stiffness * direction));
-        const double share = 1.0 / (1.0 + action.contact_stiffness / rod_stiffness);
-        applied_push_[hand] += share * (action.push - applied_push_[hand]);
+        // A stiff wall on a light rod: the force is taken at this step's end, to first order, not at its beginning.
+        const double s = std::clamp(skin_->rest().vertices[static_cast<std::size_t>(std::max(0, contact->vertex))].x(), 0.0, rod_->length());
+        const Matrix3 stiffness = rod_->stiffness_at(state_, s, rod_->wall_offset(state_, s, contact->point), scratch_);
+        const double tissue = std::max(1e-3, contact->normal.dot(stiffness * contact->normal));
+        const double tool = contact->normal.dot(contact->stiffness * contact->normal) + contact->damping / dt;
+        applied_push_[hand] = relax_contact_force(applied_push_[hand], contact->surface_force, tool, tissue);
+        const FilteredForce& filtered = contact->filtered;
         int first = skin_->rings(), last = -1;
-        for (int i = 0; i < action.filtered->count; ++i) {
-            const SkinRow& row = skin_->rows()[static_cast<std::size_t>(action.filtered->vertex[static_cast<std::size_t>(i)])];
+        for (int i = 0; i < filtered.count; ++i) {
+            const SkinRow& row = skin_->rows()[static_cast<std::size_t>(filtered.vertex[static_cast<std::size_t>(i)])];
             first = std::min(first, row.first_ring);
             last = std::max(last, row.first_ring + skin_rings - 1);
         }
         for (int r = first; r <= last; ++r) wrenches_[static_cast<std::size_t>(r)] = RingWrench{};
-        for (int i = 0; i < action.filtered->count; ++i) {
+        for (int i = 0; i < filtered.count; ++i) {
             const auto k = static_cast<std::size_t>(i);
-            const SkinRow& row = skin_->rows()[static_cast<std::size_t>(action.filtered->vertex[k])];
-            add_ring_wrenches(row, ring_frames_.data(), action.filtered->weight[k] * applied_push_[hand], wrenches_.data());
+            const SkinRow& row = skin_->rows()[static_cast<std::size_t>(filtered.vertex[k])];
+            add_ring_wrenches(row, ring_frames_.data(), filtered.weight[k] * applied_push_[hand], wrenches_.data());
         }
         for (int r = first; r <= last && inputs_.loads.size() < inputs_.loads.capacity(); ++r) {
             const auto k = static_cast<std::size_t>(r);
@@ -326,7 +320,7 @@ void BowelPart::update_dents(const ToolAction* actions, double dt) noexcept {
     int count = 0;
     for (int hand = 0; hand < hand_count; ++hand) {
         const ToolAction& action = actions[hand];
-        if (action.filtered != nullptr && action.filtered->count > 0) loads[count++] = {action.filtered, nullptr, applied_push_[hand]};
+        if (action.contact != nullptr && action.contact->touching_surface) loads[count++] = {&action.contact->filtered, nullptr, applied_push_[hand]};
         const HandGrasp& grasp = grasps_[hand];
         if (grasp.state.held && grasp.filtered.count > 0) loads[count++] = {&grasp.filtered, nullptr, grasp.state.reaction};
     }

@@ -10,6 +10,7 @@
 #include "sim_core/bowel/dent.h"
 #include "sim_core/collision/sphere_collision.h"
 #include "sim_core/contact/patch_builder.h"
+#include "sim_core/contact/tool_contact.h"
 #include "sim_core/haptics/tick_output.h"
 #include "sim_core/rod/rod.h"
 #include "sim_core/scene/scene.h"
@@ -32,10 +33,7 @@ struct BowelAnatomy {
 struct ToolAction {
     const InstrumentSpec* instrument = nullptr;  ///< null: no such hand
     ToolKinematics tool;                         ///< at the step's last tick
-    Vector3 push = Vector3::Zero();              ///< N, mean contact force on the surface over the step's ticks
-    const FilteredForce* filtered = nullptr;     ///< shares of the last tick in contact; null without contact
-    double contact_stiffness = 0;                ///< N/m
-    std::int32_t vertex = -1;
+    const ToolContactResult* contact = nullptr;  ///< with the surface as it would be at the step's end; null: none
     bool slipping = false;
 };
 
@@ -86,7 +84,7 @@ class BowelPart {
     void lay_down();
     void update_grasps(const ToolAction* actions, double dt) noexcept;
     void begin_grasp(int hand, const ToolAction& action) noexcept;
-    void gather_loads(const ToolAction* actions) noexcept;
+    void gather_loads(const ToolAction* actions, double dt) noexcept;
     void find_contacts() noexcept;
     void update_rings(double dt) noexcept;
     void update_dents(const ToolAction* actions, double dt) noexcept;

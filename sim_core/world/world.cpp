@@ -11,6 +11,16 @@
 
 namespace fulcrum {
 
+/// The instruments against the surface as the world sees it: the tick's own law, at the end of the step that is being made. The force
+/// that moves the bowel must not be the tick's: that one was made for a surface up to ten ticks old, and would throw a light bowel to
+/// and fro under a tool that does not move.
+struct World::HandContacts {
+    ToolContactModel model[hand_count];
+    ToolContactState state[hand_count];
+    ToolContactScratch scratch[hand_count];
+    ToolContactResult result[hand_count];
+};
+
 World::World(const Scene& scene, std::uint64_t seed) : scene_(scene) {
     for (const InstrumentSpec& spec : scene_.instruments) {
         const int hand = static_cast<int>(spec.hand);
@@ -57,6 +67,11 @@ void World::build_anatomy() {
     if (scene_.bowel) {
         bowel_ = std::make_unique<BowelPart>(scene_, bowel_anatomy(scene_), cavity_.get());
         bowel_->size_snapshot(snapshot_);
+        contacts_ = std::make_unique<HandContacts>();
+        for (int hand = 0; hand < hand_count; ++hand) {
+            contacts_->model[hand] = make_tool_contact(scene_, instruments_[hand]);
+            contacts_->model[hand].instrument.tick_period = scene_.step_period();  // one step is its tick
+        }
     }
 }
 
@@ -75,16 +90,9 @@ StepRecord World::step(const TickOutput* outputs, std::size_t count) noexcept {
             ToolAction& action = actions[hand];
             action.instrument = scene_.instrument(static_cast<Hand>(hand));
             action.tool = last.contact[hand].tool;
-            for (std::size_t i = 0; i < count; ++i) {
-                const ContactReport& contact = outputs[i].contact[hand];
-                action.push += contact.surface_force / static_cast<double>(count);
-                action.slipping = action.slipping || contact.slipping;
-                if (contact.filtered.count == 0) continue;
-                action.filtered = &contact.filtered;
-                action.contact_stiffness = contact.stiffness;
-                action.vertex = contact.vertex;
-            }
+            for (std::size_t i = 0; i < count; ++i) action.slipping = action.slipping || outputs[i].contact[hand].slipping;
         }
+        find_contacts(last, actions);
         record.outcome = bowel_->step(actions, scene_.step_period());
     }
     {
@@ -101,6 +109,17 @@ StepRecord World::step(const TickOutput* outputs, std::size_t count) noexcept {
         next_hash_tick_ = (record.last_tick / hash_every_ticks + 1) * hash_every_ticks;
     }
     return record;
+}
+
+void World::find_contacts(const TickOutput& last, ToolAction* actions) noexcept {
+    for (int hand = 0; hand < hand_count; ++hand) {
+        if (!has_instrument_[hand]) continue;
+        ToolContactResult& result = contacts_->result[hand];
+        const LocalModel& local = models_.hand[hand];
+        step_tool_contact(contacts_->model[hand], local, last.contact[hand].tool, local.tick + 1, contacts_->state[hand],
+                          contacts_->scratch[hand], result);
+        if (result.touching_surface) actions[hand].contact = &result;
+    }
 }
 
 void World::fill_models(const TickOutput& last) noexcept {

@@ -53,7 +53,9 @@ class World {
     std::vector<PartCost> costs() const;
 
   private:
+    struct HandContacts;
     void build_anatomy();
+    void find_contacts(const TickOutput& last, ToolAction* actions) noexcept;
     void fill_models(const TickOutput& last) noexcept;
     void fill_snapshot(const TickOutput& last) noexcept;
     std::uint64_t hash() const noexcept;
@@ -66,6 +68,7 @@ class World {
     bool has_instrument_[hand_count] = {false, false};
     std::unique_ptr<ScopeModel> scope_;
     LocalModels models_;
+    std::unique_ptr<HandContacts> contacts_;  ///< with a bowel
     WorldSnapshot snapshot_;
     std::uint32_t steps_ = 0;
     std::uint32_t next_hash_tick_ = hash_every_ticks;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sim_core/contact/rigid_contact.h"
+#include "sim_core/contact/series_stiffness.h"
 #include "sim_core/numerics/random.h"
 #include "sim_core/rigid/targets.h"
 #include "tests/sim_core/contact/contact_rig.h"
@@ -270,6 +271,28 @@ TEST(Tools, CrossingShaftsPushEachOtherApart) {
     a = b = ToolContactResult{};
     collide_tools(model, left, model, right, a, b);
     EXPECT_TRUE(a.force.allFinite());
+}
+
+TEST(SeriesStiffness, IsBoundedByTheWallWhateverTheTissueSays) {
+    const double wall = 800;
+    const Matrix3 tissue = Vector3(200, 0, 1e6).asDiagonal();
+    const Matrix3 series = stiffness_in_series(tissue, wall);
+    EXPECT_NEAR(series(0, 0), 160, 1e-9);
+    EXPECT_NEAR(series(1, 1), 0, 1e-9);
+    EXPECT_NEAR(series(2, 2), 800e6 / 1000800, 1e-6);
+    Random random(4);
+    for (int trial = 0; trial < 300; ++trial) {
+        Matrix3 any;
+        const double size = std::pow(10.0, random.uniform(-12, 40));
+        for (double& value : any.reshaped()) value = size * random.uniform(-1, 1);
+        if (trial % 50 == 0) any(1, 2) = std::numeric_limits<double>::quiet_NaN();
+        const Matrix3 result = stiffness_in_series(any, wall);
+        ASSERT_TRUE(result.allFinite());
+        EXPECT_EQ(result, result.transpose());
+        const Vector3 direction = Vector3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)).normalized();
+        EXPECT_GE(direction.dot(result * direction), -1e-9);
+        EXPECT_LE(direction.dot(result * direction), wall + 1e-6);
+    }
 }
 
 }  // namespace
