@@ -67,6 +67,7 @@ std::vector<Workload> reference_workloads() {
     add_collision_workloads(workloads);
     add_skinning_workloads(workloads);
     add_contact_workloads(workloads);
+    add_membrane_workloads(workloads);
     return workloads;
 }
 

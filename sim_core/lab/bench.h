@@ -52,5 +52,6 @@ void add_rod_workloads(std::vector<Workload>& workloads);
 void add_collision_workloads(std::vector<Workload>& workloads);
 void add_skinning_workloads(std::vector<Workload>& workloads);
 void add_contact_workloads(std::vector<Workload>& workloads);
+void add_membrane_workloads(std::vector<Workload>& workloads);
 
 }  // namespace fulcrum::lab

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sheets in closed form for studies, workloads and tests, and the held sheet that the membrane's errors are
+// measured on.
+#pragma once
+
+#include <vector>
+
+#include "sim_core/membrane/membrane.h"
+
+namespace fulcrum::lab {
+
+/// rows x columns vertices, vertex = row * columns + column, over width (x) and height (y) at z = 0;
+/// diagonals alternate. Sizes in m; at least 2 x 2.
+TriangleMesh make_sheet(int columns, int rows, double width, double height);
+
+/// A square sheet of 0.2 m and 40 g held along x = 0 and x = 0.2 m, springs stretched by 5 %: a mesentery
+/// between its root and the bowel, in size and in how it is held. Nothing but the resolution changes with
+/// `side`.
+struct HeldSheet {
+    explicit HeldSheet(int side, double stiffness = 100, double pre_strain = 0.05);
+    int side;
+    Membrane membrane;
+    MembraneInputs inputs;  ///< gravity along -z, attachments where they are at rest
+    /// The edge at x = 0.2 m after `frames` frames of 5 ms at 50 mm/s (to and fro within 20 mm).
+    void move_edge(int frames);
+};
+
+/// Potential of `end` above the reference's, over that of the start with its attachments moved above the
+/// reference's (dt = 0: static).
+double energy_gap(const Membrane& membrane, const MembraneState& start, const MembraneState& end,
+                  const MembraneState& reference, const MembraneInputs& inputs, double dt,
+                  MembraneScratch& scratch);
+
+}  // namespace fulcrum::lab
