@@ -24,7 +24,11 @@ std::size_t index(int i) {
 
 SphereCollision::SphereCollision(const CavityModel* cavity, SphereChainShape chain,
                                  SphereCollisionOptions options)
-    : cavity_(cavity), chain_(std::move(chain)), options_(options) {
+    : cavity_(cavity),
+      chain_(std::move(chain)),
+      options_(options),
+      pairs_(chain_.arc_lengths, chain_.radii, options_.rest_exclusion, options_.list_margin,
+             options_.contact_margin, options_.near_row_capacity) {
     if (chain_.radii.size() != chain_.arc_lengths.size()) {
         throw InputError("sphere chain", "radii", "not as many as arc lengths", "give one of each a sphere");
     }
@@ -35,7 +39,6 @@ SphereCollision::SphereCollision(const CavityModel* cavity, SphereChainShape cha
                              "a radius is not positive or a value not finite",
                              "give radii in metres, above 0");
         }
-        largest_radius_ = std::max(largest_radius_, chain_.radii[i]);
     }
 }
 
@@ -59,11 +62,7 @@ SphereCollision::Lists SphereCollision::make_lists() const {
         lists.free_motion.assign(count, 0);
         lists.last_at.assign(count, Vector3::Zero());
     }
-    lists.near_first.resize(index(options_.near_pair_capacity));
-    lists.near_second.resize(index(options_.near_pair_capacity));
-    lists.order.resize(count);
-    for (std::size_t i = 0; i < count; ++i) lists.order[i] = static_cast<std::int32_t>(i);
-    lists.near_at.assign(count, Vector3::Zero());
+    lists.pairs = pairs_.make_lists();
     lists.projected.assign(count, Vector3::Zero());
     lists.moved.assign(count, 0);
     lists.depth.assign(count, 0);
@@ -75,7 +74,7 @@ std::size_t SphereCollision::bytes() const {
     const std::size_t a_sphere =
         index(options_.list_capacity + bands) * sizeof(std::int32_t) + 3 * sizeof(Vector3) +
         index(options_.planes_per_sphere) * sizeof(CavityContact) + 6 * sizeof(double);
-    return sizeof(*this) + count * a_sphere + index(options_.near_pair_capacity) * 2 * sizeof(std::int32_t) +
+    return sizeof(*this) + count * a_sphere + pairs_.bytes() +
            index(options_.pair_capacity) * sizeof(SphereContact);
 }
 
@@ -182,7 +181,9 @@ int SphereCollision::refresh_early(const Vector3* centres, Lists& lists) const {
 }
 
 // All patches of the wall within the radius and the contact margin, nearest first.
-void SphereCollision::gather(int sphere, const Vector3& centre, Lists& lists, Candidates& found) const {
+// Only the nearest of them if that is all that is asked for.
+void SphereCollision::gather(int sphere, const Vector3& centre, Lists& lists, bool only_nearest,
+                             Candidates& found) const {
     const std::size_t i = index(sphere);
     found.count = 0;
     found.overflow = false;
@@ -214,6 +215,19 @@ void SphereCollision::gather(int sphere, const Vector3& centre, Lists& lists, Ca
         float concern[packet_size];
         for_each_lane(packet.concern(at, static_cast<float>(reach), 0.0F, concern), [&](int lane) {
             if (!cavity_->confirms(packet, lane, at)) return;
+            if (only_nearest) {
+                const CavityTriangle& t =
+                    cavity_->triangles()[static_cast<std::size_t>(packet.triangle[lane])];
+                const double distance2 =
+                    (centre - closest_point_on_triangle(centre, t.a, t.b, t.c).position).squaredNorm();
+                if (!(distance2 <= reach2)) return;
+                if (distance2 < nearest2 ||
+                    (distance2 <= nearest2 && packet.triangle[lane] < nearest.triangle)) {
+                    nearest2 = distance2;
+                    nearest.triangle = packet.triangle[lane];
+                }
+                return;
+            }
             CavityPoint point;
             bool own_patch = false;
             if (!cavity_->examine(packet.triangle[lane], centre, reach2, point, own_patch)) return;
@@ -231,6 +245,10 @@ void SphereCollision::gather(int sphere, const Vector3& centre, Lists& lists, Ca
         });
     }
     if (nearest.triangle < 0) return;
+    if (only_nearest) {
+        found.points[found.count++] = cavity_->closest_on(nearest.triangle, centre);
+        return;
+    }
     if (nearest.distance < 0) found.count = 0;  // behind the wall only the way out matters
     if (found.count == candidate_capacity) --found.count;
     found.points[found.count++] = nearest;
@@ -260,59 +278,12 @@ int SphereCollision::depths(const Vector3* centres, Lists& lists, SphereDepth* r
         results[i] = SphereDepth{};
         if (cavity_ == nullptr || !centres[i].allFinite()) continue;
         relisted += refresh(i, centres[i], lists) ? 1 : 0;
-        gather(i, centres[i], lists, found);
+        gather(i, centres[i], lists, true, found);
         if (found.count == 0) continue;
         results[i].closest = found.points[0];
         results[i].depth = chain_.radii[index(i)] - found.points[0].distance;
     }
     return relisted;
-}
-
-// Pairs that could touch before some sphere has moved by the list margin: a sweep along x.
-void SphereCollision::refresh_pairs(const Vector3* centres, Lists& lists) const {
-    const int count = spheres();
-    const double margin = options_.list_margin;
-    if (lists.near_count >= 0) {
-        bool still = true;
-        for (int i = 0; i < count && still; ++i) {
-            still = !((centres[i] - lists.near_at[index(i)]).squaredNorm() > margin * margin);
-        }
-        if (still) return;
-    }
-    for (int i = 0; i < count; ++i)
-        lists.near_at[index(i)] =
-            centres[i].allFinite() ? centres[i] : Vector3(Vector3::Constant(everywhere));
-    const auto before = [&](std::int32_t a, std::int32_t b) {
-        const double xa = lists.near_at[index(a)].x(), xb = lists.near_at[index(b)].x();
-        return xa < xb || (xa <= xb && a < b);
-    };
-    std::sort(lists.order.begin(), lists.order.end(), before);
-    lists.near_count = 0;
-    lists.near_overflow = false;
-    for (int k = 0; k < count; ++k) {
-        const std::int32_t a = lists.order[index(k)];
-        const Vector3& from = lists.near_at[index(a)];
-        if (!(from.x() < everywhere)) break;
-        const double window = chain_.radii[index(a)] + largest_radius_ + 2 * margin + options_.contact_margin;
-        for (int l = k + 1; l < count; ++l) {
-            const std::int32_t b = lists.order[index(l)];
-            const Vector3& to = lists.near_at[index(b)];
-            if (to.x() - from.x() > window) break;
-            const double reach =
-                chain_.radii[index(a)] + chain_.radii[index(b)] + 2 * margin + options_.contact_margin;
-            if ((to - from).squaredNorm() > reach * reach) continue;
-            const double larger = std::max(chain_.radii[index(a)], chain_.radii[index(b)]);
-            const double along = std::abs(chain_.arc_lengths[index(a)] - chain_.arc_lengths[index(b)]);
-            if (along < options_.rest_exclusion * larger) continue;
-            if (lists.near_count == options_.near_pair_capacity) {
-                lists.near_overflow = true;
-                return;
-            }
-            lists.near_first[index(lists.near_count)] = std::min(a, b);
-            lists.near_second[index(lists.near_count)] = std::max(a, b);
-            ++lists.near_count;
-        }
-    }
 }
 
 // Reports a sphere's patches as planes, with the gap at the start; only_new leaves out those it has.
@@ -344,30 +315,11 @@ void SphereCollision::add_planes(int sphere, const Vector3& start, const Candida
     }
 }
 
-double SphereCollision::add_pairs(const Vector3* centres, Lists& lists, SphereContacts& contacts) const {
-    double deepest = 0;
-    refresh_pairs(centres, lists);
-    contacts.pair_overflow = contacts.pair_overflow || lists.near_overflow;
-    for (int k = 0; k < lists.near_count; ++k) {
-        const std::int32_t a = lists.near_first[index(k)], b = lists.near_second[index(k)];
-        const Vector3 between = centres[a] - centres[b];
-        const double reach = chain_.radii[index(a)] + chain_.radii[index(b)];
-        const double near = reach + options_.contact_margin;
-        const double distance2 = between.squaredNorm();
-        if (!(distance2 < near * near)) continue;
-        const double distance = std::sqrt(distance2);
-        deepest = std::max(deepest, reach - distance);
-        if (contacts.pair_count == options_.pair_capacity) {
-            contacts.pair_overflow = true;
-            continue;
-        }
-        SphereContact& contact = contacts.pairs[index(contacts.pair_count++)];
-        contact.first = a;
-        contact.second = b;
-        contact.gap = distance - reach;
-        contact.normal = distance > 1e-12 ? Vector3(between / distance) : Vector3(Vector3::UnitZ());
-    }
-    return deepest;
+void SphereCollision::touching_pairs(const Vector3* centres, Lists& lists, SphereContacts& contacts) const {
+    const int count = pairs_.find(centres, lists.pairs, contacts.pairs.data(), options_.pair_capacity,
+                                  contacts.deepest_pair);
+    contacts.pair_count = std::min(count, options_.pair_capacity);
+    contacts.pair_overflow = lists.pairs.overflow || count > options_.pair_capacity;
 }
 
 // Moves overlapping spheres out along the planes' normals, a few times; new planes met on the way are
@@ -388,12 +340,16 @@ void SphereCollision::project(Lists& lists, SphereContacts& contacts, const Vect
         }
         for (int k = 0; k < contacts.pair_count; ++k) {
             const SphereContact& contact = contacts.pairs[index(k)];
+            if (contact.gap >= 0 &&
+                lists.moved[index(contact.first)] + lists.moved[index(contact.second)] == 0)
+                continue;  // as far apart as it was found
             Vector3& first = lists.projected[index(contact.first)];
             Vector3& second = lists.projected[index(contact.second)];
             const Vector3 between = first - second;
-            const double distance = between.norm();
-            const double overlap =
-                chain_.radii[index(contact.first)] + chain_.radii[index(contact.second)] - distance;
+            const double distance2 = between.squaredNorm();
+            const double reach = chain_.radii[index(contact.first)] + chain_.radii[index(contact.second)];
+            if (!(distance2 < reach * reach)) continue;
+            const double distance = std::sqrt(distance2), overlap = reach - distance;
             if (overlap <= no_move) continue;
             const Vector3 normal = distance > 1e-12 ? Vector3(between / distance) : contact.normal;
             first += 0.5 * overlap * normal;
@@ -406,7 +362,7 @@ void SphereCollision::project(Lists& lists, SphereContacts& contacts, const Vect
             if (lists.moved[index(i)] == 0) continue;
             const Vector3& centre = lists.projected[index(i)];
             contacts.relisted += refresh(i, centre, lists) ? 1 : 0;
-            gather(i, centre, lists, found);
+            gather(i, centre, lists, false, found);
             lists.depth[index(i)] = found.count > 0 ? chain_.radii[index(i)] - found.points[0].distance : 0;
             add_planes(i, centres[i], found, true, contacts);
         }
@@ -426,22 +382,22 @@ void SphereCollision::collide(const Vector3* centres, Lists& lists, SphereContac
         if (cavity_ == nullptr || !centres[i].allFinite()) continue;
         contacts.relisted += refresh(i, centres[i], lists) ? 1 : 0;
         contacts.list_overflow = contacts.list_overflow || lists.counts[index(i)] == overflowed;
-        gather(i, centres[i], lists, found);
+        gather(i, centres[i], lists, false, found);
         if (found.count > 0) lists.depth[index(i)] = chain_.radii[index(i)] - found.points[0].distance;
         contacts.deepest_cavity = std::max(contacts.deepest_cavity, lists.depth[index(i)]);
         add_planes(i, centres[i], found, false, contacts);
     }
-    contacts.deepest_pair = add_pairs(centres, lists, contacts);
+    touching_pairs(centres, lists, contacts);
     project(lists, contacts, centres);
     for (const double depth : lists.depth)
         contacts.residual_cavity = std::max(contacts.residual_cavity, depth);
     for (int k = 0; k < contacts.pair_count; ++k) {
         const SphereContact& contact = contacts.pairs[index(k)];
-        const double distance =
-            (lists.projected[index(contact.first)] - lists.projected[index(contact.second)]).norm();
-        const double overlap =
-            chain_.radii[index(contact.first)] + chain_.radii[index(contact.second)] - distance;
-        contacts.residual_pair = std::max(contacts.residual_pair, overlap);
+        const double distance2 =
+            (lists.projected[index(contact.first)] - lists.projected[index(contact.second)]).squaredNorm();
+        const double reach = chain_.radii[index(contact.first)] + chain_.radii[index(contact.second)];
+        if (!(distance2 < reach * reach)) continue;
+        contacts.residual_pair = std::max(contacts.residual_pair, reach - std::sqrt(distance2));
     }
     std::sort(contacts.cavity.begin(), contacts.cavity.begin() + contacts.cavity_count,
               [](const CavityContact& a, const CavityContact& b) {

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "sim_core/collision/cavity.h"
+#include "sim_core/collision/sphere_pairs.h"
 
 namespace fulcrum {
 
@@ -33,7 +34,7 @@ struct SphereCollisionOptions {
     int list_capacity = 64;     ///< packets of triangles a sphere; more: the least urgent wait for the next
     int planes_per_sphere = 6;  ///< cavity planes a sphere
     int pair_capacity = 512;    ///< pairs of spheres in contact
-    int near_pair_capacity = 8192;  ///< pairs of spheres near each other
+    int near_row_capacity = 2048;  ///< spheres against eight others near them (SpherePairs)
 };
 
 /// The chain: rest arc lengths (rising) and radii, m.
@@ -49,13 +50,6 @@ struct CavityContact {
     double gap = 0;                    ///< m at the centre given, < 0 penetrating
 };
 
-/// Contact of spheres first < second; normal from second to first.
-struct SphereContact {
-    std::int32_t first = -1, second = -1;
-    Vector3 normal = Vector3::Zero();
-    double gap = 0;  ///< m
-};
-
 /// What a query found. Vectors have their capacity from the start; the counts say what is valid.
 struct SphereContacts {
     std::vector<CavityContact> cavity;
@@ -69,7 +63,7 @@ struct SphereContacts {
     bool list_overflow =
         false;  ///< list_capacity too small even for now: those spheres asked the hierarchy, exact but slow
     bool plane_overflow = false;  ///< planes_per_sphere too small: the shallowest were left out
-    bool pair_overflow = false;   ///< pair_capacity or near_pair_capacity too small: pairs were left out
+    bool pair_overflow = false;   ///< pair_capacity or near_row_capacity too small: pairs were left out
 };
 
 /// Signed closest point of one sphere; triangle -1 where the wall is further than rho + contact_margin.
@@ -99,15 +93,11 @@ class SphereCollision {
         std::vector<Vector3> listed_at;       ///< m
         std::vector<Vector3> last_at;         ///< m, at the call before
         std::vector<double> free_motion;      ///< m the sphere may move before it is listed again
-        std::vector<std::int32_t> near_first, near_second;  ///< pairs of spheres near each other
-        std::vector<std::int32_t> order;                    ///< spheres by x, for the sweep
-        std::vector<Vector3> near_at;                       ///< centres when the near pairs were listed
-        std::vector<Vector3> projected;                     ///< centres during and after projection
-        std::vector<std::uint8_t> moved;                    ///< a sphere: 1 if the last projection moved it
-        std::vector<double> depth;                          ///< m, of each sphere in the wall
-        std::int32_t near_count = -1;
-        std::int32_t turn = 0;  ///< sphere whose early listing is next
-        bool near_overflow = false;
+        SpherePairs::Lists pairs;
+        std::vector<Vector3> projected;   ///< centres during and after projection
+        std::vector<std::uint8_t> moved;  ///< a sphere: 1 if the last projection moved it
+        std::vector<double> depth;        ///< m, of each sphere in the wall
+        std::int32_t turn = 0;            ///< sphere whose early listing is next
     };
     Lists make_lists() const;
 
@@ -118,6 +108,10 @@ class SphereCollision {
     /// Cavity only, centres as given, no projection: closest point and depth of each sphere (results: one a
     /// sphere). Returns the number of spheres listed again.
     int depths(const Vector3* centres, Lists& lists, SphereDepth* results) const;
+
+    /// The chain against itself only, centres as given, no projection: fills pairs, pair_count, pair_overflow
+    /// and deepest_pair.
+    void touching_pairs(const Vector3* centres, Lists& lists, SphereContacts& contacts) const;
 
   private:
     static constexpr std::int32_t never_listed = -1, overflowed = -2, behind_wall = -3;
@@ -130,18 +124,16 @@ class SphereCollision {
     bool refresh(int sphere, const Vector3& centre, Lists& lists, double good_for = 1.0) const;
     int refresh_early(const Vector3* centres, Lists& lists) const;
     void bin(int sphere, int count, Lists& lists) const;
-    void gather(int sphere, const Vector3& centre, Lists& lists, Candidates& found) const;
+    void gather(int sphere, const Vector3& centre, Lists& lists, bool only_nearest, Candidates& found) const;
     void keep_distinct(Candidates& found) const;
-    void refresh_pairs(const Vector3* centres, Lists& lists) const;
     void add_planes(int sphere, const Vector3& start, const Candidates& found, bool only_new,
                     SphereContacts& contacts) const;
-    double add_pairs(const Vector3* centres, Lists& lists, SphereContacts& contacts) const;
     void project(Lists& lists, SphereContacts& contacts, const Vector3* centres) const;
 
     const CavityModel* cavity_ = nullptr;
     SphereChainShape chain_;
     SphereCollisionOptions options_;
-    double largest_radius_ = 0;
+    SpherePairs pairs_;
 };
 
 }  // namespace fulcrum

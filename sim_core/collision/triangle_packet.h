@@ -115,6 +115,20 @@ inline unsigned TrianglePacket::concern(const FloatPoint& at, float reach, float
 }
 #endif
 
+/// The lanes with value < limit, a bit each.
+inline unsigned lanes_below(const float (&value)[packet_size], float limit) {
+#if defined(__AVX__)
+    return static_cast<unsigned>(
+        _mm256_movemask_ps(_mm256_cmp_ps(_mm256_loadu_ps(value), _mm256_set1_ps(limit), _CMP_LT_OQ)));
+#else
+    unsigned lanes = 0;
+    for (int lane = 0; lane < packet_size; ++lane) {
+        if (value[lane] < limit) lanes |= 1U << static_cast<unsigned>(lane);
+    }
+    return lanes;
+#endif
+}
+
 /// Calls visit(lane) for each bit set, lowest first.
 template <class Visit>
 void for_each_lane(unsigned lanes, Visit&& visit) {

@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reference workloads spheres_cavity and spheres_self (quality.md): 200 spheres in a cavity of 20,480
-// triangles, moving as a bowel does that is drawn along at 50 mm/s.
+// triangles.
+//
+// The spheres are a bowel of 0.9 m and 12.5 mm radius, coiled in 3.6 turns that lie on each other and on the
+// wall (191 of the 200 are within 1 mm of it, most touch it: nothing is won by being far). It is drawn along
+// its line at 50 mm/s and back: a step of 5 ms moves a sphere by 0.22 to 0.25 mm (p10 to p50; 0.31 mm p99),
+// which is the hand's own speed in the rod's warm frame. Every recorded place is first brought out of wall
+// and neighbours. spheres_cavity asks for closest point and depth of each sphere, spheres_self for every
+// touching pair with normal and depth, both without projection; spheres_project is all of it with projection
+// and residual, as a world step calls it.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -39,7 +47,7 @@ std::shared_ptr<CollisionRun> build(bool with_cavity) {
     }
     SphereCollisionOptions options;
     options.pair_capacity = 4096;
-    options.near_pair_capacity = 20000;
+    options.near_row_capacity = 8192;
     if (with_cavity)
         run->cavity =
             std::make_unique<CavityModel>(make_bowl({0.075, 0.0535, 0.0535}, 5, 0.02), FreeSide::behind);
@@ -85,6 +93,31 @@ double worst_depth(CollisionRun& run) {
     return worst;
 }
 
+// Difference of the deepest overlap of a pair from brute force over all pairs; infinity if their number
+// differs.
+double worst_pair_depth(CollisionRun& run) {
+    const SphereCollisionOptions& options = run.collision->options();
+    double worst = 0;
+    for (int k = 0; k < 4; ++k) {
+        for (int skip = 0; skip < 7; ++skip) run.advance();
+        run.collision->touching_pairs(run.now().data(), run.lists, run.contacts);
+        double deepest = 0;
+        int count = 0;
+        for (int i = 0; i < spheres; ++i) {
+            for (int j = i + 1; j < spheres; ++j) {
+                if ((j - i) * spacing < options.rest_exclusion * radius) continue;
+                const double distance =
+                    (run.now()[static_cast<std::size_t>(i)] - run.now()[static_cast<std::size_t>(j)]).norm();
+                if (distance < 2 * radius + options.contact_margin) ++count;
+                deepest = std::max(deepest, 2 * radius - distance);
+            }
+        }
+        if (count != run.contacts.pair_count) return std::numeric_limits<double>::infinity();
+        worst = std::max(worst, std::abs(deepest - run.contacts.deepest_pair));
+    }
+    return worst;
+}
+
 }  // namespace
 
 void add_collision_workloads(std::vector<Workload>& workloads) {
@@ -110,7 +143,11 @@ void add_collision_workloads(std::vector<Workload>& workloads) {
         const auto run = build(false);
         Workload::Prepared prepared;
         prepared.between = [run] { run->advance(); };
-        prepared.step = [run] { run->collision->collide(run->now().data(), run->lists, run->contacts); };
+        prepared.step = [run] {
+            run->collision->touching_pairs(run->now().data(), run->lists, run->contacts);
+        };
+        prepared.error = [run]() -> std::optional<double> { return worst_pair_depth(*run); };
+        prepared.error_unit = "m from brute force";
         prepared.bytes = run->collision->bytes();
         return prepared;
     };

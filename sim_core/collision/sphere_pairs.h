@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sphere chain against itself: which spheres touch or nearly touch, by coherence from step to step.
+//
+// Spheres are taken eight at a time along the chain, each eight in a box. A row is one sphere against one
+// eight; rows that could touch before some sphere has moved by the margin are listed, each with the gap that
+// the motion has to close first, and a step looks only at those that it could have closed. Pairs nearer along
+// the rest line than rest_exclusion radii are left out. What comes out, and its order, does not depend on the
+// list's history. Model (const) / state; nothing allocates after construction, nothing throws: world thread.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim_core/numerics/types.h"
+
+namespace fulcrum {
+
+/// Contact of spheres first < second; normal from second to first.
+struct SphereContact {
+    std::int32_t first = -1, second = -1;
+    Vector3 normal = Vector3::Zero();
+    double gap = 0;  ///< m
+};
+
+class SpherePairs {
+  public:
+    static constexpr int width = 8;
+
+    /// m; arc_lengths rise. margin: motion before the rows are listed again.
+    SpherePairs(const std::vector<double>& arc_lengths, const std::vector<double>& radii,
+                double rest_exclusion, double margin, double contact_margin, int row_capacity);
+
+    /// One sphere against one eight.
+    struct Row {
+        std::int32_t sphere = -1, eight = -1;
+        std::uint32_t lanes = 0;  ///< those that may touch at all
+        float gap = 0;            ///< m, least of them when listed, rounded down
+    };
+    /// The lists: a cache, not part of the world's state.
+    struct Lists {
+        std::vector<float> x, y, z;                 ///< m, of each sphere now; filled up to eights
+        std::vector<float> low[3], high[3];         ///< m, of each eight when listed
+        std::vector<Vector3> listed_at;             ///< m
+        std::vector<Row> rows;                      ///< by sphere, then by eight
+        std::int32_t count = -1;                    ///< rows listed; -1: never
+        bool overflow = false;                      ///< row_capacity too small: pairs were left out
+        std::uint64_t rows_seen = 0, listings = 0;  ///< so far, for operation counts
+    };
+    Lists make_lists() const;
+    std::size_t bytes() const;
+
+    /// Writes every pair with a gap below contact_margin, first rising, then second rising. Returns how many
+    /// there are; only the first `capacity` are written. deepest: m, >= 0. Centres that are not finite touch
+    /// nothing.
+    int find(const Vector3* centres, Lists& lists, SphereContact* found, int capacity, double& deepest) const;
+
+  private:
+    void list(const Vector3* centres, Lists& lists) const;
+    int spheres() const { return static_cast<int>(radii_.size()); }
+    int eights() const { return (spheres() + width - 1) / width; }
+    bool excluded(int a, int b) const;
+
+    std::vector<double> arc_lengths_, radii_;
+    std::vector<float> radius_;  ///< m, filled up to eights, rounded up
+    double rest_exclusion_ = 0, margin_ = 0, contact_margin_ = 0, largest_radius_ = 0;
+    int row_capacity_ = 0;
+};
+
+}  // namespace fulcrum
