@@ -68,6 +68,8 @@ GlSurface::GlSurface(SurfaceMesh mesh, const float* positions, const float* norm
     indices_.bind();
     array_.release();
     balls_.resize(mesh_.bands.size());
+    first_sample_.resize(mesh_.bands.size() + 1);
+    samples_.reserve(mesh_.indices.size() / 7 + mesh_.bands.size());
     distances_.resize(mesh_.bands.size());
     fine_.resize(mesh_.bands.size());
     order_.reserve(mesh_.bands.size());
@@ -75,8 +77,22 @@ GlSurface::GlSurface(SurfaceMesh mesh, const float* positions, const float* norm
     bound(positions != nullptr ? positions : zeros.data());
 }
 
+bool GlSurface::is_touched(std::size_t band, const Sight& sight) const {
+    constexpr double reach = 0.02;  // m: a dent, or the shadow of jaws
+    for (const Vector3& place : sight.touched) {
+        if ((place - balls_[band].centre).norm() > balls_[band].radius + reach) continue;
+        const Eigen::Vector3f point = place.cast<float>();
+        for (std::size_t s = first_sample_[band]; s < first_sample_[band + 1]; ++s) {
+            if ((samples_[s] - point).squaredNorm() < static_cast<float>(reach * reach)) return true;
+        }
+    }
+    return false;
+}
+
 void GlSurface::bound(const float* positions) {
+    samples_.clear();
     for (std::size_t b = 0; b < balls_.size(); ++b) {
+        first_sample_[b] = samples_.size();
         Eigen::Vector3f low = Eigen::Vector3f::Constant(1e9F), high = -low;
         // Neighbouring triangles share vertices: every seventh corner is dense enough for a box with a
         // margin.
@@ -86,11 +102,13 @@ void GlSurface::bound(const float* positions) {
             const Eigen::Vector3f point(p[0], p[1], p[2]);
             low = low.cwiseMin(point);
             high = high.cwiseMax(point);
+            samples_.push_back(point);
         }
         constexpr double margin = 0.008;  // m
         balls_[b] = {(0.5F * (low + high)).cast<double>(),
                      0.5 * static_cast<double>((high - low).norm()) + margin};
     }
+    first_sample_.back() = samples_.size();
 }
 
 void GlSurface::fill(QOpenGLBuffer& buffer, const float* values) {
@@ -124,10 +142,8 @@ void GlSurface::draw(QOpenGLExtraFunctions& gl, const Sight& sight) {
         const double ahead = to_centre.dot(sight.forward);
         const double aside = (to_centre - ahead * sight.forward).norm();
         distances_[b] = std::max(0.0, to_centre.norm() - ball.radius);
-        fine_[b] = mesh_.coarse_edge > sight.coarse_edge_at_1m * distances_[b] ? 1 : 0;
-        for (const Vector3& place : sight.touched) {
-            if ((place - ball.centre).norm() < ball.radius) fine_[b] = 1;
-        }
+        const bool near = mesh_.coarse_edge > sight.coarse_edge_at_1m * distances_[b] && !sight.round;
+        fine_[b] = near || is_touched(b, sight) ? 1 : 0;
         if (aside * cosine - ahead * sine <= ball.radius && ahead >= -ball.radius) order_.push_back(b);
     }
     std::sort(order_.begin(), order_.end(), [this](std::size_t a, std::size_t b) {
@@ -140,6 +156,36 @@ void GlSurface::draw(QOpenGLExtraFunctions& gl, const Sight& sight) {
     indices_.bind();
     indices_.allocate(chosen_.data(), bytes(chosen_.size(), sizeof(std::uint32_t)));
     gl.glDrawElements(GL_TRIANGLES, static_cast<int>(chosen_.size()), GL_UNSIGNED_INT, nullptr);
+    array_.release();
+}
+
+GlLines::GlLines(const TriangleMesh& mesh) {
+    QOpenGLExtraFunctions& gl = *QOpenGLContext::currentContext()->extraFunctions();
+    std::vector<float> corners;
+    for (const Triangle& triangle : mesh.triangles) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::int32_t a = triangle[c], b = triangle[(c + 1) % 3];
+            // The triangle on the other side of the edge has it the other way round.
+            if (a > b) continue;
+            for (const std::int32_t vertex : {a, b}) {
+                const Vector3& p = mesh.vertices[static_cast<std::size_t>(vertex)];
+                for (int k = 0; k < 3; ++k) corners.push_back(static_cast<float>(p[k]));
+            }
+        }
+    }
+    corner_count_ = static_cast<int>(corners.size() / 3);
+    array_.create();
+    array_.bind();
+    vertices_.create();
+    vertices_.bind();
+    vertices_.allocate(corners.data(), bytes(corners.size(), sizeof(float)));
+    attribute(gl, 0, 3, 0, 0);
+    array_.release();
+}
+
+void GlLines::draw(QOpenGLExtraFunctions& gl) {
+    array_.bind();
+    gl.glDrawArrays(GL_LINES, 0, corner_count_);
     array_.release();
 }
 

@@ -31,7 +31,10 @@ class GlSurface {
         double half_angle = 0.6;  ///< rad
         /// Coarse triangles with edges up to this long at a distance of 1 m may be drawn, m; 0: none.
         double coarse_edge_at_1m = 0;
-        std::vector<Vector3> touched;  ///< places about which the surface has detail of its own: fine there
+        std::vector<Vector3>
+            touched;  ///< places around which the surface has dents and small shadows: fine there
+        bool round =
+            false;  ///< the eye is inside of the surface and far from it: coarse but for what is touched
     };
     /// Nearest first. Whole bands outside the cone are left out.
     void draw(QOpenGLExtraFunctions& gl, const Sight& sight);
@@ -45,7 +48,10 @@ class GlSurface {
     };
     void fill(QOpenGLBuffer& buffer, const float* values);
     void bound(const float* positions);
+    bool is_touched(std::size_t band, const Sight& sight) const;
     SurfaceMesh mesh_;
+    std::vector<Eigen::Vector3f> samples_;   // every so many corners of the fine bands, in their order
+    std::vector<std::size_t> first_sample_;  // of each band, and the end
     std::vector<Ball> balls_;
     std::vector<double> distances_;
     std::vector<std::size_t> order_;
@@ -57,6 +63,18 @@ class GlSurface {
     QOpenGLBuffer positions_{QOpenGLBuffer::VertexBuffer}, normals_{QOpenGLBuffer::VertexBuffer},
         coordinates_{QOpenGLBuffer::VertexBuffer}, detail_{QOpenGLBuffer::VertexBuffer},
         indices_{QOpenGLBuffer::IndexBuffer};
+};
+
+/// The edges of a mesh.
+class GlLines {
+  public:
+    explicit GlLines(const TriangleMesh& mesh);
+    void draw(QOpenGLExtraFunctions& gl);
+
+  private:
+    QOpenGLVertexArrayObject array_;
+    QOpenGLBuffer vertices_{QOpenGLBuffer::VertexBuffer};
+    int corner_count_;
 };
 
 class GlRigid {

@@ -13,14 +13,15 @@
 namespace fulcrum::ui {
 namespace {
 
-constexpr float near_plane = 0.003F, far_plane = 0.8F;  // m
+constexpr float near_plane = 0.003F, far_plane = 0.8F;                // m
+constexpr float figure_near_plane = 0.01F, figure_far_plane = 20.0F;  // m
 constexpr int most_tools = 4;
 // A processor draws a scene of 500 x 500 within its budget and scales it up; what is lost is less than a lens
 // loses.
 constexpr double software_resolution = 0.7;
 // A processor shades blocks of 4 x 4 pixels: of triangles much smaller than that most of the work is lost.
 constexpr double software_coarse_pixels = 24;
-const QVector3D lamp(0.0F, 0.0035F, 0.001F);  // beside the lens, camera space
+constexpr float mesentery_fade = 0.3F;  // share of its width over which the root lets the wall through
 
 QVector3D vector(const Vector3& v) {
     return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
@@ -38,10 +39,11 @@ QMatrix4x4 camera_matrix(const CameraPose& camera) {
     return matrix;
 }
 
-QMatrix4x4 projection_matrix(const CameraPose& camera) {
+QMatrix4x4 projection_matrix(const SceneFrame& frame) {
     QMatrix4x4 matrix;
-    matrix.perspective(static_cast<float>(camera.field_of_view * 180 / 3.14159265358979), 1, near_plane,
-                       far_plane);
+    matrix.perspective(static_cast<float>(frame.camera.field_of_view * 180 / 3.14159265358979), 1,
+                       frame.round ? near_plane : figure_near_plane,
+                       frame.round ? far_plane : figure_far_plane);
     return matrix;
 }
 
@@ -83,17 +85,23 @@ struct SceneRenderer::Impl {
         std::vector<float> positions, normals, detail;
         bool present = false, changed = false;
     };
-    Geometry cavity, bowel, mesentery, reflection;
+    Geometry cavity, bowel, mesentery, mesentery_rim, reflection;
 
     bool ready = false;
     double share_of_resolution = 1;
     bool smooth = false;       // four samples a pixel
     double coarse_pixels = 0;  // coarse triangles with shorter edges than that are good enough; 0: none are
     using Program = std::unique_ptr<QOpenGLShaderProgram>;
-    Program tissue, wall, box, steel, target, screen;
+    Program tissue, wall, plain, box, steel, target, screen;
+    struct Study {
+        DrawnMesh look;
+        std::unique_ptr<GlSurface> surface;  // null: to be uploaded
+        std::unique_ptr<GlLines> lines;
+    };
+    std::vector<Study> studies;
     GlTissue serosa, fat, peritoneum, wall_skin, metal;
-    std::unique_ptr<GlSurface> gl_cavity, gl_bowel, gl_mesentery, gl_reflection;
-    std::unique_ptr<GlRigid> shaft, clevis, jaw, probe_end, sphere, room, frame_mask, quad;
+    std::unique_ptr<GlSurface> gl_cavity, gl_bowel, gl_mesentery, gl_mesentery_rim, gl_reflection;
+    std::unique_ptr<GlRigid> shaft, clevis, jaw, probe_end, sphere, room, frame_mask, disc;
     std::unique_ptr<QOpenGLFramebufferObject> image, resolved;
 
     QMatrix4x4 to_camera, projection;
@@ -125,6 +133,7 @@ struct SceneRenderer::Impl {
         take(cavity, gl_cavity);
         take(bowel, gl_bowel);
         take(mesentery, gl_mesentery);
+        take(mesentery_rim, gl_mesentery_rim);
         take(reflection, gl_reflection);
     }
 
@@ -132,7 +141,7 @@ struct SceneRenderer::Impl {
         program.bind();
         program.setUniformValue("to_camera", to_camera);
         program.setUniformValue("projection", projection);
-        program.setUniformValue("lamp", lamp);
+        program.setUniformValue("lamp", vector(frame.lamp));
         program.setUniformValue("brightness", static_cast<float>(frame.brightness));
         program.setUniformValue("albedo", 0);
         program.setUniformValue("relief", 1);
@@ -230,6 +239,31 @@ struct SceneRenderer::Impl {
         }
     }
 
+    void draw_studies(QOpenGLExtraFunctions& gl, const SceneFrame& frame, const GlSurface::Sight& sight) {
+        if (studies.empty()) return;
+        start(*plain, frame);
+        for (Study& study : studies) {
+            const DrawnMesh& look = study.look;
+            plain->setUniformValue("hue", look.colour);
+            plain->setUniformValue("accent", look.accent_colour);
+            plain->setUniformValue("lit", look.wireframe ? 0.0F : 1.0F);
+            if (look.wireframe) {
+                if (!study.lines) study.lines = std::make_unique<GlLines>(look.mesh);
+                study.lines->draw(gl);
+                continue;
+            }
+            if (!study.surface) {
+                const std::vector<float> positions = float_positions(look.mesh),
+                                         normals = float_normals(look.mesh);
+                study.surface = std::make_unique<GlSurface>(make_surface(look.mesh), positions.data(),
+                                                            normals.data(), look.accent);
+            }
+            GlSurface::Sight whole = sight;
+            whole.coarse_edge_at_1m = 0;
+            study.surface->draw(gl, whole);
+        }
+    }
+
     void draw_scene(QOpenGLExtraFunctions& gl, const SceneFrame& frame) {
         GlSurface::Sight sight;
         sight.eye = frame.camera.position;
@@ -245,33 +279,52 @@ struct SceneRenderer::Impl {
         gl.glDepthFunc(GL_LESS);
         gl.glDisable(GL_BLEND);
         gl.glDisable(GL_CULL_FACE);
-        gl.glClearColor(0, 0, 0, 1);
+        const QVector3D behind = frame.round ? QVector3D() : frame.background;
+        gl.glClearColor(behind.x(), behind.y(), behind.z(), 1);
         gl.glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         // Nothing outside the round image is worth a fragment.
         gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-        screen->bind();
-        frame_mask->draw(gl);
+        if (frame.round) {
+            screen->bind();
+            frame_mask->draw(gl);
+        }
         gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 
         draw_tools(gl, frame, false);
         draw_targets(gl, frame, false);
+        draw_studies(gl, frame, sight);
         gl.glEnable(GL_CULL_FACE);
         if (gl_bowel && frame.bowel_positions != nullptr && frame.bowel_normals != nullptr) {
             gl_bowel->update(frame.bowel_positions, frame.bowel_normals, frame.version);
             start(*tissue, frame);
             tissue->setUniformValue("bump", 1.0F);
             tissue->setUniformValue("rim_fade", 0.0F);
+            tissue->setUniformValue("two_sided", 0);
             serosa.bind();
             gl.glCullFace(GL_BACK);
             gl_bowel->draw(gl, sight);
+        }
+        if (gl_mesentery && frame.mesentery_positions != nullptr && frame.mesentery_normals != nullptr) {
+            // What of it lets nothing through hides the wall behind it.
+            gl.glDisable(GL_CULL_FACE);
+            gl_mesentery->update(frame.mesentery_positions, frame.mesentery_normals, frame.version);
+            start(*tissue, frame);
+            tissue->setUniformValue("bump", 1.0F);
+            tissue->setUniformValue("rim_fade", 0.0F);
+            tissue->setUniformValue("two_sided", 1);
+            fat.bind();
+            gl_mesentery->draw(gl, sight);
+            gl.glEnable(GL_CULL_FACE);
         }
         if (gl_cavity) {
             start(*wall, frame);
             wall->setUniformValue("bump", 1.0F);
             wall_skin.bind();
             gl.glCullFace(GL_FRONT);  // seen from inside
-            gl_cavity->draw(gl, sight);
-        } else {
+            GlSurface::Sight inside = sight;
+            inside.round = coarse_pixels > 0;
+            gl_cavity->draw(gl, inside);
+        } else if (studies.empty()) {
             gl.glDisable(GL_CULL_FACE);
             start(*box, frame);
             QMatrix4x4 pose;
@@ -286,16 +339,18 @@ struct SceneRenderer::Impl {
             start(*tissue, frame);
             tissue->setUniformValue("bump", 1.0F);
             tissue->setUniformValue("rim_fade", 0.45F);
+            tissue->setUniformValue("two_sided", 1);
             peritoneum.bind();
             gl_reflection->draw(gl, sight);
         }
-        if (gl_mesentery && frame.mesentery_positions != nullptr && frame.mesentery_normals != nullptr) {
-            gl_mesentery->update(frame.mesentery_positions, frame.mesentery_normals, frame.version);
+        if (gl_mesentery_rim && frame.mesentery_positions != nullptr && frame.mesentery_normals != nullptr) {
+            gl_mesentery_rim->update(frame.mesentery_positions, frame.mesentery_normals, frame.version);
             start(*tissue, frame);
             tissue->setUniformValue("bump", 1.0F);
-            tissue->setUniformValue("rim_fade", 0.3F);
+            tissue->setUniformValue("rim_fade", mesentery_fade);
+            tissue->setUniformValue("two_sided", 1);
             fat.bind();
-            gl_mesentery->draw(gl, sight);
+            gl_mesentery_rim->draw(gl, sight);
         }
         draw_targets(gl, frame, true);
         draw_tools(gl, frame, true);
@@ -323,7 +378,7 @@ struct SceneRenderer::Impl {
             prepare_image(std::max(
                 16, static_cast<int>(std::lround(shorter * std::clamp(share_of_resolution, 0.25, 1.0)))));
             to_camera = camera_matrix(frame.camera);
-            projection = projection_matrix(frame.camera);
+            projection = projection_matrix(frame);
             image->bind();
             gl.glViewport(0, 0, image->width(), image->height());
             draw_scene(gl, frame);
@@ -336,7 +391,15 @@ struct SceneRenderer::Impl {
         gl.glClearColor(0, 0, 0, 1);
         gl.glClear(GL_COLOR_BUFFER_BIT);
         if (hidden) return;
-        gl.glViewport((size.width() - shorter) / 2, (size.height() - shorter) / 2, shorter, shorter);
+        const int left = (size.width() - shorter) / 2, below = (size.height() - shorter) / 2;
+        if (!frame.round) {
+            gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved ? resolved->handle() : image->handle());
+            gl.glBlitFramebuffer(0, 0, image->width(), image->height(), left, below, left + shorter,
+                                 below + shorter, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+            gl.glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(target_buffer));
+            return;
+        }
+        gl.glViewport(left, below, shorter, shorter);
         screen->bind();
         screen->setUniformValue("pixel", 2.0F / static_cast<float>(shorter));
         screen->setUniformValue("image", 0);
@@ -344,7 +407,7 @@ struct SceneRenderer::Impl {
         gl.glBindTexture(GL_TEXTURE_2D, resolved ? resolved->texture() : image->texture());
         gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
         gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-        quad->draw(gl);
+        disc->draw(gl);
         gl.glViewport(0, 0, size.width(), size.height());
         gl.glBindTexture(GL_TEXTURE_2D, 0);
         screen->release();
@@ -381,7 +444,17 @@ void SceneRenderer::set_mesentery(const MesenteryShape& mesentery) {
     std::vector<float> fraction;
     for (const MesenteryVertex& vertex : mesentery.vertices)
         fraction.push_back(static_cast<float>(vertex.fraction));
-    impl_->mesentery = {make_surface(mesentery.mesh), {}, {}, std::move(fraction), true, true};
+    TriangleMesh whole = mesentery.mesh, rim = mesentery.mesh;
+    whole.triangles.clear();
+    rim.triangles.clear();
+    for (const Triangle& triangle : mesentery.mesh.triangles) {
+        const bool fades = std::any_of(triangle.begin(), triangle.end(), [&fraction](std::int32_t vertex) {
+            return fraction[static_cast<std::size_t>(vertex)] > 1 - mesentery_fade;
+        });
+        (fades ? rim : whole).triangles.push_back(triangle);
+    }
+    impl_->mesentery = {make_surface(whole), {}, {}, fraction, true, true};
+    impl_->mesentery_rim = {make_surface(rim), {}, {}, std::move(fraction), true, true};
 }
 
 void SceneRenderer::set_reflection(const ReflectionShape& reflection) {
@@ -393,8 +466,33 @@ void SceneRenderer::set_reflection(const ReflectionShape& reflection) {
                          true};
 }
 
+void SceneRenderer::set_meshes(const std::vector<DrawnMesh>& meshes) {
+    impl_->studies.clear();
+    for (const DrawnMesh& mesh : meshes) {
+        Impl::Study study;
+        study.look = mesh;
+        if (!mesh.smooth) {
+            // Each triangle gets corners, and so a normal, of its own.
+            study.look.mesh = {};
+            study.look.accent.clear();
+            for (const Triangle& triangle : mesh.mesh.triangles) {
+                const auto first = static_cast<std::int32_t>(study.look.mesh.vertices.size());
+                study.look.mesh.triangles.push_back({first, first + 1, first + 2});
+                for (const std::int32_t vertex : triangle) {
+                    study.look.mesh.vertices.push_back(mesh.mesh.vertices[static_cast<std::size_t>(vertex)]);
+                    if (!mesh.accent.empty())
+                        study.look.accent.push_back(mesh.accent[static_cast<std::size_t>(vertex)]);
+                }
+            }
+        }
+        impl_->studies.push_back(std::move(study));
+    }
+}
+
 void SceneRenderer::clear_scene() {
-    for (Impl::Geometry* geometry : {&impl_->cavity, &impl_->bowel, &impl_->mesentery, &impl_->reflection}) {
+    impl_->studies.clear();
+    for (Impl::Geometry* geometry :
+         {&impl_->cavity, &impl_->bowel, &impl_->mesentery, &impl_->mesentery_rim, &impl_->reflection}) {
         *geometry = {};
         geometry->changed = true;
     }
@@ -409,8 +507,11 @@ bool SceneRenderer::initialise() {
     }
     namespace s = shaders;
     i.tissue = compile({s::light, s::surface_vertex}, {s::wet, s::tissue_fragment}, i.error);
-    if (i.tissue) i.wall = compile({s::light, s::surface_vertex}, {s::wet, s::wall_fragment}, i.error);
-    if (i.wall) i.box = compile({s::rigid_vertex}, {s::light, s::wet, s::box_fragment}, i.error);
+    if (i.tissue)
+        i.wall = compile({s::light_each_fragment, s::light, s::surface_vertex},
+                         {s::light, s::wet, s::wall_fragment}, i.error);
+    if (i.wall) i.plain = compile({s::light, s::surface_vertex}, {s::wet, s::plain_fragment}, i.error);
+    if (i.plain) i.box = compile({s::rigid_vertex}, {s::light, s::wet, s::box_fragment}, i.error);
     if (i.box) i.steel = compile({s::rigid_vertex}, {s::light, s::wet, s::steel_fragment}, i.error);
     if (i.steel) i.target = compile({s::rigid_vertex}, {s::light, s::wet, s::target_fragment}, i.error);
     if (i.target) i.screen = compile({s::screen_vertex}, {s::screen_fragment}, i.error);
@@ -429,10 +530,10 @@ bool SceneRenderer::initialise() {
     i.probe_end = std::make_unique<GlRigid>(make_probe_end());
     i.sphere = std::make_unique<GlRigid>(make_sphere());
     i.room = std::make_unique<GlRigid>(make_box(0.30F, 0.34F, 0.24F));
-    i.quad = std::make_unique<GlRigid>(make_screen_quad());
+    i.disc = std::make_unique<GlRigid>(make_screen_disc());
     i.frame_mask = std::make_unique<GlRigid>(make_frame_mask());
     i.textures_changed = true;
-    for (Impl::Geometry* geometry : {&i.cavity, &i.bowel, &i.mesentery, &i.reflection})
+    for (Impl::Geometry* geometry : {&i.cavity, &i.bowel, &i.mesentery, &i.mesentery_rim, &i.reflection})
         geometry->changed = true;
     i.ready = true;
     return true;
@@ -459,12 +560,17 @@ QVector3D SceneRenderer::project(const CameraPose& camera, const Vector3& point,
 
 void SceneRenderer::release() {
     Impl& i = *impl_;
-    for (Impl::Program* program : {&i.tissue, &i.wall, &i.box, &i.steel, &i.target, &i.screen})
+    for (Impl::Program* program : {&i.tissue, &i.wall, &i.plain, &i.box, &i.steel, &i.target, &i.screen})
         program->reset();
     for (GlTissue* tissue : {&i.serosa, &i.fat, &i.peritoneum, &i.wall_skin, &i.metal}) *tissue = {};
-    for (auto* surface : {&i.gl_cavity, &i.gl_bowel, &i.gl_mesentery, &i.gl_reflection}) surface->reset();
-    for (auto* part : {&i.shaft, &i.clevis, &i.jaw, &i.probe_end, &i.sphere, &i.room, &i.frame_mask, &i.quad})
+    for (auto* surface : {&i.gl_cavity, &i.gl_bowel, &i.gl_mesentery, &i.gl_mesentery_rim, &i.gl_reflection})
+        surface->reset();
+    for (auto* part : {&i.shaft, &i.clevis, &i.jaw, &i.probe_end, &i.sphere, &i.room, &i.frame_mask, &i.disc})
         part->reset();
+    for (Impl::Study& study : i.studies) {
+        study.surface.reset();
+        study.lines.reset();
+    }
     i.image.reset();
     i.resolved.reset();
     i.ready = false;

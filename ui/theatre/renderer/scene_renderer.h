@@ -37,6 +37,16 @@ struct DrawnTool {
     bool ghost = false;            ///< demonstration: translucent, casts no shadow
 };
 
+/// A mesh outside of any scene, as studies leave it: an even, slightly wet surface.
+struct DrawnMesh {
+    TriangleMesh mesh;                         ///< m, patient frame
+    QVector3D colour = {0.80F, 0.42F, 0.38F};  ///< linear RGB
+    bool wireframe = false;                    ///< its edges only
+    bool smooth = true;                        ///< vertex normals; false: facets show
+    std::vector<float> accent;  ///< empty, or one a vertex, 0 .. 1: how much of accent_colour is mixed in
+    QVector3D accent_colour = {0.10F, 0.20F, 0.75F};
+};
+
 /// Everything one picture needs. Pointers are only read during draw().
 struct SceneFrame {
     CameraPose camera;
@@ -48,8 +58,13 @@ struct SceneFrame {
         0;  ///< of these four: equal and not 0, they have not changed since the last picture
     std::vector<DrawnTarget> targets;
     std::vector<DrawnTool> tools;
-    double brightness = 1.0;  ///< of the light
-    QString notice;           ///< not empty: the scene is hidden (pause) behind a black image
+    double brightness = 1.0;            ///< of the light
+    Vector3 lamp = {0, 0.0035, 0.001};  ///< m, camera space: beside the lens
+    /// The round image of a scope in its black frame; false: the whole square on `background`, as a figure
+    /// is.
+    bool round = true;
+    QVector3D background = {0.93F, 0.94F, 0.95F};  ///< sRGB
+    QString notice;  ///< not empty: the scene is hidden (pause) behind a black image
 };
 
 struct RendererOptions {
@@ -73,6 +88,8 @@ class SceneRenderer {
     void set_bowel(const TriangleMesh& rest_surface, const std::vector<float>& taenia);
     void set_mesentery(const MesenteryShape& mesentery);
     void set_reflection(const ReflectionShape& reflection);
+    /// Meshes of a study, drawn beside whatever else is set and without the training box.
+    void set_meshes(const std::vector<DrawnMesh>& meshes);
     /// Nothing but tools and targets (and a plain training box around them).
     void clear_scene();
 

@@ -7,6 +7,8 @@ namespace fulcrum::ui::shaders {
 
 const char* const head = "#version 330 core\n";
 
+const char* const light_each_fragment = "#define LIGHT_EACH_FRAGMENT\n";
+
 const char* const light = R"(
 uniform vec3 lamp;            // camera space
 uniform float brightness;
@@ -51,7 +53,7 @@ vec2 shade(vec3 p) {
 float arriving(vec3 p) {
     vec3 to_lamp = lamp - p;
     float d2 = dot(to_lamp, to_lamp);
-    float fall = 1.0 / (0.80 + d2 * 52.0 + d2 * d2 * 5000.0);
+    float fall = 0.95 / (0.40 + d2 * 70.0 + d2 * d2 * 1500.0);
     float axis = -p.z * inversesqrt(dot(p, p));
     float beam = smoothstep(0.70, 1.0, axis);
     return brightness * fall * (0.42 + 0.75 * beam);
@@ -74,9 +76,13 @@ void main() {
     place = p.xyz;
     facing = mat3(to_camera) * normal;
     uv = coordinates;
-    // Light and shadow change slowly over a few millimetres: once a vertex is enough.
+    // Shadow changes slowly over a few millimetres, and light where triangles are small: once a vertex is enough.
     vec2 shaded = shade(p.xyz);
+#ifdef LIGHT_EACH_FRAGMENT
+    arrived = vec3(shaded, detail);
+#else
     arrived = vec3(arriving(p.xyz) * shaded.x, shaded.y, detail);
+#endif
     gl_Position = projection * p;
 }
 )";
@@ -104,7 +110,7 @@ void main() {
 const char* const wet = R"(
 // Linear light to the screen: a soft shoulder, then gamma 2.
 vec3 expose(vec3 c) {
-    c = c * (1.0 + c * 0.045) / (0.55 + c);
+    c = c * (1.0 + c * 0.03) / (0.75 + c);
     return sqrt(min(c, 1.0));
 }
 
@@ -141,11 +147,12 @@ uniform sampler2D albedo;
 uniform sampler2D relief;
 uniform float bump;
 uniform float rim_fade;   // mesentery: its edges grow thin and let the wall through
+uniform int two_sided;    // a sheet: the side that is seen is the one that faces
 out vec4 colour;
 void main() {
     vec3 n = normalize(facing);
     vec3 to_eye = normalize(0.5 * lamp - place);
-    n = dot(n, to_eye) < 0.0 && rim_fade > 0.0 ? -n : n;
+    n = dot(n, to_eye) < 0.0 && two_sided != 0 ? -n : n;
     vec4 texel = texture(albedo, uv);
     vec2 raised = texture(relief, uv).xy * 2.0 - 1.0;
     // Tangents from the derivatives of the coordinates: the mesh bends, they bend along.
@@ -167,7 +174,6 @@ in vec3 place;
 in vec3 facing;
 in vec2 uv;
 in vec3 arrived;
-uniform vec3 lamp;
 uniform mat4 to_camera;
 uniform sampler2D albedo;
 uniform sampler2D relief;   // to be added to the normal, patient frame
@@ -182,7 +188,24 @@ void main() {
     vec3 film = mix(n, rough, 0.6);
     vec3 own = texel.rgb * texel.rgb;
     own = mix(own, vec3(0.9, 0.75, 0.68), 0.6 * arrived.y);
-    colour = vec4(wet(own, rough, film, to_eye, texel.a, arrived.x), 1.0);
+    colour = vec4(wet(own, rough, film, to_eye, texel.a, arriving(place) * arrived.x), 1.0);
+}
+)";
+
+const char* const plain_fragment = R"(
+in vec3 place;
+in vec3 facing;
+in vec3 arrived;
+uniform vec3 lamp;
+uniform vec3 hue;
+uniform vec3 accent;
+uniform float lit;        // 0: lines
+out vec4 colour;
+void main() {
+    vec3 own = mix(hue, accent, clamp(arrived.z, 0.0, 1.0));
+    vec3 n = normalize(facing + vec3(0.0, 0.0, 1e-9));
+    n = dot(n, place) > 0.0 ? -n : n;
+    colour = vec4(lit > 0.5 ? wet(own, n, n, normalize(lamp - place), 0.10, arrived.x) : own, 1.0);
 }
 )";
 

@@ -133,13 +133,16 @@ RigidMesh make_box(float width, float depth, float height) {
     return mesh;
 }
 
-RigidMesh make_screen_quad() {
+RigidMesh make_screen_disc() {
     RigidMesh mesh;
-    for (int corner = 0; corner < 4; ++corner) {
-        const float x = corner == 1 || corner == 2 ? 1.0F : -1.0F, y = corner >= 2 ? 1.0F : -1.0F;
-        for (const float value : {x, y, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F}) mesh.vertices.push_back(value);
+    constexpr std::uint32_t steps = 64;
+    for (std::uint32_t k = 0; k < steps; ++k) {
+        const float angle = 2 * pi * static_cast<float>(k) / steps;
+        for (const float value :
+             {1.002F * std::cos(angle), 1.002F * std::sin(angle), 0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F})
+            mesh.vertices.push_back(value);
+        if (k >= 2) mesh.indices.insert(mesh.indices.end(), {0U, k - 1, k});
     }
-    mesh.indices = {0, 1, 2, 0, 2, 3};
     return mesh;
 }
 

@@ -28,8 +28,8 @@ RigidMesh make_sphere();
 /// Inside of a box from (0, 0, 0) to size; coordinates in m.
 RigidMesh make_box(float width, float depth, float height);
 
-/// Two triangles over the whole of clip space.
-RigidMesh make_screen_quad();
+/// The round image over clip space.
+RigidMesh make_screen_disc();
 /// What lies between the round image and its square, over clip space.
 RigidMesh make_frame_mask();
 
