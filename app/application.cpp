@@ -7,8 +7,10 @@
 
 #include "app/assets.h"
 #include "app/demo.h"
+#include "app/interrupted.h"
 #include "app/live_attempt.h"
 #include "app/replay_source.h"
+#include "assessment/operators/operator.h"
 #include "assessment/version.h"
 #include "ui/shell/main_window.h"
 #include "ui/style/palette.h"
@@ -45,12 +47,24 @@ class Services : public ui::ApplicationServices {
         live.meta.person_id = request.session.person_id();
         return std::make_unique<LiveAttempt>(std::move(live));
     }
+    std::unique_ptr<ui::AttemptSession> start_demonstration(const std::string& task_id) override {
+        LiveRequest live;
+        live.loaded = load_task_and_scene(task_id);
+        live.seed = demonstration_seed;
+        live.assessed = false;
+        live.rig = make_operator("expert", live.loaded.task, live.loaded.scene, demonstration_seed);
+        return std::make_unique<LiveAttempt>(std::move(live));
+    }
+    std::vector<ui::InterruptedScore> score_interrupted(const database::Session& session, const ui::Progress& progress) override {
+        return app::score_interrupted(store_path(session.is_demo()), session, progress);
+    }
     std::unique_ptr<ui::ReplaySource> open_replay(const std::string& task_id, std::uint64_t seed, std::shared_ptr<const database::Trace> trace) override {
         return make_replay_source(load_task_and_scene(task_id), seed, std::move(trace));
     }
     std::string program_version() const override { return version_line(); }
 
   private:
+    static constexpr std::uint64_t demonstration_seed = 7;
     /// Outside 1000-1999, which are the benchmarks' own.
     static std::uint64_t draw_seed() {
         std::random_device device;

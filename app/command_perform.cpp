@@ -72,8 +72,9 @@ Result perform_on_the_clock(const LoadedTask& loaded, std::shared_ptr<Rig> rig, 
                             const database::AttemptMeta& meta, std::optional<BenchmarkSet> benchmark, std::string& attempt_id) {
     LiveRequest request{loaded, meta.seed, meta.mode == "assessed", std::move(rig), store.path(), session, meta, std::move(benchmark)};
     LiveAttempt attempt(std::move(request));
+    attempt.start();
     attempt.wait();
-    if (attempt.scored() == nullptr) throw std::runtime_error(attempt.message());
+    attempt.rethrow();
     Result result;
     result.scored = *attempt.scored();
     result.state_hash = attempt.state_hash();

@@ -3,36 +3,45 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 
 namespace fulcrum::app {
 
-/// Counts durations of 0 .. 65 ms in steps of 1 us up to 4 ms and 64 us beyond. One writer; read after it has stopped.
+/// Counts durations of 0 .. 65 ms in steps of 1 us up to 4 ms and 64 us beyond. One writer;
+/// any thread may read meanwhile: every number is whole, only the sum may be a few counts behind.
 class DurationHistogram {
   public:
     void add(double us) noexcept {
-        if (us > worst_) worst_ = us;
-        ++count_;
+        if (us > worst()) worst_.store(us, std::memory_order_relaxed);
         const auto whole = static_cast<std::size_t>(us < 0 ? 0 : us);
-        ++bins_[whole < fine ? whole : (fine + (whole - fine) / 64 < bins_.size() ? fine + (whole - fine) / 64 : bins_.size() - 1)];
+        increase(bins_[whole < fine ? whole
+                                    : (fine + (whole - fine) / 64 < bins_.size() ? fine + (whole - fine) / 64
+                                                                                 : bins_.size() - 1)]);
+        increase(count_);
     }
     double quantile(double share) const noexcept {
-        const auto wanted = static_cast<std::uint64_t>(share * static_cast<double>(count_));
+        const auto wanted = static_cast<std::uint64_t>(share * static_cast<double>(count()));
         std::uint64_t seen = 0;
         for (std::size_t i = 0; i < bins_.size(); ++i) {
-            seen += bins_[i];
-            if (seen > wanted) return i < fine ? static_cast<double>(i) : static_cast<double>(fine + (i - fine) * 64);
+            seen += bins_[i].load(std::memory_order_relaxed);
+            if (seen > wanted)
+                return i < fine ? static_cast<double>(i) : static_cast<double>(fine + (i - fine) * 64);
         }
-        return worst_;
+        return worst();
     }
-    double worst() const noexcept { return worst_; }
-    std::uint64_t count() const noexcept { return count_; }
+    double worst() const noexcept { return worst_.load(std::memory_order_relaxed); }
+    std::uint32_t count() const noexcept { return count_.load(std::memory_order_relaxed); }
 
   private:
     static constexpr std::size_t fine = 4096;
-    std::array<std::uint32_t, fine + 960> bins_{};
-    std::uint64_t count_ = 0;
-    double worst_ = 0;
+    /// The one writer needs no read-modify-write.
+    static void increase(std::atomic<std::uint32_t>& value) noexcept {
+        value.store(value.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+    }
+    std::array<std::atomic<std::uint32_t>, fine + 960> bins_{};
+    std::atomic<std::uint32_t> count_{0};
+    std::atomic<double> worst_{0};
 };
 
 }  // namespace fulcrum::app

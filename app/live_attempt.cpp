@@ -1,75 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/live_attempt.h"
 
-#include <pthread.h>
-#include <semaphore.h>
-#include <time.h>
-
-#include <cerrno>
 #include <mutex>
 #include <thread>
 
+#include "app/device_watch.h"
 #include "app/histogram.h"
+#include "app/real_time.h"
 #include "database/attempts.h"
 #include "sim_core/telemetry/ring.h"
 
 namespace fulcrum::app {
 namespace {
 
-constexpr std::size_t world_ring_ticks = 512;        // half a second: a world that stalls longer loses ticks, counted
-constexpr std::size_t record_ring_ticks = 8192;      // eight seconds of a stalled disk
-constexpr std::uint32_t loss_ticks = 50;             // a device that is silent that long is lost
-constexpr std::uint32_t loss_limit_ticks = 60000;    // and after a minute the attempt is interrupted
-constexpr int catch_up_ticks = 20;                   // later than that the clock is moved instead
-
-std::int64_t now_ns() {
-    timespec time{};
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return time.tv_sec * 1000000000LL + time.tv_nsec;
-}
-
-void sleep_until(std::int64_t deadline_ns) {
-    timespec time{};
-    time.tv_sec = deadline_ns / 1000000000LL;
-    time.tv_nsec = deadline_ns % 1000000000LL;
-    while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &time, nullptr) == EINTR) {
-    }
-}
-
-bool raise_priority(int priority) {
-    sched_param parameter{};
-    parameter.sched_priority = priority;
-    return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameter) == 0;
-}
-
-/// Counting signal between threads; post() never blocks.
-class Signal {
-  public:
-    Signal() { sem_init(&semaphore_, 0, 0); }
-    ~Signal() { sem_destroy(&semaphore_); }
-    Signal(const Signal&) = delete;
-    Signal& operator=(const Signal&) = delete;
-    void post() noexcept { sem_post(&semaphore_); }
-    void wait() noexcept {
-        while (sem_wait(&semaphore_) != 0 && errno == EINTR) {
-        }
-    }
-    /// False when the time ran out.
-    bool wait_for_ms(int milliseconds) noexcept {
-        timespec time{};
-        clock_gettime(CLOCK_REALTIME, &time);
-        time.tv_nsec += milliseconds * 1000000L;
-        time.tv_sec += time.tv_nsec / 1000000000L;
-        time.tv_nsec %= 1000000000L;
-        int result = 0;
-        while ((result = sem_timedwait(&semaphore_, &time)) != 0 && errno == EINTR) {
-        }
-        return result == 0;
-    }
-
-  private:
-    sem_t semaphore_;
-};
+constexpr std::size_t world_ring_ticks =
+    512;  // half a second: a world that stalls longer loses ticks, counted
+constexpr std::size_t record_ring_ticks = 8192;  // eight seconds of a stalled disk
+constexpr int catch_up_ticks = 20;               // later than that the clock is moved instead
 
 struct RecordTick {
     RigSample input;
@@ -84,13 +31,26 @@ struct View {
     WorldSnapshot snapshot;
     TaskDisplay display;
 };
+/// How the devices stand to the instruments while one was lost.
+struct Watched {
+    bool back = false, in_place = false;
+    DeviceTrouble trouble = DeviceTrouble::none;
+    int culprit = 0;
+    HandAlignment hand[hand_count];
+};
+
+const char* device_name(int culprit) {
+    return culprit == 0   ? "The left hand's device"
+           : culprit == 1 ? "The right hand's device"
+                          : "The scope's device";
+}
 
 }  // namespace
 
 struct LiveAttempt::State : public AttemptSink {
     LiveRequest request;
-    AttemptEngine engine;
-    std::unique_ptr<database::Recorder> recorder;
+    std::unique_ptr<AttemptEngine> engine;  // made by the recorder thread; the owner reads it once `built`
+    std::unique_ptr<database::Recorder> recorder;  // made when the attempt begins; null for a demonstration
     std::vector<Vector3> targets;
 
     Ring<TickOutput> world_ring{world_ring_ticks};
@@ -98,31 +58,41 @@ struct LiveAttempt::State : public AttemptSink {
     Ring<RecordWorld> record_world_ring{record_ring_ticks};
     TripleBuffer<LocalModels> models;
     TripleBuffer<View> view, rig_view;
-    Signal ticks_ready;
+    TripleBuffer<Watched> watched;
+    Signal may_begin, ticks_ready;
+    DeviceWatch watch;  // haptic thread
 
-    std::atomic<bool> paused{false}, abandon{false}, stop{false}, haptic_stopped{false}, world_stopped{false}, interrupted{false};
-    std::atomic<bool> device_lost{false}, device_back{false}, resume_asked{false};
+    std::atomic<bool> built{false}, begun{false}, running{false};
+    std::atomic<bool> paused{false}, abandon{false}, stop{false}, haptic_stopped{false}, world_stopped{false};
+    std::atomic<bool> device_lost{false}, resume_asked{false}, became_practice{false};
     std::atomic<std::uint32_t> tick_count{0}, missed_program{0}, missed_scheduler{0}, late_steps{0};
     std::atomic<bool> ended{false}, finished{false}, failed{false};
     std::atomic<bool> real_time_priority{false};
 
     mutable std::mutex end_mutex;  // guards what the recorder thread leaves for the owner: message and result
     std::string trouble;
+    std::exception_ptr error;
     std::optional<ui::AttemptOutcome> result;
     std::optional<ScoredAttempt> scored;
 
     DurationHistogram wake, tick_time, step_time;
     std::thread haptic_thread, world_thread, recorder_thread;
+    bool relabel_wanted = false;  // recorder thread
 
-    explicit State(LiveRequest request_in)
-        : request(std::move(request_in)), engine(request.loaded.scene, request.loaded.task, request.seed) {
-        recorder = std::make_unique<database::Recorder>(request.store_path, request.session, request.meta);
-        for (const TargetSphere& target : engine.initial_snapshot().targets) targets.push_back(target.centre);
-        models.fill(engine.world().local_models());
-        const View start{engine.initial_snapshot(), engine.display()};
+    explicit State(LiveRequest request_in) : request(std::move(request_in)) {}
+    bool recorded() const { return !request.store_path.empty(); }
+    void build() {
+        engine = std::make_unique<AttemptEngine>(request.loaded.scene, request.loaded.task, request.seed);
+        for (const TargetSphere& target : engine->initial_snapshot().targets)
+            targets.push_back(target.centre);
+        models.fill(engine->world().local_models());
+        const View start{engine->initial_snapshot(), engine->display()};
         view.fill(start);
         rig_view.fill(start);
-        for (int hand = 0; hand < hand_count; ++hand) engine.loop().set_device_damping(static_cast<Hand>(hand), request.rig->damping(static_cast<Hand>(hand)));
+        for (int hand = 0; hand < hand_count; ++hand)
+            engine->loop().set_device_damping(static_cast<Hand>(hand),
+                                              request.rig->damping(static_cast<Hand>(hand)));
+        built.store(true);
     }
 
     // AttemptSink, called on the world thread.
@@ -135,38 +105,36 @@ struct LiveAttempt::State : public AttemptSink {
     void run_recorder();
     void drain();
     void finish();
-    std::uint32_t device_flags(const RigSample& sample, std::uint32_t& silent, std::uint32_t& lost_for) noexcept;
+    void fail(const std::string& what, std::exception_ptr why);
+    std::uint32_t device_flags(const RigSample& sample) noexcept;
 };
 
-std::uint32_t LiveAttempt::State::device_flags(const RigSample& sample, std::uint32_t& silent, std::uint32_t& lost_for) noexcept {
-    const bool answering = sample.hand[0].present != 0 && sample.hand[1].present != 0;
-    silent = answering ? 0 : silent + 1;
-    if (silent > loss_ticks && !device_lost.load(std::memory_order_relaxed)) {
-        device_lost.store(true, std::memory_order_relaxed);
-        lost_for = 0;
+std::uint32_t LiveAttempt::State::device_flags(const RigSample& sample) noexcept {
+    const bool resume = resume_asked.exchange(false, std::memory_order_relaxed);
+    const bool was_lost = watch.lost();
+    const std::uint32_t flags = watch.tick(sample, paused.load(std::memory_order_relaxed), resume);
+    if (watch.lost() || was_lost) {
+        Watched& slot = watched.write_slot();
+        slot = {watch.back(),
+                watch.in_place(),
+                watch.trouble(),
+                watch.culprit(),
+                {watch.alignment(Hand::left), watch.alignment(Hand::right)}};
+        watched.publish();
     }
-    if (!device_lost.load(std::memory_order_relaxed)) return 0;
-    ++lost_for;
-    device_back.store(answering, std::memory_order_relaxed);
-    if (answering && resume_asked.exchange(false, std::memory_order_relaxed)) {
-        device_lost.store(false, std::memory_order_relaxed);
-        return 0;
-    }
-    if (lost_for > loss_limit_ticks) {
-        interrupted.store(true, std::memory_order_relaxed);
-        stop.store(true, std::memory_order_relaxed);
-    }
-    return rig_device_lost;
+    device_lost.store(watch.lost(), std::memory_order_relaxed);
+    if (watch.went_on()) became_practice.store(true, std::memory_order_relaxed);
+    if (watch.expired()) stop.store(true, std::memory_order_relaxed);
+    return flags;
 }
 
 void LiveAttempt::State::run_haptic() noexcept {
     real_time_priority.store(raise_priority(80), std::memory_order_relaxed);
     Rig& rig = *request.rig;
     auto* observer = dynamic_cast<ObservingRig*>(&rig);
-    const auto ticks_per_step = static_cast<std::uint32_t>(engine.scene().ticks_per_step);
-    const auto period = static_cast<std::int64_t>(1e9 / engine.scene().tick_rate);
+    const auto ticks_per_step = static_cast<std::uint32_t>(engine->scene().ticks_per_step);
+    const auto period = static_cast<std::int64_t>(1e9 / engine->scene().tick_rate);
     if (observer != nullptr) observer->observe(rig_view.value().snapshot, rig_view.value().display);
-    std::uint32_t silent = 0, lost_for = 0;
     std::int64_t deadline = now_ns() + period;
     std::int64_t last_duration = 0;
     for (std::uint32_t tick = 1; !stop.load(std::memory_order_relaxed); ++tick) {
@@ -178,14 +146,16 @@ void LiveAttempt::State::run_haptic() noexcept {
         const std::int64_t late = begin - deadline;
         wake.add(static_cast<double>(late) * 1e-3);
         if (late >= period) {
-            (last_duration >= period ? missed_program : missed_scheduler).fetch_add(1, std::memory_order_relaxed);
+            (last_duration >= period ? missed_program : missed_scheduler)
+                .fetch_add(1, std::memory_order_relaxed);
             if (late >= catch_up_ticks * period) deadline = begin;
         }
         deadline += period;
 
         if (tick % ticks_per_step == 1U % ticks_per_step) {
-            if (models.update()) engine.adopt(models.value());
-            if (observer != nullptr && rig_view.update()) observer->observe(rig_view.value().snapshot, rig_view.value().display);
+            if (models.update()) engine->adopt(models.value());
+            if (observer != nullptr && rig_view.update())
+                observer->observe(rig_view.value().snapshot, rig_view.value().display);
         }
         RigSample input;
         input.tick = tick;
@@ -193,9 +163,10 @@ void LiveAttempt::State::run_haptic() noexcept {
         input.tick = tick;
         if (paused.load(std::memory_order_relaxed)) input.flags |= rig_paused;
         if (abandon.load(std::memory_order_relaxed)) input.flags |= rig_abandon;
-        input.flags |= device_flags(input, silent, lost_for);
-        TickOutput output = engine.tick(input);
-        output.sample.missed = missed_program.load(std::memory_order_relaxed) + missed_scheduler.load(std::memory_order_relaxed);
+        input.flags |= device_flags(input);
+        TickOutput output = engine->tick(input);
+        output.sample.missed =
+            missed_program.load(std::memory_order_relaxed) + missed_scheduler.load(std::memory_order_relaxed);
         rig.write_force(Hand::left, output.device_force[0]);
         rig.write_force(Hand::right, output.device_force[1]);
         world_ring.push(output);
@@ -213,7 +184,7 @@ void LiveAttempt::State::run_haptic() noexcept {
 
 void LiveAttempt::State::run_world() noexcept {
     raise_priority(60);
-    const auto ticks_per_step = static_cast<std::uint32_t>(engine.scene().ticks_per_step);
+    const auto ticks_per_step = static_cast<std::uint32_t>(engine->scene().ticks_per_step);
     std::vector<TickOutput> outputs;
     outputs.reserve(world_ring_ticks);
     while (true) {
@@ -235,7 +206,7 @@ void LiveAttempt::State::run_world() noexcept {
                 late.detail = static_cast<std::int32_t>(count - ticks_per_step);
                 on_event(late);
             }
-            const StepProducts products = engine.step(outputs.data(), count, *this);
+            const StepProducts products = engine->step(outputs.data(), count, *this);
             models.write_slot() = *products.models;
             models.publish();
             for (TripleBuffer<View>* buffer : {&view, &rig_view}) {
@@ -246,7 +217,7 @@ void LiveAttempt::State::run_world() noexcept {
             }
             step_time.add(static_cast<double>(now_ns() - begin) * 1e-3);
             outputs.erase(outputs.begin(), outputs.begin() + static_cast<std::ptrdiff_t>(count));
-            if (engine.ended()) {
+            if (engine->ended()) {
                 ended.store(true);
                 stop.store(true);
             }
@@ -259,20 +230,46 @@ void LiveAttempt::State::run_world() noexcept {
 void LiveAttempt::State::drain() {
     RecordTick tick;
     while (record_ring.pop(tick)) {
+        if (!recorder) continue;
         recorder->append(tick.input);
         recorder->append(tick.sample);
     }
     RecordWorld world;
     while (record_world_ring.pop(world)) {
+        if (!recorder) continue;
         if (world.is_event) {
             recorder->append(world.event);
+            if (world.event.kind == EventKind::device_back) relabel_wanted = request.assessed;
         } else {
             recorder->append(world.step);
         }
     }
+    // At once, not at the end: what is killed after this is found as practice.
+    if (relabel_wanted && recorder->relabel_as_practice("a device was lost and came back"))
+        relabel_wanted = false;
+}
+
+void LiveAttempt::State::fail(const std::string& what, std::exception_ptr why) {
+    const std::lock_guard<std::mutex> lock(end_mutex);
+    trouble = what;
+    error = std::move(why);
+    failed.store(true);
 }
 
 void LiveAttempt::State::run_recorder() {
+    try {
+        build();
+        may_begin.wait();
+        if (stop.load()) return fail("the attempt had not begun; nothing was stored", nullptr);
+        if (recorded())
+            recorder =
+                std::make_unique<database::Recorder>(request.store_path, *request.session, request.meta);
+    } catch (const std::exception& why) {
+        return fail(std::string("the attempt could not begin: ") + why.what(), std::current_exception());
+    }
+    running.store(true);
+    world_thread = std::thread([this] { run_world(); });
+    haptic_thread = std::thread([this] { run_haptic(); });
     Signal pace;
     try {
         while (!world_stopped.load()) {
@@ -283,17 +280,21 @@ void LiveAttempt::State::run_recorder() {
         world_thread.join();
         drain();
         finish();
-    } catch (const std::exception& error) {
+    } catch (const std::exception& why) {
         stop.store(true);
         if (haptic_thread.joinable()) haptic_thread.join();
         if (world_thread.joinable()) world_thread.join();
-        const std::lock_guard<std::mutex> lock(end_mutex);
-        trouble = std::string("the attempt could not be stored to its end: ") + error.what() + "; what was written before is kept and listed as interrupted";
-        failed.store(true);
+        fail(std::string("the attempt could not be stored to its end: ") + why.what() +
+                 "; what was written before is kept and listed as interrupted",
+             std::current_exception());
     }
 }
 
 void LiveAttempt::State::finish() {
+    if (!recorder) {  // a demonstration leaves nothing behind
+        finished.store(true);
+        return;
+    }
     const std::uint64_t lost = world_ring.lost() + record_ring.lost() + record_world_ring.lost();
     Event mark;
     mark.tick = tick_count.load();
@@ -314,12 +315,15 @@ void LiveAttempt::State::finish() {
         options.read_only = true;
         return options;
     }());
-    const database::Trace trace = database::Attempts(store).read_trace(request.session, recorder->attempt_id());
-    ScoredAttempt score = score_record(request.loaded.scene, request.loaded.task, targets, trace.samples, trace.events, request.benchmark ? &*request.benchmark : nullptr);
+    const database::Trace trace =
+        database::Attempts(store).read_trace(*request.session, recorder->attempt_id());
+    ScoredAttempt score = score_record(request.loaded.scene, request.loaded.task, targets, trace.samples,
+                                       trace.events, request.benchmark ? &*request.benchmark : nullptr);
     RunOutcome outcome;
-    outcome.state_hash = engine.state_hash();
+    outcome.state_hash = engine->state_hash();
     const std::uint32_t missed = missed_program.load() + missed_scheduler.load();
-    const database::AttemptResult stored = attempt_result(score, outcome, tick_count.load() * engine.scene().tick_period(), missed, lost, request.meta.limits);
+    const database::AttemptResult stored = attempt_result(
+        score, outcome, tick_count.load() * engine->scene().tick_period(), missed, lost, request.meta.limits);
     recorder->finish(stored);
     const std::lock_guard<std::mutex> lock(end_mutex);
     ui::AttemptOutcome shown;
@@ -335,8 +339,6 @@ void LiveAttempt::State::finish() {
 
 LiveAttempt::LiveAttempt(LiveRequest request) : state_(std::make_unique<State>(std::move(request))) {
     State& state = *state_;
-    state.world_thread = std::thread([&state] { state.run_world(); });
-    state.haptic_thread = std::thread([&state] { state.run_haptic(); });
     state.recorder_thread = std::thread([&state] { state.run_recorder(); });
 }
 
@@ -345,24 +347,45 @@ LiveAttempt::~LiveAttempt() {
     wait();
 }
 
-const Scene& LiveAttempt::scene() const { return state_->engine.scene(); }
-const TaskDefinition& LiveAttempt::task() const { return state_->engine.task(); }
-bool LiveAttempt::assessed() const { return state_->request.assessed; }
-const World& LiveAttempt::world() const { return state_->engine.world(); }
+const Scene& LiveAttempt::scene() const {
+    return state_->request.loaded.scene;
+}
+const TaskDefinition& LiveAttempt::task() const {
+    return state_->request.loaded.task;
+}
+bool LiveAttempt::assessed() const {
+    return state_->request.assessed && !state_->became_practice.load();
+}
+bool LiveAttempt::became_practice() const {
+    return state_->request.assessed && state_->became_practice.load();
+}
 
 ui::AttemptPhase LiveAttempt::phase() const {
     const State& state = *state_;
     if (state.failed.load()) return ui::AttemptPhase::failed;
     if (state.finished.load()) return ui::AttemptPhase::finished;
+    if (!state.built.load()) return ui::AttemptPhase::starting;
+    if (!state.begun.load()) return ui::AttemptPhase::ready;
+    if (!state.running.load()) return ui::AttemptPhase::starting;  // the store is being told
     if (state.stop.load()) return ui::AttemptPhase::finishing;
     if (state.device_lost.load()) return ui::AttemptPhase::device_lost;
     if (state.paused.load()) return ui::AttemptPhase::paused;
     return ui::AttemptPhase::running;
 }
 
-bool LiveAttempt::update() { return state_->view.update(); }
-const WorldSnapshot& LiveAttempt::snapshot() const { return state_->view.value().snapshot; }
-const TaskDisplay& LiveAttempt::display() const { return state_->view.value().display; }
+void LiveAttempt::start() {
+    if (!state_->begun.exchange(true)) state_->may_begin.post();
+}
+
+bool LiveAttempt::update() {
+    return state_->view.update();
+}
+const WorldSnapshot& LiveAttempt::snapshot() const {
+    return state_->view.value().snapshot;
+}
+const TaskDisplay& LiveAttempt::display() const {
+    return state_->view.value().display;
+}
 
 ui::LoopHealth LiveAttempt::health() const {
     const State& state = *state_;
@@ -371,11 +394,14 @@ ui::LoopHealth LiveAttempt::health() const {
     health.missed_ticks = state.missed_program.load() + state.missed_scheduler.load();
     health.late_steps = state.late_steps.load();
     health.lost_samples = state.world_ring.lost() + state.record_ring.lost() + state.record_world_ring.lost();
-    for (int hand = 0; hand < hand_count; ++hand) health.force_felt[hand] = state.request.rig->has_force(static_cast<Hand>(hand));
+    for (int hand = 0; hand < hand_count; ++hand)
+        health.force_felt[hand] = state.request.rig->has_force(static_cast<Hand>(hand));
     return health;
 }
 
-void LiveAttempt::pause() { state_->paused.store(true); }
+void LiveAttempt::pause() {
+    state_->paused.store(true);
+}
 void LiveAttempt::resume() {
     state_->paused.store(false);
     if (state_->device_lost.load()) state_->resume_asked.store(true);
@@ -385,7 +411,27 @@ void LiveAttempt::abandon() {
     state_->paused.store(false);
 }
 void LiveAttempt::interrupt() {
-    if (!state_->stop.exchange(true)) state_->interrupted.store(true);
+    state_->stop.store(true);
+    start();  // a recorder thread that still waits for the beginning sees that there is none
+}
+
+ui::Realignment LiveAttempt::realignment() {
+    State& state = *state_;
+    ui::Realignment shown;
+    if (!state.device_lost.load()) return shown;
+    state.watched.update();
+    const Watched& watched = state.watched.value();
+    shown.back = watched.back;
+    shown.in_place = watched.in_place;
+    for (int hand = 0; hand < hand_count; ++hand) {
+        const InstrumentSpec* spec = scene().instrument(static_cast<Hand>(hand));
+        const HandAlignment& from = watched.hand[hand];
+        shown.hand[hand] = {spec != nullptr, from.in_place, from.distance, from.angle, {}};
+        if (spec != nullptr)
+            shown.hand[hand].device =
+                tool_pose(make_instrument(*spec, scene().tick_period()), from.device).pose();
+    }
+    return shown;
 }
 
 std::string LiveAttempt::message() const {
@@ -395,8 +441,14 @@ std::string LiveAttempt::message() const {
         return state.trouble;
     }
     if (state.device_lost.load()) {
-        return state.device_back.load() ? "The device is back. Bring it to where the instruments stand, then resume."
-                                        : "A device does not answer. Force was taken to zero and the clock stands. Reconnect it; after a minute the attempt is closed as interrupted.";
+        const Watched& watched = state.watched.value();
+        const std::string what = watched.trouble == DeviceTrouble::impossible_reading
+                                     ? " gave an impossible reading (no number, or a jump)."
+                                     : " does not answer.";
+        return device_name(watched.culprit) + what +
+               " Force was taken to zero, the clock stands, and nothing is lost. Reconnect it: within a "
+               "minute the attempt goes on as practice, after that it is closed as "
+               "interrupted.";
     }
     return {};
 }
@@ -410,8 +462,17 @@ void LiveAttempt::wait() {
     if (state_->recorder_thread.joinable()) state_->recorder_thread.join();
 }
 
-const ScoredAttempt* LiveAttempt::scored() const { return state_->finished.load() ? &*state_->scored : nullptr; }
-std::uint64_t LiveAttempt::state_hash() const { return state_->engine.state_hash(); }
+void LiveAttempt::rethrow() const {
+    const std::lock_guard<std::mutex> lock(state_->end_mutex);
+    if (state_->error) std::rethrow_exception(state_->error);
+}
+
+const ScoredAttempt* LiveAttempt::scored() const {
+    return state_->finished.load() ? &*state_->scored : nullptr;
+}
+std::uint64_t LiveAttempt::state_hash() const {
+    return state_->engine->state_hash();
+}
 
 LoopStatistics LiveAttempt::statistics() const {
     const State& state = *state_;
@@ -420,7 +481,8 @@ LoopStatistics LiveAttempt::statistics() const {
     statistics.missed_by_program = state.missed_program.load();
     statistics.missed_by_scheduler = state.missed_scheduler.load();
     statistics.late_steps = state.late_steps.load();
-    statistics.lost_samples = state.world_ring.lost() + state.record_ring.lost() + state.record_world_ring.lost();
+    statistics.lost_samples =
+        state.world_ring.lost() + state.record_ring.lost() + state.record_world_ring.lost();
     statistics.wake_p50_us = state.wake.quantile(0.5);
     statistics.wake_p99_us = state.wake.quantile(0.99);
     statistics.wake_p999_us = state.wake.quantile(0.999);

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One attempt on the clock: the engine's two halves on their threads, the recorder on a third (docs/THREADS.md).
+// One attempt on the clock: the engine's two halves on their threads, the recorder on a third
+// (docs/THREADS.md).
 //
-//   haptic thread   1 kHz on an absolute clock; reads the rig, ticks the loop, pushes to two rings; never locks, allocates or writes
-//   world thread    steps when m ticks are there; publishes models and view through triple buffers
-//   recorder thread drains both record rings into the store; after the end reads the record back, scores it, finishes the attempt
+//   haptic thread   1 kHz on an absolute clock; reads the rig, ticks the loop, pushes to two rings; never
+//   locks, allocates or writes world thread    steps when m ticks are there; publishes models and view
+//   through triple buffers recorder thread builds the world; once the attempt has begun drains both record
+//   rings into the store; after the end reads the record
+//                   back, scores it, finishes the attempt
+//
+// Nothing is on the clock and nothing is stored before start(): whoever prepares a picture first does so in
+// peace.
 //
 // The thread that owns a LiveAttempt (the window's, or the command line's) only polls and raises flags.
 #pragma once
@@ -21,13 +27,13 @@ namespace fulcrum::app {
 /// How the loop kept its clock.
 struct LoopStatistics {
     std::uint64_t ticks = 0;
-    std::uint64_t missed_by_program = 0;    ///< a tick began a period late because the one before took too long
+    std::uint64_t missed_by_program = 0;  ///< a tick began a period late because the one before took too long
     std::uint64_t missed_by_scheduler = 0;  ///< a tick began a period late because the thread was woken late
     std::uint64_t late_steps = 0;
     std::uint64_t lost_samples = 0;
     double wake_p50_us = 0, wake_p99_us = 0, wake_p999_us = 0, wake_worst_us = 0;  ///< lateness of waking
     double tick_p50_us = 0, tick_p99_us = 0, tick_worst_us = 0;                    ///< duration of a tick
-    double step_p50_us = 0, step_p99_us = 0, step_worst_us = 0;                    ///< duration of a world step
+    double step_p50_us = 0, step_p99_us = 0, step_worst_us = 0;  ///< duration of a world step
     bool real_time_priority = false;
 };
 
@@ -36,23 +42,28 @@ struct LiveRequest {
     std::uint64_t seed = 1;
     bool assessed = true;
     std::shared_ptr<Rig> rig;
-    std::string store_path;
-    database::Session session;          ///< whose right it is to perform and to read the record back
-    database::AttemptMeta meta;         ///< person, mode, device
+    std::string store_path;  ///< empty: a demonstration, which is neither stored nor scored
+    std::optional<database::Session>
+        session;  ///< set with store_path: whose right it is to perform and to read the record back
+    database::AttemptMeta meta;  ///< person, mode, device
     std::optional<BenchmarkSet> benchmark;
 };
 
 class LiveAttempt : public ui::AttemptSession {
   public:
-    /// Builds the world and starts the threads. Throws InputError, StoreError, AccessDenied.
+    /// Returns at once; the world is built on a thread. What goes wrong there ends in AttemptPhase::failed.
     explicit LiveAttempt(LiveRequest request);
-    /// Closes an attempt that still runs as interrupted, waits until it is stored.
+    /// Closes an attempt that still runs as interrupted, waits until it is stored. One that has not begun
+    /// leaves nothing.
     ~LiveAttempt() override;
 
     const Scene& scene() const override;
     const TaskDefinition& task() const override;
     bool assessed() const override;
+    bool became_practice() const override;
     ui::AttemptPhase phase() const override;
+    ui::Realignment realignment() override;
+    void start() override;
     bool update() override;
     const WorldSnapshot& snapshot() const override;
     const TaskDisplay& display() const override;
@@ -64,10 +75,11 @@ class LiveAttempt : public ui::AttemptSession {
     std::string message() const override;
     const std::optional<ui::AttemptOutcome>& outcome() const override;
 
-    /// World, for the viewport's constant data (surface, cavity).
-    const World& world() const;
     /// Waits until the attempt is finished or failed.
     void wait();
+    /// After wait(): throws what went wrong, if something did (InputError, StoreError, AccessDenied).
+    void rethrow() const;
+    /// At any time: the threads count in atomics.
     LoopStatistics statistics() const;
     /// After the end: what was scored. Null before.
     const ScoredAttempt* scored() const;

@@ -249,6 +249,24 @@ void Recorder::flush() {
     state.committed(pending);
 }
 
+bool Recorder::relabel_as_practice(const std::string& reason) {
+    State& state = *state_;
+    assert(!state.finished);
+    if (state.meta.mode == "practice") return true;
+    try {
+        Store& store = state.opened();
+        Transaction transaction(store.connection());
+        Query(store.connection(), "UPDATE attempt SET mode = 'practice' WHERE id = ?").bind(state.meta.id).run();
+        Audit(store).append(state.session, state.meta.id, "attempt.practice", json_object({{"from", state.meta.mode}, {"reason", reason}}));
+        transaction.commit();
+    } catch (const StoreError& error) {
+        if (error.kind() == StoreErrorKind::locked) return false;
+        throw;
+    }
+    state.meta.mode = "practice";
+    return true;
+}
+
 void Recorder::finish(const AttemptResult& result) {
     State& state = *state_;
     assert(!state.finished);

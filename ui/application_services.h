@@ -32,6 +32,7 @@ using Progress = std::function<bool(double done, const std::string& line)>;
 
 enum class AttemptPhase {
     starting,  ///< parts are being built; no snapshot yet
+    ready,     ///< built: snapshot() shows the first moment; nothing runs and nothing is stored before start()
     running,
     paused,       ///< by the trainee or the lock; the scene is hidden, the clock stands
     device_lost,  ///< a device is gone: force was ramped to 0, the clock stands; message() says what to do
@@ -55,6 +56,18 @@ struct LoopHealth {
     bool force_felt[hand_count] = {false, false};  ///< the hand's device renders force
 };
 
+/// After a device was lost: where the devices are now, beside the instruments that wait in their last pose (snapshot().tools).
+struct Realignment {
+    bool back = false;      ///< every device answers again
+    bool in_place = false;  ///< and each stands near enough to its instrument: resume() takes hold
+    struct OneHand {
+        bool exists = false, in_place = false;
+        double distance = 0;  ///< m
+        double angle = 0;     ///< rad
+        ToolPose device;      ///< where the instrument would be
+    } hand[hand_count];
+};
+
 /// One attempt while it runs. Destroying it before the end closes the attempt as interrupted and stores it.
 class AttemptSession {
   public:
@@ -62,7 +75,11 @@ class AttemptSession {
     virtual const Scene& scene() const = 0;
     virtual const TaskDefinition& task() const = 0;
     virtual bool assessed() const = 0;
+    /// It began as assessed and goes on as practice, because a device was lost; assessed() is false from then on.
+    virtual bool became_practice() const = 0;
     virtual AttemptPhase phase() const = 0;
+    /// Puts a ready attempt on the clock: hands, physics and record begin.
+    virtual void start() = 0;
     /// Takes the newest world and display if there are newer ones; call once a painted frame. True if they
     /// changed.
     virtual bool update() = 0;
@@ -70,8 +87,10 @@ class AttemptSession {
     virtual const TaskDisplay& display() const = 0;
     virtual LoopHealth health() const = 0;
     virtual void pause() = 0;
-    /// Goes on after a pause; from device_lost only once the device is back.
+    /// Goes on after a pause; from device_lost only once the device is back and in place, and then as practice.
     virtual void resume() = 0;
+    /// In device_lost: how the devices stand.
+    virtual Realignment realignment() = 0;
     /// Ends the attempt as abandoned (or interrupted, when closed by the lock).
     virtual void abandon() = 0;
     virtual void interrupt() = 0;
@@ -114,6 +133,15 @@ class ReplaySource {
     virtual std::optional<double> differs_from_s() const = 0;
 };
 
+/// An interrupted attempt that was scored now.
+struct InterruptedScore {
+    std::string attempt_id, task_id;
+    std::int64_t started = 0;    ///< UTC ms
+    double duration_s = 0;       ///< of the recorded part
+    std::optional<bool> passed;  ///< false: failed for good; empty: it does not count
+    std::string why;             ///< what failed, or why it was not scored
+};
+
 class ApplicationServices {
   public:
     virtual ~ApplicationServices() = default;
@@ -134,8 +162,13 @@ class ApplicationServices {
     virtual const std::vector<TaskDefinition>& tasks() const = 0;
     /// Throws InputError.
     virtual Scene scene_for(const TaskDefinition& task) const = 0;
-    /// Throws InputError, database::StoreError, database::AccessDenied.
+    /// Prepares an attempt; it begins with AttemptSession::start(). Throws InputError, database::StoreError, database::AccessDenied.
     virtual std::unique_ptr<AttemptSession> start_attempt(const AttemptRequest& request) = 0;
+    /// An expert operator performs the task to be watched; nothing is stored. Prepares like an attempt; its outcome stays empty.
+    virtual std::unique_ptr<AttemptSession> start_demonstration(const std::string& task_id) = 0;
+    /// Scores what was interrupted and has no score yet, as far as the session may, from its record (product.md: it does not count
+    /// unless what was recorded failed already). Called on a worker thread; opens the store for itself.
+    virtual std::vector<InterruptedScore> score_interrupted(const database::Session& session, const Progress& progress) = 0;
     /// A replay of a stored trace, kept alive by the source. Throws InputError when the task or scene is not
     /// known here.
     virtual std::unique_ptr<ReplaySource> open_replay(const std::string& task_id, std::uint64_t seed,

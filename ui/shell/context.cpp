@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "database/errors.h"
+#include "ui/shell/background_job.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
@@ -14,8 +15,35 @@ void Context::set_session(const database::Session& session) {
 }
 
 void Context::sign_out() {
+    if (scoring_ != nullptr) scoring_->cancel();
+    scoring_ = nullptr;
+    interrupted_.clear();
     session_.reset();
     emit session_changed();
+}
+
+void Context::score_interrupted() {
+    if (scoring_ != nullptr || !session_ || session_->must_change_password() ||
+        !allowed(database::Operation::score_interrupted))
+        return;
+    auto scored = std::make_shared<std::vector<InterruptedScore>>();
+    scoring_ = BackgroundJob::run(
+        this,
+        [this, scored, session = *session_](const Progress& progress) {
+            *scored = services_.score_interrupted(session, progress);
+        },
+        [this, scored] {
+            scoring_ = nullptr;
+            if (scored->empty()) return;
+            interrupted_ = std::move(*scored);
+            emit interrupted_scored();
+        },
+        [this](const QString& why) {
+            scoring_ = nullptr;
+            complain(
+                tr("What was interrupted could not be scored now, and is tried again at the next sign-in: %1")
+                    .arg(why));
+        });
 }
 
 bool Context::allowed(database::Operation operation, const database::Subject& subject) {

@@ -13,6 +13,8 @@
 
 namespace fulcrum::ui {
 
+class BackgroundJob;
+
 class Context : public QObject {
     Q_OBJECT
   public:
@@ -38,6 +40,10 @@ class Context : public QObject {
     bool guarded(const std::function<void()>& work);
     void say(const QString& line) { emit message(line, false); }
     void complain(const QString& line) { emit message(line, true); }
+    /// What was interrupted before and got its score at this sign-in.
+    const std::vector<InterruptedScore>& interrupted() const { return interrupted_; }
+    /// Asks for those scores on a thread of its own; interrupted_scored() follows if there were any.
+    void score_interrupted();
     /// Devices that are no mouse or keyboard keep the lock away through this.
     void note_input() { emit input_seen(); }
 
@@ -48,6 +54,8 @@ class Context : public QObject {
     void home_wanted();
     void briefing_wanted(const QString& task_id);
     void attempt_wanted(const QString& task_id, bool assessed);
+    void demonstration_wanted(const QString& task_id);
+    void interrupted_scored();
     /// `time_s` < 0: from the start.
     void debrief_wanted(const QString& attempt_id, double time_s);
     void progress_wanted(const QString& person_id, const QString& task_id);
@@ -56,6 +64,8 @@ class Context : public QObject {
   private:
     ApplicationServices& services_;
     std::optional<database::Session> session_;
+    std::vector<InterruptedScore> interrupted_;
+    BackgroundJob* scoring_ = nullptr;
 };
 
 /// A page of the window's stack. enter() is called each time it is shown; leave() before another takes its

@@ -158,6 +158,13 @@ void MainWindow::connect_context() {
         auto* theatre = page<TheatrePage>();
         if (theatre->begin(plain(task_id), assessed)) show_page(theatre);
     });
+    connect(&context_, &Context::demonstration_wanted, this, [this](const QString& task_id) {
+        auto* theatre = page<TheatrePage>();
+        if (theatre->demonstrate(plain(task_id))) show_page(theatre);
+    });
+    connect(&context_, &Context::interrupted_scored, this, [this] {
+        if (typeid(*current_page()) == typeid(HomePage)) current_page()->enter();
+    });
     connect(&context_, &Context::debrief_wanted, this, [this](const QString& attempt_id, double time_s) {
         auto* debrief = page<DebriefPage>();
         debrief->open(plain(attempt_id), time_s);
@@ -269,6 +276,7 @@ void MainWindow::session_changed() {
         if (held == session.role()) role_->setCurrentIndex(role_->count() - 1);
     }
     fill_rail();
+    context_.score_interrupted();
     if (current_page() != page<FirstStartPage>()) show_home();
 }
 

@@ -75,9 +75,11 @@ void draw_force(QPainter& painter, const QRectF& box, const HudState& state, int
                      (active ? QStringLiteral("▶ ") : QString()) + (h == 0 ? tr("Left") : tr("Right")));
     painter.setFont(hud_font(12));
     painter.setPen(p.text);
-    painter.drawText(QRectF(box.left() - 4, box.top() + 25, box.width(), 26),
-                     Qt::AlignLeft | Qt::AlignVCenter,
-                     state.jaws_closed[h] ? tr("jaws closed") : tr("jaws open"));
+    if (state.has_jaws[h]) {
+        painter.drawText(QRectF(box.left() - 4, box.top() + 25, box.width(), 26),
+                         Qt::AlignLeft | Qt::AlignVCenter,
+                         state.jaws_closed[h] ? tr("jaws closed") : tr("jaws open"));
+    }
     painter.setFont(hud_font(14, true));
     painter.setPen(over ? p.bad : p.text);
     painter.drawText(QRectF(box.left() - 4, bar.bottom() + 6, box.width(), 26),
@@ -128,10 +130,11 @@ void paint_hud(QPainter& painter, const QRectF& area, const HudState& state) {
                      Qt::AlignLeft | Qt::AlignVCenter,
                      tr("%1 left").arg(clock_text(state.display.remaining_s)));
     painter.setPen(p.text);
-    const QString mode = !state.place.isEmpty() ? state.place
-                         : state.assessed       ? tr("assessed")
-                                                : tr("practice");
-    painter.drawText(QRectF(area.left() + margin, area.top() + 74, column, 24),
+    const QString mode = !state.place.isEmpty()  ? state.place
+                         : state.became_practice ? tr("practice: a device was lost")
+                         : state.assessed        ? tr("assessed")
+                                                 : tr("practice");
+    painter.drawText(QRectF(area.left() + margin, area.top() + 74, column + 40, 24),
                      Qt::AlignLeft | Qt::AlignVCenter, mode);
 
     // Top right: the goal.

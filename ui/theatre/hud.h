@@ -18,12 +18,14 @@ struct HudState {
     const TaskDefinition* task = nullptr;
     TaskDisplay display;
     bool assessed = false;
+    bool became_practice = false;  ///< a device was lost: it does not count any more
     Hand active_hand = Hand::right;
     bool shows_active_hand = false;  ///< mouse: which hand it moves
     bool force_felt = true;
     bool jaws_closed[hand_count] = {false, false};
-    QString health;  ///< small line at the foot, "" none
-    QString place;   ///< where it happens: "replay ×0.5" instead of the mode, "" live
+    bool has_jaws[hand_count] = {true, true};  ///< a probe has none
+    QString health;                            ///< small line at the foot, "" none
+    QString place;  ///< where it happens: "replay ×0.5" instead of the mode, "" live
 };
 
 void paint_hud(QPainter& painter, const QRectF& area, const HudState& state);

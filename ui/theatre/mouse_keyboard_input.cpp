@@ -21,6 +21,8 @@ constexpr double least_inside = 0.005;     // m of insertion
 // Follow rates at one tick of 1 ms: 1 - exp(-2 pi 12 Hz 1 ms), and the same at 6 Hz for the jaws.
 constexpr double follow_rate = 0.07262, jaw_rate = 0.03700;
 
+constexpr int longest_ramp = 400;  // ticks from one target to the next
+
 struct KeyMove {
     int key;
     int hand;  // 0 left, 1 right, 2 camera
@@ -46,26 +48,27 @@ DeviceReading start_reading(double shaft_length, double insertion, double jaw) {
 
 }  // namespace
 
-MouseKeyboardRig::MouseKeyboardRig(const HandTargets& start) {
-    targets_.fill(start);
-    for (int h = 0; h < hand_count; ++h) {
-        const DeviceReading& reading = start.hand[h];
-        hand_[h] = {reading.handle, reading.handle, reading.roll, reading.jaw, reading.grip, {}};
-        hand_[h].last = quantise(reading, hand_[h].last);
-        hand_[h].last.faulty = 0;
-    }
-    camera_ = {start.camera.handle, start.camera.handle, start.camera.roll, 0, 0, {}};
+MouseKeyboardRig::Follower MouseKeyboardRig::start_follower(const DeviceReading& start) {
+    Follower follower;
+    follower.line = follower.first = follower.second = start.handle;
+    follower.roll = start.roll;
+    follower.jaw = start.jaw;
+    follower.grip = start.grip;
     // The first reading is the start itself, not a jump from the origin.
-    for (Follower* follower : {&hand_[0], &hand_[1], &camera_}) {
-        for (int axis = 0; axis < 3; ++axis) {
-            follower->last.handle[axis] =
-                static_cast<std::int32_t>(std::lround(follower->second[axis] / device_length_unit));
-        }
-    }
+    follower.last = quantise(start, follower.last);
+    return follower;
 }
 
-void MouseKeyboardRig::follow(Follower& follower, const DeviceReading& target, DeviceSample& sample) {
-    follower.first += follow_rate * (target.handle - follower.first);
+MouseKeyboardRig::MouseKeyboardRig(const HandTargets& start) {
+    targets_.fill(start);
+    for (int h = 0; h < hand_count; ++h) hand_[h] = start_follower(start.hand[h]);
+    camera_ = start_follower(start.camera);
+}
+
+void MouseKeyboardRig::follow(Follower& follower, const DeviceReading& target, DeviceSample& sample) const {
+    if (new_target_) follower.line_step = (target.handle - follower.line) / (ramp_ + 1);
+    follower.line = ramp_ > 0 ? Vector3(follower.line + follower.line_step) : target.handle;
+    follower.first += follow_rate * (follower.line - follower.first);
     follower.second += follow_rate * (follower.first - follower.second);
     follower.roll += follow_rate * (target.roll - follower.roll);
     follower.jaw += jaw_rate * (target.jaw - follower.jaw);
@@ -80,7 +83,13 @@ void MouseKeyboardRig::follow(Follower& follower, const DeviceReading& target, D
 }
 
 void MouseKeyboardRig::read(std::uint32_t tick, RigSample& sample) {
-    targets_.update();
+    ++since_target_;
+    new_target_ = targets_.update();
+    if (new_target_) {
+        ramp_ = std::min(since_target_, longest_ramp);
+        since_target_ = 0;
+    }
+    if (ramp_ > 0) --ramp_;
     const HandTargets& wanted = targets_.value();
     sample.tick = tick;
     for (int h = 0; h < hand_count; ++h) follow(hand_[h], wanted.hand[h], sample.hand[h]);

@@ -4,8 +4,9 @@
 // and the scope at the same time.
 //
 // Threads: MouseKeyboardInput lives on the UI thread and hands targets over through a triple buffer; its rig
-// is read by the haptic thread, which follows the targets smoothly (two low-passes at 12 Hz in a row) so that
-// 60 window events a second become 1,000 steady ticks.
+// is read by the haptic thread, which follows the targets smoothly so that the window's events become 1,000
+// steady ticks: from one target to the next in a straight line over as long as the one before took to come
+// (drawing on a busy processor can hold the window up for 300 ms), then two low-passes at 12 Hz in a row.
 #pragma once
 
 #include <QPointF>
@@ -37,13 +38,17 @@ class MouseKeyboardRig : public Rig {
 
   private:
     struct Follower {
-        Vector3 first = Vector3::Zero(), second = Vector3::Zero();  ///< the two low-passes of the handle
+        Vector3 line = Vector3::Zero(), line_step = Vector3::Zero();  ///< of the handle, m and m a tick
+        Vector3 first = Vector3::Zero(), second = Vector3::Zero();    ///< the two low-passes of it
         double roll = 0, jaw = 0, grip = 0;
         DeviceSample last;
     };
-    static void follow(Follower& follower, const DeviceReading& target, DeviceSample& sample);
+    static Follower start_follower(const DeviceReading& start);
+    void follow(Follower& follower, const DeviceReading& target, DeviceSample& sample) const;
     TripleBuffer<HandTargets> targets_;
     Follower hand_[hand_count], camera_;
+    int since_target_ = 0, ramp_ = 0;  ///< ticks since the last target came; ticks left on the way to it
+    bool new_target_ = false;
 };
 
 class MouseKeyboardInput {

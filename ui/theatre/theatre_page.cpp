@@ -65,16 +65,12 @@ TheatrePage::TheatrePage(Context& context) : Page(context, "theatre_page"), view
 
 TheatrePage::~TheatrePage() = default;
 
-bool TheatrePage::begin(const std::string& task_id, bool assessed) {
-    const TaskDefinition* task = context().task(task_id);
-    if (task == nullptr || is_running()) return false;
+bool TheatrePage::open(const std::function<void()>& work) {
+    if (is_running()) return false;
+    demonstrated_.clear();
     return context().guarded([&] {
-        auto input = std::make_unique<MouseKeyboardInput>(context().services().scene_for(*task));
-        AttemptRequest request{context().session(), task_id, assessed, 0, input->rig(), "mouse-keyboard",
-                               "mouse and keyboard"};
-        session_ = context().services().start_attempt(request);
-        input_ = std::move(input);
-        world_loading_ = false;
+        work();
+        world_loading_ = aligning_ = false;
         done_.clear();
         active_target_ = -1;
         help_shown_ = false;
@@ -83,11 +79,80 @@ bool TheatrePage::begin(const std::string& task_id, bool assessed) {
     });
 }
 
+bool TheatrePage::begin(const std::string& task_id, bool assessed) {
+    const TaskDefinition* task = context().task(task_id);
+    return task != nullptr && open([&] {
+               auto input = std::make_unique<MouseKeyboardInput>(context().services().scene_for(*task));
+               AttemptRequest request{
+                   context().session(), task_id, assessed, 0, input->rig(), "mouse-keyboard",
+                   "mouse and keyboard"};
+               session_ = context().services().start_attempt(request);
+               input_ = std::move(input);
+           });
+}
+
+bool TheatrePage::demonstrate(const std::string& task_id) {
+    const TaskDefinition* task = context().task(task_id);
+    return task != nullptr && open([&] {
+               session_ = context().services().start_demonstration(task_id);
+               input_ = std::make_unique<MouseKeyboardInput>(context().services().scene_for(*task));
+               demonstrated_ = text(task_id);
+           });
+}
+
 void TheatrePage::enter() {
     show_panel(Panel::none, {}, {});
+    if (is_running()) view_->set_notice(tr("Preparing the scene …"));
     since_tick_.start();
     timer_.start();
     view_->setFocus();
+}
+
+bool TheatrePage::has_begun() const {
+    return session_ != nullptr && session_->phase() != AttemptPhase::starting &&
+           session_->phase() != AttemptPhase::ready;
+}
+
+/// Nothing is on the clock yet: the geometry is made, the first picture drawn, then the attempt begins.
+void TheatrePage::prepare() {
+    if (!world_loading_) {
+        world_loading_ = true;
+        view_->load(session_->scene(), session_->snapshot());
+        view_->set_notice(tr("Preparing the scene …"));
+        return;
+    }
+    if (!view_->drawing_error().isEmpty()) {
+        const QString why = view_->drawing_error();
+        end_session();
+        show_panel(Panel::failed, tr("The attempt did not begin"),
+                   tr("The scene cannot be drawn on this machine: %1. Nothing was stored.").arg(why));
+        return;
+    }
+    if (!view_->is_loaded()) return;
+    if (view_->pictures() == 0) {
+        view_->set_notice({});
+        show_world();
+    } else if (shown_ == Panel::none && isVisible()) {
+        mouse_known_ = false;
+        since_tick_.restart();
+        session_->start();
+    }
+}
+
+void TheatrePage::end_session() {
+    timer_.stop();
+    session_.reset();
+    input_.reset();
+    aligning_ = false;
+    view_->unload();
+    view_->unsetCursor();
+}
+
+/// Before it has begun, and of a demonstration at any time: it is as if it had never been.
+void TheatrePage::cancel() {
+    const QString task = demonstrated_.isEmpty() ? text(session_->task().id) : demonstrated_;
+    end_session();
+    emit context().briefing_wanted(task);
 }
 
 void TheatrePage::leave() {
@@ -98,17 +163,26 @@ void TheatrePage::leave() {
 
 void TheatrePage::close_as_interrupted() {
     if (session_ == nullptr) return;
-    timer_.stop();
+    const bool begun = has_begun() && demonstrated_.isEmpty();
     session_->interrupt();
-    session_.reset();
-    input_.reset();
-    view_->unload();
+    end_session();
+    if (!begun) {
+        show_panel(Panel::failed, tr("Closed"), tr("The attempt had not begun; nothing was stored."));
+        return;
+    }
     view_->set_notice(tr("The attempt was closed as interrupted."));
     show_panel(Panel::failed, tr("Interrupted"), tr("The attempt was closed as interrupted and stored."));
 }
 
 void TheatrePage::pause() {
-    if (session_ == nullptr || session_->phase() != AttemptPhase::running) return;
+    if (session_ == nullptr) return;
+    if (!has_begun() || !demonstrated_.isEmpty()) {
+        // What has not begun, or is only watched, waits without a word: the theatre is hidden behind the
+        // lock.
+        if (session_->phase() == AttemptPhase::running) session_->pause();
+        return;
+    }
+    if (session_->phase() != AttemptPhase::running) return;
     session_->pause();
     input_->release_all();
     show_panel(Panel::paused, tr("Paused"),
@@ -128,6 +202,12 @@ void TheatrePage::resume() {
 
 void TheatrePage::ask_before_leaving() {
     if (session_ == nullptr) return;
+    if (!has_begun() || !demonstrated_.isEmpty()) {
+        cancel();
+        return;
+    }
+    aligning_ = false;
+    view_->set_realignment({});
     if (session_->phase() == AttemptPhase::running) session_->pause();
     input_->release_all();
     const bool counts = session_->assessed() && session_->display().moving_seen;
@@ -154,7 +234,9 @@ void TheatrePage::show_panel(Panel panel, const QString& heading, const QString&
     pause_->setEnabled(!hides);
     help_->setEnabled(!hides);
     leave_->setEnabled(!hides);
-    view_->setCursor(hides ? Qt::ArrowCursor : Qt::BlankCursor);
+    view_->setCursor(hides || !demonstrated_.isEmpty() ? Qt::ArrowCursor : Qt::BlankCursor);
+    pause_->setVisible(demonstrated_.isEmpty());
+    leave_->setText(demonstrated_.isEmpty() ? tr("Abandon …") : tr("End the demonstration (Esc)"));
     if (!hides) return;
     help_shown_ = false;
     view_->set_cover({}, {});
@@ -190,8 +272,8 @@ void TheatrePage::toggle_help() {
 
 void TheatrePage::tick() {
     if (session_ == nullptr) return;
-    const double dt = std::min(static_cast<double>(since_tick_.restart()) * 1e-3, 0.1);
-    if (session_->phase() == AttemptPhase::running) input_->advance(dt);
+    const double dt = std::min(static_cast<double>(since_tick_.restart()) * 1e-3, 0.4);
+    if (session_->phase() == AttemptPhase::running || aligning_) input_->advance(dt);
     world_is_new_ = session_->update() || world_is_new_;
     follow_phase();
     if (session_ == nullptr || !world_is_new_) return;
@@ -208,23 +290,26 @@ void TheatrePage::follow_phase() {
     switch (session_->phase()) {
         case AttemptPhase::starting:
             break;
+        case AttemptPhase::ready:
+            prepare();
+            break;
         case AttemptPhase::running:
-            if (shown_ == Panel::device_lost || shown_ == Panel::paused) show_panel(Panel::none, {}, {});
-            if (!world_loading_) {
-                world_loading_ = true;
-                view_->load(session_->scene(), session_->snapshot());
+            if (aligning_) {
+                aligning_ = false;
+                view_->set_realignment({});
             }
+            if (shown_ == Panel::device_lost || shown_ == Panel::paused) show_panel(Panel::none, {}, {});
             break;
         case AttemptPhase::paused:
-            if (shown_ == Panel::none) {
+            if (!demonstrated_.isEmpty()) {
+                if (isVisible()) session_->resume();
+            } else if (shown_ == Panel::none) {
                 show_panel(Panel::paused, tr("Paused"),
                            tr("The clock stands and the scene is hidden. A pause is logged."));
             }
             break;
         case AttemptPhase::device_lost:
-            if (shown_ != Panel::device_lost && shown_ != Panel::leaving) {
-                show_panel(Panel::device_lost, tr("Device lost"), text(session_->message()));
-            }
+            align();
             break;
         case AttemptPhase::finishing:
             if (shown_ != Panel::finishing) show_panel(Panel::finishing, tr("Storing the attempt …"), {});
@@ -234,22 +319,40 @@ void TheatrePage::follow_phase() {
             break;
         case AttemptPhase::failed: {
             const QString why = text(session_->message());
-            session_.reset();
-            input_.reset();
-            timer_.stop();
+            end_session();
             show_panel(Panel::failed, tr("The attempt could not go on"), why);
             break;
         }
     }
 }
 
+/// A device is lost: a message while it is away, its ghosts when it is back.
+void TheatrePage::align() {
+    if (shown_ == Panel::leaving) return;
+    const Realignment realignment = session_->realignment();
+    const bool was_aligning = aligning_;
+    aligning_ = realignment.back;
+    if (!realignment.back) {
+        if (was_aligning) view_->set_realignment({});
+        if (shown_ != Panel::device_lost)
+            show_panel(Panel::device_lost, tr("Device lost"), text(session_->message()));
+        return;
+    }
+    if (shown_ != Panel::none) {
+        show_panel(Panel::none, {}, {});
+        view_->setFocus();
+        mouse_known_ = false;
+    }
+    view_->set_realignment(realignment);
+}
+
 void TheatrePage::finish() {
+    if (!demonstrated_.isEmpty()) {
+        cancel();
+        return;
+    }
     const std::string id = session_->outcome() ? session_->outcome()->attempt_id : std::string();
-    timer_.stop();
-    session_.reset();
-    input_.reset();
-    view_->unload();
-    view_->unsetCursor();
+    end_session();
     if (id.empty()) {
         emit context().home_wanted();
     } else {
@@ -274,10 +377,17 @@ void TheatrePage::show_world() {
     hud.task = &session_->task();
     hud.display = display;
     hud.assessed = session_->assessed();
+    hud.became_practice = session_->became_practice();
+    if (!demonstrated_.isEmpty()) hud.place = tr("demonstration: synthetic expert");
     hud.active_hand = input_->active_hand();
-    hud.shows_active_hand = true;
-    hud.force_felt = health.force_felt[0] || health.force_felt[1];
-    for (int h = 0; h < hand_count; ++h) hud.jaws_closed[h] = input_->jaws_closed(static_cast<Hand>(h));
+    hud.shows_active_hand = demonstrated_.isEmpty();
+    hud.force_felt = !demonstrated_.isEmpty() || health.force_felt[0] || health.force_felt[1];
+    for (int h = 0; h < hand_count; ++h) {
+        const InstrumentSpec* spec = session_->scene().instrument(static_cast<Hand>(h));
+        hud.jaws_closed[h] = demonstrated_.isEmpty() ? input_->jaws_closed(static_cast<Hand>(h))
+                                                     : world.tools[h].jaw_angle < 0.3;
+        hud.has_jaws[h] = spec != nullptr && spec->kind != "probe";
+    }
     if (health.missed_ticks > 0 || health.lost_samples > 0) {
         hud.health = tr("%1 of %2 ticks missed").arg(health.missed_ticks).arg(health.ticks);
     }
@@ -289,7 +399,7 @@ void TheatrePage::show_world() {
 bool TheatrePage::eventFilter(QObject* watched, QEvent* event) {
     if (watched != view_ || session_ == nullptr || input_ == nullptr)
         return Page::eventFilter(watched, event);
-    const bool live = shown_ == Panel::none;
+    const bool live = takes_hands();
     switch (event->type()) {
         case QEvent::ShortcutOverride:
             event->accept();
@@ -328,6 +438,11 @@ bool TheatrePage::eventFilter(QObject* watched, QEvent* event) {
     }
 }
 
+bool TheatrePage::takes_hands() const {
+    return session_ != nullptr && shown_ == Panel::none && demonstrated_.isEmpty() &&
+           (session_->phase() == AttemptPhase::running || aligning_);
+}
+
 bool TheatrePage::key(QKeyEvent* event, bool pressed) {
     if (event->isAutoRepeat()) return true;
     if (!pressed) {
@@ -337,6 +452,8 @@ bool TheatrePage::key(QKeyEvent* event, bool pressed) {
     if (event->key() == Qt::Key_Escape) {
         if (help_shown_) {
             toggle_help();
+        } else if (!has_begun() || aligning_ || !demonstrated_.isEmpty()) {
+            ask_before_leaving();
         } else {
             pause();
         }
@@ -346,11 +463,15 @@ bool TheatrePage::key(QKeyEvent* event, bool pressed) {
         toggle_help();
         return true;
     }
-    return shown_ == Panel::none && input_->press_key(event->key());
+    if (aligning_ && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)) {
+        session_->resume();
+        return true;
+    }
+    return takes_hands() && input_->press_key(event->key());
 }
 
 void TheatrePage::mouse_move(QMouseEvent* event) {
-    if (shown_ != Panel::none) {
+    if (!takes_hands()) {
         mouse_known_ = false;
         return;
     }

@@ -5,6 +5,7 @@
 
 #include <QElapsedTimer>
 #include <QTimer>
+#include <functional>
 #include <memory>
 
 #include "ui/shell/context.h"
@@ -23,8 +24,10 @@ class TheatrePage : public Page {
   public:
     explicit TheatrePage(Context& context);
     ~TheatrePage() override;
-    /// Starts an attempt; false (and a message) when it cannot.
+    /// Prepares an attempt; false (and a message) when it cannot. It begins once its scene has been drawn.
     bool begin(const std::string& task_id, bool assessed);
+    /// An expert operator performs the task to be watched; afterwards the briefing is wanted.
+    bool demonstrate(const std::string& task_id);
     bool is_running() const { return session_ != nullptr; }
     void enter() override;
     void leave() override;
@@ -43,6 +46,13 @@ class TheatrePage : public Page {
 
   private:
     enum class Panel { none, paused, leaving, device_lost, finishing, failed };
+    bool open(const std::function<void()>& work);
+    bool has_begun() const;
+    bool takes_hands() const;
+    void prepare();
+    void align();
+    void cancel();
+    void end_session();
     void tick();
     void follow_phase();
     void show_world();
@@ -67,7 +77,9 @@ class TheatrePage : public Page {
     std::vector<bool> done_;
     int active_target_ = -1;
     QPoint last_mouse_;
-    bool world_is_new_ = false, mouse_known_ = false, help_shown_ = false, world_loading_ = false;
+    bool world_is_new_ = false, mouse_known_ = false, help_shown_ = false, world_loading_ = false,
+         aligning_ = false;
+    QString demonstrated_;  ///< task, while it is a demonstration
 };
 
 }  // namespace fulcrum::ui

@@ -7,6 +7,7 @@
 #include <QSurfaceFormat>
 
 #include "ui/shell/background_job.h"
+#include "ui/theatre/realignment.h"
 #include "ui/theatre/renderer/scene_assembler.h"
 #include "ui/theatre/renderer/scene_renderer.h"
 
@@ -65,6 +66,8 @@ void TheatreView::unload() {
     job_ = nullptr;
     assembler_.reset();
     has_world_ = has_hud_ = installed_ = false;
+    pictures_ = 0;
+    realignment_.reset();
     done_.clear();
     active_ = -1;
     notice_.clear();
@@ -93,6 +96,11 @@ void TheatreView::set_targets(const std::vector<bool>& done, int active, bool to
 void TheatreView::set_notice(const QString& notice) {
     if (notice == notice_) return;
     notice_ = notice;
+    update();
+}
+
+void TheatreView::set_realignment(const std::optional<Realignment>& realignment) {
+    realignment_ = realignment;
     update();
 }
 
@@ -140,11 +148,13 @@ void TheatreView::paintGL() {
             const double limit = hud_.display.force_limit[h];
             frame.tools[h].strain = limit > 0 ? std::clamp(hud_.display.force[h] / limit, 0.0, 1.0) : 0;
         }
+        if (realignment_) add_ghosts(frame, scene_, *realignment_);
         // Between these two the painter expects its own state to be disturbed.
         painter.beginNativePainting();
         renderer_->draw(frame, pixels);
         painter.endNativePainting();
         drawn = true;
+        ++pictures_;
     }
     if (!drawn) painter.fillRect(rect(), Qt::black);
     if (has_hud_ && !hidden) paint_hud(painter, rect(), hud_);
@@ -159,6 +169,7 @@ void TheatreView::paintGL() {
         painter.setFont(font);
         painter.drawText(rect().adjusted(40, 40, -40, -40), Qt::AlignCenter | Qt::TextWordWrap, words);
     }
+    if (drawn && realignment_) paint_realignment(painter, rect(), *realignment_);
     if (!cover_lines_.isEmpty()) paint_cover(painter, rect(), cover_heading_, cover_lines_);
     painter.end();
     frame_ms_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;

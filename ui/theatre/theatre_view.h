@@ -5,10 +5,12 @@
 
 #include <QOpenGLWidget>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "sim_core/scene/scene.h"
 #include "sim_core/world/snapshot.h"
+#include "ui/application_services.h"
 #include "ui/theatre/hud.h"
 
 namespace fulcrum::ui {
@@ -34,10 +36,15 @@ class TheatreView : public QOpenGLWidget {
     void set_targets(const std::vector<bool>& done, int active, bool touched);
     /// Not empty: the scene is hidden behind black and these words.
     void set_notice(const QString& notice);
+    /// A device is back after a loss: the instruments wait as ghosts, the devices are drawn where they are,
+    /// and a line says how far they are. Empty: not so.
+    void set_realignment(const std::optional<Realignment>& realignment);
     /// Lines over the dimmed picture; none hides them.
     void set_cover(const QString& heading, const QStringList& lines);
     /// Why nothing can be drawn here, "" if it can.
     const QString& drawing_error() const { return error_; }
+    /// Pictures of the scene that were drawn since load().
+    int pictures() const { return pictures_; }
     /// Duration of the last picture, ms: all of it, on this thread.
     double last_frame_ms() const { return frame_ms_; }
 
@@ -59,7 +66,9 @@ class TheatreView : public QOpenGLWidget {
     bool touched_ = false, has_world_ = false, has_hud_ = false, installed_ = false;
     QString notice_, cover_heading_, error_;
     QStringList cover_lines_;
+    std::optional<Realignment> realignment_;
     double frame_ms_ = 0;
+    int pictures_ = 0;
     std::unique_ptr<SceneAssembler> assembler_;
     std::unique_ptr<SceneRenderer> renderer_;
     BackgroundJob* job_ = nullptr;

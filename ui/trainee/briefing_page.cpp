@@ -43,11 +43,19 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
     mode_note_ = make_label({}, "muted");
     card_layout(start_card)->addWidget(mode_note_);
     start_ = make_button({}, "start_attempt", "primary");
-    card_layout(start_card)->addWidget(start_, 0, Qt::AlignLeft);
+    watch_ = make_button(tr("Watch an expert do it"), "watch_demonstration");
+    watch_->setToolTip(tr("A synthetic expert performs the task; nothing is stored. Escape ends it."));
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(start_);
+    buttons->addWidget(watch_);
+    buttons->addStretch();
+    card_layout(start_card)->addLayout(buttons);
     layout->addWidget(start_card);
     layout->addStretch();
     connect(start_, &QPushButton::clicked, this,
             [this] { emit this->context().attempt_wanted(text(task_id_), assessed_->isChecked()); });
+    connect(watch_, &QPushButton::clicked, this,
+            [this] { emit this->context().demonstration_wanted(text(task_id_)); });
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolled(body, 1000));
@@ -72,6 +80,7 @@ void BriefingPage::fill() {
     if (demo) practice_->setChecked(true);
     const TaskDefinition* task = context().task(task_id_);
     start_->setEnabled(task != nullptr);
+    watch_->setEnabled(task != nullptr);
     const QString start = tr("Start as %1").arg(text(context().session().display_name()));
     start_->setText(start);
     start_->setAccessibleName(start);

@@ -24,7 +24,7 @@ class BriefingPage : public Page {
     QLabel *title_, *briefing_, *mode_note_;
     QVBoxLayout *steps_, *judged_;
     QRadioButton *assessed_, *practice_;
-    QPushButton* start_;
+    QPushButton *start_, *watch_;
 };
 
 }  // namespace fulcrum::ui

@@ -20,6 +20,9 @@ HomePage::HomePage(Context& context) : Page(context, "home_page") {
     QFrame* next_card = make_card(8);
     next_ = card_layout(next_card);
     layout->addWidget(next_card);
+    interrupted_card_ = make_card(4);
+    interrupted_ = card_layout(interrupted_card_);
+    layout->addWidget(interrupted_card_);
     comments_card_ = make_card(4);
     comments_ = card_layout(comments_card_);
     layout->addWidget(comments_card_);
@@ -44,6 +47,7 @@ void HomePage::enter() {
     });
     const std::vector<TaskSummary> summaries = summarise(rows, context().services().tasks());
     fill_next(summaries);
+    fill_interrupted();
     fill_comments();
     fill_tasks(summaries);
 }
@@ -63,6 +67,26 @@ void HomePage::fill_next(const std::vector<TaskSummary>& summaries) {
             [this, id = text(next.task_id)] { emit context().briefing_wanted(id); });
     next_->addWidget(go, 0, Qt::AlignLeft);
     go->setFocus();
+}
+
+void HomePage::fill_interrupted() {
+    clear_layout(interrupted_);
+    const std::vector<InterruptedScore>& scored = context().interrupted();
+    interrupted_card_->setVisible(!scored.empty());
+    interrupted_->addWidget(
+        make_label(tr("Interrupted before you signed in: %1").arg(scored.size()), "heading"));
+    for (const InterruptedScore& one : scored) {
+        const QString what =
+            tr("%1, %2, %3 recorded: ")
+                .arg(context().task_title(one.task_id), local_time(one.started), clock_text(one.duration_s));
+        const QString verdict = one.passed == false
+                                    ? tr("failed, because what was recorded had failed already — %1")
+                                    : tr("does not count — %1");
+        QPushButton* open = make_button(what + verdict.arg(text(one.why)), "interrupted_attempt", "link");
+        connect(open, &QPushButton::clicked, this,
+                [this, id = text(one.attempt_id)] { emit context().debrief_wanted(id, -1); });
+        interrupted_->addWidget(open, 0, Qt::AlignLeft);
+    }
 }
 
 void HomePage::fill_comments() {

@@ -21,13 +21,14 @@ class HomePage : public Page {
 
   private:
     void fill_next(const std::vector<TaskSummary>& summaries);
+    void fill_interrupted();
     void fill_comments();
     void fill_tasks(const std::vector<TaskSummary>& summaries);
     QFrame* task_card(const TaskSummary& summary);
 
     QLabel* greeting_;
-    QVBoxLayout *next_, *comments_;
-    QFrame* comments_card_;
+    QVBoxLayout *next_, *interrupted_, *comments_;
+    QFrame *interrupted_card_, *comments_card_;
     QGridLayout* cards_;
 };
 

@@ -20,6 +20,7 @@
 #include "tests/ui/journey/hands.h"
 #include "ui/review/debrief_page.h"
 #include "ui/shell/main_window.h"
+#include "ui/theatre/mouse_keyboard_input.h"
 #include "ui/theatre/theatre_page.h"
 #include "ui/theatre/theatre_view.h"
 
@@ -80,15 +81,15 @@ class Window : public ::testing::Test {
         expect_page("theatre_page");
         auto* theatre = static_cast<TheatrePage*>(window.current_page());
         TheatreView* view = theatre->view();
+        EXPECT_TRUE(wait_for([&] { return theatre->session()->phase() == AttemptPhase::running; }, 60000));
         const QPoint middle = view->rect().center();
         for (int i = 0; i < moves; ++i) {
             QTest::mouseMove(view, middle + QPoint(5 * (i % 24), -3 * (i % 24)));
             QTest::qWait(25);
         }
         QTest::keyPress(view, Qt::Key_D);
-        QTest::qWait(600);
-        QTest::keyRelease(view, Qt::Key_D);
         EXPECT_TRUE(wait_for([&] { return theatre->session()->display().moving_seen; }, 20000));
+        QTest::keyRelease(view, Qt::Key_D);
         keep_picture(window, QStringLiteral("20-real-theatre-") + QLatin1String(task));
         click(window, "theatre_abandon");
         click(window, "panel_abandon");
@@ -128,6 +129,46 @@ TEST_F(Window, ATraineeTouchesTheRealWorldAndTheRecordReplaysBitForBit) {
     }
 }
 
+/// However long the scene takes to prepare, nothing is on the clock meanwhile: the first tick comes after the first picture, and hands that
+/// moved before it are no movement of the attempt. Who leaves while it prepares leaves no attempt behind.
+TEST_F(Window, TheClockBeginsWhenTheSceneIsPreparedAndShown) {
+    create_programme_and_trainee();
+    const auto begin = [&] {
+        click(window, "briefing_B1");
+        expect_page("briefing_page");
+        click(window, "start_attempt");
+        expect_page("theatre_page");
+        return static_cast<TheatrePage*>(window.current_page());
+    };
+    TheatrePage* theatre = begin();
+    ASSERT_FALSE(theatre->view()->is_loaded());
+    QTest::keyClick(theatre->view(), Qt::Key_Escape);
+    expect_page("briefing_page");
+    EXPECT_TRUE(database::Attempts(*services->store()).list(window.context().session()).empty());
+    click(window, "rail_home");
+    expect_page("home_page");
+    theatre = begin();
+    TheatreView* view = theatre->view();
+    QTest::keyPress(view, Qt::Key_D);  // impatient hands
+    int before = 0;
+    while (theatre->session()->phase() != AttemptPhase::running) {
+        ASSERT_EQ(theatre->session()->health().ticks, 0U);
+        QTest::mouseMove(view, view->rect().center() + QPoint(before % 40, 0));
+        QTest::qWait(10);
+        ASSERT_LT(++before, 6000);
+    }
+    EXPECT_GT(before, 2);
+    EXPECT_TRUE(view->is_loaded());
+    EXPECT_GT(view->pictures(), 0);
+    EXPECT_EQ(database::Attempts(*services->store()).list(window.context().session()).size(), 1U);
+    QTest::keyRelease(view, Qt::Key_D);
+    QTest::qWait(400);
+    EXPECT_FALSE(theatre->session()->display().moving_seen) << "what was moved before the beginning counts for nothing";
+    click(window, "theatre_abandon");
+    click(window, "panel_abandon");
+    expect_page("debrief_page");
+}
+
 /// Resident memory of this process, bytes.
 double resident_bytes() {
     std::ifstream file("/proc/self/statm");
@@ -152,7 +193,7 @@ TEST_F(Window, KeepsItsClockAndLosesNothingWhileItDraws) {
     const auto* live = dynamic_cast<const LiveAttempt*>(theatre->session());
     ASSERT_NE(live, nullptr);
     // Geometry and textures of the scene are made once, on a thread of their own: what they take is no growth.
-    ASSERT_TRUE(wait_for([&] { return view->is_loaded(); }, 60000));
+    ASSERT_TRUE(wait_for([&] { return theatre->session()->phase() == AttemptPhase::running; }, 60000));
     QElapsedTimer clock;
     clock.start();
     double settled = 0;
@@ -162,7 +203,7 @@ TEST_F(Window, KeepsItsClockAndLosesNothingWhileItDraws) {
         if (settled == 0 && clock.elapsed() > seconds * 250LL) settled = resident_bytes();
     }
     const double grown = resident_bytes() - settled;
-    const LoopStatistics statistics = live->statistics();
+    const LoopStatistics statistics = live->statistics();  // while the threads run: they count in atomics
     std::printf("ticks %llu, missed by program %llu, by scheduler %llu, late steps %llu, lost %llu, real-time priority %d\n",
                 static_cast<unsigned long long>(statistics.ticks), static_cast<unsigned long long>(statistics.missed_by_program),
                 static_cast<unsigned long long>(statistics.missed_by_scheduler), static_cast<unsigned long long>(statistics.late_steps),

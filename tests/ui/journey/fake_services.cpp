@@ -73,7 +73,10 @@ class FakeAttempt : public AttemptSession {
     const Scene& scene() const override { return scene_; }
     const TaskDefinition& task() const override { return task_; }
     bool assessed() const override { return request_.assessed; }
+    bool became_practice() const override { return false; }
     AttemptPhase phase() const override { return phase_; }
+    void start() override { phase_ = AttemptPhase::running; }
+    Realignment realignment() override { return {}; }
     bool update() override;
     const WorldSnapshot& snapshot() const override { return world_; }
     const TaskDisplay& display() const override { return display_; }
@@ -120,7 +123,7 @@ class FakeAttempt : public AttemptSession {
     WorldSnapshot world_;
     TaskDisplay display_;
     InstrumentModel model_[hand_count];
-    AttemptPhase phase_ = AttemptPhase::running;
+    AttemptPhase phase_ = AttemptPhase::ready;
     std::optional<AttemptOutcome> outcome_;
     std::uint32_t tick_ = 0;
     std::uint64_t events_ = 0;
@@ -349,6 +352,10 @@ std::unique_ptr<AttemptSession> FakeServices::start_attempt(const AttemptRequest
         }
     }
     throw InputError("attempt", request.task_id, "unknown task", "choose one of the tasks");
+}
+
+std::unique_ptr<AttemptSession> FakeServices::start_demonstration(const std::string& task_id) {
+    throw InputError("demonstration", task_id, "no operator without physics", "use the program's own services");
 }
 
 std::unique_ptr<ReplaySource> FakeServices::open_replay(const std::string& task_id, std::uint64_t,

@@ -33,6 +33,8 @@ class FakeServices : public ApplicationServices {
     const std::vector<TaskDefinition>& tasks() const override { return tasks_; }
     Scene scene_for(const TaskDefinition& task) const override;
     std::unique_ptr<AttemptSession> start_attempt(const AttemptRequest& request) override;
+    std::unique_ptr<AttemptSession> start_demonstration(const std::string& task_id) override;
+    std::vector<InterruptedScore> score_interrupted(const database::Session&, const Progress&) override { return {}; }
     std::unique_ptr<ReplaySource> open_replay(const std::string& task_id, std::uint64_t seed,
                                               std::shared_ptr<const database::Trace> trace) override;
     std::string program_version() const override { return "0.1.0-test"; }

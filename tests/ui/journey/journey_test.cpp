@@ -98,6 +98,7 @@ class Journey : public ::testing::Test {
         click(window, "start_attempt");
         expect_page("theatre_page");
         services.control.ticks_per_update = 40;
+        ASSERT_TRUE(wait_for([&] { return theatre().session()->phase() == AttemptPhase::running; }));
     }
     TheatrePage& theatre() { return *static_cast<TheatrePage*>(window.current_page()); }
     void move_hands() {
@@ -400,6 +401,8 @@ TEST(Lock, HidesTheContentPausesTheAttemptAndClosesItLater) {
     auto* theatre = static_cast<TheatrePage*>(window.current_page());
     ASSERT_EQ(theatre->objectName(), "theatre_page");
     services.control.ticks_per_update = 10;
+    ASSERT_TRUE(wait_for([&] { return theatre->session()->phase() == AttemptPhase::running; }));
+    window.context().note_input();  // however long the scene took: the hands rest from here on
     ASSERT_TRUE(wait_for([&] { return sees(window, "lock_page"); }, 8000));
     EXPECT_FALSE(theatre->isVisible());
     EXPECT_EQ(theatre->session()->phase(), AttemptPhase::paused);

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Are the devices there, and may the hands take hold again? Decides the device_lost flag of every tick
+// (product.md, Real life).
+//
+//   watching  a reading that is no number or jumps loses the device at once, silence after silent_ticks
+//   lost      the instruments stand; the devices move freely beside them. When every device has answered
+//   usably for steady_ticks
+//             it is back, and when each hand is within 5 mm and 10 degrees of where its instrument stands,
+//             resume() is heard. After limit_ticks the attempt is over.
+//
+// Haptic thread: no allocation, lock or exception. A pure function of what it is given.
+#pragma once
+
+#include <cstdint>
+
+#include "sim_core/haptics/device.h"
+
+namespace fulcrum::app {
+
+struct DeviceWatchLimits {
+    std::uint32_t silent_ticks = 50;     ///< a device that does not answer for longer is lost
+    std::uint32_t steady_ticks = 100;    ///< of usable readings until it is back
+    std::uint32_t limit_ticks = 60000;   ///< lost for longer: interrupted
+    double distance = 5e-3;              ///< m, of the handle
+    double angle = 0.17453292519943295;  ///< rad, of shaft and roll
+};
+
+enum class DeviceTrouble : std::uint8_t { none, silent, impossible_reading };
+
+/// Where a hand's device is, seen from where its instrument stands. Valid while lost.
+struct HandAlignment {
+    DeviceSample device;  ///< with the clutch applied: the pose that the instrument would take
+    double distance = 0;  ///< m between handles
+    double angle = 0;     ///< rad, the larger of shaft and roll
+    bool in_place = false;
+};
+
+class DeviceWatch {
+  public:
+    explicit DeviceWatch(const DeviceWatchLimits& limits = {}) : limits_(limits) {}
+
+    /// One tick: the flag to add to the sample's (rig_device_lost or 0). `paused`: instruments stand for
+    /// another reason. `resume`: the trainee asks to go on; heard only while in_place().
+    std::uint32_t tick(const RigSample& sample, bool paused, bool resume) noexcept;
+
+    bool lost() const noexcept { return lost_; }
+    bool back() const noexcept { return lost_ && steady_ >= limits_.steady_ticks; }
+    bool in_place() const noexcept { return back() && hand_[0].in_place && hand_[1].in_place; }
+    /// Lost for longer than the limit.
+    bool expired() const noexcept { return lost_ && lost_for_ > limits_.limit_ticks; }
+    /// The watch has let the trainee take hold again after a loss: from here on it is practice.
+    bool went_on() const noexcept { return went_on_; }
+    DeviceTrouble trouble() const noexcept { return trouble_; }
+    /// 0 left, 1 right, 2 scope: whose device it was.
+    int culprit() const noexcept { return culprit_; }
+    std::uint32_t lost_for() const noexcept { return lost_for_; }
+    const HandAlignment& alignment(Hand hand) const noexcept { return hand_[static_cast<int>(hand)]; }
+
+  private:
+    void lose(DeviceTrouble trouble, int culprit) noexcept;
+    void follow(const RigSample& sample, bool on_hold) noexcept;
+
+    DeviceWatchLimits limits_;
+    HandAlignment hand_[hand_count];
+    DeviceSample held_[hand_count];            // as the loop holds it: the pose of the instrument
+    std::int32_t offset_[hand_count][4] = {};  // the loop's clutch: handle and roll
+    std::uint32_t silent_[3] = {0, 0, 0}, lost_for_ = 0, steady_ = 0;
+    DeviceTrouble trouble_ = DeviceTrouble::none;
+    int culprit_ = 0;
+    bool lost_ = false, was_held_ = false, went_on_ = false, seen_ = false;
+};
+
+}  // namespace fulcrum::app

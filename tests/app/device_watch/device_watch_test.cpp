@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// When a device counts as lost, when as back, and when the hands may take hold again.
+#include "app/device_watch.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace fulcrum::app {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Two hands and a scope that read what the test says.
+struct Bench {
+    DeviceWatch watch;
+    DeviceReading reading[3];
+    DeviceSample last[3];
+    std::uint32_t tick = 0;
+    bool paused = false;
+
+    Bench() {
+        for (DeviceReading& one : reading) one.handle = Vector3(0, 0, -0.15);
+    }
+    std::uint32_t step(bool resume = false) {
+        RigSample sample;
+        sample.tick = ++tick;
+        for (int i = 0; i < 3; ++i) last[i] = quantise(reading[i], last[i]);
+        sample.hand[0] = last[0];
+        sample.hand[1] = last[1];
+        sample.camera = last[2];
+        return watch.tick(sample, paused, resume);
+    }
+    void steps(int count) {
+        for (int i = 0; i < count; ++i) step();
+    }
+    void lose_by_silence() {
+        steps(10);
+        reading[0].present = false;
+        steps(60);
+        reading[0].present = true;
+    }
+};
+
+TEST(DeviceWatch, LosesADeviceThatYieldsNoNumberOrJumpsAtOnce) {
+    for (int device = 0; device < 3; ++device) {
+        for (const double reading :
+             {nan, std::numeric_limits<double>::infinity(), 1.0}) {  // the last: a jump of a metre
+            Bench bench;
+            bench.steps(10);
+            EXPECT_FALSE(bench.watch.lost());
+            bench.reading[device].handle.x() = reading;
+            EXPECT_EQ(bench.step(), std::uint32_t{rig_device_lost});
+            EXPECT_EQ(bench.watch.trouble(), DeviceTrouble::impossible_reading);
+            EXPECT_EQ(bench.watch.culprit(), device);
+        }
+    }
+}
+
+TEST(DeviceWatch, LosesASilentDeviceAfterFiftyTicksAndNotForLess) {
+    Bench bench;
+    bench.steps(10);
+    bench.reading[1].present = false;
+    for (int i = 0; i < 50; ++i) ASSERT_EQ(bench.step(), 0U) << i;
+    EXPECT_EQ(bench.step(), std::uint32_t{rig_device_lost});
+    EXPECT_EQ(bench.watch.trouble(), DeviceTrouble::silent);
+    EXPECT_EQ(bench.watch.culprit(), 1);
+    Bench blink;
+    blink.steps(10);
+    for (int round = 0; round < 20; ++round) {
+        blink.reading[1].present = round % 2 == 0;
+        blink.steps(40);
+        ASSERT_FALSE(blink.watch.lost());
+    }
+}
+
+TEST(DeviceWatch, TakesHoldOnlyWithinFiveMillimetresAndTenDegrees) {
+    struct Case {
+        double millimetres, degrees;
+        bool in_place;
+    };
+    for (const Case& c : {Case{0, 0, true}, Case{4.9, 0, true}, Case{5.1, 0, false}, Case{0, 9.9, true},
+                          Case{0, 10.1, false}, Case{0, -9.9, true}, Case{4, 9, true}, Case{6, 3, false}}) {
+        Bench bench;
+        bench.lose_by_silence();
+        ASSERT_TRUE(bench.watch.lost());
+        bench.reading[0].handle.z() -= c.millimetres * 1e-3;  // along the shaft: no angle of its own
+        bench.reading[0].roll += c.degrees * 3.14159265358979 / 180;
+        EXPECT_EQ(bench.step(true), std::uint32_t{rig_device_lost})
+            << "back only when it has answered for a while";
+        bench.steps(120);
+        ASSERT_TRUE(bench.watch.back());
+        EXPECT_NEAR(bench.watch.alignment(Hand::left).distance, c.millimetres * 1e-3, 2e-7);
+        EXPECT_NEAR(bench.watch.alignment(Hand::left).angle, std::abs(c.degrees) * 3.14159265358979 / 180,
+                    2e-6);
+        EXPECT_EQ(bench.watch.in_place(), c.in_place) << c.millimetres << " mm, " << c.degrees << " degrees";
+        EXPECT_EQ(bench.step(true), c.in_place ? 0U : std::uint32_t{rig_device_lost});
+        EXPECT_EQ(bench.watch.went_on(), c.in_place);
+        EXPECT_EQ(bench.watch.lost(), !c.in_place);
+    }
+}
+
+TEST(DeviceWatch, CountsTheShaftsDirectionAsAngle) {
+    Bench bench;
+    for (DeviceReading& one : bench.reading)
+        one.handle = Vector3(0, 0, -0.02);  // so short that 4 mm across are more than 10 degrees
+    bench.lose_by_silence();
+    bench.reading[1].handle.x() = 4e-3;
+    bench.steps(120);
+    EXPECT_NEAR(bench.watch.alignment(Hand::right).angle, std::atan2(4.0, 20.0), 1e-4);
+    EXPECT_FALSE(bench.watch.in_place());
+}
+
+TEST(DeviceWatch, AsksForTheSamePlaceWhereverTheClutchHasPutTheDevice) {
+    Bench bench;
+    bench.steps(10);
+    bench.paused = true;
+    bench.steps(10);
+    bench.reading[0].handle.x() += 0.03;  // moved during the pause: clutched in where it stands
+    bench.steps(10);
+    bench.paused = false;
+    bench.steps(10);
+    EXPECT_FALSE(bench.watch.lost());
+    EXPECT_LT(bench.watch.alignment(Hand::left).distance, 1e-7);
+    bench.lose_by_silence();
+    bench.steps(120);
+    EXPECT_TRUE(bench.watch.in_place()) << "the clutch is no misalignment";
+    bench.reading[0].handle.x() -= 0.03;
+    bench.steps(5);
+    EXPECT_NEAR(bench.watch.alignment(Hand::left).distance, 0.03, 2e-7);
+}
+
+TEST(DeviceWatch, ExpiresAfterAMinuteAndNotBefore) {
+    Bench bench;
+    bench.steps(10);
+    bench.reading[0].present = false;
+    bench.steps(51);
+    ASSERT_TRUE(bench.watch.lost());
+    bench.steps(59999);
+    EXPECT_FALSE(bench.watch.expired());
+    bench.step();
+    EXPECT_TRUE(bench.watch.expired());
+}
+
+}  // namespace
+}  // namespace fulcrum::app

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/theatre/realignment.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <cmath>
+
+#include "ui/style/palette.h"
+
+namespace fulcrum::ui {
+namespace {
+
+constexpr double degrees = 57.29577951308232;
+
+QString tr(const char* source) {
+    return QCoreApplication::translate("fulcrum::ui::realignment", source);
+}
+
+QString line_of(int hand, const Realignment::OneHand& one) {
+    const QString name = hand == 0 ? tr("Left") : tr("Right");
+    if (one.in_place) return tr("✓ %1: in place").arg(name);
+    return tr("→ %1: %2 mm and %3° from its ghost")
+        .arg(name)
+        .arg(one.distance * 1e3, 0, 'f', 0)
+        .arg(one.angle * degrees, 0, 'f', 0);
+}
+
+}  // namespace
+
+void add_ghosts(SceneFrame& frame, const Scene& scene, const Realignment& realignment) {
+    for (DrawnTool& tool : frame.tools) tool.ghost = true;
+    for (int hand = 0; hand < hand_count; ++hand) {
+        const InstrumentSpec* spec = scene.instrument(static_cast<Hand>(hand));
+        if (spec == nullptr || !realignment.hand[hand].exists) continue;
+        DrawnTool tool;
+        tool.pose = realignment.hand[hand].device;
+        tool.jaws = spec->kind != "probe";
+        tool.jaw_length = spec->jaw_length;
+        tool.shaft_radius = spec->shaft_radius;
+        frame.tools.push_back(tool);
+    }
+}
+
+void paint_realignment(QPainter& painter, const QRectF& area, const Realignment& realignment) {
+    const Palette& p = palette_of(Theme::dark);
+    QStringList lines;
+    for (int hand = 0; hand < hand_count; ++hand) {
+        if (realignment.hand[hand].exists) lines << line_of(hand, realignment.hand[hand]);
+    }
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double width = std::min(area.width() - 40, 620.0), row = 26;
+    const QRectF box(area.center().x() - width / 2, area.bottom() - 70 - row * (lines.size() + 2), width,
+                     row * (lines.size() + 2) + 24);
+    painter.setPen(QPen(realignment.in_place ? p.good : p.warning, 2));
+    painter.setBrush(QColor(16, 20, 26, 225));
+    painter.drawRoundedRect(box, 10, 10);
+    QFont font(QStringLiteral("DejaVu Sans"));
+    font.setPointSizeF(13);
+    font.setBold(true);
+    painter.setFont(font);
+    painter.setPen(p.text);
+    double y = box.top() + 12;
+    const auto draw = [&](const QString& line) {
+        painter.drawText(QRectF(box.left() + 18, y, box.width() - 36, row), Qt::AlignLeft | Qt::AlignVCenter,
+                         line);
+        y += row;
+    };
+    draw(realignment.in_place ? tr("Every instrument is in place: press Enter to go on as practice.")
+                              : tr("The device is back. Bring each instrument onto its ghost."));
+    font.setBold(false);
+    font.setPointSizeF(12);
+    painter.setFont(font);
+    for (const QString& line : lines) draw(line);
+    painter.setPen(p.muted);
+    draw(tr("The clock stands. Esc: abandon instead."));
+    painter.restore();
+}
+
+}  // namespace fulcrum::ui
