@@ -241,8 +241,11 @@ Rod::Rod(RodSpec spec) : spec_(std::move(spec)) {
     tables->contact_penalty =
         30 * scale;  // stiffer ones make the active set chatter; multipliers close the gap
     tables->self_penalty = scale;
-    tables->grasp_penalty = 1e4 * scale;
-    tables->turn_penalty = 1e4 * bending_stiffness_ / shortest;
+    // What a jaw feels hardly depends on fine segments; stiffer would only raise the rounding of its force.
+    const double coarse = spec_.segments > 128 ? length_ / 128 : shortest;
+    tables->grasp_penalty =
+        1e4 * (axial_stiffness_ / coarse + 12 * bending_stiffness_ / (coarse * coarse * coarse));
+    tables->turn_penalty = 1e4 * bending_stiffness_ / coarse;
     tables->outer_radius = ro;
     tables_ = tables;
 }

@@ -11,6 +11,7 @@ constexpr int free_changes =
     10;  // Newton steps in which contacts may change sides without a descent (active set)
 constexpr double contact_tolerance = 1e-6;  // m, multiplier change over penalty
 constexpr double near_target = 1e-3;        // m
+constexpr double free_motion = 1e-12;       // of the bending stiffness of a segment
 constexpr double largest_turn = 1.0;        // of a segment's edge, relative to its length, in one step
 
 double reaction_scale(const RodScratch::Data& data) {
@@ -21,8 +22,17 @@ double reaction_scale(const RodScratch::Data& data) {
         const double* g = &data.gradient[e == 0 ? 0 : last];
         squared += g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
     }
-    const double reactions = std::sqrt(squared);
-    return reactions > data.dead_norm ? reactions : data.dead_norm;
+    const double reactions = std::sqrt(squared),
+                 acting = reactions > data.dead_norm ? reactions : data.dead_norm;
+    if (acting > 0 || data.dt <= 0) return acting;
+    // Nothing acts on it: a free flight is measured by the force that would stop it within the step.
+    Lanes sum = all_lanes(0);
+    for (std::size_t i = 0; i < data.inertia.size(); i += 4) {
+        const Lanes carried = load_lanes(&data.inertia[i]) *
+                              (load_lanes(&data.predicted[i]) - load_lanes(&data.start.position[i]));
+        sum += carried * carried;
+    }
+    return std::sqrt(sum_lanes(sum));
 }
 
 double boundary_distance(const RodShape& shape, const RodScratch::Data& data) {
@@ -53,13 +63,19 @@ double step_bound(const RodShape& shape, const RodScratch::Data& data, std::size
 // Factors the reduced matrix, shifted as little as makes it positive definite.
 bool factor(RodScratch::Data& data, bool& shifted) {
     shifted = false;
+    data.block_factors += data.matrix.blocks();
     if (data.factor.factor(data.matrix)) {
         data.shift *= 0.1;
         return true;
     }
+    // Statics may have motions that cost nothing (the spin of a rod pinned at both ends, a pendulum's swing):
+    // a hair tells them from negative curvature.
+    data.block_factors += data.matrix.blocks();
+    if (data.dt <= 0 && data.factor.factor(data.matrix, free_motion, data.shift_weight.data())) return true;
     shifted = true;
     double shift = data.shift * 0.2 > 1e-7 ? data.shift * 0.2 : 1e-7;
     for (int attempt = 0; attempt < 24; ++attempt, shift *= 8) {
+        data.block_factors += data.matrix.blocks();
         if (data.factor.factor(data.matrix, shift, data.shift_weight.data())) {
             data.shift = shift;
             return true;
@@ -92,8 +108,9 @@ NewtonResult newton(const Rod::Tables& tables, RodInputs& inputs, RodScratch::Da
         }
         if (i == 0 && !full_steps && data.dt <= 0 && done(data.shape)) {
             // Statics may start at the answer; the matrix still tells whether it is a minimum.
+            bool shifted = false;
             reduce(data.shape, data);
-            result.positive_definite = data.factor.factor(data.matrix);
+            result.positive_definite = factor(data, shifted) && !shifted;
             result.converged = true;
             return result;
         }

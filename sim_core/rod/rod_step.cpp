@@ -127,6 +127,20 @@ Matrix3 held_rotation(const RodShape& shape, const RodPoint& point) {
     return now;
 }
 
+// Moment of a held rotation's multiplier: sum of b x (multiplier x T) / 2, the multiplier itself where the
+// section is as it was asked and its blend rigid.
+Vector3 held_moment(const RodShape& shape, const RodPoint& point, const Matrix3& target,
+                    const Vector3& multiplier) {
+    RodPoint turning = point;
+    turning.node_weight[0] = turning.node_weight[1] = turning.node_weight[2] = 0;
+    Vector3 moment = Vector3::Zero();
+    for (int k = 0; k < 3; ++k) {
+        const Vector3 axis = wall_position(shape, turning, Vector3::Unit(k));
+        moment += 0.5 * axis.cross(multiplier.cross(Vector3(target.col(k))));
+    }
+    return moment;
+}
+
 double angle_between(const Matrix3& a, const Matrix3& b) {
     return math::acos(0.5 * ((a.transpose() * b).trace() - 1));
 }
@@ -200,7 +214,9 @@ void write_outputs(const Rod& rod, RodInputs& inputs, RodScratch::Data& d, RodRe
     report.contact_sum = 0;
     for (std::size_t i = 0; i < inputs.grasps.size(); ++i) {
         inputs.grasps[i].reaction = -d.grasp_force[i];
-        if (inputs.grasps[i].hold_rotation) inputs.grasps[i].moment = -d.turn_force[i];
+        if (inputs.grasps[i].hold_rotation)
+            inputs.grasps[i].moment =
+                -held_moment(d.shape, d.grasp_points[i], d.turn_target[i], d.turn_force[i]);
         inputs.grasps[i].residual =
             (wall_position(d.shape, d.grasp_points[i], inputs.grasps[i].offset) - inputs.grasps[i].target)
                 .norm();
@@ -245,8 +261,12 @@ RodReport Rod::step(RodState& state, RodInputs& inputs, double dt, RodScratch& s
         stop(state);
         report.converged = false;
         report.fault = RodFault::frozen;
-        for (std::size_t i = 0; i < inputs.grasps.size(); ++i)
+        if (!std::isfinite(report.residual + report.force_residual))
+            report.residual = report.force_residual = 1;
+        for (std::size_t i = 0; i < inputs.grasps.size(); ++i) {
             inputs.grasps[i].reaction = d.saved_grasps[i].reaction;
+            inputs.grasps[i].moment = d.saved_grasps[i].moment;
+        }
     };
     if (!(dt >= 1e-6 && dt <= 1.0) || !finite_inputs(inputs) || !finite(state)) {
         report.finite = false;
@@ -381,7 +401,10 @@ RodReport Rod::solve(RodState& state, RodInputs& inputs, RodScratch& scratch, co
     if (!report.finite) {
         state = d.saved;
         stop(state);
+        report.converged = false;
         report.fault = RodFault::frozen;
+        if (!std::isfinite(report.residual + report.force_residual))
+            report.residual = report.force_residual = 1;
         return report;
     }
     state.ends[0] = inputs.ends[0];

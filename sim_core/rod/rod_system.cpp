@@ -290,6 +290,7 @@ void add_damping(const Rod::Tables& tables, const RodSpec& spec, double dt, RodS
 bool evaluate(const Rod::Tables& tables, const RodShape& shape, RodInputs& inputs, bool hessian,
               RodScratch::Data& data) {
     const std::size_t n = static_cast<std::size_t>(tables.segments);
+    data.joint_evaluations += n + 1;
     if (!elastic_terms(tables, shape, hessian, data)) return false;
     if (hessian) assemble(tables, shape, data.joints, data.section, data.matrix);
     Lanes previous = all_lanes(0), energy = all_lanes(0), noise = all_lanes(0);

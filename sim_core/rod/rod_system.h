@@ -41,6 +41,8 @@ struct RodScratch::Data {
     double dt = 0;     ///< 0 in statics
     double shift = 0;  ///< last safeguard shift that was needed
     double dead_norm = 0;
+    std::uint64_t joint_evaluations = 0;  ///< since the scratch was made; with or without matrix
+    std::uint64_t block_factors = 0;      ///< rows of blocks factored since
     double energy = 0, energy_noise = 0, gradient_noise = 0;
     double bend = 0, twist = 0, stretch = 0;
     double constraint_residual = 0, penetration = 0, multiplier_change = 0, reaction_squared = 0;

@@ -10,10 +10,12 @@ namespace fulcrum {
 namespace {
 
 // A bowed bowel, both ends clamped, its middle carried around at 50 mm/s.
-void warm(benchmark::State& bench, bool dynamic, int contacts, int tethers) {
+void warm(benchmark::State& bench, bool dynamic, int contacts, int tethers,
+          MaterialLaw law = MaterialLaw::linear) {
     RodSpec spec;
     spec.segments = static_cast<int>(bench.range(0));
     spec.length = 0.9;
+    spec.law = law;
     spec.ends[0] = spec.ends[1] = RodEnd::clamped;
     for (int i = 0; i <= spec.segments; ++i) {
         const double u = static_cast<double>(i) / spec.segments;
@@ -63,6 +65,10 @@ void warm(benchmark::State& bench, bool dynamic, int contacts, int tethers) {
         iterations += report.iterations;
         unconverged += !report.converged;
     }
+    bench.SetComplexityN(bench.range(0));
+    bench.counters["each"] =
+        benchmark::Counter(static_cast<double>(frame) * static_cast<double>(bench.range(0)),
+                           benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
     bench.counters["iterations"] = static_cast<double>(iterations) / frame;
     bench.counters["unconverged"] = unconverged;
 }
@@ -76,7 +82,65 @@ void warm_dynamic(benchmark::State& bench) {
 void scene_b1(benchmark::State& bench) {
     warm(bench, true, 60, 24);
 }
-BENCHMARK(warm_static)->Arg(16)->Arg(50)->Arg(128)->Arg(512)->Arg(1024)->Unit(benchmark::kMicrosecond);
+void warm_static_exp2(benchmark::State& bench) {
+    warm(bench, false, 0, 0, MaterialLaw::exp2);
+}
+
+// From straight to load 10, default settings (quality, rod cold).
+void cold(benchmark::State& bench, MaterialLaw law) {
+    RodSpec spec;
+    spec.segments = static_cast<int>(bench.range(0));
+    spec.length = 0.4;
+    spec.inner_radius = 0;
+    spec.law = law;
+    spec.ends[0] = RodEnd::clamped;
+    const Rod rod(spec);
+    const RodState start = rod.make_state();
+    RodState state = start;
+    RodScratch scratch = rod.make_scratch();
+    RodInputs inputs;
+    inputs.ends[0] = start.ends[0];
+    inputs.gravity.z() = -10 * rod.bending_stiffness() / (0.4 * 0.4 * 0.4) / spec.linear_density;
+    int systems = 0, frames = 0;
+    for (auto _ : bench) {
+        state = start;
+        systems += rod.solve(state, inputs, scratch).iterations;
+        ++frames;
+    }
+    bench.SetComplexityN(bench.range(0));
+    bench.counters["each"] =
+        benchmark::Counter(static_cast<double>(frames) * static_cast<double>(bench.range(0)),
+                           benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+    bench.counters["iterations"] = static_cast<double>(systems) / frames;
+}
+void cold_linear(benchmark::State& bench) {
+    cold(bench, MaterialLaw::linear);
+}
+void cold_exp2(benchmark::State& bench) {
+    cold(bench, MaterialLaw::exp2);
+}
+
+// Size sweep, 16 to 1024 segments: "each" is the time a segment, "BigO" the fit over the sizes.
+BENCHMARK(warm_static)
+    ->RangeMultiplier(2)
+    ->Range(16, 1024)
+    ->Complexity(benchmark::oN)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(warm_static_exp2)
+    ->RangeMultiplier(2)
+    ->Range(16, 1024)
+    ->Complexity(benchmark::oN)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(cold_linear)
+    ->RangeMultiplier(2)
+    ->Range(16, 1024)
+    ->Complexity(benchmark::oN)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(cold_exp2)
+    ->RangeMultiplier(2)
+    ->Range(16, 1024)
+    ->Complexity(benchmark::oN)
+    ->Unit(benchmark::kMicrosecond);
 BENCHMARK(warm_dynamic)->Arg(50)->Arg(128)->Unit(benchmark::kMicrosecond);
 BENCHMARK(scene_b1)->Arg(64)->Unit(benchmark::kMicrosecond);
 

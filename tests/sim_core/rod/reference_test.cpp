@@ -1,0 +1,431 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rod against solutions found by other methods: the catenary, a grasped elastica by shooting, beam
+// formulas for every pair of ends, equilibrium of a held section, and the levels against the elastica.
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "sim_core/lab/elastica.h"
+#include "sim_core/rod/rod.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr double pi = 3.141592653589793;
+
+RodSpec solid(int segments, double length, double radius) {
+    RodSpec spec;
+    spec.segments = segments;
+    spec.length = length;
+    spec.outer_radius = radius;
+    spec.inner_radius = 0;
+    return spec;
+}
+
+// Elastic catenary between supports at equal height, symmetric: H found by bisection, then its sag.
+double catenary_sag(double length, double span, double weight, double axial) {
+    const double v = 0.5 * weight * length;
+    double low = 1e-6 * v, high = 1e3 * v;
+    for (int i = 0; i < 200; ++i) {
+        const double h = std::sqrt(low * high);
+        const double x = h * length / axial + 2 * h / weight * std::asinh(v / h);
+        (x < span ? low : high) = h;
+    }
+    const double h = std::sqrt(low * high);
+    return weight * length * length / (8 * axial) + (std::hypot(h, v) - h) / weight;
+}
+
+TEST(RodReference, AHangingChainBecomesTheCatenaryAsBendingVanishes) {
+    const double length = 0.6, span = 0.4, axial = 100;
+    double before = 1;
+    std::vector<Vector3> last;
+    for (const double radius : {0.004, 0.002, 0.001, 0.0005, 0.00025}) {
+        RodSpec spec = solid(200, length, radius);
+        spec.young_modulus = axial / (pi * radius * radius);  // the same chain, ever softer in bending
+        spec.ends[0] = spec.ends[1] = RodEnd::pinned;
+        const Rod rod(spec);
+        std::vector<Vector3> nodes;
+        for (int i = 0; i <= spec.segments; ++i) {
+            const double u = static_cast<double>(i) / spec.segments;
+            nodes.emplace_back(span * u, 0, -0.8 * u * (1 - u));
+        }
+        // Each softer chain starts from the one before.
+        RodState state = rod.make_state(before < 1 ? last : nodes);
+        RodScratch scratch = rod.make_scratch();
+        RodInputs inputs;
+        inputs.gravity.z() = -9.81;
+        inputs.ends[0] = state.ends[0];
+        inputs.ends[1] = state.ends[1];
+        const RodReport report = rod.solve(state, inputs, scratch);
+        ASSERT_TRUE(report.converged && report.positive_definite) << radius;
+        const double weight = 9.81 * spec.linear_density, sag = -state.nodes[100].z();
+        const double expected = catenary_sag(length, span, weight, axial),
+                     error = std::fabs(sag / expected - 1);
+        std::printf("EI/(w L^3) = %.1e: sag %.6f m, catenary %.6f m, apart %.1e\n",
+                    rod.bending_stiffness() / (weight * length * length * length), sag, expected, error);
+        EXPECT_LT(error, before) << radius;
+        before = error;
+        last = state.nodes;
+        // Each support carries half of the weight, to the tolerance of the solve.
+        EXPECT_NEAR(report.end_force[0].z(), 0.5 * weight * length, 1e-5 * weight * length);
+    }
+    EXPECT_LT(before, 1e-4);
+}
+
+// Extensible planar elastica, clamped at the origin along +x, dead line load w downwards, held at two points
+// of its centre line by unknown forces: shooting from the clamp (Runge-Kutta) with Newton's method on clamp
+// force, clamp moment and both jaws' forces; continued in the jaws' motion. Shares nothing with the rod.
+struct TwoJaws {
+    double length, ei, ea, weight;
+    double s[2];
+    Eigen::Vector2d target[2];
+    using Unknowns = Eigen::Matrix<double, 7, 1>;  // force x, z and moment of the clamp; force of either jaw
+
+    Unknowns misses(const Unknowns& u) const {
+        double x = 0, z = 0, angle = 0, moment = -u[2], fx = -u[0],
+               fz = -u[1];  // of what lies beyond, on the section
+        Unknowns miss;
+        double from = 0;
+        for (int part = 0; part < 3; ++part) {
+            const double to = part < 2 ? s[part] : length;
+            const int steps = 400;
+            const double h = (to - from) / steps;
+            const auto rate = [&](const Eigen::Vector4d& y, double fz_now) {
+                const double cosine = std::cos(y[2]), sine = std::sin(y[2]);
+                const double stretch = 1 + (fx * cosine + fz_now * sine) / ea;
+                // M' = -(r' x F), F the force of the far part on the near one.
+                return Eigen::Vector4d(stretch * cosine, stretch * sine, y[3] / ei,
+                                       -(stretch * cosine * fz_now - stretch * sine * fx));
+            };
+            for (int i = 0; i < steps; ++i) {
+                const Eigen::Vector4d y(x, z, angle, moment);
+                const double mid = fz + 0.5 * h * weight, end = fz + h * weight;
+                const Eigen::Vector4d k1 = rate(y, fz), k2 = rate(y + h / 2 * k1, mid),
+                                      k3 = rate(y + h / 2 * k2, mid), k4 = rate(y + h * k3, end);
+                const Eigen::Vector4d next = y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+                x = next[0], z = next[1], angle = next[2], moment = next[3], fz = end;
+            }
+            from = to;
+            if (part < 2) {
+                miss[2 * part] = x - target[part][0];
+                miss[2 * part + 1] = z - target[part][1];
+                fx -= u[3 + 2 * part];
+                fz -= u[4 + 2 * part];
+            }
+        }
+        miss[4] = fx * 0.01;
+        miss[5] = fz * 0.01;
+        miss[6] = moment;
+        return miss;
+    }
+
+    Unknowns solve() {
+        const Eigen::Vector2d goal[2] = {target[0], target[1]};
+        Unknowns u = Unknowns::Zero();
+        const double whole = weight;
+        for (int part = 1; part <= 40; ++part) {
+            weight = whole * part / 40;
+            for (int k = 0; k < 2; ++k)
+                target[k] = Eigen::Vector2d(s[k], 0) + (goal[k] - Eigen::Vector2d(s[k], 0)) * part / 40.0;
+            for (int i = 0; i < 30; ++i) {
+                const Unknowns miss = misses(u);
+                if (miss.norm() < 1e-13) break;
+                Eigen::Matrix<double, 7, 7> slope;
+                for (int k = 0; k < 7; ++k) {
+                    Unknowns moved = u;
+                    const double h = 1e-7 * (1 + std::fabs(u[k]));
+                    moved[k] += h;
+                    slope.col(k) = (misses(moved) - miss) / h;
+                }
+                u -= slope.partialPivLu().solve(miss);
+            }
+        }
+        return u;
+    }
+};
+
+TEST(RodReference, AGraspAtTwoPointsMatchesAnElasticaByShooting) {
+    RodSpec spec = solid(96, 0.4, 0.015);
+    spec.ends[0] = RodEnd::clamped;
+    double errors[3];
+    for (int level = 0; level < 3; ++level) {
+        spec.segments = 48 << level;
+        const Rod rod(spec);
+        RodState state = rod.make_state();
+        RodScratch scratch = rod.make_scratch();
+        RodInputs inputs;
+        inputs.ends[0] = state.ends[0];
+        inputs.gravity.z() = -0.4;
+        TwoJaws jaws{rod.length(),          rod.bending_stiffness(),
+                     rod.axial_stiffness(), 0.4 * spec.linear_density,
+                     {0.15, 0.3},           {}};
+        jaws.target[0] = Eigen::Vector2d(0.145, 0.05);
+        jaws.target[1] = Eigen::Vector2d(0.28, -0.02);
+        for (int k = 0; k < 2; ++k) {
+            RodGrasp grasp;
+            grasp.s = jaws.s[k];
+            grasp.target = rod.wall_point(state, grasp.s, grasp.offset);
+            inputs.grasps.push_back(grasp);
+        }
+        const Vector3 start[2] = {inputs.grasps[0].target, inputs.grasps[1].target};
+        RodReport report;
+        for (int part = 1; part <= 20; ++part) {
+            for (std::size_t k = 0; k < 2; ++k) {
+                const Vector3 goal(jaws.target[k][0], 0, jaws.target[k][1]);
+                inputs.grasps[k].target = start[k] + (goal - start[k]) * part / 20.0;
+            }
+            report = rod.solve(state, inputs, scratch);
+            ASSERT_TRUE(report.converged) << part;
+        }
+        EXPECT_TRUE(report.positive_definite);
+        const TwoJaws::Unknowns u = jaws.solve();
+        ASSERT_LT(jaws.misses(u).norm(), 1e-10);
+        double error = 0, size = 0;
+        for (std::size_t k = 0; k < 2; ++k) {
+            const Vector3 jaw(u[3 + 2 * static_cast<int>(k)], 0, u[4 + 2 * static_cast<int>(k)]);
+            error = std::max(error, (inputs.grasps[k].reaction - jaw).norm());
+            size = std::max(size, jaw.norm());
+        }
+        const Vector3 clamp(u[0], 0, u[1]);
+        error = std::max(error, (report.end_force[0] - clamp).norm()) / size;
+        errors[level] = error;
+        std::printf(
+            "%d segments: reactions apart by %.2e of the largest (%.4f N), clamp's moment %.6f against %.6f "
+            "N m\n",
+            spec.segments, error, size, -report.end_moment[0].y(), u[2]);
+        EXPECT_NEAR(std::fabs(report.end_moment[0].y()), std::fabs(u[2]), 5e-3 * std::fabs(u[2]));
+    }
+    EXPECT_LT(errors[2], 2e-3);
+    // A jaw's force is spread over a segment, so the pull along the rod beside it is right to first order.
+    EXPECT_GT(errors[0] / errors[1], 2.2);
+    EXPECT_GT(errors[1] / errors[2], 2.2);
+}
+
+// Small deflection under a force at the middle, by the beam formulas of each pair of ends.
+TEST(RodReference, EveryPairOfEndsBendsByItsBeamFormula) {
+    struct Row {
+        RodEnd near, far;
+        double factor;  // w = factor P L^3 / EI under the force
+    };
+    for (const Row row :
+         {Row{RodEnd::clamped, RodEnd::clamped, 1.0 / 192}, Row{RodEnd::pinned, RodEnd::pinned, 1.0 / 48},
+          Row{RodEnd::held, RodEnd::held, 1.0 / 48}, Row{RodEnd::clamped, RodEnd::pinned, 7.0 / 768},
+          Row{RodEnd::clamped, RodEnd::held, 7.0 / 768}, Row{RodEnd::clamped, RodEnd::free, 1.0 / 24},
+          Row{RodEnd::free, RodEnd::clamped, 1.0 / 24}}) {
+        RodSpec spec = solid(64, 0.4, 0.015);
+        spec.ends[0] = row.near;
+        spec.ends[1] = row.far;
+        const Rod rod(spec);
+        RodState state = rod.make_state();
+        RodScratch scratch = rod.make_scratch();
+        RodInputs inputs;
+        inputs.ends[0] = state.ends[0];
+        inputs.ends[1] = state.ends[1];
+        const double expected = 1e-6,
+                     force = expected * rod.bending_stiffness() / std::pow(0.4, 3) / row.factor;
+        inputs.nodal_forces.assign(65, Vector3::Zero());
+        inputs.nodal_forces[32].z() = force;
+        RodSolve exact;
+        exact.tolerance = 1e-9;
+        const RodReport report = rod.solve(state, inputs, scratch, exact);
+        EXPECT_TRUE(report.converged && report.positive_definite);
+        EXPECT_NEAR(state.nodes[32].z(), expected, 2e-3 * expected)
+            << row.factor << static_cast<int>(row.far);
+        EXPECT_NEAR((report.end_force[0] + report.end_force[1]).z(), -force, 1e-6 * force);
+        if (row.near == RodEnd::free) {
+            EXPECT_EQ(report.end_force[0].norm(), 0);
+        }
+        if (row.near == RodEnd::pinned) {
+            EXPECT_LT(report.end_moment[0].norm(), 1e-8 * force * 0.4);
+        }
+        if (row.near == RodEnd::clamped && row.far == RodEnd::clamped) {
+            EXPECT_NEAR(std::fabs(report.end_moment[0].y()), force * 0.4 / 8, 2e-3 * force * 0.4);
+        }
+    }
+    // Twist: a held end carries G J theta / L, a pinned or a free one turns along.
+    for (const RodEnd far : {RodEnd::held, RodEnd::clamped, RodEnd::pinned, RodEnd::free}) {
+        RodSpec spec = solid(64, 0.4, 0.015);
+        spec.ends[0] = RodEnd::clamped;
+        spec.ends[1] = far;
+        const Rod rod(spec);
+        RodState state = rod.make_state();
+        RodScratch scratch = rod.make_scratch();
+        RodInputs inputs;
+        inputs.ends[0] = state.ends[0];
+        inputs.ends[1] = state.ends[1];
+        const double angle = 0.7;
+        for (RodFrame* end : {&inputs.ends[0]}) {
+            end->rotation.col(0) = Vector3(0, std::cos(angle), std::sin(angle));
+            end->rotation.col(1) = Vector3(0, -std::sin(angle), std::cos(angle));
+        }
+        const RodReport report = rod.solve(state, inputs, scratch);
+        EXPECT_TRUE(report.converged);
+        const double torque =
+            far == RodEnd::held || far == RodEnd::clamped ? rod.torsional_stiffness() * angle / 0.4 : 0;
+        EXPECT_NEAR(report.end_moment[0].x(), torque, 1e-6 * rod.torsional_stiffness())
+            << static_cast<int>(far);
+        EXPECT_NEAR(report.end_moment[1].x(), -torque, 1e-6 * rod.torsional_stiffness())
+            << static_cast<int>(far);
+    }
+}
+
+// A section held in place and direction is a clamp: what lies before it feels nothing, the jaw carries force
+// and moment of what lies beyond.
+TEST(RodReference, AHeldRotationIsAConstraintAndItsMomentTheReaction) {
+    RodSpec spec = solid(80, 0.4, 0.015);
+    spec.ends[0] = RodEnd::clamped;
+    const Rod rod(spec);
+    RodState state = rod.make_state();
+    RodScratch scratch = rod.make_scratch();
+    RodInputs inputs;
+    inputs.ends[0] = state.ends[0];
+    RodGrasp grasp;
+    grasp.s = 0.2025;  // between nodes
+    grasp.offset = Vector3(0, 0.015, 0);
+    grasp.target = rod.wall_point(state, grasp.s, grasp.offset);
+    grasp.hold_rotation = true;
+    grasp.target_rotation = rod.frame_at(state, grasp.s).frame.rotation;
+    inputs.grasps.push_back(grasp);
+    inputs.nodal_forces.assign(81, Vector3::Zero());
+    const Vector3 force(0, 4e-3, -2e-2);
+    inputs.nodal_forces[80] = force;
+    RodSolve exact;
+    exact.tolerance = 1e-10;
+    RodReport report = rod.solve(state, inputs, scratch, exact);
+    ASSERT_TRUE(report.converged && report.positive_definite);
+    EXPECT_LE(report.constraint_residual, 1e-9);
+    const RodGrasp& held = inputs.grasps[0];
+    EXPECT_LT((held.reaction + force).norm(), 1e-5 * force.norm());
+    EXPECT_LT(report.end_force[0].norm(), 1e-5 * force.norm());
+    const Vector3 wall = rod.wall_point(state, grasp.s, grasp.offset);
+    const Vector3 moment = -(state.nodes[80] - wall).cross(force);
+    EXPECT_LT((held.moment - moment).norm(), 1e-5 * moment.norm());
+    // The blended section stands as it was asked to, to rounding of the residual: 1e-9 m at the wall.
+    const Matrix3 turned = grasp.target_rotation.transpose() * rod.frame_at(state, grasp.s).frame.rotation;
+    EXPECT_LT(std::acos(std::min(1.0, 0.5 * (turned.trace() - 1))), 1e-4);
+
+    // Turned about the rod: G J theta over the free length before it, nothing beyond.
+    inputs.nodal_forces.clear();
+    inputs.grasps[0].offset.setZero();
+    inputs.grasps[0].reaction.setZero();
+    inputs.grasps[0].moment.setZero();
+    state = rod.make_state();
+    inputs.grasps[0].target = rod.wall_point(state, grasp.s, Vector3::Zero());
+    double expected = 0;
+    // In small steps through ten turns (pulled, so that it stays straight), and in leaps of two radians.
+    inputs.grasps[0].target.x() += 0.2;
+    for (const double step : {0.2, 2.0}) {
+        state = rod.make_state();
+        inputs.grasps[0].moment.setZero();
+        inputs.grasps[0].reaction.setZero();
+        for (double angle = step; angle < 20 * pi + step; angle += step) {
+            inputs.grasps[0].target_rotation.col(0) = Vector3(0, std::cos(angle), std::sin(angle));
+            inputs.grasps[0].target_rotation.col(1) = Vector3(0, -std::sin(angle), std::cos(angle));
+            inputs.grasps[0].target_rotation.col(2) = Vector3(1, 0, 0);
+            report = rod.solve(state, inputs, scratch, exact);
+            ASSERT_TRUE(report.converged)
+                << step << " " << angle << " " << report.residual << " " << report.constraint_residual;
+            expected = angle;
+        }
+        // To the middle of the blend between two segments: the twist up to each weighs by its share.
+        const double torque = rod.torsional_stiffness() * expected / grasp.s;
+        EXPECT_NEAR(inputs.grasps[0].moment.x(), torque, 0.01 * torque) << step;
+        EXPECT_NEAR(report.end_moment[0].x(), -inputs.grasps[0].moment.x(), 1e-6 * torque) << step;
+    }
+}
+
+// theory 8: what each level leaves out, against the elastica; cost in linear systems.
+TEST(RodReference, EachLevelHasItsErrorAndTheNextIsBetter) {
+    RodSpec spec = solid(96, 0.4, 0.015);
+    spec.ends[0] = RodEnd::clamped;
+    const Rod rod(spec);
+    lab::Cantilever cantilever;
+    cantilever.bending_stiffness = rod.bending_stiffness();
+    cantilever.axial_stiffness = rod.axial_stiffness();
+    cantilever.distributed = 10 * rod.bending_stiffness() / std::pow(0.4, 3);
+    const lab::CantileverTip tip = lab::solve_cantilever(cantilever, 1000);
+    const auto error = [&](RodSolve solve, int parts) {
+        RodState state = rod.make_state();
+        RodScratch scratch = rod.make_scratch();
+        RodInputs inputs;
+        inputs.ends[0] = state.ends[0];
+        RodReport report;
+        int systems = 0;
+        for (int k = 1; k <= parts; ++k) {
+            inputs.gravity.z() = -cantilever.distributed / spec.linear_density * k / parts;
+            report = rod.solve(state, inputs, scratch, solve);
+            systems += report.iterations;
+        }
+        const double apart = std::hypot(state.nodes.back().x() - tip.x, state.nodes.back().z() - tip.z) / 0.4;
+        std::printf("%-10s %3d load steps, %3d systems: tip %.2e L\n",
+                    solve.level == RodSolve::Level::linearised
+                        ? "linearised"
+                        : (solve.level == RodSolve::Level::newton ? "newton" : "newton(k)"),
+                    parts, systems, apart);
+        return apart;
+    };
+    RodSolve linear;
+    linear.level = RodSolve::Level::linearised;
+    double before = 10;
+    for (const int parts : {1, 4, 16, 64}) {
+        const double now = error(linear, parts);
+        EXPECT_LT(now, before) << parts;
+        before = now;
+    }
+    RodSolve some;
+    some.level = RodSolve::Level::newton_k;
+    before = 10;
+    for (const int k : {1, 3, 6, 12}) {
+        some.iterations = k;
+        const double now = error(some, 1);
+        EXPECT_LE(now, before) << k;
+        before = now;
+    }
+    EXPECT_LT(error(RodSolve{}, 1), 2e-5);
+}
+
+// Both ends held, a grasp between, everything pushed: towards each other, along the rod and across. Buckling
+// is part of it; every warm frame holds its residual all the same.
+TEST(RodReference, WarmFramesHoldTheirResidualWhilePushing) {
+    for (const int way : {0, 1, 2, 3, 4}) {
+        RodSpec spec = solid(50, 0.4, 0.015);
+        spec.ends[0] = spec.ends[1] = RodEnd::held;
+        const Rod rod(spec);
+        RodState state = rod.make_state();
+        RodScratch scratch = rod.make_scratch();
+        RodInputs inputs;
+        // Ways 3 and 4: nearly weightless and straight, so that it buckles under way.
+        inputs.gravity = Vector3(0, 0, way < 3 ? -9.81 : -0.01);
+        inputs.ends[0] = state.ends[0];
+        inputs.ends[1] = state.ends[1];
+        ASSERT_TRUE(rod.solve(state, inputs, scratch).converged);
+        RodGrasp grasp;
+        grasp.s = 0.2;
+        grasp.target = rod.wall_point(state, grasp.s, grasp.offset);
+        inputs.grasps.push_back(grasp);
+        int most = 0, sum = 0;
+        const int frames = 240;  // 5 ms at 50 mm/s: 60 mm, a third of the half that is pushed
+        for (int i = 0; i < frames; ++i) {
+            if (way == 0 || way == 3) inputs.grasps[0].target += Vector3(0.00025, 0, 0);
+            if (way == 1) inputs.grasps[0].target += Vector3(0.0002, 0, 0.00015);
+            if (way == 2 || way == 4) inputs.ends[1].position -= Vector3(0.00025, 0, 0);
+            const RodReport report = rod.solve(state, inputs, scratch);
+            ASSERT_TRUE(report.converged)
+                << way << " " << i << " " << report.residual << " " << report.constraint_residual;
+            ASSERT_LE(report.residual, 1e-6);
+            ASSERT_LE(report.constraint_residual, 1e-9);
+            EXPECT_TRUE(report.positive_definite);
+            most = std::max(most, report.iterations);
+            sum += report.iterations;
+        }
+        double out = 0;
+        for (const Vector3& node : state.nodes) out = std::max(out, std::hypot(node.y(), node.z()));
+        EXPECT_GT(out, 0.02) << way;  // it has buckled or hangs
+        std::printf("pushed way %d: %.2f systems a frame, at most %d\n", way,
+                    static_cast<double>(sum) / frames, most);
+    }
+}
+
+}  // namespace
+}  // namespace fulcrum
