@@ -168,6 +168,22 @@ Matrix3 between(const Matrix3& from, const Matrix3& to, double share) {
     return rotation;
 }
 
+// A segment that spins keeps its spin's direction: turning its tangent t at the rate t' takes the moment I s
+// t x t', which its neighbours give it. Without it the spin's own momentum is lost as the rod turns. It does
+// no work. Left out where damping takes momentum away in any case.
+void carry_spin(const Rod::Tables& tables, const RodState& state, RodScratch::Data& d) {
+    for (std::size_t j = 0; j < state.spins.size(); ++j) {
+        const Vector3 t(d.shape.tx[j + 1], d.shape.ty[j + 1], d.shape.tz[j + 1]);
+        const double inverse = d.shape.inverse[j + 1];
+        const Vector3 rate = inverse * (state.velocities[j + 1] - state.velocities[j]);
+        const Vector3 force = tables.spin_inertia[j] * state.spins[j] * inverse * t.cross(rate);
+        for (std::size_t c = 0; c < 3; ++c) {
+            d.dead[4 * j + c] -= force[static_cast<Eigen::Index>(c)];
+            d.dead[4 * (j + 1) + c] += force[static_cast<Eigen::Index>(c)];
+        }
+    }
+}
+
 // Everything of one solve that does not change while it iterates. dt 0: statics.
 void prepare(const Rod& rod, const RodState& state, RodInputs& inputs, double dt, RodScratch::Data& d) {
     const Rod::Tables& tables = rod.tables();
@@ -198,6 +214,7 @@ void prepare(const Rod& rod, const RodState& state, RodInputs& inputs, double dt
         const double turn = rod.torsional_stiffness() / cell;
         store_lanes(&d.shift_weight[4 * i], Lanes{bending, bending, bending, turn} + weight);
     }
+    if (dt > 0 && spec.mass_damping <= 0) carry_spin(tables, state, d);
     if (dt > 0) {
         for (std::size_t i = 0; i < inputs.contacts.size(); ++i)
             d.contact_start[i] = point_position(d.shape, d.contact_points[i]);
