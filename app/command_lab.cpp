@@ -6,6 +6,7 @@
 
 #include "app/commands.h"
 #include "app/lab_measure.h"
+#include "sim_core/lab/stability.h"
 #include "sim_core/lab/studies.h"
 #include "sim_core/lab/validation.h"
 
@@ -46,12 +47,18 @@ int validate(const Arguments& arguments) {
                                                                                                           : 1;
 }
 
+int stability(const Arguments& arguments) {
+    const std::vector<lab::StabilityMap> maps = lab::stability_maps();
+    return deliver(arguments, lab::stability_page(maps), lab::to_json(maps));
+}
+
 }  // namespace
 
 int command_lab(const std::vector<std::string>& words) {
     OptionSpec spec;
     spec.usage =
-        "usage: fulcrum lab bench [--only NAME] | cost | validate | run STUDY.json [--json] [--output "
+        "usage: fulcrum lab bench [--only NAME] | cost | validate | stability | run STUDY.json [--json] "
+        "[--output "
         "FOLDER]";
     spec.with_value = {"--only", "--output"};
     spec.flags = {"--json"};
@@ -72,6 +79,7 @@ int command_lab(const std::vector<std::string>& words) {
     if (action == "bench") return bench(arguments);
     if (action == "cost") return cost(arguments);
     if (action == "validate") return validate(arguments);
+    if (action == "stability") return stability(arguments);
     throw UsageError("command line: lab " + action + ": no such action; " + spec.usage);
 }
 

@@ -83,6 +83,10 @@ double legend_width(const std::vector<std::string>& names) {
     return 40 + 6.4 * static_cast<double>(longest);
 }
 
+double title_width(const std::string& title, double left) {
+    return left + 10 + 9.4 * static_cast<double>(title.size());
+}
+
 }  // namespace
 
 std::string svg_chart(const Chart& chart) {
@@ -98,7 +102,7 @@ std::string svg_chart(const Chart& chart) {
     const double legend = legend_width(names);
     const double height =
         std::max(bottom + (chart.note.empty() ? 56 : 78), top + 24 + 20 * static_cast<double>(names.size()));
-    Svg svg(right + 16 + legend, height);
+    Svg svg(std::max(right + 16 + legend, title_width(chart.title, left)), height);
     ChartAxis x(xs, chart.x_logarithmic), y(ys, chart.y_logarithmic);
     x.place(left, right);
     y.place(bottom, top);
@@ -177,7 +181,8 @@ std::string svg_map(const CategoryMap& map) {
     for (const MapPanel& panel : map.panels) {
         for (const ChartSeries& curve : panel.curves) names.push_back(curve.name);
     }
-    Svg svg(right + 16 + legend_width(names), bottom + (map.note.empty() ? 56 : 78));
+    Svg svg(std::max(right + 16 + legend_width(names), title_width(map.title, left)),
+            bottom + (map.note.empty() ? 56 : 78));
     svg.text(left, 26, map.title, 15, "start", 0, ink, true);
     // Cells reach half-way to their neighbours.
     const auto borders = [](const std::vector<double>& values, bool logarithmic) {

@@ -2,8 +2,10 @@
 #include "sim_core/lab/stability.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "sim_core/lab/chart.h"
+#include "sim_core/lab/stability_rooms.h"
 
 namespace fulcrum::lab {
 
@@ -17,6 +19,15 @@ const char* name_of(StabilityOutcome outcome) {
             return "fault";
     }
     return "fault";
+}
+
+std::vector<StabilityMap> stability_maps() {
+    std::vector<StabilityMap> maps;
+    for (const auto room : {rod_stability, skin_stability}) {
+        std::vector<StabilityMap> more = room();
+        maps.insert(maps.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+    }
+    return maps;
 }
 
 nlohmann::json to_json(const std::vector<StabilityMap>& maps) {
@@ -65,7 +76,7 @@ std::string drawing(const StabilityMap& map) {
     drawn.y = map.axes[1].values;
     drawn.x_logarithmic = map.axes[0].logarithmic;
     drawn.y_logarithmic = map.axes[1].logarithmic;
-    drawn.categories = {"stable", "degraded, declared", "fault"};
+    drawn.categories = {"stable", "degraded", "fault"};
     drawn.note = map.theory_note;
     std::vector<double> panels = {0};
     if (map.axes.size() > 2) panels = map.axes[2].values;
@@ -95,10 +106,11 @@ ResultPage stability_page(const std::vector<StabilityMap>& maps) {
     ResultPage page("lab_stability", "Where the models stay bounded",
                     "fulcrum lab stability --output docs/results");
     page.paragraph(
-        "Green: bounded and as accurate as declared. Yellow with +: finite and bounded, and the model says "
-        "that it substepped, did not converge or "
-        "froze. Red with x: the model gave up and said so, or left its bounds. Curves: the boundary that "
-        "theory gives.");
+        "Green: bounded and as accurate as promised. Yellow with +: finite and bounded, but with substeps, "
+        "not converged or outside "
+        "the promised accuracy, and the model's report or the measure says so. Red with x: the model gave up "
+        "and said so, or left its "
+        "bounds. Curves: the boundary that theory gives.");
     std::size_t cells = 0, broken = 0;
     for (std::size_t i = 0; i < maps.size(); ++i) {
         const StabilityMap& map = maps[i];

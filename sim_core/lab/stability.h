@@ -12,8 +12,8 @@ namespace fulcrum::lab {
 
 enum class StabilityOutcome : std::uint8_t {
     stable,    ///< bounded and accurate as declared
-    degraded,  ///< finite and bounded, but substepped, not converged, or with less accuracy, and said so by
-               ///< the model
+    degraded,  ///< finite and bounded, but substepped, not converged or outside the promised accuracy, and
+               ///< said so
     fault,     ///< the model gave up and said so, or (unannounced) left its bounds
 };
 const char* name_of(StabilityOutcome outcome);

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// The maps of each room; a new room is declared here and listed in stability.cpp.
+#pragma once
+
+#include <vector>
+
+#include "sim_core/lab/stability.h"
+
+namespace fulcrum::lab {
+
+/// Rod in implicit Euler steps: time step and stiffness, slenderness and segments, force and time step.
+std::vector<StabilityMap> rod_stability();
+/// Surface on its cage: slivers and bend.
+std::vector<StabilityMap> skin_stability();
+
+}  // namespace fulcrum::lab
