@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "app/commands.h"
+#include "app/lab_experiment.h"
 #include "app/lab_measure.h"
 #include "sim_core/lab/stability.h"
 #include "sim_core/lab/studies.h"
@@ -52,12 +53,35 @@ int stability(const Arguments& arguments) {
     return deliver(arguments, lab::stability_page(maps), lab::to_json(maps));
 }
 
+int tradeoff(const Arguments& arguments) {
+    const std::vector<lab::TradeoffStudy> studies = lab::tradeoff_studies();
+    const std::vector<lab::ScoreSensitivity> sensitivity = measure_score_sensitivity();
+    return deliver(arguments, lab::tradeoff_page(studies, sensitivity), lab::to_json(studies, sensitivity));
+}
+
+/// One file, or every one of assets/experiments.
+int experiment(const Arguments& arguments) {
+    const auto folder = arguments.value("--output");
+    if (!folder)
+        throw UsageError("command line: lab experiment: --output: name the folder for pictures and pages; " +
+                         arguments.usage());
+    if (arguments.has("--json"))
+        throw UsageError(
+            "command line: --json: lab experiment writes its JSON beside the picture; leave it out");
+    const std::vector<std::string> files =
+        arguments.words().size() > 1 ? std::vector<std::string>{arguments.words()[1]} : experiment_files();
+    for (const std::string& file : files) deliver(arguments, experiment_page(file), {});
+    return 0;
+}
+
 }  // namespace
 
 int command_lab(const std::vector<std::string>& words) {
     OptionSpec spec;
     spec.usage =
-        "usage: fulcrum lab bench [--only NAME] | cost | validate | stability | run STUDY.json [--json] "
+        "usage: fulcrum lab bench [--only NAME] | cost | validate | tradeoff | stability | experiment "
+        "[FILE.json] | run STUDY.json "
+        "[--json] "
         "[--output "
         "FOLDER]";
     spec.with_value = {"--only", "--output"};
@@ -74,11 +98,13 @@ int command_lab(const std::vector<std::string>& words) {
         print_json(lab::run_study(arguments.words()[1]));
         return 0;
     }
+    if (action == "experiment") return experiment(arguments);
     if (arguments.words().size() != 1)
         throw UsageError("command line: " + arguments.words()[1] + ": not expected; " + spec.usage);
     if (action == "bench") return bench(arguments);
     if (action == "cost") return cost(arguments);
     if (action == "validate") return validate(arguments);
+    if (action == "tradeoff") return tradeoff(arguments);
     if (action == "stability") return stability(arguments);
     throw UsageError("command line: lab " + action + ": no such action; " + spec.usage);
 }

@@ -4,9 +4,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/allocation_counter.h"
 #include "app/application.h"
 #include "app/commands.h"
-#include "app/allocation_counter.h"
 #include "database/errors.h"
 #include "sim_core/lab/bench.h"
 #include "sim_core/numerics/input_error.h"
@@ -53,13 +53,16 @@ int main(int argc, char** argv) {
         return 0;
     }
     if (!words.empty() && (words[0] == "--help" || words[0] == "help")) {
-        std::cout << "usage: fulcrum                the application\n       fulcrum COMMAND ...    " << app::command_list() << '\n';
+        std::cout << "usage: fulcrum                the application\n       fulcrum COMMAND ...    "
+                  << app::command_list() << '\n';
         return 0;
     }
     if (!words.empty()) {
         const std::vector<std::string> drawing = {"demonstrate", "report"};
-        const bool draws = std::find(drawing.begin(), drawing.end(), words[0]) != drawing.end();
-        if (draws && qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) qputenv("QT_QPA_PLATFORM", "offscreen");
+        const bool experiment = words.size() > 1 && words[0] == "lab" && words[1] == "experiment";
+        const bool draws = experiment || std::find(drawing.begin(), drawing.end(), words[0]) != drawing.end();
+        if (draws && qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY"))
+            qputenv("QT_QPA_PLATFORM", "offscreen");
         if (draws) {
             QApplication application(argc, argv);
             return guarded(app::run_command, words);

@@ -35,14 +35,24 @@ struct ExperimentFigure {
     double value = 0;
 };
 
+/// A chart beside the picture.
+struct ExperimentChart {
+    std::string name, alternative, svg;
+};
+
 /// What an experiment leaves.
 struct ExperimentResult {
     std::string id;       ///< file name of the picture, for example "fig03_force_filter"
     std::string figure;   ///< the paper's figure, for example "Figs. 3 and 5"
-    std::string caption;  ///< one sentence: what is seen
+    std::string caption;  ///< what is seen
     int columns = 3;      ///< panels a row
     std::vector<ExperimentPanel> panels;
+    std::vector<ExperimentChart> charts;
     std::vector<ExperimentFigure> figures;
 };
+
+/// Runs one experiment file (assets/experiments/*.json: kind, id, figure, caption and the kind's own numbers,
+/// all SI). Throws InputError with file, place and mend. Same file, same result, bit for bit.
+ExperimentResult run_experiment(const std::string& path);
 
 }  // namespace fulcrum::lab

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_core/lab/tradeoff.h"
 
+#include <iterator>
+
 #include "sim_core/lab/chart.h"
+#include "sim_core/lab/tradeoff_rooms.h"
 
 namespace fulcrum::lab {
 
@@ -14,6 +17,17 @@ void mark_pareto(TradeoffStudy& study) {
                        (other.error < level.error || other.time_us < level.time_us);
             });
     }
+}
+
+std::vector<TradeoffStudy> tradeoff_studies() {
+    std::vector<TradeoffStudy> studies;
+    for (const auto room : {rod_tradeoff}) {
+        for (TradeoffStudy& study : room()) {
+            mark_pareto(study);
+            studies.push_back(std::move(study));
+        }
+    }
+    return studies;
 }
 
 nlohmann::json to_json(const std::vector<TradeoffStudy>& studies,

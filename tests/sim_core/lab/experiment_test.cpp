@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// The paper's experiments as `fulcrum lab experiment` runs them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "sim_core/lab/experiment.h"
+#include "sim_core/lab/picture.h"
+#include "sim_core/numerics/input_error.h"
+#include "tests/support/support.h"
+
+namespace fulcrum::lab {
+namespace {
+
+ExperimentResult run(const char* name) {
+    return run_experiment(test::source_path(std::string("assets/experiments/") + name + ".json"));
+}
+
+double figure(const ExperimentResult& result, const std::string& name) {
+    for (const ExperimentFigure& f : result.figures) {
+        if (f.name == name) return f.value;
+    }
+    ADD_FAILURE() << "no figure \"" << name << "\"";
+    return std::nan("");
+}
+
+// Figs. 3 and 5: a spike and two dents that grow broader and shallower, pushed and pulled by the same force.
+TEST(Experiment, FilterGradesAreASpikeAndTwoDents) {
+    const ExperimentResult result = run("fig03_05_filter");
+    ASSERT_EQ(result.panels.size(), 6u);
+    for (const std::string way : {"pushed", "pulled"}) {
+        double deeper = 1e9, fewer = 0;
+        for (const std::string grade : {"0", "1", "2"}) {
+            const double reached =
+                figure(result, way + ", grade " + grade + ": vertices that the force reaches");
+            const double depth = figure(result, way + ", grade " + grade + ": largest displacement");
+            EXPECT_GT(reached, fewer);
+            EXPECT_LT(depth, deeper);
+            fewer = reached;
+            deeper = depth;
+        }
+        EXPECT_EQ(fewer, 19);
+    }
+    EXPECT_EQ(figure(result, "pulled, grade 0: vertices that the force reaches"), 1);
+}
+
+TEST(Experiment, TheLawsPartWhereTheClosedFormSays) {
+    const ExperimentResult result = run("fig07_laws");
+    EXPECT_LT(figure(result, "stress of the two laws apart at 22 % strain"), 10);
+    EXPECT_NEAR(figure(result, "strain from which they are 20 % apart"), 30, 1.001);
+    // The rods, not only the formulas: 10 % of stretch each way, then apart.
+    EXPECT_NEAR(result.figures[2].value / result.figures[3].value, 1, 0.05);
+    EXPECT_GT(result.figures[6].value / result.figures[7].value, 1.3);
+}
+
+TEST(Experiment, TheBendKeepsTheVolume) {
+    EXPECT_LT(std::fabs(figure(run("fig08d_bend"), "volume change of the surface")), 2);
+}
+
+TEST(Experiment, TheIntestineFallsToTheGroundAndOntoItself) {
+    const ExperimentResult result = run("fig14_fall");
+    EXPECT_EQ(result.panels.size(), 12u);
+    EXPECT_EQ(result.panels.back().title, "frame 44");
+    EXPECT_LT(figure(result, "deepest overlap of two spheres at the end of a frame"), 1.5e-3);
+    EXPECT_LT(figure(result, "deepest overlap with the ground at the end of a frame"), 1.5e-3);
+    EXPECT_GT(figure(result, "most pairs in contact at once"), 0);
+    EXPECT_LT(figure(result, "fastest point in the last frame"), 0.1);
+    double lowest = 1, highest = -1;
+    for (const Vector3& v : result.panels.back().meshes.back().mesh.vertices) {
+        lowest = std::min(lowest, v.z());
+        highest = std::max(highest, v.z());
+    }
+    EXPECT_GT(lowest, -0.003);
+    EXPECT_LT(highest, 0.08) << "everything lies";
+}
+
+TEST(Experiment, SaysWhatIsWrongWithAFile) {
+    const auto path = std::filesystem::temp_directory_path() / "fulcrum_experiment_test.json";
+    const auto complaint = [&](const std::string& text) -> std::string {
+        std::ofstream(path) << text;
+        try {
+            run_experiment(path.string());
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_NE(complaint(R"({"id": "a", "figure": "b", "caption": "c", "kind": "dance"})")
+                  .find("give one of: filter, laws, bend, fall"),
+              std::string::npos);
+    EXPECT_NE(complaint(R"({"id": "../a", "figure": "b", "caption": "c", "kind": "bend"})").find("/id"),
+              std::string::npos);
+    EXPECT_NE(complaint(R"({"id": "a", "figure": "b", "caption": "c", "kind": "bend", "bend_deg": 1000})")
+                  .find("bend_deg"),
+              std::string::npos);
+    std::filesystem::remove(path);
+}
+
+// A ball in the middle: lit, round, in front of what lies behind it, the same pixels twice.
+TEST(Picture, DrawsTheNearerSurface) {
+    ExperimentPanel panel;
+    panel.eye = Vector3(0, -1, 0);
+    for (const double y : {0.3, 0.0}) {
+        ExperimentMesh square;
+        square.mesh.vertices = {{-0.1, y, -0.1}, {0.1, y, -0.1}, {0.1, y, 0.1}, {-0.1, y, 0.1}};
+        square.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+        square.colour = y > 0 ? std::array<float, 3>{1, 0, 0} : std::array<float, 3>{0, 1, 0};
+        panel.meshes.push_back(square);
+    }
+    const Picture picture = draw_panel(panel, 40, 40);
+    ASSERT_EQ(picture.rgb.size(), 4800u);
+    const std::size_t middle = 3 * (20 * 40 + 20);
+    EXPECT_GT(picture.rgb[middle + 1], picture.rgb[middle]) << "green is nearer";
+    EXPECT_EQ(picture.rgb[0], 255) << "white outside";
+    EXPECT_EQ(picture.rgb, draw_panel(panel, 40, 40).rgb);
+}
+
+}  // namespace
+}  // namespace fulcrum::lab
