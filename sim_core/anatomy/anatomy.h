@@ -75,7 +75,7 @@ struct MesenteryVertex {
     Vector3 lift = Vector3::Zero();  ///< m, how far fat and the wall beneath hold it off the straight line
 };
 
-/// The mesentery as a sheet to be drawn. It does not take part in the simulation: tethers do.
+/// The mesentery as a sheet to be drawn. Where a scene lists membranes, they are this sheet; where it has tethers, they are what acts.
 struct MesenteryShape {
     TriangleMesh mesh;  ///< rest positions (bowel in situ); open sheet, drawn from both sides
     std::vector<MesenteryVertex> vertices;

@@ -224,7 +224,6 @@ MembraneScratch Membrane::make_scratch(double dt) const {
     MembraneScratch scratch;
     scratch.data_ = std::make_unique<Data>();
     Data& d = *scratch.data_;
-    d.membrane = this;
     const std::size_t nodes = at(tables_->nodes), springs = tables_->first.size();
     for (auto* array :
          {&d.start, &d.start_velocity, &d.position, &d.trial, &d.target, &d.gradient, &d.trial_gradient,

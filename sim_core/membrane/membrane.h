@@ -67,8 +67,8 @@ struct MembraneSolve {
 };
 
 struct MembraneReport {
-    double residual =
-        0;  ///< |free force imbalance| over the largest of |internal|, |external| and |inertial| force
+    double residual = 0;  ///< |free force imbalance| over the largest of |internal|, |external|, |inertial|
+                          ///< force and that of springs strained by 1e-4
     double energy = 0;  ///< J, of the springs
     double potential =
         0;  ///< J, incremental potential that was minimised (static: springs minus work of dead loads)

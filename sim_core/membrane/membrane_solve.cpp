@@ -85,7 +85,13 @@ double scaled_residual(const Membrane::Tables& t, const Data& d, const Lanes* x,
     }
     // What is held pulls back with the springs' force there.
     for (std::int32_t k = t.free; k < t.nodes; ++k) internal += sum_lanes(gradient[at(k)] * gradient[at(k)]);
-    const double scale = std::sqrt(std::max(std::max(external, inertial), internal));
+    // Forces of one part in ten thousand of strain: what lies 1e-10 below that is rounding of the positions.
+    double slight = 0;
+    for (std::size_t s = 0; s < d.rest.size(); ++s) {
+        const double force = 1e-4 * d.stiffness[s] * d.rest[s];
+        slight += force * force;
+    }
+    const double scale = std::sqrt(std::max(std::max(external, slight), std::max(inertial, internal)));
     return std::sqrt(imbalance) / std::max(scale, 1e-30);
 }
 
@@ -283,6 +289,8 @@ void minimise_newton(const Membrane::Tables& t, Data& d, int iterations, double 
             break;
         }
         if (!std::isfinite(report.residual) || idle > 3) break;
+        // So near, a Newton step that gains nothing has met rounding.
+        if (report.residual < 1e-6 && report.residual > 0.5 * last && ++idle > 2) break;
         const double forcing = std::min(0.1, std::max(1e-8, 0.5 * std::min(report.residual, last)));
         last = report.residual;
         make_tangent(t, d.stiffness.data(), d.rest.data(), d.position.data(), false, d);

@@ -36,7 +36,6 @@ struct Membrane::Tables {
 };
 
 struct MembraneScratch::Data {
-    const Membrane* membrane = nullptr;
     // By node.
     std::vector<Lanes> start, start_velocity, position, trial, target, gradient, trial_gradient, direction,
         load, product, residual, preconditioned;

@@ -14,6 +14,7 @@ Fidelity named_fidelity(const std::string& id) {
     if (id == "fast") {
         fidelity.rod = "linearised";
         fidelity.projection_iterations = 1;
+        fidelity.membrane_iterations = 3;
         return fidelity;
     }
     if (id == "fine") {
@@ -21,6 +22,7 @@ Fidelity named_fidelity(const std::string& id) {
         fidelity.collision = "brute";
         fidelity.tool_contact = "query";
         fidelity.projection_iterations = 8;
+        fidelity.membrane_iterations = 30;
         return fidelity;
     }
     throw InputError("command line", "--fidelity", "no fidelity '" + id + "'", "use fast, standard or fine");

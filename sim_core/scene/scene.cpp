@@ -51,6 +51,7 @@ class SceneReader {
         if (root.contains("cavity")) scene_.cavity = read_cavity(root.at("cavity"));
         if (root.contains("bowel")) scene_.bowel = read_bowel(root.at("bowel"));
         if (root.contains("tethers")) scene_.tethers = read_tethers(root.at("tethers"));
+        if (root.contains("membranes")) read_membranes(root.at("membranes"));
         if (root.contains("fidelity")) read_fidelity(root.at("fidelity"));
         return std::move(scene_);
     }
@@ -250,6 +251,34 @@ class SceneReader {
         return tethers;
     }
 
+    void read_membranes(const json& list) {
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            const json& node = list[i];
+            MembraneSpec membrane;
+            copy(node, "kind", membrane.kind);
+            copy(node, "first", membrane.first);
+            copy(node, "last", membrane.last);
+            copy(node, "structural_stiffness", membrane.structural_stiffness);
+            copy(node, "shear_stiffness", membrane.shear_stiffness);
+            copy(node, "bend_stiffness", membrane.bend_stiffness);
+            copy(node, "surface_density", membrane.surface_density);
+            copy(node, "pre_strain", membrane.pre_strain);
+            copy(node, "stiffness_damping", membrane.stiffness_damping);
+            copy(node, "mass_damping", membrane.mass_damping);
+            copy(node, "weight", membrane.weight);
+            const std::string place = "/membranes/" + std::to_string(i);
+            if (!scene_.bowel || !scene_.cavity) {
+                document_.fail(place, "a membrane without a bowel and a cavity to hang between",
+                               "add \"bowel\" and \"cavity\" or remove \"membranes\"");
+            }
+            if (membrane.first >= membrane.last) {
+                document_.fail(place + "/first", "first is not below last",
+                               "give first < last, fractions of the bowel's length");
+            }
+            scene_.membranes.push_back(membrane);
+        }
+    }
+
     void read_fidelity(const json& node) {
         Fidelity& fidelity = scene_.fidelity;
         copy(node, "id", fidelity.id);
@@ -260,6 +289,8 @@ class SceneReader {
         copy(node, "collision", fidelity.collision);
         copy(node, "projection_iterations", fidelity.projection_iterations);
         copy(node, "tool_contact", fidelity.tool_contact);
+        copy(node, "membrane", fidelity.membrane);
+        copy(node, "membrane_iterations", fidelity.membrane_iterations);
         copy(node, "filter", fidelity.filter);
     }
 

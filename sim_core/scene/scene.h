@@ -99,6 +99,20 @@ struct TetherSpec {
     double slack = 1.15;                          ///< rest length over the distance at rest
 };
 
+/// A membrane of masses and springs from the bowel's wall to the wall of the cavity: the mesentery in place of tethers.
+struct MembraneSpec {
+    std::string kind = "mesentery";               ///< "mesentery", the only one
+    double first = 0.10, last = 0.90;             ///< fractions of the bowel's length that carry it
+    double structural_stiffness = 12;             ///< N/m each spring, as shear and bend
+    double shear_stiffness = 6;
+    double bend_stiffness = 0.6;
+    double surface_density = 1.0;                 ///< kg/m2
+    double pre_strain = 0;                        ///< -0.5 .. 1; below 0: slack
+    double stiffness_damping = 5e-5;              ///< s
+    double mass_damping = 4;                      ///< 1/s
+    double weight = 0;                            ///< share of its weight that the wall beneath does not carry
+};
+
 /// One choice for every row of the speed-accuracy table (theory, section 8).
 struct Fidelity {
     std::string id = "standard";
@@ -109,6 +123,8 @@ struct Fidelity {
     std::string collision = "coherent";           ///< coherent | brute
     int projection_iterations = 3;
     std::string tool_contact = "dynamic_point";   ///< dynamic_point | query
+    std::string membrane = "global_local";       ///< symplectic | global_local | implicit
+    int membrane_iterations = 6;                  ///< of global_local, a step
     std::string filter = "adaptive";              ///< off | 0 | 1 | 2 | adaptive
 };
 
@@ -128,6 +144,7 @@ struct Scene {
     std::optional<CavitySpec> cavity;
     std::optional<BowelSpec> bowel;
     std::optional<TetherSpec> tethers;
+    std::vector<MembraneSpec> membranes;
     Fidelity fidelity;
 
     double tick_period() const { return 1.0 / tick_rate; }

@@ -156,6 +156,8 @@ void BowelPart::size_snapshot(WorldSnapshot& snapshot) const {
         snapshot.tether_anchors.push_back(tether.anchor);
         snapshot.tether_arc_lengths.push_back(tether.s);
     }
+    snapshot.membranes.resize(membranes_.size());
+    for (std::size_t i = 0; i < membranes_.size(); ++i) membranes_[i].size_snapshot(snapshot.membranes[i]);
 }
 
 void BowelPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
@@ -167,6 +169,7 @@ void BowelPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
     for (int hand = 0; hand < hand_count; ++hand) snapshot.grasps[hand] = grasps_[hand].state;
     snapshot.residual_penetration = contacts_.deepest_cavity;
     snapshot.floor_load = report_.contact_sum;
+    for (std::size_t i = 0; i < membranes_.size(); ++i) membranes_[i].fill_snapshot(snapshot.membranes[i]);
 }
 
 }  // namespace fulcrum

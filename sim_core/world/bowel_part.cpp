@@ -116,7 +116,13 @@ BowelPart::BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel
     remembered_lambda_.assign(static_cast<std::size_t>(spheres * planes_remembered), 0.0);
     remembered_normal_.assign(remembered_lambda_.size(), Vector3::Zero());
     inputs_.gravity = scene.gravity;
-    inputs_.loads.reserve(2 * 16);
+    membranes_.reserve(anatomy_.membranes.size());
+    std::size_t hung = 0;
+    for (std::size_t i = 0; i < anatomy_.membranes.size(); ++i) {
+        membranes_.emplace_back(scene, i, anatomy_.membranes[i], *rod_, state_, scene.step_period());
+        hung += membranes_.back().attachments();
+    }
+    inputs_.loads.reserve(2 * 16 + hung);
     inputs_.grasps.reserve(hand_count);
     inputs_.contacts.reserve(static_cast<std::size_t>(spheres * planes_remembered));
     inputs_.self_contacts.reserve(512);
@@ -156,6 +162,7 @@ void BowelPart::lay_down() {
         if (i > 100 && fastest < 2e-4) break;
     }
     Rod::stop(state_);
+    for (MembranePart& membrane : membranes_) membrane.stop();
 }
 
 double BowelPart::weight() const { return scene_.gravity.norm() * scene_.bowel->linear_density * rod_->length(); }
@@ -168,6 +175,11 @@ std::uint32_t BowelPart::step(const ToolAction* actions, double dt) noexcept {
     {
         Stopwatch watch(measuring_, costs_.loads);
         gather_loads(actions, dt);
+    }
+    std::uint32_t membrane_outcome = 0;
+    {
+        Stopwatch watch(measuring_, costs_.membranes);
+        for (MembranePart& membrane : membranes_) membrane_outcome = std::max(membrane_outcome, membrane.step(*rod_, state_, dt, inputs_.loads));
     }
     {
         Stopwatch watch(measuring_, costs_.collision);
@@ -193,12 +205,14 @@ std::uint32_t BowelPart::step(const ToolAction* actions, double dt) noexcept {
     if (!report_.finite || !Rod::finite(state_)) {
         state_ = good_;
         Rod::stop(state_);
+        for (MembranePart& membrane : membranes_) membrane.restore();
         outcome = 3;
     } else if (report_.fault == RodFault::frozen) {
         outcome = 2;
     } else if (report_.fault == RodFault::substepped) {
         outcome = 1;
     }
+    outcome = std::max(outcome, membrane_outcome);
     frozen_steps_ = outcome >= 2 ? frozen_steps_ + 1 : 0;
     if (frozen_steps_ > 40) outcome = 4;  // 0.2 s without a solution: say so instead of pretending
     for (std::size_t i = 0; i < inputs_.contacts.size(); ++i) {
@@ -343,9 +357,15 @@ void BowelPart::hash(StateHash& hash) const noexcept {
         hash.add(dents_.entries[static_cast<std::size_t>(i)].displacement);
     }
     for (const float damage : patch_damage_) hash.add(static_cast<double>(damage));
+    for (const MembranePart& membrane : membranes_) membrane.hash(hash);
 }
 
 std::size_t BowelPart::bytes_rod() const { return rod_->bytes() + scratch_.bytes(); }
+std::size_t BowelPart::bytes_membranes() const {
+    std::size_t bytes = 0;
+    for (const MembranePart& membrane : membranes_) bytes += membrane.bytes();
+    return bytes;
+}
 std::size_t BowelPart::bytes_collision() const { return collision_->bytes(); }
 std::size_t BowelPart::bytes_surface() const {
     return skin_->bytes() + surface_.capacity() * sizeof(Vector3) + rings_.capacity() * sizeof(RingMotion);

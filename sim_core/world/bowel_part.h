@@ -14,6 +14,7 @@
 #include "sim_core/haptics/tick_output.h"
 #include "sim_core/rod/rod.h"
 #include "sim_core/scene/scene.h"
+#include "sim_core/world/membrane_part.h"
 #include "sim_core/world/snapshot.h"
 #include "sim_core/world/state_hash.h"
 #include "sim_core/world/stopwatch.h"
@@ -27,6 +28,7 @@ struct BowelAnatomy {
     RadiusProfile radius;               ///< lumen radius by rest arc length
     std::vector<Vector3> centre_line;   ///< in situ, patient frame, first = rectum
     std::vector<Vector3> root_line;     ///< mesenteric root on the wall, first = rectal end
+    std::vector<MembraneSheet> membranes;  ///< one for each of Scene::membranes
 };
 
 /// One hand over one step, as the bowel sees it.
@@ -58,12 +60,13 @@ class BowelPart {
     const GraspState& grasp(Hand hand) const { return grasps_[static_cast<int>(hand)].state; }
     const std::vector<std::int16_t>& tissue_patches() const { return patches_->tissue_patches(); }
     const SphereChain& spheres() const { return spheres_; }
+    const std::vector<MembranePart>& membranes() const { return membranes_; }
     double weight() const;  ///< N
-    std::size_t bytes_rod() const, bytes_collision() const, bytes_surface() const;
+    std::size_t bytes_rod() const, bytes_collision() const, bytes_surface() const, bytes_membranes() const;
 
     /// Wall time of the last step's blocks, microseconds; measured only when asked for.
     struct Costs {
-        double grasps = 0, loads = 0, collision = 0, rod = 0, rings = 0, dents = 0, patches = 0;
+        double grasps = 0, loads = 0, collision = 0, rod = 0, rings = 0, dents = 0, patches = 0, membranes = 0;
     };
     void measure(bool on) { measuring_ = on; }
     const Costs& costs() const { return costs_; }
@@ -97,6 +100,7 @@ class BowelPart {
     std::unique_ptr<BowelSkin> skin_;
     std::unique_ptr<SphereCollision> collision_;
     std::unique_ptr<PatchBuilder> patches_;
+    std::vector<MembranePart> membranes_;
     WinklerBed bed_;
     RodSolve solve_;
     FilterMode filter_ = FilterMode::adaptive;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim_core/bowel/skin.h"
+#include "sim_core/geometry/mesh.h"
 #include "sim_core/numerics/types.h"
 
 namespace fulcrum {
@@ -45,6 +46,13 @@ struct TargetSphere {
     Hand hand = Hand::left;
 };
 
+/// A membrane to be drawn: open sheet, seen from both sides.
+struct MembraneView {
+    std::vector<Vector3> positions;      ///< m, patient frame
+    std::vector<Triangle> triangles;     ///< change with `topology` only
+    std::uint32_t topology = 0;
+};
+
 struct WorldSnapshot {
     std::uint32_t step = 0;
     std::uint32_t tick = 0;              ///< last input tick the step consumed
@@ -62,6 +70,7 @@ struct WorldSnapshot {
     std::int32_t dent_count = 0;
     std::vector<Vector3> tether_anchors; ///< mesentery root points; empty without tethers
     std::vector<double> tether_arc_lengths;
+    std::vector<MembraneView> membranes; ///< Scene::membranes; empty without
     std::vector<float> patch_damage;     ///< N s per tissue patch
     double residual_penetration = 0;     ///< m, deepest sphere in the cavity after the step
     double floor_load = 0;               ///< N, sum of contact forces on the cavity

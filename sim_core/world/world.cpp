@@ -179,6 +179,7 @@ std::vector<PartCost> World::costs() const {
         costs.push_back({"collision", cost.collision, bowel_->bytes_collision()});
         costs.push_back({"cage_and_surface", cost.rings + cost.dents, bowel_->bytes_surface()});
         if (scene_.tethers) costs.push_back({"tethers", 0, sizeof(RodTether) * static_cast<std::size_t>(scene_.tethers->count)});
+        if (!scene_.membranes.empty()) costs.push_back({"membranes", cost.membranes, bowel_->bytes_membranes()});
     }
     if (scene_.targets) costs.push_back({"targets", 0, targets_.capacity() * sizeof(TargetModel)});
     costs.push_back({"contact_models", models_us_, sizeof(LocalModels)});

@@ -60,10 +60,12 @@ TEST(World, ATargetSceneHasNoTissueInMemory) {
     EXPECT_EQ(run.world.cavity(), nullptr);
     EXPECT_TRUE(run.world.snapshot().rings.empty());
     EXPECT_TRUE(run.world.snapshot().nodes.empty());
+    EXPECT_TRUE(run.world.snapshot().membranes.empty());
     for (const PartCost& part : run.world.costs()) {
         EXPECT_NE(part.part, "rod");
         EXPECT_NE(part.part, "cage_and_surface");
         EXPECT_NE(part.part, "collision");
+        EXPECT_NE(part.part, "membranes");
     }
     EXPECT_EQ(run.world.snapshot().targets.size(), 20U);
 }
@@ -110,7 +112,7 @@ TEST(World, StepsRepeatBitForBit) {
 }
 
 TEST(World, StepsAndTicksAllocateNothingAfterTheFirst) {
-    for (const char* name : {"a2_targets", "b1_bowel"}) {
+    for (const char* name : {"a2_targets", "b1_bowel", "b1_mesentery"}) {
         Hands run(name);
         for (int i = 0; i < 40; ++i) run.step();
         const std::uint64_t before = test::allocation_count();

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+// The mesentery of masses and springs in the world: two-way with the rod, momentum kept, drawn, hashed.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim_core/haptics/loop.h"
+#include "sim_core/lab/membrane_reference.h"
+#include "sim_core/numerics/input_error.h"
+#include "sim_core/world/anatomy_binding.h"
+#include "sim_core/world/world.h"
+#include "tests/support/support.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr double dt = 0.005;
+
+/// A straight rod with a sheet on its side, in space.
+struct Pair {
+    Scene scene;
+    Rod rod;
+    RodState state;
+    RodScratch scratch;
+    RodInputs inputs;
+    MembraneSheet sheet;
+    std::unique_ptr<MembranePart> part;
+
+    static RodSpec rod_spec(RodEnd end) {
+        RodSpec spec;
+        spec.segments = 24;
+        spec.length = 0.3;
+        spec.mass_damping = 0;
+        spec.ends[0] = spec.ends[1] = end;
+        return spec;
+    }
+    static MembraneSpec mesentery() {
+        MembraneSpec spec;
+        spec.mass_damping = 0;
+        return spec;
+    }
+    Pair(RodEnd end, bool root_held, const MembraneSpec& spec) : rod(rod_spec(end)), state(rod.make_state()), scratch(rod.make_scratch()) {
+        scene.membranes = {spec};
+        scene.fidelity.membrane = "implicit";
+        const int rows = 31, columns = 9;
+        sheet.mesh = lab::make_sheet(columns, rows, 0.06, 0.24);
+        for (Vector3& p : sheet.mesh.vertices) p = Vector3(0.03 + p.y(), 0.012 + p.x(), 0);
+        for (int r = 0; r < rows; ++r) {
+            sheet.bowel_vertices.push_back(r * columns);
+            sheet.bowel_arc_lengths.push_back(sheet.mesh.vertices[static_cast<std::size_t>(r * columns)].x());
+            if (root_held) sheet.wall_vertices.push_back(r * columns + columns - 1);
+        }
+        inputs.ends[0] = state.ends[0];
+        inputs.ends[1] = state.ends[1];
+        inputs.loads.reserve(64);
+        part = std::make_unique<MembranePart>(scene, 0, sheet, rod, state, dt);
+    }
+    std::uint32_t step() {
+        inputs.loads.clear();
+        const std::uint32_t outcome = part->step(rod, state, dt, inputs.loads);
+        rod.step(state, inputs, dt, scratch);
+        return outcome;
+    }
+    Vector3 rod_momentum() const {
+        Vector3 sum = Vector3::Zero();
+        for (int i = 0; i <= rod.segments(); ++i) sum += rod.node_mass(i) * state.velocities[static_cast<std::size_t>(i)];
+        return sum;
+    }
+    Vector3 sheet_momentum() const {
+        Vector3 sum = Vector3::Zero();
+        for (std::size_t v = 0; v < part->state().velocities.size(); ++v) sum += part->membrane().masses()[v] * part->state().velocities[v];
+        return sum;
+    }
+};
+
+TEST(MembranePart, RodAndSheetExchangeEqualAndOppositeMomentum) {
+    Pair pair(RodEnd::free, false, Pair::mesentery());
+    // Both drift free in space; the rod is thrown across the sheet. What one loses the other gains, step by step.
+    for (Vector3& v : pair.state.velocities) v = Vector3(0, -0.2, 0.5);
+    Vector3 given = Vector3::Zero();
+    double size = 0;
+    for (int i = 0; i < 100; ++i) {
+        const Vector3 rod_before = pair.rod_momentum(), sheet_before = pair.sheet_momentum();
+        ASSERT_EQ(pair.step(), 0U);
+        const Vector3 impulse = dt * pair.part->pull();
+        Vector3 support = Vector3::Zero();
+        for (const Vector3& r : pair.part->inputs().reactions) support += r;
+        EXPECT_LT((support + pair.part->pull()).norm(), 1e-12) << "the very same force";
+        EXPECT_LT((pair.sheet_momentum() - sheet_before + impulse).norm(), 1e-9);
+        EXPECT_LT((pair.rod_momentum() - rod_before - impulse).norm(), 1e-8);
+        given += impulse;
+        size += impulse.norm();
+    }
+    EXPECT_GT(size, 1e-3) << "they did pull on each other";
+}
+
+TEST(MembranePart, PullingTheMesenteryBendsTheRod) {
+    Pair pair(RodEnd::clamped, true, Pair::mesentery());
+    for (int i = 0; i < 20; ++i) pair.step();
+    EXPECT_LT(pair.part->pull().norm(), 1e-9) << "at rest nothing pulls";
+    const Vector3 before = pair.rod.wall_point(pair.state, 0.15, Vector3::Zero());
+    // The bowel bends towards a root that draws back: the sheet shortens as if it had shrunk by a quarter.
+    MembraneSpec tight = Pair::mesentery();
+    tight.pre_strain = 0.3;
+    Pair pulled(RodEnd::clamped, true, tight);
+    for (int i = 0; i < 600; ++i) ASSERT_EQ(pulled.step(), 0U);
+    const Vector3 after = pulled.rod.wall_point(pulled.state, 0.15, Vector3::Zero());
+    EXPECT_GT(after.y() - before.y(), 0.003);
+    EXPECT_GT(pulled.part->pull().y(), 0.02);
+    // In balance the rod's ends carry what the sheet pulls.
+    pulled.inputs.loads.clear();
+    pulled.part->step(pulled.rod, pulled.state, dt, pulled.inputs.loads);
+    const RodReport report = pulled.rod.step(pulled.state, pulled.inputs, dt, pulled.scratch);
+    const Vector3 ends = report.end_force[0] + report.end_force[1];
+    EXPECT_LT((ends + pulled.part->pull()).norm(), 0.03 * pulled.part->pull().norm());
+}
+
+TEST(MembranePart, RefusesWhatTheRodCouldNotCarry) {
+    MembraneSpec stiff = Pair::mesentery();
+    EXPECT_LT(Pair(RodEnd::clamped, true, stiff).part->coupling(), 0.5);
+    stiff.structural_stiffness = 10000;
+    stiff.shear_stiffness = 10000;
+    EXPECT_THROW(Pair(RodEnd::clamped, true, stiff), InputError);
+}
+
+TEST(MembranePart, EveryIntegratorCarriesTheScene) {
+    for (const char* name : {"symplectic", "global_local", "implicit"}) {
+        Scene scene = load_scene(test::source_path("assets/scenes/b1_mesentery.json"));
+        scene.fidelity.membrane = name;
+        const BowelAnatomy anatomy = bowel_anatomy(scene);
+        ASSERT_EQ(anatomy.membranes.size(), 1U);
+        RodSpec spec;
+        spec.ends[0] = spec.ends[1] = RodEnd::clamped;
+        spec.segments = static_cast<int>(anatomy.centre_line.size()) - 1;
+        spec.rest_nodes = anatomy.centre_line;
+        const Rod rod(spec);
+        RodState state = rod.make_state();
+        RodScratch scratch = rod.make_scratch();
+        RodInputs inputs;
+        inputs.ends[0] = state.ends[0];
+        inputs.ends[1] = state.ends[1];
+        inputs.loads.reserve(anatomy.membranes[0].bowel_vertices.size());
+        MembranePart part(scene, 0, anatomy.membranes[0], rod, state, dt);
+        inputs.gravity = scene.gravity;
+        for (int i = 0; i < 2; ++i) {
+            inputs.loads.clear();
+            EXPECT_EQ(part.step(rod, state, dt, inputs.loads), 0U) << name;
+            rod.step(state, inputs, dt, scratch);
+        }
+        EXPECT_TRUE(Membrane::finite(part.state()));
+        EXPECT_GT(part.pull().norm(), 1e-4) << name << ": the sagging bowel hangs on it";
+    }
+}
+
+TEST(MembranePart, TheSnapshotShowsTheSheetOnTheBowel) {
+    const Scene scene = load_scene(test::source_path("assets/scenes/b1_mesentery.json"));
+    const World world(scene, 1);
+    ASSERT_EQ(world.snapshot().membranes.size(), 1U);
+    const MembraneView& view = world.snapshot().membranes[0];
+    const MembranePart& part = world.bowel()->membranes()[0];
+    EXPECT_EQ(view.positions.size(), part.membrane().masses().size());
+    EXPECT_EQ(view.triangles, part.membrane().triangles());
+    // The edge lies on the bowel's wall: as far from the centre line as the anatomy put it.
+    const RodFrame frame = world.bowel()->rod().frame_at(world.bowel()->state(), 0.45).frame;
+    double nearest = 1;
+    for (const Vector3& p : view.positions) nearest = std::min(nearest, (p - frame.position).norm());
+    EXPECT_GT(nearest, 0.5 * scene.bowel->outer_radius);
+    EXPECT_LT(nearest, 1.2 * scene.bowel->outer_radius);
+    bool listed = false;
+    for (const PartCost& cost : world.costs()) {
+        if (cost.part != "membranes") continue;
+        listed = true;
+        EXPECT_GT(cost.bytes, 100000U);
+    }
+    EXPECT_TRUE(listed);
+}
+
+}  // namespace
+}  // namespace fulcrum
