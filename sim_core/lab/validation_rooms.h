@@ -14,6 +14,8 @@ std::vector<ValidationCase> rod_validation();
 std::vector<ValidationCase> rod_constraint_validation();
 /// Euler loads of three end conditions, twist of a straight rod: zeros of the tangent's smallest eigenvalue.
 std::vector<ValidationCase> buckling_validation();
+/// EXP2 in stretch and bending, four layers, indentation.
+std::vector<ValidationCase> material_validation();
 /// Mean value coordinates, rest pose, rings in a bend, volume.
 std::vector<ValidationCase> skinning_validation();
 /// Sum, power and continuity of the force filter.

@@ -33,8 +33,9 @@ TEST(Stability, SliversDoNotSpoilTheSurface) {
     const std::vector<StabilityMap> maps = skin_stability();
     expect_sound(maps);
     for (const StabilityCell& cell : maps[0].cells) {
-        if (cell.at[1] >= 3)
+        if (cell.at[1] >= 3) {
             EXPECT_EQ(cell.outcome, StabilityOutcome::stable) << cell.at[0] << ", " << cell.at[1];
+        }
     }
 }
 

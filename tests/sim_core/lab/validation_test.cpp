@@ -28,6 +28,9 @@ TEST(Validation, Rod) {
 TEST(Validation, RodConstraints) {
     expect_passed(rod_constraint_validation(), 6);
 }
+TEST(Validation, LawsAndLayersOfTheWall) {
+    expect_passed(material_validation(), 10);
+}
 TEST(Validation, Skinning) {
     expect_passed(skinning_validation(), 11);
 }

@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "sim_core/bowel/spheres.h"
 #include "sim_core/lab/elastica.h"
 #include "sim_core/rod/rod.h"
 
@@ -383,6 +384,33 @@ TEST(RodReference, EachLevelHasItsErrorAndTheNextIsBetter) {
         before = now;
     }
     EXPECT_LT(error(RodSolve{}, 1), 2e-5);
+}
+
+// The collision shape is the same whatever the rod's nodes are, and follows the same curve.
+TEST(RodReference, SpheresAreSampledIndependentlyOfTheNodes) {
+    const double length = 0.3, bend = 6;  // natural curvature, 1/m
+    const SphereChain chain = sample_spheres(length, 0.011, [](double s) { return 0.012 + 0.004 * s; });
+    EXPECT_NEAR(chain.arc_lengths.back(), length, 1e-15);
+    double before = 0;
+    for (const int segments : {16, 31, 64, 257}) {
+        RodSpec spec = solid(segments, length, 0.01);
+        spec.intrinsic_curvature[0] = bend;
+        const Rod rod(spec);
+        const RodState state = rod.make_state();
+        double worst = 0;
+        for (const double s : chain.arc_lengths) {
+            const Vector3 exact(std::sin(bend * s) / bend, 0, (std::cos(bend * s) - 1) / bend);
+            const Vector3 centre = rod.frame_at(state, s).frame.position;
+            worst = std::max(worst,
+                             std::hypot((centre - exact).x(), std::fabs(centre.z()) - std::fabs(exact.z())));
+        }
+        const double cell = length / segments;
+        EXPECT_LT(worst, bend * cell * cell) << segments;
+        if (before > 0) {
+            EXPECT_LT(worst, before);
+        }
+        before = worst;
+    }
 }
 
 // Both ends held, a grasp between, everything pushed: towards each other, along the rod and across. Buckling
