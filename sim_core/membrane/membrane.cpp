@@ -18,8 +18,9 @@ std::size_t at(std::int32_t i) {
     return static_cast<std::size_t>(i);
 }
 
-constexpr double farthest = 1e4;  // m, a vertex beyond it has left all bounds
-constexpr double fastest = 1e9;   // m/s
+constexpr double strongest = 1e9;  // N and m/s2, a load beyond it is not one
+constexpr double farthest = 1e4;   // m, a vertex beyond it has left all bounds
+constexpr double fastest = 1e9;    // m/s
 
 void check(const MembraneMaterial& m) {
     const auto within = [](double value, double least, double most, const char* name) {
@@ -268,9 +269,12 @@ bool usable(const Membrane& membrane, const MembraneState& state, const Membrane
         return false;
     if (!inputs.forces.empty() && inputs.forces.size() != n) return false;
     if (!inputs.attachments.empty() && inputs.attachments.size() != membrane.attached().size()) return false;
-    if (!inputs.gravity.allFinite() || !Membrane::finite(state)) return false;
+    const auto within = [](const Vector3& load) {
+        return load.allFinite() && load.cwiseAbs().maxCoeff() <= strongest;
+    };
+    if (!within(inputs.gravity) || !Membrane::finite(state)) return false;
     for (const Vector3& f : inputs.forces) {
-        if (!f.allFinite()) return false;
+        if (!within(f)) return false;
     }
     for (const Vector3& a : inputs.attachments) {
         if (!a.allFinite() || a.cwiseAbs().maxCoeff() > farthest) return false;

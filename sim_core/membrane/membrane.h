@@ -33,8 +33,9 @@ enum class MembraneFault : std::uint8_t {
     none,
     substepped,   ///< symplectic: the step was above the limit and was divided
     unconverged,  ///< implicit: the tolerance was not reached; finite, momentum kept, energy not at its least
-    refused,      ///< nothing was done: input not finite, step outside 1e-9 .. 1 s or too far above the limit
-    frozen        ///< the result was not finite or left all bounds: last good positions, at rest
+    refused,  ///< nothing was done: input not finite or beyond 1e9 (loads) and 1e4 m, step outside 1e-9 .. 1
+              ///< s or too far above the limit
+    frozen    ///< the result was not finite or left all bounds: last good positions, at rest
 };
 const char* name_of(MembraneFault fault);
 
@@ -69,7 +70,7 @@ struct MembraneSolve {
 struct MembraneReport {
     double residual = 0;  ///< |free force imbalance| over the largest of |internal|, |external|, |inertial|
                           ///< force and that of springs strained by 1e-4
-    double energy = 0;  ///< J, of the springs
+    double energy = 0;    ///< J, of the springs
     double potential =
         0;  ///< J, incremental potential that was minimised (static: springs minus work of dead loads)
     int iterations = 0;        ///< linear systems' outer iterations
