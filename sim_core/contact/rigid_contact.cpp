@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim_core/collision/tool_shapes.h"
 #include "sim_core/contact/contact_response.h"
 #include "sim_core/contact/patch_surface.h"
 #include "sim_core/contact/surface_walk.h"
@@ -113,23 +114,30 @@ void seed_wall(const CavityModel* cavity, const ToolKinematics& tool, double rea
     model.cavity_seed = cavity != nullptr && tool.inside ? cavity->closest(tool.tip, reach).triangle : -1;
 }
 
+namespace {
+
+// The fractions of both shafts nearest to a point of a jaw.
+SegmentPair fractions_at(const Vector3& point, const ToolKinematics& left, const ToolKinematics& right) {
+    SegmentPair pair;
+    pair.s = closest_points_of_segments(left.trocar, left.tip, point, point).s;
+    pair.t = closest_points_of_segments(right.trocar, right.tip, point, point).s;
+    return pair;
+}
+
+}  // namespace
+
 double collide_tools(const ToolContactModel& left, const ToolKinematics& left_tool,
                      const ToolContactModel& right, const ToolKinematics& right_tool,
                      ToolContactResult& left_result, ToolContactResult& right_result) {
     if (!left_tool.inside || !right_tool.inside) return -1.0;
-    const SegmentPair pair =
-        closest_points_of_segments(left_tool.trocar, left_tool.tip, right_tool.trocar, right_tool.tip);
-    const Vector3 between = pair.on_first - pair.on_second;
-    const double distance = between.norm();
-    const double depth = left.instrument.shaft_radius + right.instrument.shaft_radius - distance;
+    const SolidContact solid =
+        collide_shapes(tool_shape(left.instrument, left_tool), tool_shape(right.instrument, right_tool));
+    const double depth = solid.depth;
     if (!(depth > 0)) return std::isfinite(depth) ? depth : -1.0;
-    Vector3 normal = Vector3::UnitZ();  // out of the right tool
-    if (distance > 1e-9) {
-        normal = between / distance;
-    } else {
-        const Vector3 across = left_tool.axis.cross(right_tool.axis);
-        if (across.norm() > 1e-9) normal = across.normalized();
-    }
+    const Vector3& normal = solid.normal;  // out of the right tool
+    const SegmentPair pair = solid.by_jaw ? fractions_at(solid.point, left_tool, right_tool)
+                                          : closest_points_of_segments(left_tool.trocar, left_tool.tip,
+                                                                       right_tool.trocar, right_tool.tip);
     ContactResponse response;
     response.stiffness = shaft_stiffness;
     response.damping = shaft_damping;
