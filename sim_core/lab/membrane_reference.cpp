@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim_core/numerics/functions.h"
+
 namespace fulcrum::lab {
 namespace {
 
@@ -61,12 +63,13 @@ HeldSheet::HeldSheet(int sheet_side, double stiffness, double pre_strain)
 
 void HeldSheet::move_edge(int frames) {
     const MembraneState rest = membrane.make_state();
-    const int phase = frames % 160;
-    const double way = 0.00025 * (phase < 80 ? phase : 160 - phase);
+    double sine = 0, cosine = 1;
+    math::sin_cos(5.0 * 0.005 * (frames % 100000), sine, cosine);
+    const Vector3 way = 0.010 * Vector3(0, sine, 1 - cosine);
     inputs.attachments.resize(membrane.attached().size());
     for (std::size_t a = 0; a < inputs.attachments.size(); ++a) {
         inputs.attachments[a] = rest.positions[static_cast<std::size_t>(membrane.attached()[a])];
-        if (a % 2 == 1) inputs.attachments[a] += way * Vector3(0.0, 0.6, 0.8);
+        if (a % 2 == 1) inputs.attachments[a] += way;
     }
 }
 

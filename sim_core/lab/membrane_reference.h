@@ -21,7 +21,8 @@ struct HeldSheet {
     int side;
     Membrane membrane;
     MembraneInputs inputs;  ///< gravity along -z, attachments where they are at rest
-    /// The edge at x = 0.2 m after `frames` frames of 5 ms at 50 mm/s (to and fro within 20 mm).
+    /// The edge at x = 0.2 m after `frames` frames of 5 ms: round a circle of 10 mm across the sheet at 50
+    /// mm/s.
     void move_edge(int frames);
 };
 
