@@ -11,16 +11,32 @@ namespace fulcrum {
 namespace {
 
 constexpr double motion_cutoff = 10.0, force_cutoff = 50.0;  // Hz
+// What lies above it is the device's noise: physiological tremor (6 to 12 Hz, its harmonics to 25 Hz) is the
+// hand's own, and a low-pass at 10 Hz would count half of it as noise of the device.
+constexpr double noise_cutoff = 50.0;  // Hz
 constexpr std::size_t decimation = 10;
 constexpr double shortest_segment_s = 0.3, longest_segment_s = 10.0, slowest_peak = 0.020;
 static_assert(decimation * 100 == 1000);
 
+/// Three filtered columns with held ends, at 100 Hz.
 Eigen::Matrix3Xd decimate(const std::vector<double>& x, const std::vector<double>& y,
                           const std::vector<double>& z) {
     const std::size_t size = (x.size() - 1) / decimation + 1;
     Eigen::Matrix3Xd out(3, static_cast<Eigen::Index>(size));
     for (std::size_t i = 0; i < size; ++i)
         out.col(static_cast<Eigen::Index>(i)) << x[i * decimation], y[i * decimation], z[i * decimation];
+    return out;
+}
+
+/// The block's own samples between the two rests: what MotionBlock keeps of decimated columns with held ends.
+Eigen::Matrix3Xd between_rests(const Eigen::Matrix3Xd& points, std::size_t size, const Vector3& before,
+                               const Vector3& after) {
+    Eigen::Matrix3Xd out(3, static_cast<Eigen::Index>(size + 2));
+    const auto hold = static_cast<Eigen::Index>(hold_samples(motion_rate));
+    out.col(0) = before;
+    out.middleCols(1, static_cast<Eigen::Index>(size)) =
+        points.middleCols(hold, static_cast<Eigen::Index>(size));
+    out.col(out.cols() - 1) = after;
     return out;
 }
 
@@ -37,14 +53,14 @@ struct Residuals {
     std::vector<double> sum, square, count;
 };
 
-Residuals residuals_of(const std::vector<double>& raw, const std::vector<double>& held, std::size_t hold) {
+Residuals residuals_of(const std::vector<double>& raw, const std::vector<double>& smooth) {
     Residuals out;
     const std::size_t cells = (raw.size() - 1) / decimation + 1;
     out.sum.assign(cells, 0);
     out.square.assign(cells, 0);
     out.count.assign(cells, 0);
     for (std::size_t i = 0; i < raw.size(); ++i) {
-        const double residual = raw[i] - held[i + hold];
+        const double residual = raw[i] - smooth[i];
         out.sum[i / decimation] += residual;
         out.square[i / decimation] += residual * residual;
         out.count[i / decimation] += 1;
@@ -68,11 +84,10 @@ struct Deviation {
 
 /// Speeds by central differences; the held ends give the first and last sample their neighbours.
 template <typename Distance>
-std::vector<double> rates_of(const Eigen::Matrix3Xd& points, std::size_t held, std::size_t size,
-                             Distance distance) {
+std::vector<double> rates_of(const Eigen::Matrix3Xd& points, std::size_t size, Distance distance) {
     std::vector<double> out(size);
     for (std::size_t i = 0; i < size; ++i) {
-        const auto k = static_cast<Eigen::Index>(i + held);
+        const auto k = static_cast<Eigen::Index>(i + hold_samples(motion_rate));
         out[i] = distance(points.col(k - 1), points.col(k + 1)) * motion_rate / 2.0;
     }
     return out;
@@ -171,28 +186,31 @@ void Analysis::build_motion(std::size_t h) {
     for (const UniformGrid& grid : grids_) {
         MotionBlock block;
         block.begin = grid.begin();
-        block.held = hold_samples(motion_rate);
         const std::size_t size = (grid.size() - 1) / decimation + 1;
         std::array<std::vector<double>, 3> smooth;
         std::array<Residuals, 3> residuals;
         const std::array<const std::vector<double>*, 3> columns = {&hand.px, &hand.py, &hand.pz};
+        Vector3 first, last;
         for (std::size_t c = 0; c < 3; ++c) {
             const std::vector<double> raw = grid.interpolate(*columns[c]);
+            first[static_cast<Eigen::Index>(c)] = raw.front();
+            last[static_cast<Eigen::Index>(c)] = raw.back();
             smooth[c] = low_pass_held(raw, motion_cutoff, force_rate);
-            residuals[c] = residuals_of(raw, smooth[c], hold_samples(force_rate));
+            residuals[c] = residuals_of(raw, low_pass(raw, noise_cutoff, force_rate));
         }
-        block.position = decimate(smooth[0], smooth[1], smooth[2]);
-        block.speed = rates_of(block.position, block.held, size,
-                               [](const Vector3& a, const Vector3& b) { return (b - a).norm(); });
+        const Eigen::Matrix3Xd position = decimate(smooth[0], smooth[1], smooth[2]);
+        block.position = between_rests(position, size, first, last);
+        block.speed =
+            rates_of(position, size, [](const Vector3& a, const Vector3& b) { return (b - a).norm(); });
         if (hand.has(Channel::axis)) {
             const auto filtered = [&](const std::vector<double>& column) {
                 return low_pass_held(grid.interpolate(column), motion_cutoff, force_rate);
             };
-            block.axis = decimate(filtered(hand.ax), filtered(hand.ay), filtered(hand.az));
-            block.axis.colwise().normalize();
+            Eigen::Matrix3Xd axis = decimate(filtered(hand.ax), filtered(hand.ay), filtered(hand.az));
+            axis.colwise().normalize();
+            block.axis = between_rests(axis, size, axis.col(0), axis.col(axis.cols() - 1));
             block.angular_speed =
-                rates_of(block.axis, block.held, size,
-                         [](const Vector3& a, const Vector3& b) { return angle_between(a, b); });
+                rates_of(axis, size, [](const Vector3& a, const Vector3& b) { return angle_between(a, b); });
         }
         block.active =
             hand.has(Channel::inside) ? decimate(grid.hold(hand.inside)) : std::vector<std::uint8_t>(size, 1);

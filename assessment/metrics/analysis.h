@@ -63,12 +63,13 @@ class UniformGrid {
     std::vector<double> fraction_;
 };
 
-/// One hand's motion in one block at 100 Hz. Positions and axes carry the held ends of the filter (`held`
-/// columns at each side), so that no path is lost where a block ends in motion; everything else covers the
-/// block alone.
+/// One hand's motion in one block at 100 Hz. `position` and `axis` begin and end with the rest that the
+/// filter holds before the first and after the last sample (`held` columns at each side), so that no path is
+/// lost where a block ends in motion; between the rest and the block the hand counts as moving straight: the
+/// filter's ringing within the held time is nobody's movement. Everything else covers the block alone.
 struct MotionBlock {
-    double begin = 0;  ///< s
-    std::size_t held = 0;
+    static constexpr std::size_t held = 1;
+    double begin = 0;                           ///< s
     Eigen::Matrix3Xd position, axis;            ///< m; unit; axis empty when not recorded
     std::vector<double> speed;                  ///< m/s, central differences
     std::vector<double> angular_speed;          ///< rad/s; empty when the axis is not recorded
@@ -116,9 +117,9 @@ struct ForceBlock {
 struct HandAnalysis {
     std::vector<MotionBlock> motion;
     std::vector<Segment> segments;
-    std::size_t moving_samples = 0;  ///< at 100 Hz, outside pauses
-    std::optional<double>
-        noise_at_rest;  ///< m, SD of position minus its low-pass over pauses, worst component
+    std::size_t moving_samples = 0;       ///< at 100 Hz, outside pauses
+    std::optional<double> noise_at_rest;  ///< m, the device's: SD over pauses of position minus its 50 Hz
+                                          ///< low-pass, worst component
     std::vector<ForceBlock> force;
     std::vector<std::uint8_t> touched;  ///< by tissue: 1 where the hand was in contact with it
 };

@@ -12,7 +12,7 @@ namespace fulcrum {
 
 namespace {
 
-constexpr double mm = 1e3;  // mm in a metre
+constexpr double mm = 1e3;        // mm in a metre
 constexpr double degrees = 180.0 / 3.14159265358979323846;
 
 /// The 5 s of a block in which a per-sample amount adds up to most: where a person should look.

@@ -66,7 +66,7 @@ Figure sparc_of(const Analysis& analysis, const Selection& row) {
 Figure ldlj_of(const Analysis& analysis, const Selection& row) {
     const HandAnalysis& hand = analysis.hand(row.hand);
     if (hand.noise_at_rest && *hand.noise_at_rest > noise_limit)
-        return absent(Absence::not_measured, "the position noise at rest is " +
+        return absent(Absence::not_measured, "the device's position noise at rest is " +
                                                  std::to_string(std::lround(*hand.noise_at_rest * 1e6)) +
                                                  " µm, above 5 µm");
     return median_over(hand, speed_values(hand, ldlj), "movements");
@@ -180,16 +180,17 @@ std::vector<Metric> smoothness_metrics() {
              "movements were made of many corrections: smoothness {value} where at least {limit} is needed",
              "start each move slowly and let it run out in one stroke"}),
         sparc_of);
-    add(describe({"ldlj", "Smoothness (log jerk)", "-", 0.01}, D::higher, Scale::raw, A::median_of_segments,
+    MetricDescriptor d =
+        describe({"ldlj", "Smoothness (log jerk)", "-", 0.01}, D::higher, Scale::raw, A::median_of_segments,
                  E::moderate, "Balasubramanian 2015, Hogan 2009",
                  {"Minus the logarithm of the dimensionless jerk of tip speed, median over movements. Nearer "
                   "to 0 is smoother; "
                   "absent where the device's position noise would decide it.",
                   "movements were jerky: log jerk {value} where at least {limit} is needed",
-                  "relax the grip and accelerate gently"}),
-        ldlj_of);
-    MetricDescriptor d =
-        describe({"tremor", "Tremor share", "-", 0.01}, D::lower, Scale::raw, A::share, E::expert,
+                  "relax the grip and accelerate gently"});
+    d.version = 2;  // 2: noise at rest is what lies above 50 Hz, so that tremor is not taken for the device's
+    add(std::move(d), ldlj_of);
+    d = describe({"tremor", "Tremor share", "-", 0.01}, D::lower, Scale::raw, A::share, E::expert,
                  "6-12 Hz share of the power of tip acceleration, Welch",
                  {"Share of the tip's acceleration that lies in the tremor band of 6 to 12 Hz.",
                   "tremor made up {value} of the acceleration where {limit} is allowed",

@@ -23,6 +23,7 @@ constexpr double open_share = 0.85, closed_share = 0.12;            // of the wi
 constexpr double before_frontier = 0.004, beyond_frontier = 0.018;  // m along the bowel
 constexpr double shaft_clearance = 0.011;  // m between the shafts' axes on a planned way
 constexpr double way_tolerance = 0.015;    // m from a point that is only passed
+constexpr double shortest_close_s = 0.35;  // the jaws need that long to close
 constexpr double grip_reserve = 1.5;       // grip over what the seen load needs
 
 enum class Stage : std::uint8_t { choose, travel, descend, close, tent, let_go, raise };
@@ -212,7 +213,7 @@ class BowelHandling : public Behaviour {
         limb.jaws(closed_share * limb.spec().jaw_opening,
                   std::max(1.5, skill_.grip_force + skill_.grip_spread * limb.random().normal()));
         // Jaws close in about a quarter of a second; what came of it is seen a reaction time later.
-        until_ = limb.time() + 0.35 + skill_.reaction_s + 0.05;
+        until_ = limb.time() + std::max(shortest_close_s, skill_.dwell_s) + skill_.reaction_s + 0.05;
     }
 
     void close(const Perception& seen, Body& body) noexcept {
@@ -234,7 +235,7 @@ class BowelHandling : public Behaviour {
             shift_ = shift_ > 0 ? 0 : sideways;
         }
         stage_ = Stage::let_go;
-        until_ = limb.time() + 0.3;
+        until_ = limb.time() + skill_.dwell_s;
     }
 
     // The fresh grasp holds: the other hand lets go and goes ahead, or this one lifts.
@@ -250,7 +251,7 @@ class BowelHandling : public Behaviour {
         holder_place_ = grasped_place_;
         mover_ = other;
         stage_ = Stage::let_go;
-        until_ = body.limb[mover_]->time() + 0.35;
+        until_ = body.limb[mover_]->time() + skill_.dwell_s;
     }
 
     void raise(const Goal& goal, const Perception& seen, Body& body) noexcept {

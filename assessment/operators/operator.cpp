@@ -84,6 +84,7 @@ std::unique_ptr<ObservingRig> make_operator(const std::string& preset, const Tas
         throw InputError("operator", preset, "no operator of this name",
                          "use novice, intermediate or expert");
     }
+    draw_form(preset, attempt, skill);
     const bool bowel = std::any_of(task.goals.begin(), task.goals.end(), is_bowel_goal);
     const bool targets = std::any_of(task.goals.begin(), task.goals.end(),
                                      [](const Goal& goal) { return !is_bowel_goal(goal); });

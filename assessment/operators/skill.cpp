@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "assessment/operators/skill.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "sim_core/numerics/functions.h"
 #include "sim_core/numerics/random.h"
 
@@ -8,11 +11,15 @@ namespace fulcrum {
 namespace {
 
 constexpr std::uint64_t individual_stream = 0x736b696c;
+constexpr std::uint64_t form_stream = 0x666f726d;
+// Standard deviations of the logarithm of an expert's tempo: between individuals, between one's attempts.
+constexpr double tempo_spread = 0.20, form_spread = 0.15;
 
 Skill expert() {
     Skill skill;
     skill.reaction_s = 0.16;
     skill.choice_s = 0.18;
+    skill.dwell_s = 0.35;
     skill.duration_scale = 1.0;
     skill.gain = 0.97;
     skill.gain_spread = 0.03;
@@ -40,6 +47,7 @@ Skill novice() {
     Skill skill;
     skill.reaction_s = 0.24;
     skill.choice_s = 0.55;
+    skill.dwell_s = 0.4;
     skill.duration_scale = 1.45;
     skill.gain = 0.80;
     skill.gain_spread = 0.20;
@@ -63,6 +71,24 @@ Skill novice() {
     return skill;
 }
 
+double width_of(const std::string& preset) {
+    return preset == "expert" ? 1.0 : preset == "intermediate" ? 1.15 : 1.3;
+}
+
+double bounded_normal(Random& random) {
+    return std::clamp(random.normal(), -2.0, 2.0);
+}
+
+/// Tempo is a temperament as much as a skill: it stretches whatever the hands do, and who takes more time
+/// aims a little better.
+void change_pace(Skill& skill, double factor) {
+    skill.duration_scale *= factor;
+    skill.choice_s *= factor;
+    skill.lift_speed /= factor;
+    skill.dwell_s *= factor;
+    skill.endpoint_noise /= std::sqrt(factor);
+}
+
 double between(double a, double b) {
     return 0.5 * (a + b);
 }
@@ -70,6 +96,7 @@ double between(double a, double b) {
 Skill intermediate() {
     const Skill a = expert(), b = novice();
     Skill skill;
+    skill.dwell_s = between(a.dwell_s, b.dwell_s);
     skill.reaction_s = between(a.reaction_s, b.reaction_s);
     skill.choice_s = between(a.choice_s, b.choice_s);
     skill.duration_scale = between(a.duration_scale, b.duration_scale);
@@ -108,26 +135,31 @@ bool draw_individual(const std::string& preset, std::uint64_t seed, Skill& skill
         return false;
     }
     Random random(seed, individual_stream);
-    // People differ by some tenths in each faculty, multiplicatively; a third of it is shared (a generally
-    // better or worse hand).
-    const double shared = random.normal();
+    const double width = width_of(preset);
+    // Nobody lies further out than two standard deviations: an expert of a set is an expert.
+    const auto deviate = [&] { return bounded_normal(random); };
+    const double ability = deviate(), tempo = deviate();
     const auto vary = [&](double& value, double spread) {
-        value *= math::exp(spread * (0.58 * shared + 0.82 * random.normal()));
+        value *= math::exp(width * spread * (0.58 * ability + 0.82 * deviate()));
     };
-    vary(skill.reaction_s, 0.06);
-    vary(skill.choice_s, 0.12);
-    vary(skill.duration_scale, 0.06);
-    vary(skill.gain_spread, 0.12);
-    vary(skill.endpoint_noise, 0.12);
-    vary(skill.path_noise, 0.12);
-    vary(skill.depth_error, 0.12);
-    vary(skill.tremor, 0.12);
-    vary(skill.drift, 0.12);
-    vary(skill.touch_force, 0.10);
-    vary(skill.grip_force, 0.06);
-    vary(skill.comfortable_force, 0.08);
+    vary(skill.reaction_s, 0.08);
+    vary(skill.gain_spread, 0.15);
+    vary(skill.endpoint_noise, 0.15);
+    vary(skill.path_noise, 0.15);
+    vary(skill.depth_error, 0.15);
+    vary(skill.tremor, 0.20);
+    vary(skill.drift, 0.20);
+    vary(skill.touch_force, 0.12);
+    vary(skill.grip_force, 0.08);
+    vary(skill.comfortable_force, 0.10);
     vary(skill.tolerance, 0.08);
+    change_pace(skill, math::exp(width * tempo_spread * tempo));
     return true;
+}
+
+void draw_form(const std::string& preset, std::uint64_t attempt, Skill& skill) {
+    Random random(attempt, form_stream);
+    change_pace(skill, math::exp(width_of(preset) * form_spread * bounded_normal(random)));
 }
 
 }  // namespace fulcrum

@@ -2,6 +2,12 @@
 // What a synthetic operator's hands can do: one set of numbers an individual, drawn around a preset. The
 // presets are ours, chosen so that the movements have the size and speed that studies of laparoscopic novices
 // and experts report; they are not measured people.
+//
+// Individuals: every faculty varies by a log-normal factor, a third of its variance shared (a better or worse
+// hand on the whole), and each has a tempo of their own that stretches all they do (20 % among experts, 15 %
+// more from one attempt to the next); all of it 1.15 times as wide for intermediates, 1.3 times for novices,
+// and nobody beyond two standard deviations. docs/results/operators_*.md shows what spread of time and path
+// results.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +19,7 @@ struct Skill {
     double reaction_s = 0.2;    ///< from seeing to acting: decisions use what was shown this long ago
     double choice_s = 0.4;      ///< mean extra time to decide where to go next
     double duration_scale = 1;  ///< of a sub-movement, times the Fitts-like duration
+    double dwell_s = 0.35;      ///< left to jaws that close or open before the hand goes on
     double gain = 0.95;         ///< mean share of the distance that a sub-movement covers
     double gain_spread = 0.05;  ///< its standard deviation: above 1 in all is overshoot
     double endpoint_noise =
@@ -37,5 +44,7 @@ struct Skill {
 
 /// Draws an individual around "novice", "intermediate" or "expert"; false for another name. Pure.
 bool draw_individual(const std::string& preset, std::uint64_t seed, Skill& skill);
+/// The same individual on the day of one attempt: a little faster or slower. Pure.
+void draw_form(const std::string& preset, std::uint64_t attempt, Skill& skill);
 
 }  // namespace fulcrum

@@ -4,6 +4,7 @@
 // folder.   usage: benchmark_operators A2|B1 [seeds] [FOLDER]
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -65,6 +66,11 @@ Outcome attempt(const TaskDefinition& task, const Scene& scene, const std::strin
     return outcome;
 }
 
+/// Standard deviation over the magnitude of the mean: how different the individuals are.
+double relative_spread(const std::vector<double>& values) {
+    return sample_deviation(values) / std::abs(mean_of(values));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -106,26 +112,32 @@ int main(int argc, char** argv) {
                          "benchmark_operators " + task.id + " " + std::to_string(seeds) + " docs/results");
     lab::ResultTable table;
     table.name = "operators_" + task.id;
-    table.columns = {"metric", "expert: median", "95 % interval", "novice: median", "95 % interval", "apart"};
+    table.columns = {"metric",         "expert: median", "95 % interval", "spread",
+                     "novice: median", "95 % interval",  "spread",        "apart"};
+    const auto percent = [](double value) { return short_number(100 * value, 2) + " %"; };
     nlohmann::json rows = nlohmann::json::array();
     for (const auto& [name, expert] : values[0]) {
         const auto a = median_interval(expert), b = median_interval(values[1][name]);
         if (!a || !b) continue;
         const bool apart = a->high < b->low || b->high < a->low;
-        table.rows.push_back(
-            {name, short_number(a->median, 4), short_number(a->low, 4) + " to " + short_number(a->high, 4),
-             short_number(b->median, 4), short_number(b->low, 4) + " to " + short_number(b->high, 4),
-             apart ? "yes" : "no"});
+        table.rows.push_back({name, short_number(a->median, 4),
+                              short_number(a->low, 4) + " to " + short_number(a->high, 4),
+                              percent(relative_spread(expert)), short_number(b->median, 4),
+                              short_number(b->low, 4) + " to " + short_number(b->high, 4),
+                              percent(relative_spread(values[1][name])), apart ? "yes" : "no"});
         rows.push_back({{"metric", name},
                         {"expert", {a->median, a->low, a->high}},
+                        {"expert_spread", relative_spread(expert)},
                         {"novice", {b->median, b->low, b->high}},
+                        {"novice_spread", relative_spread(values[1][name])},
                         {"apart", apart}});
     }
     page.table(table);
-    page.paragraph("Intervals by order statistics. Completed: " + std::to_string(completed[0]) + " of " +
-                   std::to_string(seeds) + " experts, " + std::to_string(completed[1]) + " of " +
-                   std::to_string(seeds) + " novices. Replayed bit for bit: " + std::to_string(identical) +
-                   " of " + std::to_string(2 * seeds) + ". " + short_number(simulated / wall) +
+    page.paragraph("Intervals by order statistics; spread: standard deviation over mean. Completed: " +
+                   std::to_string(completed[0]) + " of " + std::to_string(seeds) + " experts, " +
+                   std::to_string(completed[1]) + " of " + std::to_string(seeds) +
+                   " novices. Replayed bit for bit: " + std::to_string(identical) + " of " +
+                   std::to_string(2 * seeds) + ". " + short_number(simulated / wall) +
                    " times real time a core, start, operators and record included, scoring and the replay "
                    "that follows left out.");
     page.paragraph(

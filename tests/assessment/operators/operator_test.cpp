@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <numeric>
 
 #include "assessment/operators/limb.h"
 #include "assessment/operators/skill.h"
@@ -95,6 +97,7 @@ TEST(Operator, DoesNotReactBeforeItsReactionTime) {
         const auto rig = make_operator(preset, stage.task, stage.scene, 4);
         Skill skill;
         ASSERT_TRUE(draw_individual(preset, 4, skill));
+        draw_form(preset, 4, skill);
         const InstrumentModel model = make_instrument(*stage.scene.instrument(Hand::left), 1e-3);
         WorldSnapshot world;
         TaskDisplay display;
@@ -242,6 +245,30 @@ TEST(Skill, IndividualsVaryAroundTheirPresetAndAreRepeatable) {
     EXPECT_GT(*std::max_element(expert.begin(), expert.end()),
               1.2 * *std::min_element(expert.begin(), expert.end()));
     EXPECT_FALSE(draw_individual("", 1, a));
+}
+
+TEST(Skill, TempoSpreadsAsAmongPeopleAndNobodyLeavesTheirGroup) {
+    const char* presets[] = {"expert", "intermediate", "novice"};
+    double spread[3], slowest[3], fastest[3];
+    for (int p = 0; p < 3; ++p) {
+        std::vector<double> logarithms;
+        for (std::uint64_t seed = 0; seed < 400; ++seed) {
+            Skill skill;
+            ASSERT_TRUE(draw_individual(presets[p], seed, skill));
+            logarithms.push_back(std::log(skill.choice_s));
+        }
+        const double mean = std::accumulate(logarithms.begin(), logarithms.end(), 0.0) / 400;
+        double square = 0;
+        for (const double x : logarithms) square += (x - mean) * (x - mean) / 399;
+        spread[p] = std::sqrt(square);
+        slowest[p] = std::exp(*std::max_element(logarithms.begin(), logarithms.end()) - mean);
+        fastest[p] = std::exp(*std::min_element(logarithms.begin(), logarithms.end()) - mean);
+        EXPECT_LT(slowest[p], 2.3);
+        EXPECT_GT(fastest[p], 0.43);
+    }
+    EXPECT_NEAR(spread[0], 0.19, 0.02) << "0.20, nobody beyond two standard deviations";
+    EXPECT_LT(spread[0], spread[1]);
+    EXPECT_LT(spread[1], spread[2]);
 }
 
 }  // namespace

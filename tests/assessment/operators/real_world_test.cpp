@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "assessment/attempt/engine.h"
+#include "assessment/learning/statistics.h"
+#include "assessment/metrics/metrics_json.h"
 #include "assessment/operators/operator.h"
 #include "tests/support/support.h"
 
@@ -43,6 +46,56 @@ TEST(OperatorOnTheWorld, EveryPresetTouchesAllTargetsAndRepeatsItself) {
         EXPECT_EQ(first.count(EventKind::target_reached), 20) << preset;
         EXPECT_EQ(a.state_hash, b.state_hash) << preset;
         EXPECT_EQ(a.ticks, b.ticks) << preset;
+    }
+}
+
+class Recording : public AttemptSink {
+  public:
+    void on_tick(const RigSample& /*input*/, const TickSample& sample) noexcept override {
+        samples.push_back(sample);
+    }
+    void on_step(const StepRecord& /*step*/) noexcept override {}
+    void on_event(const Event& event) noexcept override { events.push_back(event); }
+    std::vector<TickSample> samples;
+    std::vector<Event> events;
+};
+
+// Six seeds here; the twenty that docs/results shows are run by benchmark_operators.
+TEST(OperatorOnTheWorld, ExpertsAndNovicesDifferAmongThemselvesAndLieApart) {
+    const TaskDefinition task = load_task(test::source_path("assets/tasks/A2.json"));
+    const Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
+    std::vector<std::string> tissues;
+    for (const TissueSpec& tissue : scene.tissues) tissues.push_back(tissue.label);
+    MetricContext context = make_metric_context(scene, task, {});
+    context.metrics = {"time", "path_len", "f_max", "sparc", "ldlj"};
+    std::map<std::string, std::vector<double>> values[2];
+    const char* presets[] = {"expert", "novice"};
+    for (int p = 0; p < 2; ++p) {
+        for (std::uint64_t seed = 2000; seed < 2006; ++seed) {
+            AttemptEngine engine(scene, task, seed);
+            const auto rig = make_operator(presets[p], task, scene, seed);
+            Recording record;
+            run_headless(engine, *rig, record);
+            const Trace trace = trace_from_samples(record.samples, record.events, tissues, scene.tick_rate);
+            for (const MetricResult& row : compute_metrics(trace, record.events, context)) {
+                if (!row.tissue.empty()) continue;
+                // A novice may hardly ever rest between movements: then smoothness has no value, and says so.
+                if (row.value) values[p][row.id + ' ' + row.hand].push_back(*row.value);
+            }
+        }
+    }
+    for (const auto& [name, expert] : values[0]) {
+        const std::vector<double>& novice = values[1][name];
+        EXPECT_EQ(expert.size(), 6U) << name;
+        EXPECT_GE(novice.size(), 5U) << name;
+        const auto a = median_interval(expert, 0.9), b = median_interval(novice, 0.9);
+        ASSERT_TRUE(a && b) << name;
+        if (name.rfind("ldlj", 0) == 0) continue;
+        EXPECT_TRUE(a->high < b->low || b->high < a->low)
+            << name << ": " << a->low << " to " << a->high << ", " << b->low << " to " << b->high;
+        if (name != "time ") continue;
+        EXPECT_GT(a->high, 1.15 * a->low) << "experts keep paces of their own";
+        EXPECT_GT(b->high, 1.2 * b->low) << "and novices more so";
     }
 }
 
