@@ -61,15 +61,14 @@ void run_law_experiment(const JsonDocument& file, ExperimentResult& result) {
     closed.name = "EXP2, closed form";
     closed.markers = false;
     closed.dashed = true;
-    double parted = std::nan(""), at_22 = std::nan("");
+    const double parted = std::sqrt(std::log(1.2 * linear_young / exp2_young) / exponent);
+    double at_22 = std::nan("");
     for (int i = 0; i <= 40; ++i) {
         const double strain = 0.01 * i, stress = exp2_young * strain * std::exp(exponent * strain * strain);
         closed.x.push_back(strain);
         closed.y.push_back(stress / 1000);
         const double apart = std::fabs(stress / (linear_young * strain) - 1);
         if (i == 22) at_22 = apart;
-        // Beyond 10 %: towards zero strain the two moduli differ by 7 % for good.
-        if (i > 10 && std::isnan(parted) && apart > 0.20) parted = strain;
         if (i % 4 != 0) continue;
         const double force = stress * exp2.area;
         const LawRod* rods[2] = {&linear, &exp2};

@@ -47,7 +47,9 @@ ValidationCase absolute_case(std::string model, std::string name, std::string qu
 
 std::vector<ValidationCase> validation_cases() {
     std::vector<ValidationCase> cases;
-    for (const auto room : {rod_validation, rod_constraint_validation, buckling_validation, material_validation, skinning_validation, filter_validation}) {
+    for (const auto room :
+         {rod_validation, rod_constraint_validation, buckling_validation, material_validation,
+          skinning_validation, filter_validation, haptic_validation, membrane_validation}) {
         std::vector<ValidationCase> more = room();
         cases.insert(cases.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
     }

@@ -50,7 +50,7 @@ TEST(Experiment, FilterGradesAreASpikeAndTwoDents) {
 TEST(Experiment, TheLawsPartWhereTheClosedFormSays) {
     const ExperimentResult result = run("fig07_laws");
     EXPECT_LT(figure(result, "stress of the two laws apart at 22 % strain"), 10);
-    EXPECT_NEAR(figure(result, "strain from which they are 20 % apart"), 30, 1.001);
+    EXPECT_NEAR(figure(result, "strain from which they are 20 % apart"), 29.2, 0.1);
     // The rods, not only the formulas: 10 % of stretch each way, then apart.
     EXPECT_NEAR(result.figures[2].value / result.figures[3].value, 1, 0.05);
     EXPECT_GT(result.figures[6].value / result.figures[7].value, 1.3);

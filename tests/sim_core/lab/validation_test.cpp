@@ -37,6 +37,15 @@ TEST(Validation, Skinning) {
 TEST(Validation, Filter) {
     expect_passed(filter_validation(), 5);
 }
+TEST(Validation, Material) {
+    expect_passed(material_validation(), 7);
+}
+TEST(Validation, Membrane) {
+    expect_passed(membrane_validation(), 3);
+}
+TEST(Validation, Haptics) {
+    expect_passed(haptic_validation(), 4);
+}
 TEST(Validation, Buckling) {
     expect_passed(buckling_validation(), 4);
 }

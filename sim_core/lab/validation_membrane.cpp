@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Membrane: the prefactored solve against implicit Euler by Newton to 1e-10, both on the same springs;
+// supports against the weight.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "sim_core/lab/membrane_reference.h"
+#include "sim_core/lab/validation_rooms.h"
+
+namespace fulcrum::lab {
+
+std::vector<ValidationCase> membrane_validation() {
+    std::vector<ValidationCase> cases;
+    constexpr int side = 32;
+    constexpr double dt = 0.005;
+    HeldSheet sheet(side);
+    const Membrane& membrane = sheet.membrane;
+    MembraneSolve quick, exact;
+    exact.integrator = MembraneIntegrator::implicit;
+    MembraneScratch scratch = membrane.make_scratch(0);
+    const MembraneState flat = membrane.make_state();
+    MembraneState state = flat, reference = flat;
+    quick.iterations = 14;
+    membrane.solve(state, sheet.inputs, scratch, quick);
+    const bool solved = membrane.solve(reference, sheet.inputs, scratch, exact).converged;
+    ValidationCase statics =
+        absolute_case("membrane", "held sheet of 1,024 nodes under its weight, global-local, 14 iterations",
+                      "energy gap", energy_gap(membrane, flat, state, reference, sheet.inputs, 0, scratch), 0,
+                      "Newton on the same energy to 1e-10", 0.01, 1, "of E_start - E_reference");
+    statics.passed = statics.passed && solved;
+    cases.push_back(statics);
+    Vector3 sum = Vector3::Zero();
+    membrane.solve(reference, sheet.inputs, scratch, exact);
+    for (const Vector3& reaction : sheet.inputs.reactions) sum += reaction;
+    cases.push_back(relative_case("membrane", "the same sheet at rest", "vertical sum of its supports, N",
+                                  sum.z(), 0.04 * 9.81, "its weight", 1e-6));
+    MembraneScratch frames = membrane.make_scratch(dt);
+    quick.iterations = 8;
+    double worst = 0;
+    bool converged = true;
+    state = reference;
+    for (int frame = 1; frame <= 20; ++frame) {
+        sheet.move_edge(frame);
+        const MembraneState start = state;
+        MembraneState ideal = start;
+        converged = membrane.step(ideal, sheet.inputs, dt, frames, exact).converged && converged;
+        membrane.step(state, sheet.inputs, dt, frames, quick);
+        worst = std::max(worst, energy_gap(membrane, start, state, ideal, sheet.inputs, dt, frames));
+    }
+    ValidationCase moving =
+        absolute_case("membrane", "20 frames of 5 ms, an edge moving at 50 mm/s, global-local, 8 iterations",
+                      "worst energy gap of a frame", worst, 0, "implicit Euler by Newton to 1e-10", 0.01, 1,
+                      "of E_start - E_reference");
+    moving.passed = moving.passed && converged;
+    cases.push_back(moving);
+    return cases;
+}
+
+}  // namespace fulcrum::lab
