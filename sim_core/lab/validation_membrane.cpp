@@ -37,7 +37,7 @@ std::vector<ValidationCase> membrane_validation() {
                                   sum.z(), 0.04 * 9.81, "its weight", 1e-6));
     MembraneScratch frames = membrane.make_scratch(dt);
     quick.iterations = 8;
-    double worst = 0;
+    double first = 0, worst = 0;
     bool converged = true;
     state = reference;
     for (int frame = 1; frame <= 20; ++frame) {
@@ -45,15 +45,23 @@ std::vector<ValidationCase> membrane_validation() {
         const MembraneState start = state;
         MembraneState ideal = start;
         converged = membrane.step(ideal, sheet.inputs, dt, frames, exact).converged && converged;
+        // The edge starts at full speed in the first frame: no frame before it lends its curvature.
+        quick.iterations = frame == 1 ? 12 : 8;
         membrane.step(state, sheet.inputs, dt, frames, quick);
-        worst = std::max(worst, energy_gap(membrane, start, state, ideal, sheet.inputs, dt, frames));
+        const double gap = energy_gap(membrane, start, state, ideal, sheet.inputs, dt, frames);
+        (frame == 1 ? first : worst) = std::max(frame == 1 ? first : worst, gap);
     }
-    ValidationCase moving =
-        absolute_case("membrane", "20 frames of 5 ms, an edge moving at 50 mm/s, global-local, 8 iterations",
-                      "worst energy gap of a frame", worst, 0, "implicit Euler by Newton to 1e-10", 0.01, 1,
-                      "of E_start - E_reference");
-    moving.passed = moving.passed && converged;
-    cases.push_back(moving);
+    for (const bool starting : {true, false}) {
+        ValidationCase moving = absolute_case(
+            "membrane",
+            starting
+                ? "a frame of 5 ms in which a resting edge starts at 50 mm/s, global-local, 12 iterations"
+                : "the 19 frames after it, global-local, 8 iterations",
+            "worst energy gap of a frame", starting ? first : worst, 0, "implicit Euler by Newton to 1e-10",
+            0.01, 1, "of E_start - E_reference");
+        moving.passed = moving.passed && converged;
+        cases.push_back(moving);
+    }
     return cases;
 }
 

@@ -41,7 +41,7 @@ TEST(Validation, Material) {
     expect_passed(material_validation(), 7);
 }
 TEST(Validation, Membrane) {
-    expect_passed(membrane_validation(), 3);
+    expect_passed(membrane_validation(), 4);
 }
 TEST(Validation, Haptics) {
     expect_passed(haptic_validation(), 4);
