@@ -54,7 +54,8 @@ int stability(const Arguments& arguments) {
 }
 
 int tradeoff(const Arguments& arguments) {
-    const std::vector<lab::TradeoffStudy> studies = lab::tradeoff_studies();
+    std::vector<lab::TradeoffStudy> studies = lab::tradeoff_studies();
+    studies.push_back(measure_model_age());
     const std::vector<lab::ScoreSensitivity> sensitivity = measure_score_sensitivity();
     return deliver(arguments, lab::tradeoff_page(studies, sensitivity), lab::to_json(studies, sensitivity));
 }

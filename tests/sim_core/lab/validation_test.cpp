@@ -37,9 +37,6 @@ TEST(Validation, Skinning) {
 TEST(Validation, Filter) {
     expect_passed(filter_validation(), 5);
 }
-TEST(Validation, Material) {
-    expect_passed(material_validation(), 7);
-}
 TEST(Validation, Membrane) {
     expect_passed(membrane_validation(), 4);
 }
