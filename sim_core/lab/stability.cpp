@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "sim_core/lab/chart.h"
+#include "sim_core/lab/membrane_tradeoff.h"
 #include "sim_core/lab/stability_map.h"
 #include "sim_core/lab/stability_rooms.h"
 
@@ -24,7 +25,7 @@ const char* name_of(StabilityOutcome outcome) {
 
 std::vector<StabilityMap> stability_maps() {
     std::vector<StabilityMap> maps;
-    for (const auto room : {rod_stability, skin_stability, haptic_stability_maps}) {
+    for (const auto room : {rod_stability, skin_stability, membrane_stability, haptic_stability_maps}) {
         std::vector<StabilityMap> more = room();
         maps.insert(maps.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim_core/lab/membrane_tradeoff.h"
 #include "sim_core/lab/stability_rooms.h"
 #include "sim_core/lab/tradeoff_rooms.h"
 
@@ -35,6 +36,21 @@ TEST(Stability, SliversDoNotSpoilTheSurface) {
     for (const StabilityCell& cell : maps[0].cells) {
         if (cell.at[1] >= 3) {
             EXPECT_EQ(cell.outcome, StabilityOutcome::stable) << cell.at[0] << ", " << cell.at[1];
+        }
+    }
+}
+
+// Symplectic Euler refuses far beyond its limit: that is a declared fault; the implicit integrators take
+// every step.
+TEST(Stability, MembranesAreFiniteEverywhereAndImplicitOnesNeverGiveUp) {
+    for (const StabilityMap& map : membrane_stability()) {
+        const bool symplectic = map.title.find("symplectic") != std::string::npos;
+        for (const StabilityCell& cell : map.cells) {
+            EXPECT_TRUE(cell.finite) << map.title;
+            if (!symplectic) {
+                EXPECT_NE(cell.outcome, StabilityOutcome::fault)
+                    << map.title << " at " << cell.at[0] << ", " << cell.at[1];
+            }
         }
     }
 }
