@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The force filter: Eqs. 1-4 of the paper, sum of forces, continuity over the area, patches, nothing
-// allocated.
+// The force filter: Eqs. 1-4 of the paper, patches, nothing allocated. Sum and continuity are cases of
+// sim_core/lab, asserted in tests/sim_core/lab.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -98,37 +98,6 @@ TEST(ForceFilter, WeightsAreEquationsOneAndTwo) {
             }
         }
     }
-}
-
-TEST(ForceFilter, KeepsTheForce) {
-    for (double area = 0.0; area < 8.0 * local_area(); area += 0.01 * local_area()) {
-        const FilteredForce force = filtered(area);
-        double sum = 0.0;
-        for (int i = 0; i < force.count; ++i) sum += force.weight[static_cast<std::size_t>(i)];
-        ASSERT_NEAR(sum, 1.0, 1e-12) << area;
-        ASSERT_FALSE(force.overflow);
-    }
-}
-
-TEST(ForceFilter, IsContinuousInTheArea) {
-    const double step = 1e-4 * local_area();
-    auto before = weights_of(filtered(0.0));
-    double worst = 0.0;
-    for (double area = 0.0; area < 6.0 * local_area(); area += step) {
-        const auto here = weights_of(filtered(area));
-        for (const auto& [vertex, weight] : here) {
-            const double old = before.count(vertex) != 0 ? before.at(vertex) : 0.0;
-            worst = std::max(worst, std::abs(weight - old));
-        }
-        for (const auto& [vertex, weight] : before) {
-            if (here.count(vertex) == 0) worst = std::max(worst, weight);
-        }
-        before = here;
-    }
-    // The quintic rises at most 1.875 over a band of 0.2 local areas: no more than that times the step, and
-    // no jump.
-    EXPECT_LE(worst, 1.875 * 1e-4 / 0.2 * 1.01);
-    EXPECT_GT(worst, 0.0);
 }
 
 TEST(ForceFilter, BlendsOnlyNearTheThresholds) {
