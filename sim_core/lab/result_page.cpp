@@ -106,6 +106,7 @@ std::vector<std::string> ResultPage::write(const std::string& folder, const Mach
     };
     put(id_ + ".md", text(machine));
     nlohmann::json json = json_;
+    json["$comment"] = "SPDX-License-Identifier: Apache-2.0";  // sorts first
     json["machine"] = to_json(machine);
     put(id_ + ".json", json.dump(1) + "\n");
     for (const ResultFile& file : files_) put(file.name, file.bytes);
