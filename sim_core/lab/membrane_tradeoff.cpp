@@ -172,6 +172,7 @@ std::vector<StabilityMap> membrane_stability() {
         map.theory.push_back(limit);
         maps.push_back(map);
     }
+    maps.push_back(membrane_sliver_map());
     return maps;
 }
 

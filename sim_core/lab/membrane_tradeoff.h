@@ -13,7 +13,10 @@ namespace fulcrum::lab {
 /// against a 4 times finer sheet (sag).
 std::vector<TradeoffStudy> membrane_tradeoff();
 
-/// Time step against stiffness for each integrator, the symplectic limit drawn in.
+/// Symplectic Euler: time step against slivers up to aspect 1e6, its limit drawn in.
+StabilityMap membrane_sliver_map();
+
+/// Time step against stiffness for each integrator, the symplectic limit drawn in; and the sliver map.
 std::vector<StabilityMap> membrane_stability();
 
 }  // namespace fulcrum::lab

@@ -9,6 +9,54 @@
 #include "sim_core/lab/validation_rooms.h"
 
 namespace fulcrum::lab {
+namespace {
+
+// A node between two springs in a line and a third below, loaded down.
+ValidationCase loaded_string() {
+    TriangleMesh mesh;
+    mesh.vertices = {Vector3(0, 0, 0), Vector3(0.05, 0, 0), Vector3(0.1, 0, 0), Vector3(0.05, 0, -0.05)};
+    mesh.triangles = {{0, 1, 3}, {1, 2, 3}};
+    MembraneMaterial material;
+    material.structural_stiffness = 50;
+    material.shear_stiffness = material.bend_stiffness = 0;
+    const Membrane membrane(mesh, material, {0, 2, 3});
+    MembraneScratch scratch = membrane.make_scratch(0.0);
+    MembraneState state = membrane.make_state();
+    MembraneInputs inputs;
+    inputs.forces.assign(4, Vector3::Zero());
+    // Vertex 3 is held straight below: its spring pulls along the same line as the load and enters the
+    // balance too.
+    inputs.forces[1] = Vector3(0, 0, -0.5);
+    MembraneSolve solve;
+    solve.integrator = MembraneIntegrator::implicit;
+    membrane.solve(state, inputs, scratch, solve);
+    // The two in a line and the one below, shortened by the way z: 2 k (l - l0) z / l + k z = F.
+    double low = 0, high = 0.05;
+    for (int i = 0; i < 200; ++i) {
+        const double z = 0.5 * (low + high), l = std::sqrt(0.05 * 0.05 + z * z);
+        const double pull = 2 * 50 * (l - 0.05) * z / l + 50 * z;
+        (pull < 0.5 ? low : high) = z;
+    }
+    return relative_case("membrane", "node between three springs under 0.5 N", "way, m",
+                         -state.positions[1].z(), 0.5 * (low + high), "balance of forces by bisection", 1e-9);
+}
+
+ValidationCase triangle_limit() {
+    TriangleMesh mesh;
+    mesh.vertices = {Vector3(0, 0, 0), Vector3(0.01, 0, 0), Vector3(0.005, 0.01 * std::sqrt(0.75), 0)};
+    mesh.triangles = {{0, 1, 2}};
+    MembraneMaterial material;
+    material.structural_stiffness = 40;
+    material.mass = 0.003;
+    const Membrane membrane(mesh, material, {});
+    MembraneScratch scratch = membrane.make_scratch();
+    const MembraneLimit limit = membrane.limit(membrane.make_state(), scratch);
+    return relative_case("membrane", "free equilateral triangle of springs", "highest frequency, rad/s",
+                         limit.frequency, std::sqrt(3.0 * 40 / 0.001),
+                         "breathing mode of three equal masses and springs, w^2 = 3 k / m", 1e-6);
+}
+
+}  // namespace
 
 std::vector<ValidationCase> membrane_validation() {
     std::vector<ValidationCase> cases;
@@ -62,6 +110,8 @@ std::vector<ValidationCase> membrane_validation() {
         moving.passed = moving.passed && converged;
         cases.push_back(moving);
     }
+    cases.push_back(loaded_string());
+    cases.push_back(triangle_limit());
     return cases;
 }
 

@@ -38,7 +38,7 @@ TEST(Validation, Filter) {
     expect_passed(filter_validation(), 5);
 }
 TEST(Validation, Membrane) {
-    expect_passed(membrane_validation(), 4);
+    expect_passed(membrane_validation(), 6);
 }
 TEST(Validation, Haptics) {
     expect_passed(haptic_validation(), 4);

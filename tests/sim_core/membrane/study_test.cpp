@@ -9,6 +9,7 @@
 #include "sim_core/geometry/mesh_file.h"
 #include "sim_core/lab/bench.h"
 #include "sim_core/lab/membrane_study.h"
+#include "sim_core/lab/membrane_tradeoff.h"
 #include "sim_core/lab/studies.h"
 #include "tests/sim_core/membrane/sheets.h"
 
@@ -111,6 +112,28 @@ TEST_F(MembraneStudy, BrokenKeysAreNamed) {
                                          {{"steps", 0}, {"fixed", nlohmann::json::array()}}}) {
         EXPECT_THROW(run(change), InputError) << change.dump();
     }
+}
+
+TEST(MembraneSlivers, AreSteppedOnlyBelowTheirLimitAndSaySoAboveIt) {
+    const lab::StabilityMap map = lab::membrane_sliver_map();
+    ASSERT_EQ(map.cells.size(), map.axes[0].values.size() * map.axes[1].values.size());
+    int divided = 0, refused = 0;
+    for (const lab::StabilityCell& cell : map.cells) {
+        EXPECT_TRUE(cell.finite && std::isfinite(cell.measure));
+        for (std::size_t k = 0; k < map.theory[0].y.size(); ++k) {
+            if (map.theory[0].y[k] != cell.at[1]) continue;
+            // Divided above the limit; the bound that is enforced lies up to twofold below it.
+            if (cell.at[0] > map.theory[0].x[k]) {
+                EXPECT_NE(cell.outcome, lab::StabilityOutcome::stable) << cell.at[0] << ", " << cell.at[1];
+            } else if (cell.at[0] < 0.45 * map.theory[0].x[k]) {
+                EXPECT_EQ(cell.outcome, lab::StabilityOutcome::stable) << cell.at[0] << ", " << cell.at[1];
+            }
+        }
+        divided += cell.outcome == lab::StabilityOutcome::degraded ? 1 : 0;
+        refused += cell.outcome == lab::StabilityOutcome::fault ? 1 : 0;
+    }
+    EXPECT_GT(divided, 0);
+    EXPECT_GT(refused, 0);
 }
 
 TEST(MembraneWorkloads, AreRegisteredWithTheirBudgets) {
