@@ -3,44 +3,42 @@
 
 #include <QBuffer>
 #include <QByteArray>
-#include <QImage>
-#include <QPainter>
 #include <algorithm>
 #include <filesystem>
 
 #include "app/assets.h"
 #include "sim_core/lab/chart.h"
 #include "sim_core/lab/experiment.h"
-#include "sim_core/lab/picture.h"
+#include "ui/theatre/renderer/picture.h"
 
 namespace fulcrum::app {
 namespace {
 
-constexpr int panel_width = 400, panel_height = 310, title_height = 24;
-
 std::string drawn(const lab::ExperimentResult& result) {
-    const int count = static_cast<int>(result.panels.size()), columns = std::max(1, result.columns),
-              rows = (count + columns - 1) / columns;
-    QImage sheet(columns * panel_width, rows * (panel_height + title_height), QImage::Format_RGB888);
-    sheet.fill(Qt::white);
-    QPainter painter(&sheet);
-    QFont font = painter.font();
-    font.setPixelSize(14);
-    painter.setFont(font);
-    for (int i = 0; i < count; ++i) {
-        const lab::ExperimentPanel& panel = result.panels[static_cast<std::size_t>(i)];
-        const lab::Picture picture = lab::draw_panel(panel, panel_width, panel_height);
-        const QImage image(picture.rgb.data(), picture.width, picture.height, 3 * picture.width,
-                           QImage::Format_RGB888);
-        const int x = (i % columns) * panel_width, y = (i / columns) * (panel_height + title_height);
-        painter.drawImage(x, y + title_height, image);
-        painter.drawText(x + 8, y + 17, QString::fromStdString(panel.title));
+    std::vector<ui::PicturePanel> panels;
+    for (const lab::ExperimentPanel& panel : result.panels) {
+        ui::PicturePanel drawn_panel;
+        drawn_panel.title = QString::fromStdString(panel.title);
+        drawn_panel.eye = panel.eye;
+        drawn_panel.target = panel.target;
+        drawn_panel.up = panel.up;
+        drawn_panel.field_of_view = panel.field_of_view;
+        for (const lab::ExperimentMesh& mesh : panel.meshes) {
+            ui::DrawnMesh look;
+            look.mesh = mesh.mesh;
+            look.colour = QVector3D(mesh.colour[0], mesh.colour[1], mesh.colour[2]);
+            look.wireframe = mesh.wireframe;
+            look.smooth = mesh.smooth;
+            drawn_panel.meshes.push_back(std::move(look));
+        }
+        panels.push_back(std::move(drawn_panel));
     }
-    painter.end();
+    ui::PictureOptions options;
+    options.columns = result.columns;
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
-    sheet.save(&buffer, "PNG", 30);
+    ui::draw_picture(panels, options).save(&buffer, "PNG", 30);
     return bytes.toStdString();
 }
 

@@ -12,7 +12,7 @@ namespace fulcrum::app {
 
 /// Files of assets/experiments, sorted.
 std::vector<std::string> experiment_files();
-/// Runs one file and lays out its picture (ID.png) and page (ID.md). Needs a QGuiApplication for the titles.
+/// Runs one file and lays out its picture (ID.png) and page (ID.md). Needs a QGuiApplication whose platform offers OpenGL.
 /// Throws InputError.
 lab::ResultPage experiment_page(const std::string& file);
 

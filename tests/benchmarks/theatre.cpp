@@ -69,6 +69,8 @@ void report(benchmark::State& state, const std::vector<double>& drawing, const s
     state.counters["drawing_ms"] = share(drawing, 0.5);
     state.counters["drawing_p99_ms"] = share(drawing, 0.99);
     state.counters["cpu_ms"] = share(cpu, 0.5);
+    state.counters["cpu_p5_ms"] = share(cpu, 0.05);  // what neighbours on the cores disturbed least
+    state.counters["drawing_p5_ms"] = share(drawing, 0.05);
     state.counters["cpu_p99_ms"] = share(cpu, 0.99);
     state.counters["G_ms"] = yardstick_ms();
 }
@@ -76,14 +78,13 @@ void report(benchmark::State& state, const std::vector<double>& drawing, const s
 std::unique_ptr<LiveAttempt> start_attempt(const database::Store& store, const LoadedTask& loaded) {
     const database::Session session = store.station_session();
     const database::Person person = database::People(store).ensure_synthetic(session, "frames", "Frames");
-    LiveRequest request{loaded,
-                        1,
-                        false,
-                        make_operator("expert", loaded.task, loaded.scene, 1),
-                        store.path(),
-                        session,
-                        attempt_meta(loaded, 1, "practice", "synthetic", "synthetic operator", nullptr),
-                        std::nullopt};
+    LiveRequest request;
+    request.loaded = loaded;
+    request.assessed = false;
+    request.rig = make_operator("expert", loaded.task, loaded.scene, 1);
+    request.store_path = store.path();
+    request.session = session;
+    request.meta = attempt_meta(loaded, 1, "practice", "synthetic", "synthetic operator", nullptr);
     request.meta.person_id = person.id;
     request.meta.operator_name = "expert";
     return std::make_unique<LiveAttempt>(std::move(request));
@@ -98,8 +99,14 @@ void window(benchmark::State& state) {
     view.resize(window_size);
     view.show();
     std::unique_ptr<LiveAttempt> attempt = start_attempt(store, loaded);
+    while (attempt->phase() == ui::AttemptPhase::starting)
+        QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+    attempt->update();
     view.load(attempt->scene(), attempt->snapshot());
     while (!view.is_loaded()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
+    int swapped = 0;
+    QObject::connect(&view, &QOpenGLWidget::frameSwapped, [&swapped] { ++swapped; });
+    attempt->start();
     std::vector<double> drawing, cpu, interval;
     QElapsedTimer clock;
     clock.start();
@@ -112,17 +119,17 @@ void window(benchmark::State& state) {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
         next = std::max(next + frame_ms, now_ms());
+        const double from = now_ms(), cpu_from = drawing_cpu_ms();
         attempt->update();
         ui::HudState hud;
         hud.task = &attempt->task();
         hud.display = attempt->display();
         hud.shows_active_hand = true;
         view.set_hud(hud);
+        const int shown = swapped;
         view.show_world(attempt->snapshot());
-        const double from = now_ms(), cpu_from = drawing_cpu_ms();
-        view.repaint();
-        const double until = now_ms();
-        drawing.push_back(until - from);
+        while (swapped == shown) QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
+        drawing.push_back(now_ms() - from);
         cpu.push_back(drawing_cpu_ms() - cpu_from);
         if (before >= 0) interval.push_back(from - before);
         before = from;
@@ -197,7 +204,7 @@ int main(int argc, char** argv) {
     benchmark::RegisterBenchmark("theatre/window", fulcrum::app::window)
         ->UseManualTime()
         ->Unit(benchmark::kMillisecond)
-        ->Iterations(600);
+        ->Iterations(300);
     benchmark::RegisterBenchmark("theatre/pictures", fulcrum::app::pictures)
         ->UseManualTime()
         ->Unit(benchmark::kMillisecond)

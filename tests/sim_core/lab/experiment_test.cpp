@@ -8,7 +8,6 @@
 #include <fstream>
 
 #include "sim_core/lab/experiment.h"
-#include "sim_core/lab/picture.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/support/support.h"
 
@@ -97,25 +96,6 @@ TEST(Experiment, SaysWhatIsWrongWithAFile) {
                   .find("bend_deg"),
               std::string::npos);
     std::filesystem::remove(path);
-}
-
-// A ball in the middle: lit, round, in front of what lies behind it, the same pixels twice.
-TEST(Picture, DrawsTheNearerSurface) {
-    ExperimentPanel panel;
-    panel.eye = Vector3(0, -1, 0);
-    for (const double y : {0.3, 0.0}) {
-        ExperimentMesh square;
-        square.mesh.vertices = {{-0.1, y, -0.1}, {0.1, y, -0.1}, {0.1, y, 0.1}, {-0.1, y, 0.1}};
-        square.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-        square.colour = y > 0 ? std::array<float, 3>{1, 0, 0} : std::array<float, 3>{0, 1, 0};
-        panel.meshes.push_back(square);
-    }
-    const Picture picture = draw_panel(panel, 40, 40);
-    ASSERT_EQ(picture.rgb.size(), 4800u);
-    const std::size_t middle = 3 * (20 * 40 + 20);
-    EXPECT_GT(picture.rgb[middle + 1], picture.rgb[middle]) << "green is nearer";
-    EXPECT_EQ(picture.rgb[0], 255) << "white outside";
-    EXPECT_EQ(picture.rgb, draw_panel(panel, 40, 40).rgb);
 }
 
 }  // namespace

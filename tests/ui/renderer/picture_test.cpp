@@ -40,7 +40,7 @@ TEST(Picture, PanelsShowTheirMeshesEquallyLitAtAnyDistance) {
     lines.meshes[0].wireframe = true;
     lines.meshes[0].colour = {0, 0, 0};
     PictureOptions options;
-    options.panel_side = 200;
+    options.panel = QSize(200, 200);
     options.caption = QStringLiteral("Three cubes.");
     const QImage image = draw_picture({near, far, lines}, options);
     ASSERT_EQ(image.width(), 3 * 212 + 12);
@@ -67,7 +67,7 @@ TEST(Picture, AccentColoursTheVerticesThatHaveIt) {
     PicturePanel p = panel(0.02, 0.1);
     p.meshes[0].accent.assign(8, 1.0F);
     PictureOptions options;
-    options.panel_side = 200;
+    options.panel = QSize(200, 200);
     const QColor c = middle(draw_picture({p}, options), 0);
     EXPECT_GT(c.blue(), c.red() + 30);
 }

@@ -40,6 +40,28 @@ TEST(SceneAssembler, DrawsTheBowelWhereTheWorldHasIt) {
     EXPECT_NEAR(assembler.assemble(snapshot).bowel_positions[3 * 5000 + 2], before + 0.01F, 1e-5F);
 }
 
+TEST(SceneAssembler, TheMesenteryIsDrawnWhereTheWorldsMembraneIs) {
+    const Scene scene = load_scene(scenes + "b1_mesentery.json");
+    // The bowel as it is laid without membranes: whose rings these are does not matter here.
+    WorldSnapshot snapshot = World(load_scene(scenes + "b1_bowel.json"), 1).snapshot();
+    const BowelAnatomy anatomy = bowel_anatomy(scene);
+    ASSERT_EQ(anatomy.membranes.size(), 1U);
+    snapshot.membranes.resize(1);
+    snapshot.membranes[0].positions = anatomy.membranes[0].mesh.vertices;
+    SceneAssembler assembler(scene, snapshot);
+    for (Vector3& p : snapshot.membranes[0].positions) p.z() += 0.02;
+    const SceneFrame& frame = assembler.assemble(snapshot);
+    ASSERT_NE(frame.mesentery_positions, nullptr);
+    for (std::size_t v = 0; v < snapshot.membranes[0].positions.size(); ++v) {
+        const Vector3& p = snapshot.membranes[0].positions[v];
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(static_cast<double>(frame.mesentery_positions[3 * v + static_cast<std::size_t>(c)]),
+                        p[c], 1e-6);
+        const Eigen::Map<const Eigen::Vector3f> normal(frame.mesentery_normals + 3 * v);
+        EXPECT_NEAR(normal.norm(), 1.0F, 1e-5F);
+    }
+}
+
 TEST(SceneAssembler, TargetsOnlyNeedNoBowel) {
     const Scene scene = load_scene(scenes + "a2_targets.json");
     const World world(scene, 3);

@@ -41,8 +41,8 @@ CameraPose camera_towards(const Vector3& eye, const Vector3& target, const Vecto
 QImage draw_picture(const std::vector<PicturePanel>& panels, const PictureOptions& options) {
     const int columns = std::max(1, std::min(options.columns, static_cast<int>(panels.size())));
     const int rows = (static_cast<int>(panels.size()) + columns - 1) / columns;
-    const int side = options.panel_side;
-    const int width = columns * (side + gap) + gap;
+    const int wide = options.panel.width(), high = options.panel.height();
+    const int width = columns * (wide + gap) + gap;
     const QFont words = figure_font(15, false);
     const QRect room(gap, 0, width - 2 * gap, 1000);
     const int caption_height =
@@ -52,7 +52,7 @@ QImage draw_picture(const std::vector<PicturePanel>& panels, const PictureOption
                       .boundingRect(room, Qt::AlignLeft | Qt::TextWordWrap, options.caption)
                       .height() +
                   gap;
-    QImage picture(width, rows * (side + title_height + gap) + gap + caption_height, QImage::Format_RGB32);
+    QImage picture(width, rows * (high + title_height + gap) + gap + caption_height, QImage::Format_RGB32);
     picture.fill(Qt::white);
 
     OffscreenStage stage;
@@ -76,13 +76,13 @@ QImage draw_picture(const std::vector<PicturePanel>& panels, const PictureOption
         stage.make_current();
         renderer.clear_scene();
         renderer.set_meshes(panel.meshes);
-        const QImage drawn = stage.picture(renderer, frame, QSize(side, side));
-        const int x = gap + static_cast<int>(p) % columns * (side + gap);
-        const int y = gap + static_cast<int>(p) / columns * (side + title_height + gap);
+        const QImage drawn = stage.picture(renderer, frame, options.panel);
+        const int x = gap + static_cast<int>(p) % columns * (wide + gap);
+        const int y = gap + static_cast<int>(p) / columns * (high + title_height + gap);
         painter.drawImage(x, y, drawn);
         painter.setPen(QColor(0x20, 0x24, 0x28));
         painter.setFont(figure_font(16, true));
-        painter.drawText(QRect(x, y + side, side, title_height), Qt::AlignCenter, panel.title);
+        painter.drawText(QRect(x, y + high, wide, title_height), Qt::AlignCenter, panel.title);
     }
     painter.setPen(QColor(0x20, 0x24, 0x28));
     painter.setFont(words);

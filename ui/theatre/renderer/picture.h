@@ -15,13 +15,13 @@ struct PicturePanel {
     QString title;
     std::vector<DrawnMesh> meshes;
     Vector3 eye = Vector3(0, -0.3, 0.1), target = Vector3::Zero(), up = Vector3::UnitZ();  ///< m
-    double field_of_view = 0.5;  ///< rad, full angle of the square panel
+    double field_of_view = 0.5;  ///< rad, full vertical angle
 };
 
 struct PictureOptions {
-    int columns = 3;       ///< panels a row
-    int panel_side = 420;  ///< pixels
-    QString caption;       ///< under the panels; wrapped
+    int columns = 3;           ///< panels a row
+    QSize panel = {420, 320};  ///< pixels
+    QString caption;           ///< under the panels; wrapped
 };
 
 /// Camera at `eye` that looks at `target`; `up` need not be at right angles to it.

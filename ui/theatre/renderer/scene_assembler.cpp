@@ -8,6 +8,43 @@
 
 namespace fulcrum::ui {
 
+namespace {
+
+// One mesentery after the other.
+void append(MesenteryShape& all, const MesenteryShape& more) {
+    const auto first = static_cast<std::int32_t>(all.vertices.size());
+    all.vertices.insert(all.vertices.end(), more.vertices.begin(), more.vertices.end());
+    TriangleMesh& mesh = all.mesh;
+    mesh.vertices.insert(mesh.vertices.end(), more.mesh.vertices.begin(), more.mesh.vertices.end());
+    mesh.texture_coordinates.insert(mesh.texture_coordinates.end(), more.mesh.texture_coordinates.begin(),
+                                    more.mesh.texture_coordinates.end());
+    for (const Triangle& triangle : more.mesh.triangles)
+        mesh.triangles.push_back({triangle[0] + first, triangle[1] + first, triangle[2] + first});
+}
+
+// Membranes as the world has them; normals of the triangles' areas.
+void follow(const std::vector<MembraneView>& membranes, const std::vector<Triangle>& triangles,
+            std::vector<float>& positions, std::vector<float>& normals) {
+    std::size_t k = 0;
+    for (const MembraneView& membrane : membranes) {
+        for (const Vector3& p : membrane.positions) {
+            for (int c = 0; c < 3; ++c) positions[k++] = static_cast<float>(p[c]);
+        }
+    }
+    using Floats = Eigen::Map<Eigen::Vector3f>;
+    std::fill(normals.begin(), normals.end(), 0.0F);
+    for (const Triangle& triangle : triangles) {
+        float* corner[3];
+        for (std::size_t c = 0; c < 3; ++c) corner[c] = positions.data() + 3 * triangle[c];
+        const Eigen::Vector3f area =
+            (Floats(corner[1]) - Floats(corner[0])).cross(Floats(corner[2]) - Floats(corner[0]));
+        for (const std::int32_t vertex : triangle) Floats(normals.data() + 3 * vertex) += area;
+    }
+    for (std::size_t v = 0; v < normals.size(); v += 3) Floats(normals.data() + v).normalize();
+}
+
+}  // namespace
+
 struct SceneAssembler::Impl {
     Scene scene;
     AnatomyTextures textures;
@@ -46,6 +83,13 @@ SceneAssembler::SceneAssembler(const Scene& scene, const WorldSnapshot& first)
     if (scene.tethers) {
         i.mesentery = std::make_unique<MesenteryShape>(
             make_mesentery(*i.bowel, *i.cavity, scene.tethers->first, scene.tethers->last));
+    } else if (!scene.membranes.empty()) {
+        // The world's sheets are these, vertex by vertex.
+        i.mesentery = std::make_unique<MesenteryShape>();
+        for (const MembraneSpec& spec : scene.membranes)
+            append(*i.mesentery, make_mesentery(*i.bowel, *i.cavity, spec.first, spec.last));
+    }
+    if (i.mesentery) {
         i.sheet_positions.resize(3 * i.mesentery->vertices.size());
         i.sheet_normals.resize(i.sheet_positions.size());
     }
@@ -93,9 +137,13 @@ SceneFrame& SceneAssembler::assemble(const WorldSnapshot& snapshot) {
     i.frame.bowel_positions = i.positions.data();
     i.frame.bowel_normals = i.normals.data();
     if (i.mesentery) {
-        evaluate_mesentery(*i.mesentery, snapshot.rings.data(), snapshot.ring_arc_lengths.data(),
-                           static_cast<int>(snapshot.rings.size()), i.sheet_positions.data(),
-                           i.sheet_normals.data());
+        if (i.scene.tethers) {
+            evaluate_mesentery(*i.mesentery, snapshot.rings.data(), snapshot.ring_arc_lengths.data(),
+                               static_cast<int>(snapshot.rings.size()), i.sheet_positions.data(),
+                               i.sheet_normals.data());
+        } else {
+            follow(snapshot.membranes, i.mesentery->mesh.triangles, i.sheet_positions, i.sheet_normals);
+        }
         i.frame.mesentery_positions = i.sheet_positions.data();
         i.frame.mesentery_normals = i.sheet_normals.data();
     }

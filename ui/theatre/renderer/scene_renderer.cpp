@@ -39,9 +39,10 @@ QMatrix4x4 camera_matrix(const CameraPose& camera) {
     return matrix;
 }
 
-QMatrix4x4 projection_matrix(const SceneFrame& frame) {
+QMatrix4x4 projection_matrix(const SceneFrame& frame, QSize size) {
     QMatrix4x4 matrix;
-    matrix.perspective(static_cast<float>(frame.camera.field_of_view * 180 / 3.14159265358979), 1,
+    const float aspect = static_cast<float>(size.width()) / static_cast<float>(size.height());
+    matrix.perspective(static_cast<float>(frame.camera.field_of_view * 180 / 3.14159265358979), aspect,
                        frame.round ? near_plane : figure_near_plane,
                        frame.round ? far_plane : figure_far_plane);
     return matrix;
@@ -260,6 +261,7 @@ struct SceneRenderer::Impl {
             }
             GlSurface::Sight whole = sight;
             whole.coarse_edge_at_1m = 0;
+            whole.half_angle = 1.5;
             study.surface->draw(gl, whole);
         }
     }
@@ -357,14 +359,14 @@ struct SceneRenderer::Impl {
         gl.glDisable(GL_BLEND);
     }
 
-    void prepare_image(int side) {
-        if (image && image->width() == side) return;
+    void prepare_image(QSize pixels) {
+        if (image && image->size() == pixels) return;
         QOpenGLFramebufferObjectFormat format;
         format.setAttachment(QOpenGLFramebufferObject::Depth);
         format.setSamples(smooth ? 4 : 0);
-        image = std::make_unique<QOpenGLFramebufferObject>(side, side, format);
+        image = std::make_unique<QOpenGLFramebufferObject>(pixels, format);
         resolved.reset();
-        if (smooth) resolved = std::make_unique<QOpenGLFramebufferObject>(side, side);
+        if (smooth) resolved = std::make_unique<QOpenGLFramebufferObject>(pixels);
     }
 
     void draw(const SceneFrame& frame, QSize size) {
@@ -375,10 +377,14 @@ struct SceneRenderer::Impl {
         const bool hidden = !frame.notice.isEmpty();
         if (!hidden) {
             upload_changes();
-            prepare_image(std::max(
-                16, static_cast<int>(std::lround(shorter * std::clamp(share_of_resolution, 0.25, 1.0)))));
+            const double share = std::clamp(share_of_resolution, 0.25, 1.0);
+            const auto pixels = [share](int length) {
+                return std::max(16, static_cast<int>(std::lround(length * share)));
+            };
+            const QSize shown = frame.round ? QSize(shorter, shorter) : size;
+            prepare_image(QSize(pixels(shown.width()), pixels(shown.height())));
             to_camera = camera_matrix(frame.camera);
-            projection = projection_matrix(frame);
+            projection = projection_matrix(frame, shown);
             image->bind();
             gl.glViewport(0, 0, image->width(), image->height());
             draw_scene(gl, frame);
@@ -391,15 +397,14 @@ struct SceneRenderer::Impl {
         gl.glClearColor(0, 0, 0, 1);
         gl.glClear(GL_COLOR_BUFFER_BIT);
         if (hidden) return;
-        const int left = (size.width() - shorter) / 2, below = (size.height() - shorter) / 2;
         if (!frame.round) {
             gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved ? resolved->handle() : image->handle());
-            gl.glBlitFramebuffer(0, 0, image->width(), image->height(), left, below, left + shorter,
-                                 below + shorter, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+            gl.glBlitFramebuffer(0, 0, image->width(), image->height(), 0, 0, size.width(), size.height(),
+                                 GL_COLOR_BUFFER_BIT, GL_LINEAR);
             gl.glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(target_buffer));
             return;
         }
-        gl.glViewport(left, below, shorter, shorter);
+        gl.glViewport((size.width() - shorter) / 2, (size.height() - shorter) / 2, shorter, shorter);
         screen->bind();
         screen->setUniformValue("pixel", 2.0F / static_cast<float>(shorter));
         screen->setUniformValue("image", 0);
