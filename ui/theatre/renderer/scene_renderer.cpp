@@ -243,6 +243,9 @@ struct SceneRenderer::Impl {
     void draw_studies(QOpenGLExtraFunctions& gl, const SceneFrame& frame, const GlSurface::Sight& sight) {
         if (studies.empty()) return;
         start(*plain, frame);
+        // Edges that lie on a surface are seen whole.
+        gl.glEnable(GL_POLYGON_OFFSET_FILL);
+        gl.glPolygonOffset(1.0F, 2.0F);
         for (Study& study : studies) {
             const DrawnMesh& look = study.look;
             plain->setUniformValue("hue", look.colour);
@@ -264,6 +267,7 @@ struct SceneRenderer::Impl {
             whole.half_angle = 1.5;
             study.surface->draw(gl, whole);
         }
+        gl.glDisable(GL_POLYGON_OFFSET_FILL);
     }
 
     void draw_scene(QOpenGLExtraFunctions& gl, const SceneFrame& frame) {
