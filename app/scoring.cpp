@@ -66,7 +66,7 @@ database::GateRow to_row(const GateResult& gate) {
     row.kind = gate.kind;
     row.value = gate.value;
     row.unit = gate.unit;
-    row.limit = gate.limit.value_or(0);
+    row.limit = gate.limit;
     row.limit_source = gate.limit_source;
     row.z = gate.z;
     row.points = gate.points;

@@ -53,7 +53,7 @@ struct GateRow {
     std::string kind;  ///< benchmark | absolute
     std::optional<double> value;
     std::string unit;
-    double limit = 0;
+    std::optional<double> limit;  ///< absent where no benchmark set has a level, and then so is its source
     std::string limit_source;
     std::optional<double> z;
     std::optional<double> points;  ///< 0..100

@@ -2,7 +2,11 @@
 #include "database/attempts.h"
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
 #include <set>
+#include <thread>
 
 #include "database/attempt_query.h"
 #include "database/audit.h"
@@ -43,6 +47,18 @@ TraceChunk chunk_of_row(Query& rows) {
     return chunk;
 }
 
+[[noreturn]] void throw_damaged(const std::string& attempt_id, TraceStream stream, const std::string& number,
+                                const StoreError& error) {
+    throw StoreError(StoreErrorKind::corrupt,
+                     std::string(stream_name(stream)) + " chunk " + number + " of attempt " + attempt_id +
+                         ": " + error.wrong(),
+                     error.way_on());
+}
+
+StoreError missing_chunk() {
+    return {StoreErrorKind::corrupt, "the chunk before it is missing", "restore the newest backup"};
+}
+
 Trace read_chunks(Connection& connection, const std::string& attempt_id, bool events_only) {
     Query rows(connection, QString("SELECT stream, number, first_tick, last_tick, records, checksum, data "
                                    "FROM trace_chunk WHERE attempt_id = ? ") +
@@ -69,13 +85,8 @@ Trace read_chunks(Connection& connection, const std::string& attempt_id, bool ev
             stream = rows.integer(0);
             expected = 0;
         }
-        const std::string place = std::string(stream_name(static_cast<TraceStream>(stream))) + " chunk " +
-                                  rows.text(1) + " of attempt " + attempt_id;
         try {
-            if (rows.integer(1) != expected++) {
-                throw StoreError(StoreErrorKind::corrupt, "the chunk before it is missing",
-                                 "restore the newest backup");
-            }
+            if (rows.integer(1) != expected++) throw missing_chunk();
             const TraceChunk chunk = chunk_of_row(rows);
             switch (chunk.stream) {
                 case TraceStream::samples:
@@ -92,7 +103,7 @@ Trace read_chunks(Connection& connection, const std::string& attempt_id, bool ev
                     break;
             }
         } catch (const StoreError& error) {
-            throw StoreError(StoreErrorKind::corrupt, place + ": " + error.wrong(), error.way_on());
+            throw_damaged(attempt_id, static_cast<TraceStream>(stream), rows.text(1), error);
         }
     }
     return trace;
@@ -190,6 +201,58 @@ std::optional<ScoreRow> Attempts::score(const Session& session, const std::strin
 Trace Attempts::read_trace(const Session& session, const std::string& attempt_id) const {
     require_attempt(store_, session, Operation::read_trace, attempt_id);
     return read_chunks(store_.connection(), attempt_id, false);
+}
+
+void Attempts::read_overview(const Session& session, const std::string& attempt_id,
+                             const std::function<void(std::size_t)>& prepare,
+                             const std::function<void(std::size_t, const TraceOverview&)>& visit) const {
+    require_attempt(store_, session, Operation::read_trace, attempt_id);
+    std::vector<TraceChunk> samples, inputs;
+    {
+        Query rows(store_.connection(),
+                   "SELECT stream, number, first_tick, last_tick, records, checksum, data FROM trace_chunk "
+                   "WHERE attempt_id = ? AND stream IN (0, 1) ORDER BY stream, number");
+        rows.bind(attempt_id);
+        while (rows.next()) {
+            std::vector<TraceChunk>& chunks = rows.integer(0) == 0 ? samples : inputs;
+            if (rows.integer(1) != static_cast<std::int64_t>(chunks.size()))
+                throw_damaged(attempt_id, rows.integer(0) == 0 ? TraceStream::samples : TraceStream::inputs,
+                              rows.text(1), missing_chunk());
+            chunks.push_back(chunk_of_row(rows));
+        }
+    }
+    prepare(samples.size());
+    std::atomic<std::size_t> next{0};
+    std::exception_ptr trouble;
+    std::mutex trouble_lock;
+    std::size_t trouble_at = 0;
+    const auto work = [&] {
+        TraceCodec codec;
+        TraceOverview overview;
+        for (std::size_t i = next++; i < samples.size(); i = next++) {
+            try {
+                // Written together, the two streams have the same chunks.
+                const TraceChunk* of_same_ticks = i < inputs.size() ? &inputs[i] : nullptr;
+                codec.decode_overview(samples[i], of_same_ticks, overview);
+                visit(i, overview);
+            } catch (...) {
+                const std::lock_guard<std::mutex> lock(trouble_lock);
+                if (!trouble) trouble_at = i;
+                if (!trouble) trouble = std::current_exception();
+                next = samples.size();
+            }
+        }
+    };
+    std::vector<std::thread> threads;
+    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+    for (std::size_t i = 1; i < std::min(cores, samples.size()); ++i) threads.emplace_back(work);
+    work();
+    for (std::thread& thread : threads) thread.join();
+    try {
+        if (trouble) std::rethrow_exception(trouble);
+    } catch (const StoreError& error) {
+        throw_damaged(attempt_id, TraceStream::samples, std::to_string(trouble_at), error);
+    }
 }
 
 std::vector<Event> Attempts::read_events(const Session& session, const std::string& attempt_id) const {

@@ -2,6 +2,7 @@
 // Reading attempts; adding a score beside; void and reassign. Every call is checked against the access table.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,6 +46,12 @@ class Attempts {
     std::vector<ScoreRow> scores(const Session& session, const std::string& attempt_id) const;
     /// Everything recorded; checks every chunk. StoreError corrupt names the chunk.
     Trace read_trace(const Session& session, const std::string& attempt_id) const;
+    /// What charts need of the samples, decoded on all cores, several times sooner than read_trace(): `prepare`
+    /// is told the number of chunks, then `visit` gets each of them once, in no order, from worker threads at the
+    /// same time (chunks never overlap in time; their numbers rise with it). Every chunk is checked as there.
+    void read_overview(const Session& session, const std::string& attempt_id,
+                       const std::function<void(std::size_t chunks)>& prepare,
+                       const std::function<void(std::size_t chunk, const TraceOverview&)>& visit) const;
     std::vector<Event> read_events(const Session& session, const std::string& attempt_id) const;
     std::vector<ProductBlob> products(const Session& session, const std::string& attempt_id) const;
 

@@ -44,8 +44,12 @@ void migrate(Connection& connection, int target) {
     while (true) {
         // Read inside the transaction: two programs may open an old store at the same moment.
         Transaction transaction(connection);
-        Query version(connection, "PRAGMA user_version");
-        const int from = version.next() ? static_cast<int>(version.integer(0)) : 0;
+        int from = 0;
+        {
+            // Closed before the step: a table cannot be dropped while a statement is open.
+            Query version(connection, "PRAGMA user_version");
+            if (version.next()) from = static_cast<int>(version.integer(0));
+        }
         if (from >= target) return;
         QFile file(folder + "/" + files.at(from));
         if (!file.open(QIODevice::ReadOnly)) {

@@ -67,7 +67,7 @@ std::string score_digest(const std::string& attempt_id, const ScoreRow& score) {
             .add(gate.kind)
             .add(gate.value)
             .add(gate.unit)
-            .add(gate.limit);
+            .add(gate.limit.value_or(0));  // the source says whether there is one
         canonical.add(gate.limit_source)
             .add(gate.z)
             .add(gate.points)
@@ -216,7 +216,7 @@ ScoreRow read_score(Connection& connection, const std::string& score_id) {
         gate.kind = gates.text(3);
         gate.value = gates.optional_real(4);
         gate.unit = gates.text(5);
-        gate.limit = gates.real(6);
+        gate.limit = gates.optional_real(6);
         gate.limit_source = gates.text(7);
         gate.z = gates.optional_real(8);
         gate.points = gates.optional_real(9);

@@ -92,6 +92,15 @@ void read_rice(BitReader& reader, std::uint32_t* codes, std::size_t count) {
     }
 }
 
+void skip_rice(BitReader& reader, std::size_t count) {
+    for (std::size_t begin = 0; begin < count; begin += block_size) {
+        const unsigned parameter = reader.take(5);
+        if (parameter == zero_block) continue;
+        const std::size_t codes = std::min(block_size, count - begin);
+        for (std::size_t i = 0; i < codes; ++i) reader.skip_code(parameter, longest_quotient);
+    }
+}
+
 std::size_t rice_bound(std::size_t count) {
     return count * (longest_quotient + 32U) / 8U + count / block_size + 2U;
 }

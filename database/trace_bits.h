@@ -68,6 +68,16 @@ class BitReader {
         drop(used);
         return ones;
     }
+    /// One Rice code with this parameter; read_rice() without its value.
+    void skip_code(unsigned parameter, unsigned longest_quotient) {
+        if (take_ones(longest_quotient) == longest_quotient) {
+            take(32);
+        } else if (filled_ >= parameter) {
+            drop(parameter);
+        } else {
+            take(parameter);
+        }
+    }
     bool at_end() const { return next_ == end_ && filled_ < 8; }
 
   private:
@@ -98,6 +108,8 @@ class BitReader {
 /// Residuals as Rice codes, with a parameter of their own for every 128.
 void write_rice(BitWriter& writer, const std::uint32_t* codes, std::size_t count);
 void read_rice(BitReader& reader, std::uint32_t* codes, std::size_t count);
+/// Past `count` codes without their values.
+void skip_rice(BitReader& reader, std::size_t count);
 /// No honest chunk is longer than this many bytes for `count` codes.
 std::size_t rice_bound(std::size_t count);
 

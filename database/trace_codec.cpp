@@ -258,8 +258,9 @@ struct TraceCodec::State {
         write_rice(writer, codes.data(), count);
     }
 
-    void read_column(BitReader& reader, std::size_t column, std::size_t columns, std::size_t count,
-                     int partner, const Guides& guides, bool is_partner) {
+    /// The column's values; they stay until the next call.
+    const Column& read_column(BitReader& reader, std::size_t column, std::size_t count, int partner,
+                              const Guides& guides, bool is_partner) {
         const unsigned order = reader.take(2), share = reader.take(2);
         orders[column] = order;
         Column& values = residuals[column];
@@ -294,7 +295,72 @@ struct TraceCodec::State {
         Column& restored = is_partner ? candidate : values;
         if (is_partner) candidate = values;
         for (unsigned pass = order; pass-- > 0;) restore(restored, pass);
-        for (std::size_t i = 0; i < count; ++i) rows[i * columns + column] = restored[i];
+        return restored;
+    }
+
+    static void skip_column(BitReader& reader, std::size_t count, const Guides& guides) {
+        reader.take(2);
+        if (reader.take(2) == share_guided) {
+            for (std::size_t begin = 0; begin < count; begin += segment) {
+                for (const int guide : guides) {
+                    if (guide >= 0) reader.take(coefficient_bits);
+                }
+            }
+        }
+        skip_rice(reader, count);
+    }
+
+    /// Reads the columns of which `wanted` says where to, skips the others, stops after the last one wanted.
+    template <typename Record, typename Wanted>
+    void read_some(const TraceChunk& chunk, std::size_t last, Wanted wanted) {
+        using Columns = Layout<Record>;
+        residuals.resize(std::max(residuals.size(), Columns::columns));
+        BitReader reader(plain.data() + header_size, plain.data() + plain.size());
+        for (std::size_t column = 0; column <= last; ++column) {
+            const Guides guides = Columns::guides(column);
+            if (Column* out = wanted(column)) {
+                *out = read_column(reader, column, chunk.count, -1, guides, false);
+            } else {
+                skip_column(reader, chunk.count, guides);
+            }
+        }
+    }
+
+    void decode_overview(const TraceChunk& samples, const TraceChunk* of_same_ticks,
+                         TraceOverview& overview) {
+        using Inputs = Layout<RigSample>;
+        using Columns = Layout<TickSample>;
+        if (of_same_ticks != nullptr) {
+            unpack(*of_same_ticks, TraceStream::inputs, Inputs::columns);
+            for (auto& order : inputs) {
+                order.resize(Inputs::columns);
+                for (Column& column : order) column.clear();  // differences are made when first asked for
+            }
+            constexpr std::size_t last = 2 + Inputs::device_columns + 2;
+            read_some<RigSample>(*of_same_ticks, last, [&](std::size_t column) {
+                const bool handle = column >= 2 && (column - 2) % Inputs::device_columns < 3;
+                return handle ? &inputs[0][column] : nullptr;
+            });
+        }
+        unpack(samples, TraceStream::samples, Columns::columns);
+        const bool paired = of_same_ticks != nullptr && of_same_ticks->count == samples.count &&
+                            of_same_ticks->first_tick == samples.first_tick &&
+                            of_same_ticks->last_tick == samples.last_tick;
+        if (with_inputs && !paired) damaged_chunk("the inputs that it was made with are missing");
+        read_some<TickSample>(samples, Columns::hand_column(1, Columns::flags),
+                              [&](std::size_t column) -> Column* {
+                                  if (column == 0) return &overview.tick;
+                                  if (column < Columns::hand_column(0, 0)) return nullptr;
+                                  const std::size_t within = column - Columns::hand_column(0, 0);
+                                  auto& hand = overview.hand[within / Columns::hand_columns];
+                                  const std::size_t part = within % Columns::hand_columns;
+                                  if (part < 3) return &hand.tip[part];
+                                  if (part >= Columns::force && part < Columns::force + 3)
+                                      return &hand.force[part - Columns::force];
+                                  return part == Columns::flags ? &hand.flags : nullptr;
+                              });
+        if (overview.tick.front() != samples.first_tick || overview.tick.back() != samples.last_tick)
+            damaged_chunk("its ticks");
     }
 
     template <typename Record>
@@ -386,8 +452,9 @@ struct TraceCodec::State {
         residuals.resize(std::max(residuals.size(), Columns::columns));
         BitReader reader(plain.data() + header_size, plain.data() + plain.size());
         for (std::size_t column = 0; column < Columns::columns; ++column) {
-            read_column(reader, column, Columns::columns, count, Columns::partner(column),
-                        Columns::guides(column), is_partner<Columns>(column));
+            const Column& values = read_column(reader, column, count, Columns::partner(column),
+                                               Columns::guides(column), is_partner<Columns>(column));
+            for (std::size_t i = 0; i < count; ++i) rows[i * Columns::columns + column] = values[i];
         }
         if (!reader.at_end()) damaged_chunk("something follows its end");
         std::vector<Record> decoded(count);
@@ -429,6 +496,10 @@ void TraceCodec::decode(const TraceChunk& chunk, std::vector<StepRecord>& record
 }
 void TraceCodec::decode(const TraceChunk& chunk, std::vector<Event>& records) {
     state_->decode(chunk, records, nullptr);
+}
+void TraceCodec::decode_overview(const TraceChunk& samples, const TraceChunk* inputs,
+                                 TraceOverview& overview) {
+    state_->decode_overview(samples, inputs, overview);
 }
 
 }  // namespace fulcrum::database

@@ -4,6 +4,7 @@
 // any thread. Layout: docs/FORMATS.md.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -31,6 +32,17 @@ struct TraceChunk {
     std::vector<std::uint8_t> checksum;  ///< BLAKE2b-128 of `data`
 };
 
+/// What a chart of forces and a picture of paths need of a chunk of samples: column by column, units as in
+/// TickSample.
+struct TraceOverview {
+    struct Hand {
+        std::array<std::vector<std::uint32_t>, 3> tip, force;  ///< two's complement
+        std::vector<std::uint32_t> flags;
+    };
+    std::vector<std::uint32_t> tick;
+    std::array<Hand, hand_count> hand;
+};
+
 /// Throws StoreError corrupt: checksum, size, layout.
 class TraceCodec {
   public:
@@ -53,6 +65,10 @@ class TraceCodec {
     void decode(const TraceChunk& chunk, std::vector<RigSample>& records);
     void decode(const TraceChunk& chunk, std::vector<StepRecord>& records);
     void decode(const TraceChunk& chunk, std::vector<Event>& records);
+
+    /// Those columns alone, several times faster than the whole. `inputs`: the chunk of the same ticks, null
+    /// where there is none. The checksums cover all of both.
+    void decode_overview(const TraceChunk& samples, const TraceChunk* inputs, TraceOverview& overview);
 
   private:
     struct State;

@@ -105,6 +105,10 @@ struct Layout<RigSample> {
 template <>
 struct Layout<TickSample> {
     static constexpr TraceStream stream = TraceStream::samples;
+    static constexpr std::size_t force = 8, flags = 18;  // within a hand's columns
+    static constexpr std::size_t hand_column(std::size_t hand, std::size_t part) {
+        return 4 + hand * hand_columns + part;
+    }
     static constexpr std::size_t hand_columns = 20, first_camera = 4 + 2 * hand_columns,
                                  columns = first_camera + 7;
     template <typename Visitor, typename Record>

@@ -2,11 +2,11 @@
 #include "ui/dashboards/cohort_page.h"
 
 #include <QComboBox>
-#include <QFileDialog>
 #include <QHeaderView>
 #include <QTableWidget>
 
 #include "database/people.h"
+#include "ui/reports/report_export.h"
 #include "ui/shell/background_job.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
@@ -152,13 +152,8 @@ void CohortPage::load() {
 
 void CohortPage::ask_export() {
     if (!data_) return;
-    const QString path = QFileDialog::getSaveFileName(this, tr("Export the cohort"),
-                                                      text(data_->cohort_name) + QStringLiteral(".pdf"),
-                                                      tr("PDF (*.pdf);;CSV (*.csv);;JSON (*.json)"));
-    if (path.isEmpty()) return;
-    export_to(path, path.endsWith(QLatin1String(".csv"))    ? ReportFormat::csv
-                    : path.endsWith(QLatin1String(".json")) ? ReportFormat::json
-                                                            : ReportFormat::pdf);
+    const QString path = ask_report_path(this, tr("Export the cohort"), text(data_->cohort_name));
+    if (!path.isEmpty()) export_to(path, report_format_of(path));
 }
 
 void CohortPage::export_to(const QString& path, ReportFormat format) {
@@ -167,24 +162,7 @@ void CohortPage::export_to(const QString& path, ReportFormat format) {
     request.cohort_id = data_->cohort_id;
     request.format = format;
     request.path = plain(path);
-    auto files = std::make_shared<std::vector<std::string>>();
-    BackgroundJob* job = BackgroundJob::run(
-        this,
-        [files, request, session = context().session(), store_path = context().store().path(),
-         tasks = context().services().tasks(),
-         version = context().services().program_version()](const Progress& progress) {
-            database::StoreOptions options;
-            options.read_only = true;
-            const database::Store store = database::Store::open(store_path, options);
-            *files = write_report(store, session, request, tasks, version, progress);
-        },
-        [this, files] {
-            if (files->empty()) return;
-            context().say(tr("Saved %1").arg(text(files->front())));
-            emit exported(text(files->front()));
-        },
-        [this](const QString& error) { context().complain(error); });
-    job_->watch(job, tr("Writing the report …"));
+    export_report(context(), this, job_, request, [this](const QString& file) { emit exported(file); });
 }
 
 }  // namespace fulcrum::ui

@@ -130,8 +130,11 @@ std::vector<std::string> write_report(const database::Store& store, const databa
                                       const std::string& program_version, const Progress& progress) {
     std::vector<std::string> files{request.path};
     const std::string dictionary = request.path + ".dictionary.csv";
+    const auto stopped = [&](double done) { return progress && !progress(done, {}); };
     if (!request.person_id.empty()) {
+        if (stopped(0.1)) return {};
         const PersonReport report = gather_person(store, session, request.person_id, tasks, program_version);
+        if (stopped(0.6)) return {};
         switch (request.format) {
             case ReportFormat::pdf:
                 write_person_pdf(report, request.path);

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <cmath>
+#include <thread>
 
 #include "ui/style/text.h"
 
@@ -155,31 +156,72 @@ std::vector<PathPoint> thin_path(std::vector<PathPoint> points, double spacing, 
     }
 }
 
-void prepare_samples(const std::vector<TickSample>& samples, double tick, AttemptModel& model) {
-    model.tick = tick;
-    model.duration = samples.empty() ? 0 : samples.back().tick * tick;
-    for (std::size_t h = 0; h < hand_count; ++h) {
-        std::vector<double> times;
-        std::vector<float> forces;
-        std::vector<PathPoint> path;
-        times.reserve(samples.size());
-        forces.reserve(samples.size());
-        for (const TickSample& sample : samples) {
-            const HandSample& hand = sample.hand[h];
-            const double fx = hand.force[0], fy = hand.force[1], fz = hand.force[2];
-            times.push_back(sample.tick * tick);
-            forces.push_back(static_cast<float>(std::sqrt(fx * fx + fy * fy + fz * fz) * sample_force_unit));
-            if ((hand.flags & hand_inside) == 0) continue;
-            const Vector3 tip = Vector3(hand.tip[0], hand.tip[1], hand.tip[2]) * sample_length_unit;
-            // A tenth of a millimetre is finer than any screen shows.
-            if (path.empty() || (tip - path.back().position).squaredNorm() > 1e-8) {
-                path.push_back({sample.tick * tick, tip});
-            }
-        }
-        model.force[h] = std::make_shared<const MinMaxPyramid>(std::move(times), std::move(forces));
-        model.path[h] = thin_path(std::move(path), 2e-4, chart_point_limit);
-    }
+namespace {
+
+/// One chunk's part of the charts.
+struct ChunkPart {
+    std::vector<double> time;
+    std::array<std::vector<float>, hand_count> force;
+    std::array<std::vector<PathPoint>, hand_count> path;
+};
+
+double signed_count(std::uint32_t column) {
+    return static_cast<std::int32_t>(column);
 }
+
+ChunkPart part_of(const database::TraceOverview& overview, double tick) {
+    ChunkPart part;
+    const std::size_t count = overview.tick.size();
+    part.time.resize(count);
+    for (std::size_t i = 0; i < count; ++i) part.time[i] = overview.tick[i] * tick;
+    for (std::size_t h = 0; h < hand_count; ++h) {
+        const database::TraceOverview::Hand& hand = overview.hand[h];
+        part.force[h].resize(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const double fx = signed_count(hand.force[0][i]), fy = signed_count(hand.force[1][i]),
+                         fz = signed_count(hand.force[2][i]);
+            part.force[h][i] = static_cast<float>(std::sqrt(fx * fx + fy * fy + fz * fz) * sample_force_unit);
+        }
+        std::vector<PathPoint>& path = part.path[h];
+        for (std::size_t i = 0; i < count; ++i) {
+            if ((hand.flags[i] & hand_inside) == 0) continue;
+            const Vector3 tip = Vector3(signed_count(hand.tip[0][i]), signed_count(hand.tip[1][i]),
+                                        signed_count(hand.tip[2][i])) *
+                                sample_length_unit;
+            // A tenth of a millimetre is finer than any screen shows.
+            if (path.empty() || (tip - path.back().position).squaredNorm() > 1e-8)
+                path.push_back({part.time[i], tip});
+        }
+    }
+    return part;
+}
+
+/// Every part in its place; both hands at the same time.
+void join(const std::vector<ChunkPart>& parts, AttemptModel& model) {
+    std::size_t samples = 0;
+    for (const ChunkPart& part : parts) samples += part.time.size();
+    const auto join_hand = [&](std::size_t h) {
+        std::vector<double> time;
+        std::vector<float> force;
+        std::vector<PathPoint> path;
+        time.reserve(samples);
+        force.reserve(samples);
+        for (const ChunkPart& part : parts) {
+            time.insert(time.end(), part.time.begin(), part.time.end());
+            force.insert(force.end(), part.force[h].begin(), part.force[h].end());
+            path.insert(path.end(), part.path[h].begin(), part.path[h].end());
+        }
+        model.force[h] = std::make_shared<const MinMaxPyramid>(std::move(time), std::move(force));
+        model.path[h] = thin_path(std::move(path), 2e-4, chart_point_limit);
+    };
+    std::thread other([&] { join_hand(1); });
+    join_hand(0);
+    other.join();
+    model.samples = samples;
+    model.duration = samples == 0 ? 0 : model.force[0]->last_x();
+}
+
+}  // namespace
 
 std::optional<AttemptModel> load_attempt(const database::Store& store, const database::Session& session,
                                          const std::string& attempt_id, const std::optional<Scene>& scene,
@@ -189,21 +231,26 @@ std::optional<AttemptModel> load_attempt(const database::Store& store, const dat
     model.summary = attempts.read(session, attempt_id);
     model.score = attempts.score(session, attempt_id);
     if (scene) {
+        model.tick = scene->tick_period();
         for (const TissueSpec& tissue : scene->tissues) {
             model.tissues.push_back(tissue.label);
             if (tissue.force_limit > 0) model.force_limits.emplace_back(tissue.label, tissue.force_limit);
         }
     }
     if (progress && !progress(0.1, {})) return std::nullopt;
-    auto trace = std::make_shared<database::Trace>(attempts.read_trace(session, attempt_id));
+    std::vector<ChunkPart> parts;
+    attempts.read_overview(
+        session, attempt_id, [&](std::size_t chunks) { parts.resize(chunks); },
+        [&](std::size_t chunk, const database::TraceOverview& overview) {
+            parts[chunk] = part_of(overview, model.tick);
+        });
     if (progress && !progress(0.7, {})) return std::nullopt;
-    prepare_samples(trace->samples, scene ? scene->tick_period() : 1e-3, model);
-    for (const Event& event : trace->events) {
+    join(parts, model);
+    for (const Event& event : attempts.read_events(session, attempt_id)) {
         EventLine line{event.tick * model.tick, event, event_words(event, model.tissues),
                        is_penalty(event.kind), is_critical(event.kind)};
         if (!line.words.isEmpty()) model.events.push_back(std::move(line));
     }
-    model.trace = std::move(trace);
     if (progress && !progress(1.0, {})) return std::nullopt;
     return model;
 }

@@ -35,8 +35,9 @@ struct EventLine {
 struct AttemptModel {
     database::AttemptSummary summary;
     std::optional<database::ScoreRow> score;
-    std::shared_ptr<const database::Trace> trace;
-    double duration = 0;                                                 ///< s, of the record
+    std::shared_ptr<const database::Trace> trace;  ///< null until the whole record was read, for the replay
+    std::size_t samples = 0;                       ///< recorded
+    double duration = 0;                           ///< s, of the record
     std::array<std::shared_ptr<const MinMaxPyramid>, hand_count> force;  ///< N over s
     std::array<std::vector<PathPoint>, hand_count> path;                 ///< at most 4,000 points each
     std::vector<EventLine> events;                                       ///< those worth a line, by time
@@ -45,13 +46,12 @@ struct AttemptModel {
     double tick = 1e-3;  ///< s
 };
 
-/// Reads and prepares; worker thread. Empty when stopped. Throws AccessDenied, StoreError.
+/// Reads and prepares all but the trace: an hour's charts stand within a second. Worker thread. Empty when
+/// stopped. Throws AccessDenied, StoreError.
 std::optional<AttemptModel> load_attempt(const database::Store& store, const database::Session& session,
                                          const std::string& attempt_id, const std::optional<Scene>& scene,
                                          const Progress& progress);
 
-/// The record's samples as forces and paths; pure.
-void prepare_samples(const std::vector<TickSample>& samples, double tick, AttemptModel& model);
 /// Keeps points at least `spacing` m from the one kept before, then doubles the spacing until at most `limit`
 /// are left.
 std::vector<PathPoint> thin_path(std::vector<PathPoint> points, double spacing, std::size_t limit);

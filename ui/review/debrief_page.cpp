@@ -4,12 +4,12 @@
 #include <QCheckBox>
 #include <QGridLayout>
 #include <QHeaderView>
-#include <QLineEdit>
 #include <QListWidget>
 #include <QTableWidget>
 
 #include "assessment/metrics/registry.h"
 #include "ui/charts/time_chart.h"
+#include "ui/review/actions_card.h"
 #include "ui/review/comments_card.h"
 #include "ui/review/path_view.h"
 #include "ui/review/replay_panel.h"
@@ -38,7 +38,7 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
 
     QFrame* gates_card = make_card(8);
     card_layout(gates_card)->addWidget(make_label(tr("Gates"), "heading"));
-    gates_ = make_table({tr("Gate"), tr("Hand"), tr("Value"), tr("Benchmark"), tr("z"), tr("Result"),
+    gates_ = make_table({tr("Gate"), tr("Hand"), tr("Value"), tr("Limit"), tr("z"), tr("Result"),
                          tr("Where the limit comes from")},
                         "gates_table");
     card_layout(gates_card)->addWidget(gates_);
@@ -62,6 +62,8 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
     events_->setObjectName(QStringLiteral("event_list"));
     events_->setAccessibleName(tr("What happened"));
     events_->setMinimumHeight(260);
+    events_->setWordWrap(true);
+    events_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     card_layout(events_card)->addWidget(events_, 1);
     middle->addWidget(events_card, 2);
     content->addLayout(middle);
@@ -95,7 +97,8 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
     metrics_->setMinimumHeight(320);
     metrics_->hide();
     content->addWidget(metrics_);
-    content->addWidget(build_actions());
+    actions_ = new ActionsCard(context);
+    content->addWidget(actions_);
     layout->addWidget(content_);
     layout->addStretch();
     content_->hide();
@@ -124,6 +127,7 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
     connect(path_, &PathView::time_chosen, this, &DebriefPage::go_to);
     connect(comments_, &CommentsCard::time_chosen, this, &DebriefPage::go_to);
     connect(replay_, &ReplayPanel::time_changed, this, &DebriefPage::time_changed);
+    connect(actions_, &ActionsCard::changed, this, [this] { open(attempt_id_, moment()); });
 }
 
 QWidget* DebriefPage::build_head() {
@@ -165,25 +169,6 @@ QWidget* DebriefPage::build_head() {
     card_layout(advice_card)->addWidget(advice_);
     layout->addWidget(advice_card);
     return head;
-}
-
-QWidget* DebriefPage::build_actions() {
-    actions_ = make_card(8);
-    action_hint_ = make_label({}, "muted");
-    card_layout(actions_)->addWidget(action_hint_);
-    auto* row = new QHBoxLayout;
-    reason_ = new QLineEdit;
-    reason_->setObjectName(QStringLiteral("action_reason"));
-    reason_->setAccessibleName(tr("Reason"));
-    row->addWidget(reason_, 1);
-    void_ = make_button(tr("Void this attempt"), "void_attempt");
-    request_ = make_button(tr("Ask for a correction"), "request_correction");
-    row->addWidget(void_);
-    row->addWidget(request_);
-    card_layout(actions_)->addLayout(row);
-    connect(void_, &QPushButton::clicked, this, &DebriefPage::void_attempt);
-    connect(request_, &QPushButton::clicked, this, &DebriefPage::ask_correction);
-    return actions_;
 }
 
 void DebriefPage::open(const std::string& attempt_id, double time_s) {
@@ -243,9 +228,39 @@ void DebriefPage::show_model() {
     fill_events();
     fill_metrics();
     fill_charts();
-    fill_actions();
+    actions_->open(model_->summary);
     comments_->open(attempt_id_, model_->summary.meta.person_id);
-    const TaskDefinition* task = context().task(model_->summary.meta.task_id);
+    replay_->open(model_, context().task(model_->summary.meta.task_id));
+    go_to(std::max(0.0, wanted_time_));
+    read_record();
+}
+
+void DebriefPage::read_record() {
+    auto trace = std::make_shared<database::Trace>();
+    job_ = BackgroundJob::run(
+        this,
+        [trace, id = attempt_id_, path = context().store().path(),
+         session = context().session()](const Progress&) {
+            database::StoreOptions options;
+            options.read_only = true;
+            const database::Store store = database::Store::open(path, options);
+            *trace = database::Attempts(store).read_trace(session, id);
+        },
+        [this, trace] {
+            job_ = nullptr;
+            show_record(trace);
+        },
+        [this](const QString& why) {
+            job_ = nullptr;
+            replay_->set_record(model_, nullptr, tr("No picture: %1").arg(why));
+            context().complain(why);
+        });
+}
+
+void DebriefPage::show_record(std::shared_ptr<const database::Trace> trace) {
+    auto model = std::make_shared<AttemptModel>(*model_);
+    model->trace = std::move(trace);
+    model_ = std::move(model);
     std::unique_ptr<ReplaySource> source;
     QString why;
     if (model_->trace->samples.empty()) {
@@ -258,8 +273,7 @@ void DebriefPage::show_model() {
             why = tr("No picture: %1").arg(QString::fromUtf8(error.what()));
         }
     }
-    replay_->open(model_, std::move(source), task, why);
-    go_to(std::max(0.0, wanted_time_));
+    replay_->set_record(model_, std::move(source), why);
     emit ready();
 }
 
@@ -288,6 +302,12 @@ void DebriefPage::fill_head() {
     if (voided) {
         notes << tr("Voided by %1 on %2: %3. It counts nowhere.")
                      .arg(text(attempt.voided_by), local_time(attempt.voided_at), text(attempt.void_reason));
+        if (!attempt.reassigned_to.empty())
+            notes << tr("A copy was written for the person who performed it.");
+    }
+    if (!attempt.reassigned_from.empty()) {
+        notes << tr(
+            "Reassigned: recorded under another name, and copied here for the person who performed it.");
     }
     if (attempt.synthetic || attempt.meta.device_class == "synthetic") {
         notes << tr("Synthetic: made by a simulated operator, not by a person.");
@@ -338,10 +358,12 @@ void DebriefPage::fill_gates() {
             first->setData(Qt::UserRole, values->evidence.front().first);
         }
         const bool higher = metric != nullptr && metric->direction == Direction::higher;
-        QString limit =
-            (higher ? QStringLiteral("≥ ") : QStringLiteral("≤ ")) + figure_with_unit(gate.limit, gate.unit);
-        if (gate.provisional) limit += tr(" (provisional)");
-        if (gate.limit_source.empty() && !gate.passed) limit = tr("none");  // no set has a level for it
+        QString limit = tr("none");  // no set has a level for it
+        if (gate.limit) {
+            limit = (higher ? QStringLiteral("≥ ") : QStringLiteral("≤ ")) +
+                    figure_with_unit(gate.limit, gate.unit);
+            if (gate.provisional) limit += tr(" (provisional)");
+        }
         QString result = tr("– not judged");
         if (gate.passed) result = *gate.passed ? tr("✓ met") : tr("✕ not met");
         auto* verdict_cell = make_cell(result);
@@ -437,26 +459,6 @@ void DebriefPage::fill_charts() {
     path_->set_attempt(*model_);
 }
 
-void DebriefPage::fill_actions() {
-    const database::AttemptSummary& attempt = model_->summary;
-    const database::Subject subject = database::Subject::person(attempt.meta.person_id);
-    const bool own = attempt.meta.person_id == context().session().person_id();
-    const bool can_void =
-        attempt.state != "voided" && !own && context().allowed(database::Operation::void_attempt, subject);
-    const bool can_ask = attempt.state != "voided" && own &&
-                         context().allowed(database::Operation::request_correction, subject);
-    actions_->setVisible(can_void || can_ask);
-    void_->setVisible(can_void);
-    request_->setVisible(can_ask);
-    reason_->clear();
-    reason_->setPlaceholderText(can_void ? tr("reason, kept in the audit log") : tr("what is wrong with it"));
-    action_hint_->setText(
-        can_void ? tr("Voiding takes the attempt out of progress, cohorts and benchmarks; it stays visible, "
-                      "struck "
-                      "through, with your reason.")
-                 : tr("Wrong person, or a mistaken attempt? An educator can void or reassign it."));
-}
-
 void DebriefPage::go_to(double time) {
     if (model_) replay_->seek(time);
 }
@@ -465,36 +467,6 @@ void DebriefPage::time_changed(double time) {
     force_->set_cursor(time);
     path_->set_cursor(time);
     comments_->set_moment(time);
-}
-
-void DebriefPage::void_attempt() {
-    const std::string reason = plain(reason_->text().trimmed());
-    if (reason.empty()) {
-        reason_->setFocus();
-        context().complain(tr("A reason is needed."));
-        return;
-    }
-    if (context().guarded([&] {
-            database::Attempts(context().store()).void_attempt(context().session(), attempt_id_, reason);
-        })) {
-        context().say(tr("The attempt is voided."));
-        open(attempt_id_, moment());
-    }
-}
-
-void DebriefPage::ask_correction() {
-    const std::string words = plain(reason_->text().trimmed());
-    if (words.empty()) {
-        reason_->setFocus();
-        context().complain(tr("Say what is wrong with it."));
-        return;
-    }
-    if (context().guarded([&] {
-            database::Attempts(context().store()).request_correction(context().session(), attempt_id_, words);
-        })) {
-        reason_->clear();
-        context().say(tr("Your educators will see the request."));
-    }
 }
 
 }  // namespace fulcrum::ui

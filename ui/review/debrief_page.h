@@ -11,15 +11,14 @@
 #include "ui/shell/context.h"
 
 class QCheckBox;
-class QFrame;
 class QLabel;
-class QLineEdit;
 class QListWidget;
 class QPushButton;
 class QTableWidget;
 
 namespace fulcrum::ui {
 
+class ActionsCard;
 class BackgroundJob;
 class CommentsCard;
 class JobBar;
@@ -34,7 +33,10 @@ class DebriefPage : public Page {
     /// Reads the attempt off the UI thread; `time_s` < 0: from the start.
     void open(const std::string& attempt_id, double time_s);
     void leave() override;
-    bool is_ready() const { return model_ != nullptr; }
+    /// The charts stand; the replay may still be waiting for the rest of the record.
+    bool has_charts() const { return model_ != nullptr; }
+    /// Everything is there, the replay too.
+    bool is_ready() const { return model_ != nullptr && model_->trace != nullptr; }
     double moment() const;
     const AttemptModel* model() const { return model_.get(); }
 
@@ -43,18 +45,16 @@ class DebriefPage : public Page {
 
   private:
     QWidget* build_head();
-    QWidget* build_actions();
     void show_model();
+    void read_record();
+    void show_record(std::shared_ptr<const database::Trace> trace);
     void fill_head();
     void fill_gates();
     void fill_events();
     void fill_metrics();
     void fill_charts();
-    void fill_actions();
     void go_to(double time);
     void time_changed(double time);
-    void void_attempt();
-    void ask_correction();
 
     std::shared_ptr<const AttemptModel> model_;
     std::string attempt_id_;
@@ -72,10 +72,7 @@ class DebriefPage : public Page {
     PathView* path_;
     CommentsCard* comments_;
     QPushButton* all_metrics_;
-    QFrame* actions_;
-    QLineEdit* reason_;
-    QPushButton *void_, *request_;
-    QLabel* action_hint_;
+    ActionsCard* actions_;
 };
 
 }  // namespace fulcrum::ui

@@ -59,21 +59,28 @@ ReplayPanel::ReplayPanel(QWidget* parent) : QWidget(parent), view_(new TheatreVi
 
 ReplayPanel::~ReplayPanel() = default;
 
-void ReplayPanel::open(std::shared_ptr<const AttemptModel> model, std::unique_ptr<ReplaySource> source,
-                       const TaskDefinition* task, const QString& why_no_picture) {
+void ReplayPanel::open(std::shared_ptr<const AttemptModel> model, const TaskDefinition* task) {
     close();
     model_ = std::move(model);
-    source_ = std::move(source);
     task_ = task;
     const QSignalBlocker quiet(slider_);
     slider_->setRange(0, std::max(1, static_cast<int>(std::ceil(model_->duration * 100))));
     slider_->setPageStep(std::max(1, slider_->maximum() / 20));
     slider_->setValue(0);
-    state_->setText(why_no_picture);
-    view_->setVisible(source_ != nullptr);
+    state_->setText(tr("reading the record …"));
+    view_->show();
     timer_.start();
     since_.start();
     show_time();
+}
+
+void ReplayPanel::set_record(std::shared_ptr<const AttemptModel> model, std::unique_ptr<ReplaySource> source,
+                             const QString& why_no_picture) {
+    model_ = std::move(model);
+    source_ = std::move(source);
+    state_->setText(why_no_picture);
+    view_->setVisible(source_ != nullptr);
+    if (source_) source_->seek(time_);
 }
 
 void ReplayPanel::close() {

@@ -24,9 +24,11 @@ class ReplayPanel : public QWidget {
   public:
     explicit ReplayPanel(QWidget* parent = nullptr);
     ~ReplayPanel() override;
-    /// `source` null: no picture, the scrubber still moves the charts.
-    void open(std::shared_ptr<const AttemptModel> model, std::unique_ptr<ReplaySource> source,
-              const TaskDefinition* task, const QString& why_no_picture);
+    /// From here on the scrubber moves the charts; the picture comes with set_record().
+    void open(std::shared_ptr<const AttemptModel> model, const TaskDefinition* task);
+    /// `model` with its trace. `source` null: there is no picture, and why.
+    void set_record(std::shared_ptr<const AttemptModel> model, std::unique_ptr<ReplaySource> source,
+                    const QString& why_no_picture);
     void close();
     double time() const { return time_; }
     bool is_playing() const { return playing_; }

@@ -2,14 +2,14 @@
 #include "ui/trainee/progress_page.h"
 
 #include <QComboBox>
-#include <QFileDialog>
 #include <QHeaderView>
 #include <set>
 
 #include "assessment/metrics/registry.h"
 #include "database/people.h"
 #include "ui/charts/attempt_chart.h"
-#include "ui/reports/report.h"
+#include "ui/reports/report_export.h"
+#include "ui/shell/background_job.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -51,10 +51,12 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     task_ = combo(tr("Task"), "progress_task");
     metric_ = combo(tr("Figure"), "progress_metric");
     row->addStretch();
-    export_ = make_button(tr("Report (PDF)"), "export_person");
-    connect(export_, &QPushButton::clicked, this, &ProgressPage::export_report);
+    export_ = make_button(tr("Export …"), "export_person");
+    connect(export_, &QPushButton::clicked, this, &ProgressPage::ask_export);
     row->addWidget(export_);
     layout->addLayout(row);
+    job_ = new JobBar;
+    layout->addWidget(job_);
     QFrame* card = make_card(8);
     summary_ = make_label({}, "muted");
     card_layout(card)->addWidget(summary_);
@@ -221,23 +223,17 @@ void ProgressPage::fill_table() {
     fit_columns(table_);
 }
 
-void ProgressPage::export_report() {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save the report"),
-                                                      person_->currentText() + QStringLiteral(".pdf"),
-                                                      tr("PDF (*.pdf);;CSV (*.csv);;JSON (*.json)"));
-    if (path.isEmpty()) return;
+void ProgressPage::ask_export() {
+    const QString path = ask_report_path(this, tr("Save the report"), person_->currentText());
+    if (!path.isEmpty()) export_to(path, report_format_of(path));
+}
+
+void ProgressPage::export_to(const QString& path, ReportFormat format) {
     ReportRequest request;
     request.person_id = person_id_;
     request.path = plain(path);
-    request.format = path.endsWith(QLatin1String(".csv"))    ? ReportFormat::csv
-                     : path.endsWith(QLatin1String(".json")) ? ReportFormat::json
-                                                             : ReportFormat::pdf;
-    if (context().guarded([&] {
-            write_report(context().store(), context().session(), request, context().services().tasks(),
-                         context().services().program_version());
-        })) {
-        context().say(tr("Saved %1").arg(path));
-    }
+    request.format = format;
+    export_report(context(), this, job_, request, [this](const QString& file) { emit exported(file); });
 }
 
 }  // namespace fulcrum::ui

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "database/report_data.h"
+#include "ui/reports/report.h"
 #include "ui/shell/context.h"
 
 class QComboBox;
@@ -16,6 +17,7 @@ class QTableWidget;
 namespace fulcrum::ui {
 
 class AttemptChart;
+class JobBar;
 
 class ProgressPage : public Page {
     Q_OBJECT
@@ -23,19 +25,25 @@ class ProgressPage : public Page {
     explicit ProgressPage(Context& context);
     void show_person(const std::string& person_id, const std::string& task_id);
     void enter() override;
+    /// Writes the shown person's report on a worker thread; `exported` says when it is there.
+    void export_to(const QString& path, ReportFormat format);
+
+  signals:
+    void exported(const QString& path);
 
   private:
     void fill_choices();
     void load();
     void draw();
     void fill_table();
-    void export_report();
+    void ask_export();
 
     std::string person_id_, task_id_;
     std::optional<database::PersonProgress> progress_;
     QLabel *title_, *summary_;
     QComboBox *person_, *task_, *metric_;
     QPushButton* export_;
+    JobBar* job_;
     AttemptChart* chart_;
     QTableWidget* table_;
 };

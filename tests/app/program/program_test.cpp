@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QProcess>
 #include <QTemporaryDir>
+#include <array>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -27,8 +28,8 @@ class Program : public ::testing::Test {
         process.setWorkingDirectory(folder.path());
         process.start(QStringLiteral(FULCRUM_PROGRAM), words);
         EXPECT_TRUE(process.waitForFinished(240000));
-        return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1, process.readAllStandardOutput().toStdString(),
-                process.readAllStandardError().toStdString()};
+        return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+                process.readAllStandardOutput().toStdString(), process.readAllStandardError().toStdString()};
     }
     QString path(const char* name) const { return folder.filePath(name); }
     void write(const char* name, const std::string& text) const {
@@ -40,19 +41,22 @@ class Program : public ::testing::Test {
 };
 
 TEST_F(Program, PerformsStoresAndReplaysA2) {
-    const Outcome performed = run({"perform", "A2", "--operator", "expert", "--seed", "11", "--db", path("a.db"), "--json"});
+    const Outcome performed =
+        run({"perform", "A2", "--operator", "expert", "--seed", "11", "--db", path("a.db"), "--json"});
     ASSERT_EQ(performed.status, 0) << performed.errors;
     const nlohmann::json attempt = performed.json();
     EXPECT_EQ(attempt["state"], "completed");
     EXPECT_EQ(attempt["synthetic"], true);
     EXPECT_EQ(attempt["device_class"], "synthetic");
     EXPECT_GT(attempt["metrics"].size(), 40U);
-    for (const char* key : {"attempt", "task", "person", "person_id", "operator", "mode", "variant", "seed", "fidelity", "duration_s", "wall_s", "passed",
-                            "not_scored_because", "points", "gates", "critical_errors", "events", "missed_ticks", "state_hash"}) {
+    for (const char* key : {"attempt", "task", "person", "person_id", "operator", "mode", "variant", "seed",
+                            "fidelity", "duration_s", "wall_s", "passed", "not_scored_because", "points",
+                            "gates", "critical_errors", "events", "missed_ticks", "state_hash"}) {
         EXPECT_TRUE(attempt.contains(key)) << key;
     }
     const std::string id = attempt["attempt"];
-    const Outcome replayed = run({"replay", QString::fromStdString(id), "--verify", "--db", path("a.db"), "--json"});
+    const Outcome replayed =
+        run({"replay", QString::fromStdString(id), "--verify", "--db", path("a.db"), "--json"});
     EXPECT_EQ(replayed.status, 0) << replayed.errors << replayed.output;
     EXPECT_EQ(replayed.json()["identical"], true);
     EXPECT_EQ(replayed.json()["metrics_identical"], true);
@@ -60,60 +64,89 @@ TEST_F(Program, PerformsStoresAndReplaysA2) {
     const Outcome checked = run({"db", "check", "--db", path("a.db"), "--json"});
     EXPECT_EQ(checked.status, 0) << checked.output;
     // The same seed gives the same attempt.
-    const Outcome again = run({"perform", "A2", "--operator", "expert", "--seed", "11", "--db", path("b.db"), "--json"});
+    const Outcome again =
+        run({"perform", "A2", "--operator", "expert", "--seed", "11", "--db", path("b.db"), "--json"});
     EXPECT_EQ(again.json()["state_hash"], attempt["state_hash"]);
 }
 
 TEST_F(Program, RefusesBadCommandLinesWithTwo) {
     const QStringList lines[] = {
-        {"dance"}, {"perform"}, {"perform", "A9"}, {"perform", "A2", "--operator", "clown"}, {"perform", "A2", "--seed", "many"},
-        {"perform", "A2", "--seed"}, {"perform", "A2", "--sed", "1"}, {"perform", "A2", "--fidelity", "ultra", "--db", path("x.db")},
-        {"perform", "A2", "--operator", "expert", "--input", "x.csv"}, {"replay", "nothing", "--db", path("none.db")}, {"metrics", path("none.csv")},
-        {"lab", "bench", "--only", "nothing"}, {"lab", "run"}, {"db", "dance"}, {"report", "--person", "x", "--as", "x"}, {"benchmark", "build", "A2"},
+        {"dance"},
+        {"perform"},
+        {"perform", "A9"},
+        {"perform", "A2", "--operator", "clown"},
+        {"perform", "A2", "--seed", "many"},
+        {"perform", "A2", "--seed"},
+        {"perform", "A2", "--sed", "1"},
+        {"perform", "A2", "--fidelity", "ultra", "--db", path("x.db")},
+        {"perform", "A2", "--operator", "expert", "--input", "x.csv"},
+        {"replay", "nothing", "--db", path("none.db")},
+        {"metrics", path("none.csv")},
+        {"lab", "bench", "--only", "nothing"},
+        {"lab", "run"},
+        {"db", "dance"},
+        {"report", "--person", "x", "--as", "x"},
+        {"benchmark", "build", "A2"},
         {"check", path("none.json")},
     };
     for (const QStringList& line : lines) {
         const Outcome outcome = run(line);
         EXPECT_EQ(outcome.status, 2) << line.join(' ').toStdString() << ": " << outcome.errors;
         EXPECT_NE(outcome.errors.find("fulcrum: "), std::string::npos);
-        EXPECT_EQ(outcome.errors.find("fulcrum: "), outcome.errors.rfind("fulcrum: ")) << "one line: " << outcome.errors;
+        EXPECT_EQ(outcome.errors.find("fulcrum: "), outcome.errors.rfind("fulcrum: "))
+            << "one line: " << outcome.errors;
         EXPECT_NE(outcome.errors.find(';'), std::string::npos) << "no mend: " << outcome.errors;
     }
 }
 
 TEST_F(Program, RefusesBrokenTraces) {
-    const std::pair<const char*, const char*> traces[] = {
-        {"empty", ""}, {"no t", "left.px\nm\n1\n"}, {"no units", "t\n"}, {"text", "t,left.px\ns,m\n0,a\n"}, {"back", "t\ns\n1\n0\n"},
-        {"rows", "t,left.px\ns,m\n0,1\n1\n"}, {"nan", "t,left.px\ns,m\n0,nan\n"}, {"unit", "t,left.px\ns,inch\n0,1\n"}, {"twice", "t,t\ns,s\n0,0\n"}, {"inf", "t\ns\ninf\n"},
+    // What is wrong, the file, the row (and column) it is found at.
+    const std::array<const char*, 3> traces[] = {
+        {"empty", "", ":1: t"},
+        {"no t", "left.px\nm\n1\n", ":1: t"},
+        {"no units", "t\n", ":2: t"},
+        {"text", "t,left.px\ns,m\n0,a\n", ":3: left.px"},
+        {"back", "t\ns\n1\n0\n", ":4: t"},
+        {"rows", "t,left.px\ns,m\n0,1\n1\n", ":4"},
+        {"nan", "t,left.px\ns,m\n0,nan\n", ":3: left.px"},
+        {"unit", "t,left.px\ns,inch\n0,1\n", ":2: left.px"},
+        {"twice", "t,t\ns,s\n0,0\n", ":1: 't'"},
+        {"inf", "t\ns\ninf\n", ":3: t"},
+        {"no samples", "t,left.px\ns,m\n", ":3: t"},
     };
-    for (const auto& [name, text] : traces) {
+    for (const auto& [name, text, place] : traces) {
         write("trace.csv", text);
         const Outcome outcome = run({"metrics", path("trace.csv")});
         EXPECT_EQ(outcome.status, 2) << name << ": " << outcome.errors;
-        EXPECT_NE(outcome.errors.find("trace.csv"), std::string::npos) << name;
+        EXPECT_NE(outcome.errors.find(std::string("trace.csv") + place), std::string::npos)
+            << name << ": " << outcome.errors;
+        EXPECT_NE(outcome.errors.find(';'), std::string::npos)
+            << name << " names no mend: " << outcome.errors;
     }
 }
 
 TEST_F(Program, MeasuresAnyTrace) {
-    std::string text = "t,left.px,left.py,left.pz\ns,m,m,m\n";
-    for (int i = 0; i <= 2000; ++i) {
-        // A minimum-jerk reach of 100 mm.
-        const double u = i / 2000.0, x = 0.1 * u * u * u * (10 - 15 * u + 6 * u * u);
-        char line[64];
-        std::snprintf(line, sizeof line, "%.3f,%.9f,0,0\n", i * 0.001, x);
-        text += line;
+    // 100 mm in 2 s: at constant speed from a standing start to a dead stop, and as a minimum-jerk reach.
+    for (const bool abrupt : {true, false}) {
+        std::string text = "t,left.px,left.py,left.pz\ns,m,m,m\n";
+        for (int i = 0; i <= 2000; ++i) {
+            const double u = i / 2000.0, x = 0.1 * (abrupt ? u : u * u * u * (10 - 15 * u + 6 * u * u));
+            char line[64];
+            std::snprintf(line, sizeof line, "%.3f,%.9f,0,0\n", i * 0.001, x);
+            text += line;
+        }
+        write("line.csv", text);
+        const Outcome outcome = run({"metrics", path("line.csv"), "--json"});
+        ASSERT_EQ(outcome.status, 0) << outcome.errors;
+        bool found = false;
+        const nlohmann::json document = outcome.json();
+        for (const auto& row : document["metrics"]) {
+            if (row["id"] != "path_len" || row["hand"] != "left") continue;
+            found = true;
+            EXPECT_NEAR(row["value"].get<double>(), 100.0, 0.1) << (abrupt ? "abrupt" : "smooth");
+        }
+        EXPECT_TRUE(found);
     }
-    write("line.csv", text);
-    const Outcome outcome = run({"metrics", path("line.csv"), "--json"});
-    ASSERT_EQ(outcome.status, 0) << outcome.errors;
-    bool found = false;
-    const nlohmann::json document = outcome.json();
-    for (const auto& row : document["metrics"]) {
-        if (row["id"] != "path_len" || row["hand"] != "left") continue;
-        found = true;
-        EXPECT_NEAR(row["value"].get<double>(), 100.0, 0.1);
-    }
-    EXPECT_TRUE(found);
 }
 
 TEST_F(Program, RefusesToWriteForARealPersonWithoutOne) {

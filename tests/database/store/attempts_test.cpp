@@ -47,6 +47,35 @@ TEST(Attempt, ComesBackAsItWasRecorded) {
               (std::vector<std::uint8_t>{1, 2, 3, 0, 255}));
 }
 
+TEST(Attempt, ItsOverviewIsThatOfItsTraceChunkByChunk) {
+    Programme programme;
+    Recorder recorder(programme.path, programme.session("ann"), example_meta(programme.id("ann")),
+                      programme.clock.options());
+    for (std::uint32_t second = 0; second < 5; ++second) {
+        Programme::append_second(recorder, 1000 * second);
+        recorder.flush();
+    }
+    recorder.finish(example_result(true, 60));
+    const Trace trace = programme.attempts().read_trace(programme.session("ann"), recorder.attempt_id());
+    std::vector<TraceOverview> parts;
+    programme.attempts().read_overview(
+        programme.session("ann"), recorder.attempt_id(), [&](std::size_t chunks) { parts.resize(chunks); },
+        [&](std::size_t chunk, const TraceOverview& part) { parts[chunk] = part; });
+    ASSERT_GE(parts.size(), 5U);
+    std::size_t i = 0;
+    for (const TraceOverview& part : parts) {
+        for (std::size_t k = 0; k < part.tick.size(); ++k, ++i) {
+            ASSERT_EQ(part.tick[k], trace.samples[i].tick);
+            ASSERT_EQ(static_cast<std::int32_t>(part.hand[1].tip[2][k]), trace.samples[i].hand[1].tip[2]);
+        }
+    }
+    EXPECT_EQ(i, trace.samples.size());
+    EXPECT_THROW(programme.attempts().read_overview(
+                     programme.session("eve"), recorder.attempt_id(), [](std::size_t) {},
+                     [](std::size_t, const TraceOverview&) {}),
+                 AccessDenied);
+}
+
 TEST(Attempt, ARealPersonHasNoSyntheticAttempts) {
     Programme programme;
     AttemptMeta meta = example_meta(programme.id("ann"));

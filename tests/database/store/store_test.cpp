@@ -64,7 +64,7 @@ TEST(Store, MigratesAnOlderFileStepByStepAndKeepsACopy) {
     EXPECT_EQ(error_kind([&] { Store::open(path, read_only); }), StoreErrorKind::older_schema);
     const Store store = Store::open(path);
     EXPECT_EQ(read_schema_version(store.connection()), Store::schema_version());
-    EXPECT_GE(Store::schema_version(), 3);
+    EXPECT_GE(Store::schema_version(), 4);
     Query person(store.connection(), "SELECT display_name FROM person WHERE id = 'p1'");
     ASSERT_TRUE(person.next());
     EXPECT_EQ(person.text(0), "Zoe Old");
@@ -72,6 +72,40 @@ TEST(Store, MigratesAnOlderFileStepByStepAndKeepsACopy) {
     const std::string copy = path + ".before-v" + std::to_string(Store::schema_version());
     Connection before(copy, true, false, 100);
     EXPECT_EQ(read_schema_version(before), 1);
+}
+
+TEST(Store, AGateThatHadNoLimitLosesItsZeroAndAnOtherKeepsItsOwn) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("old.db").toStdString();
+    {
+        Connection connection(path, false, true, 100);
+        connection.execute("PRAGMA journal_mode = WAL; PRAGMA application_id = " +
+                           QString::number(application_id));
+        migrate(connection, 3);
+        connection.execute(
+            "INSERT INTO station VALUES ('s1', 'old', 1); INSERT INTO setting VALUES ('this_station', 's1'), "
+            "('demo', '0'); INSERT INTO person VALUES ('p1', 'Zoe', 'zoe', 'Zoe Old', 'real', 1, 5, 1); "
+            "INSERT INTO attempt (id, person_id, station_id, task_id, task_version, mode, device_class, "
+            "device, "
+            "operator_name, variant, seed, fidelity, scene, scene_digest, curriculum, limits, "
+            "program_version, "
+            "cpu_features, started, utc_offset_min, state) VALUES ('a1', 'p1', 's1', 'A2', 1, 'assessed', "
+            "'haptic', "
+            "'', '', '', 1, '', '', '', '', '', '0.1.0', '', 1, 0, 'completed'); "
+            "INSERT INTO score VALUES ('c1', 'a1', 1, '0.1.0', '', 1, NULL, 'no set', NULL, ''); "
+            "INSERT INTO gate VALUES ('c1', 0, 'path_len', 'left', '', 'benchmark', 812.5, 'mm', 0, '', "
+            "NULL, NULL, NULL, "
+            "0, 'no level'), ('c1', 1, 'drop', '', '', 'absolute', 0, 'count', 0, 'safety', NULL, NULL, 1, "
+            "0, '')");
+    }
+    const Store store = Store::open(path);
+    Query gates(store.connection(), "SELECT limit_value IS NULL, limit_value FROM gate ORDER BY number");
+    ASSERT_TRUE(gates.next());
+    EXPECT_TRUE(gates.flag(0));
+    ASSERT_TRUE(gates.next());
+    EXPECT_FALSE(gates.flag(0));
+    EXPECT_EQ(gates.real(1), 0.0);
+    EXPECT_THROW(store.connection().execute("UPDATE gate SET limit_value = 5 WHERE number = 1"), StoreError);
 }
 
 TEST(Store, NewerSchemaIsRefusedUntouched) {

@@ -160,6 +160,61 @@ TEST(TraceCodec, SamplesComeBackByTheirInputsWhateverTheyAre) {
     });
 }
 
+TEST(TraceCodec, AnOverviewHoldsTheSameColumnsAsTheWhole) {
+    rc::check([] {
+        std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
+        const auto count = *rc::gen::inRange<std::size_t>(1, 700);
+        auto samples = random_records<TickSample>(random, count, *rc::gen::inRange<unsigned>(0, 9));
+        auto inputs = random_records<RigSample>(random, count, *rc::gen::inRange<unsigned>(0, 9));
+        for (std::size_t i = 0; i < count; ++i)
+            samples[i].tick = inputs[i].tick = static_cast<std::uint32_t>(i) + 7;
+        const bool with_inputs = *rc::gen::arbitrary<bool>();
+        TraceCodec codec;
+        const TraceChunk of_inputs = codec.encode(inputs.data(), count);
+        const TraceChunk chunk = codec.encode(samples.data(), count, with_inputs ? inputs.data() : nullptr);
+        TraceOverview overview;
+        overview.tick.assign(3, 0);  // what was there before is replaced
+        codec.decode_overview(chunk, &of_inputs, overview);
+        RC_ASSERT(overview.tick.size() == count);
+        for (std::size_t i = 0; i < count; ++i) {
+            RC_ASSERT(overview.tick[i] == samples[i].tick);
+            for (std::size_t h = 0; h < 2; ++h) {
+                const HandSample& hand = samples[i].hand[h];
+                for (std::size_t axis = 0; axis < 3; ++axis) {
+                    RC_ASSERT(static_cast<std::int32_t>(overview.hand[h].tip[axis][i]) == hand.tip[axis]);
+                    RC_ASSERT(static_cast<std::int32_t>(overview.hand[h].force[axis][i]) == hand.force[axis]);
+                }
+                RC_ASSERT(overview.hand[h].flags[i] == hand.flags);
+            }
+        }
+    });
+}
+
+TEST(TraceCodec, AnOverviewOfADamagedChunkIsRefused) {
+    std::mt19937_64 random(5);
+    auto samples = random_records<TickSample>(random, 300, 3);
+    auto inputs = random_records<RigSample>(random, 300, 3);
+    for (std::uint32_t i = 0; i < 300; ++i) samples[i].tick = inputs[i].tick = i;
+    TraceCodec codec;
+    const TraceChunk of_inputs = codec.encode(inputs.data(), 300);
+    TraceChunk chunk = codec.encode(samples.data(), 300, inputs.data());
+    TraceOverview overview;
+    codec.decode_overview(chunk, &of_inputs, overview);
+    const TraceChunk others = codec.encode(inputs.data(), 299);
+    EXPECT_THROW(codec.decode_overview(of_inputs, &of_inputs, overview), StoreError) << "another stream";
+    for (int i = 0; i < 200; ++i) {
+        TraceChunk broken = chunk;
+        broken.data[random() % broken.data.size()] ^= static_cast<std::uint8_t>(1U << (random() % 8));
+        EXPECT_THROW(codec.decode_overview(broken, &of_inputs, overview), StoreError) << "its checksum";
+        // With a checksum made anew anything may come out but a crash.
+        broken.checksum = blake2b(broken.data, 16);
+        try {
+            codec.decode_overview(broken, i % 2 == 0 ? &of_inputs : &others, overview);
+        } catch (const StoreError&) {
+        }
+    }
+}
+
 TEST(TraceCodec, SamplesNeedTheInputsTheyWereMadeWith) {
     std::mt19937 random(3);
     std::vector<TickSample> samples(500), back;

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/reports/report_export.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <memory>
+
+#include "ui/shell/background_job.h"
+#include "ui/style/text.h"
+
+namespace fulcrum::ui {
+
+namespace {
+
+QString words(const char* source) {
+    return QCoreApplication::translate("fulcrum::ui::report_export", source);
+}
+
+}  // namespace
+
+QString ask_report_path(QWidget* parent, const QString& title, const QString& name) {
+    return QFileDialog::getSaveFileName(parent, title, name + QStringLiteral(".pdf"),
+                                        words("PDF (*.pdf);;CSV (*.csv);;JSON (*.json)"));
+}
+
+ReportFormat report_format_of(const QString& path) {
+    if (path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) return ReportFormat::csv;
+    if (path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive)) return ReportFormat::json;
+    return ReportFormat::pdf;
+}
+
+void export_report(Context& context, QWidget* page, JobBar* bar, const ReportRequest& request,
+                   std::function<void(const QString&)> done) {
+    auto files = std::make_shared<std::vector<std::string>>();
+    BackgroundJob* job = BackgroundJob::run(
+        page,
+        [files, request, session = context.session(), store_path = context.store().path(),
+         tasks = context.services().tasks(),
+         version = context.services().program_version()](const Progress& progress) {
+            database::StoreOptions options;
+            options.read_only = true;
+            const database::Store store = database::Store::open(store_path, options);
+            *files = write_report(store, session, request, tasks, version, progress);
+        },
+        [&context, files, done = std::move(done)] {
+            if (files->empty()) return;
+            context.say(words("Saved %1").arg(text(files->front())));
+            done(text(files->front()));
+        },
+        [&context](const QString& error) { context.complain(error); });
+    bar->watch(job, words("Writing the report …"));
+}
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reports asked for on a screen: where to, then written on a worker thread with progress and a way to stop
+// it.
+#pragma once
+
+#include <QString>
+#include <functional>
+
+#include "ui/reports/report.h"
+#include "ui/shell/context.h"
+
+namespace fulcrum::ui {
+
+class JobBar;
+
+/// Asks for a file; the ending chooses the format. Empty when nothing was chosen.
+QString ask_report_path(QWidget* parent, const QString& title, const QString& name);
+ReportFormat report_format_of(const QString& path);
+/// Writes on a worker thread with a store of its own, shown in `bar`; `done` gets the first file's path on
+/// the UI thread. What goes wrong is said on the window. The job belongs to `page`.
+void export_report(Context& context, QWidget* page, JobBar* bar, const ReportRequest& request,
+                   std::function<void(const QString&)> done);
+
+}  // namespace fulcrum::ui
