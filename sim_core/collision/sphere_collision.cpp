@@ -130,6 +130,7 @@ bool SphereCollision::refresh(int sphere, const Vector3& centre, Lists& lists, d
     for (double margin = options_.list_margin;; margin *= 0.5) {
         lists.free_motion[i] = margin;
         count = cavity_->list(centre, reach, margin, lists.direct.data(), direct_capacity, boxes);
+        lists.counts_so_far.listed += static_cast<std::uint64_t>(boxes);
         if (count <= direct_capacity) break;
         if (margin < 1e-5) {
             lists.counts[i] = overflowed;
@@ -211,10 +212,12 @@ void SphereCollision::gather(int sphere, const Vector3& centre, Lists& lists, bo
     const bool direct = lists.counts[i] == overflowed;
     const std::int32_t* packets = lists.packets.data() + i * index(options_.list_capacity);
     for (int k = 0; k < std::min(count, direct_capacity); ++k) {
+        ++lists.counts_so_far.packets;
         const TrianglePacket& packet = cavity_->packet(direct ? lists.direct[index(k)].packet : packets[k]);
         float concern[packet_size];
         for_each_lane(packet.concern(at, static_cast<float>(reach), 0.0F, concern), [&](int lane) {
             if (!cavity_->confirms(packet, lane, at)) return;
+            ++lists.counts_so_far.triangles;
             if (only_nearest) {
                 const CavityTriangle& t =
                     cavity_->triangles()[static_cast<std::size_t>(packet.triangle[lane])];

@@ -31,7 +31,7 @@ struct SphereCollisionOptions {
     double rest_exclusion =
         3.141592653589793;  ///< pairs closer than this many radii along the rest line are left out
     int projection_iterations = 3;
-    int list_capacity = 64;     ///< packets of triangles a sphere; more: the least urgent wait for the next
+    int list_capacity = 512;    ///< packets of triangles a sphere; more: the least urgent wait for the next
     int planes_per_sphere = 6;  ///< cavity planes a sphere
     int pair_capacity = 512;    ///< pairs of spheres in contact
     int near_row_capacity = 2048;  ///< spheres against eight others near them (SpherePairs)
@@ -72,6 +72,13 @@ struct SphereDepth {
     double depth = 0;  ///< m, rho - signed distance; <= 0 apart
 };
 
+/// Operations so far, for size sweeps.
+struct CollisionCounts {
+    std::uint64_t packets = 0;    ///< of eight triangles, looked at by steps
+    std::uint64_t triangles = 0;  ///< measured exactly
+    std::uint64_t listed = 0;     ///< packets looked at by listings
+};
+
 class SphereCollision {
   public:
     /// cavity may be null (self-collision only) and must outlive this. Throws InputError if arc lengths and
@@ -94,6 +101,7 @@ class SphereCollision {
         std::vector<Vector3> last_at;         ///< m, at the call before
         std::vector<double> free_motion;      ///< m the sphere may move before it is listed again
         SpherePairs::Lists pairs;
+        CollisionCounts counts_so_far;
         std::vector<Vector3> projected;   ///< centres during and after projection
         std::vector<std::uint8_t> moved;  ///< a sphere: 1 if the last projection moved it
         std::vector<double> depth;        ///< m, of each sphere in the wall

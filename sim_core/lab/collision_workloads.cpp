@@ -1,75 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reference workloads spheres_cavity and spheres_self (quality.md): 200 spheres in a cavity of 20,480
-// triangles.
-//
-// The spheres are a bowel of 0.9 m and 12.5 mm radius, coiled in 3.6 turns that lie on each other and on the
-// wall (191 of the 200 are within 1 mm of it, most touch it: nothing is won by being far). It is drawn along
-// its line at 50 mm/s and back: a step of 5 ms moves a sphere by 0.22 to 0.25 mm (p10 to p50; 0.31 mm p99),
-// which is the hand's own speed in the rod's warm frame. Every recorded place is first brought out of wall
-// and neighbours. spheres_cavity asks for closest point and depth of each sphere, spheres_self for every
-// touching pair with normal and depth, both without projection; spheres_project is all of it with projection
-// and residual, as a world step calls it.
+// Reference workloads spheres_cavity and spheres_self (quality.md) on the reference chain of collision_run.h:
+// 200 spheres that lie on the wall of 20,480 triangles and on each other, moved by 0.25 mm a frame.
+// spheres_cavity asks for closest point and depth of each sphere, spheres_self for every touching pair with
+// normal and depth, both without projection; spheres_project is all of it with projection and residual, as a
+// world step calls it.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
 
-#include "sim_core/collision/sphere_collision.h"
 #include "sim_core/geometry/closest_point.h"
 #include "sim_core/lab/bench.h"
-#include "sim_core/lab/reference_cavity.h"
+#include "sim_core/lab/collision_run.h"
 
 namespace fulcrum::lab {
 namespace {
 
-constexpr int spheres = 200, recorded_steps = 60;
-constexpr double spacing = 0.0045, radius = 0.0125, a_step = 0.050 * 0.005;
-
-struct CollisionRun {
-    std::unique_ptr<CavityModel> cavity;
-    std::unique_ptr<SphereCollision> collision;
-    SphereCollision::Lists lists;
-    SphereContacts contacts;
-    std::vector<SphereDepth> depths;
-    std::vector<std::vector<Vector3>> centres;  ///< of each recorded step, to and fro
-    std::size_t step = 0;
-
-    const std::vector<Vector3>& now() const { return centres[step]; }
-    void advance() { step = (step + 1) % centres.size(); }
-};
-
 std::shared_ptr<CollisionRun> build(bool with_cavity) {
-    auto run = std::make_shared<CollisionRun>();
-    SphereChainShape chain;
-    for (int i = 0; i < spheres; ++i) {
-        chain.arc_lengths.push_back(i * spacing);
-        chain.radii.push_back(radius);
-    }
-    SphereCollisionOptions options;
-    options.pair_capacity = 4096;
-    options.near_row_capacity = 8192;
-    if (with_cavity)
-        run->cavity =
-            std::make_unique<CavityModel>(make_bowl({0.075, 0.0535, 0.0535}, 5, 0.02), FreeSide::behind);
-    run->collision = std::make_unique<SphereCollision>(run->cavity.get(), chain, options);
-    run->lists = run->collision->make_lists();
-    run->contacts = run->collision->make_contacts();
-    run->depths.resize(spheres);
-    for (int k = 0; k < 2 * recorded_steps; ++k) {
-        const int there = k < recorded_steps ? k : 2 * recorded_steps - k;
-        run->centres.push_back(coil(spheres, spacing, 0.040, 0.094, a_step * there));
-    }
-    // Bowels lie on the wall and on each other: every recorded place is brought out of them first.
-    const CavityModel wall(make_bowl({0.075, 0.0535, 0.0535}, 5, 0.02), FreeSide::behind);
-    options.projection_iterations = 12;
-    const SphereCollision settle(&wall, chain, options);
-    SphereCollision::Lists lists = settle.make_lists();
-    SphereContacts contacts = settle.make_contacts();
-    for (auto& centres : run->centres) {
-        settle.collide(centres.data(), lists, contacts);
-        centres = lists.projected;
-    }
-    return run;
+    CollisionRunOptions options;
+    options.with_cavity = with_cavity;
+    return make_collision_run(options);
 }
 
 // Largest difference of a depth from brute force over all triangles, over a few steps.
@@ -85,7 +35,7 @@ double worst_depth(CollisionRun& run) {
                 const Vector3 foot = closest_point_on_triangle(run.now()[i], t.a, t.b, t.c).position;
                 nearest2 = std::min(nearest2, (run.now()[i] - foot).squaredNorm());
             }
-            const double exact = radius - std::sqrt(nearest2);
+            const double exact = CollisionRun::radius - std::sqrt(nearest2);
             if (exact < -run.collision->options().contact_margin) continue;  // apart: no depth was asked for
             worst = std::max(worst, std::abs(run.depths[i].depth - exact));
         }
@@ -103,9 +53,11 @@ double worst_pair_depth(CollisionRun& run) {
         run.collision->touching_pairs(run.now().data(), run.lists, run.contacts);
         double deepest = 0;
         int count = 0;
+        const int spheres = run.collision->spheres();
+        const double radius = CollisionRun::radius;
         for (int i = 0; i < spheres; ++i) {
             for (int j = i + 1; j < spheres; ++j) {
-                if ((j - i) * spacing < options.rest_exclusion * radius) continue;
+                if ((j - i) * CollisionRun::spacing < options.rest_exclusion * radius) continue;
                 const double distance =
                     (run.now()[static_cast<std::size_t>(i)] - run.now()[static_cast<std::size_t>(j)]).norm();
                 if (distance < 2 * radius + options.contact_margin) ++count;

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "sim_core/lab/chart.h"
+#include "sim_core/lab/collision_tradeoff.h"
 #include "sim_core/lab/membrane_tradeoff.h"
 #include "sim_core/lab/tradeoff_rooms.h"
 
@@ -22,7 +23,7 @@ void mark_pareto(TradeoffStudy& study) {
 
 std::vector<TradeoffStudy> tradeoff_studies() {
     std::vector<TradeoffStudy> studies;
-    for (const auto room : {rod_tradeoff, membrane_tradeoff}) {
+    for (const auto room : {rod_tradeoff, collision_tradeoff, membrane_tradeoff}) {
         for (TradeoffStudy& study : room()) {
             mark_pareto(study);
             studies.push_back(std::move(study));
