@@ -5,10 +5,11 @@
 
 #include "app/assets.h"
 #include "app/commands.h"
+#include "app/interrupted.h"
 #include "app/live_attempt.h"
 #include "app/performance.h"
-#include "app/trace_rig.h"
 #include "app/trace_input.h"
+#include "app/trace_rig.h"
 #include "assessment/metrics/metrics_json.h"
 #include "assessment/operators/operator.h"
 #include "database/recorder.h"
@@ -17,7 +18,9 @@
 namespace fulcrum::app {
 namespace {
 
-nlohmann::json text_or_null(const std::string& text) { return text.empty() ? nlohmann::json() : nlohmann::json(text); }
+nlohmann::json text_or_null(const std::string& text) {
+    return text.empty() ? nlohmann::json() : nlohmann::json(text);
+}
 
 template <typename T>
 nlohmann::json value_or_null(const std::optional<T>& value) {
@@ -25,9 +28,17 @@ nlohmann::json value_or_null(const std::optional<T>& value) {
 }
 
 nlohmann::json statistics_json(const LoopStatistics& s) {
-    return {{"ticks", s.ticks}, {"missed_by_program", s.missed_by_program}, {"missed_by_scheduler", s.missed_by_scheduler}, {"late_steps", s.late_steps},
-            {"lost_samples", s.lost_samples}, {"real_time_priority", s.real_time_priority},
-            {"wake_us", {{"p50", s.wake_p50_us}, {"p99", s.wake_p99_us}, {"p99.9", s.wake_p999_us}, {"worst", s.wake_worst_us}}},
+    return {{"ticks", s.ticks},
+            {"missed_by_program", s.missed_by_program},
+            {"missed_by_scheduler", s.missed_by_scheduler},
+            {"late_steps", s.late_steps},
+            {"lost_samples", s.lost_samples},
+            {"real_time_priority", s.real_time_priority},
+            {"wake_us",
+             {{"p50", s.wake_p50_us},
+              {"p99", s.wake_p99_us},
+              {"p99.9", s.wake_p999_us},
+              {"worst", s.wake_worst_us}}},
             {"tick_us", {{"p50", s.tick_p50_us}, {"p99", s.tick_p99_us}, {"worst", s.tick_worst_us}}},
             {"step_us", {{"p50", s.step_p50_us}, {"p99", s.step_p99_us}, {"worst", s.step_worst_us}}}};
 }
@@ -42,35 +53,64 @@ struct Result {
 };
 
 /// Somebody to whom the attempt belongs: a synthetic or external person, never a real one.
-database::Person subject(const Arguments& arguments, const database::Store& store, const database::Session& session, const std::string& operator_name,
+database::Person subject(const Arguments& arguments, const database::Store& store,
+                         const database::Session& session, const std::string& operator_name,
                          std::uint64_t seed) {
     const database::People people(store);
     if (const auto login = arguments.value("--person")) {
-        if (const auto known = people.find_login(store.station_session(), *login); known && known->kind == database::PersonKind::real) {
-            throw UsageError("command line: --person: " + *login + " is a real person; an operator or a trace writes to a synthetic or external person only");
+        if (const auto known = people.find_login(store.station_session(), *login);
+            known && known->kind == database::PersonKind::real) {
+            throw UsageError(
+                "command line: --person: " + *login +
+                " is a real person; an operator or a trace writes to a synthetic or external person only");
         }
-        return people.ensure_synthetic(session, *login, *login, operator_name.empty() ? database::PersonKind::external : database::PersonKind::synthetic);
+        return people.ensure_synthetic(
+            session, *login, *login,
+            operator_name.empty() ? database::PersonKind::external : database::PersonKind::synthetic);
     }
-    if (operator_name.empty()) return people.ensure_synthetic(session, "external-trace", "External trace", database::PersonKind::external);
+    if (operator_name.empty())
+        return people.ensure_synthetic(session, "external-trace", "External trace",
+                                       database::PersonKind::external);
     const std::string login = "synthetic-" + operator_name + "-" + std::to_string(seed);
-    return people.ensure_synthetic(session, login, "Synthetic " + operator_name + " " + std::to_string(seed), database::PersonKind::synthetic);
+    return people.ensure_synthetic(session, login, "Synthetic " + operator_name + " " + std::to_string(seed),
+                                   database::PersonKind::synthetic);
 }
 
-nlohmann::json to_json(const database::AttemptMeta& meta, const std::string& attempt, const database::Person& person, const Result& result) {
+nlohmann::json to_json(const database::AttemptMeta& meta, const std::string& attempt,
+                       const database::Person& person, const Result& result) {
     const Score& score = result.scored.score;
-    return {{"attempt", attempt}, {"task", meta.task_id}, {"person", person.login}, {"person_id", person.id}, {"operator", text_or_null(meta.operator_name)},
-            {"synthetic", person.kind != database::PersonKind::real}, {"mode", meta.mode}, {"device_class", meta.device_class}, {"variant", meta.variant},
-            {"seed", meta.seed}, {"fidelity", meta.fidelity}, {"duration_s", result.scored.duration_s}, {"wall_s", result.wall_s},
-            {"state", attempt_state_name(result.scored.state)}, {"passed", value_or_null(score.passed)},
-            {"not_scored_because", text_or_null(score.not_scored_because)}, {"points", value_or_null(score.points)}, {"advice", score.advice},
-            {"gates", gates_to_json(score.gates)}, {"metrics", metrics_to_json(result.scored.metrics)},
-            {"critical_errors", critical_errors_to_json(score.critical_errors)}, {"events", result.events}, {"missed_ticks", result.missed},
-            {"state_hash", hex(result.state_hash)}, {"loop", result.statistics ? statistics_json(*result.statistics) : nlohmann::json()}};
+    return {{"attempt", attempt},
+            {"task", meta.task_id},
+            {"person", person.login},
+            {"person_id", person.id},
+            {"operator", text_or_null(meta.operator_name)},
+            {"synthetic", person.kind != database::PersonKind::real},
+            {"mode", meta.mode},
+            {"device_class", meta.device_class},
+            {"variant", meta.variant},
+            {"seed", meta.seed},
+            {"fidelity", meta.fidelity},
+            {"duration_s", result.scored.duration_s},
+            {"wall_s", result.wall_s},
+            {"state", attempt_state_name(result.scored.state)},
+            {"passed", value_or_null(score.passed)},
+            {"not_scored_because", text_or_null(score.not_scored_because)},
+            {"points", value_or_null(score.points)},
+            {"advice", score.advice},
+            {"gates", gates_to_json(score.gates)},
+            {"metrics", metrics_to_json(result.scored.metrics)},
+            {"critical_errors", critical_errors_to_json(score.critical_errors)},
+            {"events", result.events},
+            {"missed_ticks", result.missed},
+            {"state_hash", hex(result.state_hash)},
+            {"loop", result.statistics ? statistics_json(*result.statistics) : nlohmann::json()}};
 }
 
-Result perform_on_the_clock(const LoadedTask& loaded, std::shared_ptr<Rig> rig, const database::Store& store, const database::Session& session,
-                            const database::AttemptMeta& meta, std::optional<BenchmarkSet> benchmark, std::string& attempt_id) {
-    LiveRequest request{loaded, meta.seed, meta.mode == "assessed", std::move(rig), store.path(), session, meta, std::move(benchmark)};
+Result perform_on_the_clock(const LoadedTask& loaded, std::shared_ptr<Rig> rig, const database::Store& store,
+                            const database::Session& session, const database::AttemptMeta& meta,
+                            std::optional<BenchmarkSet> benchmark, std::string& attempt_id) {
+    LiveRequest request{loaded,  meta.seed, meta.mode == "assessed", std::move(rig), store.path(),
+                        session, meta,      std::move(benchmark)};
     LiveAttempt attempt(std::move(request));
     attempt.start();
     attempt.wait();
@@ -86,14 +126,23 @@ Result perform_on_the_clock(const LoadedTask& loaded, std::shared_ptr<Rig> rig, 
 }
 
 void print_summary(const nlohmann::json& document) {
-    const auto text = [](const nlohmann::json& value) { return value.is_null() ? std::string("-") : value.is_string() ? value.get<std::string>() : value.dump(); };
-    std::cout << text(document["task"]) << " by " << text(document["person"]) << ": " << text(document["state"]) << " after " << text(document["duration_s"]) << " s, passed "
-              << text(document["passed"]) << ", points " << text(document["points"]) << "\n  attempt " << text(document["attempt"]) << "  state_hash "
-              << text(document["state_hash"]) << "\n  " << text(document["advice"]) << '\n';
-    if (!document["not_scored_because"].is_null()) std::cout << "  not scored: " << text(document["not_scored_because"]) << '\n';
+    const auto text = [](const nlohmann::json& value) {
+        return value.is_null()     ? std::string("-")
+               : value.is_string() ? value.get<std::string>()
+                                   : value.dump();
+    };
+    std::cout << text(document["task"]) << " by " << text(document["person"]) << ": "
+              << text(document["state"]) << " after " << text(document["duration_s"]) << " s, passed "
+              << text(document["passed"]) << ", points " << text(document["points"]) << "\n  attempt "
+              << text(document["attempt"]) << "  state_hash " << text(document["state_hash"]) << "\n  "
+              << text(document["advice"]) << '\n';
+    if (!document["not_scored_because"].is_null())
+        std::cout << "  not scored: " << text(document["not_scored_because"]) << '\n';
     for (const auto& gate : document["gates"]) {
-        std::cout << "  gate " << text(gate["metric"]) << ' ' << text(gate["hand"]) << ' ' << text(gate["tissue"]) << ": " << text(gate["value"]) << " limit "
-                  << text(gate["limit"]) << ' ' << text(gate["unit"]) << " passed " << text(gate["passed"]) << (gate["provisional"] == true ? " (provisional)" : "") << '\n';
+        std::cout << "  gate " << text(gate["metric"]) << ' ' << text(gate["hand"]) << ' '
+                  << text(gate["tissue"]) << ": " << text(gate["value"]) << " limit " << text(gate["limit"])
+                  << ' ' << text(gate["unit"]) << " passed " << text(gate["passed"])
+                  << (gate["provisional"] == true ? " (provisional)" : "") << '\n';
     }
 }
 
@@ -101,31 +150,39 @@ void print_summary(const nlohmann::json& document) {
 
 int command_perform(const std::vector<std::string>& words) {
     OptionSpec spec;
-    spec.usage = "usage: fulcrum perform TASK [--operator novice|intermediate|expert | --input TRACE.csv] [--seed N] [--person P] [--practice] [--fidelity F] [--realtime] [--db FILE] [--json]";
+    spec.usage =
+        "usage: fulcrum perform TASK [--operator novice|intermediate|expert | --input TRACE.csv] [--seed N] "
+        "[--person P] [--practice] [--fidelity F] [--realtime] [--db FILE] [--json]";
     spec.with_value = {"--operator", "--input", "--seed", "--person", "--fidelity", "--db"};
     spec.flags = {"--realtime", "--json", "--practice"};
     spec.minimum_words = spec.maximum_words = 1;
     const Arguments arguments(words, spec);
-    if (arguments.has("--operator") && arguments.has("--input")) throw UsageError("command line: --input: not together with --operator; " + spec.usage);
+    if (arguments.has("--operator") && arguments.has("--input"))
+        throw UsageError("command line: --input: not together with --operator; " + spec.usage);
 
     const LoadedTask loaded = load_task_and_scene(arguments.words()[0], arguments.value_or("--fidelity", ""));
     const auto seed = static_cast<std::uint64_t>(arguments.integer("--seed", 1, 0, 4'000'000'000LL));
-    const std::string operator_name = arguments.has("--input") ? "" : arguments.value_or("--operator", "expert");
+    const std::string operator_name =
+        arguments.has("--input") ? "" : arguments.value_or("--operator", "expert");
     AttemptRecord input;
     std::shared_ptr<Rig> rig;
     if (arguments.has("--input")) {
         input.inputs = inputs_from_csv(*arguments.value("--input"), loaded.scene);
         rig = std::make_shared<TraceRig>(input.inputs);
     } else {
-        rig = make_operator(operator_name, loaded.task, loaded.scene, seed);  // a wrong name is refused before anything is stored
+        rig = make_operator(operator_name, loaded.task, loaded.scene,
+                            seed);  // a wrong name is refused before anything is stored
     }
     const std::optional<BenchmarkSet> benchmark = benchmark_in_force(loaded.task.id);
     const database::Store store = open_store(arguments, true);
     const database::Session session = store.station_session();
+    score_interrupted(store.path(), session);  // what an earlier run left when it was killed
     const database::Person person = subject(arguments, store, session, operator_name, seed);
 
-    database::AttemptMeta meta = attempt_meta(loaded, seed, arguments.has("--practice") ? "practice" : "assessed", operator_name.empty() ? "external" : "synthetic",
-                                              operator_name.empty() ? "trace file" : "synthetic operator", benchmark ? &*benchmark : nullptr);
+    database::AttemptMeta meta = attempt_meta(
+        loaded, seed, arguments.has("--practice") ? "practice" : "assessed",
+        operator_name.empty() ? "external" : "synthetic",
+        operator_name.empty() ? "trace file" : "synthetic operator", benchmark ? &*benchmark : nullptr);
     meta.person_id = person.id;
     meta.operator_name = operator_name;
 

@@ -13,6 +13,8 @@
 namespace fulcrum::app {
 namespace {
 
+constexpr std::uint32_t flush_every_ticks = 700;
+
 constexpr std::size_t world_ring_ticks =
     512;  // half a second: a world that stalls longer loses ticks, counted
 constexpr std::size_t record_ring_ticks = 8192;  // eight seconds of a stalled disk
@@ -78,6 +80,7 @@ struct LiveAttempt::State : public AttemptSink {
     DurationHistogram wake, tick_time, step_time;
     std::thread haptic_thread, world_thread, recorder_thread;
     bool relabel_wanted = false;  // recorder thread
+    std::uint32_t flushed_tick = 0;
 
     explicit State(LiveRequest request_in) : request(std::move(request_in)) {}
     bool recorded() const { return !request.store_path.empty(); }
@@ -242,6 +245,15 @@ void LiveAttempt::State::drain() {
             if (world.event.kind == EventKind::device_back) relabel_wanted = request.assessed;
         } else {
             recorder->append(world.step);
+        }
+    }
+    // Before a second is full: what a kill costs counts from here.
+    if (recorder && tick_count.load() >= flushed_tick + flush_every_ticks) {
+        try {
+            recorder->flush();
+            flushed_tick = tick_count.load();
+        } catch (const database::StoreError& locked) {
+            if (locked.kind() != database::StoreErrorKind::locked) throw;
         }
     }
     // At once, not at the end: what is killed after this is found as practice.

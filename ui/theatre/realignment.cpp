@@ -19,7 +19,7 @@ QString tr(const char* source) {
 QString line_of(int hand, const Realignment::OneHand& one) {
     const QString name = hand == 0 ? tr("Left") : tr("Right");
     if (one.in_place) return tr("✓ %1: in place").arg(name);
-    return tr("→ %1: %2 mm and %3° from its ghost")
+    return tr("→ %1: %2 mm and %3° away from its ghost")
         .arg(name)
         .arg(one.distance * 1e3, 0, 'f', 0)
         .arg(one.angle * degrees, 0, 'f', 0);
@@ -49,7 +49,7 @@ void paint_realignment(QPainter& painter, const QRectF& area, const Realignment&
     }
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    const double width = std::min(area.width() - 40, 620.0), row = 26;
+    const double width = std::min(area.width() - 40, 720.0), row = 26;
     const QRectF box(area.center().x() - width / 2, area.bottom() - 70 - row * (lines.size() + 2), width,
                      row * (lines.size() + 2) + 24);
     painter.setPen(QPen(realignment.in_place ? p.good : p.warning, 2));
@@ -66,7 +66,7 @@ void paint_realignment(QPainter& painter, const QRectF& area, const Realignment&
                          line);
         y += row;
     };
-    draw(realignment.in_place ? tr("Every instrument is in place: press Enter to go on as practice.")
+    draw(realignment.in_place ? tr("In place: press Enter to go on as practice.")
                               : tr("The device is back. Bring each instrument onto its ghost."));
     font.setBold(false);
     font.setPointSizeF(12);

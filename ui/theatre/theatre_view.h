@@ -39,6 +39,7 @@ class TheatreView : public QOpenGLWidget {
     /// A device is back after a loss: the instruments wait as ghosts, the devices are drawn where they are,
     /// and a line says how far they are. Empty: not so.
     void set_realignment(const std::optional<Realignment>& realignment);
+    const std::optional<Realignment>& realignment() const { return realignment_; }
     /// Lines over the dimmed picture; none hides them.
     void set_cover(const QString& heading, const QStringList& lines);
     /// Why nothing can be drawn here, "" if it can.

@@ -79,10 +79,10 @@ void HomePage::fill_interrupted() {
         const QString what =
             tr("%1, %2, %3 recorded: ")
                 .arg(context().task_title(one.task_id), local_time(one.started), clock_text(one.duration_s));
-        const QString verdict = one.passed == false
-                                    ? tr("failed, because what was recorded had failed already — %1")
-                                    : tr("does not count — %1");
-        QPushButton* open = make_button(what + verdict.arg(text(one.why)), "interrupted_attempt", "link");
+        // The debrief behind the link says which limit; a line has no room for it.
+        const QString verdict = one.passed == false ? tr("failed: a limit was broken before it was cut off")
+                                                    : tr("does not count (%1)").arg(text(one.why));
+        QPushButton* open = make_button(what + verdict, "interrupted_attempt", "link");
         connect(open, &QPushButton::clicked, this,
                 [this, id = text(one.attempt_id)] { emit context().debrief_wanted(id, -1); });
         interrupted_->addWidget(open, 0, Qt::AlignLeft);

@@ -7,9 +7,14 @@
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QDateTime>
 #include <QDir>
+#include <QFileDialog>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QScreen>
+#include <QTableWidget>
+#include <QTimer>
 #include <QtTest>
 #include <functional>
 
@@ -57,6 +62,51 @@ inline void type(QWidget& window, const char* name, const QString& words) {
     QTest::keyClicks(edit, words);
 }
 
+/// A check box or radio button, by a click on its mark, if it is not as wished already.
+inline void check(QWidget& window, const char* name, bool on = true) {
+    auto* box = find<QAbstractButton>(window, name);
+    ASSERT_NE(box, nullptr);
+    if (box->isChecked() != on) QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(9, box->height() / 2));
+    EXPECT_EQ(box->isChecked(), on) << name;
+}
+
+/// The check mark of a list's item, by a click.
+inline void check_item(QListWidget& list, int row) {
+    QListWidgetItem* item = list.item(row);
+    list.scrollToItem(item);
+    const QRect place = list.visualItemRect(item);
+    if (item->checkState() != Qt::Checked)
+        QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, QPoint(place.left() + 11, place.center().y()));
+    EXPECT_EQ(item->checkState(), Qt::Checked);
+}
+
+/// A row of a table, by a click on its first cell.
+inline void choose_row(QTableWidget& table, int row) {
+    table.scrollToItem(table.item(row, 0));
+    QTest::mouseClick(table.viewport(), Qt::LeftButton, {},
+                      table.visualItemRect(table.item(row, 0)).center());
+    EXPECT_EQ(table.currentRow(), row);
+}
+
+/// Clicks a button that asks for a file, and types its name into the dialog.
+inline void click_and_name_file(QWidget& window, const char* button, const QString& path) {
+    bool named = false;
+    QTimer poll;
+    QObject::connect(&poll, &QTimer::timeout, [&] {
+        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        auto* edit = dialog == nullptr ? nullptr : dialog->findChild<QLineEdit*>("fileNameEdit");
+        if (edit == nullptr || named) return;
+        named = true;
+        edit->setFocus();
+        edit->selectAll();
+        QTest::keyClicks(edit, path);
+        QTest::keyClick(edit, Qt::Key_Return);
+    });
+    poll.start(20);
+    click(window, button);
+    EXPECT_TRUE(named) << "no dialog asked for a file";
+}
+
 /// Kept where FULCRUM_PICTURES says, for people to look at.
 inline void keep_picture(QWidget& window, const QString& name) {
     const QByteArray folder = qgetenv("FULCRUM_PICTURES");
@@ -67,6 +117,25 @@ inline void keep_picture(QWidget& window, const QString& name) {
     QPixmap picture = window.screen()->grabWindow(window.winId());
     if (picture.isNull()) picture = window.grab();
     picture.save(QString::fromLocal8Bit(folder) + QLatin1Char('/') + name + QStringLiteral(".png"));
+}
+
+/// LIST.md beside the pictures: which test left them, when each was taken.
+inline void list_pictures() {
+    const QByteArray folder = qgetenv("FULCRUM_PICTURES");
+    if (folder.isEmpty()) return;
+    const QDir pictures(QString::fromLocal8Bit(folder));
+    QFile list(pictures.filePath(QStringLiteral("LIST.md")));
+    if (!list.open(QIODevice::WriteOnly)) return;
+    list.write(
+        "<!-- SPDX-License-Identifier: Apache-2.0 -->\n# Pictures\n\nWritten by the window's tests with "
+        "FULCRUM_PICTURES set; "
+        "software rendering.\n\n| picture | taken (UTC) |\n| --- | --- |\n");
+    for (const QFileInfo& picture :
+         pictures.entryInfoList({QStringLiteral("*.png")}, QDir::Files, QDir::Name)) {
+        list.write(QStringLiteral("| %1 | %2 |\n")
+                       .arg(picture.fileName(), picture.lastModified().toUTC().toString(Qt::ISODate))
+                       .toUtf8());
+    }
 }
 
 /// The whole body of a scrolled page, beyond what the window shows.

@@ -54,7 +54,7 @@ class Journey : public ::testing::Test {
         EXPECT_GE(find<QLabel>(window, "recovery_code")->text().size(), 16);
         keep_picture(window, "03-recovery-code");
         EXPECT_FALSE(find<QAbstractButton>(window, "code_continue")->isEnabled());
-        find<QAbstractButton>(window, "code_noted")->setChecked(true);
+        check(window, "code_noted");
         click(window, "code_continue");
         expect_page("people_page");
     }
@@ -64,8 +64,7 @@ class Journey : public ::testing::Test {
         type(window, "new_person_login", login);
         for (const char* one : {"trainee", "educator", "director", "administrator"}) {
             const QByteArray box = QByteArray("new_role_") + one;
-            find<QAbstractButton>(window, box.constData())
-                ->setChecked(QLatin1String(one) == QLatin1String(role));
+            check(window, box.constData(), QLatin1String(one) == QLatin1String(role));
         }
         click(window, "add_person");
         return find<QLabel>(window, "one_time_password")->property("password").toString();
@@ -92,7 +91,7 @@ class Journey : public ::testing::Test {
     void start_attempt(const char* task, bool assessed) {
         click(window, qPrintable(QStringLiteral("briefing_") + QLatin1String(task)));
         expect_page("briefing_page");
-        find<QRadioButton>(window, assessed ? "mode_assessed" : "mode_practice")->setChecked(true);
+        check(window, assessed ? "mode_assessed" : "mode_practice");
         keep_picture(window, QStringLiteral("06-briefing-") + QLatin1String(task));
         EXPECT_TRUE(find<QAbstractButton>(window, "start_attempt")->text().startsWith("Start as "));
         click(window, "start_attempt");
@@ -154,8 +153,8 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     click(window, "rail_assign");
     type(window, "new_cohort_name", "Spring");
     click(window, "add_cohort");
-    find<QListWidget>(window, "cohort_members")->item(0)->setCheckState(Qt::Checked);
-    find<QListWidget>(window, "cohort_educators")->item(0)->setCheckState(Qt::Checked);
+    check_item(*find<QListWidget>(window, "cohort_members"), 0);
+    check_item(*find<QListWidget>(window, "cohort_educators"), 0);
     keep_picture(window, "12-assign-cohorts");
     click(window, "save_cohort");
     switch_user();
@@ -243,7 +242,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     auto* attempts = find<QTableWidget>(window, "attempts_table");
     ASSERT_EQ(attempts->rowCount(), 3);
     keep_picture(window, "10-educator-attempts");
-    attempts->setCurrentCell(2, 0);  // the oldest
+    choose_row(*attempts, 2);  // the oldest
     click(window, "open_attempt");
     DebriefPage& review = wait_for_debrief();
     events = find<QListWidget>(window, "event_list");
@@ -260,7 +259,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
         if (attempts->item(row, 5)->text() == "abandoned") abandoned = row;
     }
     ASSERT_GE(abandoned, 0);
-    attempts->setCurrentCell(abandoned, 0);
+    choose_row(*attempts, abandoned);
     click(window, "open_attempt");
     wait_for_debrief();
     click(window, "void_attempt");
@@ -293,12 +292,9 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     EXPECT_TRUE(cell.contains("attempted · attempts 1")) << cell.toStdString();
     auto* cohort_page = static_cast<CohortPage*>(window.current_page());
     QTemporaryDir folder;
-    const std::pair<const char*, ReportFormat> formats[] = {{"cohort.pdf", ReportFormat::pdf},
-                                                            {"cohort.csv", ReportFormat::csv},
-                                                            {"cohort.json", ReportFormat::json}};
-    for (const auto& [name, format] : formats) {
+    for (const char* name : {"cohort.pdf", "cohort.csv", "cohort.json"}) {
         QSignalSpy done(cohort_page, &CohortPage::exported);
-        cohort_page->export_to(folder.filePath(name), format);
+        click_and_name_file(window, "export_cohort", folder.filePath(name));
         ASSERT_TRUE(wait_for([&] { return done.count() == 1; })) << name;
     }
     const nlohmann::json json = nlohmann::json::parse(read_text(folder.filePath("cohort.json")));
