@@ -196,6 +196,7 @@ TEST_F(Window, KeepsItsClockAndLosesNothingWhileItDrawsAndTheHandsDragBowel) {
     for (std::size_t i = 0; i < trace.samples.size(); ++i) ASSERT_EQ(trace.samples[i].tick, i + 1);
     EXPECT_LT(grown, 64.0 * 1048576.0);
     EXPECT_GE(grasps, seconds / 30);
+    expect_replays(attempt.meta.id);
 }
 
 }  // namespace
