@@ -120,8 +120,15 @@ class Replay : public ui::ReplaySource {
         for (std::size_t i = 0; i < shown_.nodes.size(); ++i) shown_.nodes[i] += u * (next.nodes[i] - shown_.nodes[i]);
         for (std::size_t i = 0; i < shown_.rings.size(); ++i) {
             shown_.rings[i].position += u * (next.rings[i].position - shown_.rings[i].position);
-            const Quaternion from(shown_.rings[i].rotation), to(next.rings[i].rotation);
+            // A lumen under pressure scales the first two directors.
+            const double before = shown_.rings[i].rotation.col(0).norm(), after = next.rings[i].rotation.col(0).norm();
+            const auto turned = [](Matrix3 directors, double scale) {
+                directors.leftCols<2>() /= scale;
+                return Quaternion(directors);
+            };
+            const Quaternion from = turned(shown_.rings[i].rotation, before), to = turned(next.rings[i].rotation, after);
             shown_.rings[i].rotation = from.slerp(u, to).toRotationMatrix();
+            shown_.rings[i].rotation.leftCols<2>() *= before + u * (after - before);
         }
     }
 

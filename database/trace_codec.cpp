@@ -23,6 +23,7 @@ namespace fulcrum::database {
 namespace {
 
 constexpr std::uint8_t layout_version = 1;
+constexpr std::size_t column_count_byte = 4;  // of the header
 constexpr std::size_t checksum_size = 16;
 constexpr unsigned highest_order = 3;
 constexpr int compression_level = 3;
@@ -331,7 +332,7 @@ struct TraceCodec::State {
         using Inputs = Layout<RigSample>;
         using Columns = Layout<TickSample>;
         if (of_same_ticks != nullptr) {
-            unpack(*of_same_ticks, TraceStream::inputs, Inputs::columns);
+            unpack(*of_same_ticks, TraceStream::inputs, Inputs::fewest_columns, Inputs::columns);
             for (auto& order : inputs) {
                 order.resize(Inputs::columns);
                 for (Column& column : order) column.clear();  // differences are made when first asked for
@@ -342,7 +343,7 @@ struct TraceCodec::State {
                 return handle ? &inputs[0][column] : nullptr;
             });
         }
-        unpack(samples, TraceStream::samples, Columns::columns);
+        unpack(samples, TraceStream::samples, Columns::fewest_columns, Columns::columns);
         const bool paired = of_same_ticks != nullptr && of_same_ticks->count == samples.count &&
                             of_same_ticks->first_tick == samples.first_tick &&
                             of_same_ticks->last_tick == samples.last_tick;
@@ -405,7 +406,9 @@ struct TraceCodec::State {
         return chunk;
     }
 
-    void unpack(const TraceChunk& chunk, TraceStream stream, std::size_t columns) {
+    /// Returns how many columns the chunk has.
+    std::size_t unpack(const TraceChunk& chunk, TraceStream stream, std::size_t fewest_columns,
+                       std::size_t columns) {
         if (chunk.stream != stream) damaged_chunk("another stream");
         if (chunk.data.size() > chunk_maximum_bytes || chunk.count == 0 ||
             chunk.count > chunk_maximum_records)
@@ -424,15 +427,17 @@ struct TraceCodec::State {
         if (ZSTD_isError(size) != 0U || size != plain.size()) damaged_chunk("its compression");
         std::vector<std::uint8_t> header;
         with_inputs = plain[header_size - 1] == 1U;
-        put_header(header, stream, chunk.count, columns, with_inputs);
+        const std::size_t stored = plain[column_count_byte] == fewest_columns ? fewest_columns : columns;
+        put_header(header, stream, chunk.count, stored, with_inputs);
         if (!std::equal(header.begin(), header.end(), plain.begin())) damaged_chunk("its header");
+        return stored;
     }
 
     template <typename Record>
     void decode(const TraceChunk& chunk, std::vector<Record>& records,
                 const std::vector<RigSample>* all_inputs) {
         using Columns = Layout<Record>;
-        unpack(chunk, Columns::stream, Columns::columns);
+        const std::size_t stored = unpack(chunk, Columns::stream, Columns::fewest_columns, Columns::columns);
         const std::size_t count = chunk.count;
         if (with_inputs) {
             const RigSample* begin = nullptr;
@@ -448,10 +453,10 @@ struct TraceCodec::State {
             }
             load_inputs(begin, count);
         }
-        rows.resize(count * Columns::columns);
+        rows.assign(count * Columns::columns, 0);
         residuals.resize(std::max(residuals.size(), Columns::columns));
         BitReader reader(plain.data() + header_size, plain.data() + plain.size());
-        for (std::size_t column = 0; column < Columns::columns; ++column) {
+        for (std::size_t column = 0; column < stored; ++column) {
             const Column& values = read_column(reader, column, count, Columns::partner(column),
                                                Columns::guides(column), is_partner<Columns>(column));
             for (std::size_t i = 0; i < count; ++i) rows[i * Columns::columns + column] = values[i];

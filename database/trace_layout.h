@@ -88,7 +88,8 @@ struct Layout;
 template <>
 struct Layout<RigSample> {
     static constexpr TraceStream stream = TraceStream::inputs;
-    static constexpr std::size_t device_columns = 9, columns = 2 + 3 * device_columns;
+    static constexpr std::size_t device_columns = 9, columns = 2 + 3 * device_columns,
+                                 fewest_columns = columns;
     template <typename Visitor, typename Record>
     static void visit(Visitor& visitor, Record& record) {
         visitor(record.tick);
@@ -109,8 +110,10 @@ struct Layout<TickSample> {
     static constexpr std::size_t hand_column(std::size_t hand, std::size_t part) {
         return 4 + hand * hand_columns + part;
     }
+    // Columns are only ever added at the end: an older chunk has fewer, and what it lacks reads as 0.
     static constexpr std::size_t hand_columns = 20, first_camera = 4 + 2 * hand_columns,
-                                 columns = first_camera + 7;
+                                 first_torque = first_camera + 7, columns = first_torque + 6,
+                                 fewest_columns = first_torque;
     template <typename Visitor, typename Record>
     static void visit(Visitor& visitor, Record& record) {
         visitor(record.tick);
@@ -120,6 +123,9 @@ struct Layout<TickSample> {
         for (auto& hand : record.hand) visit_hand(visitor, hand);
         for (auto& value : record.camera.tip) visitor(value);
         for (auto& value : record.camera.orientation) visitor(value);
+        for (auto& hand : record.hand) {
+            for (auto& value : hand.torque) visitor(value);
+        }
     }
     static int partner(std::size_t column) {
         if (column < 4 || column >= first_camera) return -1;
@@ -127,10 +133,14 @@ struct Layout<TickSample> {
         const std::size_t within = (column - 4) % hand_columns;
         return within >= 11 && within < 14 ? static_cast<int>(column) - 3 : -1;
     }
-    // Tip, axis and force are functions of the handle; roll, jaw angle and jaw force of what was asked.
+    // Tip, axis, force and torque are functions of the handle; roll, jaw angle and jaw force of what was asked.
     static Guides guides(std::size_t column) {
         if (column < 4) return no_guides;
         constexpr int first_device = 2, device = static_cast<int>(Layout<RigSample>::device_columns);
+        if (column >= first_torque) {
+            const int hand = first_device + device * static_cast<int>((column - first_torque) / 3);
+            return {hand, hand + 1, hand + 2};
+        }
         const bool camera = column >= first_camera;
         const std::size_t within = camera ? 0 : (column - 4) % hand_columns;
         const int base = first_device + device * (camera ? 2 : static_cast<int>((column - 4) / hand_columns));
@@ -147,7 +157,7 @@ struct Layout<TickSample> {
 template <>
 struct Layout<StepRecord> {
     static constexpr TraceStream stream = TraceStream::steps;
-    static constexpr std::size_t columns = 6;
+    static constexpr std::size_t columns = 6, fewest_columns = columns;
     static void visit(ColumnWriter& visitor, const StepRecord& record) {
         visitor(record.step);
         visitor(record.first_tick);
@@ -175,7 +185,7 @@ struct Layout<StepRecord> {
 template <>
 struct Layout<Event> {
     static constexpr TraceStream stream = TraceStream::events;
-    static constexpr std::size_t columns = 6;
+    static constexpr std::size_t columns = 6, fewest_columns = columns;
     static void visit(ColumnWriter& visitor, const Event& record) {
         visitor(record.tick);
         visitor(static_cast<std::uint16_t>(record.kind));

@@ -9,7 +9,7 @@
 #include "assessment/task/goal_monitor.h"
 #include "assessment/task/hand_monitor.h"
 #include "sim_core/haptics/device.h"
-#include "sim_core/numerics/random.h"
+#include "sim_core/scene/perforation.h"
 
 namespace fulcrum {
 namespace {
@@ -19,10 +19,7 @@ constexpr double moving_duration = 0.2;  // s, idem
 constexpr double device_grace = 60;      // s until a lost device interrupts the attempt
 constexpr double regrasp_window = 2;     // s
 constexpr double drop_height = 0.01;     // m above rest: tissue that falls less was not dropped
-constexpr double least_perforation_share =
-    0.3;  // of the median; the normal distribution's lower tail would reach zero
-constexpr std::uint64_t perforation_stream = 0x70657266;  // of the attempt's seed
-constexpr std::uint32_t fault_outcome = 4;                // StepRecord::outcome
+constexpr std::uint32_t fault_outcome = 4;  // StepRecord::outcome
 
 constexpr int no_hand = 255;
 
@@ -58,17 +55,11 @@ struct TaskMonitor::State {
 
     State(const TaskDefinition& definition, const Scene& scene, std::uint64_t seed)
         : task(definition), goals(definition, scene), tick_period(scene.tick_period()) {
-        Random random(seed, perforation_stream);
+        const std::vector<double> perforation = draw_perforation_forces(scene, seed);
         for (const TissueSpec& spec : scene.tissues) {
             TissueWatch watch;
-            const double deviate =
-                random.normal();  // drawn for every tissue, so that a limit added to one moves no other
             watch.force_limit = std::max(0.0, spec.force_limit) / sample_force_unit;
-            if (spec.perforation_force > 0) {
-                const double drawn = spec.perforation_force + deviate * spec.perforation_spread;
-                watch.perforation_limit =
-                    std::max(drawn, least_perforation_share * spec.perforation_force) / sample_force_unit;
-            }
+            watch.perforation_limit = perforation[tissues.size()] / sample_force_unit;
             watch.pressure_limit = spec.jaw_pressure_limit;
             watch.wall = scene.cavity && spec.label == scene.cavity->tissue;
             tissues.push_back(watch);

@@ -24,11 +24,14 @@ double angle_of(std::int32_t count) {
 double force_of(std::int32_t count) {
     return count / 1e3;
 }
+double torque_of(std::int32_t count) {
+    return count / 1e5;
+}
 double area_of(std::int32_t count) {
     return count / 1e9;
 }
 static_assert(sample_length_unit == 1e-7 && sample_axis_unit == 1e-8 && sample_angle_unit == 1e-6 &&
-              sample_force_unit == 1e-3 && sample_area_unit == 1e-9);
+              sample_force_unit == 1e-3 && sample_area_unit == 1e-9 && sample_torque_unit == 1e-5);
 
 template <typename T, typename Get>
 void fill(std::vector<T>& column, const std::vector<TickSample>& samples, Get get) {
@@ -46,6 +49,7 @@ void fill_hand(HandTrace& hand, const std::vector<TickSample>& samples, std::siz
     vector3(hand.px, hand.py, hand.pz, &HandSample::tip, length_of);
     vector3(hand.ax, hand.ay, hand.az, &HandSample::axis, axis_of);
     vector3(hand.fx, hand.fy, hand.fz, &HandSample::force, force_of);
+    vector3(hand.tx, hand.ty, hand.tz, &HandSample::torque, torque_of);
     fill(hand.roll, samples, [&](const TickSample& s) { return angle_of(s.hand[h].roll); });
     fill(hand.jaw_force, samples, [&](const TickSample& s) { return force_of(s.hand[h].jaw_force); });
     fill(hand.jaw_area, samples, [&](const TickSample& s) { return area_of(s.hand[h].jaw_area); });

@@ -38,6 +38,7 @@ struct HandTrace {
     std::vector<double> ax, ay, az;     ///< unit shaft axis, trocar to tip
     std::vector<double> roll;           ///< rad
     std::vector<double> fx, fy, fz;     ///< N, instrument on tissue, the model's force before any clamp
+    std::vector<double> tx, ty, tz;     ///< N m, of that force about the trocar
     std::vector<double> jaw_force;      ///< N
     std::vector<double> jaw_area;       ///< m2
     std::vector<std::int16_t> tissue;   ///< index into Trace::tissues, -1 none

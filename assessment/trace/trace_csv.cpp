@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t label_limit = 64;  // bytes
 
 /// What a column holds: decides unit, range and how a cell is stored.
-enum class Quantity { time, length, unitless, angle, force, area, flag, label, index };
+enum class Quantity { time, length, unitless, angle, force, torque, area, flag, label, index };
 
 struct ColumnRule {
     Quantity quantity;
@@ -39,6 +39,7 @@ const ColumnRule& rule_of(Quantity quantity) {
         {Quantity::unitless, "-", -1.001, 1.001, "give components of a unit vector or quaternion"},
         {Quantity::angle, "rad", -1e4, 1e4, "give angles in radians"},
         {Quantity::force, "N", -1e4, 1e4, "give forces in newtons"},
+        {Quantity::torque, "N m", -1e4, 1e4, "give torques in newton metres"},
         {Quantity::area, "m2", 0.0, 1.0, "give areas in square metres"},
         {Quantity::flag, "-", 0.0, 1.0, "write 1 or 0"},
         {Quantity::label, "-", 0.0, 0.0, "write a label or leave the cell empty"},
@@ -162,6 +163,9 @@ ColumnMap known_columns(Trace& trace) {
         number(prefix + "fx", Quantity::force, hand.fx);
         number(prefix + "fy", Quantity::force, hand.fy);
         number(prefix + "fz", Quantity::force, hand.fz);
+        number(prefix + "tx", Quantity::torque, hand.tx);
+        number(prefix + "ty", Quantity::torque, hand.ty);
+        number(prefix + "tz", Quantity::torque, hand.tz);
         number(prefix + "jaw", Quantity::force, hand.jaw_force);
         number(prefix + "jaw_area", Quantity::area, hand.jaw_area);
         const auto small = [&](const char* name, Quantity quantity, std::vector<std::int16_t>& target) {

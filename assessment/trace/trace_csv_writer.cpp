@@ -38,6 +38,9 @@ std::vector<Output> outputs_of(const Trace& trace) {
         number(prefix + "fx", "N", hand.fx);
         number(prefix + "fy", "N", hand.fy);
         number(prefix + "fz", "N", hand.fz);
+        number(prefix + "tx", "N m", hand.tx);
+        number(prefix + "ty", "N m", hand.ty);
+        number(prefix + "tz", "N m", hand.tz);
         number(prefix + "jaw", "N", hand.jaw_force);
         number(prefix + "jaw_area", "m2", hand.jaw_area);
         const auto index = [&](const char* name, const std::vector<std::int16_t>& column, bool label) {

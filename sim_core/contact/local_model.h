@@ -12,9 +12,11 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "sim_core/bowel/skin.h"
 #include "sim_core/geometry/mesh.h"
+#include "sim_core/material/layered_wall.h"
 
 namespace fulcrum {
 
@@ -38,6 +40,9 @@ struct TissueContact {
     double most_stiffness = 800;        ///< N/m; Eq. 8 is checked for it
     double damping = 0.4;               ///< N s/m
     double friction = 0.1;              ///< of a tool that slides over it
+    /// Layers that answer in place of the Winkler bed; null: none. Immutable, so the tick may read it.
+    const LayeredWall* wall = nullptr;
+    double puncture_force = std::numeric_limits<double>::infinity();  ///< N, of the attempt; with a wall
 };
 
 /// A patch of the deforming surface. Triangles and adjacency are in patch numbers; *_id are the surface's,
@@ -50,6 +55,7 @@ struct SurfacePatch {
     std::array<std::int32_t, patch_vertex_capacity> vertex_id;
     std::array<double, patch_vertex_capacity> vertex_area;         ///< m2, at rest
     std::array<std::int16_t, patch_vertex_capacity> tissue_patch;  ///< -1 none
+    std::array<double, patch_vertex_capacity> nodule;              ///< m, height under the vertex; with a wall
     std::array<std::uint8_t, patch_vertex_capacity>
         border;  ///< 1: some triangles around it are not in the patch
     std::array<Triangle, patch_triangle_capacity> triangles;

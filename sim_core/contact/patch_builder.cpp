@@ -49,6 +49,11 @@ PatchBuilder::PatchBuilder(const BowelSkin& skin, PatchOptions options,
     }
 }
 
+void PatchBuilder::set_wall(const LayeredWall* wall, std::vector<double> nodule) {
+    options_.contact.wall = wall;
+    nodule_ = std::move(nodule);
+}
+
 PatchBuilder::Scratch PatchBuilder::make_scratch() const {
     Scratch scratch;
     const auto vertices = static_cast<std::size_t>(skin_.vertices());
@@ -157,7 +162,9 @@ void PatchBuilder::build(const RingMotion* rings, const PatchRequest& request, S
         scratch.local[index(id)] = v;
         patch.vertex_id[index(v)] = id;
         patch.rows[index(v)] = skin_.rows()[index(id)];
+        if (wide_ != nullptr) wide_->correct(id, frames, patch.rows[index(v)]);
         patch.rows[index(v)].first_ring -= patch.first_ring;
+        patch.nodule[index(v)] = nodule_.empty() ? 0.0 : nodule_[index(id)];
         patch.vertex_area[index(v)] = skin_.vertex_areas()[index(id)];
         patch.tissue_patch[index(v)] = tissue_patches_[index(id)];
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim_core/bowel/bowel_skin.h"
+#include "sim_core/bowel/wide_skin.h"
 #include "sim_core/contact/local_model.h"
 #include "sim_core/instrument/instrument.h"
 
@@ -29,6 +30,15 @@ class PatchBuilder {
   public:
     /// tissue_patches: one a vertex, or empty (all -1). The skin must outlive this.
     PatchBuilder(const BowelSkin& skin, PatchOptions options, std::vector<std::int16_t> tissue_patches = {});
+
+    /// From now on a patch stands where the wider scope puts it; null: where BowelSkin's rows do. It must
+    /// outlive this.
+    void set_scope(const WideSkin* wide) { wide_ = wide; }
+    /// The contact answers by this wall instead of by a constant stiffness; null: by the stiffness. nodule:
+    /// m, height of the nodule under each vertex, or empty. The wall must outlive every model built.
+    void set_wall(const LayeredWall* wall, std::vector<double> nodule = {});
+    /// N, at which the wall gives way; infinity: never.
+    void set_puncture_force(double force) { options_.contact.puncture_force = force; }
 
     /// Working space of one thread.
     struct Scratch {
@@ -56,6 +66,8 @@ class PatchBuilder {
     const BowelSkin& skin_;
     PatchOptions options_;
     std::vector<std::int16_t> tissue_patches_;
+    const WideSkin* wide_ = nullptr;
+    std::vector<double> nodule_;
     std::vector<double> ring_radius_;  ///< m, largest distance of a template vertex
 };
 

@@ -44,7 +44,9 @@ void touch_targets(const ToolContactModel& model, const LocalModel& local, const
         response.damping = target.damping;
         response.friction = 0.2;
         response.onset_depth = model.onset_depth;
-        result.target_force += response.force_on_tissue(found.depth, found.normal, tool.tip_velocity);
+        const Vector3 force = response.force_on_tissue(found.depth, found.normal, tool.tip_velocity);
+        result.target_force += force;
+        result.torque += (target.centre + target.radius * found.normal - tool.trocar).cross(force);
         result.stiffness += target.stiffness * found.normal * found.normal.transpose();
         result.damping = std::max(result.damping, target.damping);
     }
@@ -105,6 +107,7 @@ void touch_wall(const ToolContactModel& model, const LocalModel& local, const To
     response.friction = model.wall.friction;
     response.onset_depth = model.onset_depth;
     result.wall_force = response.force_on_tissue(depth, walk.normal, tool.tip_velocity);
+    result.torque += (tool.tip - walk.distance * walk.normal - tool.trocar).cross(result.wall_force);
     result.touching_wall = true;
     result.stiffness += model.wall.most_stiffness * walk.normal * walk.normal.transpose();
     result.damping = std::max(result.damping, model.wall.damping);

@@ -116,6 +116,37 @@ void number_by_surface(const SurfacePatch& patch, FilteredForce& filtered) {
     }
 }
 
+/// What the wall under the contact answers, N/m: force over depth, and its slope.
+struct SecantStiffness {
+    double secant = 0, tangent = 0;
+};
+
+SecantStiffness wall_stiffness(const SurfacePatch& patch, const Triangle& corner, const Vector3& barycentric,
+                               double depth, ToolContactResult& result) {
+    const TissueContact& contact = patch.contact;
+    SecantStiffness stiffness;
+    if (contact.wall == nullptr) {
+        WinklerBed bed;
+        bed.stiffness_per_area = contact.stiffness_per_area;
+        stiffness.secant = std::clamp(contact_stiffness(bed, patch.vertex_area.data(), result.filtered),
+                                      contact.least_stiffness, contact.most_stiffness);
+        stiffness.tangent = stiffness.secant;
+        return stiffness;
+    }
+    double nodule = 0;
+    for (int k = 0; k < 3; ++k)
+        nodule +=
+            barycentric[k] * patch.nodule[static_cast<std::size_t>(corner[static_cast<std::size_t>(k)])];
+    // At no depth the secant is the tangent there.
+    constexpr double least_depth = 1e-6;
+    const double at = std::max(depth, least_depth);
+    const Indentation answer = contact.wall->indent(at, result.area, contact.puncture_force, nodule);
+    stiffness.secant = answer.force / at;
+    stiffness.tangent = answer.stiffness;
+    result.punctured = answer.punctured;
+    return stiffness;
+}
+
 void touch_surface(const ToolContactModel& model, const LocalModel& local, const ToolKinematics& tool,
                    PatchSurface& surface, ToolContactState& state, ToolContactResult& result) {
     const SurfacePatch& patch = local.patch;
@@ -156,16 +187,16 @@ void touch_surface(const ToolContactModel& model, const LocalModel& local, const
     int largest = 0;
     walk.barycentric.maxCoeff(&largest);
     filter_at(model, patch, tool, surface, corner[static_cast<std::size_t>(largest)], walk.normal, result);
-    WinklerBed bed;
-    bed.stiffness_per_area = patch.contact.stiffness_per_area;
-    const double footprint = std::clamp(contact_stiffness(bed, patch.vertex_area.data(), result.filtered),
-                                        patch.contact.least_stiffness, patch.contact.most_stiffness);
+    const double pressed = depth - state.left_in;
+    const SecantStiffness wall = wall_stiffness(patch, corner, walk.barycentric, pressed, result);
     number_by_surface(patch, result.filtered);
     // K follows its footprint with a delay, so that a step to another vertex is no step of the force.
     const double period = instrument.tick_period;
-    state.stiffness = state.touching ? state.stiffness + (footprint - state.stiffness) * period /
-                                                             (model.stiffness_time + period)
-                                     : footprint;
+    // (A layered wall's secant follows the depth itself, and its area is Eq. 4's, which has no steps.)
+    state.stiffness =
+        state.touching && patch.contact.wall == nullptr
+            ? state.stiffness + (wall.secant - state.stiffness) * period / (model.stiffness_time + period)
+            : wall.secant;
     state.touching = true;
 
     Vector3 tissue_velocity = Vector3::Zero();
@@ -179,10 +210,10 @@ void touch_surface(const ToolContactModel& model, const LocalModel& local, const
     response.damping = patch.contact.damping;
     response.friction = patch.contact.friction;
     response.onset_depth = model.onset_depth;
-    result.surface_force =
-        response.force_on_tissue(depth - state.left_in, walk.normal, tool_velocity - tissue_velocity);
+    result.surface_force = response.force_on_tissue(pressed, walk.normal, tool_velocity - tissue_velocity);
+    result.torque += (walk.position - tool.trocar).cross(result.surface_force);
     result.touching_surface = true;
-    result.stiffness += state.stiffness * walk.normal * walk.normal.transpose();
+    result.stiffness += std::max(state.stiffness, wall.tangent) * walk.normal * walk.normal.transpose();
     result.damping = std::max(result.damping, patch.contact.damping);
 }
 
@@ -204,6 +235,7 @@ void hold_tissue(const ToolContactModel& model, const LocalModel& local, const T
         result.slipping = true;
     }
     result.grasp_force = force;
+    result.torque += (hold - tool.trocar).cross(force);
     result.grasping = true;
     result.jaw_area = grasp.area;
     result.point = hold;
@@ -280,7 +312,7 @@ void step_tool_contact(const ToolContactModel& model, const LocalModel& local, c
     touch_targets(model, local, tool, result);
     touch_wall(model, local, tool, state, result);
     result.force = result.surface_force + result.grasp_force + result.target_force + result.wall_force;
-    if (!result.force.allFinite() || !result.stiffness.allFinite()) {
+    if (!result.force.allFinite() || !result.torque.allFinite() || !result.stiffness.allFinite()) {
         result = ToolContactResult{};
         result.model_step = local.step;
         result.lost = true;

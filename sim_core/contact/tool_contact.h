@@ -65,7 +65,8 @@ struct ToolContactScratch {
 
 /// All forces are of the instrument on what it touches, N, patient frame; zero where there is no contact.
 struct ToolContactResult {
-    Vector3 force = Vector3::Zero();          ///< sum
+    Vector3 force = Vector3::Zero();   ///< sum
+    Vector3 torque = Vector3::Zero();  ///< N m, of the sum about the trocar, other instruments left out
     Vector3 surface_force = Vector3::Zero();  ///< on the bowel's surface, to be filtered
     Vector3 grasp_force = Vector3::Zero();    ///< on held tissue
     Vector3 target_force = Vector3::Zero();
@@ -92,6 +93,7 @@ struct ToolContactResult {
     double damping = 0;                   ///< N s/m, largest
     double jaw_area = 0;                  ///< m2, GraspModel::area while grasping
     double slip_ratio = 0;                ///< tangential force over what the jaws can hold, 0 without grasp
+    bool punctured = false;               ///< the wall's puncture force is reached
     bool searched = false;                ///< the patch was searched fully in this tick
     bool lost = false;                    ///< the dynamic point was lost and not found again
     std::uint32_t age = 0;                ///< ticks since the model's pose

@@ -45,6 +45,7 @@ struct HapticLoop::Parts {
     ToolKinematics tool[hand_count];
     ToolContactState state[hand_count];
     SafetyState safety[hand_count];
+    PassivityController passivity[hand_count];
     DeviceSample held[hand_count];   // what the instruments follow: the devices but for pauses and losses
     DeviceSample offset[hand_count]; // clutch: added to the device after a resume
     bool was_held = false;
@@ -171,7 +172,11 @@ const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {
             }
         }
         const SafetyOutput sent = step_safety(parts.limits, safety, parts.safety[hand]);
-        output.device_force[hand] = sent.force;
+        Vector3 device_force = sent.force;
+        if (parts.scene.passivity_control) {
+            device_force = parts.passivity[hand].step(sent.force, tool.tip_velocity, parts.limits.tick_period);
+        }
+        output.device_force[hand] = device_force;
 
         ContactReport& contact = output.contact[hand];
         contact.tool = tool;
@@ -184,7 +189,8 @@ const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {
         record.roll = counts(tool.roll, sample_angle_unit);
         record.jaw_angle = counts(tool.jaw_angle, sample_angle_unit);
         store(result.force - result.tool_force, sample_force_unit, record.force);  // instruments that cross hurt no tissue
-        store(sent.force, sample_force_unit, record.device_force);
+        store(result.torque, sample_torque_unit, record.torque);
+        store(device_force, sample_force_unit, record.device_force);
         record.tissue = result.tissue;
         record.patch = result.tissue_patch;
         record.filter_grade = static_cast<std::uint16_t>(result.grade);

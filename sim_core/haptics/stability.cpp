@@ -17,6 +17,26 @@ double stable_stiffness(double damping, double device_damping, double period, do
     return std::max(0.0, (device_damping + damping) / (0.5 * period + delay));
 }
 
+Vector3 PassivityController::step(const Vector3& force, const Vector3& hand_velocity, double period,
+                                  bool* acted) {
+    if (acted != nullptr) *acted = false;
+    if (!force.allFinite() || !hand_velocity.allFinite()) return Vector3::Zero();
+    const double returned = force.dot(hand_velocity) * period;
+    if (!std::isfinite(returned)) return Vector3::Zero();
+    if (returned <= stored) {
+        stored -= returned;
+        return force;
+    }
+    // returned > stored >= 0, so the hand moves and the force pushes it along: its part along the motion
+    // shrinks.
+    const double keep = stored / returned;
+    const Vector3 direction = hand_velocity.normalized();
+    const Vector3 cut = force - (1.0 - keep) * force.dot(direction) * direction;
+    stored = 0;
+    if (acted != nullptr) *acted = true;
+    return cut;
+}
+
 PassivityCheck check_passivity(double stiffness, double damping, double device_damping, double period) {
     PassivityCheck check;
     const bool finite = std::isfinite(stiffness) && std::isfinite(damping) && std::isfinite(device_damping);

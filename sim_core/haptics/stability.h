@@ -38,4 +38,15 @@ struct PassivityObserver {
     }
 };
 
+/// Passivity controller: lets the hand take back no more than it has put in (Hannaford and Ryu 2002, with the
+/// dissipation taken off the returned power itself, so that no force ever grows by it). One hand; copyable.
+struct PassivityController {
+    double stored = 0;  ///< J that the hand has put in and not taken back; never below 0
+
+    /// The force (N) on the hand at this tick, moving at `hand_velocity` (m/s): the part along the motion is
+    /// cut so that its power over the period takes no more than what is stored. `acted`: it was cut. Values
+    /// that are not finite give zero.
+    Vector3 step(const Vector3& force, const Vector3& hand_velocity, double period, bool* acted = nullptr);
+};
+
 }  // namespace fulcrum

@@ -43,6 +43,7 @@ class SceneReader {
         copy(root, "tick_rate", scene_.tick_rate);
         copy(root, "ticks_per_step", scene_.ticks_per_step);
         copy(root, "force_limit", scene_.force_limit);
+        copy(root, "passivity_control", scene_.passivity_control);
         copy(root, "slew_limit", scene_.slew_limit);
         read_tissues(root.at("tissues"));
         read_instruments(root.at("instruments"));
@@ -205,6 +206,25 @@ class SceneReader {
         bowel.young_modulus = tube_stiffness(bowel.layers, bowel.outer_radius, 0).axial / one_pascal;
     }
 
+    NoduleSpec read_nodule(const json& node, const BowelSpec& bowel) {
+        if (bowel.layers.empty()) {
+            document_.fail("/bowel/nodule", "a nodule lies between the layers of a wall", "give the bowel \"layers\"");
+        }
+        NoduleSpec nodule;
+        copy(node, "at", nodule.at);
+        double degrees = 0;
+        copy(node, "angle_deg", degrees);
+        nodule.angle = degrees * 3.14159265358979323846 / 180;
+        copy(node, "height", nodule.shape.height);
+        copy(node, "radius", nodule.shape.radius);
+        copy(node, "young_modulus", nodule.shape.young);
+        if (nodule.shape.height > bowel.layers.front().thickness) {
+            document_.fail("/bowel/nodule/height", "the nodule is thicker than the layer whose place it takes",
+                           "give a height of at most the first layer's thickness");
+        }
+        return nodule;
+    }
+
     BowelSpec read_bowel(const json& node) {
         BowelSpec bowel;
         copy(node, "length", bowel.length);
@@ -213,6 +233,8 @@ class SceneReader {
         copy(node, "young_modulus", bowel.young_modulus);
         copy(node, "poisson_ratio", bowel.poisson_ratio);
         if (node.contains("layers")) read_layers(node.at("layers"), bowel);
+        if (node.contains("nodule")) bowel.nodule = read_nodule(node.at("nodule"), bowel);
+        copy(node, "luminal_bulk_modulus", bowel.luminal_bulk_modulus);
         copy(node, "linear_density", bowel.linear_density);
         copy(node, "damping", bowel.damping);
         copy(node, "segments", bowel.segments);

@@ -73,6 +73,13 @@ struct CavitySpec {
     std::string tissue = "wall";
 };
 
+/// A stiff lump under the mucosa, for the contact with a layered wall.
+struct NoduleSpec {
+    double at = 0.5;                              ///< fraction of the bowel's length
+    double angle = 0;                             ///< rad around the bowel, from d1 towards d2
+    WallNodule shape;
+};
+
 struct BowelSpec {
     double length = 0.9;                          ///< m
     double outer_radius = 0.016;                  ///< m, mean
@@ -80,6 +87,8 @@ struct BowelSpec {
     double young_modulus = 32.3e3;                ///< Pa
     double poisson_ratio = 0.35;
     std::vector<WallLayer> layers;                ///< of the wall, lumen first; then wall_thickness is their sum and young_modulus the tube's mean
+    std::optional<NoduleSpec> nodule;             ///< with layers only
+    double luminal_bulk_modulus = 0;              ///< Pa, of contents that fill the lumen and cannot leave; 0: none
     double linear_density = 0.25;                 ///< kg/m
     double damping = 6.0;                         ///< 1/s, mass-proportional
     int segments = 64;
@@ -119,7 +128,7 @@ struct Fidelity {
     std::string rod = "newton_k";                 ///< linearised | newton_k | newton
     int rod_iterations = 8;
     std::string material = "linear";              ///< linear | EXP2
-    std::string skinning = "local";               ///< local | global
+    std::string skinning = "local";               ///< local | local2 | global
     std::string collision = "coherent";           ///< coherent | brute
     int projection_iterations = 3;
     std::string tool_contact = "dynamic_point";   ///< dynamic_point | query
@@ -136,6 +145,7 @@ struct Scene {
     int tick_rate = 1000;                         ///< Hz
     int ticks_per_step = 5;
     double force_limit = 10.0;                    ///< N, largest force sent to a hand
+    bool passivity_control = false;               ///< the hand never gets back more energy than it gave
     double slew_limit = 300.0;                    ///< N/s, on changes of the model, on loss and on resume
     std::vector<TissueSpec> tissues;
     std::vector<InstrumentSpec> instruments;      ///< at most one a hand

@@ -13,6 +13,7 @@ inline constexpr double sample_axis_unit = 1e-8;     ///< per count of a unit ve
 inline constexpr double sample_angle_unit = 1e-6;    ///< rad per count
 inline constexpr double sample_force_unit = 1e-3;    ///< N per count
 inline constexpr double sample_area_unit = 1e-9;     ///< m2 per count (1e-3 mm2)
+inline constexpr double sample_torque_unit = 1e-5;   ///< N m per count
 
 enum HandFlag : std::uint16_t {
     hand_inside = 1,      ///< the tip is inside the body (insertion > 0)
@@ -32,6 +33,7 @@ struct HandSample {
     std::int32_t jaw_angle = 0;                ///< 1e-6 rad, actual opening
     std::int32_t force[3] = {0, 0, 0};         ///< mN, instrument on tissue (not on the other instrument), the model's, before any clamp
     std::int32_t device_force[3] = {0, 0, 0};  ///< mN, sent to the hand, after safety
+    std::int32_t torque[3] = {0, 0, 0};        ///< 1e-5 N m, of `force` about the trocar: with it the wrench on the tissue
     std::int32_t jaw_force = 0;                ///< mN
     std::int32_t jaw_area = 0;                 ///< 1e-9 m2
     std::int16_t tissue = -1;                  ///< index into the scene's tissue table, -1 none

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim_core/numerics/functions.h"
+
 namespace fulcrum {
 namespace {
 
@@ -95,6 +97,7 @@ BowelPart::BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel
     PatchOptions patch;
     patch.contact = tissue_contact(scene, bed_);
     patches_ = std::make_unique<PatchBuilder>(*skin_, patch, divide_into_patches(*skin_, 2, 4));
+    build_wall();
     solve_ = rod_solve(scene.fidelity);
     filter_ = filter_mode(scene.fidelity.filter);
 
@@ -108,6 +111,7 @@ BowelPart::BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel
     centres_.assign(static_cast<std::size_t>(spheres), Vector3::Zero());
     const auto ring_count = static_cast<std::size_t>(skin_->rings());
     rings_.resize(ring_count);
+    ring_stretch_.assign(ring_count, 1.0);
     ring_frames_.resize(ring_count);
     wrenches_.resize(ring_count);
     surface_.assign(static_cast<std::size_t>(skin_->vertices()), Vector3::Zero());
@@ -314,19 +318,63 @@ void BowelPart::gather_loads(const ToolAction* actions, double dt) noexcept {
     }
 }
 
-RingFrame BowelPart::ring_frame(double s) const {
-    const RodMotion motion = rod_->frame_at(state_, s);
-    return {motion.frame.position, motion.frame.rotation};
-}
-
 void BowelPart::update_rings(double /*dt*/) noexcept {
+    const auto& arcs = rod_->node_arc_lengths();
+    std::size_t edge = 0;
     for (std::size_t r = 0; r < rings_.size(); ++r) {
-        const RodMotion motion = rod_->frame_at(state_, skin_->cage().arc_lengths[r]);
+        const double s = skin_->cage().arc_lengths[r];
+        const RodMotion motion = rod_->frame_at(state_, s);
         rings_[r].frame = {motion.frame.position, motion.frame.rotation};
         rings_[r].velocity = motion.velocity;
         rings_[r].angular_velocity = motion.angular_velocity;
-        ring_frames_[r] = rings_[r].frame;
+        while (edge + 2 < arcs.size() && arcs[edge + 1] < s) ++edge;
+        ring_stretch_[r] = (state_.nodes[edge + 1] - state_.nodes[edge]).norm() / (arcs[edge + 1] - arcs[edge]);
     }
+    if (lumen_) {
+        lumen_->solve(ring_stretch_.data());
+        for (std::size_t r = 0; r < rings_.size(); ++r) {
+            const double scale = lumen_->scale(static_cast<int>(r));
+            rings_[r].frame.rotation.leftCols<2>() *= scale;
+        }
+    }
+    for (std::size_t r = 0; r < rings_.size(); ++r) ring_frames_[r] = rings_[r].frame;
+}
+
+// What the scene asks for beyond one constant stiffness and the local scope.
+void BowelPart::build_wall() {
+    const BowelSpec& spec = *scene_.bowel;
+    if (skin_scope(scene_.fidelity.skinning) != SkinScope::local) {
+        wide_skin_ = std::make_unique<WideSkin>(*skin_, skin_scope(scene_.fidelity.skinning));
+        patches_->set_scope(wide_skin_.get());
+    }
+    if (spec.luminal_bulk_modulus > 0) {
+        LuminalSpec lumen;
+        lumen.bulk_modulus = spec.luminal_bulk_modulus;
+        lumen.young_modulus = spec.young_modulus;
+        lumen.wall_thickness = spec.wall_thickness;
+        lumen_ = std::make_unique<LuminalVolume>(skin_->cage(), lumen);
+    }
+    if (spec.layers.empty()) return;
+    LayeredWallSpec wall;
+    wall.layers = spec.layers;
+    wall.poisson_ratio = spec.poisson_ratio;
+    wall.backing = backing_stiffness;
+    std::vector<double> nodule;
+    if (spec.nodule) wall.nodule = spec.nodule->shape;
+    wall_ = std::make_unique<LayeredWall>(wall);
+    if (spec.nodule) {
+        constexpr double pi = 3.14159265358979323846;
+        for (const Vector3& vertex : skin_->rest().vertices) {
+            // The rest pose lies along +x with d1 = +y, d2 = +z.
+            double turn = math::atan2(vertex.z(), vertex.y()) - spec.nodule->angle;
+            if (turn > pi) turn -= 2 * pi;
+            if (turn < -pi) turn += 2 * pi;
+            const double around = turn * std::sqrt(vertex.y() * vertex.y() + vertex.z() * vertex.z());
+            const double along = vertex.x() - spec.nodule->at * rod_->length();
+            nodule.push_back(wall_->nodule_height(std::sqrt(around * around + along * along)));
+        }
+    }
+    patches_->set_wall(wall_.get(), std::move(nodule));
 }
 
 void BowelPart::update_dents(const ToolAction* actions, double dt) noexcept {
@@ -368,7 +416,7 @@ std::size_t BowelPart::bytes_membranes() const {
 }
 std::size_t BowelPart::bytes_collision() const { return collision_->bytes(); }
 std::size_t BowelPart::bytes_surface() const {
-    return skin_->bytes() + surface_.capacity() * sizeof(Vector3) + rings_.capacity() * sizeof(RingMotion);
+    return skin_->bytes() + (wide_skin_ ? wide_skin_->bytes() : 0) + surface_.capacity() * sizeof(Vector3) + rings_.capacity() * sizeof(RingMotion);
 }
 
 }  // namespace fulcrum

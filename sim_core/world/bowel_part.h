@@ -8,6 +8,8 @@
 
 #include "sim_core/bowel/bowel_skin.h"
 #include "sim_core/bowel/dent.h"
+#include "sim_core/bowel/luminal_volume.h"
+#include "sim_core/bowel/wide_skin.h"
 #include "sim_core/collision/sphere_collision.h"
 #include "sim_core/contact/patch_builder.h"
 #include "sim_core/contact/tool_contact.h"
@@ -59,6 +61,12 @@ class BowelPart {
     const RodReport& report() const { return report_; }
     const GraspState& grasp(Hand hand) const { return grasps_[static_cast<int>(hand)].state; }
     const std::vector<std::int16_t>& tissue_patches() const { return patches_->tissue_patches(); }
+    /// N, of the attempt: where a layered wall gives way.
+    void set_puncture_force(double force) { patches_->set_puncture_force(force); }
+    /// Contents of the lumen; null without.
+    const LuminalVolume* lumen() const { return lumen_.get(); }
+    /// Length over rest length at each ring.
+    const std::vector<double>& ring_stretch() const { return ring_stretch_; }
     const SphereChain& spheres() const { return spheres_; }
     const std::vector<MembranePart>& membranes() const { return membranes_; }
     double weight() const;  ///< N
@@ -91,7 +99,7 @@ class BowelPart {
     void find_contacts() noexcept;
     void update_rings(double dt) noexcept;
     void update_dents(const ToolAction* actions, double dt) noexcept;
-    RingFrame ring_frame(double s) const;
+    void build_wall();
 
     const Scene& scene_;
     BowelAnatomy anatomy_;
@@ -101,6 +109,9 @@ class BowelPart {
     std::unique_ptr<SphereCollision> collision_;
     std::unique_ptr<PatchBuilder> patches_;
     std::vector<MembranePart> membranes_;
+    std::unique_ptr<WideSkin> wide_skin_;        ///< with a scope beyond local
+    std::unique_ptr<LayeredWall> wall_;          ///< with layers
+    std::unique_ptr<LuminalVolume> lumen_;       ///< with contents
     WinklerBed bed_;
     RodSolve solve_;
     FilterMode filter_ = FilterMode::adaptive;
@@ -114,6 +125,7 @@ class BowelPart {
     std::vector<Vector3> centres_;
     std::vector<RingMotion> rings_;
     std::vector<RingFrame> ring_frames_;
+    std::vector<double> ring_stretch_;
     std::vector<RingWrench> wrenches_;
     std::vector<Vector3> surface_;        ///< scratch positions for the filter at a grasp
     PatchBuilder::Scratch patch_scratch_;

@@ -6,6 +6,7 @@
 #include "sim_core/haptics/loop.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/rigid/targets.h"
+#include "sim_core/scene/perforation.h"
 #include "sim_core/world/anatomy_binding.h"
 #include "sim_core/world/stopwatch.h"
 
@@ -45,7 +46,7 @@ World::World(const Scene& scene, std::uint64_t seed) : scene_(scene) {
             throw InputError(scene_.id, "/targets/per_hand", "more targets than the local model holds", "use at most " + std::to_string(target_capacity / 2));
         }
     }
-    build_anatomy();
+    build_anatomy(seed);
 
     // The world before the first tick: instruments where their devices are aligned at the start.
     TickOutput start;
@@ -62,11 +63,13 @@ World::World(const Scene& scene, std::uint64_t seed) : scene_(scene) {
 
 World::~World() = default;
 
-void World::build_anatomy() {
+void World::build_anatomy(std::uint64_t seed) {
     if (scene_.cavity) cavity_ = std::make_unique<CavityModel>(cavity_mesh(*scene_.cavity), FreeSide::behind);
     if (scene_.bowel) {
         bowel_ = std::make_unique<BowelPart>(scene_, bowel_anatomy(scene_), cavity_.get());
         bowel_->size_snapshot(snapshot_);
+        const double puncture = draw_perforation_forces(scene_, seed)[static_cast<std::size_t>(scene_.tissue_index(scene_.bowel->tissue))];
+        if (puncture > 0) bowel_->set_puncture_force(puncture);
         contacts_ = std::make_unique<HandContacts>();
         for (int hand = 0; hand < hand_count; ++hand) {
             contacts_->model[hand] = make_tool_contact(scene_, instruments_[hand]);

@@ -18,7 +18,8 @@ namespace {
 bool same(const HandSample& a, const HandSample& b) {
     return std::equal(a.tip, a.tip + 3, b.tip) && std::equal(a.axis, a.axis + 3, b.axis) &&
            a.roll == b.roll && a.jaw_angle == b.jaw_angle && std::equal(a.force, a.force + 3, b.force) &&
-           std::equal(a.device_force, a.device_force + 3, b.device_force) && a.jaw_force == b.jaw_force &&
+           std::equal(a.device_force, a.device_force + 3, b.device_force) &&
+           std::equal(a.torque, a.torque + 3, b.torque) && a.jaw_force == b.jaw_force &&
            a.jaw_area == b.jaw_area && a.tissue == b.tissue && a.patch == b.patch && a.flags == b.flags &&
            a.filter_grade == b.filter_grade;
 }
@@ -255,6 +256,39 @@ TEST(TraceCodec, NotANumberInAnEventKeepsItsBits) {
     Event event;
     event.value = std::numeric_limits<float>::quiet_NaN();
     expect_round_trip(std::vector<Event>{event, event});
+}
+
+TEST(TraceCodec, AChunkFromBeforeTorquesWereRecordedIsStillRead) {
+    // Six samples, written when a sample had 51 columns.
+    const std::string hex =
+        "28b52ffd20869d0300a246192590398d018bff818c1bc10ee8fc57fd33772441ce2455dffd0648d4709f65b3e21c0c223b05cdc9"
+        "19d6cf63aadf4191d6b5f5403da8ec8a1613f537d0095710182acc3a76a48d1c702d11d45ff186ac6b4ee2f4b0f65f09d204ab87"
+        "24a93fc887b839300b0300c5f56faa2e60813a03";
+    TraceChunk chunk;
+    chunk.first_tick = 100;
+    chunk.last_tick = 105;
+    chunk.count = 6;
+    for (std::size_t i = 0; i < hex.size(); i += 2)
+        chunk.data.push_back(static_cast<std::uint8_t>(std::stoi(hex.substr(i, 2), nullptr, 16)));
+    chunk.checksum = blake2b(chunk.data, 16);
+    TraceCodec codec;
+    std::vector<TickSample> back;
+    codec.decode(chunk, back);
+    ASSERT_EQ(back.size(), 6U);
+    for (std::uint32_t i = 0; i < 6; ++i) {
+        TickSample expected;
+        expected.tick = 100 + i;
+        expected.model_step = 20;
+        for (int h = 0; h < 2; ++h) {
+            HandSample& hand = expected.hand[h];
+            hand.tip[0] = (h == 1 ? -1 : 1) * static_cast<std::int32_t>(1000 + i * i);
+            hand.force[2] = -250 * static_cast<std::int32_t>(i);
+            hand.device_force[2] = -240 * static_cast<std::int32_t>(i);
+            hand.tissue = 1;
+        }
+        expected.camera.tip[1] = 77;
+        EXPECT_TRUE(same(back[i], expected)) << i;
+    }
 }
 
 }  // namespace

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// One tool over a swaying bowel, as the tick and the world see it: what the contact's workloads and studies
+// run.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "sim_core/contact/patch_builder.h"
+#include "sim_core/contact/patch_surface.h"
+#include "sim_core/contact/tool_contact.h"
+
+namespace fulcrum::lab {
+
+inline constexpr std::uint32_t ticks_a_step = 5;
+
+/// The tool slides over the bowel at up to 60 mm/s, 0 to 2 mm deep, while the bowel sways by 2 mm at 0.5 Hz.
+struct ContactRun {
+    std::unique_ptr<BowelSkin> skin;
+    std::unique_ptr<PatchBuilder> builder;
+    PatchBuilder::Scratch scratch;
+    std::vector<RingMotion> rings;
+    ToolContactModel model;
+    LocalModel local;
+    ToolContactState state;
+    ToolContactScratch tick_scratch;
+    ToolContactResult result;
+    InstrumentState instrument;
+    ToolKinematics tool;
+    WalkPoint walk;
+    std::uint32_t tick = 0;
+
+    void move_rings(double t);
+    void move_tool(double t, double lift);
+    void publish();
+    /// What comes before a tick: the hand moves, and every `period` ticks there is a new model.
+    void prepare_tick(double lift, std::uint32_t period = ticks_a_step);
+    void touch() { step_tool_contact(model, local, tool, tick, state, tick_scratch, result); }
+};
+
+/// A tube of 0.9 m, 2 * sections * around triangles.
+std::shared_ptr<ContactRun> build_contact_run(int sections = 299, int around = 33);
+
+/// Largest difference (m) between the contact's distance and brute force over all triangles, the tool 3 to 6
+/// mm above the surface.
+double worst_contact_distance(ContactRun& run, int poses = 20);
+
+}  // namespace fulcrum::lab
