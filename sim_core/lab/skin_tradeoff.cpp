@@ -4,19 +4,11 @@
 #include <cmath>
 
 #include "sim_core/bowel/wide_skin.h"
+#include "sim_core/geometry/mesh.h"
 #include "sim_core/lab/reference_skin.h"
 #include "sim_core/lab/reference_tube.h"
 
 namespace fulcrum::lab {
-
-double enclosed_volume(const TriangleMesh& mesh, const std::vector<Vector3>& positions) {
-    double six = 0;
-    for (const Triangle& t : mesh.triangles) {
-        six += positions[static_cast<std::size_t>(t[0])].dot(
-            positions[static_cast<std::size_t>(t[1])].cross(positions[static_cast<std::size_t>(t[2])]));
-    }
-    return six / 6;
-}
 
 TradeoffStudy skinning_tradeoff() {
     constexpr double length = 0.4, radius = 0.016;
@@ -35,7 +27,7 @@ TradeoffStudy skinning_tradeoff() {
                 out[v] = wide.vertex(static_cast<std::int32_t>(v), frames);
         };
         carry(global, reference);
-        const double rest_volume = enclosed_volume(skin.rest(), skin.rest().vertices);
+        const double rest_volume = enclosed_volume(skin.rest().vertices, skin.rest().triangles);
         const auto measure = [&](const char* family, auto&& step) {
             TradeoffLevel level;
             level.family = family;
@@ -48,7 +40,7 @@ TradeoffStudy skinning_tradeoff() {
             level.error_unit = "m, mean over vertices";
             study.levels.push_back(level);
             level.level += ", volume";
-            level.error = std::abs(enclosed_volume(skin.rest(), positions) / rest_volume - 1);
+            level.error = std::abs(enclosed_volume(positions, skin.rest().triangles) / rest_volume - 1);
             level.error_unit = "relative change of volume";
             by_volume.push_back(level);
         };

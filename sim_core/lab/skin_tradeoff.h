@@ -2,7 +2,6 @@
 // Row `skinning` of `fulcrum lab tradeoff` (theory, section 8).
 #pragma once
 
-#include "sim_core/geometry/mesh.h"
 #include "sim_core/lab/tradeoff.h"
 
 namespace fulcrum::lab {
@@ -11,8 +10,5 @@ namespace fulcrum::lab {
 /// radii. Two errors, compared apart: mean deviation of the vertices from global coordinates, and change of
 /// the enclosed volume.
 TradeoffStudy skinning_tradeoff();
-
-/// Volume of a closed surface of those triangles, m3.
-double enclosed_volume(const TriangleMesh& mesh, const std::vector<Vector3>& positions);
 
 }  // namespace fulcrum::lab

@@ -9,7 +9,7 @@
 #include "sim_core/bowel/luminal_volume.h"
 #include "sim_core/bowel/mean_value.h"
 #include "sim_core/contact/patch_builder.h"
-#include "sim_core/lab/skin_tradeoff.h"
+#include "sim_core/geometry/mesh.h"
 #include "tests/support/tube.h"
 
 namespace fulcrum {
@@ -111,13 +111,13 @@ TEST(LuminalVolume, ContentsKeepTheVolumeOfATubeThatIsPulledLong) {
             frames[r].position.x() = x;
         }
         std::vector<Vector3> positions(static_cast<std::size_t>(skin().vertices()));
-        const double rest = lab::enclosed_volume(skin().rest(), skin().rest().vertices);
+        const double rest = enclosed_volume(skin().rest().vertices, skin().rest().triangles);
         skin_all(skin(), frames.data(), positions.data());
-        const double open = lab::enclosed_volume(skin().rest(), positions) / rest;
+        const double open = enclosed_volume(positions, skin().rest().triangles) / rest;
         for (std::size_t r = 0; r < rings; ++r)
             frames[r].rotation.leftCols<2>() *= filled.scale(static_cast<int>(r));
         skin_all(skin(), frames.data(), positions.data());
-        const double kept = lab::enclosed_volume(skin().rest(), positions) / rest;
+        const double kept = enclosed_volume(positions, skin().rest().triangles) / rest;
         EXPECT_GT(open, 1 + 0.35 * pull);
         EXPECT_NEAR(kept, 1.0, 0.02) << "pull " << pull << ": " << open << " without contents";
         RecordProperty(("pull_" + std::to_string(std::lround(100 * pull))).c_str(),
