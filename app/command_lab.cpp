@@ -54,8 +54,7 @@ int stability(const Arguments& arguments) {
 }
 
 int tradeoff(const Arguments& arguments) {
-    std::vector<lab::TradeoffStudy> studies = lab::tradeoff_studies();
-    studies.push_back(measure_model_age());
+    const std::vector<lab::TradeoffStudy> studies = lab::tradeoff_studies();
     const std::vector<lab::ScoreSensitivity> sensitivity = measure_score_sensitivity();
     return deliver(arguments, lab::tradeoff_page(studies, sensitivity), lab::to_json(studies, sensitivity));
 }

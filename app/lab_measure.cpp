@@ -49,30 +49,6 @@ class Memory : public AttemptSink {
     std::vector<Event> events;
 };
 
-/// Keeps the hands.
-class Inputs : public NoSink {
-  public:
-    void on_tick(const RigSample& input, const TickSample& /*sample*/) noexcept override {
-        inputs.push_back(input);
-    }
-    std::vector<RigSample> inputs;
-};
-
-/// Hands that were recorded: open loop, whatever the world does.
-class RecordedHands : public Rig {
-  public:
-    explicit RecordedHands(const std::vector<RigSample>& inputs) : inputs_(inputs) {}
-    void read(std::uint32_t tick, RigSample& sample) override {
-        sample = inputs_[std::min<std::size_t>(tick, inputs_.size()) - 1];
-    }
-    void write_force(Hand /*hand*/, const Vector3& /*force*/) override {}
-    bool has_force(Hand /*hand*/) const override { return false; }
-    double damping(Hand /*hand*/) const override { return -1; }
-
-  private:
-    const std::vector<RigSample>& inputs_;
-};
-
 }  // namespace
 
 Measured measure_workloads(const std::optional<std::string>& only) {
@@ -187,65 +163,6 @@ Measured measure_costs() {
     measured.document = {{"scenes", scenes}};
     page.document(measured.document);
     return measured;
-}
-
-lab::TradeoffStudy measure_model_age() {
-    constexpr double seconds = 20;
-    const LoadedTask loaded = load_task_and_scene("B1");
-    const auto for_a_while = [](double simulated) { return simulated < seconds; };
-    Inputs hands;
-    {
-        AttemptEngine engine(loaded.scene, loaded.task, sensitivity_seed);
-        auto rig = make_operator("expert", loaded.task, loaded.scene, sensitivity_seed);
-        run_headless(engine, *rig, hands, for_a_while);
-    }
-    lab::TradeoffStudy study;
-    study.model = "haptic_model_age";
-    study.reference =
-        "fully synchronous: a world step every tick; 20 s of an expert's hands in B1, recorded once and "
-        "played open loop";
-    std::vector<TickSample> exact;
-    for (const int ticks : {1, 2, 5, 10, 20}) {
-        Scene scene = loaded.scene;
-        scene.ticks_per_step = ticks;
-        AttemptEngine engine(scene, loaded.task, sensitivity_seed);
-        engine.world().measure(true);
-        RecordedHands rig(hands.inputs);
-        Memory sink;
-        std::vector<double> steps;
-        run_headless(engine, rig, sink, for_a_while, [&] {
-            double sum = 0;
-            for (const PartCost& part : engine.world().costs()) sum += part.us_per_step;
-            steps.push_back(sum);
-        });
-        if (ticks == 1) exact = sink.samples;
-        double squares = 0;
-        std::size_t felt = 0;  // forces are in mN
-        for (std::size_t i = 0; i < std::min(exact.size(), sink.samples.size()); ++i) {
-            for (std::size_t hand = 0; hand < hand_count; ++hand) {
-                Vector3 difference, size;
-                for (std::size_t axis = 0; axis < 3; ++axis) {
-                    const double a = static_cast<double>(exact[i].hand[hand].force[axis]),
-                                 b = static_cast<double>(sink.samples[i].hand[hand].force[axis]);
-                    difference[static_cast<Eigen::Index>(axis)] = b - a;
-                    size[static_cast<Eigen::Index>(axis)] = std::max(std::fabs(a), std::fabs(b));
-                }
-                if (size.isZero()) continue;
-                squares += difference.squaredNorm();
-                ++felt;
-            }
-        }
-        lab::TradeoffLevel level;
-        level.family = "world step every n ticks";
-        level.level = "every " + std::to_string(ticks) + (ticks == 1 ? " tick" : " ticks") + ", model " +
-                      std::to_string(ticks) + " to " + std::to_string(2 * ticks) + " ms old";
-        level.error = felt > 0 ? std::sqrt(squares / static_cast<double>(felt)) * 1e-3 : 0;
-        level.error_unit = "N, root mean square of the force on tissue while there is any";
-        level.time_us = median(steps) / ticks;
-        study.levels.push_back(level);
-    }
-    lab::mark_pareto(study);
-    return study;
 }
 
 std::vector<lab::ScoreSensitivity> measure_score_sensitivity() {

@@ -21,8 +21,6 @@ struct Measured {
 Measured measure_workloads(const std::optional<std::string>& only);
 /// Each part's price in each task's scene, under an expert operator at work.
 Measured measure_costs();
-/// Force felt against the age of the local model: the same hands with a world step every 1 to 20 ticks.
-lab::TradeoffStudy measure_model_age();
 /// Every metric of the same operator on the same task at each fidelity, against "fine".
 std::vector<lab::ScoreSensitivity> measure_score_sensitivity();
 

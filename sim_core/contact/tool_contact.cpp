@@ -116,7 +116,7 @@ void number_by_surface(const SurfacePatch& patch, FilteredForce& filtered) {
     }
 }
 
-/// What the wall under the contact answers, N/m: force over depth, and its slope.
+/// What the wall under the contact answers, N/m: force over depth, and its slope (0 where the slope is the secant, relaxed or not).
 struct SecantStiffness {
     double secant = 0, tangent = 0;
 };
@@ -130,7 +130,6 @@ SecantStiffness wall_stiffness(const SurfacePatch& patch, const Triangle& corner
         bed.stiffness_per_area = contact.stiffness_per_area;
         stiffness.secant = std::clamp(contact_stiffness(bed, patch.vertex_area.data(), result.filtered),
                                       contact.least_stiffness, contact.most_stiffness);
-        stiffness.tangent = stiffness.secant;
         return stiffness;
     }
     double nodule = 0;

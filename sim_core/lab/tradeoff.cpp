@@ -5,7 +5,9 @@
 
 #include "sim_core/lab/chart.h"
 #include "sim_core/lab/collision_tradeoff.h"
+#include "sim_core/lab/contact_tradeoff.h"
 #include "sim_core/lab/membrane_tradeoff.h"
+#include "sim_core/lab/skin_tradeoff.h"
 #include "sim_core/lab/tradeoff_rooms.h"
 
 namespace fulcrum::lab {
@@ -29,6 +31,7 @@ std::vector<TradeoffStudy> tradeoff_studies() {
             studies.push_back(std::move(study));
         }
     }
+    for (const auto study : {tool_contact_tradeoff, model_age_tradeoff, skinning_tradeoff}) studies.push_back(study());
     return studies;
 }
 

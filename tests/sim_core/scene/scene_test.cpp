@@ -120,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BrokenScene{"short_vector", "\"gravity\": [0, 0, -9.81]", "\"gravity\": [0, -9.81]",
                                 "no fewer than 3", "an array of 3", nullptr},
                     BrokenScene{"level_unknown", "\"skinning\": \"local\"", "\"skinning\": \"regional\"",
-                                "enum", "one of: local, global", nullptr},
+                                "enum", "one of: local, local2, global", nullptr},
                     BrokenScene{"thick_wall", "\"wall_thickness\": 0.003", "\"wall_thickness\": 0.0199",
                                 "thicker than the bowel", "thinner", nullptr},
                     BrokenScene{"up_along_shaft", "\"up\": [0, 0, 1]", "\"up\": [-0.11, -0.05, -0.117]",
