@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What reviewers wait for (quality.md): a cohort report of 200 trainees as PDF (5 s), the first chart of an
+// hour's trace (1 s), a pan or zoom of it (16 ms). Runs without a display.
+#include <benchmark/benchmark.h>
+
+#include <QApplication>
+#include <QTemporaryDir>
+#include <cmath>
+
+#include "database/recorder.h"
+#include "tests/database/large_programme.h"
+#include "tests/support/support.h"
+#include "ui/charts/time_chart.h"
+#include "ui/reports/report.h"
+#include "ui/review/attempt_model.h"
+
+namespace fulcrum::ui {
+namespace {
+
+void cohort_report(benchmark::State& state) {
+    const QTemporaryDir folder;
+    const database::Store store = database::Store::create(folder.filePath("report.db").toStdString());
+    const auto large = database::test::make_large_programme(store, 200, 12, 40, 1);
+    std::vector<TaskDefinition> tasks;
+    for (const char* id : {"A2", "B1"})
+        tasks.push_back(load_task(test::source_path(std::string("assets/tasks/") + id + ".json")));
+    ReportRequest request;
+    request.cohort_id = large.cohort;
+    request.path = folder.filePath("report.pdf").toStdString();
+    for (auto _ : state) {
+        const auto files = write_report(store, large.director, request, tasks, "0.1.0");
+        if (files.size() != 1) state.SkipWithError("no report");
+    }
+}
+BENCHMARK(cohort_report)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(3);
+
+/// A minute of two hands at 1 kHz, moving and pressing, with tremor; repeated for the hour.
+struct Minute {
+    std::vector<TickSample> samples;
+    std::vector<RigSample> inputs;
+};
+
+Minute minute() {
+    Minute made;
+    for (std::uint32_t tick = 0; tick < 60000; ++tick) {
+        const double t = tick * 1e-3;
+        TickSample sample;
+        RigSample input;
+        for (int h = 0; h < 2; ++h) {
+            for (int axis = 0; axis < 3; ++axis) {
+                const double move = 0.03 * std::sin(0.7 * t + axis + h) + 4e-5 * std::sin(57 * t + 2 * axis);
+                input.hand[h].handle[axis] =
+                    static_cast<std::int32_t>(std::lround(move / device_length_unit));
+                sample.hand[h].tip[axis] =
+                    static_cast<std::int32_t>(std::lround(-1.3 * move / sample_length_unit));
+                const double force =
+                    std::max(0.0, 2.0 * std::sin(0.9 * t + axis)) * (1 + 0.02 * std::sin(57 * t));
+                sample.hand[h].force[axis] =
+                    static_cast<std::int32_t>(std::lround(force / sample_force_unit));
+                sample.hand[h].axis[axis] =
+                    static_cast<std::int32_t>(std::lround(0.5 * std::sin(0.7 * t + axis) / sample_axis_unit));
+            }
+            sample.hand[h].flags = hand_inside;
+        }
+        made.samples.push_back(sample);
+        made.inputs.push_back(input);
+    }
+    return made;
+}
+
+/// An hour's attempt in a store of its own, made once a process.
+struct Hour {
+    QTemporaryDir folder;
+    std::string path = folder.filePath("hour.db").toStdString(), attempt;
+    Hour() {
+        const database::Store store = database::Store::create(path);
+        const database::Session station = store.station_session();
+        database::AttemptMeta meta;
+        meta.person_id = database::People(store).ensure_synthetic(station, "hour", "Hour").id;
+        meta.task_id = "B1";
+        meta.device_class = "synthetic";
+        database::Recorder recorder(path, station, meta);
+        const Minute pattern = minute();
+        for (std::uint32_t tick = 0; tick < 3'600'000; ++tick) {
+            TickSample sample = pattern.samples[tick % 60000];
+            RigSample input = pattern.inputs[tick % 60000];
+            sample.tick = input.tick = tick;
+            recorder.append(input);
+            recorder.append(sample);
+        }
+        database::AttemptResult result;
+        result.state = "completed";
+        result.duration_s = 3600;
+        recorder.finish(result);
+        attempt = recorder.attempt_id();
+    }
+};
+const Hour& hour() {
+    static const Hour made;
+    return made;
+}
+
+std::optional<AttemptModel> load(const Hour& record) {
+    database::StoreOptions options;
+    options.read_only = true;
+    const database::Store store = database::Store::open(record.path, options);
+    return load_attempt(store, store.station_session(), record.attempt, std::nullopt, {});
+}
+
+void fill(TimeChart& chart, const AttemptModel& model) {
+    chart.clear();
+    for (std::size_t h = 0; h < hand_count; ++h)
+        chart.add_series(h == 0 ? "left" : "right", Qt::blue, Qt::SolidLine, model.force[h]);
+    chart.show_all();
+}
+
+void first_chart_of_an_hour(benchmark::State& state) {
+    const Hour& record = hour();
+    TimeChart chart("force (N)");
+    chart.resize(800, 300);
+    for (auto _ : state) {
+        const std::optional<AttemptModel> model = load(record);
+        fill(chart, *model);
+        benchmark::DoNotOptimize(chart.grab());
+        state.counters["samples"] = static_cast<double>(model->samples);
+    }
+}
+BENCHMARK(first_chart_of_an_hour)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(5);
+
+void pan_and_zoom_of_an_hour(benchmark::State& state) {
+    const std::optional<AttemptModel> model = load(hour());
+    TimeChart chart("force (N)");
+    chart.resize(800, 300);
+    fill(chart, *model);
+    int i = 0;
+    for (auto _ : state) {
+        const double span = 3600 * std::pow(0.8, i % 30), from = (3600 - span) * 0.01 * (i % 97);
+        chart.show_range(from, from + span);
+        benchmark::DoNotOptimize(chart.grab());
+        ++i;
+    }
+}
+BENCHMARK(pan_and_zoom_of_an_hour)->Unit(benchmark::kMillisecond)->Iterations(200);
+
+}  // namespace
+}  // namespace fulcrum::ui
+
+int main(int argc, char** argv) {
+    if (qEnvironmentVariableIsEmpty("DISPLAY")) qputenv("QT_QPA_PLATFORM", "offscreen");
+    QApplication application(argc, argv);
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+}
