@@ -4,78 +4,11 @@
 #include <optional>
 
 #include "database/connection.h"
+#include "tests/database/access_expectation.h"
 #include "tests/database/programme_fixture.h"
 
 namespace fulcrum::database::test {
 namespace {
-
-struct Expected {
-    Operation operation;
-    const char* scopes;  ///< trainee educator director administrator station: o own, c cohort, p programme, s
-                         ///< synthetic, - none
-};
-
-// Written from platform.md, not from the code.
-const Expected expected_table[] = {
-    {Operation::read_sign_in_list, "ppppp"},
-    {Operation::list_people, "ocpps"},
-    {Operation::manage_people, "---p-"},
-    {Operation::manage_roles, "---p-"},
-    {Operation::issue_one_time_password, "---p-"},
-    {Operation::change_password, "oooo-"},
-    {Operation::create_synthetic, "----s"},
-    {Operation::list_cohorts, "ocp--"},
-    {Operation::manage_cohorts, "--p--"},
-    {Operation::perform_attempt, "o---s"},
-    {Operation::read_attempt, "ocp-s"},
-    {Operation::read_trace, "ocp-s"},
-    {Operation::read_progress, "ocp-s"},
-    {Operation::read_cohort_table, "-cp--"},
-    {Operation::score_interrupted, "oc--s"},
-    {Operation::recompute_score, "-c--s"},
-    {Operation::comment, "-c---"},
-    {Operation::read_comment, "ocp--"},
-    {Operation::mark_comment_read, "o----"},
-    {Operation::void_attempt, "-c---"},
-    {Operation::reassign_attempt, "-c---"},
-    {Operation::request_correction, "o----"},
-    {Operation::read_requests, "ocp--"},
-    {Operation::export_person, "o-p-s"},
-    {Operation::export_cohort, "--p--"},
-    {Operation::view_audit, "---p-"},
-    {Operation::check_store, "---pp"},
-    {Operation::backup, "---p-"},
-    {Operation::manage_settings, "---p-"},
-};
-
-Scope scope_of_letter(char letter) {
-    switch (letter) {
-        case 'o':
-            return Scope::own;
-        case 'c':
-            return Scope::cohort;
-        case 'p':
-            return Scope::programme;
-        case 's':
-            return Scope::synthetic;
-        default:
-            return Scope::none;
-    }
-}
-
-Scope expected_scope(Operation operation, Role role) {
-    for (const Expected& row : expected_table) {
-        if (row.operation == operation) return scope_of_letter(row.scopes[static_cast<int>(role)]);
-    }
-    ADD_FAILURE() << "no row for " << operation_name(operation);
-    return Scope::none;
-}
-
-bool covers(Scope scope, const Relation& relation) {
-    return scope == Scope::programme || (scope == Scope::own && relation.own) ||
-           (scope == Scope::cohort && relation.in_cohort) ||
-           (scope == Scope::synthetic && relation.synthetic);
-}
 
 TEST(AccessTable, EveryOperationOnceAndEveryCellAsWritten) {
     ASSERT_EQ(std::size(expected_table), static_cast<std::size_t>(operation_count));
