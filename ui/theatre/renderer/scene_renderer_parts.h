@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the renderer keeps between pictures, and the steps of one picture. Thread of the graphics context.
+// Private to the renderer.
+#pragma once
+
+#include <QMatrix4x4>
+#include <QOpenGLFramebufferObject>
+#include <QOpenGLShaderProgram>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "ui/theatre/renderer/gl_objects.h"
+#include "ui/theatre/renderer/scene_renderer.h"
+#include "ui/theatre/renderer/shaders.h"
+
+namespace fulcrum::ui {
+
+/// Share of the mesentery's width over which its root lets the wall through.
+constexpr float mesentery_fade = 0.3F;
+
+struct SceneRenderer::Impl {
+    RendererOptions options;
+    QString error;
+
+    // What was set; uploaded at the next picture.
+    std::optional<AnatomyTextures> textures;
+    bool textures_changed = false;
+    std::shared_ptr<const TissueTexture> given_wall;
+    CavityShape wall_shape;  // kept until its texture is made
+    struct Geometry {
+        SurfaceMesh mesh;
+        std::vector<float> positions, normals, detail;
+        bool present = false, changed = false;
+    };
+    Geometry cavity, bowel, mesentery, mesentery_rim, reflection;
+
+    bool ready = false;
+    double share_of_resolution = 1;
+    bool smooth = false;       // four samples a pixel
+    double coarse_pixels = 0;  // coarse triangles with shorter edges than that are good enough; 0: none are
+    using Program = std::unique_ptr<QOpenGLShaderProgram>;
+    Program tissue, wall, plain, box, steel, target, screen;
+    struct Study {
+        DrawnMesh look;
+        std::unique_ptr<GlSurface> surface;  // null: to be uploaded
+        std::unique_ptr<GlLines> lines;
+    };
+    std::vector<Study> studies;
+    GlTissue serosa, fat, peritoneum, wall_skin, metal;
+    std::unique_ptr<GlSurface> gl_cavity, gl_bowel, gl_mesentery, gl_mesentery_rim, gl_reflection;
+    std::unique_ptr<GlRigid> shaft, clevis, jaw, probe_end, sphere, room, frame_mask, disc;
+    std::unique_ptr<QOpenGLFramebufferObject> image, resolved;
+
+    QMatrix4x4 to_camera, projection;
+
+    void take(Geometry& geometry, std::unique_ptr<GlSurface>& surface) const;
+
+    void upload_changes();
+
+    void start(QOpenGLShaderProgram& program, const SceneFrame& frame) const;
+
+    void draw_part(QOpenGLExtraFunctions& gl, GlRigid& part, const QMatrix4x4& pose) const;
+
+    void draw_tool(QOpenGLExtraFunctions& gl, const DrawnTool& tool) const;
+
+    void draw_tools(QOpenGLExtraFunctions& gl, const SceneFrame& frame, bool ghosts) const;
+
+    void draw_targets(QOpenGLExtraFunctions& gl, const SceneFrame& frame, bool translucent) const;
+
+    void draw_studies(QOpenGLExtraFunctions& gl, const SceneFrame& frame, const GlSurface::Sight& sight);
+
+    void draw_scene(QOpenGLExtraFunctions& gl, const SceneFrame& frame);
+
+    void prepare_image(QSize pixels);
+
+    void draw(const SceneFrame& frame, QSize size);
+};
+
+}  // namespace fulcrum::ui
