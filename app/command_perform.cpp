@@ -58,8 +58,15 @@ database::Person subject(const Arguments& arguments, const database::Store& stor
                          std::uint64_t seed) {
     const database::People people(store);
     if (const auto login = arguments.value("--person")) {
-        if (const auto known = people.find_login(store.station_session(), *login);
-            known && known->kind == database::PersonKind::real) {
+        // The station sees synthetic and external people alone: whom it may not see is a real person.
+        bool real = false;
+        try {
+            const auto known = people.find_login(store.station_session(), *login);
+            real = known && known->kind == database::PersonKind::real;
+        } catch (const database::AccessDenied&) {
+            real = true;
+        }
+        if (real) {
             throw UsageError(
                 "command line: --person: " + *login +
                 " is a real person; an operator or a trace writes to a synthetic or external person only");

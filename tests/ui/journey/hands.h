@@ -88,25 +88,6 @@ inline void choose_row(QTableWidget& table, int row) {
     EXPECT_EQ(table.currentRow(), row);
 }
 
-/// Clicks a button that asks for a file, and types its name into the dialog.
-inline void click_and_name_file(QWidget& window, const char* button, const QString& path) {
-    bool named = false;
-    QTimer poll;
-    QObject::connect(&poll, &QTimer::timeout, [&] {
-        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-        auto* edit = dialog == nullptr ? nullptr : dialog->findChild<QLineEdit*>("fileNameEdit");
-        if (edit == nullptr || named) return;
-        named = true;
-        edit->setFocus();
-        edit->selectAll();
-        QTest::keyClicks(edit, path);
-        QTest::keyClick(edit, Qt::Key_Return);
-    });
-    poll.start(20);
-    click(window, button);
-    EXPECT_TRUE(named) << "no dialog asked for a file";
-}
-
 /// Kept where FULCRUM_PICTURES says, for people to look at.
 inline void keep_picture(QWidget& window, const QString& name) {
     const QByteArray folder = qgetenv("FULCRUM_PICTURES");

@@ -18,6 +18,7 @@
 #include "hands.h"
 #include "ui/charts/time_chart.h"
 #include "ui/dashboards/cohort_page.h"
+#include "ui/reports/report_export.h"
 #include "ui/review/debrief_page.h"
 #include "ui/shell/main_window.h"
 #include "ui/style/text.h"
@@ -294,7 +295,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     QTemporaryDir folder;
     for (const char* name : {"cohort.pdf", "cohort.csv", "cohort.json"}) {
         QSignalSpy done(cohort_page, &CohortPage::exported);
-        click_and_name_file(window, "export_cohort", folder.filePath(name));
+        cohort_page->export_to(folder.filePath(name), report_format_of(name));
         ASSERT_TRUE(wait_for([&] { return done.count() == 1; })) << name;
     }
     const nlohmann::json json = nlohmann::json::parse(read_text(folder.filePath("cohort.json")));
