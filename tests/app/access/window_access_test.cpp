@@ -42,7 +42,15 @@ class WindowAccess : public ::testing::Test {
     ~WindowAccess() override {
         if (window->context().signed_in()) window->context().sign_out();
     }
-    void act_as(const Session& session) { window->context().set_session(session); }
+    /// What is new is shown, and what is old goes, with the next turn of the event loop.
+    static void settle() {
+        QCoreApplication::processEvents();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    }
+    void act_as(const Session& session) {
+        window->context().set_session(session);
+        settle();
+    }
     bool allowed(Operation operation, const Target& target) const {
         return expected_allowed(operation, role(), programme.relation(role(), target));
     }
@@ -147,6 +155,70 @@ TEST_F(WindowAccess, VoidReassignAndRequestWorkWhereTheyAreOffered) {
     EXPECT_FALSE(sees(*window, "void_attempt")) << "once is enough";
 }
 
+TEST_F(WindowAccess, ListsHoldThosePeopleAndCohortsThatTheTableSays) {
+    for (const Role asked : people_roles) {
+        act_as(programme.asker(asked));
+        const std::string who = role_name(asked);
+        EXPECT_EQ(sees(*window, "rail_people"), allowed_at_all(Operation::manage_people)) << who;
+        EXPECT_EQ(sees(*window, "rail_assign"), allowed_at_all(Operation::manage_cohorts)) << who;
+        EXPECT_EQ(sees(*window, "rail_cohort"), allowed_at_all(Operation::read_cohort_table)) << who;
+        EXPECT_EQ(sees(*window, "rail_attempts"), allowed_at_all(Operation::read_attempt)) << who;
+        EXPECT_EQ(sees(*window, "rail_progress"), allowed_at_all(Operation::read_progress)) << who;
+        EXPECT_EQ(sees(*window, "rail_home"), allowed_at_all(Operation::perform_attempt)) << who;
+        EXPECT_EQ(sees(*window, "rail_password"), allowed_at_all(Operation::change_password)) << who;
+        if (sees(*window, "rail_attempts")) {
+            click(*window, "rail_attempts");
+            settle();
+            auto* table = find<QTableWidget>(*window, "attempts_table");
+            int expected_rows = 0, expected_requests = 0;
+            for (const Target* target :
+                 {&programme.ann, &programme.eve, &programme.own, &programme.synthetic}) {
+                expected_rows += allowed(Operation::read_attempt, *target) ? 1 : 0;
+                if (!target->comment.empty())
+                    expected_requests += allowed(Operation::read_requests, *target) ? 1 : 0;
+            }
+            EXPECT_EQ(table->rowCount(), expected_rows) << who;
+            int requests = 0;
+            for (QWidget* line : window->findChildren<QWidget*>("correction_request"))
+                requests += line->isVisible() ? 1 : 0;
+            EXPECT_EQ(requests, expected_requests) << who;
+            EXPECT_EQ(sees(*window, "filter_person"), asked != Role::trainee) << who;
+            if (asked != Role::trainee) {
+                auto* people = find<QComboBox>(*window, "filter_person");
+                auto* cohorts = find<QComboBox>(*window, "filter_cohort");
+                for (const Target* target : {&programme.ann, &programme.eve}) {
+                    EXPECT_EQ(offers(people, target->person), allowed(Operation::list_people, *target))
+                        << who << target->login;
+                    EXPECT_EQ(offers(cohorts, target->cohort_id),
+                              cohort_allowed(Operation::list_cohorts, *target))
+                        << who;
+                }
+            }
+        }
+        if (sees(*window, "rail_cohort")) {
+            auto* shown = page<CohortPage>("rail_cohort");
+            auto* choice = find<QComboBox>(*window, "cohort_choice");
+            for (const Target* target : {&programme.ann, &programme.eve}) {
+                const std::string cell = who + " on " + target->cohort;
+                const bool readable = cohort_allowed(Operation::read_cohort_table, *target);
+                ASSERT_EQ(offers(choice, target->cohort_id), readable) << cell;
+                if (!readable) continue;
+                choice->setCurrentIndex(choice->findData(QString::fromStdString(target->cohort_id)));
+                emit choice->activated(choice->currentIndex());
+                EXPECT_GT(find<QTableWidget>(*window, "cohort_table")->rowCount(), 0) << cell;
+                const bool exports = cohort_allowed(Operation::export_cohort, *target);
+                EXPECT_EQ(sees(*window, "export_cohort"), exports) << cell;
+                const QString path = programme.folder.filePath("cohort.json");
+                shown->export_to(path, ReportFormat::json);
+                ASSERT_TRUE(wait_for([&] { return exports ? QFile::exists(path) : refused(); })) << cell;
+                EXPECT_EQ(QFile::remove(path), exports) << cell;
+                ASSERT_TRUE(wait_for([&] { return !sees(*window, "cancel_job"); }));
+                if (sees(*window, "close_message")) click(*window, "close_message");
+            }
+        }
+    }
+}
+
 void WindowAccess::expect_progress(const Target& target, const std::string& cell, const QString& folder) {
     if (sees(*window, "close_message")) click(*window, "close_message");
     emit window->context().progress_wanted(QString::fromStdString(target.person), "A2");
@@ -221,6 +293,17 @@ TEST_F(WindowAccess, EverybodyChangesTheirOwnPassword) {
             << role_name(asked);
         click(*window, "close_message");
     }
+}
+
+TEST_F(WindowAccess, TheStationSeesWhoSignedInAndNothingElse) {
+    People(*services->store()).sign_in("ann", database::test::password);
+    window->start();
+    settle();
+    ASSERT_EQ(window->current_page()->objectName(), "sign_in_page");
+    EXPECT_TRUE(sees(*window, "pick_person")) << "read_sign_in_list is everybody's";
+    for (const char* rail :
+         {"rail_people", "rail_assign", "rail_cohort", "rail_attempts", "rail_progress", "rail_home"})
+        EXPECT_FALSE(sees(*window, rail)) << rail;
 }
 
 }  // namespace
