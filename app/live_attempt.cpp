@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// One class with three threads: over 500 lines, because what they share is easier to check in one place.
 #include "app/live_attempt.h"
 
 #include <mutex>

@@ -5,6 +5,7 @@
 // functions of the handle, and most of what is left of them after differencing is the handle's own
 // quantisation seen through a lever. Residuals become Rice codes; zstd removes what repeats.
 #include "database/trace_codec.h"
+// Over 500 lines: encoder, decoder and the overview that skips columns walk one layout and must change together.
 
 #include <zstd.h>
 

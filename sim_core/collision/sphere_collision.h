@@ -61,7 +61,7 @@ struct SphereContacts {
     double residual_pair = 0;    ///< m
     int relisted = 0;            ///< spheres listed again
     bool list_overflow =
-        false;  ///< list_capacity too small even for now: those spheres asked the hierarchy, exact but slow
+        false;  ///< list_capacity too small at this pose: those spheres asked the hierarchy, exact but slow
     bool plane_overflow = false;  ///< planes_per_sphere too small: the shallowest were left out
     bool pair_overflow = false;   ///< pair_capacity or near_row_capacity too small: pairs were left out
 };
