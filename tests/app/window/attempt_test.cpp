@@ -61,7 +61,8 @@ TEST_F(Window, ASpoiltDeviceLosesItsForceByARampPausesAndGoesOnAsPracticeFromWhe
     SpoiltRig& rig = *services.rig;
     for (const auto fault :
          {SpoiltRig::Fault::not_a_number, SpoiltRig::Fault::jump, SpoiltRig::Fault::silence}) {
-        ASSERT_TRUE(hand.work_until([&] { return rig.sent(Hand::left) > 0.6; }, 60000));
+        ASSERT_TRUE(hand.work_until([&] { return rig.sent(Hand::left) > 0.6; }, 150000));
+        come_to_rest();  // a hand still under way would not stand where its instrument was left
         rig.spoil(fault);
         ASSERT_TRUE(wait_for([&] { return theatre().session()->phase() == AttemptPhase::device_lost; }));
         ASSERT_TRUE(wait_for([&] { return rig.sent(Hand::left) == 0; }));

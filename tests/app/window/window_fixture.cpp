@@ -122,6 +122,25 @@ void Window::move_hands(int moves) {
     QTest::keyRelease(view, Qt::Key_D);
 }
 
+void Window::come_to_rest() {
+    constexpr std::uint32_t still = 500;  // ticks; a target is followed for 400 at most, then low-passed
+    std::uint32_t moved = theatre().session()->health().ticks;
+    Vector3 tip[hand_count] = {Vector3::Zero(), Vector3::Zero()};
+    ASSERT_TRUE(wait_for(
+        [&] {
+            const std::uint32_t now = theatre().session()->health().ticks;
+            for (int h = 0; h < hand_count; ++h) {
+                const Vector3 is = theatre().session()->snapshot().tools[h].tip;
+                if ((is - tip[h]).norm() > 0.1e-3) {
+                    tip[h] = is;
+                    moved = now;
+                }
+            }
+            return now - moved > still;
+        },
+        60000));
+}
+
 void Window::abandon() {
     click(window, "theatre_abandon");
     click(window, "panel_abandon");

@@ -97,6 +97,8 @@ class Window : public ::testing::Test {
     ui::Realignment aligned() { return theatre().view()->realignment().value_or(ui::Realignment()); }
     /// Moves both hands until the attempt has seen it.
     void move_hands(int moves);
+    /// Waits until the instruments have followed the mouse and stand still.
+    void come_to_rest();
     void abandon();
     ui::DebriefPage& wait_for_debrief();
     void home();

@@ -15,6 +15,7 @@
 #include "sim_core/lab/svg.h"
 #include "sim_core/lab/tradeoff.h"
 #include "sim_core/numerics/input_error.h"
+#include "tests/support/own_folder.h"
 
 namespace fulcrum::lab {
 namespace {
@@ -119,13 +120,12 @@ TEST(Pareto, MarksWhatNothingElseBeats) {
 
 class Page : public ::testing::Test {
   protected:
-    void SetUp() override { folder = std::filesystem::temp_directory_path() / "fulcrum_result_page_test"; }
-    void TearDown() override { std::filesystem::remove_all(folder); }
     std::string read(const char* name) const {
         std::ifstream in(folder / name);
         return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
     }
-    std::filesystem::path folder;
+    test::OwnFolder own;
+    const std::filesystem::path folder = own / "results";
     Machine machine{"Some processor", 2, {"GNU 12", "-O3", "abc123, with uncommitted changes"}};
 };
 

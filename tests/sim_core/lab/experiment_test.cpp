@@ -9,6 +9,7 @@
 
 #include "sim_core/lab/experiment.h"
 #include "sim_core/numerics/input_error.h"
+#include "tests/support/own_folder.h"
 #include "tests/support/support.h"
 
 namespace fulcrum::lab {
@@ -77,7 +78,8 @@ TEST(Experiment, TheIntestineFallsToTheGroundAndOntoItself) {
 }
 
 TEST(Experiment, SaysWhatIsWrongWithAFile) {
-    const auto path = std::filesystem::temp_directory_path() / "fulcrum_experiment_test.json";
+    const test::OwnFolder folder;
+    const auto path = folder / "experiment.json";
     const auto complaint = [&](const std::string& text) -> std::string {
         std::ofstream(path) << text;
         try {
@@ -95,7 +97,6 @@ TEST(Experiment, SaysWhatIsWrongWithAFile) {
     EXPECT_NE(complaint(R"({"id": "a", "figure": "b", "caption": "c", "kind": "bend", "bend_deg": 1000})")
                   .find("bend_deg"),
               std::string::npos);
-    std::filesystem::remove(path);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "sim_core/lab/filter_study.h"
 #include "sim_core/lab/skin_study.h"
 #include "sim_core/lab/studies.h"
+#include "tests/support/own_folder.h"
 #include "tests/support/tube.h"
 
 namespace fulcrum {
@@ -17,14 +18,6 @@ namespace {
 
 class Studies : public ::testing::Test {
   protected:
-    void SetUp() override {
-        folder_ = std::filesystem::temp_directory_path() /
-                  ("fulcrum_studies_" +
-                   std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-        std::filesystem::create_directories(folder_);
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-
     void write(const std::string& name, const TriangleMesh& mesh) const {
         std::ofstream out(folder_ / name);
         write_obj(out, mesh);
@@ -33,7 +26,7 @@ class Studies : public ::testing::Test {
         return JsonDocument::parse(keys.dump(), (folder_ / "study.json").string());
     }
 
-    std::filesystem::path folder_;
+    test::OwnFolder folder_;
 };
 
 struct SkinCase {

@@ -12,6 +12,7 @@
 #include "sim_core/lab/membrane_tradeoff.h"
 #include "sim_core/lab/studies.h"
 #include "tests/sim_core/membrane/sheets.h"
+#include "tests/support/own_folder.h"
 
 namespace fulcrum {
 namespace {
@@ -19,10 +20,6 @@ namespace {
 class MembraneStudy : public ::testing::Test {
   protected:
     void SetUp() override {
-        folder_ = std::filesystem::temp_directory_path() /
-                  ("fulcrum_membrane_" +
-                   std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-        std::filesystem::create_directories(folder_);
         std::ofstream sheet(folder_ / "sheet.obj"), triangle(folder_ / "triangle.obj");
         write_obj(sheet, test::sheet(9, 9));
         TriangleMesh one;
@@ -30,7 +27,6 @@ class MembraneStudy : public ::testing::Test {
         one.triangles = {{0, 1, 2}};
         write_obj(triangle, one);
     }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
     nlohmann::json run(const nlohmann::json& change) const {
         nlohmann::json keys = {{"model", "membrane"},
                                {"mesh", "sheet.obj"},
@@ -46,7 +42,7 @@ class MembraneStudy : public ::testing::Test {
         std::ofstream(folder_ / "study.json") << keys.dump();
         return lab::run_study((folder_ / "study.json").string());
     }
-    std::filesystem::path folder_;
+    test::OwnFolder folder_;
 };
 
 TEST_F(MembraneStudy, IntegratorsAgreeAsTheStepBecomesSmall) {

@@ -42,7 +42,7 @@ inline bool sees(QWidget& window, const char* name) {
     return false;
 }
 
-inline bool wait_for(const std::function<bool()>& condition, int milliseconds = 15000) {
+inline bool wait_for(const std::function<bool()>& condition, int milliseconds = 60000) {
     return QTest::qWaitFor(condition, milliseconds);
 }
 
