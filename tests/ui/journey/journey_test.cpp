@@ -382,7 +382,7 @@ TEST_F(Journey, WritesItsThemeDarkAndLight) {
 
 TEST(Lock, HidesTheContentPausesTheAttemptAndClosesItLater) {
     FakeServices services;
-    MainWindow window(services, nullptr, 1500, 1500);
+    MainWindow window(services, nullptr, 3000, 6000);
     window.resize(1280, 800);
     window.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
@@ -400,11 +400,12 @@ TEST(Lock, HidesTheContentPausesTheAttemptAndClosesItLater) {
     services.control.ticks_per_update = 10;
     ASSERT_TRUE(wait_for([&] { return theatre->session()->phase() == AttemptPhase::running; }));
     window.context().note_input();  // however long the scene took: the hands rest from here on
-    ASSERT_TRUE(wait_for([&] { return sees(window, "lock_page"); }, 8000));
+    ASSERT_TRUE(wait_for([&] { return sees(window, "lock_page"); }));
     EXPECT_FALSE(theatre->isVisible());
+    ASSERT_NE(theatre->session(), nullptr);
     EXPECT_EQ(theatre->session()->phase(), AttemptPhase::paused);
     keep_picture(window, "23-locked");
-    ASSERT_TRUE(wait_for([&] { return !theatre->is_running(); }, 8000));
+    ASSERT_TRUE(wait_for([&] { return !theatre->is_running(); }));
     database::AttemptFilter filter;
     const auto stored = database::Attempts(*services.store()).list(session, filter);
     ASSERT_EQ(stored.size(), 1U);
