@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// The world: what a scene lists is there, what it does not list is not; the bowel comes to rest and carries its weight; steps repeat
-// bit for bit and allocate nothing.
+// The world: what a scene lists is there, what it does not list is not; the bowel comes to rest and carries
+// its weight; steps repeat bit for bit and allocate nothing.
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <mutex>
+#include <thread>
 
 #include "sim_core/haptics/loop.h"
 #include "sim_core/world/world.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/support.h"
+#include "tests/support/wait_count.h"
 
 namespace fulcrum {
 namespace {
 
-Scene scene(const std::string& name) { return load_scene(test::source_path("assets/scenes/" + name + ".json")); }
+Scene scene(const std::string& name) {
+    return load_scene(test::source_path("assets/scenes/" + name + ".json"));
+}
 
 /// Hands that stand still at the start.
 RigSample standing(const Scene& scene, std::uint32_t tick) {
@@ -36,7 +42,8 @@ struct Hands {
     std::uint64_t hash = 0;
     StepRecord last;
 
-    explicit Hands(Scene chosen) : scene(std::move(chosen)), world(scene, 1), loop(scene, world), outputs(5) {}
+    explicit Hands(Scene chosen)
+        : scene(std::move(chosen)), world(scene, 1), loop(scene, world), outputs(5) {}
     explicit Hands(const std::string& name) : Hands(fulcrum::scene(name)) {}
     template <typename Change>
     void step(Change&& change) {
@@ -89,7 +96,8 @@ TEST(World, ASceneChoosesExp2AndALayeredWall) {
     Hands run(stiffening);
     double fastest = 0;
     for (int i = 0; i < 100; ++i) run.step();
-    for (const Vector3& velocity : run.world.bowel()->state().velocities) fastest = std::max(fastest, velocity.norm());
+    for (const Vector3& velocity : run.world.bowel()->state().velocities)
+        fastest = std::max(fastest, velocity.norm());
     EXPECT_LT(fastest, 5e-3);
     EXPECT_LT(run.world.snapshot().residual_penetration, 1e-3);
     EXPECT_EQ(run.last.outcome, 0U);
@@ -120,6 +128,34 @@ TEST(World, StepsAndTicksAllocateNothingAfterTheFirst) {
             run.step([&](RigSample& input) { input.hand[0].handle[2] -= 4000 * (i < 60 ? i : 60); });
         }
         EXPECT_EQ(test::allocation_count() - before, 0U) << name;
+    }
+}
+
+TEST(World, StepsAndTicksTakeNoLockAndNeitherWaitNorReadNorWrite) {
+    if constexpr (test::waits_are_counted) {
+        // The count sees what it is there for.
+        const std::uint64_t nothing = test::wait_count();
+        static std::mutex mutex;
+        mutex.lock();
+        mutex.unlock();
+        EXPECT_EQ(test::wait_count() - nothing, 1U);
+        std::this_thread::sleep_for(std::chrono::nanoseconds(1));
+        EXPECT_EQ(test::wait_count() - nothing, 2U);
+        std::ifstream readme(test::source_path("README.md"));
+        EXPECT_GT(readme.get(), 0);
+        EXPECT_GT(test::wait_count() - nothing, 2U);
+    }
+    for (const char* name : {"a2_targets", "b1_bowel", "b1_mesentery"}) {
+        Hands run(name);
+        for (int i = 0; i < 40; ++i) run.step();
+        const std::uint64_t before = test::wait_count();
+        for (int i = 0; i < 100; ++i) {
+            run.step([&](RigSample& input) {
+                input.hand[0].handle[2] -= 4000 * (i < 60 ? i : 60);
+                input.hand[0].jaw = i < 70 ? 1000000 : 0;  // and grasps what it reached
+            });
+        }
+        EXPECT_EQ(test::wait_count() - before, 0U) << name;
     }
 }
 
