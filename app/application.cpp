@@ -10,6 +10,7 @@
 #include "app/interrupted.h"
 #include "app/live_attempt.h"
 #include "app/replay_source.h"
+#include "app/rescoring.h"
 #include "assessment/operators/operator.h"
 #include "assessment/version.h"
 #include "ui/shell/main_window.h"
@@ -57,6 +58,15 @@ class Services : public ui::ApplicationServices {
     }
     std::vector<ui::InterruptedScore> score_interrupted(const database::Session& session, const ui::Progress& progress) override {
         return app::score_interrupted(store_path(session.is_demo()), session, progress);
+    }
+    std::size_t stale_scores(const database::Session& session) override {
+        database::StoreOptions options;
+        options.read_only = true;
+        const database::Store store = database::Store::open(store_path(session.is_demo()), options);
+        return database::Attempts(store).stale_scores(session, scoring_in_force()).size();
+    }
+    std::vector<ui::RecomputedScore> recompute_scores(const database::Session& session, const ui::Progress& progress) override {
+        return app::recompute_scores(store_path(session.is_demo()), session, {}, progress);
     }
     std::unique_ptr<ui::ReplaySource> open_replay(const std::string& task_id, std::uint64_t seed, std::shared_ptr<const database::Trace> trace) override {
         return make_replay_source(load_task_and_scene(task_id), seed, std::move(trace));

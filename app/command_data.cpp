@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fulcrum metrics, check, db: files and stores.
+// fulcrum metrics, check: files.
 #include <filesystem>
 #include <iostream>
 
@@ -55,13 +55,15 @@ std::string check_file(const std::string& path) {
         return "trace, " + std::to_string(trace.t.size()) + " samples";
     }
     const nlohmann::json document = JsonDocument::load(path).root();
-    if (!document.is_object()) throw InputError(path, "/", "holds no JSON object", "give a scene, task or benchmark file");
+    if (!document.is_object())
+        throw InputError(path, "/", "holds no JSON object", "give a scene, task or benchmark file");
     if (document.contains("goals") || document.contains("briefing")) {
         const TaskDefinition task = load_task(path);
         check_gates(task, path);
         return "task " + task.id;
     }
-    if (document.contains("levels") || document.contains("experts")) return "benchmark set of task " + load_benchmark(path).task;
+    if (document.contains("levels") || document.contains("experts"))
+        return "benchmark set of task " + load_benchmark(path).task;
     return "scene " + load_scene(path).id;
 }
 
@@ -89,55 +91,6 @@ int command_check(const std::vector<std::string>& words) {
     }
     if (arguments.has("--json")) print_json({{"ok", ok}, {"files", files}});
     return ok ? 0 : 2;
-}
-
-int command_db(const std::vector<std::string>& words) {
-    OptionSpec spec;
-    spec.usage = "usage: fulcrum db create|check|backup TO [--db FILE] [--as LOGIN --password-file FILE] [--json]";
-    spec.with_value = session_options();
-    spec.flags = {"--json"};
-    spec.minimum_words = 1;
-    spec.maximum_words = 2;
-    const Arguments arguments(words, spec);
-    const std::string& action = arguments.words()[0];
-    const std::string path = arguments.value_or("--db", database::Store::default_path());
-    if (action != "backup" && arguments.words().size() > 1) throw UsageError("command line: " + arguments.words()[1] + ": not expected; " + spec.usage);
-    if (action == "create") {
-        const database::Store store = database::Store::create(path);
-        if (arguments.has("--json")) {
-            print_json({{"created", path}, {"schema", database::Store::schema_version()}});
-        } else {
-            std::cout << "created " << path << " (schema " << database::Store::schema_version() << ")\n";
-        }
-        return 0;
-    }
-    if (action == "check") {
-        const bool signs_in = arguments.has("--as");  // which the store keeps, so it must be writable
-        const database::Store store = open_store(arguments, false, !signs_in);
-        const database::CheckReport report = store.check(session_of(arguments, store));
-        nlohmann::json items = nlohmann::json::array();
-        for (const database::CheckItem& item : report.items) {
-            items.push_back({{"name", item.name}, {"ok", item.ok}, {"count", item.count}, {"problems", item.problems}});
-            if (!arguments.has("--json")) {
-                std::cout << item.name << ": " << (item.ok ? "ok" : "BROKEN") << " (" << item.count << ")\n";
-                for (const std::string& problem : item.problems) std::cout << "  " << problem << '\n';
-            }
-        }
-        if (arguments.has("--json")) print_json({{"ok", report.ok}, {"store", path}, {"items", items}});
-        return report.ok ? 0 : 1;
-    }
-    if (action == "backup") {
-        if (arguments.words().size() < 2) throw UsageError("command line: backup: name the file to write; " + spec.usage);
-        const database::Store store = open_store(arguments, false);
-        store.backup(person_session(arguments, store), arguments.words()[1]);
-        if (arguments.has("--json")) {
-            print_json({{"store", path}, {"backup", arguments.words()[1]}});
-        } else {
-            std::cout << "backed up " << path << " to " << arguments.words()[1] << '\n';
-        }
-        return 0;
-    }
-    throw UsageError("command line: db " + action + ": no such action; " + spec.usage);
 }
 
 }  // namespace fulcrum::app

@@ -1,31 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/interrupted.h"
 
-#include "app/performance.h"
-#include "database/attempts.h"
+#include "app/rescoring.h"
 #include "sim_core/numerics/input_error.h"
 
 namespace fulcrum::app {
 namespace {
 
-/// The world's targets as they stood in that attempt.
-std::vector<Vector3> targets_of(const LoadedTask& loaded, std::uint64_t seed) {
-    std::vector<Vector3> targets;
-    if (!loaded.scene.targets) return targets;
-    const AttemptEngine engine(loaded.scene, loaded.task, seed);
-    for (const TargetSphere& target : engine.initial_snapshot().targets) targets.push_back(target.centre);
-    return targets;
-}
-
 ScoredAttempt score_one(const database::Attempts& attempts, const database::Session& session,
                         const database::AttemptSummary& summary) {
-    const LoadedTask loaded = load_task_and_scene(summary.meta.task_id);
-    const database::Trace trace = attempts.read_trace(session, summary.meta.id);
     // Only the limits that were in force at the start judge it.
     std::optional<BenchmarkSet> benchmark = benchmark_in_force(summary.meta.task_id);
     if (benchmark && limits_name(&*benchmark) != summary.meta.limits) benchmark.reset();
-    return score_record(loaded.scene, loaded.task, targets_of(loaded, summary.meta.seed), trace.samples,
-                        trace.events, benchmark ? &*benchmark : nullptr);
+    return score_stored(attempts, session, summary, benchmark ? &*benchmark : nullptr);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,19 @@ struct CorrectionRequest {
     std::string id, attempt_id, person_id, person_name, text;
     std::int64_t asked = 0;
     bool settled = false;  ///< the attempt was voided or reassigned since
+};
+
+/// What a score made today would rest on.
+struct ScoringInForce {
+    std::map<std::string, int> metric_versions;  ///< by metric id
+    std::map<std::string, std::string> limits;   ///< by task id, as AttemptMeta::limits; tasks without: none
+};
+
+/// An attempt none of whose scores rests on what is in force.
+struct StaleScore {
+    std::string attempt_id, person_id, person_name, task_id;
+    std::string why;  ///< of its newest score: "sparc 1, now 2; limits A2-provisional@1, now A2-provisional@2"
+    std::optional<bool> passed;  ///< of the score in force
 };
 
 class Attempts {
@@ -58,6 +72,12 @@ class Attempts {
     /// The first score of an attempt (one that was interrupted) is in force; any other lies beside it.
     /// Returns its id.
     std::string add_score(const Session& session, const std::string& attempt_id, const ScoreRow& score) const;
+
+    /// Those within the session's scope whose score is out of date, oldest first; voided ones are left out, and so
+    /// is what was interrupted and has no score yet. A named person is refused outside the scope.
+    /// Operation::recompute_score.
+    std::vector<StaleScore> stale_scores(const Session& session, const ScoringInForce& now,
+                                         const std::string& person_id = {}) const;
 
     /// Takes it out of progress, cohorts and benchmarks; it stays visible. Never one's own; a reason is
     /// needed.

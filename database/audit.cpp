@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/audit.h"
 
+#include <QJsonDocument>
+#include <QJsonObject>
+
 #include "database/connection.h"
 #include "database/crypto.h"
 
@@ -44,10 +47,43 @@ Bytes payload_digest(const Bytes& salt, const std::string& payload) {
     return blake2b(bytes, hash_size);
 }
 
+constexpr const char* role_key = "as";
+
+std::string with_role(const std::string& payload, Role role) {
+    std::string text = std::string("{\"") + role_key + "\": \"" + role_name(role) + "\"";
+    return text + (payload == "{}" ? "}" : ", " + payload.substr(1));
+}
+
+bool is_about_an_attempt(const std::string& operation) {
+    for (const char* group : {"attempt.", "score.", "comment."}) {
+        if (operation.rfind(group, 0) == 0) return true;
+    }
+    return false;
+}
+
+/// Takes the role out, and what whoever views the log may not read.
+void show_payload(const std::string& payload, AuditEntry& entry) {
+    const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(payload));
+    if (!document.isObject()) {
+        entry.payload = "unreadable";
+        return;
+    }
+    QJsonObject members = document.object();
+    entry.role = members.take(QLatin1String(role_key)).toString().toStdString();
+    if (is_about_an_attempt(entry.operation)) {
+        for (const char* words : {"reason", "text", "state"}) {
+            if (members.contains(QLatin1String(words)))
+                members.insert(QLatin1String(words), QStringLiteral("withheld"));
+        }
+    }
+    entry.payload = QJsonDocument(members).toJson(QJsonDocument::Compact).toStdString();
+}
+
 }  // namespace
 
 void Audit::append(const Session& actor, const std::string& object_id, const std::string& operation,
-                   const std::string& payload_json) const {
+                   const std::string& deed_json) const {
+    const std::string payload_json = with_role(deed_json, actor.role());
     Connection& connection = store_.connection();
     Transaction transaction(connection);
     Query last(connection,
@@ -100,17 +136,32 @@ std::int64_t Audit::count() const {
     return rows.next() ? rows.integer(0) : 0;
 }
 
-std::vector<AuditEntry> Audit::entries(const Session& administrator, int limit,
-                                       std::int64_t before_sequence) const {
+std::vector<AuditEntry> Audit::entries(const Session& administrator, const AuditFilter& filter) const {
     store_.require(administrator, Operation::view_audit);
-    Query rows(store_.connection(),
-               "SELECT e.sequence, e.time, e.station_id, e.actor_id, COALESCE(a.display_name, ''), "
-               "e.object_id, e.operation, "
-               "e.digest, e.previous_hash, e.hash, p.payload FROM audit_entry e "
-               "LEFT JOIN person a ON a.id = e.actor_id "
-               "LEFT JOIN audit_payload p ON p.station_id = e.station_id AND p.sequence = e.sequence "
-               "WHERE ? < 0 OR e.sequence < ? ORDER BY e.sequence DESC LIMIT ?");
-    rows.bind(before_sequence).bind(before_sequence).bind(limit);
+    QString sql =
+        "SELECT e.sequence, e.time, e.station_id, e.actor_id, COALESCE(a.display_name, ''), "
+        "e.object_id, e.operation, e.digest, e.previous_hash, e.hash, p.payload, "
+        "COALESCE(w.id, ''), COALESCE(w.display_name, '') FROM audit_entry e "
+        "LEFT JOIN audit_payload p ON p.station_id = e.station_id AND p.sequence = e.sequence "
+        "LEFT JOIN person a ON a.id = e.actor_id "
+        "LEFT JOIN score s ON s.id = e.object_id LEFT JOIN comment c ON c.id = e.object_id "
+        "LEFT JOIN attempt t ON t.id = COALESCE(s.attempt_id, c.attempt_id, e.object_id) "
+        "LEFT JOIN person w ON w.id = COALESCE(t.person_id, e.object_id) WHERE e.station_id = ?";
+    if (!filter.person_id.empty()) sql += " AND (e.actor_id = ? OR w.id = ?)";
+    // One of them, or all of a group: "attempt" for "attempt.void".
+    if (!filter.kind.empty())
+        sql += " AND (e.operation = ? OR substr(e.operation, 1, length(?) + 1) = ? || '.')";
+    sql += " AND e.time >= ?";
+    if (filter.until > 0) sql += " AND e.time < ?";
+    if (filter.before_sequence >= 0) sql += " AND e.sequence < ?";
+    Query rows(store_.connection(), sql + " ORDER BY e.sequence DESC LIMIT ?");
+    rows.bind(store_.station_id());
+    if (!filter.person_id.empty()) rows.bind(filter.person_id).bind(filter.person_id);
+    if (!filter.kind.empty()) rows.bind(filter.kind).bind(filter.kind).bind(filter.kind);
+    rows.bind(filter.from);
+    if (filter.until > 0) rows.bind(filter.until);
+    if (filter.before_sequence >= 0) rows.bind(filter.before_sequence);
+    rows.bind(filter.limit);
     std::vector<AuditEntry> entries;
     while (rows.next()) {
         AuditEntry entry;
@@ -124,10 +175,26 @@ std::vector<AuditEntry> Audit::entries(const Session& administrator, int limit,
         entry.digest = to_hex(rows.bytes(7));
         entry.previous_hash = to_hex(rows.bytes(8));
         entry.hash = to_hex(rows.bytes(9));
-        entry.payload = rows.is_null(10) ? "payload erased" : rows.text(10);
+        entry.person_id = rows.text(11);
+        entry.person_name = rows.text(12);
+        if (rows.is_null(10)) {
+            entry.payload = "payload erased";
+        } else {
+            show_payload(rows.text(10), entry);
+        }
         entries.push_back(std::move(entry));
     }
     return entries;
+}
+
+std::vector<std::string> Audit::kinds(const Session& administrator) const {
+    store_.require(administrator, Operation::view_audit);
+    Query rows(store_.connection(),
+               "SELECT DISTINCT operation FROM audit_entry WHERE station_id = ? ORDER BY operation");
+    rows.bind(store_.station_id());
+    std::vector<std::string> kinds;
+    while (rows.next()) kinds.push_back(rows.text(0));
+    return kinds;
 }
 
 std::vector<std::string> Audit::verify() const {

@@ -15,23 +15,39 @@ struct AuditEntry {
     std::int64_t sequence = 0;
     UtcMilliseconds time = 0;
     std::string station_id, actor_id, actor_name, object_id, operation;
+    std::string role;  ///< in which the actor acted; "" where the payload is erased or older
+    std::string person_id,
+        person_name;  ///< whom the object is or belongs to; "" for cohorts, settings, the store
     std::string digest, previous_hash, hash;  ///< hex
-    std::string payload;                      ///< JSON, or "payload erased"
+    /// JSON, or "payload erased". What is said of an attempt (how it ended, why it was voided, what a trainee
+    /// asked for) reads "withheld": whoever views the audit log sees no reviews (platform.md).
+    std::string payload;
+};
+
+/// Which rows of this station's chain; empty fields ask for nothing.
+struct AuditFilter {
+    std::string person_id;                ///< did it, or it was done to them or to an attempt of theirs
+    std::string kind;                     ///< "attempt.void", or "attempt" for every one of that group
+    UtcMilliseconds from = 0, until = 0;  ///< from <= time < until; until 0: now
+    std::int64_t before_sequence = -1;    ///< older rows than this one
+    int limit = 500;
 };
 
 class Audit {
   public:
     explicit Audit(const Store& store) : store_(store) {}
     /// Newest first. Operation::view_audit.
-    std::vector<AuditEntry> entries(const Session& administrator, int limit = 500,
-                                    std::int64_t before_sequence = -1) const;
+    std::vector<AuditEntry> entries(const Session& administrator, const AuditFilter& filter = {}) const;
+    /// The operations that the chain holds, by name. Operation::view_audit.
+    std::vector<std::string> kinds(const Session& administrator) const;
     /// Hash of the newest row, hex; 64 zeros before the first.
     std::string head() const;
     /// Problems found, by sequence; empty if the chain and all payloads hold.
     std::vector<std::string> verify() const;
     std::int64_t count() const;
 
-    /// Adds a row; inside the caller's transaction. For the rooms of this floor.
+    /// Adds a row; inside the caller's transaction. The role goes into the payload. For the rooms of this
+    /// floor.
     void append(const Session& actor, const std::string& object_id, const std::string& operation,
                 const std::string& payload_json) const;
 

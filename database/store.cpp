@@ -233,18 +233,19 @@ std::string Store::programme_name() const {
     return row.next() ? row.text(0) : std::string();
 }
 
-CheckReport Store::check(const Session& session) const {
+CheckReport Store::check(const Session& session, const StoreProgress& progress) const {
     require(session, Operation::check_store);
-    return check_store(*this);
+    return check_store(*this, progress);
 }
 
-void Store::backup(const Session& session, const std::string& to_path) const {
+bool Store::backup(const Session& session, const std::string& to_path, const StoreProgress& progress) const {
     require(session, Operation::backup);
-    copy_database(connection(), to_path);
+    if (!copy_database(connection(), to_path, progress)) return false;
     if (!is_read_only()) {
         Audit(*this).append(session, station_id(), "store.backup",
                             json_object({{"to", files::path(to_path).filename().string()}}));
     }
+    return true;
 }
 
 void Store::seal_demo(const Session& station) {
@@ -256,19 +257,31 @@ void Store::seal_demo(const Session& station) {
     transaction.commit();
 }
 
-void copy_database(Connection& connection, const std::string& to_path) {
+bool copy_database(Connection& connection, const std::string& to_path, const StoreProgress& progress) {
     make_private_file(to_path);
     const std::string part = to_path + ".part";
+    const auto leave_nothing = [&] {
+        ::unlink(part.c_str());
+        ::unlink(to_path.c_str());
+    };
     try {
         make_private_file(part);
         sqlite3* target = nullptr;
+        bool stopped = false;
         int code = sqlite3_open_v2(part.c_str(), &target, SQLITE_OPEN_READWRITE, nullptr);
         if (code == SQLITE_OK) {
             sqlite3_backup* copy = sqlite3_backup_init(target, "main", connection.handle(), "main");
             code = copy == nullptr ? sqlite3_errcode(target) : SQLITE_OK;
             if (copy != nullptr) {
-                constexpr int pages = 4096, patience = 200, pause_ms = 25;
+                constexpr int pages = 1024, patience = 200, pause_ms = 25;
+                const auto go_on = [&] {
+                    const int all = sqlite3_backup_pagecount(copy), left = sqlite3_backup_remaining(copy);
+                    const double done = all > 0 ? static_cast<double>(all - left) / all : 0;
+                    return !progress || progress(code == SQLITE_DONE ? 1 : done, "copying the store");
+                };
                 for (int waited = 0; waited < patience;) {
+                    stopped = !go_on();
+                    if (stopped) break;
                     code = sqlite3_backup_step(copy, pages);
                     if (code == SQLITE_BUSY || code == SQLITE_LOCKED) {
                         ++waited;
@@ -277,18 +290,23 @@ void copy_database(Connection& connection, const std::string& to_path) {
                         break;
                     }
                 }
+                if (code == SQLITE_DONE) go_on();  // whole: too late to stop it
                 sqlite3_backup_finish(copy);
                 if (code == SQLITE_DONE) code = SQLITE_OK;
             }
         }
         sqlite3_close(target);
+        if (stopped) {
+            leave_nothing();
+            return false;
+        }
         if (code != SQLITE_OK) connection.fail(QString::fromUtf8(sqlite3_errstr(code)), code);
         if (::rename(part.c_str(), to_path.c_str()) != 0) fail_file(to_path, errno);
     } catch (...) {
-        ::unlink(part.c_str());
-        ::unlink(to_path.c_str());
+        leave_nothing();
         throw;
     }
+    return true;
 }
 
 }  // namespace fulcrum::database

@@ -43,8 +43,12 @@ struct CheckItem {
 };
 struct CheckReport {
     bool ok = true;
+    bool complete = true;  ///< false: stopped before the end; the items hold what was looked at
     std::vector<CheckItem> items;
 };
+
+/// How far long work is, 0..1, and what it is at; false asks it to stop.
+using StoreProgress = std::function<bool(double done, const std::string& line)>;
 
 /// An attempt that was running when its program ended.
 struct InterruptedAttempt {
@@ -97,10 +101,10 @@ class Store {
     const std::vector<InterruptedAttempt>& interrupted_at_open() const noexcept;
 
     /// Reads everything once. Operation::check_store.
-    CheckReport check(const Session& session) const;
-    /// A consistent copy while others write (SQLite backup interface), 0600. Operation::backup. Throws
-    /// StoreError exists.
-    void backup(const Session& session, const std::string& to_path) const;
+    CheckReport check(const Session& session, const StoreProgress& progress = {}) const;
+    /// A consistent copy while others write (SQLite backup interface), 0600. False if it was stopped, leaving
+    /// no file. Operation::backup. Throws StoreError exists.
+    bool backup(const Session& session, const std::string& to_path, const StoreProgress& progress = {}) const;
     /// Ends the building of a demo store: from then on only practice attempts are accepted.
     void seal_demo(const Session& station);
 

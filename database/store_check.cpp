@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `db check`: every page, reference, chain row, chunk and score read once; and the closing of attempts that
 // lost their program.
+#include <sqlite3.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -17,6 +18,45 @@ namespace fulcrum::database {
 namespace {
 
 constexpr std::size_t most_problems = 20;
+
+/// Tells how far the check is and hears whether to go on, between rows and within one long statement.
+class Watch {
+  public:
+    Watch(Connection& connection, const StoreProgress& progress)
+        : connection_(connection), progress_(progress) {
+        constexpr int instructions = 1000000;  // of SQLite's machine: some tens of milliseconds
+        if (progress_) sqlite3_progress_handler(connection_.handle(), instructions, &Watch::ask, this);
+    }
+    ~Watch() {
+        if (progress_) sqlite3_progress_handler(connection_.handle(), 0, nullptr, nullptr);
+    }
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+    void begin(double from, double to, const char* what) {
+        from_ = from;
+        to_ = to;
+        what_ = what;
+        at(0);
+    }
+    /// False: stop.
+    bool at(double share) {
+        done_ = from_ + share * (to_ - from_);
+        return tell();
+    }
+    bool stopped() const { return stopped_; }
+
+  private:
+    static int ask(void* watch) { return static_cast<Watch*>(watch)->tell() ? 0 : 1; }
+    bool tell() {
+        if (progress_ && !stopped_) stopped_ = !progress_(done_, what_);
+        return !stopped_;
+    }
+    Connection& connection_;
+    const StoreProgress& progress_;
+    double from_ = 0, to_ = 0, done_ = 0;
+    std::string what_;
+    bool stopped_ = false;
+};
 
 void check_integrity(const Store& store, CheckItem& item) {
     Query rows(store.connection(), "PRAGMA integrity_check(100)");
@@ -35,14 +75,17 @@ void check_foreign_keys(const Store& store, CheckItem& item) {
     if (tables.next()) item.count = tables.integer(0);
 }
 
-void check_traces(const Store& store, CheckItem& item) {
+void check_traces(const Store& store, CheckItem& item, Watch& watch) {
+    Query sum(store.connection(), "SELECT COUNT(*) FROM trace_chunk");
+    const double all = sum.next() ? static_cast<double>(std::max<std::int64_t>(1, sum.integer(0))) : 1;
     Query rows(store.connection(),
                "SELECT attempt_id, stream, number, checksum, data FROM trace_chunk ORDER BY attempt_id, "
                "stream, number");
     std::string stream;
     std::int64_t expected = 0;
     while (rows.next()) {
-        ++item.count;
+        constexpr std::int64_t between = 64;
+        if (++item.count % between == 0 && !watch.at(static_cast<double>(item.count) / all)) return;
         const std::string place = "attempt " + rows.text(0) + ", stream " + rows.text(1);
         if (place != stream) {
             stream = place;
@@ -95,17 +138,23 @@ void check_permissions(const Store& store, CheckItem& item) {
 
 }  // namespace
 
-CheckReport check_store(const Store& store) {
+CheckReport check_store(const Store& store, const StoreProgress& progress) {
     CheckReport report;
-    const auto look = [&](const char* name, const std::function<void(CheckItem&)>& checker) {
+    Watch watch(store.connection(), progress);
+    const auto look = [&](double from, double to, const char* name,
+                          const std::function<void(CheckItem&)>& checker) {
+        if (!report.complete) return;
+        watch.begin(from, to, name);
         CheckItem item;
         item.name = name;
         try {
-            checker(item);
+            if (!watch.stopped()) checker(item);
         } catch (const StoreError& error) {
             // A damaged page stops one check, not the others.
-            item.problems.push_back(error.wrong());
+            if (!watch.stopped()) item.problems.push_back(error.wrong());
         }
+        report.complete = !watch.stopped();
+        if (!report.complete) return;
         if (item.problems.size() > most_problems) {
             const std::size_t more = item.problems.size() - most_problems;
             item.problems.resize(most_problems);
@@ -115,16 +164,16 @@ CheckReport check_store(const Store& store) {
         report.ok = report.ok && item.ok;
         report.items.push_back(std::move(item));
     };
-    look("integrity", [&](CheckItem& item) { check_integrity(store, item); });
-    look("foreign keys", [&](CheckItem& item) { check_foreign_keys(store, item); });
-    look("audit chain", [&](CheckItem& item) {
+    look(0, 0.25, "integrity", [&](CheckItem& item) { check_integrity(store, item); });
+    look(0.25, 0.3, "foreign keys", [&](CheckItem& item) { check_foreign_keys(store, item); });
+    look(0.3, 0.4, "audit chain", [&](CheckItem& item) {
         const Audit audit(store);
         item.count = audit.count();
         item.problems = audit.verify();
     });
-    look("trace checksums", [&](CheckItem& item) { check_traces(store, item); });
-    look("score digests", [&](CheckItem& item) { check_scores(store, item); });
-    look("permissions", [&](CheckItem& item) { check_permissions(store, item); });
+    look(0.4, 0.85, "trace checksums", [&](CheckItem& item) { check_traces(store, item, watch); });
+    look(0.85, 1, "score digests", [&](CheckItem& item) { check_scores(store, item); });
+    look(1, 1, "permissions", [&](CheckItem& item) { check_permissions(store, item); });
     return report;
 }
 

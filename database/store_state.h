@@ -25,12 +25,12 @@ std::string read_setting(Connection& connection, const std::string& key);
 void write_setting(Connection& connection, const std::string& key, const std::string& value);
 
 /// Copies the open database to a new file by SQLite's backup interface, 0600. Throws StoreError exists,
-/// disk_full, read_only.
-void copy_database(Connection& connection, const std::string& to_path);
+/// disk_full, read_only. False if it was stopped, leaving no file.
+bool copy_database(Connection& connection, const std::string& to_path, const StoreProgress& progress = {});
 
 /// Closes attempts that were running without their program; audited. Within a transaction of its own.
 std::vector<InterruptedAttempt> close_interrupted_attempts(const Store& store);
 
-CheckReport check_store(const Store& store);
+CheckReport check_store(const Store& store, const StoreProgress& progress);
 
 }  // namespace fulcrum::database

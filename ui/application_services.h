@@ -142,6 +142,16 @@ struct InterruptedScore {
     std::string why;             ///< what failed, or why it was not scored
 };
 
+/// A score that was out of date and has a newer one beside it now.
+struct RecomputedScore {
+    std::string attempt_id, person_name, task_id;
+    std::string why;                      ///< what it rested on before, and what is in force
+    std::optional<bool> passed_in_force;  ///< of the score in force, which stays
+    std::optional<bool> passed;           ///< of the new one
+    std::string not_scored_because;       ///< where it has neither passed nor failed
+    std::string problem;                  ///< why there is no new one; empty if there is
+};
+
 class ApplicationServices {
   public:
     virtual ~ApplicationServices() = default;
@@ -169,6 +179,10 @@ class ApplicationServices {
     /// Scores what was interrupted and has no score yet, as far as the session may, from its record (product.md: it does not count
     /// unless what was recorded failed already). Called on a worker thread; opens the store for itself.
     virtual std::vector<InterruptedScore> score_interrupted(const database::Session& session, const Progress& progress) = 0;
+    /// How many scores within the session's scope rest on metrics or limits that are no longer in force. Worker thread.
+    virtual std::size_t stale_scores(const database::Session& session) = 0;
+    /// Makes a new score beside each of these. Called on a worker thread; opens the store for itself.
+    virtual std::vector<RecomputedScore> recompute_scores(const database::Session& session, const Progress& progress) = 0;
     /// A replay of a stored trace, kept alive by the source. Throws InputError when the task or scene is not
     /// known here.
     virtual std::unique_ptr<ReplaySource> open_replay(const std::string& task_id, std::uint64_t seed,

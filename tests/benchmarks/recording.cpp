@@ -64,15 +64,19 @@ Recording hands(std::uint32_t ticks) {
             }
             HandSample& hand = sample.hand[d];
             const double depth = std::max(0.0, blend - 0.6);
+            Vector3 pressed = Vector3::Zero();
             for (int axis = 0; axis < 3; ++axis) {
                 hand.tip[axis] = counts(tip[axis], sample_length_unit);
                 hand.axis[axis] = counts(shaft[axis], sample_axis_unit);
                 // 500 N/m of contact: 30 um of tremor is 15 mN.
                 const double force =
                     depth > 0 ? 3.0 * depth * std::sin(axis + 1.0) + 500.0 * tremor[d][axis] : 0.0;
+                pressed[axis] = force;
                 hand.force[axis] = counts(force, sample_force_unit);
                 hand.device_force[axis] = counts(-force, sample_force_unit);
             }
+            const Vector3 torque = tip.cross(pressed);  // about the trocar, which lies at the origin
+            for (int axis = 0; axis < 3; ++axis) hand.torque[axis] = counts(torque[axis], sample_torque_unit);
             hand.roll = devices[d]->roll;
             hand.jaw_angle = devices[d]->jaw;
             hand.jaw_force = depth > 0.2 ? devices[d]->grip : 0;

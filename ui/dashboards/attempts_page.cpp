@@ -5,6 +5,7 @@
 #include <QHeaderView>
 
 #include "database/people.h"
+#include "ui/shell/background_job.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -19,6 +20,7 @@ AttemptsPage::AttemptsPage(Context& context) : Page(context, "attempts_page") {
     requests_card_ = make_card(4);
     requests_ = card_layout(requests_card_);
     layout->addWidget(requests_card_);
+    layout->addWidget(build_stale());
     auto* row = new QHBoxLayout;
     const auto combo = [&](const QString& label, const char* name) {
         auto* box = new QComboBox;
@@ -60,7 +62,92 @@ void AttemptsPage::enter() {
     person_->setVisible(!own);
     fill_requests();
     load();
+    count_stale();
     table_->setFocus();
+}
+
+void AttemptsPage::leave() {
+    if (job_ != nullptr) job_->cancel();
+    job_ = nullptr;
+}
+
+QFrame* AttemptsPage::build_stale() {
+    stale_card_ = make_card(6);
+    stale_ = make_label({});
+    stale_->setObjectName(QStringLiteral("stale_scores"));
+    card_layout(stale_card_)->addWidget(stale_);
+    recompute_ = make_button(tr("Recompute"), "recompute_scores");
+    connect(recompute_, &QPushButton::clicked, this, &AttemptsPage::recompute);
+    card_layout(stale_card_)->addWidget(recompute_, 0, Qt::AlignLeft);
+    bar_ = new JobBar;
+    connect(bar_, &JobBar::cancelled, this, [this] {
+        job_ = nullptr;
+        count_stale();
+    });
+    card_layout(stale_card_)->addWidget(bar_);
+    stale_card_->hide();
+    return stale_card_;
+}
+
+void AttemptsPage::count_stale() {
+    stale_card_->hide();
+    if (job_ != nullptr || !context().allowed(database::Operation::recompute_score)) return;
+    auto count = std::make_shared<std::size_t>(0);
+    job_ = BackgroundJob::run(
+        this,
+        [count, session = context().session(), services = &context().services()](const Progress&) {
+            *count = services->stale_scores(session);
+        },
+        [this, count] {
+            job_ = nullptr;
+            stale_->setText(
+                tr("Scores made with older metrics or limits: %1. Recomputing writes a new one beside "
+                   "each; the score in force stays.")
+                    .arg(*count));
+            recompute_->setEnabled(true);
+            stale_card_->setVisible(*count > 0);
+        },
+        [this](const QString& why) {
+            job_ = nullptr;
+            context().complain(why);
+        });
+}
+
+void AttemptsPage::recompute() {
+    if (job_ != nullptr) return;
+    recompute_->setEnabled(false);
+    auto scores = std::make_shared<std::vector<RecomputedScore>>();
+    job_ = BackgroundJob::run(
+        this,
+        [scores, session = context().session(), services = &context().services()](const Progress& progress) {
+            *scores = services->recompute_scores(session, progress);
+        },
+        [this, scores] {
+            job_ = nullptr;
+            int made = 0, other = 0;
+            QString problem;
+            for (const RecomputedScore& score : *scores) {
+                made += score.problem.empty() ? 1 : 0;
+                other += score.problem.empty() && score.passed != score.passed_in_force ? 1 : 0;
+                if (!score.problem.empty()) problem = text(score.problem);
+            }
+            const QString line =
+                tr("Recomputed: %1; of these with another result than the score in force: %2.")
+                    .arg(made)
+                    .arg(other);
+            if (problem.isEmpty()) {
+                context().say(line);
+            } else {
+                context().complain(line + QLatin1Char(' ') + tr("Not all could be: %1").arg(problem));
+            }
+            count_stale();
+        },
+        [this](const QString& why) {
+            job_ = nullptr;
+            context().complain(why);
+            count_stale();
+        });
+    bar_->watch(job_, tr("Recomputing …"));
 }
 
 void AttemptsPage::fill_filters() {

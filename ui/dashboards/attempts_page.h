@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The attempts that the acting role may read, newest first, with filters; any of them opens in the debrief.
-// The corrections that trainees asked for stand above. Trainees see their own.
+// The corrections that trainees asked for stand above, and the scores that older metrics or limits gave, for
+// those who may compute them anew. Trainees see their own.
 #pragma once
 
 #include <vector>
@@ -11,18 +12,26 @@
 class QComboBox;
 class QFrame;
 class QLabel;
+class QPushButton;
 class QTableWidget;
 class QVBoxLayout;
 
 namespace fulcrum::ui {
+
+class BackgroundJob;
+class JobBar;
 
 class AttemptsPage : public Page {
     Q_OBJECT
   public:
     explicit AttemptsPage(Context& context);
     void enter() override;
+    void leave() override;
 
   private:
+    QFrame* build_stale();
+    void count_stale();
+    void recompute();
     void fill_filters();
     void fill_requests();
     void load();
@@ -32,6 +41,11 @@ class AttemptsPage : public Page {
     QLabel *title_, *count_;
     QFrame* requests_card_;
     QVBoxLayout* requests_;
+    QFrame* stale_card_;
+    QLabel* stale_;
+    QPushButton* recompute_;
+    JobBar* bar_;
+    BackgroundJob* job_ = nullptr;
     QComboBox *cohort_, *person_, *task_;
     QTableWidget* table_;
 };

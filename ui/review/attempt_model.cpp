@@ -229,7 +229,8 @@ std::optional<AttemptModel> load_attempt(const database::Store& store, const dat
     AttemptModel model;
     const database::Attempts attempts(store);
     model.summary = attempts.read(session, attempt_id);
-    model.score = attempts.score(session, attempt_id);
+    for (database::ScoreRow& score : attempts.scores(session, attempt_id))
+        (score.in_force ? model.score : model.recomputed) = std::move(score);  // the newest comes last
     if (scene) {
         model.tick = scene->tick_period();
         for (const TissueSpec& tissue : scene->tissues) {

@@ -34,7 +34,8 @@ struct EventLine {
 
 struct AttemptModel {
     database::AttemptSummary summary;
-    std::optional<database::ScoreRow> score;
+    std::optional<database::ScoreRow> score;       ///< in force
+    std::optional<database::ScoreRow> recomputed;  ///< the newest beside it
     std::shared_ptr<const database::Trace> trace;  ///< null until the whole record was read, for the replay
     std::size_t samples = 0;                       ///< recorded
     double duration = 0;                           ///< s, of the record

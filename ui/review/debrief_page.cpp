@@ -322,6 +322,14 @@ void DebriefPage::fill_head() {
             "The limits are provisional (synthetic operators): they allow \"passed (provisional)\", never "
             "proficiency.");
     }
+    if (model_->recomputed) {
+        const database::ScoreRow& beside = *model_->recomputed;
+        QString result = verdict(beside.passed, false);
+        if (beside.passed && beside.points) result += tr(", %1 points").arg(figure(*beside.points));
+        if (!beside.passed) result += QStringLiteral(" (%1)").arg(text(beside.not_scored_because));
+        notes << tr("Recomputed on %1 with newer metrics or limits: %2. The score shown stays in force.")
+                     .arg(local_time(beside.computed), result);
+    }
     if (attempt.meta.device_class == "mouse-keyboard" || attempt.meta.device_class == "controller") {
         notes << tr("Force was not felt: the device cannot render it; it was shown as bars.");
     }

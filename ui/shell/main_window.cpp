@@ -9,8 +9,10 @@
 #include <typeinfo>
 
 #include "database/people.h"
+#include "ui/administration/audit_page.h"
 #include "ui/administration/cohorts_page.h"
 #include "ui/administration/people_page.h"
+#include "ui/administration/station_page.h"
 #include "ui/dashboards/attempts_page.h"
 #include "ui/dashboards/cohort_page.h"
 #include "ui/review/debrief_page.h"
@@ -303,7 +305,9 @@ void MainWindow::fill_rail() {
                        {tr("Assign cohorts"), "rail_assign", [this] { return page<CohortsPage>(); }}};
             break;
         case database::Role::administrator:
-            entries = {{tr("People"), "rail_people", [this] { return page<PeoplePage>(); }}};
+            entries = {{tr("People"), "rail_people", [this] { return page<PeoplePage>(); }},
+                       {tr("Station"), "rail_station", [this] { return page<StationPage>(); }},
+                       {tr("Audit log"), "rail_audit", [this] { return page<AuditPage>(); }}};
             if (context_.allowed(database::Operation::manage_cohorts)) {
                 entries.push_back({tr("Cohorts"), "rail_assign", [this] { return page<CohortsPage>(); }});
             }

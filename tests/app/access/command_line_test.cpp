@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <QFile>
+#include <algorithm>
 #include <iostream>
+#include <map>
 #include <sstream>
 
 #include "app/commands.h"
@@ -25,6 +27,24 @@ class CommandLine : public ::testing::Test {
         QFile out(QString::fromStdString(password_file));
         EXPECT_TRUE(out.open(QIODevice::WriteOnly));
         out.write(database::test::password);
+        out.close();
+        keep();
+    }
+    /// The store as it is now, to be put back between cells.
+    void keep() {
+        QFile::remove(QString::fromStdString(file("kept.db")));
+        const Store store = Store::open(programme.path);
+        store.backup(programme.asker(Role::administrator), file("kept.db"));
+    }
+    void restore() {
+        for (const char* suffix : {"", "-wal", "-shm"})
+            QFile::remove(QString::fromStdString(programme.path + suffix));
+        ASSERT_TRUE(
+            QFile::copy(QString::fromStdString(file("kept.db")), QString::fromStdString(programme.path)));
+    }
+    std::size_t scores(const Target& target) {
+        const Store store = Store::open(programme.path);
+        return Attempts(store).scores(programme.asker(Role::director), target.attempt).size();
     }
     std::string file(const std::string& name) const {
         return programme.folder.filePath(QString::fromStdString(name)).toStdString();
@@ -120,6 +140,124 @@ TEST_F(CommandLine, ChecksAndBacksUpTheStoreAsTheTableSays) {
         EXPECT_EQ(allowed({"db", "backup", path}, role, backup), expected) << backup;
         EXPECT_EQ(QFile::exists(QString::fromStdString(path)), expected) << backup;
     }
+}
+
+TEST_F(CommandLine, ShowsTheAuditLogAsTheTableSays) {
+    for (const Role role : all_roles) {
+        const std::string name = std::string("view_audit as ") + role_name(role);
+        EXPECT_EQ(allowed({"db", "audit"}, role, name), expected_allowed(Operation::view_audit, role, {}))
+            << name;
+    }
+}
+
+TEST_F(CommandLine, RecomputesScoresAsTheTableSays) {
+    for (const Role role : all_roles) {
+        for (const Target* target : {&programme.ann, &programme.eve, &programme.synthetic}) {
+            const std::string name = cell(Operation::recompute_score, role, *target);
+            const bool expected =
+                expected_allowed(Operation::recompute_score, role, programme.relation(role, *target));
+            EXPECT_EQ(scores(*target), 1U) << name;
+            EXPECT_EQ(allowed({"db", "recompute", "--person", target->login}, role, name), expected) << name;
+            EXPECT_EQ(scores(*target), expected ? 2U : 1U) << name;
+            restore();
+        }
+    }
+}
+
+TEST_F(CommandLine, RecomputingTwiceAddsOneScoreAndLeavesTheOneInForce) {
+    const std::string cell = "as the educator";
+    ASSERT_TRUE(allowed({"db", "recompute"}, Role::educator, cell));
+    ASSERT_TRUE(allowed({"db", "recompute"}, Role::educator, cell));
+    const Store store = Store::open(programme.path);
+    const Attempts attempts(store);
+    for (const Target* target : {&programme.ann, &programme.own}) {
+        const auto all = attempts.scores(programme.asker(Role::director), target->attempt);
+        ASSERT_EQ(all.size(), 2U) << target->login;
+        EXPECT_TRUE(all[0].in_force);
+        EXPECT_EQ(all[0].points, 60);
+        EXPECT_FALSE(all[1].in_force);
+        EXPECT_NE(all[1].limits, all[0].limits);
+        EXPECT_GT(all[1].metrics.size(), all[0].metrics.size());
+    }
+    EXPECT_EQ(attempts.scores(programme.asker(Role::director), programme.eve.attempt).size(), 1U);
+    EXPECT_TRUE(store.check(store.station_session()).ok);
+}
+
+TEST_F(CommandLine, ScoresWhatWasInterruptedAsTheTableSays) {
+    const Target* targets[] = {&programme.ann, &programme.eve, &programme.own, &programme.synthetic};
+    std::map<std::string, std::string> interrupted;
+    for (const Target* target : targets) {
+        const Session& performer = target == &programme.ann   ? programme.session("ann")
+                                   : target == &programme.eve ? programme.session("eve")
+                                   : target == &programme.own ? *programme.teacher
+                                                              : programme.session("station");
+        AttemptMeta meta = example_meta(target->person);
+        if (target == &programme.synthetic) meta.device_class = "synthetic";
+        Recorder recorder(programme.path, performer, meta, programme.clock.options());
+        Programme::append_second(recorder);
+        recorder.flush();
+        interrupted[target->login] = recorder.attempt_id();
+    }
+    Store::open(programme.path);  // the next start closes them
+    keep();
+    for (const Role role : all_roles) {
+        const std::string name = std::string("score_interrupted as ") + role_name(role);
+        EXPECT_EQ(allowed({"db", "score"}, role, name),
+                  expected_scope(Operation::score_interrupted, role) != Scope::none)
+            << name;
+        {
+            const Store store = Store::open(programme.path);
+            const Attempts attempts(store);
+            for (const Target* target : targets) {
+                const bool expected =
+                    expected_allowed(Operation::score_interrupted, role, programme.relation(role, *target));
+                const Session& reader = programme.asker(Role::director);
+                EXPECT_EQ(attempts.scores(reader, interrupted[target->login]).size(), expected ? 1U : 0U)
+                    << cell(Operation::score_interrupted, role, *target);
+            }
+        }
+        restore();
+    }
+}
+
+TEST_F(CommandLine, WrongInputOfTheNewActionsNamesPlaceAndMend) {
+    const std::vector<std::vector<std::string>> wrong = {
+        {"db", "audit", "--from", "yesterday"},
+        {"db", "audit", "--from", "2026-02-30"},
+        {"db", "audit", "--until", "2026-11-21T25:00:00Z"},
+        {"db", "audit", "--from", "2026-11-21", "--until", "2026-11-20"},
+        {"db", "audit", "--limit", "0"},
+        {"db", "audit", "--limit", "many"},
+        {"db", "audit", "--kind", "attempt.voided"},
+        {"db", "audit", "--person", "nobody"},
+        {"db", "audit", "extra"},
+        {"db", "audit", "--format", "pdf"},
+        {"db", "audit", "--role", "king"},
+        {"db", "check", "--kind", "attempt"},
+        {"db", "backup"},
+        {"db", "backup", programme.path},
+    };
+    for (const std::vector<std::string>& words : wrong) {
+        std::vector<std::string> all = words;
+        if (std::find(words.begin(), words.end(), "--role") == words.end())
+            all.insert(all.end(), {"--role", "administrator"});
+        all.insert(all.end(),
+                   {"--as", "administrator", "--password-file", password_file, "--db", programme.path});
+        std::string said;
+        try {
+            run_command(all);
+        } catch (const std::exception& error) {
+            said = error.what();
+        }
+        EXPECT_NE(said.find(';'), std::string::npos) << words[1] << ' ' << words.back() << ": " << said;
+        const std::string place = words.size() > 2 ? words[2] : words[1];
+        EXPECT_NE(said.find(place), std::string::npos) << said;
+    }
+    EXPECT_THROW(run_command({"db", "recompute", "--person", "nobody", "--db", programme.path}), InputError);
+    EXPECT_THROW(run_command({"db", "recompute", "extra", "--db", programme.path}), UsageError);
+    EXPECT_THROW(run_command({"db", "score", "--limit", "3", "--db", programme.path}), UsageError);
+    EXPECT_THROW(run_command({"db", "audit", "--db", programme.path}), UsageError);
+    EXPECT_THROW(run_command({"db", "--json"}), UsageError);
 }
 
 TEST_F(CommandLine, ReadsExpertsForABenchmarkAsTheTableSays) {

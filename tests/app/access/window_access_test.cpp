@@ -5,14 +5,20 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDateEdit>
 #include <QLabel>
 #include <QListWidget>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QTableWidget>
+#include <algorithm>
+#include <set>
 
 #include "app/application.h"
 #include "tests/app/access/access_programme.h"
+#include "tests/app/access/places.h"
 #include "tests/ui/journey/hands.h"
+#include "ui/administration/station_page.h"
 #include "ui/dashboards/cohort_page.h"
 #include "ui/review/debrief_page.h"
 #include "ui/shell/main_window.h"
@@ -70,6 +76,18 @@ class WindowAccess : public ::testing::Test {
     P* page(const char* button) {
         click(*window, button);
         return static_cast<P*>(window->current_page());
+    }
+    void look_everywhere(std::set<std::string>& seen);
+    /// An attempt of Ann's that lost its program; found by the store that the window opens next.
+    void record_interrupted() {
+        {
+            Recorder recorder(programme.path, programme.session("ann"), example_meta(programme.id("ann")),
+                              programme.clock.options());
+            Programme::append_second(recorder);
+            recorder.flush();
+        }
+        window->start();
+        settle();
     }
     void expect_debrief(const Target& target, const std::string& cell);
     void expect_progress(const Target& target, const std::string& cell, const QString& folder);
@@ -160,6 +178,8 @@ TEST_F(WindowAccess, ListsHoldThosePeopleAndCohortsThatTheTableSays) {
         act_as(programme.asker(asked));
         const std::string who = role_name(asked);
         EXPECT_EQ(sees(*window, "rail_people"), allowed_at_all(Operation::manage_people)) << who;
+        EXPECT_EQ(sees(*window, "rail_audit"), allowed_at_all(Operation::view_audit)) << who;
+        EXPECT_EQ(sees(*window, "rail_station"), allowed_at_all(Operation::backup)) << who;
         EXPECT_EQ(sees(*window, "rail_assign"), allowed_at_all(Operation::manage_cohorts)) << who;
         EXPECT_EQ(sees(*window, "rail_cohort"), allowed_at_all(Operation::read_cohort_table)) << who;
         EXPECT_EQ(sees(*window, "rail_attempts"), allowed_at_all(Operation::read_attempt)) << who;
@@ -278,6 +298,173 @@ TEST_F(WindowAccess, AdministratorsRunAccountsAndDirectorsCohorts) {
     click(*window, "save_cohort");
     EXPECT_TRUE(
         People(*services->store()).find_cohort(programme.asker(Role::director), "Elsewhere, renamed"));
+}
+
+/// Every page of the role, and a debrief where it may open one: the names of what was visible on any of them.
+void WindowAccess::look_everywhere(std::set<std::string>& seen) {
+    const auto look = [&] {
+        settle();
+        for (QWidget* widget : window->findChildren<QWidget*>()) {
+            if (widget->isVisible() && !widget->objectName().isEmpty())
+                seen.insert(widget->objectName().toStdString());
+        }
+    };
+    look();
+    for (const char* rail : {"rail_home", "rail_people", "rail_station", "rail_audit", "rail_assign",
+                             "rail_cohort", "rail_attempts", "rail_progress"}) {
+        if (!sees(*window, rail)) continue;
+        click(*window, rail);
+        if (auto* people = window->current_page()->findChild<QTableWidget*>("people_table"))
+            people->selectRow(0);
+        if (auto* cohorts = window->current_page()->findChild<QListWidget*>("cohort_list"))
+            cohorts->setCurrentRow(0);
+        if (std::string(rail) == "rail_attempts" && allowed_at_all(Operation::recompute_score)) {
+            EXPECT_TRUE(wait_for([&] { return sees(*window, "recompute_scores"); }, 60000));
+        }
+        if (std::string(rail) == "rail_home" && allowed_at_all(Operation::score_interrupted)) {
+            EXPECT_TRUE(wait_for([&] { return sees(*window, "interrupted_attempt"); }, 60000));
+        }
+        look();
+    }
+    emit window->context().debrief_wanted(QString::fromStdString(programme.ann.attempt), -1);
+    auto* debrief = static_cast<DebriefPage*>(window->current_page());
+    if (allowed(Operation::read_attempt, programme.ann)) {
+        EXPECT_TRUE(wait_for([&] { return debrief->is_ready(); }, 60000));
+    }
+    look();
+    window->context().sign_out();
+    look();
+}
+
+TEST_F(WindowAccess, EveryCellOfEveryOperationIsOfferedOrNotAsTheTableSays) {
+    // The trainee comes first: what was interrupted is told to whoever it is scored for.
+    People(*services->store()).sign_in("ann", database::test::password);
+    record_interrupted();
+    int offered = 0, withheld = 0;
+    for (const Role role :
+         {Role::trainee, Role::educator, Role::director, Role::administrator, Role::station}) {
+        std::set<std::string> seen;
+        if (role == Role::station) {
+            window->start();
+            settle();
+            for (QWidget* widget : window->findChildren<QWidget*>()) {
+                if (widget->isVisible()) seen.insert(widget->objectName().toStdString());
+            }
+        } else {
+            act_as(programme.asker(role));
+            look_everywhere(seen);
+        }
+        for (int i = 0; i < operation_count; ++i) {
+            const auto operation = static_cast<Operation>(i);
+            const std::vector<const char*> places = window_places(operation);
+            if (places.empty()) continue;
+            const bool shown = std::any_of(places.begin(), places.end(),
+                                           [&](const char* name) { return seen.count(name) > 0; });
+            const std::string cell = std::string(operation_name(operation)) + " as " + role_name(role);
+            if (expected_scope(operation, role) == Scope::none) {
+                EXPECT_FALSE(shown) << cell;
+                ++withheld;
+            } else if (window_leaves_out(operation, role) != nullptr) {
+                EXPECT_FALSE(shown) << cell << ": no longer left out";
+            } else {
+                EXPECT_TRUE(shown) << cell;
+                ++offered;
+            }
+        }
+    }
+    EXPECT_GE(offered, 40);
+    EXPECT_GE(withheld, 60);
+}
+
+TEST(AccessPlaces, EveryOperationHasOneInTheWindowOrOnTheCommandLine) {
+    for (int i = 0; i < operation_count; ++i) {
+        const auto operation = static_cast<Operation>(i);
+        EXPECT_FALSE(window_places(operation).empty() && commands_of(operation).empty())
+            << operation_name(operation);
+    }
+}
+
+TEST_F(WindowAccess, EducatorsRecomputeTheScoresOfTheirCohorts) {
+    const Attempts attempts(*services->store());
+    const Session& director = programme.asker(Role::director);
+    const std::string evaluated = programme.ann.attempt;
+    act_as(programme.asker(Role::educator));
+    click(*window, "rail_attempts");
+    ASSERT_TRUE(wait_for([&] { return sees(*window, "recompute_scores"); }, 60000));
+    EXPECT_TRUE(find<QLabel>(*window, "stale_scores")->text().contains(": 2")) << "Ann's and their own";
+    keep_picture(*window, "recompute");
+    click(*window, "recompute_scores");
+    ASSERT_TRUE(wait_for([&] { return attempts.scores(director, evaluated).size() == 2; }, 60000));
+    ASSERT_TRUE(wait_for([&] { return !sees(*window, "recompute_scores"); }, 60000));
+    EXPECT_EQ(attempts.scores(director, programme.own.attempt).size(), 2U);
+    EXPECT_EQ(attempts.scores(director, programme.eve.attempt).size(), 1U) << "of another cohort";
+    EXPECT_EQ(attempts.scores(director, evaluated).front().points, 60) << "the one in force stays";
+    emit window->context().debrief_wanted(QString::fromStdString(evaluated), -1);
+    ASSERT_TRUE(wait_for([&] { return sees(*window, "debrief_notes"); }));
+    EXPECT_TRUE(find<QLabel>(*window, "debrief_notes")->text().contains("Recomputed"));
+}
+
+TEST_F(WindowAccess, AdministratorsCheckAndBackUpBesideTheWork) {
+    act_as(programme.asker(Role::administrator));
+    click(*window, "rail_station");
+    click(*window, "check_store");
+    ASSERT_TRUE(wait_for([&] { return sees(*window, "check_verdict"); }, 60000));
+    EXPECT_TRUE(find<QLabel>(*window, "check_verdict")->text().contains("sound"));
+    EXPECT_EQ(find<QTableWidget>(*window, "check_items")->rowCount(), 6);
+    auto* station = static_cast<StationPage*>(window->current_page());
+    const QString path = programme.folder.filePath("copy.db");
+    station->back_up_to(path);
+    ASSERT_TRUE(
+        wait_for([&] { return sees(*window, "message_text") && complaint().contains("Backed up"); }, 60000));
+    EXPECT_TRUE(Store::open(path.toStdString()).check(services->store()->station_session()).ok);
+    keep_picture(*window, "station");
+    // A file that is there already is never written over.
+    station->back_up_to(path);
+    ASSERT_TRUE(wait_for([&] { return complaint().contains("already there"); }, 60000));
+    ASSERT_TRUE(wait_for([&] { return find<QPushButton>(*window, "back_up")->isEnabled(); }));
+    // A folder that is not there.
+    station->back_up_to(programme.folder.filePath("copy.db/below.db"));
+    ASSERT_TRUE(wait_for([&] { return !complaint().contains("already there"); }, 60000));
+    EXPECT_TRUE(QFile::exists(path));
+}
+
+TEST_F(WindowAccess, AdministratorsReadTheAuditLogByPersonKindAndPeriod) {
+    act_as(programme.asker(Role::administrator));
+    click(*window, "rail_audit");
+    auto* table = find<QTableWidget>(*window, "audit_table");
+    auto* person = find<QComboBox>(*window, "audit_person");
+    auto* kind = find<QComboBox>(*window, "audit_kind");
+    auto* period = find<QComboBox>(*window, "audit_period");
+    const auto choose = [&](QComboBox* box, const QVariant& value) {
+        const int index = box->findData(value);
+        ASSERT_GE(index, 0) << value.toString().toStdString();
+        box->setCurrentIndex(index);
+        emit box->activated(index);
+    };
+    EXPECT_EQ(table->rowCount(), Audit(*services->store()).count());
+    ASSERT_TRUE(
+        wait_for([&] { return find<QLabel>(*window, "audit_chain")->text().contains("holds"); }, 60000));
+    keep_picture(*window, "audit-log");
+    choose(kind, "attempt.request_correction");
+    ASSERT_EQ(table->rowCount(), 2) << "Ann's and Eve's";
+    choose(person, QString::fromStdString(programme.id("eve")));
+    ASSERT_EQ(table->rowCount(), 1);
+    EXPECT_EQ(table->item(0, 1)->text(), "Eve Elsewhere");
+    EXPECT_EQ(table->item(0, 2)->text(), "trainee");
+    EXPECT_EQ(table->item(0, 4)->text(), "Eve Elsewhere");
+    EXPECT_TRUE(table->item(0, 5)->text().contains("withheld"));
+    EXPECT_FALSE(table->item(0, 5)->text().contains("this was not me"));
+    choose(kind, "comment");
+    ASSERT_EQ(table->rowCount(), 1);
+    EXPECT_EQ(table->item(0, 1)->text(), "Otto Cator");
+    EXPECT_EQ(table->item(0, 2)->text(), "educator");
+    EXPECT_EQ(table->item(0, 4)->text(), "Eve Elsewhere") << "whose attempt it is about";
+    choose(period, -2);
+    find<QDateEdit>(*window, "audit_from")->setDate(QDate(2001, 1, 1));
+    find<QDateEdit>(*window, "audit_until")->setDate(QDate(2001, 1, 2));
+    EXPECT_EQ(table->rowCount(), 0);
+    find<QDateEdit>(*window, "audit_until")->setDate(QDate(2000, 1, 2));  // ends before it begins
+    EXPECT_EQ(table->rowCount(), 0);
 }
 
 TEST_F(WindowAccess, EverybodyChangesTheirOwnPassword) {

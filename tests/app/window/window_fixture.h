@@ -64,6 +64,13 @@ class ServicesWithRig : public ui::ApplicationServices {
                                                         const ui::Progress& progress) override {
         return own_->score_interrupted(session, progress);
     }
+    std::size_t stale_scores(const database::Session& session) override {
+        return own_->stale_scores(session);
+    }
+    std::vector<ui::RecomputedScore> recompute_scores(const database::Session& session,
+                                                      const ui::Progress& progress) override {
+        return own_->recompute_scores(session, progress);
+    }
     std::unique_ptr<ui::ReplaySource> open_replay(const std::string& task_id, std::uint64_t seed,
                                                   std::shared_ptr<const database::Trace> trace) override {
         return own_->open_replay(task_id, seed, std::move(trace));

@@ -121,6 +121,46 @@ TEST(Score, TheFirstStaysInForceAndOthersLieBeside) {
     EXPECT_TRUE(programme.store->check(programme.session("station")).ok);
 }
 
+TEST(Score, IsStaleUntilOneRestsOnWhatIsInForce) {
+    const Programme programme;
+    const std::string first = programme.record("ann"), second = programme.record("ben"),
+                      elsewhere = programme.record("eve");
+    const Attempts attempts = programme.attempts();
+    const Session& educator = programme.session("educator");
+    ScoringInForce now;
+    now.metric_versions = {{"path_len", 1}, {"sparc", 2}, {"time", 4}};
+    now.limits["A2"] = "A2-operators@1";
+    EXPECT_TRUE(attempts.stale_scores(educator, now).empty());
+    now.metric_versions["sparc"] = 3;
+    auto stale = attempts.stale_scores(educator, now);
+    ASSERT_EQ(stale.size(), 2U) << "of their cohort";
+    EXPECT_EQ(stale[0].why, "sparc 2, now 3");
+    EXPECT_EQ(stale[0].task_id, "A2");
+    EXPECT_EQ(stale[0].passed, true);
+    ASSERT_EQ(attempts.stale_scores(educator, now, programme.id("ben")).size(), 1U);
+    EXPECT_THROW(attempts.stale_scores(educator, now, programme.id("eve")), AccessDenied);
+    EXPECT_THROW(attempts.stale_scores(programme.session("ann"), now), AccessDenied);
+    EXPECT_EQ(attempts.stale_scores(programme.session("other_educator"), now).size(), 0U);
+    EXPECT_EQ(attempts.stale_scores(programme.session("station"), now).size(), 0U) << "real people";
+
+    ScoreRow anew = example_score(false, 40);
+    anew.metrics[1].version = 3;
+    attempts.add_score(educator, first, anew);
+    stale = attempts.stale_scores(educator, now);
+    ASSERT_EQ(stale.size(), 1U);
+    EXPECT_EQ(stale[0].attempt_id, second);
+    now.limits["A2"] = "A2-site@1";
+    now.metric_versions.erase("path_len");
+    stale = attempts.stale_scores(educator, now);
+    ASSERT_EQ(stale.size(), 2U);
+    for (const StaleScore& score : stale) {
+        EXPECT_NE(score.why.find("path_len 1, now none"), std::string::npos) << score.why;
+        EXPECT_NE(score.why.find("limits A2-operators@1, now A2-site@1"), std::string::npos) << score.why;
+    }
+    attempts.void_attempt(educator, second, "wrong person");
+    EXPECT_EQ(attempts.stale_scores(educator, now).size(), 1U) << "what is voided is left alone";
+}
+
 TEST(Void, KeepsItVisibleAndOutOfTheFigures) {
     Programme programme;
     const std::string attempt = programme.record("ann");

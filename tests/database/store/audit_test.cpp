@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include "database/connection.h"
 #include "tests/database/programme_fixture.h"
 
@@ -15,6 +17,11 @@ class AuditChain : public ::testing::Test {
         connection.execute(sql);
         connection.execute("PRAGMA foreign_keys = ON");
     }
+    static AuditFilter newest(int limit) {
+        AuditFilter filter;
+        filter.limit = limit;
+        return filter;
+    }
     std::vector<std::string> problems() const { return Audit(*programme.store).verify(); }
     Programme programme;
 };
@@ -29,7 +36,7 @@ TEST_F(AuditChain, HoldsAndGrowsWithEveryDeed) {
     EXPECT_EQ(audit.count(), count + 1);
     EXPECT_NE(audit.head(), before);
     EXPECT_EQ(audit.head().size(), 64U);
-    const auto entries = audit.entries(programme.session("administrator"), 2);
+    const auto entries = audit.entries(programme.session("administrator"), newest(2));
     ASSERT_EQ(entries.size(), 2U);
     EXPECT_EQ(entries[0].operation, "person.rename");
     EXPECT_EQ(entries[0].actor_name, "Ada Min");
@@ -89,6 +96,81 @@ TEST_F(AuditChain, TellsNoScores) {
         EXPECT_EQ(entry.payload.find("73.25"), std::string::npos);
         EXPECT_EQ(entry.payload.find("passed"), std::string::npos);
     }
+}
+
+TEST_F(AuditChain, FindsByPersonKindAndPeriodAPageAtATime) {
+    const Session& administrator = programme.session("administrator");
+    const std::string attempt = programme.record("ann");
+    programme.clock.pass_s(3600);
+    programme.attempts().request_correction(programme.session("ann"), attempt, "this was not me");
+    programme.clock.pass_s(3600);
+    programme.attempts().void_attempt(programme.session("educator"), attempt, "a slip of the tongue");
+    const Audit audit(*programme.store);
+    const auto operations = [&](const AuditFilter& filter) {
+        std::vector<std::string> list;
+        for (const AuditEntry& entry : audit.entries(administrator, filter)) list.push_back(entry.operation);
+        return list;
+    };
+    AuditFilter of_ann;
+    of_ann.person_id = programme.id("ann");
+    of_ann.kind = "attempt";
+    const std::vector<std::string> about = {"attempt.void", "attempt.request_correction", "attempt.finish"};
+    EXPECT_EQ(operations(of_ann), about) << "done by her, and to what is hers";
+    of_ann.kind = "attempt.void";
+    EXPECT_EQ(operations(of_ann), std::vector<std::string>{"attempt.void"});
+    of_ann.kind = "attem";
+    EXPECT_TRUE(operations(of_ann).empty()) << "a group is a whole word";
+    AuditFilter hour;
+    hour.from = noon + 3600 * 1000;
+    hour.until = noon + 7200 * 1000;
+    EXPECT_EQ(operations(hour), std::vector<std::string>{"attempt.request_correction"});
+    AuditFilter page = newest(3);
+    std::int64_t expected = audit.count();
+    while (expected > 0) {
+        const auto entries = audit.entries(administrator, page);
+        ASSERT_FALSE(entries.empty());
+        for (const AuditEntry& entry : entries) EXPECT_EQ(entry.sequence, expected--);
+        page.before_sequence = entries.back().sequence;
+    }
+    EXPECT_TRUE(audit.entries(administrator, page).empty());
+}
+
+TEST_F(AuditChain, SaysWhoInWhichRoleToWhomAndWithholdsWhatIsSaidOfAttempts) {
+    const Session& administrator = programme.session("administrator");
+    const std::string attempt = programme.record("ann");
+    programme.attempts().request_correction(programme.session("ann"), attempt, "this was not me");
+    const std::string comment =
+        Reviews(*programme.store).write(programme.session("educator"), attempt, 1, "Look here.", true);
+    programme.attempts().void_attempt(programme.session("educator"), attempt, "a slip of the tongue");
+    const Audit audit(*programme.store);
+    const auto entries = audit.entries(administrator);
+    for (const AuditEntry& entry : entries) {
+        for (const char* words : {"this was not me", "a slip of the tongue", "Look here.", "completed"})
+            EXPECT_EQ(entry.payload.find(words), std::string::npos) << entry.operation << entry.payload;
+    }
+    EXPECT_EQ(entries[0].operation, "attempt.void");
+    EXPECT_EQ(entries[0].actor_name, "Edu Cator");
+    EXPECT_EQ(entries[0].role, "educator");
+    EXPECT_EQ(entries[0].person_name, "Ann Trainee");
+    EXPECT_NE(entries[0].payload.find("withheld"), std::string::npos);
+    EXPECT_EQ(entries[1].object_id, comment);
+    EXPECT_EQ(entries[1].person_name, "Ann Trainee") << "whose attempt it is about";
+    EXPECT_EQ(entries[2].role, "trainee");
+    EXPECT_EQ(entries.back().operation, "store.create");
+    EXPECT_EQ(entries.back().role, "station");
+    for (const char* login : {"ann", "educator", "director", "station"}) {
+        EXPECT_THROW(audit.entries(programme.session(login)), AccessDenied);
+        EXPECT_THROW(audit.kinds(programme.session(login)), AccessDenied);
+    }
+    const auto kinds = audit.kinds(administrator);
+    EXPECT_TRUE(std::is_sorted(kinds.begin(), kinds.end()));
+    EXPECT_NE(std::find(kinds.begin(), kinds.end(), "attempt.void"), kinds.end());
+}
+
+TEST_F(AuditChain, APayloadThatIsNoRecordReadsUnreadable) {
+    tamper("UPDATE audit_payload SET payload = 'reason: secret' WHERE sequence = 3");
+    for (const AuditEntry& entry : Audit(*programme.store).entries(programme.session("administrator")))
+        EXPECT_EQ(entry.payload == "unreadable", entry.sequence == 3) << entry.sequence;
 }
 
 TEST_F(AuditChain, ARolledBackDeedLeavesNoRow) {

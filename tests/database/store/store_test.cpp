@@ -356,6 +356,48 @@ TEST(Store, BackupIsWholePrivateAndNeverOverwrites) {
     EXPECT_EQ(Attempts(other).read_trace(programme.session("ann"), attempt).samples.size(), 1000U);
 }
 
+TEST(Store, CheckAndBackupTellHowFarTheyAreAndStopWhenAsked) {
+    const Programme programme;
+    for (int i = 0; i < 18; ++i) programme.record("ann");  // more chunks than it reads between two calls
+    const Session& administrator = programme.session("administrator");
+    double last = 0;
+    int calls = 0;
+    const auto go_on = [&](double done, const std::string& line) {
+        EXPECT_GE(done, last);
+        EXPECT_LE(done, 1);
+        EXPECT_FALSE(line.empty());
+        last = done;
+        ++calls;
+        return true;
+    };
+    const CheckReport whole = programme.store->check(administrator, go_on);
+    EXPECT_TRUE(whole.ok && whole.complete);
+    EXPECT_EQ(whole.items.size(), 6U);
+    EXPECT_EQ(last, 1);
+    // Stopped at each of its calls: nothing that was not looked at is called sound, nothing is called
+    // damaged.
+    for (int stop_at = 1; stop_at <= calls; ++stop_at) {
+        int call = 0;
+        const CheckReport part = programme.store->check(
+            administrator, [&](double, const std::string&) { return ++call < stop_at; });
+        EXPECT_TRUE(part.ok) << stop_at;
+        EXPECT_FALSE(part.complete) << stop_at;
+        EXPECT_LT(part.items.size(), 6U);
+    }
+    EXPECT_TRUE(programme.store->check(administrator).complete) << "the stopping ends with the call";
+    const std::string copy = programme.folder.filePath("copy.db").toStdString();
+    const std::int64_t rows = Audit(*programme.store).count();
+    EXPECT_FALSE(
+        programme.store->backup(administrator, copy, [](double, const std::string&) { return false; }));
+    EXPECT_FALSE(std::filesystem::exists(copy));
+    EXPECT_FALSE(std::filesystem::exists(copy + ".part"));
+    EXPECT_EQ(Audit(*programme.store).count(), rows) << "nothing was backed up";
+    last = 0;
+    EXPECT_TRUE(programme.store->backup(administrator, copy, go_on));
+    EXPECT_EQ(last, 1);
+    EXPECT_TRUE(Store::open(copy).check(administrator).ok);
+}
+
 TEST(Store, SeveralConnectionsSeeEachOthersWork) {
     Programme programme;
     const Store second = Store::open(programme.path, programme.clock.options());

@@ -35,6 +35,8 @@ class FakeServices : public ApplicationServices {
     std::unique_ptr<AttemptSession> start_attempt(const AttemptRequest& request) override;
     std::unique_ptr<AttemptSession> start_demonstration(const std::string& task_id) override;
     std::vector<InterruptedScore> score_interrupted(const database::Session&, const Progress&) override { return {}; }
+    std::size_t stale_scores(const database::Session&) override { return 0; }
+    std::vector<RecomputedScore> recompute_scores(const database::Session&, const Progress&) override { return {}; }
     std::unique_ptr<ReplaySource> open_replay(const std::string& task_id, std::uint64_t seed,
                                               std::shared_ptr<const database::Trace> trace) override;
     std::string program_version() const override { return "0.1.0-test"; }

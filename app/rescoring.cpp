@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/rescoring.h"
+
+#include "app/assets.h"
+#include "app/performance.h"
+#include "assessment/metrics/registry.h"
+#include "sim_core/numerics/input_error.h"
+
+namespace fulcrum::app {
+namespace {
+
+/// The world's targets as they stood in that attempt.
+std::vector<Vector3> targets_of(const LoadedTask& loaded, std::uint64_t seed) {
+    std::vector<Vector3> targets;
+    if (!loaded.scene.targets) return targets;
+    const AttemptEngine engine(loaded.scene, loaded.task, seed);
+    for (const TargetSphere& target : engine.initial_snapshot().targets) targets.push_back(target.centre);
+    return targets;
+}
+
+void recompute(const database::Attempts& attempts, const database::Session& session,
+               ui::RecomputedScore& one) {
+    const std::optional<BenchmarkSet> benchmark = benchmark_in_force(one.task_id);
+    const BenchmarkSet* limits = benchmark ? &*benchmark : nullptr;
+    const ScoredAttempt scored =
+        score_stored(attempts, session, attempts.read(session, one.attempt_id), limits);
+    attempts.add_score(session, one.attempt_id, to_row(scored, limits_name(limits)));
+    one.passed = scored.score.passed;
+    one.not_scored_because = scored.score.not_scored_because;
+}
+
+}  // namespace
+
+ScoredAttempt score_stored(const database::Attempts& attempts, const database::Session& session,
+                           const database::AttemptSummary& summary, const BenchmarkSet* benchmark) {
+    const LoadedTask loaded = load_task_and_scene(summary.meta.task_id);
+    const database::Trace trace = attempts.read_trace(session, summary.meta.id);
+    return score_record(loaded.scene, loaded.task, targets_of(loaded, summary.meta.seed), trace.samples,
+                        trace.events, benchmark);
+}
+
+database::ScoringInForce scoring_in_force() {
+    database::ScoringInForce now;
+    for (const Metric& metric : metric_registry())
+        now.metric_versions[metric.descriptor.id] = metric.descriptor.version;
+    for (const std::string& task : task_ids()) {
+        const std::optional<BenchmarkSet> benchmark = benchmark_in_force(task);
+        if (benchmark) now.limits[task] = limits_name(&*benchmark);
+    }
+    return now;
+}
+
+std::vector<ui::RecomputedScore> recompute_scores(const std::string& store_path,
+                                                  const database::Session& session,
+                                                  const std::string& person_id,
+                                                  const ui::Progress& progress) {
+    database::StoreOptions options;
+    options.close_interrupted = false;
+    const database::Store store = database::Store::open(store_path, options);
+    const database::Attempts attempts(store);
+    const std::vector<database::StaleScore> stale =
+        attempts.stale_scores(session, scoring_in_force(), person_id);
+    std::vector<ui::RecomputedScore> recomputed;
+    for (const database::StaleScore& old : stale) {
+        const double share = static_cast<double>(recomputed.size()) / static_cast<double>(stale.size());
+        if (progress && !progress(share, old.person_name + ", " + old.task_id)) break;
+        ui::RecomputedScore one{
+            old.attempt_id, old.person_name, old.task_id, old.why, old.passed, {}, {}, {}};
+        try {
+            recompute(attempts, session, one);
+        } catch (const InputError& error) {
+            one.problem = error.what();
+        } catch (const database::StoreError& error) {
+            if (error.kind() != database::StoreErrorKind::corrupt) throw;
+            one.problem = error.what();
+        }
+        recomputed.push_back(std::move(one));
+    }
+    return recomputed;
+}
+
+}  // namespace fulcrum::app

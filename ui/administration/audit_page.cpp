@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/administration/audit_page.h"
+
+#include <QComboBox>
+#include <QDateEdit>
+
+#include "database/people.h"
+#include "ui/shell/background_job.h"
+#include "ui/style/palette.h"
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+
+namespace fulcrum::ui {
+namespace {
+
+/// Days back that a choice of the period means; those of one's own choosing and all time have none.
+constexpr int all_time = -1, chosen_days = -2;
+
+QComboBox* make_choice(const QString& label, const char* name) {
+    auto* box = new QComboBox;
+    box->setObjectName(QString::fromLatin1(name));
+    box->setAccessibleName(label);
+    box->setMinimumWidth(170);
+    return box;
+}
+
+QDateEdit* make_day(const QString& label, const char* name) {
+    auto* day = new QDateEdit(QDate::currentDate());
+    day->setObjectName(QString::fromLatin1(name));
+    day->setAccessibleName(label);
+    day->setCalendarPopup(true);
+    day->setDisplayFormat(QStringLiteral("d MMM yyyy"));
+    return day;
+}
+
+struct ChainState {
+    std::vector<std::string> problems;
+    std::int64_t rows = 0;
+    std::string head;
+};
+
+}  // namespace
+
+AuditPage::AuditPage(Context& context) : Page(context, "audit_page") {
+    auto* body = new QWidget;
+    auto* layout = new QVBoxLayout(body);
+    layout->setSpacing(12);
+    layout->addWidget(make_label(tr("Audit log"), "title"));
+    chain_ = make_label({});
+    chain_->setObjectName(QStringLiteral("audit_chain"));
+    chain_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    layout->addWidget(chain_);
+    layout->addWidget(build_filters());
+    table_ = make_table({tr("Time"), tr("Who"), tr("As"), tr("What"), tr("On whom"), tr("Particulars")},
+                        "audit_table");
+    table_->setMinimumHeight(380);
+    layout->addWidget(table_, 1);
+    older_ = make_button(tr("Show older ones"), "audit_older");
+    connect(older_, &QPushButton::clicked, this, &AuditPage::load_older);
+    layout->addWidget(older_, 0, Qt::AlignLeft);
+    layout->addWidget(
+        make_label(tr("What is said of an attempt is withheld here: it is for those who may read "
+                      "the attempt. Whoever owns the file can write the chain anew; reports "
+                      "carry its head, to compare."),
+                   "muted"));
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(scrolled(body, 1240));
+}
+
+QWidget* AuditPage::build_filters() {
+    auto* filters = new QWidget;
+    auto* row = new QHBoxLayout(filters);
+    row->setContentsMargins(0, 0, 0, 0);
+    person_ = make_choice(tr("Person"), "audit_person");
+    kind_ = make_choice(tr("Kind"), "audit_kind");
+    period_ = make_choice(tr("Period"), "audit_period");
+    period_->addItem(tr("All time"), all_time);
+    period_->addItem(tr("Today"), 0);
+    period_->addItem(tr("Last 7 days"), 7);
+    period_->addItem(tr("Last 30 days"), 30);
+    period_->addItem(tr("From … to …"), chosen_days);
+    days_ = new QWidget;
+    auto* days = new QHBoxLayout(days_);
+    days->setContentsMargins(0, 0, 0, 0);
+    from_ = make_day(tr("From"), "audit_from");
+    until_ = make_day(tr("To"), "audit_until");
+    for (QDateEdit* day : {from_, until_}) {
+        days->addWidget(day);
+        connect(day, &QDateEdit::dateChanged, this, &AuditPage::load);
+    }
+    for (QComboBox* box : {person_, kind_, period_}) {
+        row->addWidget(box);
+        connect(box, QOverload<int>::of(&QComboBox::activated), this, &AuditPage::load);
+    }
+    row->addWidget(days_);
+    row->addStretch();
+    count_ = make_label({}, "muted");
+    row->addWidget(count_);
+    return filters;
+}
+
+void AuditPage::enter() {
+    fill_filters();
+    load();
+    verify();
+    table_->setFocus();
+}
+
+void AuditPage::leave() {
+    if (job_ != nullptr) job_->cancel();
+    job_ = nullptr;
+}
+
+void AuditPage::fill_filters() {
+    const auto refill = [](QComboBox* box, const QString& all,
+                           const std::vector<std::pair<QString, QString>>& rows) {
+        const QString before = box->currentData().toString();
+        box->clear();
+        box->addItem(all, QString());
+        for (const auto& [shown, id] : rows) box->addItem(shown, id);
+        box->setCurrentIndex(std::max(0, box->findData(before)));
+    };
+    std::vector<std::pair<QString, QString>> people, kinds;
+    context().guarded([&] {
+        for (const database::Person& person : database::People(context().store()).list(context().session()))
+            people.emplace_back(text(person.display_name), text(person.id));
+        QString group;
+        for (const std::string& kind : database::Audit(context().store()).kinds(context().session())) {
+            const QString name = text(kind), front = name.section(QLatin1Char('.'), 0, 0);
+            if (front != group && name.contains(QLatin1Char('.')))
+                kinds.emplace_back(tr("%1: all").arg(front), front);
+            group = front;
+            kinds.emplace_back(name, name);
+        }
+    });
+    refill(person_, tr("Everyone"), people);
+    refill(kind_, tr("Everything"), kinds);
+}
+
+database::AuditFilter AuditPage::filter() const {
+    database::AuditFilter filter;
+    filter.person_id = plain(person_->currentData().toString());
+    filter.kind = plain(kind_->currentData().toString());
+    filter.limit = at_once;
+    const int back = period_->currentData().toInt();
+    if (back == chosen_days) {
+        filter.from = from_->date().startOfDay().toMSecsSinceEpoch();
+        filter.until = until_->date().addDays(1).startOfDay().toMSecsSinceEpoch();
+    } else if (back != all_time) {
+        filter.from = QDate::currentDate().addDays(-back).startOfDay().toMSecsSinceEpoch();
+    }
+    return filter;
+}
+
+void AuditPage::load() {
+    days_->setVisible(period_->currentData().toInt() == chosen_days);
+    table_->setRowCount(0);
+    oldest_ = -1;
+    load_older();
+}
+
+void AuditPage::load_older() {
+    std::vector<database::AuditEntry> entries;
+    context().guarded([&] {
+        database::AuditFilter wanted = filter();
+        wanted.before_sequence = oldest_;
+        entries = database::Audit(context().store()).entries(context().session(), wanted);
+    });
+    show_entries(entries);
+    older_->setVisible(static_cast<int>(entries.size()) == at_once);
+    count_->setText(tr("entries shown: %1").arg(table_->rowCount()));
+}
+
+void AuditPage::show_entries(const std::vector<database::AuditEntry>& entries) {
+    table_->setUpdatesEnabled(false);
+    for (const database::AuditEntry& entry : entries) {
+        const int row = table_->rowCount();
+        table_->insertRow(row);
+        const QString cells[] = {
+            local_time(entry.time),  text(entry.actor_name),
+            role_text(entry.role),   text(entry.operation),
+            text(entry.person_name), entry.payload == "{}" ? QString() : text(entry.payload)};
+        for (int column = 0; column < 6; ++column) table_->setItem(row, column, make_cell(cells[column]));
+        table_->item(row, 5)->setToolTip(tr("Row %1, object %2, hash %3")
+                                             .arg(entry.sequence)
+                                             .arg(text(entry.object_id), text(entry.hash)));
+        oldest_ = entry.sequence;
+    }
+    table_->setUpdatesEnabled(true);
+    fit_columns(table_);
+}
+
+void AuditPage::verify() {
+    leave();
+    chain_->setText(tr("The chain is being read …"));
+    chain_->setStyleSheet({});
+    auto state = std::make_shared<ChainState>();
+    job_ = BackgroundJob::run(
+        this,
+        [state, path = context().store().path()](const Progress&) {
+            database::StoreOptions options;
+            options.read_only = true;
+            const database::Store store = database::Store::open(path, options);
+            const database::Audit audit(store);
+            *state = {audit.verify(), audit.count(), audit.head()};
+        },
+        [this, state] {
+            job_ = nullptr;
+            const bool holds = state->problems.empty();
+            QString line = holds ? tr("✓ The chain holds: %1 rows, head %2")
+                                 : tr("✕ The chain is broken: %1 rows, head %2");
+            line = line.arg(state->rows).arg(text(state->head));
+            for (std::size_t i = 0; i < std::min<std::size_t>(5, state->problems.size()); ++i)
+                line += QLatin1Char('\n') + text(state->problems[i]);
+            if (state->problems.size() > 5) line += tr("\nand %1 more").arg(state->problems.size() - 5);
+            chain_->setText(line);
+            chain_->setStyleSheet(
+                QStringLiteral("color: %1").arg((holds ? colours().good : colours().bad).name()));
+        },
+        [this](const QString& why) {
+            job_ = nullptr;
+            chain_->setText(tr("The chain could not be read: %1").arg(why));
+        });
+}
+
+}  // namespace fulcrum::ui

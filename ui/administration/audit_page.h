@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The audit log: who did what, in which role, when and to whom, newest first; by person, kind and period.
+// Above it whether the chain holds. What is said of an attempt is withheld here (database/audit.h).
+#pragma once
+
+#include <vector>
+
+#include "database/audit.h"
+#include "ui/shell/context.h"
+
+class QComboBox;
+class QDateEdit;
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace fulcrum::ui {
+
+class BackgroundJob;
+
+class AuditPage : public Page {
+    Q_OBJECT
+  public:
+    explicit AuditPage(Context& context);
+    void enter() override;
+    void leave() override;
+    /// Rows asked for at a time.
+    static constexpr int at_once = 200;
+
+  private:
+    QWidget* build_filters();
+    void fill_filters();
+    void load();
+    void load_older();
+    void show_entries(const std::vector<database::AuditEntry>& entries);
+    void verify();
+    database::AuditFilter filter() const;
+
+    QLabel *chain_, *count_;
+    QComboBox *person_, *kind_, *period_;
+    QWidget* days_;
+    QDateEdit *from_, *until_;
+    QTableWidget* table_;
+    QPushButton* older_;
+    std::int64_t oldest_ = -1;  ///< sequence of the last row shown
+    BackgroundJob* job_ = nullptr;
+};
+
+}  // namespace fulcrum::ui

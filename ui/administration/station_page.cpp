@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/administration/station_page.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+
+#include "ui/shell/background_job.h"
+#include "ui/style/palette.h"
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+
+namespace fulcrum::ui {
+
+StationPage::StationPage(Context& context) : Page(context, "station_page") {
+    auto* body = new QWidget;
+    auto* layout = new QVBoxLayout(body);
+    layout->setSpacing(14);
+    layout->addWidget(make_label(tr("Station"), "title"));
+    place_ = make_label({}, "muted");
+    place_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    layout->addWidget(place_);
+    bar_ = new JobBar;
+    connect(bar_, &JobBar::cancelled, this, &StationPage::ended);
+    layout->addWidget(bar_);
+    layout->addWidget(build_backup());
+    layout->addWidget(build_check());
+    layout->addStretch();
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(scrolled(body, 1000));
+}
+
+QFrame* StationPage::build_backup() {
+    QFrame* card = make_card(8);
+    card_layout(card)->addWidget(make_label(tr("Back up"), "heading"));
+    card_layout(card)->addWidget(
+        make_label(tr("Writes one file that holds everything, while the work goes on. Keep it on another "
+                      "disk: it is as confidential as the store itself."),
+                   "muted"));
+    backup_ = make_button(tr("Back up …"), "back_up", "primary");
+    connect(backup_, &QPushButton::clicked, this, &StationPage::ask_backup);
+    card_layout(card)->addWidget(backup_, 0, Qt::AlignLeft);
+    return card;
+}
+
+QFrame* StationPage::build_check() {
+    QFrame* card = make_card(8);
+    card_layout(card)->addWidget(make_label(tr("Check"), "heading"));
+    card_layout(card)->addWidget(make_label(
+        tr("Reads every page, reference, audit row, trace and score once and names what is damaged."),
+        "muted"));
+    check_ = make_button(tr("Check the store"), "check_store", "primary");
+    connect(check_, &QPushButton::clicked, this, &StationPage::check);
+    card_layout(card)->addWidget(check_, 0, Qt::AlignLeft);
+    verdict_ = make_label({});
+    verdict_->setObjectName(QStringLiteral("check_verdict"));
+    verdict_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    verdict_->hide();
+    card_layout(card)->addWidget(verdict_);
+    items_ = make_table({tr("Looked at"), tr("Result"), tr("How many"), tr("What is wrong")}, "check_items");
+    items_->setMinimumHeight(240);
+    items_->hide();
+    card_layout(card)->addWidget(items_);
+    return card;
+}
+
+void StationPage::enter() {
+    place_->setText(tr("The store: %1").arg(text(context().store().path())));
+    backup_->setVisible(context().allowed(database::Operation::backup));
+    check_->setVisible(context().allowed(database::Operation::check_store));
+    (backup_->isVisible() ? backup_ : check_)->setFocus();
+}
+
+void StationPage::leave() {
+    if (job_ != nullptr) job_->cancel();
+    ended();
+}
+
+void StationPage::start(BackgroundJob* job, const QString& line) {
+    job_ = job;
+    bar_->watch(job, line);
+    check_->setEnabled(false);
+    backup_->setEnabled(false);
+}
+
+void StationPage::ended() {
+    job_ = nullptr;
+    check_->setEnabled(true);
+    backup_->setEnabled(true);
+}
+
+void StationPage::check() {
+    if (job_ != nullptr) return;
+    verdict_->hide();
+    items_->hide();
+    auto report = std::make_shared<database::CheckReport>();
+    start(BackgroundJob::run(
+              this,
+              [report, session = context().session(),
+               path = context().store().path()](const Progress& progress) {
+                  database::StoreOptions options;
+                  options.read_only = true;
+                  *report = database::Store::open(path, options).check(session, progress);
+              },
+              [this, report] {
+                  ended();
+                  show_report(*report);
+              },
+              [this](const QString& why) {
+                  ended();
+                  context().complain(why);
+              }),
+          tr("Checking the store …"));
+}
+
+void StationPage::show_report(const database::CheckReport& report) {
+    verdict_->setText(report.ok ? tr("✓ The store is sound.")
+                                : tr("✕ The store is damaged. Copy the file away before anything else, then "
+                                     "restore the newest backup."));
+    verdict_->setStyleSheet(
+        QStringLiteral("color: %1").arg((report.ok ? colours().good : colours().bad).name()));
+    verdict_->show();
+    items_->setRowCount(0);
+    for (const database::CheckItem& item : report.items) {
+        const int row = items_->rowCount();
+        items_->insertRow(row);
+        QStringList problems;
+        for (const std::string& problem : item.problems) problems << text(problem);
+        items_->setItem(row, 0, make_cell(text(item.name)));
+        items_->setItem(row, 1, make_cell(item.ok ? tr("✓ sound") : tr("✕ damaged")));
+        items_->setItem(row, 2, make_cell(QString::number(item.count), Qt::AlignRight | Qt::AlignVCenter));
+        items_->setItem(row, 3, make_cell(problems.join(QStringLiteral("; "))));
+        items_->item(row, 3)->setToolTip(problems.join(QLatin1Char('\n')));
+    }
+    fit_columns(items_);
+    items_->show();
+}
+
+void StationPage::ask_backup() {
+    const QString name = QFileInfo(text(context().store().path())).completeBaseName() +
+                         QDate::currentDate().toString(QStringLiteral("-yyyy-MM-dd")) + QStringLiteral(".db");
+    const QString path = QFileDialog::getSaveFileName(this, tr("Back up to"), name, tr("Store (*.db)"),
+                                                      nullptr, QFileDialog::DontConfirmOverwrite);
+    if (!path.isEmpty()) back_up_to(path);
+}
+
+void StationPage::back_up_to(const QString& path) {
+    if (job_ != nullptr) return;
+    auto written = std::make_shared<bool>(false);
+    start(BackgroundJob::run(
+              this,
+              [written, session = context().session(), to = plain(path),
+               store_path = context().store().path()](const Progress& progress) {
+                  database::StoreOptions options;
+                  options.close_interrupted = false;
+                  *written = database::Store::open(store_path, options).backup(session, to, progress);
+              },
+              [this, written, path] {
+                  ended();
+                  if (*written) context().say(tr("Backed up to %1").arg(path));
+              },
+              [this](const QString& why) {
+                  ended();
+                  context().complain(why);
+              }),
+          tr("Backing up …"));
+}
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The care of this machine's store: read it through once, and copy it elsewhere. Both beside the work, with
+// progress and a way to stop.
+#pragma once
+
+#include "database/store.h"
+#include "ui/shell/context.h"
+
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace fulcrum::ui {
+
+class BackgroundJob;
+class JobBar;
+
+class StationPage : public Page {
+    Q_OBJECT
+  public:
+    explicit StationPage(Context& context);
+    void enter() override;
+    void leave() override;
+    void check();
+    void back_up_to(const QString& path);
+
+  private:
+    QFrame* build_check();
+    QFrame* build_backup();
+    void ask_backup();
+    void show_report(const database::CheckReport& report);
+    void start(BackgroundJob* job, const QString& line);
+    void ended();
+
+    QLabel *place_, *verdict_;
+    QTableWidget* items_;
+    QPushButton *check_, *backup_;
+    JobBar* bar_;
+    BackgroundJob* job_ = nullptr;
+};
+
+}  // namespace fulcrum::ui
