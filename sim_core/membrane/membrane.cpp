@@ -167,7 +167,8 @@ int MembraneScratch::factor_updates() const {
 
 std::size_t MembraneScratch::bytes() const {
     if (!data_) return 0;
-    return data_->factor.bytes() + data_->position.size() * sizeof(Lanes) * (12 + 2 * Data::memory) +
+    return data_->factor.bytes() +
+           data_->position.size() * (13 * sizeof(Lanes) + 6 * Data::memory * sizeof(double)) +
            data_->stiffness.size() * (3 * sizeof(double) + sizeof(Lanes)) +
            (data_->edge_weight.size() + data_->pattern_weight.size()) * sizeof(double) +
            data_->good.positions.size() * 2 * sizeof(Vector3);
@@ -217,6 +218,7 @@ MembraneState Membrane::make_state() const {
     MembraneState state;
     state.positions = rest_;
     state.velocities.assign(rest_.size(), Vector3::Zero());
+    state.earlier_velocities = state.velocities;
     state.cut.assign(springs_.size(), 0);
     return state;
 }
@@ -228,12 +230,12 @@ MembraneScratch Membrane::make_scratch(double dt) const {
     const std::size_t nodes = at(tables_->nodes), springs = tables_->first.size();
     for (auto* array :
          {&d.start, &d.start_velocity, &d.position, &d.trial, &d.target, &d.gradient, &d.trial_gradient,
-          &d.direction, &d.load, &d.product, &d.residual, &d.preconditioned}) {
+          &d.direction, &d.load, &d.product, &d.residual, &d.preconditioned, &d.search}) {
         array->assign(nodes, all_lanes(0));
     }
     for (int m = 0; m < Data::memory; ++m) {
-        d.moved[static_cast<std::size_t>(m)].assign(nodes, all_lanes(0));
-        d.turned[static_cast<std::size_t>(m)].assign(nodes, all_lanes(0));
+        d.moved[static_cast<std::size_t>(m)].assign(3 * nodes + 1, 0.0);
+        d.turned[static_cast<std::size_t>(m)].assign(3 * nodes + 1, 0.0);
     }
     d.inertia.assign(nodes, 0);
     d.diagonal.assign(nodes, 0);
@@ -250,12 +252,19 @@ MembraneScratch Membrane::make_scratch(double dt) const {
     return scratch;
 }
 
+void Membrane::stop(MembraneState& state) noexcept {
+    for (Vector3& v : state.velocities) v.setZero();
+    for (Vector3& v : state.earlier_velocities) v.setZero();
+}
+
 bool Membrane::finite(const MembraneState& state) {
     for (const Vector3& p : state.positions) {
         if (!p.allFinite() || p.cwiseAbs().maxCoeff() > farthest) return false;
     }
-    for (const Vector3& v : state.velocities) {
-        if (!v.allFinite() || v.cwiseAbs().maxCoeff() > fastest) return false;
+    for (const auto* velocities : {&state.velocities, &state.earlier_velocities}) {
+        for (const Vector3& v : *velocities) {
+            if (!v.allFinite() || v.cwiseAbs().maxCoeff() > fastest) return false;
+        }
     }
     return true;
 }
@@ -264,7 +273,7 @@ namespace {
 
 bool usable(const Membrane& membrane, const MembraneState& state, const MembraneInputs& inputs) {
     const auto n = static_cast<std::size_t>(membrane.vertices());
-    if (state.positions.size() != n || state.velocities.size() != n ||
+    if (state.positions.size() != n || state.velocities.size() != n || state.earlier_velocities.size() != n ||
         state.cut.size() != membrane.springs().size())
         return false;
     if (!inputs.forces.empty() && inputs.forces.size() != n) return false;
@@ -291,6 +300,7 @@ void store_step(const Membrane& membrane, MembraneState& state, MembraneInputs& 
     for (std::int32_t k = 0; k < t.nodes; ++k) {
         const std::size_t n = at(k), v = at(t.vertex_of[n]);
         const Vector3 old_velocity = state.velocities[v];
+        state.earlier_velocities[v] = old_velocity;
         state.positions[v] = vector_of(d.position[n]);
         state.velocities[v] = symplectic && k < t.free
                                   ? vector_of(d.start_velocity[n])
@@ -308,9 +318,25 @@ void store_step(const Membrane& membrane, MembraneState& state, MembraneInputs& 
     }
 }
 
+// A sheet that has been speeding up goes on doing so: the start with the last step's acceleration, where it
+// lies lower.
+void extrapolate(const Membrane& membrane, const MembraneState& state, Data& d) {
+    const Membrane::Tables& t = membrane.tables();
+    for (std::int32_t k = 0; k < t.nodes; ++k) {
+        const std::size_t n = at(k);
+        d.trial[n] = d.position[n];
+        if (k < t.free)
+            d.trial[n] += all_lanes(d.dt) *
+                          (d.start_velocity[n] - lanes_of(state.earlier_velocities[at(t.vertex_of[n])]));
+    }
+    if (potential(t, d, d.trial.data(), d.trial_gradient.data()) <
+        potential(t, d, d.position.data(), d.gradient.data()))
+        d.position.swap(d.trial);
+}
+
 void freeze(MembraneState& state, MembraneInputs& inputs, const Data& d, MembraneReport& report) {
     state.positions = d.good.positions;
-    for (Vector3& v : state.velocities) v.setZero();
+    Membrane::stop(state);
     for (Vector3& r : inputs.reactions) r.setZero();
     report.fault = MembraneFault::frozen;
     report.finite = false;
@@ -359,6 +385,7 @@ MembraneReport Membrane::step(MembraneState& state, MembraneInputs& inputs, doub
             d.position[at(k)] = d.target[at(k)];
             if (attached_.empty()) d.position[at(k)] += all_lanes(1 / d.inertia[at(k)]) * d.load[at(k)];
         }
+        if (!attached_.empty()) extrapolate(*this, state, d);
         if (solve.integrator == MembraneIntegrator::implicit) {
             minimise_newton(*tables_, d, solve.iterations > 0 ? solve.iterations : 50,
                             solve.tolerance > 0 ? solve.tolerance : 1e-10, report);
@@ -400,7 +427,7 @@ MembraneReport Membrane::solve(MembraneState& state, MembraneInputs& inputs, Mem
     if (good) {
         if (!report.converged) report.fault = MembraneFault::unconverged;
         store_step(*this, state, inputs, 0, false, d);
-        for (Vector3& v : state.velocities) v.setZero();
+        stop(state);
         good = finite(state);
     }
     if (!good) {

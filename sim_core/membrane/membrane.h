@@ -43,8 +43,10 @@ const char* name_of(MembraneFault fault);
 struct MembraneState {
     std::vector<Vector3> positions;   ///< m, one a vertex
     std::vector<Vector3> velocities;  ///< m/s
-    std::vector<std::uint8_t> cut;    ///< one a spring, in Membrane::springs() order: 1 where it is gone
-    std::uint32_t topology = 0;       ///< raise it with every change of `cut`
+    std::vector<Vector3>
+        earlier_velocities;         ///< m/s, one step before: where the next one starts looking from
+    std::vector<std::uint8_t> cut;  ///< one a spring, in Membrane::springs() order: 1 where it is gone
+    std::uint32_t topology = 0;     ///< raise it with every change of `cut`
 };
 
 /// What acts on a membrane in one step.
@@ -164,6 +166,8 @@ class Membrane {
                        std::vector<Vector3>& product) const;
     MembraneLimit limit(const MembraneState& state, MembraneScratch& scratch) const;
     static bool finite(const MembraneState& state);
+    /// Every velocity zero.
+    static void stop(MembraneState& state) noexcept;
 
     struct Tables;
     const Tables& tables() const { return *tables_; }

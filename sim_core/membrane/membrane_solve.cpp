@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The incremental potential and its minimisers.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "sim_core/membrane/membrane_system.h"
@@ -164,11 +165,70 @@ bool refresh_factor(const Membrane& membrane, const MembraneState& state, double
     return good;
 }
 
+namespace {
+
+using History = std::array<const double*, Data::memory>;  ///< newest first
+constexpr Lanes three = {1, 1, 1,
+                         0};  // a node's numbers in the packed history; behind them lies the next node's
+
+// The whole memory is read at once, where the textbook's two loops go through it a pair at a time: at 50,000
+// nodes it fits into no near cache, and those loops took longer than the factor's solve.
+
+/// products[k] = history[k] . x
+template <int pairs>
+void dots_of(const History& history, const Lanes* x, std::size_t count, double* products) {
+    Lanes sum[pairs];
+    for (Lanes& s : sum) s = all_lanes(0);
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t k = 0; k < pairs; ++k) sum[k] += load_lanes(history[k] + 3 * i) * x[i];
+    }
+    for (int k = 0; k < pairs; ++k) products[k] = sum_lanes(sum[k] * three);
+}
+
+/// x + sum of shares[k] history[k], written to y, or where there is a place taken off that; returns its
+/// product with z.
+template <int pairs>
+double combine_of(const History& history, const double* shares, const Lanes* x, const Lanes* z,
+                  const Lanes* place, Lanes* y, std::size_t count) {
+    Lanes share[pairs + 1], product = all_lanes(0);
+    for (int k = 0; k < pairs; ++k) share[k] = all_lanes(shares[k]) * three;
+    for (std::size_t i = 0; i < count; ++i) {
+        Lanes sum = x[i];
+        for (std::size_t k = 0; k < pairs; ++k) sum += share[k] * load_lanes(history[k] + 3 * i);
+        product += sum * z[i];
+        y[i] = place != nullptr ? place[i] - sum : sum;
+    }
+    return sum_lanes(product);
+}
+
+void dots(int pairs, const History& history, const Lanes* x, std::size_t count, double* products) {
+    if (pairs == 1) dots_of<1>(history, x, count, products);
+    if (pairs == 2) dots_of<2>(history, x, count, products);
+}
+
+double combine(int pairs, const History& history, const double* shares, const Lanes* x, const Lanes* z,
+               const Lanes* place, Lanes* y, std::size_t count) {
+    static_assert(Data::memory == 2, "one case for each number of pairs");
+    if (pairs == 0) return combine_of<0>(history, shares, x, z, place, y, count);
+    return pairs == 1 ? combine_of<1>(history, shares, x, z, place, y, count)
+                      : combine_of<2>(history, shares, x, z, place, y, count);
+}
+
+inline void pack(const Lanes& value, double* to) {
+    to[0] = value[0];
+    to[1] = value[1];
+    to[2] = value[2];
+}
+
+}  // namespace
+
 void minimise_quasi_newton(const Membrane::Tables& t, Data& d, int iterations, double tolerance,
                            MembraneReport& report) {
     const auto count = at(t.free);
     d.remembered = 0;
     d.newest = -1;
+    double along[Data::memory] = {};  // moved . gradient, by slot, of the iteration before
+    bool fresh = false;               // the newest pair's products with the gradients are still to be taken
     double value = potential(t, d, d.position.data(), d.gradient.data());
     report.converged = tolerance <= 0;
     for (report.iterations = 0; report.iterations < iterations; ++report.iterations) {
@@ -178,20 +238,37 @@ void minimise_quasi_newton(const Membrane::Tables& t, Data& d, int iterations, d
             break;
         }
         Lanes* p = d.direction.data();
-        std::copy(d.gradient.begin(), d.gradient.begin() + static_cast<std::ptrdiff_t>(count), p);
-        double share[Data::memory];
-        for (int m = 0; m < d.remembered; ++m) {
-            const auto k = static_cast<std::size_t>((d.newest - m + Data::memory) % Data::memory);
-            share[k] = d.inverse_product[k] * dot(d.moved[k].data(), p, count);
-            add_scaled(-share[k], d.turned[k].data(), p, count);
+        const int pairs = d.remembered;
+        std::size_t slot[Data::memory];
+        History moved, turned;
+        for (int k = 0; k < pairs; ++k) {
+            const auto i = static_cast<std::size_t>(k);
+            slot[k] = static_cast<std::size_t>((d.newest - k + Data::memory) % Data::memory);
+            moved[i] = d.moved[slot[k]].data();
+            turned[i] = d.turned[slot[k]].data();
         }
+        double products[Data::memory], share[Data::memory], minus[Data::memory];
+        dots(pairs, moved, d.gradient.data(), count, products);
+        for (int k = 0; k < pairs; ++k) {
+            // An earlier step on the last change of the gradient: the difference of two products at hand.
+            if (fresh && k > 0) d.products[slot[k]][slot[0]] = products[k] - along[slot[k]];
+            along[slot[k]] = products[k];
+            double sum = products[k];
+            for (int j = 0; j < k; ++j) sum -= share[j] * d.products[slot[k]][slot[j]];
+            share[k] = sum / d.products[slot[k]][slot[k]];
+            minus[k] = -share[k];
+        }
+        fresh = false;
+        combine(pairs, turned, minus, d.gradient.data(), d.gradient.data(), nullptr, p, count);
         d.factor.solve(p);
-        for (int m = d.remembered - 1; m >= 0; --m) {
-            const auto k = static_cast<std::size_t>((d.newest - m + Data::memory) % Data::memory);
-            const double back = d.inverse_product[k] * dot(d.turned[k].data(), p, count);
-            add_scaled(share[k] - back, d.moved[k].data(), p, count);
+        dots(pairs, turned, p, count, products);
+        for (int k = pairs - 1; k >= 0; --k) {
+            double sum = products[k];
+            for (int j = k + 1; j < pairs; ++j) sum += share[j] * d.products[slot[j]][slot[k]];
+            share[k] -= sum / d.products[slot[k]][slot[k]];
         }
-        double slope = -dot(d.gradient.data(), p, count);
+        const double slope =
+            -combine(pairs, moved, share, p, d.gradient.data(), d.position.data(), d.trial.data(), count);
         if (!(slope < 0)) {
             if (!std::isfinite(slope)) break;
             if (d.remembered == 0) break;  // at the bottom to working accuracy
@@ -200,9 +277,10 @@ void minimise_quasi_newton(const Membrane::Tables& t, Data& d, int iterations, d
         }
         double length = 1, next = 0;
         bool lower = false;
+        for (std::size_t i = count; i < at(t.nodes); ++i) d.trial[i] = d.position[i];
         for (int halving = 0; halving < 12; ++halving, length *= 0.5) {
-            for (std::size_t i = 0; i < count; ++i) d.trial[i] = d.position[i] - all_lanes(length) * p[i];
-            for (std::size_t i = count; i < at(t.nodes); ++i) d.trial[i] = d.position[i];
+            for (std::size_t i = 0; halving > 0 && i < count; ++i)
+                d.trial[i] = all_lanes(0.5) * (d.trial[i] + d.position[i]);
             next = potential(t, d, d.trial.data(), d.trial_gradient.data());
             lower = next <= value + 1e-4 * length * slope + 1e-15 * std::abs(value);
             if (lower) break;
@@ -212,16 +290,30 @@ void minimise_quasi_newton(const Membrane::Tables& t, Data& d, int iterations, d
             d.remembered = 0;
             continue;
         }
-        const auto k = static_cast<std::size_t>((d.newest + 1) % Data::memory);
+        const auto next_slot = static_cast<std::size_t>((d.newest + 1) % Data::memory);
+        double *step = d.moved[next_slot].data(), *change = d.turned[next_slot].data();
+        Lanes across = all_lanes(0), squared = all_lanes(0);
         for (std::size_t i = 0; i < count; ++i) {
-            d.moved[k][i] = d.trial[i] - d.position[i];
-            d.turned[k][i] = d.trial_gradient[i] - d.gradient[i];
+            const Lanes moved_by = d.trial[i] - d.position[i],
+                        turned_by = d.trial_gradient[i] - d.gradient[i];
+            across += moved_by * turned_by;
+            squared += turned_by * turned_by;
+            pack(moved_by, step + 3 * i);
+            pack(turned_by, change + 3 * i);
         }
-        const double product = dot(d.moved[k].data(), d.turned[k].data(), count);
-        if (product > 1e-12 * dot(d.turned[k].data(), d.turned[k].data(), count) * 1e-9 && product > 0) {
-            d.inverse_product[k] = 1 / product;
-            d.newest = static_cast<int>(k);
-            d.remembered = std::min(d.remembered + 1, Data::memory);
+        const double product = sum_lanes(across);
+        // The oldest pair's slot was written over: without a new pair in it, it is forgotten.
+        d.remembered = std::min(d.remembered, Data::memory - 1);
+        if (product > 1e-21 * sum_lanes(squared) && product > 0) {
+            for (int k = 0; k < pairs; ++k) {
+                double sum = products[k];  // direction . turned[k]
+                for (int j = 0; j < pairs; ++j) sum += share[j] * d.products[slot[j]][slot[k]];
+                d.products[next_slot][slot[k]] = -length * sum;
+            }
+            d.products[next_slot][next_slot] = product;
+            d.newest = static_cast<int>(next_slot);
+            ++d.remembered;
+            fresh = true;
         }
         d.position.swap(d.trial);
         d.gradient.swap(d.trial_gradient);
@@ -245,9 +337,9 @@ bool conjugate_gradients(const Membrane::Tables& t, Data& d, double tolerance, i
     std::copy(d.residual.begin(), d.residual.begin() + static_cast<std::ptrdiff_t>(count),
               d.preconditioned.begin());
     d.factor.solve(d.preconditioned.data());
-    Lanes* p = d.moved[0].data();
+    Lanes* p = d.search.data();
     std::copy(d.preconditioned.begin(), d.preconditioned.begin() + static_cast<std::ptrdiff_t>(count), p);
-    std::fill(d.moved[0].begin() + static_cast<std::ptrdiff_t>(count), d.moved[0].end(), all_lanes(0));
+    std::fill(d.search.begin() + static_cast<std::ptrdiff_t>(count), d.search.end(), all_lanes(0));
     double product = dot(d.residual.data(), d.preconditioned.data(), count);
     const double start = product;
     for (int k = 0; k < most && product > tolerance * tolerance * start; ++k) {

@@ -38,7 +38,7 @@ struct Membrane::Tables {
 struct MembraneScratch::Data {
     // By node.
     std::vector<Lanes> start, start_velocity, position, trial, target, gradient, trial_gradient, direction,
-        load, product, residual, preconditioned;
+        load, product, residual, preconditioned, search;
     std::vector<double> inertia;  ///< N/m, mass / dt^2 with mass damping; 0 where attached or static
     // By spring place.
     std::vector<double> stiffness, rest;  ///< of the step: damping included, cut ones 0
@@ -52,10 +52,11 @@ struct MembraneScratch::Data {
     bool factor_behind = false;  ///< cut springs are not all in it yet
     std::vector<double> edge_weight, pattern_weight, diagonal;
     int factorisations = 0, updates = 0;
-    // Quasi-Newton memory.
-    static constexpr int memory = 6;
-    std::array<std::vector<Lanes>, memory> moved, turned;
-    std::array<double, memory> inverse_product = {};
+    // Quasi-Newton memory: steps and changes of the gradient, three numbers a node and one behind the last;
+    // and product[i][j] = moved[i] . turned[j].
+    static constexpr int memory = 2;  // six gain nothing (measured) and take three times the traffic
+    std::array<std::vector<double>, memory> moved, turned;
+    std::array<std::array<double, memory>, memory> products = {};
     int remembered = 0, newest = -1;
     // Last good state.
     MembraneState good;
@@ -97,6 +98,7 @@ bool refresh_factor(const Membrane& membrane, const MembraneState& state, double
 double scaled_residual(const Membrane::Tables& tables, const Data& data, const Lanes* x,
                        const Lanes* gradient);
 
+/// The limited-memory quasi-Newton method behind the factor, and Newton's.
 void minimise_quasi_newton(const Membrane::Tables& tables, Data& data, int iterations, double tolerance,
                            MembraneReport& report);
 void minimise_newton(const Membrane::Tables& tables, Data& data, int iterations, double tolerance,

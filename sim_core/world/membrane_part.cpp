@@ -107,7 +107,6 @@ void MembranePart::check_coupling(const Scene& scene, std::size_t index, const R
 
 std::uint32_t MembranePart::step(const Rod& rod, const RodState& state, double dt, std::vector<RodLoad>& loads) noexcept {
     good_.positions = state_.positions;
-    good_.velocities = state_.velocities;
     for (std::size_t k = 0; k < arc_lengths_.size(); ++k) {
         inputs_.attachments[k] =
             rod.wall_point(state, arc_lengths_[k], offsets_[k]) + dt * rod.wall_velocity(state, arc_lengths_[k], offsets_[k]);
@@ -132,7 +131,7 @@ void MembranePart::restore() noexcept {
 }
 
 void MembranePart::stop() noexcept {
-    for (Vector3& velocity : state_.velocities) velocity.setZero();
+    Membrane::stop(state_);
 }
 
 void MembranePart::size_snapshot(MembraneView& view) const {
@@ -148,6 +147,7 @@ void MembranePart::fill_snapshot(MembraneView& view) const noexcept {
 void MembranePart::hash(StateHash& hash) const noexcept {
     for (const Vector3& position : state_.positions) hash.add(position);
     for (const Vector3& velocity : state_.velocities) hash.add(velocity);
+    for (const Vector3& velocity : state_.earlier_velocities) hash.add(velocity);
     hash.add(static_cast<std::int64_t>(state_.topology));
 }
 
