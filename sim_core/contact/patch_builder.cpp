@@ -11,6 +11,9 @@ namespace {
 
 constexpr int search_intervals =
     3;  // ring gaps on each side of the nearest ring whose vertices are looked at
+constexpr double ahead_step = 0.004;    // m between the places of a fast tool's way that are looked at
+constexpr double surely_inside = 0.25;  // of a ring's radius
+constexpr int most_ahead_places = 128;  // faster than any hand: the places lie further apart
 
 std::size_t index(std::int32_t i) {
     return static_cast<std::size_t>(i);
@@ -66,6 +69,42 @@ PatchBuilder::Scratch PatchBuilder::make_scratch() const {
     return scratch;
 }
 
+// Distance of the shaft to the tube, m, < 0 inside, and the ring where it is least.
+double PatchBuilder::nearest_ring(const RingMotion* rings, const ToolKinematics& tool, int& nearest) const {
+    double nearest_distance = 1e30;
+    for (int r = 0; r < skin_.rings(); ++r) {
+        const double distance =
+            std::sqrt(to_shaft(tool, rings[r].frame.position).distance2) - ring_radius_[index(r)];
+        if (distance < nearest_distance) {
+            nearest_distance = distance;
+            nearest = r;
+        }
+    }
+    return nearest_distance;
+}
+
+// A tool that flies through its reach within the horizon would be past the tube before the next model: moves
+// it on to the first place of its way that is surely in the tube, or to the nearest.
+void PatchBuilder::look_ahead(const RingMotion* rings, const PatchRequest& request,
+                              ToolKinematics& tool) const {
+    const double way = request.horizon * tool.tip_velocity.norm();
+    if (!(way > options_.reach)) return;
+    const int places = static_cast<int>(std::min<double>(most_ahead_places, std::ceil(way / ahead_step)));
+    const Vector3 start = tool.tip;
+    double least = 1e30;
+    for (int k = 0; k <= places; ++k) {
+        ToolKinematics there = tool;
+        there.tip = start + request.horizon * k / places * tool.tip_velocity;
+        int nearest = 0;
+        const double distance = nearest_ring(rings, there, nearest);
+        if (distance >= least) continue;
+        least = distance;
+        tool.tip = there.tip;
+        // A ring's radius is its largest: a shaft just within it may still pass by.
+        if (distance < -surely_inside * ring_radius_[index(nearest)]) return;
+    }
+}
+
 void PatchBuilder::build(const RingMotion* rings, const PatchRequest& request, Scratch& scratch,
                          LocalModel& model) const {
     SurfacePatch& patch = model.patch;
@@ -87,19 +126,12 @@ void PatchBuilder::build(const RingMotion* rings, const PatchRequest& request, S
         holds = to_shaft(request.tool, held).distance2 < options_.radius * options_.radius;
     }
     int nearest = 0;
-    double nearest_distance = 1e30;
+    ToolKinematics tool = request.tool;
     if (holds) {
         nearest = skin_.rows()[index(request.contact_vertex)].first_ring + 1;
     } else {
-        for (int r = 0; r < ring_total; ++r) {
-            const double distance =
-                std::sqrt(to_shaft(request.tool, rings[r].frame.position).distance2) - ring_radius_[index(r)];
-            if (distance < nearest_distance) {
-                nearest_distance = distance;
-                nearest = r;
-            }
-        }
-        if (!(nearest_distance < options_.reach)) return;
+        look_ahead(rings, request, tool);
+        if (!(nearest_ring(rings, tool, nearest) < options_.reach)) return;
     }
 
     // Rings: a window around it; vertices: those whose four rings lie in the window.
@@ -129,7 +161,7 @@ void PatchBuilder::build(const RingMotion* rings, const PatchRequest& request, S
             if (vertex == request.contact_vertex) centre = position;
             continue;
         }
-        const double distance2 = to_shaft(request.tool, position).distance2;
+        const double distance2 = to_shaft(tool, position).distance2;
         if (distance2 < best2) {
             best2 = distance2;
             centre = position;
@@ -176,7 +208,7 @@ void PatchBuilder::build(const RingMotion* rings, const PatchRequest& request, S
     std::int32_t seed = -1;
     for (std::int32_t v = 0; v < within; ++v) {
         if (patch.border[index(v)] != 0) continue;
-        const ShaftDistance found = to_shaft(request.tool, scratch.positions[index(scratch.order[index(v)])]);
+        const ShaftDistance found = to_shaft(tool, scratch.positions[index(scratch.order[index(v)])]);
         if (found.distance2 >= best2) continue;
         best2 = found.distance2;
         seed = v;

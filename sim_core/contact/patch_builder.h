@@ -24,6 +24,9 @@ struct PatchRequest {
     ToolKinematics tool;
     double shaft_radius = 0.0025;      ///< m
     std::int32_t contact_vertex = -1;  ///< surface number, -1 without contact
+    /// s that the model will be in use: a tool so fast that it leaves the reach within them gets its patch
+    /// where its way meets the tube. 0: where it is.
+    double horizon = 0;
 };
 
 class PatchBuilder {
@@ -61,6 +64,8 @@ class PatchBuilder {
     const std::vector<std::int16_t>& tissue_patches() const { return tissue_patches_; }
 
   private:
+    void look_ahead(const RingMotion* rings, const PatchRequest& request, ToolKinematics& tool) const;
+    double nearest_ring(const RingMotion* rings, const ToolKinematics& tool, int& nearest) const;
     void connect(Scratch& scratch, SurfacePatch& patch) const;
 
     const BowelSkin& skin_;

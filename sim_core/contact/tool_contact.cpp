@@ -86,8 +86,11 @@ WalkPoint find_point(const ToolContactModel& model, const LocalModel& local, con
         walk_patch(surface, patch, tool, options, seeded);
         if (walk.at_border || (!seeded.at_border && seeded.distance < walk.distance)) walk = seeded;
     }
-    // The seed has grown old or stands at the border: look at every vertex, once.
-    if (walk.at_border && (state.touching || known >= 0)) {
+    // The seed has grown old, by time or by the way of a fast tool, or stands at the border: look at every
+    // vertex, once.
+    const double since = result.age * model.instrument.tick_period;
+    const bool outrun = tool.tip_velocity.norm() * since > model.start_reach;
+    if (walk.at_border && (state.touching || known >= 0 || outrun)) {
         result.searched = true;
         walk = search_patch(surface, patch, tool, options);
     }
@@ -116,7 +119,8 @@ void number_by_surface(const SurfacePatch& patch, FilteredForce& filtered) {
     }
 }
 
-/// What the wall under the contact answers, N/m: force over depth, and its slope (0 where the slope is the secant, relaxed or not).
+/// What the wall under the contact answers, N/m: force over depth, and its slope (0 where the slope is the
+/// secant, relaxed or not).
 struct SecantStiffness {
     double secant = 0, tangent = 0;
 };

@@ -19,6 +19,7 @@ Fidelity named_fidelity(const std::string& id) {
     }
     if (id == "fine") {
         fidelity.rod = "newton";
+        fidelity.material = "EXP2";
         fidelity.collision = "brute";
         fidelity.tool_contact = "query";
         fidelity.projection_iterations = 8;

@@ -137,6 +137,7 @@ void World::fill_models(const TickOutput& last) noexcept {
             request.tool = last.contact[hand].tool;
             request.shaft_radius = instruments_[hand].shaft_radius;
             request.contact_vertex = last.contact[hand].vertex;
+            request.horizon = 2 * scene_.step_period();  // until the next model is there, were it a whole step late
             bowel_->fill_local_model(static_cast<Hand>(hand), request, model);
         }
         model.target_count = static_cast<std::int32_t>(targets_.size());
