@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program killed at random times while it performs on the clock with all its threads. FULCRUM_KILLS sets
-// how often; 200 for the long run.
+// The program killed at random times while somebody performs on the clock with all its threads: without a
+// window, and the whole window used by mouse and key events. FULCRUM_KILLS sets how often, 200 for the long
+// run; FULCRUM_KILLS_PAGE is the folder that gets its page.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -9,27 +10,20 @@
 #include <unistd.h>
 
 #include <QTemporaryDir>
-#include <atomic>
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <random>
+#include <set>
 #include <thread>
 
 #include "app/interrupted.h"
-#include "app/live_attempt.h"
-#include "assessment/operators/operator.h"
 #include "database/attempts.h"
 #include "database/people.h"
+#include "sim_core/lab/result_page.h"
+#include "tests/app/kills/counters.h"
 
 namespace fulcrum::app::test {
-namespace {
-
-/// What the child tells: shared memory outlives a kill.
-struct Counters {
-    std::atomic<std::uint32_t> ticks{0};     ///< of the attempt that runs
-    std::atomic<std::uint32_t> begun{0};     ///< attempts whose first tick was read
-    std::atomic<std::uint32_t> finished{0};  ///< attempts whose score was acknowledged as stored
-};
 
 Counters* map_counters(const char* path) {
     const int file = ::open(path, O_RDWR | O_CREAT, 0600);
@@ -39,137 +33,179 @@ Counters* map_counters(const char* path) {
     return memory == MAP_FAILED ? nullptr : static_cast<Counters*>(memory);
 }
 
-/// The expert's hands; counts the ticks that were read.
-class CountingRig : public ObservingRig {
-  public:
-    CountingRig(std::unique_ptr<ObservingRig> rig, Counters& counters)
-        : rig_(std::move(rig)), counters_(counters) {}
-    void observe(const WorldSnapshot& world, const TaskDisplay& display) noexcept override {
-        rig_->observe(world, display);
-    }
-    void read(std::uint32_t tick, RigSample& sample) override {
-        rig_->read(tick, sample);
-        counters_.ticks.store(tick);
-        if (tick == 1) counters_.begun.fetch_add(1);
-    }
-    void write_force(Hand hand, const Vector3& force) override { rig_->write_force(hand, force); }
-    bool has_force(Hand hand) const override { return rig_->has_force(hand); }
-    double damping(Hand hand) const override { return rig_->damping(hand); }
-
-  private:
-    std::unique_ptr<ObservingRig> rig_;
-    Counters& counters_;
-};
-
-int kills() {
-    const char* asked = std::getenv("FULCRUM_KILLS");
-    return asked != nullptr ? std::atoi(asked) : 4;
-}
-
-}  // namespace
-
-/// One short attempt after the other, each abandoned and scored, until the kill.
-int perform_until_killed(const char* store_path, const char* counters_path, unsigned long seed) {
-    Counters* counters = map_counters(counters_path);
-    if (counters == nullptr) return 1;
-    std::mt19937_64 random(seed);
-    const database::Store store = database::Store::open(store_path);
-    const database::Session station = store.station_session();
-    const database::Person person =
-        database::People(store).ensure_synthetic(station, "expert", "Synthetic expert");
-    const LoadedTask loaded = load_task_and_scene("A2");
-    const std::optional<BenchmarkSet> benchmark = benchmark_in_force("A2");
-    for (std::uint64_t number = 0;; ++number) {
-        LiveRequest request;
-        request.loaded = loaded;
-        request.seed = 5000 + seed * 100 + number;
-        request.rig = std::make_shared<CountingRig>(
-            make_operator("expert", loaded.task, loaded.scene, request.seed), *counters);
-        request.store_path = store_path;
-        request.session = station;
-        request.meta =
-            attempt_meta(loaded, request.seed, "assessed", "synthetic", "synthetic operator", &*benchmark);
-        request.meta.person_id = person.id;
-        request.benchmark = benchmark;
-        counters->ticks.store(0);
-        LiveAttempt attempt(std::move(request));
-        attempt.start();
-        std::this_thread::sleep_for(std::chrono::milliseconds(300 + random() % 1500));
-        attempt.abandon();
-        attempt.wait();
-        attempt.rethrow();
-        counters->finished.fetch_add(1);
-    }
-}
-
 namespace {
 
-TEST(Kills, NoFinishedScoreIsLostAndEveryAttemptIsFoundAndScored) {
-    QTemporaryDir folder;
-    const std::string store_path = folder.filePath("store.db").toStdString(),
-                      counters_path = folder.filePath("counters").toStdString();
-    database::Store::create(store_path, false);
-    Counters* counters = map_counters(counters_path.c_str());
-    ASSERT_NE(counters, nullptr);
-    std::mt19937_64 random(20261121);
-    std::uint32_t worst_lost = 0;
-    std::size_t interrupted_total = 0, earlier = 0;
-    for (int round = 0; round < kills(); ++round) {
-        counters->ticks.store(0);
-        const std::uint32_t finished_before = counters->finished.load(),
-                            begun_before = counters->begun.load();
-        const pid_t child = ::fork();
-        ASSERT_GE(child, 0);
-        if (child == 0) {
-            ::execl("/proc/self/exe", "test_app_kills", "--perform-until-killed", store_path.c_str(),
-                    counters_path.c_str(), std::to_string(round).c_str(), static_cast<char*>(nullptr));
-            ::_exit(127);
-        }
-        int status = 0;
-        while (counters->begun.load() == begun_before) {  // at random from the first tick on
-            ASSERT_EQ(::waitpid(child, &status, WNOHANG), 0) << "the child ended by itself: " << status;
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(random() % 2200));
-        ASSERT_EQ(::kill(child, SIGKILL), 0);
-        ASSERT_EQ(::waitpid(child, &status, 0), child);
-        ASSERT_TRUE(WIFSIGNALED(status));
-        const std::uint32_t finished = counters->finished.load() - finished_before;
+int kills(int usually) {
+    const char* asked = std::getenv("FULCRUM_KILLS");
+    return asked != nullptr ? std::atoi(asked) : usually;
+}
 
-        // The next start: what was running is listed as interrupted, and scored from its record.
-        const database::Store store = database::Store::open(store_path);
-        const database::Session station = store.station_session();
-        const database::Attempts attempts(store);
-        const std::size_t open = attempts.interrupted_without_score(station).size();
-        EXPECT_LE(open, 1U);
-        interrupted_total += open;
-        std::size_t seen = 0, scored = 0;
-        const auto list = attempts.list(station);
-        for (std::size_t i = 0; i + earlier < list.size(); ++i) {  // newest first: this round's
-            ++seen;
-            EXPECT_NE(list[i].state, "running");
-            if (list[i].state != "interrupted") {
-                EXPECT_TRUE(attempts.score(station, list[i].meta.id).has_value());
-                ++scored;
-                continue;
-            }
-            const database::Trace trace = attempts.read_trace(station, list[i].meta.id);
-            for (std::size_t k = 0; k < trace.samples.size(); ++k) ASSERT_EQ(trace.samples[k].tick, k + 1);
-            worst_lost = std::max(worst_lost,
-                                  counters->ticks.load() - static_cast<std::uint32_t>(trace.samples.size()));
-        }
-        EXPECT_GE(scored, finished) << "a score that was acknowledged is gone";
-        EXPECT_GE(seen, std::size_t{counters->begun.load() - begun_before});
-        earlier = list.size();
-        EXPECT_EQ(score_interrupted(store_path, station).size(), open);
-        EXPECT_TRUE(attempts.interrupted_without_score(station).empty());
-        EXPECT_TRUE(store.check(station).ok) << "round " << round;
+/// What all the kills of a run came to.
+struct Toll {
+    int kills = 0;
+    std::size_t interrupted = 0, scored_after = 0, finished = 0, finished_lost = 0;
+    std::vector<std::uint32_t> lost_ticks;  ///< of each attempt that was cut off
+    std::vector<double> recorded_s;         ///< of each of these
+    std::uint32_t worst() const {
+        return lost_ticks.empty() ? 0 : *std::max_element(lost_ticks.begin(), lost_ticks.end());
     }
-    std::printf("%d kills: %zu attempts interrupted and scored, %u finished, at most %u ticks lost\n",
-                kills(), interrupted_total, counters->finished.load(), worst_lost);
-    // A second where the recorder's thread gets the processor; a machine that starves it for seconds loses
-    // those.
-    EXPECT_LE(worst_lost, kills() >= 200 ? 1000U : 5000U);
+};
+
+class Kills : public ::testing::Test {
+  protected:
+    Kills() : counters(map_counters(counters_path.c_str())) { database::Store::create(store_path, false); }
+    /// Long enough for a second attempt to run while the first is stored.
+    static constexpr unsigned longest_wait_ms = 3000;
+    /// Starts `child`, kills it at a random time after its first tick, and looks at what the next start
+    /// finds.
+    void round(const char* child, int number, const database::Session& performer);
+
+    QTemporaryDir folder;
+    const std::string folder_path = folder.path().toStdString(), store_path = folder_path + "/fulcrum.db",
+                      counters_path = folder_path + "/counters";
+    Counters* counters;
+    std::mt19937_64 random{20261121};
+    std::set<std::string> earlier;  ///< attempts of the rounds before
+    Toll toll;
+};
+
+void Kills::round(const char* child_option, int number, const database::Session& performer) {
+    counters->ticks.store(0);
+    const std::uint32_t finished_before = counters->finished.load(), begun_before = counters->begun.load();
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        ::execl("/proc/self/exe", "test_app_kills", child_option, folder_path.c_str(), counters_path.c_str(),
+                std::to_string(number).c_str(), static_cast<char*>(nullptr));
+        ::_exit(127);
+    }
+    int status = 0;
+    while (counters->begun.load() == begun_before) {  // at random from the first tick on
+        ASSERT_EQ(::waitpid(child, &status, WNOHANG), 0) << "the child ended by itself: " << status;
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(random() % longest_wait_ms));
+    ASSERT_EQ(::kill(child, SIGKILL), 0);
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status)) << "the child ended by itself: " << status;
+    const std::size_t finished = counters->finished.load() - finished_before;
+
+    // The next start: what was running is listed as interrupted, and scored from its record.
+    const database::Store store = database::Store::open(store_path);
+    const database::Attempts attempts(store);
+    const std::size_t open = attempts.interrupted_without_score(performer).size();
+    EXPECT_EQ(store.interrupted_at_open().size(), open);
+    EXPECT_LE(open, 1U);
+    std::size_t seen = 0, scored = 0;
+    database::AttemptFilter all;
+    all.limit = -1;
+    for (const database::AttemptSummary& attempt : attempts.list(performer, all)) {
+        if (!earlier.insert(attempt.meta.id).second) continue;
+        ++seen;
+        EXPECT_NE(attempt.state, "running");
+        if (attempt.state != "interrupted") {
+            EXPECT_TRUE(attempts.score(performer, attempt.meta.id).has_value());
+            ++scored;
+            continue;
+        }
+        const database::Trace trace = attempts.read_trace(performer, attempt.meta.id);
+        for (std::size_t k = 0; k < trace.samples.size(); ++k) ASSERT_EQ(trace.samples[k].tick, k + 1);
+        toll.lost_ticks.push_back(counters->ticks.load() - static_cast<std::uint32_t>(trace.samples.size()));
+        toll.recorded_s.push_back(attempt.duration_s);
+    }
+    EXPECT_GE(scored, finished) << "a score that was acknowledged is gone";
+    EXPECT_GE(seen, std::size_t{counters->begun.load() - begun_before});
+    const std::size_t now_scored = score_interrupted(store_path, performer).size();
+    EXPECT_EQ(now_scored, open);
+    EXPECT_TRUE(attempts.interrupted_without_score(performer).empty());
+    ++toll.kills;
+    toll.interrupted += open;
+    toll.scored_after += now_scored;
+    toll.finished += finished;
+    toll.finished_lost += finished > scored ? finished - scored : 0;
+}
+
+/// A second where the recorder's thread gets the processor; a machine that starves it for seconds loses
+/// those.
+void expect_a_second_at_most(const Toll& toll) {
+    EXPECT_LE(toll.worst(), toll.kills >= 200 ? 1000U : 5000U);
+}
+
+TEST_F(Kills, NoFinishedScoreIsLostAndEveryAttemptIsFoundAndScored) {
+    ASSERT_NE(counters, nullptr);
+    const database::Session station = database::Store::open(store_path).station_session();
+    const int rounds = kills(4);
+    for (int i = 0; i < rounds && !HasFatalFailure(); ++i) round("--perform-until-killed", i, station);
+    EXPECT_TRUE(database::Store::open(store_path).check(station).ok);
+    std::printf("%d kills: %zu attempts interrupted and scored, %zu finished, at most %u ticks lost\n",
+                toll.kills, toll.interrupted, toll.finished, toll.worst());
+    expect_a_second_at_most(toll);
+}
+
+void write_page(const char* page_folder, const Toll& toll) {
+    const auto figure = [](double value, const char* format = "%.0f") {
+        char text[32];
+        std::snprintf(text, sizeof text, format, value);
+        return std::string(text);
+    };
+    std::vector<std::uint32_t> lost = toll.lost_ticks;
+    std::vector<double> recorded = toll.recorded_s;
+    std::sort(lost.begin(), lost.end());
+    std::sort(recorded.begin(), recorded.end());
+    lab::ResultTable table;
+    table.name = "kills";
+    table.columns = {"what", "figure"};
+    table.rows = {
+        {"kills", figure(toll.kills)},
+        {"attempts finished before them", figure(static_cast<double>(toll.finished))},
+        {"scores of these lost", figure(static_cast<double>(toll.finished_lost))},
+        {"attempts cut off, all listed as interrupted at the next start",
+         figure(static_cast<double>(toll.interrupted))},
+        {"of these scored from their record then", figure(static_cast<double>(toll.scored_after))},
+        {"ticks of trace lost: median", lost.empty() ? "–" : figure(lost[lost.size() / 2])},
+        {"ticks of trace lost: worst", figure(toll.worst())},
+        {"recorded part of these, s: shortest", recorded.empty() ? "–" : figure(recorded.front(), "%.2f")},
+        {"recorded part of these, s: longest", recorded.empty() ? "–" : figure(recorded.back(), "%.2f")},
+    };
+    lab::ResultPage page("kills", "Killed " + std::to_string(toll.kills) + " times while somebody performs",
+                         "FULCRUM_KILLS=" + std::to_string(toll.kills) + " FULCRUM_KILLS_PAGE=" +
+                             page_folder + " test_app_kills --gtest_filter=*TheWholeWindow*");
+    page.paragraph(
+        "The program's window under Xvfb, with its haptic, world and recorder threads and its store: a "
+        "trainee "
+        "signs in, performs A2 assessed, abandons, reads the debrief and begins again, all by mouse and key "
+        "events, until `kill -9` comes at a random time, up to 3 s after the first tick. A finished "
+        "attempt "
+        "is one whose debrief was shown. The store is checked as a whole at the end: pages, references, "
+        "audit "
+        "chain, checksums, score digests.");
+    page.table(table);
+    page.write(page_folder, lab::this_machine(lab::build_info()));
+}
+
+TEST_F(Kills, OfTheWholeWindowLoseNoScoreAndListEveryAttempt) {
+    ASSERT_NE(counters, nullptr);
+    std::optional<database::Session> trainee;
+    {
+        const database::Store store = database::Store::open(store_path);
+        const database::People people(store);
+        const auto programme = people.create_programme("Department", "alma", "Alma Admin", "correct horse");
+        const auto created =
+            people.create(programme.administrator, trainee_login, "Tara Trainee", {database::Role::trainee});
+        trainee = people.change_password(people.sign_in(trainee_login, created.one_time_password),
+                                         created.one_time_password, trainee_password);
+    }
+    const int rounds = kills(3);
+    for (int i = 0; i < rounds && !HasFatalFailure(); ++i) round("--use-window-until-killed", i, *trainee);
+    const database::Store store = database::Store::open(store_path);
+    const bool sound = store.check(store.station_session()).ok;
+    EXPECT_TRUE(sound);
+    std::printf(
+        "%d kills of the window: %zu attempts interrupted and scored, %zu finished, at most %u ticks lost\n",
+        toll.kills, toll.interrupted, toll.finished, toll.worst());
+    if (const char* page = std::getenv("FULCRUM_KILLS_PAGE"); page != nullptr && sound && !HasFailure())
+        write_page(page, toll);
+    expect_a_second_at_most(toll);
 }
 
 }  // namespace

@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <QCoreApplication>
+#include <QApplication>
 #include <cstring>
 
-namespace fulcrum::app::test {
-int perform_until_killed(const char* store, const char* counters, unsigned long seed);
-}
+#include "tests/app/kills/counters.h"
+#include "ui/style/palette.h"
 
 int main(int argc, char** argv) {
+    const auto asked = [&](const char* child) { return argc == 5 && std::strcmp(argv[1], child) == 0; };
+    if (asked("--use-window-until-killed")) {
+        QApplication application(argc, argv);
+        fulcrum::ui::apply_theme(application, fulcrum::ui::Theme::light);
+        return fulcrum::app::test::use_window_until_killed(argv[2], argv[3],
+                                                           std::strtoul(argv[4], nullptr, 10));
+    }
     QCoreApplication application(argc, argv);
-    if (argc == 5 && std::strcmp(argv[1], "--perform-until-killed") == 0)
+    if (asked("--perform-until-killed"))
         return fulcrum::app::test::perform_until_killed(argv[2], argv[3], std::strtoul(argv[4], nullptr, 10));
     testing::InitGoogleTest(&argc, argv);
     return RUN_ALL_TESTS();

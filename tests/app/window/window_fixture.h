@@ -8,8 +8,8 @@
 #include <QLabel>
 #include <QTemporaryDir>
 
-#include "app/application.h"
 #include "database/attempts.h"
+#include "tests/app/forwarding_services.h"
 #include "tests/ui/journey/hands.h"
 #include "ui/review/debrief_page.h"
 #include "ui/shell/main_window.h"
@@ -41,47 +41,18 @@ class SpoiltRig : public Rig {
     DeviceSample last_;
 };
 
-/// The program's services; what a test may put in between is the device.
-class ServicesWithRig : public ui::ApplicationServices {
+/// The program's services over devices that can be spoilt.
+class ServicesWithRig : public ForwardingServices {
   public:
-    explicit ServicesWithRig(const std::string& folder) : own_(make_services(folder)) {}
-    database::Store* store() override { return own_->store(); }
-    std::string store_path(bool demo) const override { return own_->store_path(demo); }
-    void open_store(bool demo) override { own_->open_store(demo); }
-    bool demo_is_built() const override { return own_->demo_is_built(); }
-    bool build_demo(const ui::Progress& progress) override { return own_->build_demo(progress); }
-    const std::vector<TaskDefinition>& tasks() const override { return own_->tasks(); }
-    Scene scene_for(const TaskDefinition& task) const override { return own_->scene_for(task); }
-    std::unique_ptr<ui::AttemptSession> start_attempt(const ui::AttemptRequest& request) override {
-        ui::AttemptRequest spoilt = request;
-        if (spoils_devices) spoilt.rig = rig = std::make_shared<SpoiltRig>(request.rig);
-        return own_->start_attempt(spoilt);
+    explicit ServicesWithRig(const std::string& folder) : ForwardingServices(folder) {
+        between = [this](std::shared_ptr<Rig> own) -> std::shared_ptr<Rig> {
+            if (!spoils_devices) return own;
+            rig = std::make_shared<SpoiltRig>(std::move(own));
+            return rig;
+        };
     }
-    std::unique_ptr<ui::AttemptSession> start_demonstration(const std::string& task_id) override {
-        return own_->start_demonstration(task_id);
-    }
-    std::vector<ui::InterruptedScore> score_interrupted(const database::Session& session,
-                                                        const ui::Progress& progress) override {
-        return own_->score_interrupted(session, progress);
-    }
-    std::size_t stale_scores(const database::Session& session) override {
-        return own_->stale_scores(session);
-    }
-    std::vector<ui::RecomputedScore> recompute_scores(const database::Session& session,
-                                                      const ui::Progress& progress) override {
-        return own_->recompute_scores(session, progress);
-    }
-    std::unique_ptr<ui::ReplaySource> open_replay(const std::string& task_id, std::uint64_t seed,
-                                                  std::shared_ptr<const database::Trace> trace) override {
-        return own_->open_replay(task_id, seed, std::move(trace));
-    }
-    std::string program_version() const override { return own_->program_version(); }
-
     bool spoils_devices = false;
     std::shared_ptr<SpoiltRig> rig;  ///< of the attempt that was started last, where devices are spoilt
-
-  private:
-    std::unique_ptr<ui::ApplicationServices> own_;
 };
 
 class Window : public ::testing::Test {

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program's own services; what a test may put in between is the hands.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "app/application.h"
+
+namespace fulcrum::app::test {
+
+class ForwardingServices : public ui::ApplicationServices {
+  public:
+    explicit ForwardingServices(const std::string& folder) : own_(make_services(folder)) {}
+    database::Store* store() override { return own_->store(); }
+    std::string store_path(bool demo) const override { return own_->store_path(demo); }
+    void open_store(bool demo) override { own_->open_store(demo); }
+    bool demo_is_built() const override { return own_->demo_is_built(); }
+    bool build_demo(const ui::Progress& progress) override { return own_->build_demo(progress); }
+    const std::vector<TaskDefinition>& tasks() const override { return own_->tasks(); }
+    Scene scene_for(const TaskDefinition& task) const override { return own_->scene_for(task); }
+    std::unique_ptr<ui::AttemptSession> start_attempt(const ui::AttemptRequest& request) override {
+        ui::AttemptRequest asked = request;
+        if (between) asked.rig = between(request.rig);
+        return own_->start_attempt(asked);
+    }
+    std::unique_ptr<ui::AttemptSession> start_demonstration(const std::string& task_id) override {
+        return own_->start_demonstration(task_id);
+    }
+    std::vector<ui::InterruptedScore> score_interrupted(const database::Session& session,
+                                                        const ui::Progress& progress) override {
+        return own_->score_interrupted(session, progress);
+    }
+    std::size_t stale_scores(const database::Session& session) override {
+        return own_->stale_scores(session);
+    }
+    std::vector<ui::RecomputedScore> recompute_scores(const database::Session& session,
+                                                      const ui::Progress& progress) override {
+        return own_->recompute_scores(session, progress);
+    }
+    std::unique_ptr<ui::ReplaySource> open_replay(const std::string& task_id, std::uint64_t seed,
+                                                  std::shared_ptr<const database::Trace> trace) override {
+        return own_->open_replay(task_id, seed, std::move(trace));
+    }
+    std::string program_version() const override { return own_->program_version(); }
+
+    /// Given the hand's own device, what the attempt is to read instead.
+    std::function<std::shared_ptr<Rig>(std::shared_ptr<Rig>)> between;
+
+  private:
+    std::unique_ptr<ui::ApplicationServices> own_;
+};
+
+}  // namespace fulcrum::app::test
