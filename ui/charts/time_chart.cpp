@@ -37,9 +37,10 @@ TimeChart::TimeChart(const QString& y_title, QWidget* parent)
     x_axis_->setTitleText(tr("time (s)"));
     y_axis_->setTitleText(y_title);
     y_axis_->setTickCount(4);
-    x_axis_->setLabelFormat(QStringLiteral("%g"));
+    x_axis_->setTickInterval(1000);  // before the type: the axis divides by it
+    x_axis_->setTickType(QValueAxis::TicksDynamic);
+    x_axis_->setTickAnchor(0);
     y_axis_->setLabelFormat(QStringLiteral("%g"));
-    x_axis_->setTickCount(8);
     restyle();
 }
 
@@ -118,13 +119,27 @@ void TimeChart::show_all() {
     show_range(first_, last_);
 }
 
+double tick_interval(double span) {
+    const double least = span / 8;
+    const double power = std::pow(10.0, std::floor(std::log10(least)));
+    for (const double step : {1.0, 2.0, 5.0}) {
+        if (step * power >= least * (1 - 1e-9)) return step * power;
+    }
+    return 10 * power;
+}
+
 void TimeChart::show_range(double from, double to) {
     const double span = std::clamp(to - from, 0.05, std::max(last_ - first_, 0.05));
     from = std::clamp(from, first_, std::max(first_, last_ - span));
+    // The axis lays its ticks out after each change: never the short interval over the long range.
+    const double interval = tick_interval(span);
+    const bool longer = interval > x_axis_->tickInterval();
+    if (longer) x_axis_->setTickInterval(interval);
     x_axis_->setRange(from, from + span);
-    x_axis_->setLabelFormat(span < 1    ? QStringLiteral("%.2f")
-                            : span < 20 ? QStringLiteral("%.1f")
-                                        : QStringLiteral("%.0f"));
+    if (!longer) x_axis_->setTickInterval(interval);
+    x_axis_->setLabelFormat(interval < 0.1 ? QStringLiteral("%.2f")
+                            : interval < 1 ? QStringLiteral("%.1f")
+                                           : QStringLiteral("%.0f"));
     refresh();
 }
 

@@ -25,6 +25,10 @@ struct ChartMark {
     bool severe = false;  ///< drawn as a filled triangle, others as a small line
 };
 
+/// s between the ticks of an axis that shows `span` s > 0: 1, 2 or 5 times a power of ten, eight steps or
+/// fewer, so that a label is its tick's own time.
+double tick_interval(double span);
+
 class TimeChart : public QtCharts::QChartView {
     Q_OBJECT
   public:

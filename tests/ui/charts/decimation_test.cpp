@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/decimation.h"
+#include "ui/charts/time_chart.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -102,6 +103,21 @@ TEST(Decimation, GivesTheValueAtATime) {
     EXPECT_EQ(pyramid.value_at(99), 7.0);
     EXPECT_EQ(MinMaxPyramid().value_at(1), 0.0);
     EXPECT_TRUE(MinMaxPyramid().view(0, 1).empty());
+}
+
+TEST(TimeAxis, HasTicksThatItsLabelsTell) {
+    EXPECT_DOUBLE_EQ(tick_interval(30), 5);
+    EXPECT_DOUBLE_EQ(tick_interval(80), 10);
+    EXPECT_DOUBLE_EQ(tick_interval(3600), 500);
+    EXPECT_DOUBLE_EQ(tick_interval(0.05), 0.01);
+    for (double span = 0.05; span < 20000; span *= 1.07) {
+        const double interval = tick_interval(span);
+        EXPECT_LE(span / interval, 8 + 1e-6) << span;
+        EXPECT_GE(span / interval, 3) << span;
+        // Written with the decimals that the axis gives it, each tick is itself.
+        const double unit = interval < 0.1 ? 0.01 : interval < 1 ? 0.1 : 1;
+        EXPECT_NEAR(interval / unit, std::round(interval / unit), 1e-9) << span;
+    }
 }
 
 }  // namespace
