@@ -14,8 +14,9 @@
 namespace fulcrum {
 CavityModel::CavityModel(const TriangleMesh& mesh, FreeSide side) : mesh_(mesh), side_(side) {
     for (const Vector3& vertex : mesh_.vertices) {
-        if (!vertex.allFinite()) {
-            throw InputError("cavity mesh", "vertices", "a coordinate is not finite", "repair the mesh");
+        if (!vertex.allFinite() || vertex.cwiseAbs().maxCoeff() > 1e6) {
+            throw InputError("cavity mesh", "vertices", "a coordinate is not finite or beyond 1,000 km",
+                             "repair the mesh; its unit is the metre");
         }
     }
     adjacency_ = build_adjacency(mesh_);

@@ -44,7 +44,7 @@ struct ListedPacket {
 class CavityModel {
   public:
     /// Triangles without area are left out of queries (they keep their numbers). Throws InputError for a mesh
-    /// without a usable triangle or with values that are not finite.
+    /// without a usable triangle or with values that are not finite or beyond 1,000 km.
     CavityModel(const TriangleMesh& mesh, FreeSide side);
 
     const TriangleMesh& mesh() const { return mesh_; }

@@ -20,13 +20,26 @@ std::size_t index(int i) {
     return static_cast<std::size_t>(i);
 }
 
+// A sphere must not be through the wall, out of its own reach, while its list is good.
+SphereCollisionOptions within_radii(SphereCollisionOptions options, const std::vector<double>& radii) {
+    for (const double radius : radii) {
+        if (radius > 0) options.list_margin = std::min(options.list_margin, 0.5 * radius);
+    }
+    return options;
+}
+
+// A centre that can be looked up: finite, also in single precision.
+bool usable(const Vector3& centre) {
+    return centre.allFinite() && centre.cwiseAbs().maxCoeff() < everywhere;
+}
+
 }  // namespace
 
 SphereCollision::SphereCollision(const CavityModel* cavity, SphereChainShape chain,
                                  SphereCollisionOptions options)
     : cavity_(cavity),
       chain_(std::move(chain)),
-      options_(options),
+      options_(within_radii(options, chain_.radii)),
       pairs_(chain_.arc_lengths, chain_.radii, options_.rest_exclusion, options_.list_margin,
              options_.contact_margin, options_.near_row_capacity) {
     if (chain_.radii.size() != chain_.arc_lengths.size()) {
@@ -121,7 +134,9 @@ bool SphereCollision::refresh(int sphere, const Vector3& centre, Lists& lists, d
     if (lists.counts[i] != never_listed && motion2 < free * free) return false;
     // In front of the wall at the last listing and moved by less than the radius since: if it is behind now,
     // it is near enough for gather() to see.
-    const bool known_in_front = lists.counts[i] >= 0 && motion2 < chain_.radii[i] * chain_.radii[i];
+    // (Without packets and without free motion it was far behind.)
+    const bool known_in_front =
+        lists.counts[i] >= 0 && lists.free_motion[i] > 0 && motion2 < chain_.radii[i] * chain_.radii[i];
     const double reach = chain_.radii[i] + options_.contact_margin;
     lists.listed_at[i] = centre;
     lists.free_motion[i] = options_.list_margin;
@@ -175,7 +190,7 @@ int SphereCollision::refresh_early(const Vector3* centres, Lists& lists) const {
     for (int k = 0; k < spheres() && relisted < quota; ++k) {
         const int i = lists.turn;
         lists.turn = i + 1 < spheres() ? i + 1 : 0;
-        if (!centres[i].allFinite() || !(lists.free_motion[index(i)] > 0)) continue;
+        if (!usable(centres[i]) || !(lists.free_motion[index(i)] > 0)) continue;
         relisted += refresh(i, centres[i], lists, too_early) ? 1 : 0;
     }
     return relisted;
@@ -279,7 +294,7 @@ int SphereCollision::depths(const Vector3* centres, Lists& lists, SphereDepth* r
     Candidates found;
     for (int i = 0; i < spheres(); ++i) {
         results[i] = SphereDepth{};
-        if (cavity_ == nullptr || !centres[i].allFinite()) continue;
+        if (cavity_ == nullptr || !usable(centres[i])) continue;
         relisted += refresh(i, centres[i], lists) ? 1 : 0;
         gather(i, centres[i], lists, true, found);
         if (found.count == 0) continue;
@@ -382,7 +397,7 @@ void SphereCollision::collide(const Vector3* centres, Lists& lists, SphereContac
         lists.projected[index(i)] = centres[i];
         lists.moved[index(i)] = 0;
         lists.depth[index(i)] = 0;
-        if (cavity_ == nullptr || !centres[i].allFinite()) continue;
+        if (cavity_ == nullptr || !usable(centres[i])) continue;
         contacts.relisted += refresh(i, centres[i], lists) ? 1 : 0;
         contacts.list_overflow = contacts.list_overflow || lists.counts[index(i)] == overflowed;
         gather(i, centres[i], lists, false, found);

@@ -23,7 +23,8 @@
 namespace fulcrum {
 
 struct SphereCollisionOptions {
-    double list_margin = 0.003;  ///< m of motion before a sphere is listed again
+    double list_margin =
+        0.003;  ///< m of motion before a sphere is listed again; at most half the least radius
     double contact_margin =
         0.001;  ///< m: planes with a gap below it are reported, so that the solve sees them coming
     double distinct_cosine =
@@ -110,7 +111,8 @@ class SphereCollision {
     Lists make_lists() const;
 
     /// Contacts at the centres given (one a sphere), plus those that projection met on its way; ordered by
-    /// sphere. Projected centres are left in lists.projected. A centre that is not finite is left out.
+    /// sphere. Projected centres are left in lists.projected. A centre that is not finite or further than
+    /// 1,000 km off is left out.
     void collide(const Vector3* centres, Lists& lists, SphereContacts& contacts) const;
 
     /// Cavity only, centres as given, no projection: closest point and depth of each sphere (results: one a
