@@ -199,6 +199,11 @@ Membrane::Membrane(const TriangleMesh& mesh, const MembraneMaterial& material,
 Membrane::~Membrane() = default;
 Membrane::Membrane(Membrane&&) noexcept = default;
 
+bool Membrane::any_free(const Triangle& corners) const noexcept {
+    return std::any_of(corners.begin(), corners.end(),
+                       [&](std::int32_t v) { return tables_->node_of[at(v)] < tables_->free; });
+}
+
 std::size_t Membrane::bytes() const {
     const Tables& t = *tables_;
     return springs_.size() * sizeof(MembraneSpring) + masses_.size() * sizeof(double) +
@@ -285,6 +290,12 @@ bool usable(const Membrane& membrane, const MembraneState& state, const Membrane
     for (const Vector3& f : inputs.forces) {
         if (!within(f)) return false;
     }
+    if (inputs.holds.size() > Membrane::most_holds) return false;
+    for (const MembraneHold& hold : inputs.holds) {
+        if (hold.vertex < 0 || at(hold.vertex) >= n || !(hold.stiffness >= 0 && hold.stiffness <= strongest))
+            return false;
+        if (!hold.target.allFinite() || hold.target.cwiseAbs().maxCoeff() > farthest) return false;
+    }
     for (const Vector3& a : inputs.attachments) {
         if (!a.allFinite() || a.cwiseAbs().maxCoeff() > farthest) return false;
     }
@@ -316,28 +327,47 @@ void store_step(const Membrane& membrane, MembraneState& state, MembraneInputs& 
             inputs.reactions[static_cast<std::size_t>(k - t.free)] = support;
         }
     }
+    for (MembraneHold& hold : inputs.holds) {
+        if (t.node_of[at(hold.vertex)] >= t.free) {
+            hold.reaction.setZero();
+        } else if (!symplectic) {  // which has summed it up by itself
+            hold.reaction = hold.stiffness * (hold.target - state.positions[at(hold.vertex)]);
+        }
+    }
 }
 
-// A sheet that has been speeding up goes on doing so: the start with the last step's acceleration, where it
-// lies lower.
-void extrapolate(const Membrane& membrane, const MembraneState& state, Data& d) {
+void forget_reactions(MembraneInputs& inputs) {
+    for (Vector3& r : inputs.reactions) r.setZero();
+    for (MembraneHold& hold : inputs.holds) hold.reaction.setZero();
+}
+
+// Three places to start from, and the lowest is taken: where the velocity leads (d.position), where the
+// velocity and the last step's acceleration lead, as a sheet that is speeding up will go on to; and where it
+// is, for one whose velocity is noise that its springs undo within the step.
+void choose_start(const Membrane& membrane, const MembraneState& state, Data& d) {
     const Membrane::Tables& t = membrane.tables();
-    for (std::int32_t k = 0; k < t.nodes; ++k) {
-        const std::size_t n = at(k);
-        d.trial[n] = d.position[n];
-        if (k < t.free)
-            d.trial[n] += all_lanes(d.dt) *
-                          (d.start_velocity[n] - lanes_of(state.earlier_velocities[at(t.vertex_of[n])]));
-    }
-    if (potential(t, d, d.trial.data(), d.trial_gradient.data()) <
-        potential(t, d, d.position.data(), d.gradient.data()))
+    double least = potential(t, d, d.position.data(), d.gradient.data());
+    for (const bool faster : {true, false}) {
+        for (std::int32_t k = 0; k < t.nodes; ++k) {
+            const std::size_t n = at(k);
+            d.trial[n] = d.position[n];
+            if (k >= t.free) continue;
+            d.trial[n] = faster ? d.target[n] + all_lanes(d.dt) *
+                                                    (d.start_velocity[n] -
+                                                     lanes_of(state.earlier_velocities[at(t.vertex_of[n])]))
+                                : d.start[n];
+        }
+        const double value = potential(t, d, d.trial.data(), d.trial_gradient.data());
+        if (!(value < least)) continue;
+        least = value;
         d.position.swap(d.trial);
+    }
 }
 
 void freeze(MembraneState& state, MembraneInputs& inputs, const Data& d, MembraneReport& report) {
     state.positions = d.good.positions;
     Membrane::stop(state);
-    for (Vector3& r : inputs.reactions) r.setZero();
+    forget_reactions(inputs);
     report.fault = MembraneFault::frozen;
     report.finite = false;
     report.converged = false;
@@ -346,7 +376,7 @@ void freeze(MembraneState& state, MembraneInputs& inputs, const Data& d, Membran
 
 MembraneReport refuse(MembraneInputs& inputs, bool finite) {
     MembraneReport report;
-    for (Vector3& r : inputs.reactions) r.setZero();
+    forget_reactions(inputs);
     report.fault = MembraneFault::refused;
     report.finite = finite;
     report.converged = false;
@@ -372,7 +402,7 @@ MembraneReport Membrane::step(MembraneState& state, MembraneInputs& inputs, doub
         const double w = std::sqrt(tables_->bounding);
         const double ratio =
             0.5 * (material_.stiffness_damping * w + (w > 0 ? material_.mass_damping / w : 0));
-        step_symplectic(*this, stable_step(w, ratio), dt, solve, report, d);
+        step_symplectic(*this, inputs, stable_step(w, ratio), dt, solve, report, d);
         if (report.fault == MembraneFault::refused) return refuse(inputs, true);
     } else {
         if (!refresh_factor(*this, state, dt, d)) {
@@ -385,7 +415,7 @@ MembraneReport Membrane::step(MembraneState& state, MembraneInputs& inputs, doub
             d.position[at(k)] = d.target[at(k)];
             if (attached_.empty()) d.position[at(k)] += all_lanes(1 / d.inertia[at(k)]) * d.load[at(k)];
         }
-        if (!attached_.empty()) extrapolate(*this, state, d);
+        if (!attached_.empty()) choose_start(*this, state, d);
         if (solve.integrator == MembraneIntegrator::implicit) {
             minimise_newton(*tables_, d, solve.iterations > 0 ? solve.iterations : 50,
                             solve.tolerance > 0 ? solve.tolerance : 1e-10, report);

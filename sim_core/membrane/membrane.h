@@ -49,6 +49,14 @@ struct MembraneState {
     std::uint32_t topology = 0;     ///< raise it with every change of `cut`
 };
 
+/// A vertex that jaws hold: drawn to a place by a spring of no length that the step solves with the others.
+struct MembraneHold {
+    std::int32_t vertex = -1;            ///< nothing happens at an attached one
+    double stiffness = 0;                ///< N/m, 0 .. 1e9
+    Vector3 target = Vector3::Zero();    ///< m, at the end of the step
+    Vector3 reaction = Vector3::Zero();  ///< out: N, hold on membrane
+};
+
 /// What acts on a membrane in one step.
 struct MembraneInputs {
     Vector3 gravity = Vector3::Zero();  ///< m/s2
@@ -59,6 +67,7 @@ struct MembraneInputs {
     /// Out: N, support on membrane, same order (sized by the caller; not written where the size differs).
     /// Their sum and the forces change the momentum of the whole membrane, attached vertices included.
     std::vector<Vector3> reactions;
+    std::vector<MembraneHold> holds;  ///< at most Membrane::most_holds; a vertex may be held twice
 };
 
 struct MembraneSolve {
@@ -128,6 +137,8 @@ class Membrane {
     const std::vector<MembraneSpring>& springs() const { return springs_; }
     const std::vector<Triangle>& triangles() const { return triangles_; }
     const std::vector<std::int32_t>& attached() const { return attached_; }
+    /// Whether a corner is not attached.
+    bool any_free(const Triangle& corners) const noexcept;
     const std::vector<double>& masses() const { return masses_; }  ///< kg
     const MembraneMaterial& material() const { return material_; }
     std::size_t bytes() const;
@@ -146,6 +157,7 @@ class Membrane {
     /// One step of dt seconds. Springs cut since the last step enter the factor one by one, at most
     /// `updates_per_step` of them each step: until then it bounds the stiffness all the more.
     static constexpr int updates_per_step = 48;
+    static constexpr int most_holds = 16;
     MembraneReport step(MembraneState& state, MembraneInputs& inputs, double dt, MembraneScratch& scratch,
                         const MembraneSolve& solve = {}) const noexcept;
     /// Static equilibrium from the given state (velocities become zero); something must be attached, else

@@ -43,6 +43,21 @@ void load_step(const Membrane& membrane, const MembraneState& state, const Membr
         for (std::size_t a = 0; a < membrane.attached().size(); ++a)
             d.position[at(t.node_of[at(membrane.attached()[a])])] = lanes_of(inputs.attachments[a]);
     }
+    // A held node's spring and its inertia are one parabola about a place between the two; what they differ
+    // by is a constant, and the potential leaves it out.
+    d.held_count = 0;
+    for (const MembraneHold& hold : inputs.holds) {
+        const std::int32_t node = t.node_of[at(hold.vertex)];
+        if (node >= t.free || hold.stiffness <= 0) continue;
+        const double sum = d.inertia[at(node)] + hold.stiffness;
+        d.target[at(node)] = all_lanes(d.inertia[at(node)] / sum) * d.target[at(node)] +
+                             all_lanes(hold.stiffness / sum) * lanes_of(hold.target);
+        d.inertia[at(node)] = sum;
+        int k = 0;
+        while (k < d.held_count && d.held[at(k)].node != node) ++k;
+        if (k == d.held_count) d.held[at(d.held_count++)] = {node, 0.0};
+        d.held[at(k)].stiffness += hold.stiffness;
+    }
     // Stiffness-proportional damping in implicit Euler is one more spring to the length at the start of the
     // step: 1/2 k (l - r)^2 + (k b / 2h) (l - l_0)^2 has the form of one spring again.
     const double damping = dt > 0 ? material.stiffness_damping / dt : 0;
@@ -96,13 +111,41 @@ double scaled_residual(const Membrane::Tables& t, const Data& d, const Lanes* x,
     return std::sqrt(imbalance) / std::max(scale, 1e-30);
 }
 
+namespace {
+
+// What jaws took or let go since the factor was made goes into it as one entry of the diagonal each. False:
+// not positive definite.
+bool follow_holds(Data& d) {
+    const auto begin = d.held.begin(), end = begin + d.held_count;
+    const auto old_begin = d.factored_held.begin(), old_end = old_begin + d.factored_held_count;
+    if (std::equal(begin, end, old_begin, old_end)) return true;
+    bool good = true;
+    for (auto held = begin; held != end; ++held) {
+        if (std::find(old_begin, old_end, *held) == old_end) {
+            good = good && d.factor.update(held->node, -1, held->stiffness);
+            ++d.updates;
+        }
+    }
+    for (auto held = old_begin; held != old_end; ++held) {
+        if (std::find(begin, end, *held) == end) {
+            good = good && d.factor.update(held->node, -1, -held->stiffness);
+            ++d.updates;
+        }
+    }
+    d.factored_held = d.held;
+    d.factored_held_count = d.held_count;
+    return good;
+}
+
+}  // namespace
+
 bool refresh_factor(const Membrane& membrane, const MembraneState& state, double dt, Data& d) {
     const Membrane::Tables& t = membrane.tables();
     const MembraneMaterial& material = membrane.material();
     const double damped = dt > 0 ? 1 + material.stiffness_damping / dt : 1;
     const bool other_step = d.factored_dt != dt;
-    if (!other_step && d.factored_topology == state.topology && !d.factor_behind) return true;
-    bool whole = other_step;
+    bool whole = other_step || !follow_holds(d);
+    if (!whole && d.factored_topology == state.topology && !d.factor_behind) return true;
     int budget = Membrane::updates_per_step;
     if (!whole) {
         // Fewer springs than before: take each change of an edge into the factor. What does not fit into this
@@ -145,6 +188,9 @@ bool refresh_factor(const Membrane& membrane, const MembraneState& state, double
     for (std::int32_t k = 0; k < t.free; ++k) {
         d.diagonal[at(k)] = dt > 0 ? t.mass[at(k)] * (1 + material.mass_damping * dt) / (dt * dt) : 0;
     }
+    for (int k = 0; k < d.held_count; ++k) d.diagonal[at(d.held[at(k)].node)] += d.held[at(k)].stiffness;
+    d.factored_held = d.held;
+    d.factored_held_count = d.held_count;
     for (std::size_t e = 0; e < t.edges.size(); ++e) {
         const double weight = damped * d.edge_weight[e];
         largest = std::max(largest, weight);

@@ -49,8 +49,8 @@ double stable_step(double frequency, double damping_ratio) {
     return 2 / frequency * (std::sqrt(1 + damping_ratio * damping_ratio) - damping_ratio);
 }
 
-void step_symplectic(const Membrane& membrane, double safe_limit, double dt, const MembraneSolve& solve,
-                     MembraneReport& report, Data& d) {
+void step_symplectic(const Membrane& membrane, MembraneInputs& inputs, double safe_limit, double dt,
+                     const MembraneSolve& solve, MembraneReport& report, Data& d) {
     const Membrane::Tables& t = membrane.tables();
     const MembraneMaterial& material = membrane.material();
     const double wanted = std::ceil(dt / (0.98 * safe_limit));
@@ -75,11 +75,26 @@ void step_symplectic(const Membrane& membrane, double safe_limit, double dt, con
         if (material.stiffness_damping > 0)
             add_dampers(t, d.stiffness.data(), material.stiffness_damping, d.trial.data(),
                         d.start_velocity.data(), d.gradient.data());
+        const double share = static_cast<double>(k + 1) / report.substeps;
+        // What jaws hold is drawn by its spring's force at the substep's end: however stiff, that is stable.
+        // A node that two jaws hold takes one after the other.
+        for (MembraneHold& hold : inputs.holds) {
+            const std::int32_t node = t.node_of[at(hold.vertex)];
+            if (k == 0) hold.reaction.setZero();
+            if (node >= t.free) continue;
+            const std::size_t n = at(node);
+            const Lanes target = d.start[n] + all_lanes(share) * (lanes_of(hold.target) - d.start[n]);
+            const Lanes end =
+                d.trial[n] + all_lanes(h) * (d.start_velocity[n] - all_lanes(h / t.mass[n]) * d.gradient[n]);
+            const Lanes force =
+                all_lanes(hold.stiffness / (1 + h * h * hold.stiffness / t.mass[n])) * (target - end);
+            d.gradient[n] -= force;
+            hold.reaction += vector_of(force) / report.substeps;
+        }
         for (std::int32_t n = 0; n < t.free; ++n) {
             d.start_velocity[at(n)] -= all_lanes(h / t.mass[at(n)]) * d.gradient[at(n)];
             d.trial[at(n)] += all_lanes(h) * d.start_velocity[at(n)];
         }
-        const double share = static_cast<double>(k + 1) / report.substeps;
         for (std::int32_t n = t.free; n < t.nodes; ++n)
             d.trial[at(n)] = d.start[at(n)] + all_lanes(share) * (d.position[at(n)] - d.start[at(n)]);
         for (std::int32_t n = t.free; n < t.nodes; ++n)  // mean pull on what is held

@@ -50,6 +50,16 @@ struct MembraneScratch::Data {
     std::vector<std::uint8_t> factored_cut;
     std::uint32_t factored_topology = 0;
     bool factor_behind = false;  ///< cut springs are not all in it yet
+    /// Free nodes that are held, each once with all that holds it: in this step, and in the factor.
+    struct Held {
+        std::int32_t node = -1;
+        double stiffness = 0;
+        bool operator==(const Held& other) const {
+            return node == other.node && stiffness == other.stiffness;
+        }
+    };
+    std::array<Held, Membrane::most_holds> held, factored_held;
+    int held_count = 0, factored_held_count = 0;
     std::vector<double> edge_weight, pattern_weight, diagonal;
     int factorisations = 0, updates = 0;
     // Quasi-Newton memory: steps and changes of the gradient, three numbers a node and one behind the last;
@@ -103,8 +113,8 @@ void minimise_quasi_newton(const Membrane::Tables& tables, Data& data, int itera
                            MembraneReport& report);
 void minimise_newton(const Membrane::Tables& tables, Data& data, int iterations, double tolerance,
                      MembraneReport& report);
-void step_symplectic(const Membrane& membrane, double safe_limit, double dt, const MembraneSolve& solve,
-                     MembraneReport& report, Data& data);
+void step_symplectic(const Membrane& membrane, MembraneInputs& inputs, double safe_limit, double dt,
+                     const MembraneSolve& solve, MembraneReport& report, Data& data);
 /// Bound on the highest squared frequency in every shape, 1/s2.
 double bounding_eigenvalue(const Membrane::Tables& tables, const double* stiffness, Data& data);
 double stable_step(double frequency, double damping_ratio);

@@ -38,7 +38,7 @@ void BowelPart::begin_grasp(int hand, const ToolAction& action) noexcept {
             }
         }
     }
-    if (nearest < 0) return;
+    if (begin_sheet_grasp(hand, action, jaws, least) || nearest < 0) return;
     HandGrasp& grasp = grasps_[hand];
     const Vector3 point = skin_vertex(skin_->rows()[static_cast<std::size_t>(nearest)], ring_frames_);
     grasp.state.held = true;
@@ -78,6 +78,67 @@ void BowelPart::begin_grasp(int hand, const ToolAction& action) noexcept {
     filter_force(view_of(skin_->rest(), adjacency, surface_.data()), nearest, box, options, grasp.filtered);
 }
 
+bool BowelPart::begin_sheet_grasp(int hand, const ToolAction& action, const Vector3& jaws, double nearest_bowel) noexcept {
+    SheetGrasp& grasp = sheet_grasps_[hand];
+    double least = nearest_bowel;
+    Vector3 point = Vector3::Zero();
+    std::int32_t triangle = -1;
+    for (std::size_t i = 0; i < membranes_.size(); ++i) {
+        Vector3 closest;
+        const std::int32_t found = membranes_[i].nearest_triangle(jaws, least, closest);
+        if (found < 0) continue;
+        triangle = found;
+        point = closest;
+        grasp.membrane = static_cast<int>(i);
+    }
+    if (triangle < 0) return false;
+    const double wall = pinch_share * scene_.tissues[static_cast<std::size_t>(scene_.tissue_index(scene_.bowel->tissue))].stiffness;
+    MembranePart& part = membranes_[static_cast<std::size_t>(grasp.membrane)];
+    part.take(hand, triangle, point, wall);
+    grasp.correction = point - jaws;
+    grasp.target = point;
+    grasp.velocity.setZero();
+    grasp.hold_offset = Vector3(0, 0, -0.5 * action.instrument->jaw_length);
+    grasp.stiffness = part.grip_stiffness(hand);
+    grasp.slip_time = 0;
+    return true;
+}
+
+void BowelPart::update_sheet_grasp(int hand, const ToolAction& action, double opening, double dt) noexcept {
+    const TissueSpec& tissue = scene_.tissues[static_cast<std::size_t>(scene_.tissue_index(scene_.bowel->tissue))];
+    SheetGrasp& grasp = sheet_grasps_[hand];
+    MembranePart& part = membranes_[static_cast<std::size_t>(grasp.membrane)];
+    const double capacity = 2.0 * tissue.friction * action.tool.grip;
+    grasp.slip_time = part.grip(hand).reaction.norm() > capacity ? grasp.slip_time + dt : 0.0;
+    if (opening > open_share || action.tool.grip <= 0.5 * least_grip || grasp.slip_time > slip_delay || !action.tool.inside) {
+        part.let_go(hand);
+        grasp.membrane = -1;
+        return;
+    }
+    grasp.correction *= std::max(0.0, 1.0 - dt / correction_time);
+    Vector3 motion = action.tool.tip + action.tool.rotation * grasp.hold_offset + grasp.correction - grasp.target;
+    const double longest = fastest_hold * dt;
+    if (motion.norm() > longest) motion *= longest / motion.norm();
+    grasp.target += motion;
+    grasp.velocity = motion / dt;
+    part.carry(hand, grasp.target);
+}
+
+void BowelPart::fill_sheet_model(const SheetGrasp& grasp, int hand, LocalModel& model) const noexcept {
+    const int index = scene_.tissue_index(scene_.bowel->tissue);
+    const TissueSpec& tissue = scene_.tissues[static_cast<std::size_t>(index)];
+    model.mode = LocalMode::grasp;
+    model.grasp = GraspModel();
+    model.grasp.point = grasp.target - grasp.correction;
+    model.grasp.velocity = grasp.velocity;
+    model.grasp.reaction = membranes_[static_cast<std::size_t>(grasp.membrane)].grip(hand).reaction;
+    model.grasp.hold_offset = grasp.hold_offset;
+    model.grasp.stiffness = grasp.stiffness * Matrix3::Identity();
+    model.grasp.damping = tissue.damping;
+    model.grasp.friction = tissue.friction;
+    model.grasp.tissue = static_cast<std::int16_t>(index);
+}
+
 void BowelPart::update_grasps(const ToolAction* actions, double dt) noexcept {
     const TissueSpec& tissue = scene_.tissues[static_cast<std::size_t>(scene_.tissue_index(scene_.bowel->tissue))];
     for (int hand = 0; hand < hand_count; ++hand) {
@@ -87,7 +148,9 @@ void BowelPart::update_grasps(const ToolAction* actions, double dt) noexcept {
         const double opening = action.tool.jaw_angle / std::max(1e-9, action.instrument->jaw_opening);
         const bool closed = opening < close_share && action.tool.grip > least_grip;
         if (opening > open_share) grasp.ready = true;
-        if (grasp.state.held) {
+        if (sheet_grasps_[hand].membrane >= 0) {
+            update_sheet_grasp(hand, action, opening, dt);
+        } else if (grasp.state.held) {
             const double capacity = 2.0 * tissue.friction * action.tool.grip;
             grasp.slip_time = grasp.state.reaction.norm() > capacity ? grasp.slip_time + dt : 0.0;
             if (opening > open_share || action.tool.grip <= 0.5 * least_grip || grasp.slip_time > slip_delay || !action.tool.inside) {
@@ -125,6 +188,7 @@ void BowelPart::update_grasps(const ToolAction* actions, double dt) noexcept {
 void BowelPart::fill_local_model(Hand hand, const PatchRequest& request, LocalModel& model) noexcept {
     Stopwatch watch(measuring_, costs_.patches);
     patches_->build(rings_.data(), request, patch_scratch_, model);
+    if (sheet_grasps_[static_cast<int>(hand)].membrane >= 0) fill_sheet_model(sheet_grasps_[static_cast<int>(hand)], static_cast<int>(hand), model);
     const HandGrasp& grasp = grasps_[static_cast<int>(hand)];
     if (!grasp.state.held) return;
     model.mode = LocalMode::grasp;

@@ -92,9 +92,18 @@ class BowelPart {
         bool ready = true;                     ///< the jaws were open since the last grasp
         double slip_time = 0;                  ///< s of load beyond what the jaws can hold
     };
+    /// Jaws on a membrane: as on the bowel, by the sheet's own holds.
+    struct SheetGrasp {
+        int membrane = -1;  ///< that is held, -1: none
+        Vector3 correction = Vector3::Zero(), target = Vector3::Zero(), velocity = Vector3::Zero(), hold_offset = Vector3::Zero();
+        double stiffness = 0, slip_time = 0;
+    };
     void lay_down();
     void update_grasps(const ToolAction* actions, double dt) noexcept;
     void begin_grasp(int hand, const ToolAction& action) noexcept;
+    bool begin_sheet_grasp(int hand, const ToolAction& action, const Vector3& jaws, double nearest_bowel) noexcept;
+    void update_sheet_grasp(int hand, const ToolAction& action, double opening, double dt) noexcept;
+    void fill_sheet_model(const SheetGrasp& grasp, int hand, LocalModel& model) const noexcept;
     void gather_loads(const ToolAction* actions, double dt) noexcept;
     void find_contacts() noexcept;
     void update_rings(double dt) noexcept;
@@ -130,6 +139,7 @@ class BowelPart {
     std::vector<Vector3> surface_;        ///< scratch positions for the filter at a grasp
     PatchBuilder::Scratch patch_scratch_;
     HandGrasp grasps_[hand_count];
+    SheetGrasp sheet_grasps_[hand_count];
     Vector3 applied_push_[hand_count] = {Vector3::Zero(), Vector3::Zero()};
     DentState dents_;
     std::vector<float> patch_damage_;

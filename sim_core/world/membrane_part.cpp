@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "sim_core/geometry/closest_point.h"
 #include "sim_core/numerics/input_error.h"
 
 namespace fulcrum {
@@ -63,6 +64,7 @@ MembranePart::MembranePart(const Scene& scene, std::size_t index, const Membrane
       scratch_(membrane_.make_scratch(dt)),
       solve_(solve_of(scene.fidelity)) {
     inputs_.gravity = scene.membranes[index].weight * scene.gravity;
+    inputs_.holds.reserve(3 * hand_count);
     inputs_.reactions.resize(membrane_.attached().size(), Vector3::Zero());
     for (const std::int32_t v : membrane_.attached()) inputs_.attachments.push_back(sheet.mesh.vertices[static_cast<std::size_t>(v)]);
     for (std::size_t k = 0; k < sheet.bowel_vertices.size(); ++k) {
@@ -111,7 +113,9 @@ std::uint32_t MembranePart::step(const Rod& rod, const RodState& state, double d
         inputs_.attachments[k] =
             rod.wall_point(state, arc_lengths_[k], offsets_[k]) + dt * rod.wall_velocity(state, arc_lengths_[k], offsets_[k]);
     }
+    fill_holds();
     report_ = membrane_.step(state_, inputs_, dt, scratch_, solve_);
+    read_holds();
     pull_.setZero();
     for (std::size_t k = 0; k < arc_lengths_.size() && loads.size() < loads.capacity(); ++k) {
         RodLoad load;
@@ -123,6 +127,81 @@ std::uint32_t MembranePart::step(const Rod& rod, const RodState& state, double d
         loads.push_back(load);
     }
     return outcome_of(report_.fault);
+}
+
+std::int32_t MembranePart::nearest_triangle(const Vector3& point, double& least, Vector3& closest) const noexcept {
+    std::int32_t nearest = -1;
+    const auto& triangles = membrane_.triangles();
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        const Triangle& corners = triangles[t];
+        const auto at = [&](std::size_t c) -> const Vector3& { return state_.positions[static_cast<std::size_t>(corners[c])]; };
+        const Vector3 found = closest_point_on_triangle(point, at(0), at(1), at(2)).position;
+        const double distance = (found - point).squaredNorm();
+        if (distance >= least || !membrane_.any_free(corners)) continue;
+        least = distance;
+        nearest = static_cast<std::int32_t>(t);
+        closest = found;
+    }
+    return nearest;
+}
+
+void MembranePart::take(int hand, std::int32_t triangle, const Vector3& point, double stiffness) noexcept {
+    Hold& hold = holds_[hand];
+    hold.grip = SheetGrip();
+    hold.grip.held = true;
+    hold.grip.triangle = triangle;
+    hold.grip.point = hold.target = point;
+    hold.stiffness = stiffness;
+    const Triangle& corners = membrane_.triangles()[static_cast<std::size_t>(triangle)];
+    for (std::size_t c = 0; c < 3; ++c) hold.offsets[c] = state_.positions[static_cast<std::size_t>(corners[c])] - point;
+}
+
+void MembranePart::carry(int hand, const Vector3& target) noexcept { holds_[hand].target = target; }
+
+void MembranePart::let_go(int hand) noexcept { holds_[hand].grip = SheetGrip(); }
+
+double MembranePart::grip_stiffness(int hand) const noexcept {
+    const Hold& hold = holds_[hand];
+    if (!hold.grip.held) return 0;
+    const Triangle& corners = membrane_.triangles()[static_cast<std::size_t>(hold.grip.triangle)];
+    double springs = 0;
+    for (std::size_t s = 0; s < membrane_.springs().size(); ++s) {
+        if (state_.cut[s] != 0) continue;
+        const MembraneSpring& spring = membrane_.springs()[s];
+        const auto held = [&](std::int32_t v) { return v == corners[0] || v == corners[1] || v == corners[2]; };
+        if (held(spring.first) != held(spring.second)) springs += spring.stiffness;
+    }
+    const double both = springs + hold.stiffness;
+    return both > 0 ? springs * hold.stiffness / both : 0;
+}
+
+void MembranePart::fill_holds() noexcept {
+    inputs_.holds.clear();
+    for (const Hold& hold : holds_) {
+        if (!hold.grip.held) continue;
+        const Triangle& corners = membrane_.triangles()[static_cast<std::size_t>(hold.grip.triangle)];
+        for (std::size_t c = 0; c < 3; ++c) {
+            MembraneHold corner;
+            corner.vertex = corners[c];
+            corner.stiffness = hold.stiffness / 3;
+            corner.target = hold.target + hold.offsets[c];
+            inputs_.holds.push_back(corner);
+        }
+    }
+}
+
+void MembranePart::read_holds() noexcept {
+    std::size_t k = 0;
+    for (Hold& hold : holds_) {
+        if (!hold.grip.held) continue;
+        hold.grip.point.setZero();
+        hold.grip.reaction.setZero();
+        for (std::size_t c = 0; c < 3; ++c, ++k) {
+            const MembraneHold& corner = inputs_.holds[k];
+            hold.grip.reaction += corner.reaction;
+            hold.grip.point += (state_.positions[static_cast<std::size_t>(corner.vertex)] - hold.offsets[c]) / 3;
+        }
+    }
 }
 
 void MembranePart::restore() noexcept {
@@ -149,6 +228,11 @@ void MembranePart::hash(StateHash& hash) const noexcept {
     for (const Vector3& velocity : state_.velocities) hash.add(velocity);
     for (const Vector3& velocity : state_.earlier_velocities) hash.add(velocity);
     hash.add(static_cast<std::int64_t>(state_.topology));
+    for (const Hold& hold : holds_) {
+        hash.add(static_cast<std::int64_t>(hold.grip.triangle));
+        hash.add(hold.target);
+        hash.add(hold.grip.reaction);
+    }
 }
 
 std::size_t MembranePart::bytes() const {

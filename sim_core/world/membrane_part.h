@@ -4,9 +4,10 @@
 //
 // Two-way with the rod: one edge of the sheet hangs on wall points r(s) + R(s) X of the rod, as tethers do. Each step the
 // membrane is stepped first, its edge where the wall points are about to be; what holds that edge there acts on the rod,
-// equal and opposite, as force and moment of a dead load in the same step.
+// equal and opposite, as force and moment of a dead load in the same step. Jaws hold a triangle of the sheet by its corners.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "sim_core/membrane/membrane.h"
@@ -16,6 +17,14 @@
 #include "sim_core/world/state_hash.h"
 
 namespace fulcrum {
+
+/// What a pair of jaws holds of a sheet.
+struct SheetGrip {
+    bool held = false;
+    std::int32_t triangle = -1;
+    Vector3 point = Vector3::Zero();     ///< m, of the sheet, in the jaws
+    Vector3 reaction = Vector3::Zero();  ///< N, jaws on sheet
+};
 
 /// A sheet at rest and how it is held.
 struct MembraneSheet {
@@ -34,6 +43,18 @@ class MembranePart {
     /// One step of dt with the rod's wall points carried on by their velocities; appends what pulls on the rod to `loads`
     /// (up to its capacity: attachments() more). Returns StepRecord::outcome.
     std::uint32_t step(const Rod& rod, const RodState& state, double dt, std::vector<RodLoad>& loads) noexcept;
+    /// The triangle nearest to a point that jaws can take: within the root of `least`, m2 (lowered to what was found), and with a
+    /// free corner. -1: none.
+    std::int32_t nearest_triangle(const Vector3& point, double& least, Vector3& closest) const noexcept;
+    /// A hand's jaws close on a triangle at a point of it: its corners hang on the jaws by springs, together `stiffness` N/m.
+    void take(int hand, std::int32_t triangle, const Vector3& point, double stiffness) noexcept;
+    /// Where that point shall be at the end of the next step.
+    void carry(int hand, const Vector3& target) noexcept;
+    void let_go(int hand) noexcept;
+    const SheetGrip& grip(int hand) const { return holds_[hand].grip; }
+    /// N/m: the springs at the held corners, which is the most that the sheet can answer with, behind the jaws' own.
+    double grip_stiffness(int hand) const noexcept;
+
     /// Takes the last step back, at rest: when the rod's was.
     void restore() noexcept;
     /// Turns every velocity off.
@@ -55,6 +76,14 @@ class MembranePart {
     std::size_t bytes() const;
 
   private:
+    struct Hold {
+        SheetGrip grip;
+        std::array<Vector3, 3> offsets;  ///< m, of the corners from the held point when the jaws closed
+        Vector3 target = Vector3::Zero();
+        double stiffness = 0;
+    };
+    void fill_holds() noexcept;
+    void read_holds() noexcept;
     void check_coupling(const Scene& scene, std::size_t index, const Rod& rod, double dt);
 
     Membrane membrane_;
@@ -65,6 +94,7 @@ class MembranePart {
     MembraneReport report_;
     std::vector<double> arc_lengths_;
     std::vector<Vector3> offsets_;  ///< ring frame
+    Hold holds_[hand_count];
     Vector3 pull_ = Vector3::Zero();
     double coupling_ = 0;
 };
