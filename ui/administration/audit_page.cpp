@@ -3,6 +3,8 @@
 
 #include <QComboBox>
 #include <QDateEdit>
+#include <QJsonDocument>
+#include <QJsonObject>
 
 #include "database/people.h"
 #include "ui/shell/background_job.h"
@@ -31,6 +33,17 @@ QDateEdit* make_day(const QString& label, const char* name) {
     day->setCalendarPopup(true);
     day->setDisplayFormat(QStringLiteral("d MMM yyyy"));
     return day;
+}
+
+/// {"before":"yes","after":"no"} as "before: yes; after: no"; what is no object stays as it is.
+QString particulars(const std::string& payload) {
+    const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(payload));
+    if (!document.isObject()) return text(payload);
+    const QJsonObject members = document.object();
+    QStringList lines;
+    for (auto member = members.begin(); member != members.end(); ++member)
+        lines << member.key() + QStringLiteral(": ") + member.value().toString();
+    return lines.join(QStringLiteral("; "));
 }
 
 struct ChainState {
@@ -177,10 +190,8 @@ void AuditPage::show_entries(const std::vector<database::AuditEntry>& entries) {
     for (const database::AuditEntry& entry : entries) {
         const int row = table_->rowCount();
         table_->insertRow(row);
-        const QString cells[] = {
-            local_time(entry.time),  text(entry.actor_name),
-            role_text(entry.role),   text(entry.operation),
-            text(entry.person_name), entry.payload == "{}" ? QString() : text(entry.payload)};
+        const QString cells[] = {local_time(entry.time), text(entry.actor_name),  role_text(entry.role),
+                                 text(entry.operation),  text(entry.person_name), particulars(entry.payload)};
         for (int column = 0; column < 6; ++column) table_->setItem(row, column, make_cell(cells[column]));
         table_->item(row, 5)->setToolTip(tr("Row %1, object %2, hash %3")
                                              .arg(entry.sequence)

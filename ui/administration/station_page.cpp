@@ -58,7 +58,7 @@ QFrame* StationPage::build_check() {
     verdict_->hide();
     card_layout(card)->addWidget(verdict_);
     items_ = make_table({tr("Looked at"), tr("Result"), tr("How many"), tr("What is wrong")}, "check_items");
-    items_->setMinimumHeight(240);
+    items_->setMinimumHeight(280);  // all of them
     items_->hide();
     card_layout(card)->addWidget(items_);
     return card;

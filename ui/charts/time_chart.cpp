@@ -131,6 +131,9 @@ double tick_interval(double span) {
 void TimeChart::show_range(double from, double to) {
     const double span = std::clamp(to - from, 0.05, std::max(last_ - first_, 0.05));
     from = std::clamp(from, first_, std::max(first_, last_ - span));
+    // Qt Charts strokes a line's outline at every change of its range or its points: it is spared the points
+    // of the view before in the range of this one.
+    for (Series& series : series_) series.line->clear();
     // The axis lays its ticks out after each change: never the short interval over the long range.
     const double interval = tick_interval(span);
     const bool longer = interval > x_axis_->tickInterval();
@@ -143,9 +146,24 @@ void TimeChart::show_range(double from, double to) {
     refresh();
 }
 
+std::size_t TimeChart::points_wanted() const {
+    // A bucket a pixel's column keeps its lowest, its highest and one more; before the first layout the width
+    // is unknown.
+    const double columns = chart()->plotArea().width() * devicePixelRatioF();
+    if (columns < 100) return chart_point_limit;
+    return std::min(chart_point_limit, static_cast<std::size_t>(3 * columns) + 2);
+}
+
+void TimeChart::resizeEvent(QResizeEvent* event) {
+    const std::size_t before = points_wanted();
+    QChartView::resizeEvent(event);
+    if (points_wanted() != before) refresh();
+}
+
 void TimeChart::refresh() {
     for (Series& series : series_) {
-        const std::vector<ChartPoint> points = series.data->view(x_axis_->min(), x_axis_->max());
+        const std::vector<ChartPoint> points =
+            series.data->view(x_axis_->min(), x_axis_->max(), points_wanted());
         QVector<QPointF> shown;
         shown.reserve(static_cast<int>(points.size()));
         for (const ChartPoint& point : points) shown.push_back({point.x, point.y});

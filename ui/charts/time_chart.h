@@ -56,6 +56,7 @@ class TimeChart : public QtCharts::QChartView {
     void keyPressEvent(QKeyEvent* event) override;
     bool viewportEvent(QEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     void restyle();
@@ -63,6 +64,8 @@ class TimeChart : public QtCharts::QChartView {
         QtCharts::QLineSeries* line = nullptr;
         std::shared_ptr<const MinMaxPyramid> data;
     };
+    /// As many as the plot's width can show, never more than chart_point_limit.
+    std::size_t points_wanted() const;
     void refresh();
     double time_at(const QPoint& position) const;
     double x_of(double time) const;

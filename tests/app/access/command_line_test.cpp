@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "app/commands.h"
+#include "database/connection.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/app/access/access_programme.h"
 
@@ -258,6 +259,33 @@ TEST_F(CommandLine, WrongInputOfTheNewActionsNamesPlaceAndMend) {
     EXPECT_THROW(run_command({"db", "score", "--limit", "3", "--db", programme.path}), UsageError);
     EXPECT_THROW(run_command({"db", "audit", "--db", programme.path}), UsageError);
     EXPECT_THROW(run_command({"db", "--json"}), UsageError);
+}
+
+TEST_F(CommandLine, TheAuditLogEndsInOneWhereItsChainIsBroken) {
+    {
+        const Store store = Store::open(programme.path);
+        store.connection().execute("DROP TRIGGER audit_entry_is_fixed");
+        store.connection().execute("UPDATE audit_entry SET time = time + 1 WHERE sequence = 4");
+    }
+    std::ostringstream output;
+    std::streambuf* const before = std::cout.rdbuf(output.rdbuf());
+    std::vector<std::string> words = {"db",  "audit",  "--kind", "attempt",     "--person",
+                                      "eve", "--json", "--db",   programme.path};
+    for (const std::string& word : as(Role::administrator)) words.push_back(word);
+    const int status = run_command(words);
+    std::cout.rdbuf(before);
+    EXPECT_EQ(status, 1);
+    const auto document = nlohmann::json::parse(output.str());
+    EXPECT_FALSE(document["chain"]["ok"].get<bool>());
+    EXPECT_NE(document["chain"]["problems"][0].get<std::string>().find("audit row 4"), std::string::npos);
+    ASSERT_EQ(document["entries"].size(), 2U);
+    for (const auto& entry : document["entries"]) {
+        EXPECT_EQ(entry["person_name"], "Eve Elsewhere");
+        EXPECT_EQ(entry["role"], "trainee");
+        EXPECT_NE(entry["payload"].get<std::string>().find("withheld"), std::string::npos);
+    }
+    EXPECT_EQ(document["entries"][0]["operation"], "attempt.request_correction");
+    EXPECT_EQ(document["entries"][1]["operation"], "attempt.finish");
 }
 
 TEST_F(CommandLine, ReadsExpertsForABenchmarkAsTheTableSays) {

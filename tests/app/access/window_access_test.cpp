@@ -15,6 +15,7 @@
 #include <set>
 
 #include "app/application.h"
+#include "database/connection.h"
 #include "tests/app/access/access_programme.h"
 #include "tests/app/access/places.h"
 #include "tests/ui/journey/hands.h"
@@ -465,6 +466,24 @@ TEST_F(WindowAccess, AdministratorsReadTheAuditLogByPersonKindAndPeriod) {
     EXPECT_EQ(table->rowCount(), 0);
     find<QDateEdit>(*window, "audit_until")->setDate(QDate(2000, 1, 2));  // ends before it begins
     EXPECT_EQ(table->rowCount(), 0);
+}
+
+TEST_F(WindowAccess, ABrokenChainIsNamedWhereAdministratorsLook) {
+    Connection& connection = services->store()->connection();
+    connection.execute("DROP TRIGGER audit_entry_is_fixed");
+    connection.execute("UPDATE audit_entry SET time = time + 1 WHERE sequence = 4");
+    act_as(programme.asker(Role::administrator));
+    click(*window, "rail_audit");
+    ASSERT_TRUE(
+        wait_for([&] { return find<QLabel>(*window, "audit_chain")->text().contains("broken"); }, 60000));
+    EXPECT_TRUE(find<QLabel>(*window, "audit_chain")->text().contains("audit row 4"));
+    click(*window, "rail_station");
+    click(*window, "check_store");
+    ASSERT_TRUE(wait_for([&] { return sees(*window, "check_verdict"); }, 60000));
+    EXPECT_TRUE(find<QLabel>(*window, "check_verdict")->text().contains("damaged"));
+    auto* items = find<QTableWidget>(*window, "check_items");
+    for (int row = 0; row < items->rowCount(); ++row)
+        EXPECT_EQ(items->item(row, 3)->text().isEmpty(), items->item(row, 0)->text() != "audit chain") << row;
 }
 
 TEST_F(WindowAccess, EverybodyChangesTheirOwnPassword) {
