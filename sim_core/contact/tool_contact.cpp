@@ -16,6 +16,20 @@ namespace {
 constexpr double longest_carry = 0.020;  // s: rings are moved on by their velocity no longer than this
 constexpr double tip_blend = 0.005;      // m over which the proxy's radius goes from the tip's to the shaft's
 
+// A pose that force can be made of: finite, and so are its squares.
+bool can_touch(const ToolKinematics& tool) {
+    constexpr double furthest = 1e6, fastest = 1e6;  // m, m/s
+    return tool.rotation.allFinite() && tool.tip.allFinite() && tool.tip.cwiseAbs().maxCoeff() < furthest &&
+           tool.tip_velocity.allFinite() && tool.tip_velocity.cwiseAbs().maxCoeff() < fastest;
+}
+
+bool all_finite(const ToolContactResult& result) {
+    return result.force.allFinite() && result.torque.allFinite() && result.stiffness.allFinite() &&
+           result.point.allFinite() && result.normal.allFinite() &&
+           std::isfinite(result.damping + result.distance + result.area + result.slip_ratio +
+                         result.target_distance);
+}
+
 WalkPoint start_at_seed(const SurfacePatch& patch) {
     WalkPoint walk;
     walk.triangle = patch.seed_triangle;
@@ -293,8 +307,7 @@ void step_tool_contact(const ToolContactModel& model, const LocalModel& local, c
     result.model_step = local.step;
     result.age = tick > local.tick ? tick - local.tick : 0;
     const double seconds = std::min(result.age * model.instrument.tick_period, longest_carry);
-    if (!tool.inside || !tool.tip.allFinite() || !tool.tip_velocity.allFinite() ||
-        !tool.rotation.allFinite()) {
+    if (!tool.inside || !can_touch(tool)) {
         state = ToolContactState{};
         return;
     }
@@ -315,7 +328,7 @@ void step_tool_contact(const ToolContactModel& model, const LocalModel& local, c
     touch_targets(model, local, tool, result);
     touch_wall(model, local, tool, state, result);
     result.force = result.surface_force + result.grasp_force + result.target_force + result.wall_force;
-    if (!result.force.allFinite() || !result.torque.allFinite() || !result.stiffness.allFinite()) {
+    if (!all_finite(result)) {
         result = ToolContactResult{};
         result.model_step = local.step;
         result.lost = true;
