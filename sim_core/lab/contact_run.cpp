@@ -78,6 +78,12 @@ std::shared_ptr<ContactRun> build_contact_run(int sections, int around) {
     return run;
 }
 
+std::shared_ptr<ContactRun> build_contact_run_of(int triangles) {
+    const double slenderness = length / (2 * 3.14159265358979 * mean_radius);
+    const int around = std::max(8, static_cast<int>(std::lround(std::sqrt(triangles / (2 * slenderness)))));
+    return build_contact_run(triangles / (2 * around), around);
+}
+
 double worst_contact_distance(ContactRun& run, int poses) {
     std::vector<RingFrame> frames(run.rings.size());
     std::vector<Vector3> all(static_cast<std::size_t>(run.skin->vertices()));

@@ -40,6 +40,8 @@ struct ContactRun {
 
 /// A tube of 0.9 m, 2 * sections * around triangles.
 std::shared_ptr<ContactRun> build_contact_run(int sections = 299, int around = 33);
+/// The same of about that many triangles, as long as wide: size sweeps.
+std::shared_ptr<ContactRun> build_contact_run_of(int triangles);
 
 /// Largest difference (m) between the contact's distance and brute force over all triangles, the tool 3 to 6
 /// mm above the surface.

@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "sim_core/lab/bench.h"
+#include "sim_core/lab/contact_run.h"
 #include "sim_core/lab/yardstick.h"
 
 namespace {
@@ -22,6 +23,26 @@ void run_workload(benchmark::State& state, const fulcrum::lab::Workload& workloa
     if (prepared.error) state.counters["error"] = prepared.error().value_or(0.0);
     state.counters["bytes"] = static_cast<double>(prepared.bytes);
 }
+
+// 2,000 to 200,000 vertices: a tick of contact, and the building of a patch.
+void size_sweep(benchmark::State& state, bool patch) {
+    using Clock = std::chrono::steady_clock;
+    const auto run = fulcrum::lab::build_contact_run_of(static_cast<int>(state.range(0)));
+    for (auto _ : state) {
+        run->prepare_tick(0);
+        const auto begin = Clock::now();
+        if (patch) {
+            run->publish();
+        } else {
+            run->touch();
+        }
+        state.SetIterationTime(std::chrono::duration<double>(Clock::now() - begin).count());
+        if (patch) run->touch();
+    }
+    state.counters["vertices"] = run->skin->vertices();
+}
+BENCHMARK_CAPTURE(size_sweep, tick, false)->RangeMultiplier(10)->Range(4000, 400000)->UseManualTime();
+BENCHMARK_CAPTURE(size_sweep, patch, true)->RangeMultiplier(10)->Range(4000, 400000)->UseManualTime();
 
 void yardstick(benchmark::State& state) {
     double sum = 0.0;

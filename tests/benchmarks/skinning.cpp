@@ -2,8 +2,10 @@
 // Skinning and force filter: the product's reference workloads under Google Benchmark.
 #include <benchmark/benchmark.h>
 
+#include "sim_core/bowel/display_skin.h"
 #include "sim_core/contact/force_filter.h"
 #include "sim_core/lab/bench.h"
+#include "sim_core/lab/contact_run.h"
 #include "sim_core/lab/reference_tube.h"
 #include "sim_core/lab/yardstick.h"
 
@@ -31,6 +33,21 @@ void filter_force(benchmark::State& state) {
     }
 }
 BENCHMARK(filter_force)->DenseRange(0, 3);
+
+// 2,000 to 200,000 vertices: time a vertex is the counter.
+void size_sweep(benchmark::State& state) {
+    const auto run = fulcrum::lab::build_contact_run_of(static_cast<int>(state.range(0)));
+    const fulcrum::DisplaySkin display(*run->skin);
+    std::vector<fulcrum::RingFrame> frames(run->rings.size());
+    for (std::size_t r = 0; r < frames.size(); ++r) frames[r] = run->rings[r].frame;
+    std::vector<float> ring_floats(12 * frames.size()),
+        positions(3 * static_cast<std::size_t>(run->skin->vertices()));
+    for (auto _ : state) display.evaluate(frames.data(), ring_floats.data(), positions.data(), nullptr);
+    state.counters["vertices"] = run->skin->vertices();
+    state.counters["s_per_vertex"] = benchmark::Counter(
+        run->skin->vertices(), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(size_sweep)->RangeMultiplier(10)->Range(4000, 400000);
 
 void yardstick(benchmark::State& state) {
     double sum = 0.0;
