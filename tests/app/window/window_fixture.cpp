@@ -12,6 +12,9 @@ using namespace fulcrum::ui::test;
 
 void SpoiltRig::read(std::uint32_t tick, RigSample& sample) {
     rig_->read(tick, sample);
+    for (int h = 0; h < hand_count; ++h) {
+        for (int i = 0; i < 3; ++i) handle_[h][i].store(device_length_unit * sample.hand[h].handle[i]);
+    }
     DeviceReading reading;
     const DeviceSample& whole = sample.hand[0];
     reading.handle = device_length_unit * Vector3(whole.handle[0], whole.handle[1], whole.handle[2]);
@@ -26,6 +29,12 @@ void SpoiltRig::read(std::uint32_t tick, RigSample& sample) {
     if (fault == Fault::jump) reading.handle.x() += 1.0;
     reading.present = fault != Fault::silence;
     last_ = sample.hand[0] = quantise(reading, last_);
+}
+
+double SpoiltRig::behind(Hand hand, const HandTargets& wanted) const {
+    const auto h = static_cast<int>(hand);
+    return (Vector3(handle_[h][0].load(), handle_[h][1].load(), handle_[h][2].load()) - wanted.hand[h].handle)
+        .norm();
 }
 
 void SpoiltRig::write_force(Hand hand, const Vector3& force) {
@@ -120,25 +129,6 @@ void Window::move_hands(int moves) {
     QTest::keyPress(view, Qt::Key_D);
     EXPECT_TRUE(wait_for([&] { return theatre().session()->display().moving_seen; }, 20000));
     QTest::keyRelease(view, Qt::Key_D);
-}
-
-void Window::come_to_rest() {
-    constexpr std::uint32_t still = 500;  // ticks; a target is followed for 400 at most, then low-passed
-    std::uint32_t moved = theatre().session()->health().ticks;
-    Vector3 tip[hand_count] = {Vector3::Zero(), Vector3::Zero()};
-    ASSERT_TRUE(wait_for(
-        [&] {
-            const std::uint32_t now = theatre().session()->health().ticks;
-            for (int h = 0; h < hand_count; ++h) {
-                const Vector3 is = theatre().session()->snapshot().tools[h].tip;
-                if ((is - tip[h]).norm() > 0.1e-3) {
-                    tip[h] = is;
-                    moved = now;
-                }
-            }
-            return now - moved > still;
-        },
-        60000));
 }
 
 void Window::abandon() {

@@ -33,11 +33,15 @@ class SpoiltRig : public Rig {
     bool has_force(Hand) const override { return true; }
     double damping(Hand) const override { return -1; }
     double sent(Hand hand) const { return sent_[static_cast<int>(hand)].load(); }
+    /// m between a hand's handle and where it is wanted: the rest of a way that it goes even without its
+    /// device.
+    double behind(Hand hand, const ui::HandTargets& wanted) const;
 
   private:
     std::shared_ptr<Rig> rig_;
     std::atomic<Fault> fault_{Fault::none};
     std::atomic<double> displaced_{0}, sent_[hand_count] = {{0}, {0}};
+    std::atomic<double> handle_[hand_count][3] = {};
     DeviceSample last_;
 };
 
@@ -75,8 +79,6 @@ class Window : public ::testing::Test {
     ui::Realignment aligned() { return theatre().view()->realignment().value_or(ui::Realignment()); }
     /// Moves both hands until the attempt has seen it.
     void move_hands(int moves);
-    /// Waits until the instruments have followed the mouse and stand still.
-    void come_to_rest();
     void abandon();
     ui::DebriefPage& wait_for_debrief();
     void home();
