@@ -43,6 +43,8 @@ int kills(int usually) {
 /// What all the kills of a run came to.
 struct Toll {
     int kills = 0;
+    std::size_t begun = 0, missing = 0;  ///< attempts whose first tick was read; of these not in the store
+    std::size_t scored = 0;              ///< found with the score that was stored before the kill
     std::size_t interrupted = 0, scored_after = 0, finished = 0, finished_lost = 0;
     std::vector<std::uint32_t> lost_ticks;  ///< of each attempt that was cut off
     std::vector<double> recorded_s;         ///< of each of these
@@ -119,6 +121,10 @@ void Kills::round(const char* child_option, int number, const database::Session&
     EXPECT_EQ(now_scored, open);
     EXPECT_TRUE(attempts.interrupted_without_score(performer).empty());
     ++toll.kills;
+    const std::size_t begun = counters->begun.load() - begun_before;
+    toll.begun += begun;
+    toll.missing += begun > seen ? begun - seen : 0;
+    toll.scored += scored;
     toll.interrupted += open;
     toll.scored_after += now_scored;
     toll.finished += finished;
@@ -157,11 +163,13 @@ void write_page(const char* page_folder, const Toll& toll) {
     table.columns = {"what", "figure"};
     table.rows = {
         {"kills", figure(toll.kills)},
-        {"attempts finished before them", figure(static_cast<double>(toll.finished))},
-        {"scores of these lost", figure(static_cast<double>(toll.finished_lost))},
-        {"attempts cut off, all listed as interrupted at the next start",
-         figure(static_cast<double>(toll.interrupted))},
+        {"attempts begun", figure(static_cast<double>(toll.begun))},
+        {"of these missing at the next start", figure(static_cast<double>(toll.missing))},
+        {"found with their score", figure(static_cast<double>(toll.scored))},
+        {"found listed as interrupted", figure(static_cast<double>(toll.interrupted))},
         {"of these scored from their record then", figure(static_cast<double>(toll.scored_after))},
+        {"attempts whose debrief was shown before the kill", figure(static_cast<double>(toll.finished))},
+        {"scores of these lost", figure(static_cast<double>(toll.finished_lost))},
         {"ticks of trace lost: median", lost.empty() ? "–" : figure(lost[lost.size() / 2])},
         {"ticks of trace lost: worst", figure(toll.worst())},
         {"recorded part of these, s: shortest", recorded.empty() ? "–" : figure(recorded.front(), "%.2f")},
