@@ -41,6 +41,8 @@ class Services : public ui::ApplicationServices {
     Scene scene_for(const TaskDefinition& task) const override { return load_scene(asset_path("scenes/" + task.scene)); }
 
     std::unique_ptr<ui::AttemptSession> start_attempt(const ui::AttemptRequest& request) override {
+        // The recorder asks again; here it is refused before a scene is made.
+        store_->require(request.session, database::Operation::perform_attempt, database::Subject::person(request.session.person_id()));
         LiveRequest live{load_task_and_scene(request.task_id), request.seed, request.assessed, request.rig, store_->path(), request.session, {}, benchmark_in_force(request.task_id)};
         if (live.seed == 0) live.seed = draw_seed();
         live.meta = attempt_meta(live.loaded, live.seed, request.assessed ? "assessed" : "practice", request.device_class, request.device,

@@ -195,7 +195,7 @@ void TimeChart::drawForeground(QPainter* painter, const QRectF& rect) {
         const double y = area.bottom() - area.height() * (value - y_axis_->min()) / y_span;
         painter->setPen(QPen(p.limit, 1.4, Qt::DashDotLine));
         painter->drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
-        painter->drawText(QPointF(area.left() + 6, y - 4), name);
+        painter->drawText(QPointF(area.left() + 6, y - area.top() < 18 ? y + 14 : y - 4), name);
     }
     for (const ChartMark& mark : marks_) {
         if (mark.time < x_axis_->min() || mark.time > x_axis_->max()) continue;

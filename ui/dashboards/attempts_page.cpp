@@ -39,9 +39,11 @@ AttemptsPage::AttemptsPage(Context& context) : Page(context, "attempts_page") {
     row->addWidget(count_);
     layout->addLayout(row);
     table_ = make_table({tr("Person"), tr("Task"), tr("Started"), tr("Mode"), tr("Device"), tr("Ended"),
-                         tr("Time"), tr("Result"), tr("Points"), tr("Comments")},
+                         tr("Recorded"), tr("Result"), tr("Points"), tr("Comments")},
                         "attempts_table");
     table_->setMinimumHeight(360);
+    // What came of an attempt is seen without scrolling; the device stands last.
+    table_->horizontalHeader()->moveSection(4, table_->columnCount() - 1);
     layout->addWidget(table_, 1);
     connect(table_, &QTableWidget::itemActivated, this,
             [this](QTableWidgetItem* item) { open_row(item->row()); });

@@ -6,6 +6,7 @@
 #include <QTableWidget>
 
 #include "database/people.h"
+#include "ui/reports/export_row.h"
 #include "ui/reports/report_export.h"
 #include "ui/shell/background_job.h"
 #include "ui/style/palette.h"
@@ -44,9 +45,9 @@ CohortPage::CohortPage(Context& context) : Page(context, "cohort_page") {
     cohort_->setAccessibleName(tr("Cohort"));
     cohort_->setMinimumWidth(240);
     row->addWidget(cohort_);
-    row->addStretch();
-    export_ = make_button(tr("Export …"), "export_cohort", "primary");
-    row->addWidget(export_);
+    row->addSpacing(24);
+    export_ = new ExportRow("export_cohort");
+    row->addWidget(export_, 1);
     layout->addLayout(row);
     job_ = new JobBar;
     layout->addWidget(job_);
@@ -60,7 +61,8 @@ CohortPage::CohortPage(Context& context) : Page(context, "cohort_page") {
     foot_ = make_label({}, "muted");
     layout->addWidget(foot_);
     connect(cohort_, QOverload<int>::of(&QComboBox::activated), this, &CohortPage::load);
-    connect(export_, &QPushButton::clicked, this, &CohortPage::ask_export);
+    connect(export_, &ExportRow::save_wanted, this,
+            [this](const QString& path) { export_to(path, report_format_of(path)); });
     connect(table_, &QTableWidget::itemActivated, this, [this](QTableWidgetItem* item) {
         const QString person = table_->item(item->row(), 0)->data(Qt::UserRole).toString();
         const QString task = item->column() == 0 ? QString() : item->data(Qt::UserRole).toString();
@@ -104,6 +106,7 @@ void CohortPage::load() {
         })) {
         return;
     }
+    export_->propose(text(data_->cohort_name));
     QStringList titles{tr("Person")};
     for (const std::string& task : data_->tasks) titles << context().task_title(task);
     table_->setColumnCount(titles.size());
@@ -150,19 +153,16 @@ void CohortPage::load() {
                             metrics.isEmpty() ? QStringLiteral("–") : metrics.join(QStringLiteral(", "))));
 }
 
-void CohortPage::ask_export() {
-    if (!data_) return;
-    const QString path = ask_report_path(this, tr("Export the cohort"), text(data_->cohort_name));
-    if (!path.isEmpty()) export_to(path, report_format_of(path));
-}
-
 void CohortPage::export_to(const QString& path, ReportFormat format) {
     if (!data_) return;
     ReportRequest request;
     request.cohort_id = data_->cohort_id;
     request.format = format;
     request.path = plain(path);
-    export_report(context(), this, job_, request, [this](const QString& file) { emit exported(file); });
+    export_report(context(), this, job_, request, [this](const QString& file) {
+        export_->look();
+        emit exported(file);
+    });
 }
 
 }  // namespace fulcrum::ui

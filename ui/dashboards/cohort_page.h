@@ -11,11 +11,11 @@
 
 class QComboBox;
 class QLabel;
-class QPushButton;
 class QTableWidget;
 
 namespace fulcrum::ui {
 
+class ExportRow;
 class JobBar;
 
 class CohortPage : public Page {
@@ -31,13 +31,12 @@ class CohortPage : public Page {
 
   private:
     void load();
-    void ask_export();
 
     std::optional<database::CohortTable> data_;
     QComboBox* cohort_;
     QLabel *summary_, *foot_;
     QTableWidget* table_;
-    QPushButton* export_;
+    ExportRow* export_;
     JobBar* job_;
 };
 

@@ -63,7 +63,7 @@ const std::vector<Column>& attempt_columns() {
         {"passed", "1", "1 passed, 0 failed, empty not scored"},
         {"provisional", "1", "1: a gate rests on a provisional limit"},
         {"not_scored_because", "-", "why there is no score"},
-        {"duration", "s", "attempt clock at the end"},
+        {"duration", "s", "length of the record, with pauses and the time before the first movement"},
         {"points", "points", "0 to 100; empty: none"},
         {"points_scaled", "1", "points / 100"},
     };
@@ -138,7 +138,8 @@ std::optional<double> scaled(const std::optional<double>& points) {
 
 std::string csv_text(const std::string& cell) {
     std::string guarded = cell;
-    if (!cell.empty() && std::string("=+-@\t\r\n|%").find(cell.front()) != std::string::npos && cell != "-") {
+    if (!cell.empty() && std::string("=+-@\t\r\n|%").find(cell.front()) != std::string::npos && cell != "-" &&
+        cell != "%") {
         guarded = "'" + cell;
     }
     if (guarded.find_first_of(",\"\r\n") == std::string::npos) return guarded;

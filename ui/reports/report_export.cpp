@@ -2,7 +2,6 @@
 #include "ui/reports/report_export.h"
 
 #include <QCoreApplication>
-#include <QFileDialog>
 #include <memory>
 
 #include "ui/shell/background_job.h"
@@ -17,11 +16,6 @@ QString words(const char* source) {
 }
 
 }  // namespace
-
-QString ask_report_path(QWidget* parent, const QString& title, const QString& name) {
-    return QFileDialog::getSaveFileName(parent, title, name + QStringLiteral(".pdf"),
-                                        words("PDF (*.pdf);;CSV (*.csv);;JSON (*.json)"));
-}
 
 ReportFormat report_format_of(const QString& path) {
     if (path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) return ReportFormat::csv;

@@ -13,8 +13,7 @@ namespace fulcrum::ui {
 
 class JobBar;
 
-/// Asks for a file; the ending chooses the format. Empty when nothing was chosen.
-QString ask_report_path(QWidget* parent, const QString& title, const QString& name);
+/// By the file's ending.
 ReportFormat report_format_of(const QString& path);
 /// Writes on a worker thread with a store of its own, shown in `bar`; `done` gets the first file's path on
 /// the UI thread. What goes wrong is said on the window. The job belongs to `page`.

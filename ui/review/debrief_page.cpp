@@ -11,6 +11,7 @@
 #include "ui/charts/time_chart.h"
 #include "ui/review/actions_card.h"
 #include "ui/review/comments_card.h"
+#include "ui/review/gates_card.h"
 #include "ui/review/path_view.h"
 #include "ui/review/replay_panel.h"
 #include "ui/shell/background_job.h"
@@ -24,9 +25,9 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
     auto* body = new QWidget;
     auto* layout = new QVBoxLayout(body);
     layout->setSpacing(14);
-    QPushButton* back = make_button(tr("← Back"), "debrief_back", "link");
-    connect(back, &QPushButton::clicked, this, [this] { emit this->context().home_wanted(); });
-    layout->addWidget(back, 0, Qt::AlignLeft);
+    back_ = make_button(tr("← Back"), "debrief_back", "link");
+    connect(back_, &QPushButton::clicked, this, [this] { emit this->context().home_wanted(); });
+    layout->addWidget(back_, 0, Qt::AlignLeft);
     job_bar_ = new JobBar;
     connect(job_bar_, &JobBar::cancelled, this, [this] { emit this->context().home_wanted(); });
     layout->addWidget(job_bar_);
@@ -36,16 +37,8 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
     content->setSpacing(14);
     content->addWidget(build_head());
 
-    QFrame* gates_card = make_card(8);
-    card_layout(gates_card)->addWidget(make_label(tr("Gates"), "heading"));
-    gates_ = make_table({tr("Gate"), tr("Hand"), tr("Value"), tr("Limit"), tr("z"), tr("Result"),
-                         tr("Where the limit comes from")},
-                        "gates_table");
-    card_layout(gates_card)->addWidget(gates_);
-    card_layout(gates_card)
-        ->addWidget(
-            make_label(tr("Every gate counts. Choose a row to see the moment that decided it."), "muted"));
-    content->addWidget(gates_card);
+    gates_ = new GatesCard;
+    content->addWidget(gates_);
 
     auto* middle = new QHBoxLayout;
     middle->setSpacing(14);
@@ -115,19 +108,21 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
             [this](QListWidgetItem* item) { go_to(item->data(Qt::UserRole).toDouble()); });
     connect(events_, &QListWidget::itemClicked, this,
             [this](QListWidgetItem* item) { go_to(item->data(Qt::UserRole).toDouble()); });
-    for (QTableWidget* table : {gates_, metrics_}) {
-        const auto jump = [this, table](QTableWidgetItem* item) {
-            const QVariant time = table->item(item->row(), 0)->data(Qt::UserRole);
-            if (time.isValid()) go_to(time.toDouble());
-        };
-        connect(table, &QTableWidget::itemActivated, this, jump);
-        connect(table, &QTableWidget::itemClicked, this, jump);
-    }
+    const auto jump = [this](QTableWidgetItem* item) {
+        const QVariant time = metrics_->item(item->row(), 0)->data(Qt::UserRole);
+        if (time.isValid()) go_to(time.toDouble());
+    };
+    connect(metrics_, &QTableWidget::itemActivated, this, jump);
+    connect(metrics_, &QTableWidget::itemClicked, this, jump);
+    connect(gates_, &GatesCard::time_chosen, this, &DebriefPage::go_to);
     connect(force_, &TimeChart::time_chosen, this, &DebriefPage::go_to);
     connect(path_, &PathView::time_chosen, this, &DebriefPage::go_to);
     connect(comments_, &CommentsCard::time_chosen, this, &DebriefPage::go_to);
     connect(replay_, &ReplayPanel::time_changed, this, &DebriefPage::time_changed);
-    connect(actions_, &ActionsCard::changed, this, [this] { open(attempt_id_, moment()); });
+    connect(actions_, &ActionsCard::changed, this, [this] {
+        open(attempt_id_, moment());
+        back_->setFocus();
+    });
 }
 
 QWidget* DebriefPage::build_head() {
@@ -209,6 +204,10 @@ void DebriefPage::open(const std::string& attempt_id, double time_s) {
     job_bar_->watch(job_, tr("Reading the attempt …"));
 }
 
+void DebriefPage::enter() {
+    back_->setFocus();
+}
+
 void DebriefPage::leave() {
     if (job_ != nullptr) job_->cancel();
     job_ = nullptr;
@@ -224,7 +223,7 @@ double DebriefPage::moment() const {
 void DebriefPage::show_model() {
     content_->show();
     fill_head();
-    fill_gates();
+    gates_->open(*model_);
     fill_events();
     fill_metrics();
     fill_charts();
@@ -346,55 +345,6 @@ void DebriefPage::fill_head() {
     const std::string advice = model_->score ? model_->score->advice : std::string();
     advice_->setText(text(advice));
     advice_->parentWidget()->setVisible(!advice.empty());
-}
-
-void DebriefPage::fill_gates() {
-    gates_->setRowCount(0);
-    gates_->parentWidget()->setVisible(model_->score.has_value() && !model_->score->gates.empty());
-    if (!model_->score) return;
-    for (const database::GateRow& gate : model_->score->gates) {
-        const MetricDescriptor* metric = find_metric(gate.metric);
-        const int row = gates_->rowCount();
-        gates_->insertRow(row);
-        QString name = metric == nullptr ? text(gate.metric) : text(metric->name);
-        if (!gate.tissue.empty()) name += QStringLiteral(", ") + text(gate.tissue);
-        auto* first = make_cell(name);
-        if (metric != nullptr) first->setToolTip(text(metric->explanation));
-        const database::MetricRow* values =
-            find_metric_row(*model_->score, gate.metric, gate.hand, gate.tissue);
-        if (values != nullptr && !values->evidence.empty()) {
-            first->setData(Qt::UserRole, values->evidence.front().first);
-        }
-        const bool higher = metric != nullptr && metric->direction == Direction::higher;
-        QString limit = tr("none");  // no set has a level for it
-        if (gate.limit) {
-            limit = (higher ? QStringLiteral("≥ ") : QStringLiteral("≤ ")) +
-                    figure_with_unit(gate.limit, gate.unit);
-            if (gate.provisional) limit += tr(" (provisional)");
-        }
-        QString result = tr("– not judged");
-        if (gate.passed) result = *gate.passed ? tr("✓ met") : tr("✕ not met");
-        auto* verdict_cell = make_cell(result);
-        verdict_cell->setForeground(!gate.passed   ? colours().muted
-                                    : *gate.passed ? colours().good
-                                                   : colours().bad);
-        verdict_cell->setToolTip(text(gate.not_passed_because));
-        const Qt::Alignment right = Qt::AlignRight | Qt::AlignVCenter;
-        gates_->setItem(row, 0, first);
-        gates_->setItem(row, 1,
-                        make_cell(gate.hand == "left"    ? tr("left")
-                                  : gate.hand == "right" ? tr("right")
-                                                         : QString()));
-        gates_->setItem(row, 2, make_cell(figure_with_unit(gate.value, gate.unit), right));
-        gates_->setItem(row, 3, make_cell(limit, right));
-        gates_->setItem(row, 4,
-                        make_cell(gate.z ? QString::number(*gate.z, 'f', 2) : QStringLiteral("–"), right));
-        gates_->setItem(row, 5, verdict_cell);
-        gates_->setItem(row, 6,
-                        make_cell(gate.value ? text(gate.limit_source) : text(gate.not_passed_because)));
-    }
-    fit_columns(gates_);
-    gates_->setFixedHeight(gates_->horizontalHeader()->sizeHint().height() + 34 * gates_->rowCount() + 12);
 }
 
 void DebriefPage::fill_events() {

@@ -21,6 +21,7 @@ namespace fulcrum::ui {
 class ActionsCard;
 class BackgroundJob;
 class CommentsCard;
+class GatesCard;
 class JobBar;
 class PathView;
 class ReplayPanel;
@@ -32,6 +33,7 @@ class DebriefPage : public Page {
     explicit DebriefPage(Context& context);
     /// Reads the attempt off the UI thread; `time_s` < 0: from the start.
     void open(const std::string& attempt_id, double time_s);
+    void enter() override;
     void leave() override;
     /// The charts stand; the replay may still be waiting for the rest of the record.
     bool has_charts() const { return model_ != nullptr; }
@@ -49,7 +51,6 @@ class DebriefPage : public Page {
     void read_record();
     void show_record(std::shared_ptr<const database::Trace> trace);
     void fill_head();
-    void fill_gates();
     void fill_events();
     void fill_metrics();
     void fill_charts();
@@ -64,7 +65,9 @@ class DebriefPage : public Page {
     QWidget* content_;
     QLabel *title_, *verdict_, *about_, *notes_, *advice_;
     QLabel *number_[4], *number_title_[4], *number_why_[4];
-    QTableWidget *gates_, *metrics_;
+    QPushButton* back_;
+    GatesCard* gates_;
+    QTableWidget* metrics_;
     ReplayPanel* replay_;
     QListWidget* events_;
     QCheckBox* penalties_only_;

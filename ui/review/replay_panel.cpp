@@ -5,6 +5,7 @@
 #include <QSlider>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "database/trace_codec.h"
 #include "ui/style/text.h"
@@ -16,6 +17,18 @@ namespace {
 
 constexpr double speeds[] = {0.1, 0.25, 0.5, 1, 2, 5, 10};
 constexpr double step_s = 0.02;
+
+/// What a goal's progress event counts: targets, metres run, seconds held.
+void show_progress(HudState& hud, double value) {
+    const auto index = static_cast<std::size_t>(hud.display.goal);
+    if (hud.task == nullptr || index >= hud.task->goals.size()) return;
+    const Goal& goal = hud.task->goals[index];
+    double whole = goal.hold_s;
+    if (goal.kind == GoalKind::touch_targets) whole = goal.count;
+    if (goal.kind == GoalKind::run_bowel) whole = goal.length_m;
+    hud.display.goal_progress = whole > 0 ? std::min(1.0, value / whole) : 0;
+    if (goal.kind == GoalKind::run_bowel) hud.display.run_covered_m = value;
+}
 
 }  // namespace
 
@@ -155,6 +168,10 @@ void ReplayPanel::fill_hud() {
     HudState hud;
     hud.task = task_;
     hud.place = playing_ ? tr("replay ×%1").arg(factor_) : tr("replay");
+    for (int h = 0; h < hand_count; ++h) {
+        const InstrumentSpec* spec = source_->scene().instrument(static_cast<Hand>(h));
+        hud.has_jaws[h] = spec != nullptr && spec->kind != "probe";
+    }
     const std::vector<TickSample>& samples = model_->trace->samples;
     const auto tick = static_cast<std::uint32_t>(time_ / model_->tick);
     const auto found =
@@ -176,18 +193,18 @@ void ReplayPanel::fill_hud() {
             }
         }
     }
+    hud.display.lift_height_m = std::numeric_limits<double>::quiet_NaN();  // no event says it
     std::vector<bool> done;
     int active = -1;
     for (const Event& event : model_->trace->events) {
         if (event.tick > tick) break;
         if (event.kind == EventKind::phase_begin) {
             hud.display.goal = event.detail;
-            hud.display.goal_progress = 0;
+            hud.display.goal_progress = hud.display.run_covered_m = 0;
         }
         if (event.kind == EventKind::target_shown) active = event.detail;
         if (event.kind == EventKind::goal_progress && event.detail == hud.display.goal) {
-            hud.display.run_covered_m = static_cast<double>(event.value);
-            hud.display.lift_height_m = static_cast<double>(event.value);
+            show_progress(hud, static_cast<double>(event.value));
         }
         if (event.kind == EventKind::target_reached && event.detail >= 0) {
             done.resize(std::max(done.size(), static_cast<std::size_t>(event.detail) + 1), false);

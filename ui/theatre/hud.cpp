@@ -37,14 +37,14 @@ void draw_goal_bar(QPainter& painter, const QRectF& bar, double share, const QCo
     if (filled.width() > 1) painter.drawRoundedRect(filled, bar.height() / 2, bar.height() / 2);
 }
 
-void draw_force(QPainter& painter, const QRectF& box, const HudState& state, int h) {
+void draw_force(QPainter& painter, const QRectF& box, const HudState& state, int h, bool compact) {
     const Palette& p = dark();
     const double force = state.display.force[h], limit = state.display.force_limit[h];
     const bool warn = state.display.warning[h];
     const QColor colour = h == 0 ? p.left_hand : p.right_hand;
     // Full scale: a third above the limit, or 6 N when nothing limited is touched.
     const double scale = limit > 0 ? limit * 1.35 : 6.0;
-    const QRectF bar(box.left(), box.top() + 54, 26, box.height() - 130);
+    const QRectF bar(box.left(), box.top() + 54, compact ? 18 : 26, box.height() - 130);
     painter.setPen(QPen(QColor(255, 255, 255, 90), 1));
     painter.setBrush(QColor(255, 255, 255, 22));
     painter.drawRoundedRect(bar, 5, 5);
@@ -78,7 +78,8 @@ void draw_force(QPainter& painter, const QRectF& box, const HudState& state, int
     if (state.has_jaws[h]) {
         painter.drawText(QRectF(box.left() - 4, box.top() + 25, box.width(), 26),
                          Qt::AlignLeft | Qt::AlignVCenter,
-                         state.jaws_closed[h] ? tr("jaws closed") : tr("jaws open"));
+                         compact ? (state.jaws_closed[h] ? tr("closed") : tr("open"))
+                                 : (state.jaws_closed[h] ? tr("jaws closed") : tr("jaws open")));
     }
     painter.setFont(hud_font(14, true));
     painter.setPen(over ? p.bad : p.text);
@@ -88,7 +89,7 @@ void draw_force(QPainter& painter, const QRectF& box, const HudState& state, int
         painter.setFont(hud_font(13, true));
         painter.setPen(p.warning);
         painter.drawText(QRectF(box.left() - 4, bar.bottom() + 32, box.width() + 30, 26),
-                         Qt::AlignLeft | Qt::AlignVCenter, tr("⚠ less force"));
+                         Qt::AlignLeft | Qt::AlignVCenter, compact ? tr("⚠ less") : tr("⚠ less force"));
     }
 }
 
@@ -104,6 +105,11 @@ QString goal_detail(const HudState& state, const Goal& goal) {
                 .arg(display.run_covered_m * 100, 0, 'f', 0)
                 .arg(goal.length_m * 100, 0, 'f', 0);
         case GoalKind::lift_and_hold:
+            if (!std::isfinite(display.lift_height_m)) {  // a replay knows how long, not how high
+                return tr("%1 of %2 s held")
+                    .arg(std::lround(display.goal_progress * goal.hold_s))
+                    .arg(std::lround(goal.hold_s));
+            }
             return tr("%1 of %2 mm high")
                 .arg(display.lift_height_m * 1000, 0, 'f', 0)
                 .arg(goal.height_m * 1000, 0, 'f', 0);
@@ -117,11 +123,14 @@ void paint_hud(QPainter& painter, const QRectF& area, const HudState& state) {
     const Palette& p = dark();
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    const double margin = 18, column = 190;
+    // What the round picture leaves free at its sides; a small view has room for the figures alone.
+    const double side = 0.5 * (area.width() - std::min(area.width(), area.height()));
+    const bool compact = side < 150;
+    const double margin = compact ? 10 : 18, column = compact ? 120 : 190;
 
     // Top left: the clock and the mode.
     painter.setPen(p.text);
-    painter.setFont(hud_font(26, true));
+    painter.setFont(hud_font(compact ? 18 : 26, true));
     painter.drawText(QRectF(area.left() + margin, area.top() + 10, column, 42),
                      Qt::AlignLeft | Qt::AlignVCenter, clock_text(state.display.elapsed_s));
     painter.setFont(hud_font(12));
@@ -134,8 +143,8 @@ void paint_hud(QPainter& painter, const QRectF& area, const HudState& state) {
                          : state.became_practice ? tr("practice: a device was lost")
                          : state.assessed        ? tr("assessed")
                                                  : tr("practice");
-    painter.drawText(QRectF(area.left() + margin, area.top() + 74, column + 40, 24),
-                     Qt::AlignLeft | Qt::AlignVCenter, mode);
+    painter.drawText(QRectF(area.left() + margin, area.top() + 76, column, 48),
+                     Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, mode);
 
     // Top right: the goal.
     if (state.task != nullptr && !state.task->goals.empty()) {
@@ -147,17 +156,22 @@ void paint_hud(QPainter& painter, const QRectF& area, const HudState& state) {
         painter.setPen(p.muted);
         painter.drawText(QRectF(box.left(), box.top(), box.width(), 22), Qt::AlignRight | Qt::AlignVCenter,
                          tr("Step %1 of %2").arg(index + 1).arg(state.task->goals.size()));
-        painter.setFont(hud_font(13, true));
         painter.setPen(p.text);
-        QRectF used;
-        painter.drawText(QRectF(box.left(), box.top() + 22, box.width(), 90),
-                         Qt::AlignRight | Qt::TextWordWrap, text(goal.text), &used);
-        double y = used.bottom() + 6;
+        double y = box.top() + 22;
+        if (!compact) {
+            painter.setFont(hud_font(13, true));
+            QRectF used;
+            painter.drawText(QRectF(box.left(), y, box.width(), 90), Qt::AlignRight | Qt::TextWordWrap,
+                             text(goal.text), &used);
+            y = used.bottom() + 6;
+        }
         painter.setFont(hud_font(12));
         painter.drawText(QRectF(box.left(), y, box.width(), 22), Qt::AlignRight | Qt::AlignVCenter,
                          goal_detail(state, goal));
         y += 26;
-        draw_goal_bar(painter, QRectF(box.right() - 180, y, 180, 8), state.display.goal_progress, p.good);
+        const double length = compact ? 110 : 180;
+        draw_goal_bar(painter, QRectF(box.right() - length, y, length, 8), state.display.goal_progress,
+                      p.good);
         if (state.display.hold_progress > 0) {
             y += 14;
             painter.setPen(p.text);
@@ -171,8 +185,9 @@ void paint_hud(QPainter& painter, const QRectF& area, const HudState& state) {
     // Both sides: force.
     const double bars_height = std::min(area.height() * 0.55, 360.0);
     const double bars_top = area.bottom() - bars_height - 40;
-    draw_force(painter, QRectF(area.left() + margin + 4, bars_top, 130, bars_height), state, 0);
-    draw_force(painter, QRectF(area.right() - margin - 112, bars_top, 130, bars_height), state, 1);
+    draw_force(painter, QRectF(area.left() + margin + 4, bars_top, 130, bars_height), state, 0, compact);
+    draw_force(painter, QRectF(area.right() - margin - (compact ? 74 : 112), bars_top, 130, bars_height),
+               state, 1, compact);
 
     painter.setFont(hud_font(12));
     painter.setPen(p.muted);

@@ -8,6 +8,7 @@
 #include "assessment/metrics/registry.h"
 #include "database/people.h"
 #include "ui/charts/attempt_chart.h"
+#include "ui/reports/export_row.h"
 #include "ui/reports/report_export.h"
 #include "ui/shell/background_job.h"
 #include "ui/style/text.h"
@@ -51,10 +52,11 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     task_ = combo(tr("Task"), "progress_task");
     metric_ = combo(tr("Figure"), "progress_metric");
     row->addStretch();
-    export_ = make_button(tr("Export …"), "export_person");
-    connect(export_, &QPushButton::clicked, this, &ProgressPage::ask_export);
-    row->addWidget(export_);
     layout->addLayout(row);
+    export_ = new ExportRow("export_person");
+    connect(export_, &ExportRow::save_wanted, this,
+            [this](const QString& path) { export_to(path, report_format_of(path)); });
+    layout->addWidget(export_);
     job_ = new JobBar;
     layout->addWidget(job_);
     QFrame* card = make_card(8);
@@ -131,13 +133,13 @@ void ProgressPage::load() {
     }
     export_->setVisible(
         context().allowed(database::Operation::export_person, database::Subject::person(person_id_)));
+    export_->propose(person_->currentText());
     title_->setText(person_id_ == context().session().person_id()
                         ? tr("My progress")
                         : tr("Progress of %1").arg(person_->currentText()));
     const QString before = metric_->currentData().toString();
     metric_->clear();
     metric_->addItem(tr("Points"), QStringLiteral("points"));
-    metric_->addItem(tr("Time"), QStringLiteral("duration"));
     std::set<QString> seen;
     if (progress_) {
         for (const database::ProgressSeries& series : progress_->series) {
@@ -174,9 +176,6 @@ void ProgressPage::draw() {
                 std::string unit;
                 if (key == QLatin1String("points")) {
                     mark.value = point.points;
-                } else if (key == QLatin1String("duration")) {
-                    mark.value = point.duration_s;
-                    unit = "s";
                 } else if (const database::MetricRow* metric = find_row(point, key)) {
                     mark.value = metric->value;
                     unit = metric->unit;
@@ -196,7 +195,7 @@ void ProgressPage::draw() {
         }
     }
     summary_->setText(
-        tr("%1 · %2 counting attempts, %3 passed").arg(task_->currentText()).arg(counting).arg(passed));
+        tr("%1 · counting attempts: %2 · passed: %3").arg(task_->currentText()).arg(counting).arg(passed));
     chart_->set_data(std::move(drawn));
 }
 
@@ -214,8 +213,11 @@ void ProgressPage::fill_table() {
             table_->setItem(row, 2, make_cell(device_class_text(series.device_class)));
             table_->setItem(row, 3, make_cell(point.mode == "assessed" ? tr("assessed") : tr("practice")));
             table_->setItem(row, 4, make_cell(attempt_state(point.state)));
+            const database::MetricRow* time = find_row(point, QStringLiteral("time//"));
+            const bool measured = time != nullptr && time->value;
             table_->setItem(row, 5,
-                            make_cell(clock_text(point.duration_s), Qt::AlignRight | Qt::AlignVCenter));
+                            make_cell(measured ? clock_text(*time->value) : QStringLiteral("–"),
+                                      Qt::AlignRight | Qt::AlignVCenter));
             table_->setItem(row, 6, make_cell(verdict(point.passed, point.provisional)));
             table_->setItem(row, 7, make_cell(figure(point.points), Qt::AlignRight | Qt::AlignVCenter));
         }
@@ -223,17 +225,15 @@ void ProgressPage::fill_table() {
     fit_columns(table_);
 }
 
-void ProgressPage::ask_export() {
-    const QString path = ask_report_path(this, tr("Save the report"), person_->currentText());
-    if (!path.isEmpty()) export_to(path, report_format_of(path));
-}
-
 void ProgressPage::export_to(const QString& path, ReportFormat format) {
     ReportRequest request;
     request.person_id = person_id_;
     request.path = plain(path);
     request.format = format;
-    export_report(context(), this, job_, request, [this](const QString& file) { emit exported(file); });
+    export_report(context(), this, job_, request, [this](const QString& file) {
+        export_->look();
+        emit exported(file);
+    });
 }
 
 }  // namespace fulcrum::ui

@@ -11,12 +11,12 @@
 
 class QComboBox;
 class QLabel;
-class QPushButton;
 class QTableWidget;
 
 namespace fulcrum::ui {
 
 class AttemptChart;
+class ExportRow;
 class JobBar;
 
 class ProgressPage : public Page {
@@ -36,13 +36,12 @@ class ProgressPage : public Page {
     void load();
     void draw();
     void fill_table();
-    void ask_export();
 
     std::string person_id_, task_id_;
     std::optional<database::PersonProgress> progress_;
     QLabel *title_, *summary_;
     QComboBox *person_, *task_, *metric_;
-    QPushButton* export_;
+    ExportRow* export_;
     JobBar* job_;
     AttemptChart* chart_;
     QTableWidget* table_;

@@ -7,14 +7,12 @@
 
 #include <QAbstractButton>
 #include <QApplication>
-#include <QDateTime>
 #include <QDir>
-#include <QFileDialog>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QScreen>
+#include <QScrollArea>
 #include <QTableWidget>
-#include <QTimer>
 #include <QtTest>
 #include <functional>
 
@@ -44,6 +42,13 @@ inline bool sees(QWidget& window, const char* name) {
 
 inline bool wait_for(const std::function<bool()>& condition, int milliseconds = 60000) {
     return QTest::qWaitFor(condition, milliseconds);
+}
+
+/// Scrolls the page until the widget is seen, as a person does with the wheel.
+inline void bring(QWidget& widget) {
+    for (QWidget* above = widget.parentWidget(); above != nullptr; above = above->parentWidget()) {
+        if (auto* area = qobject_cast<QScrollArea*>(above)) area->ensureWidgetVisible(&widget);
+    }
 }
 
 inline void click(QWidget& window, const char* name) {
@@ -98,25 +103,6 @@ inline void keep_picture(QWidget& window, const QString& name) {
     QPixmap picture = window.screen()->grabWindow(window.winId());
     if (picture.isNull()) picture = window.grab();
     picture.save(QString::fromLocal8Bit(folder) + QLatin1Char('/') + name + QStringLiteral(".png"));
-}
-
-/// LIST.md beside the pictures: which test left them, when each was taken.
-inline void list_pictures() {
-    const QByteArray folder = qgetenv("FULCRUM_PICTURES");
-    if (folder.isEmpty()) return;
-    const QDir pictures(QString::fromLocal8Bit(folder));
-    QFile list(pictures.filePath(QStringLiteral("LIST.md")));
-    if (!list.open(QIODevice::WriteOnly)) return;
-    list.write(
-        "<!-- SPDX-License-Identifier: Apache-2.0 -->\n# Pictures\n\nWritten by the window's tests with "
-        "FULCRUM_PICTURES set; "
-        "software rendering.\n\n| picture | taken (UTC) |\n| --- | --- |\n");
-    for (const QFileInfo& picture :
-         pictures.entryInfoList({QStringLiteral("*.png")}, QDir::Files, QDir::Name)) {
-        list.write(QStringLiteral("| %1 | %2 |\n")
-                       .arg(picture.fileName(), picture.lastModified().toUTC().toString(Qt::ISODate))
-                       .toUtf8());
-    }
 }
 
 /// The whole body of a scrolled page, beyond what the window shows.

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/review/gates_card.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QTableWidget>
+
+#include "assessment/metrics/registry.h"
+#include "ui/review/attempt_model.h"
+#include "ui/style/palette.h"
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+
+namespace fulcrum::ui {
+
+GatesCard::GatesCard(QWidget* parent) : QFrame(parent) {
+    setProperty("role", "card");
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(18, 16, 18, 16);
+    layout->setSpacing(8);
+    layout->addWidget(make_label(tr("Gates"), "heading"));
+    table_ = make_table(
+        {tr("Gate"), tr("Hand"), tr("Value"), tr("Limit"), tr("z"), tr("Result"), tr("Source of the limit")},
+        "gates_table");
+    // As high as its rows and as wide as the page: the last column's words are read whole as a tip.
+    table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    table_->setWordWrap(false);
+    table_->viewport()->installEventFilter(this);
+    layout->addWidget(table_);
+    layout->addWidget(
+        make_label(tr("Every gate counts. Choose a row to see the moment that decided it."), "muted"));
+    const auto jump = [this](QTableWidgetItem* item) {
+        const QVariant time = table_->item(item->row(), 0)->data(Qt::UserRole);
+        if (time.isValid()) emit time_chosen(time.toDouble());
+    };
+    connect(table_, &QTableWidget::itemActivated, this, jump);
+    connect(table_, &QTableWidget::itemClicked, this, jump);
+}
+
+void GatesCard::open(const AttemptModel& model) {
+    table_->setRowCount(0);
+    setVisible(model.score.has_value() && !model.score->gates.empty());
+    if (!model.score) return;
+    for (const database::GateRow& gate : model.score->gates) {
+        const MetricDescriptor* metric = find_metric(gate.metric);
+        const int row = table_->rowCount();
+        table_->insertRow(row);
+        QString name = metric == nullptr ? text(gate.metric) : text(metric->name);
+        if (!gate.tissue.empty()) name += QStringLiteral(", ") + text(gate.tissue);
+        auto* first = make_cell(name);
+        if (metric != nullptr) first->setToolTip(text(metric->explanation));
+        const database::MetricRow* values =
+            find_metric_row(*model.score, gate.metric, gate.hand, gate.tissue);
+        if (values != nullptr && !values->evidence.empty()) {
+            first->setData(Qt::UserRole, values->evidence.front().first);
+        }
+        const bool higher = metric != nullptr && metric->direction == Direction::higher;
+        QString limit = tr("none");  // no set has a level for it
+        if (gate.limit) {
+            limit = (higher ? QStringLiteral("≥ ") : QStringLiteral("≤ ")) +
+                    figure_with_unit(gate.limit, gate.unit);
+        }
+        QString result = tr("– not judged");
+        if (gate.passed) result = *gate.passed ? tr("✓ met") : tr("✕ not met");
+        auto* verdict_cell = make_cell(result);
+        verdict_cell->setForeground(!gate.passed   ? colours().muted
+                                    : *gate.passed ? colours().good
+                                                   : colours().bad);
+        verdict_cell->setToolTip(text(gate.not_passed_because));
+        const Qt::Alignment right = Qt::AlignRight | Qt::AlignVCenter;
+        table_->setItem(row, 0, first);
+        table_->setItem(row, 1,
+                        make_cell(gate.hand == "left"    ? tr("left")
+                                  : gate.hand == "right" ? tr("right")
+                                                         : QString()));
+        table_->setItem(row, 2, make_cell(figure_with_unit(gate.value, gate.unit), right));
+        table_->setItem(row, 3, make_cell(limit, right));
+        table_->setItem(row, 4,
+                        make_cell(gate.z ? QString::number(*gate.z, 'f', 2) : QStringLiteral("–"), right));
+        table_->setItem(row, 5, verdict_cell);
+        QString source = gate.value ? text(gate.limit_source) : text(gate.not_passed_because);
+        // A source may say it of itself.
+        if (gate.provisional && !source.contains(QLatin1String("provisional")))
+            source =
+                gate.value ? tr("provisional: %1").arg(source) : tr("%1 (limit provisional)").arg(source);
+        auto* source_cell = make_cell(source);
+        source_cell->setToolTip(source);
+        table_->setItem(row, 6, source_cell);
+    }
+    fit_columns(table_);
+    fit();
+}
+
+bool GatesCard::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == table_->viewport() && event->type() == QEvent::Resize) fit();
+    return QFrame::eventFilter(watched, event);
+}
+
+void GatesCard::fit() {
+    QHeaderView* header = table_->horizontalHeader();
+    header->setStretchLastSection(false);
+    const int last = table_->columnCount() - 1;
+    int others = 0;
+    for (int column = 0; column < last; ++column) others += header->sectionSize(column);
+    header->resizeSection(last, std::max(120, table_->viewport()->width() - others));
+    table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() +
+                           table_->verticalHeader()->length() + 2 * table_->frameWidth());
+}
+
+}  // namespace fulcrum::ui

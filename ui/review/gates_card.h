@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The gates of an attempt, each with value, limit, result and where the limit comes from.
+#pragma once
+
+#include <QFrame>
+
+class QTableWidget;
+
+namespace fulcrum::ui {
+
+struct AttemptModel;
+
+class GatesCard : public QFrame {
+    Q_OBJECT
+  public:
+    explicit GatesCard(QWidget* parent = nullptr);
+    /// Hidden where the attempt has none.
+    void open(const AttemptModel& model);
+
+  signals:
+    /// The moment that decided a gate.
+    void time_chosen(double time);
+
+  private:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void fit();
+    QTableWidget* table_;
+};
+
+}  // namespace fulcrum::ui
