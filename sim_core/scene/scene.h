@@ -131,7 +131,7 @@ struct Fidelity {
     std::string skinning = "local";               ///< local | local2 | global
     std::string collision = "coherent";           ///< coherent | brute
     int projection_iterations = 3;
-    std::string tool_contact = "dynamic_point";   ///< dynamic_point | query
+    std::string tool_contact = "dynamic_point";   ///< dynamic_point | query | jaws
     std::string membrane = "global_local";       ///< symplectic | global_local | implicit
     int membrane_iterations = 6;                  ///< of global_local, a step
     std::string filter = "adaptive";              ///< off | 0 | 1 | 2 | adaptive

@@ -126,6 +126,13 @@ BowelPart::BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel
         membranes_.emplace_back(scene, i, anatomy_.membranes[i], *rod_, state_, scene.step_period());
         hung += membranes_.back().attachments();
     }
+    with_jaws_ = scene.fidelity.tool_contact == "jaws";
+    for (const InstrumentSpec& instrument : scene.instruments) {
+        if (!with_jaws_) break;
+        jaw_models_[static_cast<int>(instrument.hand)] = make_instrument(instrument, scene.step_period());
+        jaw_pushes_[static_cast<int>(instrument.hand)].assign(centres_.size(), Vector3::Zero());
+        hung += centres_.size();
+    }
     inputs_.loads.reserve(2 * 16 + hung);
     inputs_.grasps.reserve(hand_count);
     inputs_.contacts.reserve(static_cast<std::size_t>(spheres * planes_remembered));
@@ -179,6 +186,7 @@ std::uint32_t BowelPart::step(const ToolAction* actions, double dt) noexcept {
     {
         Stopwatch watch(measuring_, costs_.loads);
         gather_loads(actions, dt);
+        if (with_jaws_) press_jaws(actions);
     }
     std::uint32_t membrane_outcome = 0;
     {

@@ -11,6 +11,7 @@
 #include "sim_core/bowel/luminal_volume.h"
 #include "sim_core/bowel/wide_skin.h"
 #include "sim_core/collision/sphere_collision.h"
+#include "sim_core/collision/tool_shapes.h"
 #include "sim_core/contact/patch_builder.h"
 #include "sim_core/contact/tool_contact.h"
 #include "sim_core/haptics/tick_output.h"
@@ -41,6 +42,10 @@ struct ToolAction {
     bool slipping = false;
 };
 
+/// How much deeper a tool's jaws are in a sphere of the bowel than its shaft: depth m, normal out of the sphere
+/// into the jaw; by_jaw false for a tool without jaws.
+SolidContact jaws_in_sphere(const ToolShape& tool, const Vector3& centre, double radius);
+
 class BowelPart {
   public:
     /// Builds rod, cage and skin, lays the bowel into the cavity and lets it come to rest. cavity must outlive this.
@@ -70,6 +75,8 @@ class BowelPart {
     const SphereChain& spheres() const { return spheres_; }
     const std::vector<MembranePart>& membranes() const { return membranes_; }
     double weight() const;  ///< N
+    /// N, of a hand's jaws on the bowel in the last step; zero but at the level "jaws" of tool_contact.
+    const Vector3& jaw_force(Hand hand) const { return jaw_force_[static_cast<int>(hand)]; }
     std::size_t bytes_rod() const, bytes_collision() const, bytes_surface() const, bytes_membranes() const;
 
     /// Wall time of the last step's blocks, microseconds; measured only when asked for.
@@ -105,6 +112,7 @@ class BowelPart {
     void update_sheet_grasp(int hand, const ToolAction& action, double opening, double dt) noexcept;
     void fill_sheet_model(const SheetGrasp& grasp, int hand, LocalModel& model) const noexcept;
     void gather_loads(const ToolAction* actions, double dt) noexcept;
+    void press_jaws(const ToolAction* actions) noexcept;
     void find_contacts() noexcept;
     void update_rings(double dt) noexcept;
     void update_dents(const ToolAction* actions, double dt) noexcept;
@@ -141,6 +149,10 @@ class BowelPart {
     HandGrasp grasps_[hand_count];
     SheetGrasp sheet_grasps_[hand_count];
     Vector3 applied_push_[hand_count] = {Vector3::Zero(), Vector3::Zero()};
+    bool with_jaws_ = false;                      ///< level "jaws"
+    InstrumentModel jaw_models_[hand_count];
+    std::vector<Vector3> jaw_pushes_[hand_count];  ///< N, on each sphere
+    Vector3 jaw_force_[hand_count] = {Vector3::Zero(), Vector3::Zero()};
     DentState dents_;
     std::vector<float> patch_damage_;
     std::vector<double> remembered_lambda_;  ///< last contact forces, by sphere and plane

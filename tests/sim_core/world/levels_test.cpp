@@ -24,7 +24,7 @@ Scene small_scene() {
 struct Press {
     std::set<int> grades;
     int touched = 0, dented_at_most = 0;
-    double largest_force = 0;
+    double largest_force = 0, largest_by_jaws = 0;
     std::uint64_t allocated = 0, hash = 0;
     std::uint32_t worst_outcome = 0;
 };
@@ -72,6 +72,7 @@ Press press(const Scene& scene) {
         result.hash = result.hash * 31 + record.state_hash;
         result.dented_at_most =
             std::max(result.dented_at_most, static_cast<int>(world.snapshot().dent_count));
+        result.largest_by_jaws = std::max(result.largest_by_jaws, world.bowel()->jaw_force(spec.hand).norm());
         loop.adopt(world.local_models());
     }
     result.allocated = test::allocation_count() - before;
@@ -122,6 +123,19 @@ TEST(Levels, ToolContactByQueryIsTheDynamicPointsContact) {
     // The walk finds what the search finds.
     EXPECT_NEAR(walked.touched, searched.touched, 0.05 * searched.touched);
     EXPECT_NEAR(walked.largest_force, searched.largest_force, 0.1 * searched.largest_force);
+}
+
+TEST(Levels, JawsAsBoxesPressTheBowelBesideTheShaft) {
+    Scene scene = small_scene();
+    scene.fidelity.tool_contact = "dynamic_point";
+    const Press shaft = press(scene);
+    scene.fidelity.tool_contact = "jaws";
+    const Press jaws = press(scene);
+    expect_sound(jaws, "jaws");
+    EXPECT_EQ(shaft.largest_by_jaws, 0);
+    EXPECT_GT(jaws.largest_by_jaws, 0.02);
+    EXPECT_LT(jaws.largest_by_jaws, 30);
+    EXPECT_NE(jaws.hash, shaft.hash);
 }
 
 TEST(Levels, FinerSkinningMovesTheSurfaceAndNotTheContact) {
