@@ -14,8 +14,8 @@ namespace fulcrum::lab {
 
 inline constexpr std::uint32_t ticks_a_step = 5;
 
-/// The tool slides over the bowel at up to 60 mm/s, 0 to 2 mm deep, while the bowel sways by 2 mm at 0.5 Hz.
-struct ContactRun {
+/// A tool and the skin it touches, with what the tick and the world keep of them.
+struct ToolOnSkin {
     std::unique_ptr<BowelSkin> skin;
     std::unique_ptr<PatchBuilder> builder;
     PatchBuilder::Scratch scratch;
@@ -26,6 +26,10 @@ struct ContactRun {
     ToolContactScratch tick_scratch;
     ToolContactResult result;
     InstrumentState instrument;
+};
+
+/// The tool slides over the bowel at up to 60 mm/s, 0 to 2 mm deep, while the bowel sways by 2 mm at 0.5 Hz.
+struct ContactRun : ToolOnSkin {
     ToolKinematics tool;
     WalkPoint walk;
     std::uint32_t tick = 0;

@@ -5,9 +5,8 @@
 #include <cmath>
 #include <memory>
 
-#include "sim_core/contact/patch_builder.h"
-#include "sim_core/contact/tool_contact.h"
 #include "sim_core/haptics/stability.h"
+#include "sim_core/lab/contact_run.h"
 #include "sim_core/lab/reference_tube.h"
 #include "sim_core/numerics/functions.h"
 
@@ -46,18 +45,8 @@ struct MotionLaw {
 
 }  // namespace
 
-struct DeviceAtContact::Parts {
+struct DeviceAtContact::Parts : ToolOnSkin {
     SimulatedDevice device;
-    std::unique_ptr<BowelSkin> skin;
-    std::unique_ptr<PatchBuilder> builder;
-    PatchBuilder::Scratch scratch;
-    std::vector<RingMotion> rings;
-    ToolContactModel model;
-    LocalModel local;
-    ToolContactState state;
-    ToolContactScratch tick_scratch;
-    ToolContactResult result;
-    InstrumentState instrument;
     std::vector<double> waiting;  // positions on their way to the tick
     double footprint = 0;         // m2, K over the wall's stiffness per area
     double damping = 0;

@@ -2,6 +2,8 @@
 // Where the rod stays bounded: implicit Euler steps of a bowel that is pulled, loaded, or slender.
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "sim_core/lab/stability_rooms.h"
@@ -129,20 +131,29 @@ StabilityCell loaded(double dt, double force) {
     return judge.cell;
 }
 
+/// One run for every pair of values.
+template <typename Run>
+StabilityMap mapped(const char* title, StabilityAxis first, StabilityAxis second, Run&& run) {
+    StabilityMap map;
+    map.model = "rod";
+    map.title = std::string("Rod: ") + title;
+    for (const double y : second.values) {
+        for (const double x : first.values) map.cells.push_back(run(x, y));
+    }
+    map.axes = {std::move(first), std::move(second)};
+    map.measure = "largest relative residual";
+    return map;
+}
+
 }  // namespace
 
 std::vector<StabilityMap> rod_stability() {
     std::vector<StabilityMap> maps;
     const std::vector<double> time_steps = decades(5e-5, 0.05, 10);
     {
-        StabilityMap map;
-        map.model = "rod";
-        map.title = "Rod: a bowel grasped, pulled and let go, time step against stiffness";
-        map.axes = {{"time_step_s", "s", time_steps, true}, {"young_pa", "Pa", decades(1, 1e9, 10), true}};
-        for (const double young : map.axes[1].values) {
-            for (const double dt : time_steps) map.cells.push_back(pulled(dt, young));
-        }
-        map.measure = "largest relative residual";
+        StabilityMap map = mapped("a bowel grasped, pulled and let go, time step against stiffness",
+                                  {"time_step_s", "s", time_steps, true},
+                                  {"young_pa", "Pa", decades(1, 1e9, 10), true}, pulled);
         StabilityCurve curve;
         curve.name = "explicit limit";
         curve.formula =
@@ -158,16 +169,12 @@ std::vector<StabilityMap> rod_stability() {
         maps.push_back(map);
     }
     {
-        StabilityMap map;
-        map.model = "rod";
-        map.title = "Rod: a cantilever that falls, slenderness against segments";
-        map.axes = {{"slenderness", "", {5, 10, 20, 50, 100, 200, 500, 1000}, true},
-                    {"segments", "", {2, 4, 8, 16, 32, 64, 128, 256, 512, 1000, 2000}, true}};
-        for (const double segments : map.axes[1].values) {
-            for (const double slenderness : map.axes[0].values)
-                map.cells.push_back(slender(slenderness, static_cast<int>(segments)));
-        }
-        map.measure = "largest relative residual";
+        StabilityMap map = mapped("a cantilever that falls, slenderness against segments",
+                                  {"slenderness", "", {5, 10, 20, 50, 100, 200, 500, 1000}, true},
+                                  {"segments", "", {2, 4, 8, 16, 32, 64, 128, 256, 512, 1000, 2000}, true},
+                                  [](double slenderness, double segments) {
+                                      return slender(slenderness, static_cast<int>(segments));
+                                  });
         StabilityCurve curve;
         curve.name = "rounding = tolerance";
         curve.formula =
@@ -183,14 +190,9 @@ std::vector<StabilityMap> rod_stability() {
         maps.push_back(map);
     }
     {
-        StabilityMap map;
-        map.model = "rod";
-        map.title = "Rod: a sudden force across the tip, time step against force";
-        map.axes = {{"time_step_s", "s", time_steps, true}, {"force_n", "N", decades(1e-6, 1e3, 10), true}};
-        for (const double force : map.axes[1].values) {
-            for (const double dt : time_steps) map.cells.push_back(loaded(dt, force));
-        }
-        map.measure = "largest relative residual";
+        StabilityMap map = mapped("a sudden force across the tip, time step against force",
+                                  {"time_step_s", "s", time_steps, true},
+                                  {"force_n", "N", decades(1e-6, 1e3, 10), true}, loaded);
         StabilityCurve curve;
         curve.name = "one segment a step";
         curve.formula =

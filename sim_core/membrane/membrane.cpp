@@ -223,7 +223,6 @@ MembraneState Membrane::make_state() const {
     MembraneState state;
     state.positions = rest_;
     state.velocities.assign(rest_.size(), Vector3::Zero());
-    state.earlier_velocities = state.velocities;
     state.cut.assign(springs_.size(), 0);
     return state;
 }
@@ -259,17 +258,14 @@ MembraneScratch Membrane::make_scratch(double dt) const {
 
 void Membrane::stop(MembraneState& state) noexcept {
     for (Vector3& v : state.velocities) v.setZero();
-    for (Vector3& v : state.earlier_velocities) v.setZero();
 }
 
 bool Membrane::finite(const MembraneState& state) {
     for (const Vector3& p : state.positions) {
         if (!p.allFinite() || p.cwiseAbs().maxCoeff() > farthest) return false;
     }
-    for (const auto* velocities : {&state.velocities, &state.earlier_velocities}) {
-        for (const Vector3& v : *velocities) {
-            if (!v.allFinite() || v.cwiseAbs().maxCoeff() > fastest) return false;
-        }
+    for (const Vector3& v : state.velocities) {
+        if (!v.allFinite() || v.cwiseAbs().maxCoeff() > fastest) return false;
     }
     return true;
 }
@@ -278,7 +274,7 @@ namespace {
 
 bool usable(const Membrane& membrane, const MembraneState& state, const MembraneInputs& inputs) {
     const auto n = static_cast<std::size_t>(membrane.vertices());
-    if (state.positions.size() != n || state.velocities.size() != n || state.earlier_velocities.size() != n ||
+    if (state.positions.size() != n || state.velocities.size() != n ||
         state.cut.size() != membrane.springs().size())
         return false;
     if (!inputs.forces.empty() && inputs.forces.size() != n) return false;
@@ -311,7 +307,6 @@ void store_step(const Membrane& membrane, MembraneState& state, MembraneInputs& 
     for (std::int32_t k = 0; k < t.nodes; ++k) {
         const std::size_t n = at(k), v = at(t.vertex_of[n]);
         const Vector3 old_velocity = state.velocities[v];
-        state.earlier_velocities[v] = old_velocity;
         state.positions[v] = vector_of(d.position[n]);
         state.velocities[v] = symplectic && k < t.free
                                   ? vector_of(d.start_velocity[n])
@@ -341,27 +336,16 @@ void forget_reactions(MembraneInputs& inputs) {
     for (MembraneHold& hold : inputs.holds) hold.reaction.setZero();
 }
 
-// Three places to start from, and the lowest is taken: where the velocity leads (d.position), where the
-// velocity and the last step's acceleration lead, as a sheet that is speeding up will go on to; and where it
-// is, for one whose velocity is noise that its springs undo within the step.
-void choose_start(const Membrane& membrane, const MembraneState& state, Data& d) {
-    const Membrane::Tables& t = membrane.tables();
-    double least = potential(t, d, d.position.data(), d.gradient.data());
-    for (const bool faster : {true, false}) {
-        for (std::int32_t k = 0; k < t.nodes; ++k) {
-            const std::size_t n = at(k);
-            d.trial[n] = d.position[n];
-            if (k >= t.free) continue;
-            d.trial[n] = faster ? d.target[n] + all_lanes(d.dt) *
-                                                    (d.start_velocity[n] -
-                                                     lanes_of(state.earlier_velocities[at(t.vertex_of[n])]))
-                                : d.start[n];
-        }
-        const double value = potential(t, d, d.trial.data(), d.trial_gradient.data());
-        if (!(value < least)) continue;
-        least = value;
+// A held sheet starts from where its velocity leads (d.position), or from where it is if that lies lower: its
+// velocity may be noise that its springs undo within the step. (Its acceleration leads nowhere: what few
+// iterations leave uncorrected, extrapolation carries on, and after 450 frames it was wrong by 11 %.)
+void choose_start(const Membrane::Tables& t, Data& d) {
+    const auto free = static_cast<std::ptrdiff_t>(t.free);
+    std::copy(d.position.begin(), d.position.end(), d.trial.begin());
+    std::copy(d.start.begin(), d.start.begin() + free, d.trial.begin());
+    if (potential(t, d, d.trial.data(), d.trial_gradient.data()) <
+        potential(t, d, d.position.data(), d.gradient.data()))
         d.position.swap(d.trial);
-    }
 }
 
 void freeze(MembraneState& state, MembraneInputs& inputs, const Data& d, MembraneReport& report) {
@@ -415,7 +399,7 @@ MembraneReport Membrane::step(MembraneState& state, MembraneInputs& inputs, doub
             d.position[at(k)] = d.target[at(k)];
             if (attached_.empty()) d.position[at(k)] += all_lanes(1 / d.inertia[at(k)]) * d.load[at(k)];
         }
-        if (!attached_.empty()) choose_start(*this, state, d);
+        if (!attached_.empty()) choose_start(*tables_, d);
         if (solve.integrator == MembraneIntegrator::implicit) {
             minimise_newton(*tables_, d, solve.iterations > 0 ? solve.iterations : 50,
                             solve.tolerance > 0 ? solve.tolerance : 1e-10, report);

@@ -43,10 +43,8 @@ const char* name_of(MembraneFault fault);
 struct MembraneState {
     std::vector<Vector3> positions;   ///< m, one a vertex
     std::vector<Vector3> velocities;  ///< m/s
-    std::vector<Vector3>
-        earlier_velocities;         ///< m/s, one step before: where the next one starts looking from
-    std::vector<std::uint8_t> cut;  ///< one a spring, in Membrane::springs() order: 1 where it is gone
-    std::uint32_t topology = 0;     ///< raise it with every change of `cut`
+    std::vector<std::uint8_t> cut;    ///< one a spring, in Membrane::springs() order: 1 where it is gone
+    std::uint32_t topology = 0;       ///< raise it with every change of `cut`
 };
 
 /// A vertex that jaws hold: drawn to a place by a spring of no length that the step solves with the others.

@@ -226,7 +226,6 @@ void MembranePart::fill_snapshot(MembraneView& view) const noexcept {
 void MembranePart::hash(StateHash& hash) const noexcept {
     for (const Vector3& position : state_.positions) hash.add(position);
     for (const Vector3& velocity : state_.velocities) hash.add(velocity);
-    for (const Vector3& velocity : state_.earlier_velocities) hash.add(velocity);
     hash.add(static_cast<std::int64_t>(state_.topology));
     for (const Hold& hold : holds_) {
         hash.add(static_cast<std::int64_t>(hold.grip.triangle));

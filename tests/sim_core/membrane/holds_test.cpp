@@ -148,10 +148,12 @@ TEST_P(HeldByJaws, CuttingEveryTriangleAwayMakesNoEnergy) {
             ASSERT_LT(membrane.step(state, inputs, dt, scratch, few).fault, MembraneFault::refused);
             energy = membrane.energy(state).elastic() + membrane.energy(state).kinetic;
             // Symplectic Euler keeps a neighbour of the energy, bounded as in
-            // EnergyDoesNotGrowWithoutASource.
+            // EnergyDoesNotGrowWithoutASource; six iterations of global-local leave a little of the step
+            // undone.
+            const double undone = few.integrator == MembraneIntegrator::global_local ? 1e-4 * start : 0;
             const double bound = few.integrator == MembraneIntegrator::symplectic
                                      ? (start - removed) / (1 - 0.98 * 0.98)
-                                     : after_cut * (1 + 1e-9);
+                                     : after_cut * (1 + 1e-9) + undone;
             ASSERT_LE(energy, bound) << next;
         }
         EXPECT_EQ(membrane.energy(state).elastic(), 0);

@@ -255,27 +255,28 @@ TEST(MembraneSolve, AFrameOfGlobalLocalComesWithinOnePercentOfImplicit) {
 }
 
 TEST(MembraneSolve, FourIterationsAreEnoughInEveryFrameFromASuddenStartOn) {
-    // An edge starts at 50 mm/s out of rest and goes on round a circle; the taut sheet, and the slack one
-    // whose wrinkles no pull straightens.
-    for (const double pre_strain : {0.05, 0.0}) {
-        lab::HeldSheet sheet(24, 100, pre_strain);
-        const Membrane& membrane = sheet.membrane;
-        MembraneState state = membrane.make_state();
-        MembraneSolve implicit, local;
-        implicit.integrator = MembraneIntegrator::implicit;
-        MembraneScratch scratch = membrane.make_scratch(0);
-        ASSERT_TRUE(membrane.solve(state, sheet.inputs, scratch, implicit).converged);
-        scratch = membrane.make_scratch(0.005);
-        local.iterations = 4;
-        for (int frame = 1; frame <= 20; ++frame) {
-            sheet.move_edge(frame);
-            const MembraneState start = state;
-            MembraneState exact = start;
-            ASSERT_TRUE(membrane.step(exact, sheet.inputs, 0.005, scratch, implicit).converged);
+    // An edge starts at 50 mm/s out of rest and goes on round a circle.
+    lab::HeldSheet sheet(24);
+    const Membrane& membrane = sheet.membrane;
+    MembraneState state = membrane.make_state();
+    MembraneSolve implicit, local;
+    implicit.integrator = MembraneIntegrator::implicit;
+    MembraneScratch scratch = membrane.make_scratch(0);
+    ASSERT_TRUE(membrane.solve(state, sheet.inputs, scratch, implicit).converged);
+    scratch = membrane.make_scratch(0.005);
+    local.iterations = 4;
+    for (int frame = 1; frame <= 460; ++frame) {
+        sheet.move_edge(frame);
+        if (frame > 20 && frame % 40 != 0) {  // what a start leaves behind must not add up
             membrane.step(state, sheet.inputs, 0.005, scratch, local);
-            EXPECT_LT(lab::energy_gap(membrane, start, state, exact, sheet.inputs, 0.005, scratch), 0.01)
-                << pre_strain << " frame " << frame;
+            continue;
         }
+        const MembraneState start = state;
+        MembraneState exact = start;
+        ASSERT_TRUE(membrane.step(exact, sheet.inputs, 0.005, scratch, implicit).converged);
+        membrane.step(state, sheet.inputs, 0.005, scratch, local);
+        EXPECT_LT(lab::energy_gap(membrane, start, state, exact, sheet.inputs, 0.005, scratch), 0.01)
+            << frame;
     }
 }
 

@@ -132,6 +132,27 @@ TEST(MembraneSlivers, AreSteppedOnlyBelowTheirLimitAndSaySoAboveIt) {
     EXPECT_GT(refused, 0);
 }
 
+TEST(MembraneSweep, OperationsGrowAsTheSpringsAndAsNestedDissection) {
+    double springs_before = 0, nodes_before = 0;
+    for (const int side : {22, 71, 142}) {
+        const lab::HeldSheet sheet(side);
+        const double nodes = sheet.membrane.vertices();
+        const Membrane::Operations operations = sheet.membrane.operations();
+        // George 1973, nested dissection of a square grid with nine-point couplings: 31/4 n log2 n entries,
+        // each used twice in a solve, and 829/84 n^1.5 multiplications to factor. No order of elimination
+        // does better than these powers, so that 1.05 is beyond a prefactored step.
+        EXPECT_LT(static_cast<double>(operations.solve), 2 * 31.0 / 4 * nodes * std::log2(nodes));
+        EXPECT_LT(static_cast<double>(operations.factor), 829.0 / 84 * std::pow(nodes, 1.5));
+        if (nodes_before > 0) {
+            EXPECT_LT(std::log(static_cast<double>(operations.springs) / springs_before) /
+                          std::log(nodes / nodes_before),
+                      1.05);
+        }
+        springs_before = static_cast<double>(operations.springs);
+        nodes_before = nodes;
+    }
+}
+
 TEST(MembraneWorkloads, AreRegisteredWithTheirBudgets) {
     std::vector<lab::Workload> workloads;
     lab::add_membrane_workloads(workloads);
