@@ -117,8 +117,9 @@ void run_law_experiment(const JsonDocument& file, ExperimentResult& result) {
         panel.title +=
             ": linear +" + short_number(100 * reach[0]) + " %, EXP2 +" + short_number(100 * reach[1]) + " %";
         panel.target = Vector3(0.8 * length, 0, 0);
-        panel.eye = panel.target + Vector3(0, -0.16, 0.42);
-        panel.field_of_view = 0.38;
+        // From afar through a narrow lens: the rod in front is drawn no longer than the one behind.
+        panel.eye = panel.target + 20 * Vector3(0, -0.16, 0.42);
+        panel.field_of_view = 2 * std::atan(std::tan(0.19) / 20);
         result.panels.push_back(panel);
         result.figures.push_back(
             {"stretch under " + short_number(force) + " N, linear rod", "%", 100 * reach[0]});

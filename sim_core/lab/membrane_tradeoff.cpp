@@ -67,7 +67,8 @@ TradeoffStudy frames() {
                     sheet.move_edge(++count);
                 });
             judge_last();
-            row.error_unit = "worst energy gap of a frame / (E_start - E_reference)";
+            // Sheets of different size are different problems: each has a front of its own.
+            row.error_unit = "worst energy gap of a frame / (E_start - E_reference), " + row.family;
             study.levels.push_back(row);
             sheet.move_edge(0);
         }
