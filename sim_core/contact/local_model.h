@@ -55,7 +55,7 @@ struct SurfacePatch {
     std::array<std::int32_t, patch_vertex_capacity> vertex_id;
     std::array<double, patch_vertex_capacity> vertex_area;         ///< m2, at rest
     std::array<std::int16_t, patch_vertex_capacity> tissue_patch;  ///< -1 none
-    std::array<double, patch_vertex_capacity> nodule;              ///< m, height under the vertex; with a wall
+    std::array<double, patch_vertex_capacity> nodule;  ///< m, height under the vertex; with a wall
     std::array<std::uint8_t, patch_vertex_capacity>
         border;  ///< 1: some triangles around it are not in the patch
     std::array<Triangle, patch_triangle_capacity> triangles;
@@ -93,6 +93,16 @@ struct GraspModel {
     std::int16_t tissue = -1, tissue_patch = -1;
 };
 
+/// Jaws that press as boxes (fidelity level "jaws"), about the world's solution of it: what they do beside
+/// the shaft. Force on tissue = force + K (x - x0), x the tip; none where that would pull.
+struct JawPushModel {
+    Vector3 tip = Vector3::Zero();        ///< x0, m, at the model's tick
+    Vector3 point = Vector3::Zero();      ///< m, centre of the pressed places
+    Vector3 force = Vector3::Zero();      ///< N, jaws on tissue
+    Matrix3 stiffness = Matrix3::Zero();  ///< K, N/m, symmetric; no eigenvalue above the tissue's stiffness
+    std::int16_t tissue = -1;             ///< index into the scene's tissue table, -1: no jaw presses
+};
+
 /// Rigid sphere (A2).
 struct TargetModel {
     Vector3 centre = Vector3::Zero();       ///< m
@@ -111,6 +121,7 @@ struct LocalModel {
     LocalMode mode = LocalMode::none;
     SurfacePatch patch;
     GraspModel grasp;
+    JawPushModel jaws;
     std::int32_t target_count = 0;
     std::array<TargetModel, target_capacity> targets;
     std::int32_t cavity_seed = -1;  ///< cavity triangle nearest the tip, -1: further than the builder looked

@@ -271,6 +271,15 @@ void hold_tissue(const ToolContactModel& model, const LocalModel& local, const T
     if (grasp.tissue_patch >= 0) result.tissue_patch = grasp.tissue_patch;
 }
 
+void press_jaws(const JawPushModel& jaws, const ToolKinematics& tool, ToolContactResult& result) {
+    const Vector3 force = jaws.force + jaws.stiffness * (tool.tip - jaws.tip);
+    if (!(force.dot(jaws.force) > 0)) return;  // opened since: it does not pull
+    result.jaw_force = force;
+    result.force += force;
+    result.torque += (jaws.point - tool.trocar).cross(force);
+    result.stiffness += jaws.stiffness;
+}
+
 // The tissue of the largest force.
 void name_tissue(const ToolContactModel& model, const LocalModel& local, ToolContactResult& result) {
     double largest = 0;
@@ -282,6 +291,7 @@ void name_tissue(const ToolContactModel& model, const LocalModel& local, ToolCon
     };
     take(result.surface_force, local.patch.contact.tissue);
     take(result.grasp_force, local.grasp.tissue);
+    take(result.jaw_force, local.jaws.tissue);
     take(result.wall_force, model.wall.tissue);
     if (result.target_force.squaredNorm() > largest * largest) {
         for (std::size_t i = 0; i < static_cast<std::size_t>(local.target_count); ++i) {
@@ -328,6 +338,7 @@ void step_tool_contact(const ToolContactModel& model, const LocalModel& local, c
     touch_targets(model, local, tool, result);
     touch_wall(model, local, tool, state, result);
     result.force = result.surface_force + result.grasp_force + result.target_force + result.wall_force;
+    if (local.jaws.tissue >= 0 && local.mode != LocalMode::grasp) press_jaws(local.jaws, tool, result);
     if (!all_finite(result)) {
         result = ToolContactResult{};
         result.model_step = local.step;

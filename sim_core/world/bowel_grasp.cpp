@@ -188,6 +188,7 @@ void BowelPart::update_grasps(const ToolAction* actions, double dt) noexcept {
 void BowelPart::fill_local_model(Hand hand, const PatchRequest& request, LocalModel& model) noexcept {
     Stopwatch watch(measuring_, costs_.patches);
     patches_->build(rings_.data(), request, patch_scratch_, model);
+    model.jaws = jaw_felt_[static_cast<int>(hand)];
     if (sheet_grasps_[static_cast<int>(hand)].membrane >= 0) fill_sheet_model(sheet_grasps_[static_cast<int>(hand)], static_cast<int>(hand), model);
     const HandGrasp& grasp = grasps_[static_cast<int>(hand)];
     if (!grasp.state.held) return;

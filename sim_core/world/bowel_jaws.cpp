@@ -31,7 +31,8 @@ void BowelPart::press_jaws(const ToolAction* actions) noexcept {
     const TissueSpec& tissue =
         scene_.tissues[static_cast<std::size_t>(scene_.tissue_index(scene_.bowel->tissue))];
     for (int hand = 0; hand < hand_count; ++hand) {
-        jaw_force_[hand].setZero();
+        JawPushModel& felt = jaw_felt_[hand];
+        felt = JawPushModel();
         std::vector<Vector3>& pushes = jaw_pushes_[hand];
         const ToolAction& action = actions[hand];
         // Jaws that hold tissue are where it is: the grasp's constraint says what they do.
@@ -41,6 +42,8 @@ void BowelPart::press_jaws(const ToolAction* actions) noexcept {
             std::fill(pushes.begin(), pushes.end(), Vector3::Zero());
             continue;
         }
+        felt.tip = action.tool.tip;
+        double pressed = 0;
         const ToolShape shape = tool_shape(jaw_models_[hand], action.tool);
         const double reach = 2 * jaw_models_[hand].jaw_length;
         for (std::size_t i = 0; i < pushes.size(); ++i) {
@@ -58,10 +61,18 @@ void BowelPart::press_jaws(const ToolAction* actions) noexcept {
             const Matrix3 stiffness = rod_->stiffness_at(state_, s, Vector3::Zero(), scratch_);
             const double yields = std::max(1e-3, contact.normal.dot(stiffness * contact.normal));
             pushes[i] = relax_contact_force(pushes[i], wanted, tissue.stiffness, yields);
-            jaw_force_[hand] += pushes[i];
+            felt.force += pushes[i];
+            felt.point += pushes[i].norm() * contact.point;
+            pressed += pushes[i].norm();
+            felt.stiffness += contact.normal * contact.normal.transpose();
             if (inputs_.loads.size() < inputs_.loads.capacity())
                 inputs_.loads.push_back({s, pushes[i], Vector3::Zero()});
         }
+        if (!(pressed > 0)) continue;
+        felt.point /= pressed;
+        // Spheres overlap: two under one jaw are one piece of wall, which is no stiffer than itself.
+        felt.stiffness *= tissue.stiffness / std::max(1.0, felt.stiffness.trace());
+        felt.tissue = static_cast<std::int16_t>(scene_.tissue_index(scene_.bowel->tissue));
     }
 }
 

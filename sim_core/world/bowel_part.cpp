@@ -412,6 +412,11 @@ void BowelPart::hash(StateHash& hash) const noexcept {
         hash.add(static_cast<std::int64_t>(dents_.entries[static_cast<std::size_t>(i)].vertex));
         hash.add(dents_.entries[static_cast<std::size_t>(i)].displacement);
     }
+    if (with_jaws_) {
+        for (const std::vector<Vector3>& pushes : jaw_pushes_) {
+            for (const Vector3& push : pushes) hash.add(push);
+        }
+    }
     for (const float damage : patch_damage_) hash.add(static_cast<double>(damage));
     for (const MembranePart& membrane : membranes_) membrane.hash(hash);
 }

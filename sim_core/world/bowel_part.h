@@ -76,7 +76,7 @@ class BowelPart {
     const std::vector<MembranePart>& membranes() const { return membranes_; }
     double weight() const;  ///< N
     /// N, of a hand's jaws on the bowel in the last step; zero but at the level "jaws" of tool_contact.
-    const Vector3& jaw_force(Hand hand) const { return jaw_force_[static_cast<int>(hand)]; }
+    const Vector3& jaw_force(Hand hand) const { return jaw_felt_[static_cast<int>(hand)].force; }
     std::size_t bytes_rod() const, bytes_collision() const, bytes_surface() const, bytes_membranes() const;
 
     /// Wall time of the last step's blocks, microseconds; measured only when asked for.
@@ -152,7 +152,7 @@ class BowelPart {
     bool with_jaws_ = false;                      ///< level "jaws"
     InstrumentModel jaw_models_[hand_count];
     std::vector<Vector3> jaw_pushes_[hand_count];  ///< N, on each sphere
-    Vector3 jaw_force_[hand_count] = {Vector3::Zero(), Vector3::Zero()};
+    JawPushModel jaw_felt_[hand_count];          ///< their sum, as the haptic tick takes it up
     DentState dents_;
     std::vector<float> patch_damage_;
     std::vector<double> remembered_lambda_;  ///< last contact forces, by sphere and plane

@@ -60,6 +60,37 @@ TEST(Jaws, FindTissueBetweenThemAndNoneBeside) {
     EXPECT_NEAR(held_opening(rig.model.instrument, 0.006), 2 * std::atan(0.3), 1e-12);
 }
 
+// ---- jaws as boxes ----
+
+TEST(JawPush, IsItsForceAndSlopeAboutTheTipAndNeverPulls) {
+    test::ContactRig rig;
+    const Vector3 tip(0.2, 0, 0.060);  // far above the bowel: nothing else touches
+    rig.publish(rig.tool_at(tip));
+    EXPECT_EQ(rig.touch(rig.tool_at(tip)).force.norm(), 0);
+    JawPushModel& jaws = rig.local->jaws;
+    jaws.tip = tip;
+    jaws.point = tip + Vector3(0.002, 0, -0.003);
+    jaws.force = Vector3(0, 0, -0.5);
+    jaws.stiffness = 300 * Vector3::UnitZ() * Vector3::UnitZ().transpose();
+    jaws.tissue = 0;
+    const auto pressed = [&](double deeper) {
+        const ToolKinematics tool = rig.tool_at(tip - Vector3(0, 0, deeper));
+        const ToolContactResult& result = rig.touch(tool);
+        const Vector3 expected = deeper > -0.5 / 300 ? Vector3(0, 0, -0.5 - 300 * deeper) : Vector3::Zero();
+        EXPECT_NEAR((result.jaw_force - expected).norm(), 0, 1e-4)
+            << deeper;  // readings are whole micrometres
+        EXPECT_EQ(result.force, result.jaw_force) << deeper;
+        EXPECT_NEAR((result.torque - (jaws.point - tool.trocar).cross(result.jaw_force)).norm(), 0, 1e-12);
+        EXPECT_EQ(result.tissue, expected.norm() > 0 ? 0 : -1);
+        EXPECT_EQ(result.surface_force.norm(), 0) << "the world presses the jaws itself";
+    };
+    for (const double deeper : {0.0, 0.001, -0.001, -0.0017, -0.01}) pressed(deeper);
+    jaws.force = Vector3::Zero();
+    EXPECT_EQ(rig.touch(rig.tool_at(tip)).force.norm(), 0);
+    jaws.force.x() = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(rig.touch(rig.tool_at(tip)).force.norm(), 0);
+}
+
 // ---- grasp ----
 
 struct GraspRig : test::ContactRig {
@@ -289,7 +320,8 @@ TEST(SeriesStiffness, IsBoundedByTheWallWhateverTheTissueSays) {
         const Matrix3 result = stiffness_in_series(any, wall);
         ASSERT_TRUE(result.allFinite());
         EXPECT_EQ(result, result.transpose());
-        const Vector3 direction = Vector3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)).normalized();
+        const Vector3 direction =
+            Vector3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)).normalized();
         EXPECT_GE(direction.dot(result * direction), -1e-9);
         EXPECT_LE(direction.dot(result * direction), wall + 1e-6);
     }

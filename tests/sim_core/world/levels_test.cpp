@@ -24,7 +24,8 @@ Scene small_scene() {
 struct Press {
     std::set<int> grades;
     int touched = 0, dented_at_most = 0;
-    double largest_force = 0, largest_by_jaws = 0;
+    double largest_force = 0, largest_by_jaws = 0, largest_felt_of_jaws = 0;
+    double stiffest_jaws = 0;  ///< over the wall's own
     std::uint64_t allocated = 0, hash = 0;
     std::uint32_t worst_outcome = 0;
 };
@@ -74,6 +75,11 @@ Press press(const Scene& scene) {
             std::max(result.dented_at_most, static_cast<int>(world.snapshot().dent_count));
         result.largest_by_jaws = std::max(result.largest_by_jaws, world.bowel()->jaw_force(spec.hand).norm());
         loop.adopt(world.local_models());
+        const JawPushModel& felt = world.local_models().hand[hand].jaws;
+        result.largest_felt_of_jaws = std::max(result.largest_felt_of_jaws, felt.force.norm());
+        const double stiffness =
+            scene.tissues[static_cast<std::size_t>(scene.tissue_index(scene.bowel->tissue))].stiffness;
+        result.stiffest_jaws = std::max(result.stiffest_jaws, felt.stiffness.trace() / stiffness);
     }
     result.allocated = test::allocation_count() - before;
     return result;
@@ -133,6 +139,12 @@ TEST(Levels, JawsAsBoxesPressTheBowelBesideTheShaft) {
     const Press jaws = press(scene);
     expect_sound(jaws, "jaws");
     EXPECT_EQ(shaft.largest_by_jaws, 0);
+    EXPECT_EQ(shaft.largest_felt_of_jaws, 0);
+    // What presses the bowel is what the hand is given, and no stiffer than the wall.
+    EXPECT_EQ(jaws.largest_felt_of_jaws, jaws.largest_by_jaws);
+    EXPECT_GT(jaws.stiffest_jaws, 0.5);
+    EXPECT_LE(jaws.stiffest_jaws, 1 + 1e-12);
+    EXPECT_GT(jaws.largest_force, shaft.largest_force);
     EXPECT_GT(jaws.largest_by_jaws, 0.02);
     EXPECT_LT(jaws.largest_by_jaws, 30);
     EXPECT_NE(jaws.hash, shaft.hash);
