@@ -31,6 +31,9 @@ class ReplayPanel : public QWidget {
                     const QString& why_no_picture);
     void close();
     double time() const { return time_; }
+    /// s that the picture shows; behind time() until the re-simulation has come there. < 0: there is no
+    /// picture.
+    double shown_time() const { return source_ && loaded_ ? source_->shown_s() : -1; }
     bool is_playing() const { return playing_; }
     /// Without telling time_changed's listeners twice.
     void seek(double time);

@@ -12,6 +12,7 @@
 #include "mouse_hand.h"
 #include "sim_core/lab/result_page.h"
 #include "ui/reports/report.h"
+#include "ui/review/replay_panel.h"
 #include "ui/style/text.h"
 #include "window_fixture.h"
 
@@ -133,6 +134,9 @@ class Journey : public Window {
         const bool penalised = events->item(0)->data(Qt::UserRole).isValid();  // or one line: nothing
         if (!penalised) check(window, "penalties_only", false);
         choose_event(events->count() / 2);
+        auto* panel = debrief.findChild<ReplayPanel*>();
+        EXPECT_TRUE(wait_for([&] { return std::abs(panel->shown_time() - debrief.moment()) < 0.02; }, 120000))
+            << panel->shown_time() << " shown, asked for " << debrief.moment();
     }
     void save_report(const char* button, const QString& path) {
         bring(*find<QWidget>(window, "export_path"));
