@@ -139,7 +139,7 @@ void CohortPage::load() {
     }
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     table_->resizeRowsToContents();
-    QString line_text = tr("n = %1 people").arg(data_->people);
+    QString line_text = tr("people: n = %1").arg(data_->people);
     if (data_->left_out_synthetic > 0) {
         line_text += tr(" · synthetic left out: %1").arg(data_->left_out_synthetic);
     }

@@ -281,7 +281,7 @@ void cohort_pages(Sheet& sheet, const CohortReport& report) {
     const double task_width =
         (sheet.width() - name_width) / static_cast<double>(std::max<std::size_t>(report.tasks.size(), 1));
     const double bottom = sheet.height() - Sheet::mm(24);
-    const QString n = tr("n = %1 people").arg(report.table.people);
+    const QString n = tr("people: n = %1").arg(report.table.people);
     const auto head = [&] {
         sheet.new_page();
         if (report.provenance.demo) sheet.watermark(tr("DEMONSTRATION"));

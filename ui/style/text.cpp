@@ -54,7 +54,8 @@ QString figure_with_unit(const std::optional<double>& value, const std::string& 
 
 QString clock_text(double seconds) {
     if (!std::isfinite(seconds) || seconds < 0) seconds = 0;
-    const auto tenths = static_cast<long long>(std::floor(seconds * 10.0 + 1e-6));
+    // Rounded, as every other figure: a time beside its gate is the same time.
+    const auto tenths = std::llround(seconds * 10.0);
     return QStringLiteral("%1:%2.%3")
         .arg(tenths / 600)
         .arg((tenths / 10) % 60, 2, 10, QLatin1Char('0'))

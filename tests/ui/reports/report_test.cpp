@@ -171,7 +171,8 @@ TEST(Figures, AreWrittenOneWay) {
     EXPECT_EQ(figure(0.1234).toStdString(), "0.123");
     EXPECT_EQ(figure(-0.00001).toStdString(), "0");
     EXPECT_EQ(figure(std::nullopt).toStdString(), "–");
-    EXPECT_EQ(clock_text(125.37).toStdString(), "2:05.3");
+    EXPECT_EQ(clock_text(125.37).toStdString(), "2:05.4");
+    EXPECT_EQ(clock_text(59.96).toStdString(), "1:00.0");
     EXPECT_EQ(figure_with_unit(3.0, "count").toStdString(), "3");
 }
 
