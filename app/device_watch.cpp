@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim_core/haptics/clutch.h"
+
 namespace fulcrum::app {
 namespace {
 
@@ -61,13 +63,14 @@ void DeviceWatch::follow(const RigSample& sample, bool on_hold) noexcept {
         std::int32_t(&offset)[4] = offset_[h];
         DeviceSample& held = held_[h];
         if (!on_hold && was_held_) {  // the clutch: exactly what HapticLoop does with the same flags
-            for (int i = 0; i < 3; ++i) offset[i] = held.handle[i] - device.handle[i];
-            offset[3] = held.roll - device.roll;
+            for (int i = 0; i < 3; ++i) offset[i] = clutch_offset(held.handle[i], device.handle[i]);
+            offset[3] = clutch_offset(held.roll, device.roll);
         }
         HandAlignment& alignment = hand_[h];
         alignment.device = device;
-        for (int i = 0; i < 3; ++i) alignment.device.handle[i] += offset[i];
-        alignment.device.roll += offset[3];
+        for (int i = 0; i < 3; ++i)
+            alignment.device.handle[i] = clutched(alignment.device.handle[i], offset[i]);
+        alignment.device.roll = clutched(alignment.device.roll, offset[3]);
         if (!on_hold || !seen_) held = alignment.device;
         const Vector3 stands = handle_of(held), is = handle_of(alignment.device);
         alignment.distance = (is - stands).norm();

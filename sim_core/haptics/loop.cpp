@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim_core/contact/jaws.h"
+#include "sim_core/haptics/clutch.h"
 #include "sim_core/world/world.h"
 
 namespace fulcrum {
@@ -121,13 +122,13 @@ const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {
         DeviceSample& held = parts.held[hand];
         if (!on_hold) {
             if (parts.was_held) {
-                for (int i = 0; i < 3; ++i) parts.offset[hand].handle[i] = held.handle[i] - device.handle[i];
-                parts.offset[hand].roll = held.roll - device.roll;
+                for (int i = 0; i < 3; ++i) parts.offset[hand].handle[i] = clutch_offset(held.handle[i], device.handle[i]);
+                parts.offset[hand].roll = clutch_offset(held.roll, device.roll);
             }
             const DeviceSample& offset = parts.offset[hand];
             held = device;
-            for (int i = 0; i < 3; ++i) held.handle[i] += offset.handle[i];
-            held.roll += offset.roll;
+            for (int i = 0; i < 3; ++i) held.handle[i] = clutched(held.handle[i], offset.handle[i]);
+            held.roll = clutched(held.roll, offset.roll);
         }
         parts.tool[hand] = step_instrument(parts.contact[hand].instrument, held, parts.instrument[hand]);
     }
