@@ -37,6 +37,12 @@ const char* event_name(EventKind kind) {
         case EventKind::samples_lost: return "samples_lost";
         case EventKind::tear: return "tear";
         case EventKind::jaw_pressure: return "jaw_pressure";
+        case EventKind::cut_begin: return "cut_begin";
+        case EventKind::cut_end: return "cut_end";
+        case EventKind::cut_advance: return "cut_advance";
+        case EventKind::cut_traction: return "cut_traction";
+        case EventKind::cut_rolled_back: return "cut_rolled_back";
+        case EventKind::piece_fallen: return "piece_fallen";
     }
     return "unknown";
 }

@@ -40,6 +40,12 @@ enum class EventKind : std::uint16_t {
     samples_lost = 29,     ///< detail: count
     tear = 30,
     jaw_pressure = 31,     ///< value: kPa, above the tissue's pressure limit
+    cut_begin = 32,        ///< the blade has broken through; value: position along the marked line (m); detail: signed distance from it (um)
+    cut_end = 33,          ///< the blade has left the tissue or its button opened; as cut_begin
+    cut_advance = 34,      ///< value: position along the marked line (m); detail: signed distance from it (um), positive towards the fixed side
+    cut_traction = 35,     ///< value: traction across the cut (N/m); detail: length of this advance (um)
+    cut_rolled_back = 36,  ///< a step of the cut was invalid and undone; detail: retries
+    piece_fallen = 37,     ///< tissue came free; value: area (m2)
 };
 const char* event_name(EventKind kind);
 

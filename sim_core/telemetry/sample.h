@@ -23,6 +23,7 @@ enum HandFlag : std::uint16_t {
     hand_warned = 16,     ///< the trainee was being warned at this tick
     hand_clamped = 32,    ///< the device force was limited at this tick
     hand_faulty = 64,     ///< the device answered with NaN, infinity or a jump at this tick
+    hand_cutting = 128,   ///< the instrument's blade was in the tissue at this tick
 };
 
 /// One instrument at one tick; patient frame.

@@ -9,6 +9,7 @@
 #include "sim_core/bowel/skin.h"
 #include "sim_core/geometry/mesh.h"
 #include "sim_core/numerics/types.h"
+#include "sim_core/telemetry/event.h"
 
 namespace fulcrum {
 
@@ -53,6 +54,15 @@ struct MembraneView {
     std::uint32_t topology = 0;
 };
 
+/// A sheet that is divided along a marked line.
+struct SheetView {
+    std::vector<Vector3> line;           ///< m, where the marked line's points are now, patient frame; empty without a sheet
+    std::vector<double> line_positions;  ///< m at rest from the line's start, rising; one for each point
+    std::vector<double> line_traction;   ///< N/m across the line at each point; 0 where it is divided
+    std::vector<std::uint8_t> line_divided;  ///< 1 where the sheet is divided across the line at this point
+    std::vector<Vector3> flap;           ///< m, the free edge that can be taken hold of, in the line's direction
+};
+
 struct WorldSnapshot {
     std::uint32_t step = 0;
     std::uint32_t tick = 0;              ///< last input tick the step consumed
@@ -71,6 +81,9 @@ struct WorldSnapshot {
     std::vector<Vector3> tether_anchors; ///< mesentery root points; empty without tethers
     std::vector<double> tether_arc_lengths;
     std::vector<MembraneView> membranes; ///< Scene::membranes; empty without
+    SheetView sheet;                     ///< Scene::sheet; empty without
+    std::vector<Event> events;           ///< what this step did to tissue, for the monitor to pass on; fixed capacity, event_count valid
+    std::int32_t event_count = 0;
     std::vector<float> patch_damage;     ///< N s per tissue patch
     double residual_penetration = 0;     ///< m, deepest sphere in the cavity after the step
     double floor_load = 0;               ///< N, sum of contact forces on the cavity

@@ -124,6 +124,18 @@ QString event_words(const Event& event, const std::vector<std::string>& tissues)
         case EventKind::jaw_pressure:
             words = tr("Jaw pressure %1 kPa").arg(figure(static_cast<double>(event.value)));
             break;
+        case EventKind::cut_begin:
+            words = tr("Cut begins");
+            break;
+        case EventKind::cut_end:
+            words = tr("Cut ends");
+            break;
+        case EventKind::piece_fallen:
+            words = tr("A piece of %1 mm² came free").arg(figure(static_cast<double>(event.value) * 1e6));
+            break;
+        case EventKind::cut_advance:
+        case EventKind::cut_traction:
+        case EventKind::cut_rolled_back:
         case EventKind::phase_end:
         case EventKind::target_shown:
         case EventKind::over_force_end:
