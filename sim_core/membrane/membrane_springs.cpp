@@ -41,9 +41,15 @@ double dot(const Lanes* a, const Lanes* b, std::size_t count) {
 
 double add_springs(const Membrane::Tables& tables, const double* stiffness, const double* rest,
                    const Lanes* x, Lanes* gradient) {
+    return add_springs({tables.first.data(), tables.second.data(), tables.first.size()}, stiffness, rest, x,
+                       gradient);
+}
+
+double add_springs(const SpringEnds& ends, const double* stiffness, const double* rest, const Lanes* x,
+                   Lanes* gradient) {
     Lanes energy = all_lanes(0);
-    const std::int32_t *first = tables.first.data(), *second = tables.second.data();
-    for (std::size_t s = 0; s < tables.first.size(); s += 4) {
+    const std::int32_t *first = ends.first, *second = ends.second;
+    for (std::size_t s = 0; s < ends.count; s += 4) {
         const Four four = lengths(first + s, second + s, x);
         const Lanes k = load_lanes(stiffness + s), stretch = four.length - load_lanes(rest + s);
         energy += k * stretch * stretch;
@@ -57,10 +63,10 @@ double add_springs(const Membrane::Tables& tables, const double* stiffness, cons
     return 0.5 * sum_lanes(energy);
 }
 
-void add_dampers(const Membrane::Tables& tables, const double* stiffness, double damping, const Lanes* x,
+void add_dampers(const SpringEnds& ends, const double* stiffness, double damping, const Lanes* x,
                  const Lanes* v, Lanes* gradient) {
-    for (std::size_t s = 0; s < tables.first.size(); ++s) {
-        const auto i = tables.first[s], j = tables.second[s];
+    for (std::size_t s = 0; s < ends.count; ++s) {
+        const auto i = ends.first[s], j = ends.second[s];
         const Lanes d = x[i] - x[j], u = v[i] - v[j];
         const double squared = std::max(sum_lanes(d * d), shortest * shortest);
         const Lanes force = all_lanes(damping * stiffness[s] * sum_lanes(d * u) / squared) * d;

@@ -73,8 +73,9 @@ void step_symplectic(const Membrane& membrane, MembraneInputs& inputs, double sa
         }
         add_springs(t, d.stiffness.data(), d.rest.data(), d.trial.data(), d.gradient.data());
         if (material.stiffness_damping > 0)
-            add_dampers(t, d.stiffness.data(), material.stiffness_damping, d.trial.data(),
-                        d.start_velocity.data(), d.gradient.data());
+            add_dampers({t.first.data(), t.second.data(), t.first.size()}, d.stiffness.data(),
+                        material.stiffness_damping, d.trial.data(), d.start_velocity.data(),
+                        d.gradient.data());
         const double share = static_cast<double>(k + 1) / report.substeps;
         // What jaws hold is drawn by its spring's force at the substep's end: however stiff, that is stable.
         // A node that two jaws hold takes one after the other.

@@ -85,11 +85,18 @@ inline Vector3 vector_of(const Lanes& v) {
     return Vector3(v[0], v[1], v[2]);
 }
 
+/// Ends of springs by node numbers; count a multiple of four, padded with springs of no stiffness.
+struct SpringEnds {
+    const std::int32_t *first = nullptr, *second = nullptr;
+    std::size_t count = 0;
+};
 /// Energy of springs of the given stiffness and rest length, gradient added.
+double add_springs(const SpringEnds& ends, const double* stiffness, const double* rest, const Lanes* x,
+                   Lanes* gradient);
 double add_springs(const Membrane::Tables& tables, const double* stiffness, const double* rest,
                    const Lanes* x, Lanes* gradient);
 /// Spring dampers: gradient += damping * stiffness * (n . (v_i - v_j)) n.
-void add_dampers(const Membrane::Tables& tables, const double* stiffness, double damping, const Lanes* x,
+void add_dampers(const SpringEnds& ends, const double* stiffness, double damping, const Lanes* x,
                  const Lanes* v, Lanes* gradient);
 /// Prepares tangent products at x; `clamped` leaves out what compressed springs take away across their
 /// direction.

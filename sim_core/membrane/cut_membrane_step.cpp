@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+// Symplectic Euler on what is left of a sheet.
+#include <algorithm>
+#include <cmath>
+
+#include "sim_core/membrane/cut_membrane.h"
+#include "sim_core/membrane/membrane_system.h"
+
+namespace fulcrum {
+
+using membrane_detail::lanes_of;
+using membrane_detail::vector_of;
+
+namespace {
+
+constexpr double strongest = 1e9;  // N, m/s2, N/m
+constexpr double farthest = 1e4;   // m
+constexpr double fastest = 1e9;    // m/s
+
+std::size_t at(std::int32_t i) {
+    return static_cast<std::size_t>(i);
+}
+
+bool within(const Vector3& v, double limit) {
+    return v.allFinite() && v.cwiseAbs().maxCoeff() <= limit;
+}
+
+bool usable(const CutMembraneState& state, const CutMembraneInputs& inputs) {
+    if (!within(inputs.gravity, strongest) || !within(inputs.isolated_gravity, strongest)) return false;
+    for (const CutMembraneLink& link : inputs.links) {
+        if (link.piece < 0 || at(link.piece) >= state.pieces.size() || state.pieces[at(link.piece)].root < 0)
+            return false;
+        if (!(link.stiffness >= 0 && link.stiffness <= strongest) || !(link.grip >= 0) ||
+            !(link.friction >= 0))
+            return false;
+        if (!within(link.start, farthest) || !within(link.target, farthest) || !within(link.normal, 2) ||
+            !within(link.barycentric, 1e3))
+            return false;
+    }
+    return true;
+}
+
+bool finite(const CutMembraneState& state) {
+    for (std::size_t n = 0; n < at(state.node_end); ++n) {
+        if (!within(state.positions[n], farthest) || !within(state.velocities[n], fastest)) return false;
+    }
+    return true;
+}
+
+// Force of a link on the membrane that would draw it over `way` (m) to its target with stiffness k.
+Lanes link_force(const CutMembraneLink& link, const Lanes& way, double k) {
+    const Lanes pull = all_lanes(k) * way, n = lanes_of(link.normal);
+    if (!(sum_lanes(n * n) > 0)) {
+        const double size = std::sqrt(sum_lanes(pull * pull));
+        return size > link.grip ? all_lanes(link.grip / size) * pull : pull;
+    }
+    const double along = sum_lanes(pull * n);
+    Lanes across = pull - all_lanes(along) * n;
+    const double push = link.push ? std::min(0.0, along) : 0.0;
+    const double size = std::sqrt(sum_lanes(across * across)), most = link.grip - link.friction * push;
+    if (size > most) across = all_lanes(most / size) * across;
+    return across + all_lanes(push) * n;
+}
+
+}  // namespace
+
+MembraneReport CutMembrane::step(CutMembraneState& state, CutMembraneInputs& inputs, double dt,
+                                 CutMembraneScratch& scratch, int most_substeps) const noexcept {
+    MembraneReport report;
+    for (CutMembraneLink& link : inputs.links) link.reaction.setZero();
+    const double wanted = std::ceil(dt / (0.98 * safe_time_step()));
+    report.finite = usable(state, inputs) && finite(state);
+    if (!report.finite || !(dt >= 1e-9 && dt <= 1) || !(wanted <= most_substeps)) {
+        report.fault = MembraneFault::refused;
+        report.converged = false;
+        return report;
+    }
+    report.substeps = std::max(1, static_cast<int>(wanted));
+    const double h = dt / report.substeps;
+    const std::size_t nodes = at(state.node_end);
+    Lanes *x = scratch.position_.data(), *v = scratch.velocity_.data(), *g = scratch.gradient_.data();
+    double *inverse = scratch.inverse_mass_.data(), *anchor = scratch.anchor_.data();
+    for (std::size_t n = 0; n < nodes; ++n) {
+        scratch.good_[n] = state.positions[n];
+        x[n] = lanes_of(state.positions[n]);
+        v[n] = lanes_of(state.velocities[n]);
+        inverse[n] = state.masses[n] > 0 ? 1 / state.masses[n] : 0;
+        anchor[n] = 0;
+        if (state.held[n] == 0 || state.vertex[n] < 0) continue;
+        const std::size_t vertex = at(state.vertex[n]);
+        if (std::isfinite(attachment_[vertex])) {
+            anchor[n] = attachment_[vertex] * state.masses[n] / vertex_mass_[vertex];
+        } else {
+            inverse[n] = 0;
+            v[n] = all_lanes(0);
+        }
+    }
+    const Lanes weight[2] = {lanes_of(inputs.gravity), lanes_of(inputs.isolated_gravity)};
+    const membrane_detail::SpringEnds ends{state.first.data(), state.second.data(), at(state.spring_end)};
+    const Lanes step = all_lanes(h);
+    const auto carried = [&](std::size_t n) {  // where the node will be with the forces so far
+        return x[n] + step * (v[n] - all_lanes(h * inverse[n]) * g[n]);
+    };
+    for (int k = 0; k < report.substeps; ++k) {
+        for (std::size_t n = 0; n < nodes; ++n)
+            g[n] = all_lanes(state.masses[n]) *
+                   (all_lanes(material_.mass_damping) * v[n] - weight[state.isolated[n]]);
+        membrane_detail::add_springs(ends, state.stiffness.data(), state.rest.data(), x, g);
+        if (material_.stiffness_damping > 0)
+            membrane_detail::add_dampers(ends, state.stiffness.data(), material_.stiffness_damping, x, v, g);
+        for (std::size_t n = 0; n < nodes; ++n) {
+            if (!(anchor[n] > 0)) continue;
+            const double share = anchor[n] / (1 + h * h * anchor[n] * inverse[n]);
+            g[n] -= all_lanes(share) * (lanes_of(rest_[at(state.vertex[n])]) - carried(n));
+        }
+        // By the force at the substep's end, one link after the other: stable however stiff.
+        const double done = static_cast<double>(k + 1) / report.substeps;
+        for (CutMembraneLink& link : inputs.links) {
+            const auto& corner = state.pieces[at(link.piece)].nodes;
+            Lanes end = all_lanes(0);
+            double give = 0;  // 1/kg
+            for (int c = 0; c < 3; ++c) {
+                const std::size_t n = at(corner[at(c)]);
+                end += all_lanes(link.barycentric[c]) * carried(n);
+                give += link.barycentric[c] * link.barycentric[c] * inverse[n];
+            }
+            const Lanes target = lanes_of(link.start + done * (link.target - link.start));
+            const Lanes force =
+                link_force(link, target - end, link.stiffness / (1 + h * h * link.stiffness * give));
+            for (int c = 0; c < 3; ++c) g[at(corner[at(c)])] -= all_lanes(link.barycentric[c]) * force;
+            link.reaction += vector_of(force) / report.substeps;
+        }
+        for (std::size_t n = 0; n < nodes; ++n) {
+            v[n] -= all_lanes(h * inverse[n]) * g[n];
+            x[n] += step * v[n];
+        }
+    }
+    for (std::size_t n = 0; n < nodes; ++n) {
+        state.positions[n] = vector_of(x[n]);
+        state.velocities[n] = vector_of(v[n]);
+    }
+    if (!finite(state)) {
+        for (std::size_t n = 0; n < nodes; ++n) {
+            state.positions[n] = scratch.good_[n];
+            state.velocities[n].setZero();
+        }
+        for (CutMembraneLink& link : inputs.links) link.reaction.setZero();
+        report.fault = MembraneFault::frozen;
+        report.finite = report.converged = false;
+        return report;
+    }
+    for (std::size_t n = 0; n < nodes; ++n) g[n] = all_lanes(0);
+    report.energy = membrane_detail::add_springs(ends, state.stiffness.data(), state.rest.data(), x, g);
+    return report;
+}
+
+}  // namespace fulcrum
