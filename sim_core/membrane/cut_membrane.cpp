@@ -235,7 +235,6 @@ CutMembraneState CutMembrane::make_state() const {
         piece.corners = piece.edges = 7;
         state.first_piece[at(r)] = r;
     }
-    state.free_piece_count = fill_free(state.free_pieces, roots, most_pieces_);
 
     state.contacts.resize(at(most_contacts_));
     state.first_contact.assign(edges_.size(), -1);
@@ -274,7 +273,6 @@ CutMembraneScratch CutMembrane::make_scratch() const {
     s.anchor_.assign(nodes, 0.0);
     s.good_.assign(nodes, Vector3::Zero());
     s.incidences_.reserve(at(most_pieces_));
-    s.slots_.reserve(at(most_pieces_));
     s.vertices_.reserve(rest_.size());
     s.parent_.assign(nodes, -1);
     s.vertex_stamp_.assign(rest_.size(), 0);

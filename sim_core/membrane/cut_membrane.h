@@ -27,8 +27,9 @@ namespace fulcrum {
 
 /// What a cut left of a root triangle in one place.
 struct MembranePiece {
+    std::int32_t slot = -1;  ///< its number, the caller's: free, or that of a piece of a touched root
     std::int32_t root = -1;
-    std::int32_t from = -1;    ///< slot of the piece of this root, before the cut, that it was a part of
+    std::int32_t from = -1;    ///< piece of this root, before the cut, that it was a part of
     double share = 0;          ///< of the root's area, above 0
     std::uint8_t corners = 0;  ///< bit c: the root's corner c belongs to it
     std::uint8_t edges = 0;    ///< bit e: it has a part of root edge e (corner e to e + 1)
@@ -36,13 +37,13 @@ struct MembranePiece {
 
 /// Where two pieces still meet along an edge of two roots.
 struct PieceContact {
-    std::int32_t first = -1, second = -1;  ///< pieces, by slot
+    std::int32_t first = -1, second = -1;  ///< pieces
     std::int32_t edge = -1;                ///< root edge of the first's root: 0, 1, 2
     double share = 0;                      ///< of the edge's length
 };
 
-/// A cut's outcome for the springs. Every piece of a touched root is named, and every contact along an edge
-/// of one. In contacts a piece k of this list is -1 - k, a piece of an untouched root its slot.
+/// A cut's outcome for the springs. Every piece that a touched root has now is named, and every contact along
+/// an edge of one, once.
 struct MembraneCut {
     std::vector<std::int32_t> roots;  ///< touched, each once
     std::vector<MembranePiece> pieces;
@@ -83,8 +84,8 @@ struct CutMembraneState {
     std::vector<std::int32_t> first_spring;  ///< by spring of the uncut sheet
     std::int32_t spring_end = 0;             ///< slots from here on were never used; a multiple of four
     // Free slots, taken from the end.
-    std::vector<std::int32_t> free_nodes, free_pieces, free_contacts, free_springs;
-    std::int32_t free_node_count = 0, free_piece_count = 0, free_contact_count = 0, free_spring_count = 0;
+    std::vector<std::int32_t> free_nodes, free_contacts, free_springs;
+    std::int32_t free_node_count = 0, free_contact_count = 0, free_spring_count = 0;
     std::uint32_t topology = 0;
     double removed_mass = 0;      ///< kg
     std::int32_t node_end = 0;    ///< nodes from here on were never used
@@ -131,8 +132,7 @@ class CutMembrane {
 
     /// Whether the state has room for it.
     bool fits(const CutMembraneState& state, const MembraneCut& cut) const noexcept;
-    /// Takes a cut over; false (and nothing done) where it does not fit. Slots of the new pieces, in the
-    /// cut's order, are in slots().
+    /// Takes a cut over; false (and nothing done) where it does not fit.
     bool part(CutMembraneState& state, const MembraneCut& cut, CutMembraneScratch& scratch) const noexcept;
 
     /// One step; substepped is no fault here. refused: input not finite, or more than most_substeps;
@@ -220,10 +220,6 @@ class CutMembrane {
 
 /// Work space of one thread. Made by CutMembrane::make_scratch.
 class CutMembraneScratch {
-  public:
-    /// Of the last part().
-    const std::vector<std::int32_t>& slots() const { return slots_; }
-
   private:
     friend class CutMembrane;
     std::vector<Lanes> position_, velocity_, gradient_;
@@ -236,7 +232,7 @@ class CutMembraneScratch {
         bool held;
     };
     std::vector<Incidence> incidences_;
-    std::vector<std::int32_t> slots_, vertices_, parent_;
+    std::vector<std::int32_t> vertices_, parent_;
     std::vector<std::uint32_t> vertex_stamp_, spring_stamp_, node_stamp_;
     std::vector<std::int32_t> place_of_piece_;
     std::vector<std::array<std::int32_t, 3>> old_nodes_;

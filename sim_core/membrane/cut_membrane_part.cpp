@@ -32,9 +32,8 @@ void join(Parent&& parent, std::int32_t a, std::int32_t b) {
 }  // namespace
 
 bool CutMembrane::fits(const CutMembraneState& state, const MembraneCut& cut) const noexcept {
-    std::int32_t pieces = state.free_piece_count, contacts = state.free_contact_count;
+    std::int32_t contacts = state.free_contact_count;
     for (const std::int32_t root : cut.roots) {
-        for_pieces(state, root, [&](std::int32_t, const CutMembraneState::Piece&) { ++pieces; });
         for (const std::int32_t edge : root_edges_[at(root)]) {
             for (std::int32_t c = state.first_contact[at(edge)]; c >= 0; c = state.contacts[at(c)].next) {
                 // An edge between two touched roots is met from both: its contacts are counted by the first.
@@ -44,8 +43,10 @@ bool CutMembrane::fits(const CutMembraneState& state, const MembraneCut& cut) co
             }
         }
     }
-    return static_cast<std::size_t>(pieces) >= cut.pieces.size() &&
-           static_cast<std::size_t>(contacts) >= cut.contacts.size();
+    for (const MembranePiece& piece : cut.pieces) {
+        if (piece.slot < 0 || piece.slot >= most_pieces_) return false;
+    }
+    return static_cast<std::size_t>(contacts) >= cut.contacts.size();
 }
 
 void CutMembrane::add_spring(CutMembraneState& state, std::size_t spring, std::int32_t a, std::int32_t b,
@@ -217,7 +218,6 @@ bool CutMembrane::part(CutMembraneState& state, const MembraneCut& cut,
                        CutMembraneScratch& scratch) const noexcept {
     if (!fits(state, cut)) return false;
     const std::uint32_t stamp = ++scratch.stamp_;
-    scratch.slots_.clear();
     scratch.vertices_.clear();
     // What was there goes; its nodes are remembered by slot.
     for (const std::int32_t root : cut.roots) {
@@ -227,7 +227,6 @@ bool CutMembrane::part(CutMembraneState& state, const MembraneCut& cut,
             scratch.old_nodes_[at(slot)] = piece.nodes;
             state.removed_mass += piece.share * root_mass_[at(root)];
             piece = CutMembraneState::Piece();
-            state.free_pieces[at(state.free_piece_count++)] = slot;
             slot = next;
         }
         for (const std::int32_t edge : root_edges_[at(root)]) {
@@ -248,24 +247,21 @@ bool CutMembrane::part(CutMembraneState& state, const MembraneCut& cut,
     // First every old slot is read, then pieces are laid in: a new one may take an old one's slot.
     for (const std::int32_t root : cut.roots) state.first_piece[at(root)] = -1;
     for (const MembranePiece& from : cut.pieces) {
-        const std::int32_t slot = state.free_pieces[at(--state.free_piece_count)];
-        CutMembraneState::Piece& piece = state.pieces[at(slot)];
+        CutMembraneState::Piece& piece = state.pieces[at(from.slot)];
         piece.root = from.root;
         piece.share = from.share;
         piece.corners = from.corners;
         piece.edges = from.edges;
         piece.nodes = scratch.old_nodes_[at(from.from)];
         piece.next = state.first_piece[at(from.root)];
-        state.first_piece[at(from.root)] = slot;
+        state.first_piece[at(from.root)] = from.slot;
         state.removed_mass -= from.share * root_mass_[at(from.root)];
-        scratch.slots_.push_back(slot);
     }
-    const auto slot_of = [&](std::int32_t name) { return name < 0 ? scratch.slots_[at(-1 - name)] : name; };
     for (const PieceContact& from : cut.contacts) {
         const std::int32_t c = state.free_contacts[at(--state.free_contact_count)];
         CutMembraneState::Contact& contact = state.contacts[at(c)];
-        contact.first = slot_of(from.first);
-        contact.second = slot_of(from.second);
+        contact.first = from.first;
+        contact.second = from.second;
         const std::int32_t root = state.pieces[at(contact.first)].root;
         const std::int32_t edge = root_edges_[at(root)][at(from.edge)];
         if (edges_[at(edge)].roots[0] != root) std::swap(contact.first, contact.second);

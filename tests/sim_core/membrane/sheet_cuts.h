@@ -12,9 +12,10 @@
 
 namespace fulcrum::test {
 
-/// A cut of an uncut sheet along the line x = place, a kerf wide, through the triangles that `through` names.
-inline MembraneCut straight_cut(const CutMembrane& membrane, double place, double kerf,
-                                const std::function<bool(const Triangle&)>& through) {
+/// New pieces are numbered from free_slot on. A cut of an uncut sheet along the line x = place, a kerf wide,
+/// through the triangles that `through` names.
+inline MembraneCut straight_cut(const CutMembrane& membrane, std::int32_t free_slot, double place,
+                                double kerf, const std::function<bool(const Triangle&)>& through) {
     const auto& rest = membrane.rest();
     const auto& triangles = membrane.triangles();
     // Length or area share of what lies left (side 0) or right (side 1) of the kerf.
@@ -44,7 +45,7 @@ inline MembraneCut straight_cut(const CutMembrane& membrane, double place, doubl
         return 0.0;
     };
     MembraneCut cut;
-    std::map<std::int32_t, std::array<std::int32_t, 2>> named;  // -1 - piece of each side, 0 none
+    std::map<std::int32_t, std::array<std::int32_t, 2>> named;  // piece of each side, -1 none
     for (std::size_t r = 0; r < triangles.size(); ++r) {
         double least = 1e9, most = -1e9;
         for (const std::int32_t v : triangles[r]) {
@@ -54,7 +55,8 @@ inline MembraneCut straight_cut(const CutMembrane& membrane, double place, doubl
         if (!through(triangles[r]) || most <= place - 0.5 * kerf || least >= place + 0.5 * kerf) continue;
         const auto root = static_cast<std::int32_t>(r);
         cut.roots.push_back(root);
-        named[root] = {0, 0};
+        named[root] = {-1, -1};
+        bool first = true;
         for (int side = 0; side < 2; ++side) {
             MembranePiece piece;
             piece.root = root;
@@ -68,7 +70,9 @@ inline MembraneCut straight_cut(const CutMembrane& membrane, double place, doubl
                     piece.corners = static_cast<std::uint8_t>(piece.corners | 1 << c);
                 if (edge_share(a, b, side) > 0) piece.edges = static_cast<std::uint8_t>(piece.edges | 1 << c);
             }
-            named[root][static_cast<std::size_t>(side)] = -1 - static_cast<std::int32_t>(cut.pieces.size());
+            piece.slot = first ? root : free_slot++;
+            first = false;
+            named[root][static_cast<std::size_t>(side)] = piece.slot;
             cut.pieces.push_back(piece);
         }
     }
@@ -91,7 +95,7 @@ inline MembraneCut straight_cut(const CutMembrane& membrane, double place, doubl
                 cut_first ? named[sides[0].first][static_cast<std::size_t>(side)] : sides[0].first;
             contact.second =
                 cut_second ? named[sides[1].first][static_cast<std::size_t>(side)] : sides[1].first;
-            if ((cut_first && contact.first == 0) || (cut_second && contact.second == 0)) continue;
+            if ((cut_first && contact.first < 0) || (cut_second && contact.second < 0)) continue;
             contact.edge = sides[0].second;
             contact.share = edge_share(ends.first, ends.second, side);
             if (contact.share > 0) cut.contacts.push_back(contact);
@@ -106,7 +110,11 @@ inline MembraneCut random_cut(const CutMembrane& membrane, const CutMembraneStat
     MembraneCut cut;
     const auto roots = static_cast<std::int32_t>(membrane.triangles().size());
     std::vector<std::uint8_t> touched(static_cast<std::size_t>(roots), 0);
-    std::map<std::int32_t, std::vector<std::int32_t>> heirs;  // names of the pieces of an old slot
+    std::map<std::int32_t, std::vector<std::int32_t>> heirs;  // of an old piece
+    std::int32_t free_slot = 0;
+    for (std::size_t p = 0; p < state.pieces.size(); ++p) {
+        if (state.pieces[p].root >= 0) free_slot = static_cast<std::int32_t>(p) + 1;
+    }
     for (int i = 0; i < 4; ++i) {
         const auto root = static_cast<std::int32_t>(random.uniform() * roots);
         if (root >= roots || touched[static_cast<std::size_t>(root)]++ != 0) continue;
@@ -128,7 +136,8 @@ inline MembraneCut random_cut(const CutMembrane& membrane, const CutMembraneStat
                     static_cast<std::uint8_t>(state.pieces[static_cast<std::size_t>(p)].corners & kept);
                 piece.edges =
                     static_cast<std::uint8_t>(state.pieces[static_cast<std::size_t>(p)].edges & kept);
-                heirs[p].push_back(-1 - static_cast<std::int32_t>(cut.pieces.size()));
+                piece.slot = heirs[p].empty() ? p : free_slot++;
+                heirs[p].push_back(piece.slot);
                 cut.pieces.push_back(piece);
             }
         }
