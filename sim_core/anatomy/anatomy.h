@@ -124,6 +124,9 @@ struct AnatomyTextures {
 /// size: width of the serosa's tile in pixels, a power of two, 128 .. 2048; the others follow.
 AnatomyTextures make_textures(std::uint64_t seed = 1, int size = 1024);
 
+/// Areolar tissue, a tile of 40 mm: white fibres of all directions over fat, under a thin film. size as above.
+TissueTexture make_areolar_texture(std::uint64_t seed = 1, int size = 512);
+
 /// The wall in one piece, by its own texture coordinates, width x width / 2 pixels (128 .. 4096): the peritoneum's
 /// tile seen along the three axes and blended by the normal, fat beneath it mixed in. normal: a vector of the
 /// patient frame to be added to the wall's unit normal, mapped from -1 .. 1.

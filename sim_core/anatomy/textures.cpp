@@ -215,11 +215,42 @@ TissueTexture steel(std::uint64_t seed, int size) {
     });
 }
 
-}  // namespace
-
-AnatomyTextures make_textures(std::uint64_t seed, int size) {
+void check_size(int size) {
     if (size < 128 || size > 2048 || (size & (size - 1)) != 0)
         throw InputError("texture parameters", "size", "out of range", "give a power of two, 128 to 2048");
+}
+
+}  // namespace
+
+TissueTexture make_areolar_texture(std::uint64_t seed, int size) {
+    check_size(size);
+    const Colour yellow(212, 164, 92), film(214, 178, 160), fibre(246, 236, 226), deep(172, 92, 70);
+    const TiledNoise cloud(3, 3, 4, 0.55, seed + 51), density(5, 5, 2, 0.5, seed + 55);
+    // Fibres: crests of noise drawn out along one direction each, bent by the clouds, dense here and sparse
+    // there.
+    const TiledNoise lengthwise(2, 17, 4, 0.62, seed + 52), crosswise(13, 3, 4, 0.62, seed + 53);
+    const TiledNoise fine(60, 60, 2, 0.6, seed + 54);
+    return bake(size, size, 40, 40, [&](int, int, double u, double v) {
+        const auto crest = [](double n) {
+            const double ridge = 1 - std::min(1.0, 4.5 * std::abs(n));
+            return ridge * ridge;
+        };
+        Texel texel;
+        const double wide = cloud(u, v), warp = 0.11 * wide;
+        const double dense = smooth_step(-0.5, 0.6, density(u, v));
+        const double strands = std::max(crest(lengthwise(u + warp, v - warp)) * (0.35 + 0.65 * dense),
+                                        crest(crosswise(u - warp, v + warp)) * (0.85 - 0.6 * dense));
+        texel.colour =
+            blend(blend(deep, yellow, 0.55 + 0.7 * wide), film, 0.28 + 0.20 * dense + 0.10 * fine(u, v));
+        texel.colour = blend(texel.colour, fibre, 0.62 * strands);
+        texel.wetness = 0.85 + 0.15 * strands;
+        texel.height = 0.12 * wide + 0.10 * strands + 0.02 * fine(u, v);
+        return texel;
+    });
+}
+
+AnatomyTextures make_textures(std::uint64_t seed, int size) {
+    check_size(size);
     AnatomyTextures textures;
     textures.serosa = serosa(seed, size);
     textures.fat = fat(seed, size / 2);

@@ -111,6 +111,24 @@ TEST(Textures, ColoursAreThoseOfTheTissue) {
     EXPECT_LT(share, 0.25);
 }
 
+TEST(Textures, AreolarTissueIsPaleFibresOverWarmFatAndTiles) {
+    const TissueTexture areolar = make_areolar_texture(4, 256), again = make_areolar_texture(4, 256);
+    const Image& colour = areolar.albedo;
+    EXPECT_EQ(colour.pixels, again.albedo.pixels);
+    EXPECT_NE(colour.pixels, make_areolar_texture(5, 256).albedo.pixels);
+    EXPECT_GT(mean(colour, 0, 0, 1), mean(colour, 1, 0, 1));
+    EXPECT_GT(mean(colour, 1, 0, 1), mean(colour, 2, 0, 1));
+    int pale = 0;
+    for (int y = 0; y < colour.height; ++y) {
+        for (int x = 0; x < colour.width; ++x) pale += channel(colour, x, y, 2) > 165 ? 1 : 0;
+    }
+    const double share = pale / (1.0 * colour.width * colour.height);
+    EXPECT_GT(share, 0.03);
+    EXPECT_LT(share, 0.5);
+    EXPECT_LT(border_step(colour), 2.0);
+    EXPECT_THROW(make_areolar_texture(4, 300), InputError);
+}
+
 TEST(Textures, ASizeThatIsNoPowerOfTwoIsRefused) {
     EXPECT_THROW(make_textures(1, 300), InputError);
     EXPECT_THROW(make_textures(1, 64), InputError);

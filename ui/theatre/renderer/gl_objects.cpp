@@ -159,6 +159,44 @@ void GlSurface::draw(QOpenGLExtraFunctions& gl, const Sight& sight) {
     array_.release();
 }
 
+GlSheet::GlSheet() {
+    QOpenGLExtraFunctions& gl = *QOpenGLContext::currentContext()->extraFunctions();
+    array_.create();
+    array_.bind();
+    vertices_.create();
+    vertices_.setUsagePattern(QOpenGLBuffer::StreamDraw);
+    vertices_.bind();
+    constexpr int stride = SheetMesh::floats * sizeof(float);
+    attribute(gl, 0, 3, stride, 0);
+    attribute(gl, 1, 3, stride, 3 * sizeof(float));
+    attribute(gl, 2, 2, stride, 6 * sizeof(float));
+    attribute(gl, 3, 1, stride, 8 * sizeof(float));
+    indices_.create();
+    indices_.setUsagePattern(QOpenGLBuffer::StreamDraw);
+    indices_.bind();
+    array_.release();
+}
+
+void GlSheet::update(const SheetSurface& surface, std::uint64_t version) {
+    if (version != 0 && version == version_) return;
+    version_ = version;
+    mesh_.build(surface);
+    vertices_.bind();
+    vertices_.allocate(mesh_.vertices().data(), bytes(mesh_.vertices().size(), sizeof(float)));
+    vertices_.release();
+    array_.bind();
+    indices_.bind();
+    indices_.allocate(mesh_.indices().data(), bytes(mesh_.indices().size(), sizeof(std::uint32_t)));
+    array_.release();
+}
+
+void GlSheet::draw(QOpenGLExtraFunctions& gl) {
+    if (mesh_.indices().empty()) return;
+    array_.bind();
+    gl.glDrawElements(GL_TRIANGLES, static_cast<int>(mesh_.indices().size()), GL_UNSIGNED_INT, nullptr);
+    array_.release();
+}
+
 GlLines::GlLines(const TriangleMesh& mesh) {
     QOpenGLExtraFunctions& gl = *QOpenGLContext::currentContext()->extraFunctions();
     std::vector<float> corners;

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "sim_core/anatomy/anatomy.h"
+#include "ui/theatre/renderer/sheet_mesh.h"
 #include "ui/theatre/renderer/surface_mesh.h"
 #include "ui/theatre/renderer/tool_mesh.h"
 
@@ -63,6 +64,21 @@ class GlSurface {
     QOpenGLBuffer positions_{QOpenGLBuffer::VertexBuffer}, normals_{QOpenGLBuffer::VertexBuffer},
         coordinates_{QOpenGLBuffer::VertexBuffer}, detail_{QOpenGLBuffer::VertexBuffer},
         indices_{QOpenGLBuffer::IndexBuffer};
+};
+
+/// A sheet whose vertices and triangles may be others in every picture.
+class GlSheet {
+  public:
+    GlSheet();
+    /// version: as GlSurface::update.
+    void update(const SheetSurface& surface, std::uint64_t version);
+    void draw(QOpenGLExtraFunctions& gl);
+
+  private:
+    SheetMesh mesh_;
+    std::uint64_t version_ = 0;
+    QOpenGLVertexArrayObject array_;
+    QOpenGLBuffer vertices_{QOpenGLBuffer::VertexBuffer}, indices_{QOpenGLBuffer::IndexBuffer};
 };
 
 /// The edges of a mesh.

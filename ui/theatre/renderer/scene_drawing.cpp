@@ -9,6 +9,7 @@ namespace fulcrum::ui {
 namespace {
 
 constexpr int most_tools = 4;
+constexpr float areolar_tile = 0.040F, peritoneum_tile = 0.120F;  // m
 
 }  // namespace
 
@@ -29,6 +30,8 @@ void SceneRenderer::Impl::upload_changes() {
         fat = upload(textures->fat);
         peritoneum = upload(textures->peritoneum);
         metal = upload(textures->steel);
+        areolar = {};
+        if (sheet_texture) areolar = upload(*sheet_texture);
         textures_changed = false;
     }
     if (cavity.changed && cavity.present) {
@@ -146,6 +149,23 @@ void SceneRenderer::Impl::draw_targets(QOpenGLExtraFunctions& gl, const SceneFra
     }
 }
 
+void SceneRenderer::Impl::draw_sheets(QOpenGLExtraFunctions& gl, const SceneFrame& frame) {
+    if (frame.sheets.empty()) return;
+    start(*sheet, frame);
+    sheet->setUniformValue("bump", 1.0F);
+    sheet->setUniformValue("tile", areolar.albedo ? areolar_tile : peritoneum_tile);
+    sheet->setUniformValue("cut_hue", QVector3D(0.86F, 0.66F, 0.50F));
+    (areolar.albedo ? areolar : peritoneum).bind();
+    while (gl_sheets.size() < frame.sheets.size()) gl_sheets.push_back(std::make_unique<GlSheet>());
+    for (std::size_t k = 0; k < frame.sheets.size(); ++k) {
+        const DrawnSheet& drawn = frame.sheets[k];
+        const QVector3D from = vector(drawn.mark_from), to = vector(drawn.mark_to);
+        sheet->setUniformValue("mark_from_to", QVector4D(from.x(), from.y(), to.x(), to.y()));
+        gl_sheets[k]->update(drawn.surface, drawn.version);
+        gl_sheets[k]->draw(gl);
+    }
+}
+
 void SceneRenderer::Impl::draw_studies(QOpenGLExtraFunctions& gl, const SceneFrame& frame,
                                        const GlSurface::Sight& sight) {
     if (studies.empty()) return;
@@ -205,6 +225,7 @@ void SceneRenderer::Impl::draw_scene(QOpenGLExtraFunctions& gl, const SceneFrame
     draw_tools(gl, frame, false);
     draw_targets(gl, frame, false);
     draw_studies(gl, frame, sight);
+    draw_sheets(gl, frame);
     gl.glEnable(GL_CULL_FACE);
     if (gl_bowel && frame.bowel_positions != nullptr && frame.bowel_normals != nullptr) {
         gl_bowel->update(frame.bowel_positions, frame.bowel_normals, frame.version);

@@ -73,6 +73,11 @@ void SceneRenderer::set_reflection(const ReflectionShape& reflection) {
                          true};
 }
 
+void SceneRenderer::set_sheet_texture(std::shared_ptr<const TissueTexture> texture) {
+    impl_->sheet_texture = std::move(texture);
+    impl_->textures_changed = true;
+}
+
 void SceneRenderer::set_meshes(const std::vector<DrawnMesh>& meshes) {
     impl_->studies.clear();
     for (const DrawnMesh& mesh : meshes) {
@@ -98,6 +103,7 @@ void SceneRenderer::set_meshes(const std::vector<DrawnMesh>& meshes) {
 
 void SceneRenderer::clear_scene() {
     impl_->studies.clear();
+    impl_->sheet_texture.reset();
     for (Impl::Geometry* geometry :
          {&impl_->cavity, &impl_->bowel, &impl_->mesentery, &impl_->mesentery_rim, &impl_->reflection}) {
         *geometry = {};
@@ -114,7 +120,8 @@ bool SceneRenderer::initialise() {
     }
     namespace s = shaders;
     i.tissue = compile({s::light, s::surface_vertex}, {s::wet, s::tissue_fragment}, i.error);
-    if (i.tissue)
+    if (i.tissue) i.sheet = compile({s::light, s::surface_vertex}, {s::wet, s::sheet_fragment}, i.error);
+    if (i.sheet)
         i.wall = compile({s::light_each_fragment, s::light, s::surface_vertex},
                          {s::light, s::wet, s::wall_fragment}, i.error);
     if (i.wall) i.plain = compile({s::light, s::surface_vertex}, {s::wet, s::plain_fragment}, i.error);
@@ -157,9 +164,9 @@ void SceneRenderer::draw(const SceneFrame& frame, QSize size) {
 
 void SceneRenderer::release() {
     Impl& i = *impl_;
-    for (Impl::Program* program : {&i.tissue, &i.wall, &i.plain, &i.box, &i.steel, &i.target, &i.screen})
+    for (Impl::Program* program : {&i.tissue, &i.sheet, &i.wall, &i.plain, &i.box, &i.steel, &i.target, &i.screen})
         program->reset();
-    for (GlTissue* tissue : {&i.serosa, &i.fat, &i.peritoneum, &i.wall_skin, &i.metal}) *tissue = {};
+    for (GlTissue* tissue : {&i.serosa, &i.fat, &i.peritoneum, &i.areolar, &i.wall_skin, &i.metal}) *tissue = {};
     for (auto* surface : {&i.gl_cavity, &i.gl_bowel, &i.gl_mesentery, &i.gl_mesentery_rim, &i.gl_reflection})
         surface->reset();
     for (auto* part : {&i.shaft, &i.clevis, &i.jaw, &i.probe_end, &i.sphere, &i.room, &i.frame_mask, &i.disc})
@@ -168,6 +175,7 @@ void SceneRenderer::release() {
         study.surface.reset();
         study.lines.reset();
     }
+    i.gl_sheets.clear();
     i.image.reset();
     i.resolved.reset();
     i.ready = false;

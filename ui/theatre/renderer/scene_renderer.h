@@ -15,6 +15,7 @@
 
 #include "sim_core/anatomy/anatomy.h"
 #include "sim_core/world/snapshot.h"
+#include "ui/theatre/renderer/sheet_mesh.h"
 
 namespace fulcrum::ui {
 
@@ -47,6 +48,14 @@ struct DrawnMesh {
     QVector3D accent_colour = {0.10F, 0.20F, 0.75F};
 };
 
+/// A sheet that may be cut: its triangles change with its version.
+struct DrawnSheet {
+    SheetSurface surface;
+    Vector3 mark_from = Vector3::Zero(),
+            mark_to = Vector3::Zero();  ///< m at rest: ends of the ink line; equal: none
+    std::uint64_t version = 0;          ///< as SceneFrame::version
+};
+
 /// Everything one picture needs. Pointers are only read during draw().
 struct SceneFrame {
     CameraPose camera;
@@ -56,6 +65,7 @@ struct SceneFrame {
     const float* mesentery_normals = nullptr;
     std::uint64_t version =
         0;  ///< of these four: equal and not 0, they have not changed since the last picture
+    std::vector<DrawnSheet> sheets;
     std::vector<DrawnTarget> targets;
     std::vector<DrawnTool> tools;
     double brightness = 1.0;            ///< of the light
@@ -88,6 +98,8 @@ class SceneRenderer {
     void set_bowel(const TriangleMesh& rest_surface, const std::vector<float>& taenia);
     void set_mesentery(const MesenteryShape& mesentery);
     void set_reflection(const ReflectionShape& reflection);
+    /// What the frame's sheets wear; without it they wear the peritoneum.
+    void set_sheet_texture(std::shared_ptr<const TissueTexture> texture);
     /// Meshes of a study, drawn beside whatever else is set and without the training box.
     void set_meshes(const std::vector<DrawnMesh>& meshes);
     /// Nothing but tools and targets (and a plain training box around them).

@@ -27,6 +27,7 @@ struct SceneRenderer::Impl {
     std::optional<AnatomyTextures> textures;
     bool textures_changed = false;
     std::shared_ptr<const TissueTexture> given_wall;
+    std::shared_ptr<const TissueTexture> sheet_texture;
     CavityShape wall_shape;  // kept until its texture is made
     struct Geometry {
         SurfaceMesh mesh;
@@ -40,15 +41,16 @@ struct SceneRenderer::Impl {
     bool smooth = false;       // four samples a pixel
     double coarse_pixels = 0;  // coarse triangles with shorter edges than that are good enough; 0: none are
     using Program = std::unique_ptr<QOpenGLShaderProgram>;
-    Program tissue, wall, plain, box, steel, target, screen;
+    Program tissue, sheet, wall, plain, box, steel, target, screen;
     struct Study {
         DrawnMesh look;
         std::unique_ptr<GlSurface> surface;  // null: to be uploaded
         std::unique_ptr<GlLines> lines;
     };
     std::vector<Study> studies;
-    GlTissue serosa, fat, peritoneum, wall_skin, metal;
+    GlTissue serosa, fat, peritoneum, areolar, wall_skin, metal;
     std::unique_ptr<GlSurface> gl_cavity, gl_bowel, gl_mesentery, gl_mesentery_rim, gl_reflection;
+    std::vector<std::unique_ptr<GlSheet>> gl_sheets;
     std::unique_ptr<GlRigid> shaft, clevis, jaw, probe_end, sphere, room, frame_mask, disc;
     std::unique_ptr<QOpenGLFramebufferObject> image, resolved;
 
@@ -67,6 +69,8 @@ struct SceneRenderer::Impl {
     void draw_tools(QOpenGLExtraFunctions& gl, const SceneFrame& frame, bool ghosts) const;
 
     void draw_targets(QOpenGLExtraFunctions& gl, const SceneFrame& frame, bool translucent) const;
+
+    void draw_sheets(QOpenGLExtraFunctions& gl, const SceneFrame& frame);
 
     void draw_studies(QOpenGLExtraFunctions& gl, const SceneFrame& frame, const GlSurface::Sight& sight);
 

@@ -169,6 +169,48 @@ void main() {
 }
 )";
 
+const char* const sheet_fragment = R"(
+in vec3 place;
+in vec3 facing;
+in vec2 uv;               // m at rest
+in vec3 arrived;
+uniform vec3 lamp;
+uniform sampler2D albedo;
+uniform sampler2D relief;
+uniform float bump;
+uniform float tile;       // m
+uniform vec4 mark_from_to; // ink line at rest, m: from xy to zw
+uniform vec3 cut_hue;     // linear: what a cut shows
+out vec4 colour;
+void main() {
+    vec3 n = normalize(facing);
+    vec3 to_eye = normalize(0.5 * lamp - place);
+    n = dot(n, to_eye) < 0.0 ? -n : n;
+    vec2 st = uv / tile;
+    vec4 texel = texture(albedo, st);
+    vec2 raised = texture(relief, st).xy * 2.0 - 1.0;
+    vec3 px = dFdx(place), py = dFdy(place);
+    vec2 tx = dFdx(st), ty = dFdy(st);
+    vec3 along = px * ty.y - py * tx.y, across = py * tx.x - px * ty.x;
+    float scale = bump * sign(tx.x * ty.y - tx.y * ty.x) * inversesqrt(max(max(dot(along, along), dot(across, across)), 1e-24));
+    vec3 rough = normalize(n + scale * (raised.x * along + raised.y * across));
+    vec3 own = texel.rgb * texel.rgb;
+    // Ink, dashed: 6 mm drawn, 3 mm not.
+    vec2 run = mark_from_to.zw - mark_from_to.xy;
+    float reach = dot(run, run);
+    float part = reach > 0.0 ? dot(uv - mark_from_to.xy, run) / reach : 0.0;
+    float off = reach > 0.0 ? distance(uv, mark_from_to.xy + clamp(part, 0.0, 1.0) * run) : 1.0;
+    float dash = step(fract(part * sqrt(reach) / 0.009), 0.667);
+    float ink = (1.0 - smoothstep(0.0005, 0.0008, off)) * dash * (1.0 - arrived.z);
+    own = mix(own, vec3(0.03, 0.05, 0.30), 0.85 * ink);
+    // A cut is paler and duller than the film over it.
+    own = mix(own, cut_hue, arrived.z);
+    own = mix(own, vec3(0.95, 0.72, 0.62), 0.6 * arrived.y);
+    vec3 film = mix(n, rough, 0.62);
+    colour = vec4(wet(own, mix(rough, n, arrived.z), film, to_eye, texel.a * (1.0 - 0.5 * arrived.z), arrived.x), 1.0);
+}
+)";
+
 const char* const wall_fragment = R"(
 in vec3 place;
 in vec3 facing;

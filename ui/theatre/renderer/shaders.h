@@ -11,6 +11,7 @@ extern const char* const rigid_vertex;         ///< instruments, targets
 extern const char* const light;                ///< light and shadow at a point
 extern const char* const wet;                  ///< reflection of a wet surface
 extern const char* const tissue_fragment;      ///< textured by coordinates: bowel, mesentery
+extern const char* const sheet_fragment;       ///< a sheet that is cut: film, fibres, ink line, cut faces
 extern const char* const wall_fragment;        ///< cavity, with a texture of its own
 extern const char* const plain_fragment;       ///< meshes of a study
 extern const char* const box_fragment;         ///< training box
