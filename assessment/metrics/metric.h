@@ -94,8 +94,17 @@ struct TissueLimits {
     std::optional<double> force;  ///< N
 };
 
+/// What a task asks of a cut along a marked line.
+struct CutPlan {
+    double length = 0;     ///< m, of the marked line
+    double tolerance = 0;  ///< m, a cut element further from the line is too deep or too shallow
+    double corridor = 0;   ///< m, a cut element further from the line does not divide it
+    double traction_low = 0, traction_high = 0;  ///< N/m, target band of the traction across the cut
+};
+
 /// What a metric must know besides the trace.
 struct MetricContext {
+    std::optional<CutPlan> cut;  ///< absent: the task marks no line
     std::vector<TissueLimits> tissues;
     std::vector<Vector3> targets;      ///< m, centre of target i (Event::detail of target_shown)
     std::vector<std::string> phases;   ///< HUD or goal name of phase i (Event::detail of phase_begin)

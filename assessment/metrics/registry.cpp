@@ -22,6 +22,7 @@ std::vector<Metric> make_registry() {
     append(all, smoothness_metrics());
     append(all, force_metrics());
     append(all, grasp_metrics());
+    append(all, cutting_metrics());
     check_registry(all);
     return all;
 }

@@ -35,7 +35,7 @@ struct Metric {
     Figure (*compute)(const Analysis& analysis, const Selection& row) = nullptr;
 };
 
-/// Checked on first use; families in the order motion, smoothness, force.
+/// Checked on first use; families in the order motion, smoothness, force, cutting.
 const std::vector<Metric>& metric_registry();
 /// Null when unknown.
 const MetricDescriptor* find_metric(const std::string& id);
@@ -49,5 +49,6 @@ std::vector<Metric> coordination_metrics();
 std::vector<Metric> smoothness_metrics();
 std::vector<Metric> force_metrics();
 std::vector<Metric> grasp_metrics();
+std::vector<Metric> cutting_metrics();
 
 }  // namespace fulcrum

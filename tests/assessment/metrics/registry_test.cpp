@@ -28,6 +28,10 @@ TEST(Registry, HoldsTheMetricsOfTheSpecification) {
           "f_volume",       "over_time",  "over_impulse", "grasp_max",  "grasp_ftp",    "grasp_ftp_patch",
           "grasp_kpa",      "slip",       "regrasp",      "drop",       "perforation"})
         EXPECT_NE(find_metric(id), nullptr) << id;
+    for (const char* id :
+         {"traction_eff", "traction_eff_len", "cut_dev", "cut_dev_max", "plane_dev", "plane_dev_median",
+          "plane_dev_p95", "plane_deep", "plane_shallow", "area_developed"})
+        EXPECT_NE(find_metric(id), nullptr) << id;
     EXPECT_EQ(find_metric("path_lenght"), nullptr);
 }
 

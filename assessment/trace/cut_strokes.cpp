@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/trace/cut_strokes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace fulcrum {
+
+namespace {
+
+constexpr double micrometre = 1e-6;
+constexpr int pieces_per_element = 8;
+
+/// One hand while its events are read.
+struct Reading {
+    std::optional<std::size_t> stroke;  ///< the open one
+    double time = 0, position = 0, distance = 0;
+    bool placed = false;  ///< a place is known from which the next element starts
+};
+
+void place(Reading& reading, double time, const Event& event) {
+    reading.time = time;
+    reading.position = static_cast<double>(event.value);
+    reading.distance = event.detail * micrometre;
+    reading.placed = true;
+}
+
+void open(Reading& reading, std::vector<CutStroke>& strokes, int hand, double time, double end) {
+    reading.stroke = strokes.size();
+    reading.placed = false;
+    strokes.push_back({hand, time, std::max(time, end), {}});
+}
+
+}  // namespace
+
+std::pair<double, double> part_within(const CutElement& element, double corridor) noexcept {
+    double first = 0, last = 1;
+    const double a = element.from_distance, b = element.distance;
+    for (const double side : {1.0, -1.0}) {  // side * distance <= corridor
+        const double u = side * a - corridor, v = side * b - corridor;
+        if (u > 0 && v > 0) return {0, 0};
+        if (u > 0) first = std::max(first, u / (u - v));
+        if (v > 0) last = std::min(last, u / (u - v));
+    }
+    return {first, std::max(first, last)};
+}
+
+std::vector<CutStroke> cut_strokes(const std::vector<Event>& events, double tick_period, double end) {
+    std::vector<CutStroke> strokes;
+    std::array<Reading, hand_count> readings;
+    for (const Event& event : events) {
+        if (event.hand >= hand_count) continue;
+        const double time = event.tick * tick_period;
+        Reading& reading = readings[event.hand];
+        switch (event.kind) {
+            case EventKind::cut_begin:
+                if (reading.stroke) strokes[*reading.stroke].end = time;
+                open(reading, strokes, event.hand, time, end);
+                place(reading, time, event);
+                break;
+            case EventKind::cut_advance: {
+                if (!reading.stroke) open(reading, strokes, event.hand, time, end);
+                if (reading.placed) {
+                    CutElement element;
+                    element.begin = reading.time;
+                    element.end = time;
+                    element.from = reading.position;
+                    element.from_distance = reading.distance;
+                    element.to = static_cast<double>(event.value);
+                    element.distance = event.detail * micrometre;
+                    element.length =
+                        std::hypot(element.to - element.from, element.distance - element.from_distance);
+                    strokes[*reading.stroke].elements.push_back(element);
+                }
+                place(reading, time, event);
+                break;
+            }
+            case EventKind::cut_traction:
+                // It says under what traction, and how far, the blade came to the place just reported.
+                if (reading.stroke && !strokes[*reading.stroke].elements.empty()) {
+                    CutElement& element = strokes[*reading.stroke].elements.back();
+                    element.traction = static_cast<double>(event.value);
+                    element.length = std::max(0, event.detail) * micrometre;
+                }
+                break;
+            case EventKind::cut_end:
+                if (reading.stroke) strokes[*reading.stroke].end = time;
+                reading.stroke.reset();
+                break;
+            default:
+                break;
+        }
+    }
+    return strokes;
+}
+
+double area_beside(const CutElement& element) {
+    const double a = element.from_distance, b = element.distance;
+    const double width = std::abs(element.to - element.from);
+    if (a * b >= 0) return 0.5 * width * std::abs(a + b);
+    return 0.5 * width * (a * a + b * b) / (std::abs(a) + std::abs(b));
+}
+
+double share_beyond(const CutElement& element, double limit) {
+    const double a = element.from_distance - limit, b = element.distance - limit;
+    if (a > 0 && b > 0) return 1;
+    if (a <= 0 && b <= 0) return 0;
+    return (a > 0 ? a : b) / std::abs(a - b);
+}
+
+std::optional<double> distance_quantile(const std::vector<CutStroke>& strokes, double share, bool size) {
+    struct Piece {
+        double distance, length;
+    };
+    std::vector<Piece> pieces;
+    double whole = 0;
+    for (const CutStroke& stroke : strokes) {
+        for (const CutElement& element : stroke.elements) {
+            if (!(element.length > 0)) continue;
+            for (int i = 0; i < pieces_per_element; ++i) {
+                const double at = (i + 0.5) / pieces_per_element;
+                const double distance =
+                    element.from_distance + at * (element.distance - element.from_distance);
+                pieces.push_back({size ? std::abs(distance) : distance, element.length / pieces_per_element});
+            }
+            whole += element.length;
+        }
+    }
+    if (pieces.empty()) return std::nullopt;
+    std::stable_sort(pieces.begin(), pieces.end(),
+                     [](const Piece& a, const Piece& b) { return a.distance < b.distance; });
+    // Each piece stands at the middle of its own length; linear between them.
+    double before = 0, last_at = 0, last_distance = pieces.front().distance;
+    for (const Piece& piece : pieces) {
+        const double at = before + 0.5 * piece.length;
+        if (at >= share * whole) {
+            const double part = at > last_at ? (share * whole - last_at) / (at - last_at) : 1.0;
+            return last_distance + std::clamp(part, 0.0, 1.0) * (piece.distance - last_distance);
+        }
+        before += piece.length;
+        last_at = at;
+        last_distance = piece.distance;
+    }
+    return pieces.back().distance;
+}
+
+double divided_length(const std::vector<CutStroke>& strokes, double length, double corridor) {
+    std::vector<std::pair<double, double>> spans;
+    for (const CutStroke& stroke : strokes) {
+        for (const CutElement& element : stroke.elements) {
+            const auto [first, last] = part_within(element, corridor);
+            if (last <= first) continue;
+            const double a = element.from + first * (element.to - element.from);
+            const double b = element.from + last * (element.to - element.from);
+            spans.emplace_back(std::clamp(std::min(a, b), 0.0, length),
+                               std::clamp(std::max(a, b), 0.0, length));
+        }
+    }
+    std::sort(spans.begin(), spans.end());
+    double divided = 0, reached = 0;
+    for (const auto& [a, b] : spans) {
+        divided += std::max(0.0, b - std::max(a, reached));
+        reached = std::max(reached, b);
+    }
+    return divided;
+}
+
+}  // namespace fulcrum
