@@ -91,16 +91,37 @@ void add_wall_geometric(const RodShape& shape, const RodPoint& point, const Vect
     add_geometric(shape, joint, offset, force, point.segment_weight[1], matrix);
 }
 
-// Holds the rotation: c = 1/2 sum_k T_k x b_k = 0, T the target's axes and b the blended directors; for a
-// section turned by phi about an axis u from its target it is sin(phi) u. Linear in the directors, so the
-// section's own second derivative is all that its curvature adds.
-void add_held_rotation(const Rod::Tables& tables, const RodShape& shape, std::size_t i, bool hessian,
-                       RodScratch::Data& data) {
-    RodPoint turning = data.grasp_points[i];
-    turning.node_weight[0] = turning.node_weight[1] = turning.node_weight[2] = 0;
-    const Matrix3& target = data.turn_target[i];
-    const auto base = static_cast<std::size_t>(turning.joint) - 1;
-    RodJacobian by_axis, jacobian;
+// The same section without its place: what of a wall point turns.
+RodPoint turning_point(RodPoint point) {
+    point.node_weight[0] = point.node_weight[1] = point.node_weight[2] = 0;
+    return point;
+}
+
+// J dx
+Vector3 moved(const RodJacobian& j, std::size_t base, const std::vector<double>& step) {
+    Vector3 sum = Vector3::Zero();
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t c = 0; c < 4; ++c) sum += j.column[k][c] * step[4 * (base + k) + c];
+    }
+    return sum;
+}
+
+// n . (motion of the centre line)
+double approach(const RodPoint& point, const Vector3& normal, const std::vector<double>& step) {
+    const auto base = static_cast<std::size_t>(point.joint) - 1;
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t c = 0; c < 3; ++c)
+            sum += point.node_weight[k] * normal[static_cast<Eigen::Index>(c)] * step[4 * (base + k) + c];
+    }
+    return sum;
+}
+
+// How far a held section is from its target's rotation, and the derivative: c = 1/2 sum_k T_k x b_k, T the
+// target's axes and b the blended directors; for a section turned by phi about an axis u it is sin(phi) u.
+Vector3 held_turn(const RodShape& shape, const RodPoint& turning, const Matrix3& target,
+                  RodJacobian& jacobian) {
+    RodJacobian by_axis;
     for (auto& row : jacobian.column) {
         for (Vector3& column : row) column.setZero();
     }
@@ -113,6 +134,18 @@ void add_held_rotation(const Rod::Tables& tables, const RodShape& shape, std::si
             for (int c = 0; c < 4; ++c) jacobian.column[q][c] += wanted.cross(by_axis.column[q][c]);
         }
     }
+    return away;
+}
+
+// Holds the rotation. Linear in the directors, so the section's own second derivative is all that its
+// curvature adds.
+void add_held_rotation(const Rod::Tables& tables, const RodShape& shape, std::size_t i, bool hessian,
+                       RodScratch::Data& data) {
+    const RodPoint turning = turning_point(data.grasp_points[i]);
+    const Matrix3& target = data.turn_target[i];
+    const auto base = static_cast<std::size_t>(turning.joint) - 1;
+    RodJacobian jacobian;
+    const Vector3 away = held_turn(shape, turning, target, jacobian);
     const double size = away.norm(), stiff = tables.turn_penalty, lever = size * tables.outer_radius;
     const Vector3 lambda = data.turn_lambda[i], moment = lambda + stiff * away;
     data.constraint_residual = lever > data.constraint_residual ? lever : data.constraint_residual;
@@ -331,6 +364,44 @@ void add_self_contacts(const Rod::Tables& tables, const RodShape& shape, RodInpu
                 }
             }
         }
+    }
+}
+
+void linear_reactions(const Rod::Tables& tables, const RodShape& shape, const RodInputs& inputs,
+                      RodScratch::Data& data) {
+    RodJacobian jacobian;
+    for (std::size_t i = 0; i < inputs.grasps.size(); ++i) {
+        const RodGrasp& grasp = inputs.grasps[i];
+        const RodPoint& point = data.grasp_points[i];
+        const auto base = static_cast<std::size_t>(point.joint) - 1;
+        wall_jacobian(shape, point, grasp.offset, jacobian);
+        const Vector3 left = wall_position(shape, point, grasp.offset) - data.grasp_target[i] +
+                             moved(jacobian, base, data.step);
+        data.grasp_force[i] = data.grasp_lambda[i] + tables.grasp_penalty * left;
+        if (!grasp.hold_rotation) continue;
+        Vector3 away = held_turn(shape, turning_point(point), data.turn_target[i], jacobian);
+        away += moved(jacobian, base, data.step);
+        data.turn_force[i] = data.turn_lambda[i] + tables.turn_penalty * away;
+    }
+    const auto pressed = [](double lambda, double penalty, double gap, double change) {
+        // Only what was in the system has a force from it.
+        const double after = lambda - penalty * (gap + change);
+        return lambda - penalty * gap > 0 && after > 0 ? after : 0.0;
+    };
+    for (std::size_t i = 0; i < inputs.contacts.size(); ++i) {
+        const RodContact& contact = inputs.contacts[i];
+        const RodPoint& point = data.contact_points[i];
+        const double gap = contact.normal.dot(point_position(shape, point) - contact.point) - contact.radius;
+        data.contact_force[i] = pressed(data.contact_lambda[i], tables.contact_penalty, gap,
+                                        approach(point, contact.normal, data.step));
+    }
+    for (std::size_t i = 0; i < inputs.self_contacts.size(); ++i) {
+        const RodSelfContact& contact = inputs.self_contacts[i];
+        const RodPoint &one = data.self_points[2 * i], &other = data.self_points[2 * i + 1];
+        const Vector3 apart = point_position(shape, one) - point_position(shape, other);
+        data.self_force[i] =
+            pressed(data.self_lambda[i], tables.self_penalty, contact.normal.dot(apart) - contact.distance,
+                    approach(one, contact.normal, data.step) - approach(other, contact.normal, data.step));
     }
 }
 

@@ -154,6 +154,7 @@ NewtonResult newton(const Rod::Tables& tables, RodInputs& inputs, RodScratch::Da
         }
         std::swap(data.shape, data.trial);
         const bool finished = done(data.shape);
+        if (full_steps) linear_reactions(tables, data.trial, inputs, data);
         // The multipliers of contacts move only once the forces balance, those of grasps once the wall point
         // is near its target: the overshoot of an iterate is no force.
         const bool balanced = result.force_residual <= 10 * tolerance * reaction_scale(data);

@@ -78,6 +78,13 @@ void add_self_contacts(const Rod::Tables& tables, const RodShape& shape, RodInpu
 /// The multipliers of grasps and of contacts, where asked, become the forces of the last evaluation.
 void update_multipliers(const RodInputs& inputs, bool grasps, bool contacts, RodScratch::Data& data);
 
+/// The forces of grasps and contacts as the linear system of data.step, set up at `shape`, has them: l + rho
+/// (c
+/// + J dx). A full step leaves c of second order in dx, which the penalty would turn into forces that nobody
+/// exerted.
+void linear_reactions(const Rod::Tables& tables, const RodShape& shape, const RodInputs& inputs,
+                      RodScratch::Data& data);
+
 /// Stiffness-proportional damping: the elastic tangent at data.shape times spec.stiffness_damping / dt.
 void add_damping(const Rod::Tables& tables, const RodSpec& spec, double dt, RodScratch::Data& data);
 

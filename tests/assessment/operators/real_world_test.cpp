@@ -9,6 +9,7 @@
 #include "assessment/learning/statistics.h"
 #include "assessment/metrics/metrics_json.h"
 #include "assessment/operators/operator.h"
+#include "sim_core/scene/fidelity.h"
 #include "tests/support/support.h"
 
 namespace fulcrum {
@@ -30,9 +31,11 @@ class EventList : public AttemptSink {
     std::uint32_t worst_ = 0;
 };
 
-RunOutcome perform(const std::string& id, const char* preset, std::uint64_t seed, EventList& events) {
+RunOutcome perform(const std::string& id, const char* preset, std::uint64_t seed, EventList& events,
+                   const char* fidelity = nullptr) {
     const TaskDefinition task = load_task(test::source_path("assets/tasks/" + id + ".json"));
-    const Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
+    Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
+    if (fidelity != nullptr) scene.fidelity = named_fidelity(fidelity);
     AttemptEngine engine(scene, task, seed);
     const auto rig = make_operator(preset, task, scene, seed);
     return run_headless(engine, *rig, events);
@@ -108,6 +111,16 @@ TEST(OperatorOnTheWorld, ExpertRunsAndLiftsTheBowelWithoutHarm) {
     EXPECT_EQ(events.count(EventKind::perforation), 0);
     EXPECT_EQ(events.count(EventKind::drop), 0);
     EXPECT_LT(events.worst(), 3U) << "no step was thrown away";
+}
+
+// One linear solve a step, one projection: what the jaws hold stays in them.
+TEST(OperatorOnTheWorld, ExpertRunsTheBowelAtTheFastFidelity) {
+    EventList events;
+    EXPECT_EQ(perform("B1", "expert", 2500, events, "fast").end, EventKind::completed);
+    EXPECT_GE(events.count(EventKind::grasp), 9);
+    EXPECT_EQ(events.count(EventKind::perforation), 0);
+    EXPECT_EQ(events.count(EventKind::drop), 0);
+    EXPECT_LT(events.worst(), 3U);
 }
 
 }  // namespace
