@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// The invariants of theory, section 5: on what a transaction touched, and from scratch on everything.
+#include <algorithm>
+#include <cmath>
+
+#include "sim_core/cutting/cut_mesh.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr double least_share = 1e-11;  // of a root that has area: below it a triangle has none
+
+bool finite(const CutVertex& vertex, const Vector3* positions, std::int32_t v) {
+    return vertex.rest.allFinite() && vertex.barycentric.allFinite() &&
+           (positions == nullptr || positions[v].allFinite());
+}
+
+}  // namespace
+
+const char* CutMesh::wrong_here() {
+    ++mark_;
+    const auto& touched = editor_.touched_triangles();
+    for (const std::int32_t t : touched) {
+        if (!visible(t)) continue;
+        const CutTriangle& row = state_.triangles[t];
+        Vector3 at[3];
+        for (int i = 0; i < 3; ++i) {
+            const std::int32_t v = vertex_at(row, i);
+            if (v < 0 || v >= state_.vertex_count || v == vertex_at(row, i + 1)) return "vertices";
+            const CutVertex& vertex = state_.vertices[v];
+            if (vertex.triangle < 0 || !visible(vertex.triangle)) return "a vertex that is gone";
+            if (!finite(vertex, editor_.positions(), v)) return "not finite";
+            if (!barycentric_in(*model_, vertex, row.root, at[i])) return "a vertex outside its root";
+            if (vertex_mark_[v] != mark_) {
+                vertex_mark_[v] = mark_;
+                fan_count_[v] = 0;
+            }
+            ++fan_count_[v];
+            const std::int32_t n = neighbour_at(row, i);
+            if (n < 0) continue;
+            if (!visible(n)) return "a hidden neighbour";
+            const int back = edge_of(state_.triangles[n], vertex_at(row, i + 1), v);
+            if (back < 0 || neighbour_at(state_.triangles[n], back) != t) return "neighbours disagree";
+        }
+        const double share = share_of(at[0], at[1], at[2]);
+        if (std::abs(share - row.share) > 1e-12) return "share";
+        if (!model_->flat[static_cast<std::size_t>(row.root)] && !(share > least_share)) return "no area";
+    }
+    for (const std::int32_t t : touched) {
+        if (!visible(t)) continue;
+        for (const std::int32_t v : state_.triangles[t].vertices) {
+            if (fan_count_[v] < 0) continue;
+            bool closed = false;
+            std::int32_t there = 0;
+            for (const std::int32_t s : editor_.fan(v, closed)) there += editor_.touched(s) ? 1 : 0;
+            if (there != fan_count_[v]) return "a vertex joins two fans";
+            fan_count_[v] = -1;
+        }
+    }
+    for (const std::int32_t r : editor_.touched_roots()) {
+        double sum = state_.roots[r].removed_share;
+        std::int32_t count = 0;
+        for (std::int32_t t = state_.roots[r].first_visible; t >= 0; t = state_.triangles[t].next_in_root) {
+            sum += state_.triangles[t].share;
+            ++count;
+        }
+        if (std::abs(sum - 1) > 1e-10) return "area";
+        if (count != state_.roots[r].visible_count) return "list of a root";
+    }
+    return nullptr;
+}
+
+const char* CutCheck::complaint() const {
+    if (!finite) return "not finite";
+    if (!no_zero_area) return "a triangle without area";
+    if (!conforming) return "not conforming";
+    if (!manifold_edges) return "an edge with more than two triangles";
+    if (!one_fan) return "a vertex joins two fans";
+    if (!rims_closed) return "a rim is not closed";
+    if (!oriented) return "a triangle is turned over";
+    if (!area_kept) return "area is lost";
+    if (!hierarchy) return "hierarchy";
+    return "";
+}
+
+CutCheck check_cut(const CutMesh& mesh, const Vector3* positions) {
+    CutCheck check;
+    const CutModel& model = mesh.model();
+    const auto bad = [&check](bool& flag, std::int32_t what) {
+        flag = false;
+        if (check.first_bad < 0) check.first_bad = what;
+    };
+    struct Edge {
+        std::int32_t from, to, triangle;
+        bool operator<(const Edge& o) const {
+            return from != o.from ? from < o.from : to != o.to ? to < o.to : triangle < o.triangle;
+        }
+    };
+    std::vector<Edge> edges;
+    std::vector<std::int32_t> corners(static_cast<std::size_t>(mesh.vertex_count()), 0);
+    double visible_area = 0;
+    std::int32_t visible = 0;
+    for (std::int32_t t = 0; t < mesh.triangle_count(); ++t) {
+        const CutTriangle& row = mesh.triangle(t);
+        if (row.state == CutTriangleState::split && row.first_child < 0 && row.parent < 0 &&
+            mesh.root(row.root).visible_count == 0 && mesh.root(row.root).removed_share == 0)
+            bad(check.hierarchy, t);
+        for (std::int32_t c = row.first_child; c >= 0; c = mesh.triangle(c).next_sibling)
+            if (mesh.triangle(c).parent != t || mesh.triangle(c).root != row.root) bad(check.hierarchy, c);
+        if (!mesh.visible(t)) continue;
+        ++visible;
+        if (row.first_child >= 0) bad(check.hierarchy, t);
+        Vector3 at[3];
+        bool placed = true;
+        for (int i = 0; i < 3; ++i) {
+            const std::int32_t v = vertex_at(row, i);
+            ++corners[static_cast<std::size_t>(v)];
+            const CutVertex& vertex = mesh.vertex(v);
+            if (vertex.triangle < 0) bad(check.one_fan, v);
+            if (!finite(vertex, positions, v)) bad(check.finite, v);
+            placed = placed && barycentric_in(model, vertex, row.root, at[i]);
+            edges.push_back({v, vertex_at(row, i + 1), t});
+        }
+        if (!placed) {
+            bad(check.conforming, t);
+            continue;
+        }
+        const double share = share_of(at[0], at[1], at[2]);
+        visible_area += share * model.areas[static_cast<std::size_t>(row.root)];
+        if (!model.flat[static_cast<std::size_t>(row.root)]) {
+            if (!(share > 0)) bad(check.oriented, t);
+            if (!(share > least_share)) bad(check.no_zero_area, t);
+        }
+    }
+    if (visible != mesh.visible_count()) bad(check.hierarchy, visible);
+    check.area_error =
+        std::abs(visible_area + mesh.area_removed() - model.area) / (model.area > 0 ? model.area : 1.0);
+    check.area_kept = check.area_error <= 1e-9;
+
+    std::sort(edges.begin(), edges.end());
+    const auto find = [&edges](std::int32_t from, std::int32_t to) {
+        const auto place = std::lower_bound(edges.begin(), edges.end(), Edge{from, to, -1});
+        return place != edges.end() && place->from == from && place->to == to ? place->triangle : -1;
+    };
+    std::vector<Edge> rim;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const Edge& e = edges[i];
+        if (i > 0 && edges[i - 1].from == e.from && edges[i - 1].to == e.to)
+            bad(check.manifold_edges, e.triangle);
+        const CutTriangle& row = mesh.triangle(e.triangle);
+        const std::int32_t named = neighbour_at(row, edge_of(row, e.from, e.to));
+        if (named != find(e.to, e.from)) bad(check.conforming, e.triangle);
+        if (named < 0) rim.push_back(e);
+    }
+    // One fan: going around each vertex from its own triangle finds all its corners.
+    for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
+        const std::int32_t seed = mesh.vertex(v).triangle;
+        const std::int32_t expected = corners[static_cast<std::size_t>(v)];
+        std::int32_t count = 0;
+        if (seed >= 0 && mesh.visible(seed)) {
+            for (int way = 0; way < 2; ++way) {
+                std::int32_t t = seed;
+                do {
+                    const int i = corner_of(mesh.triangle(t), v);
+                    if (i < 0) break;
+                    if (way == 0 || t != seed) ++count;
+                    t = neighbour_at(mesh.triangle(t), way == 0 ? i + 2 : i);
+                } while (t >= 0 && t != seed && count <= expected);
+                if (t == seed) break;
+            }
+        }
+        if (count != expected) bad(check.one_fan, v);
+    }
+    // Rims: one edge leaves and one reaches each of their vertices, so that they are loops.
+    std::vector<std::int32_t> leaves(corners.size(), 0), reaches(corners.size(), 0);
+    for (const Edge& e : rim) {
+        ++leaves[static_cast<std::size_t>(e.from)];
+        ++reaches[static_cast<std::size_t>(e.to)];
+    }
+    for (std::size_t v = 0; v < leaves.size(); ++v)
+        if (leaves[v] != reaches[v] || leaves[v] > 1) bad(check.rims_closed, static_cast<std::int32_t>(v));
+    // No vertex inside another visible edge: rim edges against the vertices of their root, at rest.
+    for (const Edge& e : rim) {
+        const std::int32_t root = mesh.triangle(e.triangle).root;
+        if (model.flat[static_cast<std::size_t>(root)]) continue;
+        const Vector3 a = mesh.vertex(e.from).rest, along = mesh.vertex(e.to).rest - a;
+        const double squared = along.squaredNorm();
+        for (std::int32_t t = mesh.root(root).first_visible; t >= 0; t = mesh.triangle(t).next_in_root) {
+            for (const std::int32_t v : mesh.triangle(t).vertices) {
+                const Vector3 x = mesh.vertex(v).rest - a;
+                const double s = x.dot(along) / squared;
+                if (s > 1e-7 && s < 1 - 1e-7 && (x - s * along).squaredNorm() < 1e-20 * squared)
+                    bad(check.conforming, v);
+            }
+        }
+    }
+    return check;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fragments of roots and pieces of the surface (cut_mesh.h).
+#include <algorithm>
+#include <cmath>
+
+#include "sim_core/cutting/cut_mesh.h"
+
+namespace fulcrum {
+
+bool CutMesh::sort_fragments() {
+    // Each touched root anew: its connected parts by shared edges; of the parts of one fragment that with the
+    // greatest area keeps the number.
+    for (const std::int32_t r : editor_.touched_roots()) {
+        parts_.clear();  // first triangle of each part
+        ++mark_;
+        const std::int32_t first = state_.roots[r].first_visible;
+        const std::uint32_t base = mark_;
+        for (std::int32_t t = first; t >= 0; t = state_.triangles[t].next_in_root) {
+            if (triangle_mark_[t] >= base) continue;
+            if (!parts_.push(t)) return false;
+            const std::uint32_t name = mark_++;
+            queue_.clear();
+            queue_.push(t);
+            triangle_mark_[t] = name;
+            for (std::int32_t head = 0; head < queue_.size(); ++head) {
+                for (const std::int32_t n : state_.triangles[queue_[head]].neighbours) {
+                    if (n < 0 || state_.triangles[n].root != r || triangle_mark_[n] >= base) continue;
+                    triangle_mark_[n] = name;
+                    queue_.push(n);
+                }
+            }
+        }
+        // Fragments that this root had: all those its triangles inherited, and one of which nothing is left.
+        for (std::int32_t f = r; f >= 0;) {
+            std::int32_t best = -1;
+            double best_share = -1;
+            for (std::int32_t p = 0; p < parts_.size(); ++p) {
+                if (parts_[p] < 0 || state_.triangles[parts_[p]].fragment != f) continue;
+                double share = 0;
+                for (std::int32_t t = first; t >= 0; t = state_.triangles[t].next_in_root)
+                    if (triangle_mark_[t] == base + static_cast<std::uint32_t>(p))
+                        share += state_.triangles[t].share;
+                if (share > best_share) {
+                    best_share = share;
+                    best = p;
+                }
+            }
+            for (std::int32_t p = 0; p < parts_.size(); ++p) {
+                if (p == best || parts_[p] < 0 || state_.triangles[parts_[p]].fragment != f) continue;
+                const std::int32_t fresh = editor_.new_fragment(r, f);
+                if (fresh < 0) return false;
+                for (std::int32_t t = first; t >= 0; t = state_.triangles[t].next_in_root)
+                    if (triangle_mark_[t] == base + static_cast<std::uint32_t>(p))
+                        editor_.edit_triangle(t).fragment = fresh;
+                parts_[p] = -1 - fresh;
+            }
+            f = state_.fragments[f].next_of_root;
+        }
+        for (std::int32_t f = r; f >= 0; f = state_.fragments[f].next_of_root) {
+            CutFragment& row = editor_.edit_fragment(f);
+            row.triangles = 0;
+            row.share = 0;
+        }
+        for (std::int32_t t = first; t >= 0; t = state_.triangles[t].next_in_root) {
+            CutFragment& row = editor_.edit_fragment(state_.triangles[t].fragment);
+            ++row.triangles;
+            row.share += state_.triangles[t].share;
+        }
+    }
+    return true;
+}
+
+std::int32_t CutMesh::contacts_of(std::int32_t fragment, FragmentContact* contacts, std::int32_t room) const {
+    const std::int32_t root = state_.fragments[fragment].root;
+    std::int32_t count = 0;
+    for (std::int32_t t = state_.roots[root].first_visible; t >= 0; t = state_.triangles[t].next_in_root) {
+        const CutTriangle& row = state_.triangles[t];
+        if (row.fragment != fragment) continue;
+        Vector3 at[3];
+        for (int i = 0; i < 3; ++i)
+            if (!barycentric_in(*model_, state_.vertices[vertex_at(row, i)], root, at[i])) return count;
+        for (int i = 0; i < 3; ++i) {
+            const Vector3 &a = at[i], &b = at[(i + 1) % 3];
+            for (int e = 0; e < 3; ++e) {
+                const int opposite = (e + 2) % 3;
+                if (a[opposite] != 0 || b[opposite] != 0) continue;
+                const std::int32_t n = neighbour_at(row, i);
+                const std::int32_t other = n < 0 ? -1 : state_.triangles[n].fragment;
+                const double length = std::abs(b[e] - a[e]);
+                std::int32_t k = 0;
+                while (k < count && k < room && (contacts[k].edge != e || contacts[k].other != other)) ++k;
+                if (k < std::min(count, room)) {
+                    contacts[k].length_share += length;
+                } else {
+                    if (count < room) contacts[count] = {e, other, length};
+                    ++count;
+                }
+            }
+        }
+    }
+    return count;
+}
+
+std::int32_t CutMesh::find_pieces() {
+    pieces_.clear();
+    ++mark_;
+    for (std::int32_t seed = 0; seed < state_.triangle_count; ++seed) {
+        if (!visible(seed)) {
+            piece_of_[seed] = -1;
+            continue;
+        }
+        if (triangle_mark_[seed] == mark_) continue;
+        CutPiece piece;
+        piece.first = seed;
+        queue_.clear();
+        queue_.push(seed);
+        triangle_mark_[seed] = mark_;
+        for (std::int32_t head = 0; head < queue_.size(); ++head) {
+            const std::int32_t t = queue_[head];
+            const CutTriangle& row = state_.triangles[t];
+            piece_of_[t] = pieces_.size();
+            ++piece.triangles;
+            piece.area += row.share * model_->areas[static_cast<std::size_t>(row.root)];
+            for (const std::int32_t v : row.vertices) piece.fixed = piece.fixed || state_.vertices[v].fixed;
+            for (const std::int32_t n : row.neighbours) {
+                if (n < 0 || triangle_mark_[n] == mark_) continue;
+                triangle_mark_[n] = mark_;
+                queue_.push(n);
+            }
+        }
+        pieces_.push(piece);
+    }
+    return pieces_.size();
+}
+
+}  // namespace fulcrum

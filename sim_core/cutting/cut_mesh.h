@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+// A surface that can be cut (paper, Triangle subdivision, Figs. 10, 12, 13; theory, section 5).
+//
+// One rule cuts all: triangles that the blade's band meets and that hang together with the blade along the
+// surface are split where a border crosses their edges (once an edge, so that both its triangles agree), what
+// lies inside is removed, vertices left between two fans are divided, and what remains is tidied within its
+// root (collapse and flip of children only, where the union stays). Every step is a transaction: validated
+// against the invariants below on all it touched, then committed with a new version, or played back bit for
+// bit and tried again with borders that move to near vertices; if that fails too the tissue stays uncut and
+// the report says so.
+//
+// Invariants after every commit: finite; no visible triangle without area; conforming (neighbours name each
+// other across one directed edge, at most two triangles an edge, orientation kept); the triangles of a vertex
+// form one fan, so rims are closed loops; rest area made = visible + removed.
+//
+// Threads: one thread at a time (the world's). cut() and all queries: no allocation, no lock, no exceptions,
+// no trigonometry; deterministic. Construction throws InputError. m, m2; positions in any one frame.
+#pragma once
+
+#include <memory>
+
+#include "sim_core/cutting/blade.h"
+#include "sim_core/cutting/cut_editor.h"
+
+namespace fulcrum {
+
+enum class CutOutcome : std::uint8_t {
+    cut,          ///< committed
+    nothing,      ///< the band met no visible ground, or the step has no length
+    rolled_back,  ///< no attempt was valid: the tissue is as before
+    full,         ///< no room: the tissue is as before; CutReport::lacking names what to raise
+    invalid,      ///< the step or a position is not finite, or the band has no width: nothing done
+};
+
+struct CutReport {
+    CutOutcome outcome = CutOutcome::nothing;
+    CutLimit lacking = CutLimit::none;
+    std::int32_t roll_backs = 0;  ///< attempts played back in this call
+    std::int32_t met = 0;         ///< visible triangles on the cutting list
+    double removed_area = 0;      ///< m2 at rest, by this call
+    std::int32_t root = -1;       ///< root to begin the next step's search from; -1: nothing was met
+};
+
+/// Fig. 12: [0] = 12a ... [9] = 12j. Triangles that were visible when the stroke began and that its band met.
+/// a-c: the triangle the stroke starts or ends in, with no corner in the band, one on its border, one in it.
+/// Others, and start or end triangles with more corners in: two corners in with the third left (d) or right
+/// (e); one in, the others both left (f), both right (g), one on each side (h); none in (i); all in (j).
+struct CutCases {
+    std::array<std::int32_t, 10> count = {};
+    std::int32_t unnamed = 0;  ///< triangles beyond CutCapacity::stroke_triangles
+};
+
+/// A connected part of the visible surface (by shared edges).
+struct CutPiece {
+    std::int32_t triangles = 0;
+    std::int32_t first = -1;  ///< a triangle of it
+    double area = 0;          ///< m2 at rest
+    bool fixed = false;       ///< it has a fixed vertex
+};
+
+/// Where two fragments (or a fragment and nothing) meet along an edge of their roots.
+struct FragmentContact {
+    int edge = 0;             ///< 0: corners 0 and 1 of the root, 1: 1 and 2, 2: 2 and 0
+    std::int32_t other = -1;  ///< fragment across; -1: rim
+    double length_share = 0;  ///< of the root's edge
+};
+
+class CutMesh {
+  public:
+    /// fixed: vertices that are held. Throws InputError where the mesh is empty, not finite, names a vertex
+    /// twice in a triangle, has an edge with more than two triangles, neighbours of opposite orientation or a
+    /// vertex that joins two fans; and where a capacity is below what the mesh itself needs.
+    CutMesh(const TriangleMesh& mesh, const std::vector<std::int32_t>& fixed, const CutCapacity& capacity);
+    /// Room for the mesh and `steps` steps of some twenty triangles each.
+    static CutCapacity capacity_for(const TriangleMesh& mesh, std::int32_t steps);
+
+    // -- Cutting. `positions`: where every vertex is now, room for capacity().vertices; new vertices are
+    //    appended to it by interpolation.
+
+    void begin_stroke();
+    CutReport cut(const BladeStep& step, Vector3* positions);
+    /// Cases of the stroke so far; the end triangle is the one its latest step ended in.
+    CutCases cases() const;
+    /// Removes a connected part (find_pieces() of this version), its ground counted as removed.
+    CutReport remove_piece(std::int32_t piece, Vector3* positions);
+    /// Joins nothing, cuts nothing: back to the mesh as it was made.
+    void reset();
+
+    // -- What is there.
+
+    const TriangleMesh& mesh() const { return model_->mesh; }
+    const CutModel& model() const { return *model_; }
+    const CutCapacity& capacity() const { return model_->capacity; }
+    /// Vertices and triangles have numbers below these; some are gone or hidden.
+    std::int32_t vertex_count() const { return state_.vertex_count; }
+    std::int32_t triangle_count() const { return state_.triangle_count; }
+    const CutVertex& vertex(std::int32_t v) const { return state_.vertices[v]; }
+    const CutTriangle& triangle(std::int32_t t) const { return state_.triangles[t]; }
+    bool visible(std::int32_t t) const { return state_.triangles[t].state == CutTriangleState::visible; }
+    std::int32_t visible_count() const { return state_.visible_count; }
+    std::int32_t root_count() const { return model_->root_count; }
+    const CutRoot& root(std::int32_t r) const { return state_.roots[r]; }
+    double area_before() const { return model_->area; }
+    double area_visible() const { return state_.area_visible; }
+    double area_removed() const { return state_.area_removed; }
+    std::uint64_t version() const { return state_.version; }
+    std::uint64_t rolled_back() const { return state_.rolled_back; }
+    /// Of the latest commit: roots that changed, and vertices it made.
+    const CutList<std::int32_t>& touched_roots() const { return editor_.touched_roots(); }
+    const CutList<std::int32_t>& new_vertices() const { return editor_.new_vertices(); }
+    /// Visible triangles with their vertices' numbers, rising by triangle.
+    std::vector<Triangle> visible_triangles() const;
+    /// Root near a point: that of the nearest visible triangle, -1 where nothing is left. O(triangles).
+    std::int32_t nearest_root(const Vector3& point, const Vector3* positions) const;
+
+    // -- Fragments: what the springs hang on. Numbers are stable; fragment r is root r before any cut. All
+    // that
+    //    a root r ever had: for (f = r; f >= 0; f = fragment(f).next_of_root); without triangles it is gone.
+
+    std::int32_t fragment_count() const { return state_.fragment_count; }
+    const CutFragment& fragment(std::int32_t f) const { return state_.fragments[f]; }
+    std::int32_t fragment_of_triangle(std::int32_t t) const { return state_.triangles[t].fragment; }
+    /// Fragment that a vertex belongs to (any of those around it), -1 where the vertex is gone.
+    std::int32_t fragment_of_vertex(std::int32_t v) const;
+    /// Which neighbour a fragment meets over how much of each edge of its root, rims included (-1). Fills at
+    /// most `room` rows, returns how many there are.
+    std::int32_t contacts_of(std::int32_t fragment, FragmentContact* contacts, std::int32_t room) const;
+
+    // -- Pieces, by shared edges. Valid until the next change.
+
+    std::int32_t find_pieces();
+    const CutPiece& piece(std::int32_t p) const { return pieces_[p]; }
+    std::int32_t piece_of_triangle(std::int32_t t) const { return piece_of_[t]; }
+
+    // -- Saving.
+
+    const CutState& state() const { return state_; }
+    /// State of a mesh made with the same arguments.
+    void restore(const CutState& state) { state_ = state; }
+    /// Hash of everything that a cut changes.
+    std::uint64_t digest() const;
+    std::uint64_t bytes() const;
+    /// Whether the latest transaction may be committed: the invariants on all it touched (cut_check.cpp).
+    /// nullptr, or what is wrong.
+    const char* wrong_here();
+
+  private:
+    friend class CutTest;
+    struct VertexSides {
+        std::uint32_t stamp = 0;
+        std::array<std::int8_t, BladeRegion::most_planes> side =
+            {};  ///< -1 inside, 0 on the plane, 1 outside
+    };
+    bool list_triangles(std::int32_t root, double inset, const Vector3* positions);
+    const VertexSides& sides(std::int32_t vertex);
+    bool clip(double tolerance);
+    bool clip_by(int plane);
+    bool tidy();
+    bool tidy_vertex(std::int32_t vertex);
+    bool tidy_slivers();
+    bool turn_edges();
+    bool sort_fragments();
+    void note_cases();
+    CutOutcome attempt(const BladeStep& step, Vector3* positions, double tolerance, CutReport& report);
+    double quality(std::int32_t root, std::int32_t a, std::int32_t b, std::int32_t c) const;
+    double worst_after(std::int32_t from, std::int32_t to, double& before);
+
+    std::shared_ptr<const CutModel> model_;
+    CutState state_;
+    CutEditor editor_;
+    // Scratch of a step.
+    BladeRegion region_;
+    double tolerance_ = 0;
+    CutTable<VertexSides> sides_;
+    CutTable<std::uint32_t> root_mark_, triangle_mark_, vertex_mark_;
+    std::uint32_t mark_ = 0;
+    CutList<std::int32_t> queue_, met_, band_, around_, parts_;
+    CutTable<std::int32_t> fan_count_;
+    CutTable<std::int32_t> piece_of_;
+    CutList<CutPiece> pieces_;
+};
+
+/// Everything theory section 5 asks of a surface, checked from scratch over all of it, geometry included.
+struct CutCheck {
+    bool finite = true;
+    bool no_zero_area = true;     ///< share of each visible triangle above 0 in a root that has area
+    bool conforming = true;       ///< neighbours name each other; no vertex lies inside another visible edge
+    bool manifold_edges = true;   ///< at most two triangles an edge, in opposite senses
+    bool one_fan = true;          ///< the triangles of each vertex form one fan
+    bool rims_closed = true;      ///< following the rim from any edge of it leads back
+    bool oriented = true;         ///< no triangle is turned over in its root
+    bool area_kept = true;        ///< made = visible + removed, relative error at most 1e-9
+    bool hierarchy = true;        ///< a split triangle has children or is covered, visible ones are listed
+    double area_error = 0;        ///< relative
+    std::int32_t first_bad = -1;  ///< triangle or vertex
+    bool passed() const {
+        return finite && no_zero_area && conforming && manifold_edges && one_fan && rims_closed && oriented &&
+               area_kept && hierarchy;
+    }
+    const char* complaint() const;
+};
+/// O(n log n), allocates: for tests and studies. positions may be null (rest is checked alone).
+CutCheck check_cut(const CutMesh& mesh, const Vector3* positions);
+
+}  // namespace fulcrum

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+// One step of the blade: list, clip, remove, tidy, validate, commit (cut_mesh.h).
+#include <algorithm>
+#include <cmath>
+
+#include "sim_core/cutting/cut_mesh.h"
+
+namespace fulcrum {
+namespace {
+
+// A vertex this near to a border (in widths) lies on it; each retry moves borders further to near vertices.
+constexpr double tolerances[] = {2e-3, 2e-2, 1e-1};
+
+}  // namespace
+
+void CutMesh::begin_stroke() {
+    ++state_.stroke;
+    state_.stroke_step = 0;
+    state_.stroke_unnamed = 0;
+    state_.stroke_triangles.clear();
+}
+
+CutReport CutMesh::cut(const BladeStep& step, Vector3* positions) {
+    CutReport report;
+    const BladeFault fault = make_region(step, region_);
+    if (fault == BladeFault::no_advance) return report;
+    if (fault != BladeFault::none) {
+        report.outcome = CutOutcome::invalid;
+        return report;
+    }
+    if (step.root < 0 || step.root >= model_->root_count) return report;
+    for (const double tolerance : tolerances) {
+        report.outcome = attempt(step, positions, tolerance * step.width, report);
+        if (report.outcome != CutOutcome::rolled_back) break;
+        ++report.roll_backs;
+    }
+    if (report.outcome == CutOutcome::cut) ++state_.stroke_step;
+    return report;
+}
+
+CutOutcome CutMesh::attempt(const BladeStep& step, Vector3* positions, double tolerance, CutReport& report) {
+    tolerance_ = tolerance;
+    const double removed_before = state_.area_removed;
+    if (!list_triangles(step.root, tolerance, positions)) return CutOutcome::invalid;
+    report.met = met_.size();
+    if (met_.size() == 0) return CutOutcome::nothing;
+    double nearest = 1e300;
+    for (const std::int32_t t : met_) {
+        const CutTriangle& row = state_.triangles[t];
+        const Vector3 centre =
+            (positions[row.vertices[0]] + positions[row.vertices[1]] + positions[row.vertices[2]]) / 3;
+        const double distance = (centre - step.to).squaredNorm();
+        if (distance >= nearest) continue;
+        nearest = distance;
+        report.root = row.root;
+    }
+    editor_.begin(*model_, state_, positions);
+    const bool done = clip(tolerance) && (band_.size() == 0 || editor_.remove(band_)) && tidy() &&
+                      wrong_here() == nullptr && sort_fragments();
+    if (!done) {
+        report.lacking = editor_.lacking();
+        editor_.roll_back();
+        return report.lacking == CutLimit::none ? CutOutcome::rolled_back : CutOutcome::full;
+    }
+    note_cases();
+    editor_.commit();
+    report.removed_area = state_.area_removed - removed_before;
+    return CutOutcome::cut;
+}
+
+bool CutMesh::list_triangles(std::int32_t root, double inset, const Vector3* positions) {
+    // Along the surface from root to root: over ground that the band comes near, and over roots that have
+    // lost ground, as far as the band could reach at rest.
+    met_.clear();
+    queue_.clear();
+    ++mark_;
+    const double margin = 2 * region_.half_width;
+    const double reach = 2 * region_.radius;
+    const Vector3& centre = model_->centres[static_cast<std::size_t>(root)];
+    const double spread = model_->radii[static_cast<std::size_t>(root)];
+    root_mark_[root] = mark_;
+    queue_.push(root);
+    for (std::int32_t head = 0; head < queue_.size(); ++head) {
+        const std::int32_t r = queue_[head];
+        bool near = head == 0;
+        for (std::int32_t t = state_.roots[r].first_visible; t >= 0; t = state_.triangles[t].next_in_root) {
+            const Triangle& v = state_.triangles[t].vertices;
+            const Vector3 &a = positions[v[0]], &b = positions[v[1]], &c = positions[v[2]];
+            if (!std::isfinite(a.sum() + b.sum() + c.sum())) return false;
+            if (!region_.near(a, b, c, margin)) continue;
+            near = true;
+            if (region_.meets(a, b, c, inset)) met_.push(t);
+        }
+        if (!near && state_.roots[r].removed_share > 0) {
+            const auto here = static_cast<std::size_t>(r);
+            const double far = reach + spread + model_->radii[here];
+            near = (model_->centres[here] - centre).squaredNorm() < far * far;
+        }
+        if (!near) continue;
+        for (int e = 0; e < 3; ++e) {
+            const std::int32_t next =
+                model_->adjacency
+                    .triangle_neighbours[3 * static_cast<std::size_t>(r) + static_cast<std::size_t>(e)];
+            if (next < 0 || root_mark_[next] == mark_) continue;
+            root_mark_[next] = mark_;
+            queue_.push(next);
+        }
+    }
+    return true;
+}
+
+const CutMesh::VertexSides& CutMesh::sides(std::int32_t vertex) {
+    VertexSides& row = sides_[vertex];
+    if (row.stamp == editor_.stamp()) return row;
+    row.stamp = editor_.stamp();
+    const Vector3& x = editor_.positions()[vertex];
+    for (int k = 0; k < region_.count; ++k) {
+        const auto place = static_cast<std::size_t>(k);
+        const double distance = region_.planes[place].distance(x);
+        row.side[place] = static_cast<std::int8_t>(distance > tolerance_    ? 1
+                                                   : distance < -tolerance_ ? -1
+                                                                            : 0);
+    }
+    return row;
+}
+
+bool CutMesh::clip(double tolerance) {
+    tolerance_ = tolerance;
+    band_.clear();
+    ++mark_;
+    for (const std::int32_t t : met_) {
+        band_.push(t);
+        triangle_mark_[t] = mark_;
+    }
+    for (int k = 0; k < region_.count; ++k)
+        if (!clip_by(k)) return false;
+    return true;
+}
+
+bool CutMesh::clip_by(int plane) {
+    const auto k = static_cast<std::size_t>(plane);
+    CutList<std::int32_t>& made = editor_.made();
+    for (std::int32_t i = 0; i < band_.size(); ++i) {
+        const std::int32_t t = band_[i];
+        while (editor_.visible(t)) {
+            const CutTriangle row = state_.triangles[t];
+            int edge = 0;
+            while (edge < 3 &&
+                   sides(vertex_at(row, edge)).side[k] * sides(vertex_at(row, edge + 1)).side[k] >= 0)
+                ++edge;
+            if (edge == 3) break;
+            const std::int32_t a = vertex_at(row, edge), b = vertex_at(row, edge + 1);
+            const std::int32_t other = neighbour_at(row, edge);
+            const bool other_in_band = other >= 0 && triangle_mark_[other] == mark_;
+            const double at_a = region_.planes[k].distance(editor_.positions()[a]);
+            const double at_b = region_.planes[k].distance(editor_.positions()[b]);
+            made.clear();
+            const std::int32_t m = editor_.split_edge(t, edge, at_a / (at_a - at_b));
+            if (m < 0) return false;
+            sides(m);
+            for (std::size_t j = 0; j < static_cast<std::size_t>(region_.count); ++j)
+                if (sides_[a].side[j] == 0 && sides_[b].side[j] == 0) sides_[m].side[j] = 0;
+            sides_[m].side[k] = 0;
+            // The first two are the halves of t, the next two those of its neighbour.
+            for (std::int32_t n = 0; n < made.size(); ++n) {
+                if (n >= 2 && !other_in_band) break;
+                if (triangle_mark_[made[n]] == mark_) continue;
+                triangle_mark_[made[n]] = mark_;
+                if (!band_.push(made[n])) return false;
+            }
+        }
+    }
+    // What lies beyond this plane is kept as it is.
+    std::int32_t kept = 0;
+    for (std::int32_t i = 0; i < band_.size(); ++i) {
+        const std::int32_t t = band_[i];
+        bool beyond = !editor_.visible(t);
+        if (!beyond)
+            for (const std::int32_t v : state_.triangles[t].vertices) beyond = beyond || sides(v).side[k] > 0;
+        if (beyond)
+            triangle_mark_[t] = 0;
+        else
+            band_[kept++] = t;
+    }
+    band_.resize(kept);
+    return true;
+}
+
+CutReport CutMesh::remove_piece(std::int32_t piece, Vector3* positions) {
+    CutReport report;
+    band_.clear();
+    for (std::int32_t t = 0; t < state_.triangle_count; ++t)
+        if (visible(t) && piece_of_[t] == piece) band_.push(t);
+    if (band_.size() == 0) return report;
+    const double removed_before = state_.area_removed;
+    report.met = band_.size();
+    editor_.begin(*model_, state_, positions);
+    const bool done = editor_.remove(band_) && wrong_here() == nullptr && sort_fragments();
+    if (!done) {
+        report.lacking = editor_.lacking();
+        editor_.roll_back();
+        report.outcome = report.lacking == CutLimit::none ? CutOutcome::rolled_back : CutOutcome::full;
+        return report;
+    }
+    editor_.commit();
+    report.outcome = CutOutcome::cut;
+    report.removed_area = state_.area_removed - removed_before;
+    return report;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// Surfaces to cut, and a blade that follows them.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "sim_core/cutting/cut_mesh.h"
+#include "tests/support/tube.h"
+
+namespace fulcrum::test {
+
+/// Sheet of columns x rows cells of `cell` m in the plane z = 0 from the origin, diagonals in turn.
+inline TriangleMesh cut_sheet(int columns, int rows, double cell) {
+    TriangleMesh mesh;
+    for (int j = 0; j <= rows; ++j)
+        for (int i = 0; i <= columns; ++i) mesh.vertices.emplace_back(cell * i, cell * j, 0.0);
+    const auto at = [columns](int i, int j) { return static_cast<std::int32_t>(j * (columns + 1) + i); };
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i) {
+            if ((i + j) % 2 == 0) {
+                mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+                mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+            } else {
+                mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
+                mesh.triangles.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+            }
+        }
+    return mesh;
+}
+
+/// Numbers of the vertices on the border of cut_sheet.
+inline std::vector<std::int32_t> border_of_sheet(int columns, int rows) {
+    std::vector<std::int32_t> border;
+    for (int j = 0; j <= rows; ++j)
+        for (int i = 0; i <= columns; ++i)
+            if (i == 0 || j == 0 || i == columns || j == rows)
+                border.push_back(static_cast<std::int32_t>(j * (columns + 1) + i));
+    return border;
+}
+
+/// Icosahedron halved `times`, radius in m.
+inline TriangleMesh cut_sphere(int times, double radius) {
+    const double g = 0.5 * (1 + std::sqrt(5.0));
+    TriangleMesh mesh;
+    mesh.vertices = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+                     {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
+    mesh.triangles = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                      {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                      {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
+    for (int k = 0; k < times; ++k) {
+        std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> middles;
+        const auto middle = [&](std::int32_t a, std::int32_t b) {
+            const auto key = std::make_pair(std::min(a, b), std::max(a, b));
+            const auto [place, fresh] = middles.emplace(key, static_cast<std::int32_t>(mesh.vertices.size()));
+            if (fresh)
+                mesh.vertices.push_back(0.5 * (mesh.vertices[static_cast<std::size_t>(a)] +
+                                               mesh.vertices[static_cast<std::size_t>(b)]));
+            return place->second;
+        };
+        std::vector<Triangle> finer;
+        for (const Triangle& t : mesh.triangles) {
+            const std::int32_t a = middle(t[0], t[1]), b = middle(t[1], t[2]), c = middle(t[2], t[0]);
+            finer.push_back({t[0], a, c});
+            finer.push_back({a, t[1], b});
+            finer.push_back({c, b, t[2]});
+            finer.push_back({a, b, c});
+        }
+        mesh.triangles = finer;
+    }
+    for (Vector3& v : mesh.vertices) v *= radius / v.norm();
+    return mesh;
+}
+
+/// A mesh with the positions its vertices have now.
+struct Surface {
+    CutMesh mesh;
+    std::vector<Vector3> positions;
+    Surface(const TriangleMesh& shape, const std::vector<std::int32_t>& fixed, int steps)
+        : Surface(shape, fixed, CutMesh::capacity_for(shape, steps)) {}
+    Surface(const TriangleMesh& shape, const std::vector<std::int32_t>& fixed, const CutCapacity& capacity)
+        : mesh(shape, fixed, capacity),
+          positions(static_cast<std::size_t>(mesh.capacity().vertices), Vector3::Zero()) {
+        std::copy(shape.vertices.begin(), shape.vertices.end(), positions.begin());
+    }
+    /// A straight step at height z = 0 with +z as normal.
+    BladeStep step(double x0, double y0, double x1, double y1, double width,
+                   BladeEnd start = BladeEnd::square, BladeEnd end = BladeEnd::square) const {
+        BladeStep s;
+        s.from = Vector3(x0, y0, 0);
+        s.to = Vector3(x1, y1, 0);
+        s.width = width;
+        s.depth = 2 * width;
+        s.start = start;
+        s.end = end;
+        s.root = mesh.nearest_root(0.5 * (s.from + s.to), positions.data());
+        return s;
+    }
+    CutReport cut(const BladeStep& s) { return mesh.cut(s, positions.data()); }
+    /// A way in the plane, one step a leg, joined round.
+    int stroke(const std::vector<Eigen::Vector2d>& way, double width) {
+        mesh.begin_stroke();
+        int cuts = 0;
+        for (std::size_t i = 0; i + 1 < way.size(); ++i)
+            cuts += cut(step(way[i].x(), way[i].y(), way[i + 1].x(), way[i + 1].y(), width,
+                             i == 0 ? BladeEnd::square : BladeEnd::round))
+                                .outcome == CutOutcome::cut
+                        ? 1
+                        : 0;
+        return cuts;
+    }
+    CutCheck check() const { return check_cut(mesh, positions.data()); }
+};
+
+}  // namespace fulcrum::test
