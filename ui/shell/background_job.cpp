@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/background_job.h"
 
-#include <QCoreApplication>
 #include <QPointer>
 #include <QProgressBar>
 #include <QRunnable>
 #include <QThreadPool>
 
+#include "ui/shell/mail_room.h"
 #include "ui/style/widgets.h"
 
 namespace fulcrum::ui {
@@ -35,17 +35,15 @@ BackgroundJob* BackgroundJob::run(QObject* parent, std::function<void(const Prog
     auto* job = new BackgroundJob(parent);
     const QPointer<BackgroundJob> guard(job);
     const std::shared_ptr<std::atomic<bool>> stop = job->stop_;
-    const Progress progress = [guard, stop](double share, const std::string& line) {
+    MailRoom* const ui_thread = MailRoom::of_application();
+    const Progress progress = [guard, stop, ui_thread](double share, const std::string& line) {
         // The guard is looked at on the UI thread only, where the job lives and dies.
-        QMetaObject::invokeMethod(
-            QCoreApplication::instance(),
-            [guard, share, line] {
-                if (guard) emit guard->progressed(share, QString::fromStdString(line));
-            },
-            Qt::QueuedConnection);
+        ui_thread->post([guard, share, line] {
+            if (guard) emit guard->progressed(share, QString::fromStdString(line));
+        });
         return !stop->load();
     };
-    auto body = [guard, stop, progress, work = std::move(work), done = std::move(done),
+    auto body = [guard, stop, ui_thread, progress, work = std::move(work), done = std::move(done),
                  failed = std::move(failed)] {
         QString error;
         bool threw = false;
@@ -55,21 +53,18 @@ BackgroundJob* BackgroundJob::run(QObject* parent, std::function<void(const Prog
             error = QString::fromUtf8(problem.what());
             threw = true;
         }
-        QMetaObject::invokeMethod(
-            QCoreApplication::instance(),
-            [guard, stop, done, failed, error, threw] {
-                if (!guard || stop->load()) return;
-                if (threw) {
-                    failed(error);
-                } else {
-                    done();
-                }
-                if (guard) {
-                    emit guard->ended();
-                    guard->deleteLater();
-                }
-            },
-            Qt::QueuedConnection);
+        ui_thread->post([guard, stop, done, failed, error, threw] {
+            if (!guard || stop->load()) return;
+            if (threw) {
+                failed(error);
+            } else {
+                done();
+            }
+            if (guard) {
+                emit guard->ended();
+                guard->deleteLater();
+            }
+        });
     };
     QThreadPool::globalInstance()->start(new Work(std::move(body)));
     return job;
