@@ -111,7 +111,12 @@ MetricContext make_metric_context(const Scene& scene, const TaskDefinition& task
         context.tissues.push_back(std::move(limits));
     }
     context.targets = targets;
-    for (const Goal& goal : task.goals) context.phases.push_back(goal.id);
+    for (const Goal& goal : task.goals) {
+        context.phases.push_back(goal.id);
+        if (goal.kind == GoalKind::divide_line && !context.cut)
+            context.cut = CutPlan{goal.length_m, goal.tolerance_m, goal.corridor_m, goal.traction_low_n_m,
+                                  goal.traction_high_n_m};
+    }
     return context;
 }
 

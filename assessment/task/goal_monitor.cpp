@@ -32,11 +32,20 @@ void emit(EventSink& sink, std::uint32_t tick, EventKind kind, int hand, std::in
 }
 
 constexpr int no_hand = 255;
+constexpr double line_end_slack =
+    0.002;  // m of the line that may stay: a bridge that the flap's own weight parts
+
+bool is_cut_goal(GoalKind kind) {
+    return kind == GoalKind::take_tension || kind == GoalKind::divide_line || kind == GoalKind::let_go;
+}
 
 }  // namespace
 
 GoalMonitor::GoalMonitor(const TaskDefinition& task, const Scene& scene)
-    : goals_(task.goals), tick_period_(scene.tick_period()) {
+    : goals_(task.goals),
+      tick_period_(scene.tick_period()),
+      cut_(task, scene),
+      warning_margin_(task.warning_margin) {
     for (const InstrumentSpec& spec : scene.instruments)
         tip_radius_[static_cast<std::size_t>(spec.hand)] = spec.tip_radius;
     const auto refuse = [&](std::size_t i, const std::string& wrong, const std::string& mend) {
@@ -56,7 +65,7 @@ GoalMonitor::GoalMonitor(const TaskDefinition& task, const Scene& scene)
                 refuse(i, "the goal asks for more targets than the scene has for a hand",
                        "lower \"count\" or raise \"per_hand\" of the scene");
             }
-        } else {
+        } else if (!is_cut_goal(goal.kind)) {
             if (!scene.bowel)
                 refuse(i, "the scene \"" + scene.id + "\" has no bowel",
                        "add \"bowel\" to the scene or name another scene");
@@ -188,6 +197,30 @@ void GoalMonitor::step_lift(const WorldSnapshot& world, std::uint32_t tick, std:
     if (hold_ticks_ * tick_period_ >= goal().hold_s) end_goal(world, tick, sink);
 }
 
+void GoalMonitor::step_tension(const WorldSnapshot& world, std::uint32_t tick, std::uint32_t ticks,
+                               EventSink& sink) noexcept {
+    const bool holding = world.grasps[0].held || world.grasps[1].held;
+    const bool taut = holding && cut_.fault(goal(), 0) == TractionFault::none;
+    hold_ticks_ = taut ? hold_ticks_ + ticks : 0;
+    // Who has divided everything has nothing left to put under tension.
+    const bool divided = cut_.line() && cut_.divided() + line_end_slack >= cut_.length();
+    if (hold_ticks_ * tick_period_ >= goal().hold_s || divided) end_goal(world, tick, sink);
+}
+
+void GoalMonitor::step_divide(const WorldSnapshot& world, std::uint32_t tick, EventSink& sink) noexcept {
+    const auto millimetres = static_cast<int>(cut_.divided() * 1e3 + 1e-9);
+    if (millimetres > millimetres_) progress(cut_.divided(), tick, sink);
+    millimetres_ = std::max(millimetres, millimetres_);
+    if (cut_.divided() + line_end_slack >= goal().length_m) end_goal(world, tick, sink);
+}
+
+void GoalMonitor::step_let_go(const WorldSnapshot& world, std::uint32_t tick, std::uint32_t ticks,
+                              EventSink& sink) noexcept {
+    const bool free = !world.grasps[0].held && !world.grasps[1].held && !cut_.cutting();
+    hold_ticks_ = free ? hold_ticks_ + ticks : 0;
+    if (hold_ticks_ * tick_period_ >= goal().hold_s) end_goal(world, tick, sink);
+}
+
 void GoalMonitor::step(const WorldSnapshot& world, const std::array<HoldChange, hand_count>& changes,
                        std::uint32_t tick, std::uint32_t ticks, EventSink& sink) noexcept {
     for (const HoldChange change : changes) grasped_ever_ = grasped_ever_ || change == HoldChange::grasped;
@@ -196,11 +229,18 @@ void GoalMonitor::step(const WorldSnapshot& world, const std::array<HoldChange, 
         const std::size_t count = std::min(rest_heights_.size(), world.nodes.size());
         for (std::size_t i = 0; i < count; ++i) rest_heights_[i] = world.nodes[i].z();
     }
+    cut_.look(world);
     if (done()) return;
     if (goal().kind == GoalKind::run_bowel) {
         step_run(world, changes, tick, sink);
     } else if (goal().kind == GoalKind::lift_and_hold) {
         step_lift(world, tick, ticks, sink);
+    } else if (goal().kind == GoalKind::take_tension) {
+        step_tension(world, tick, ticks, sink);
+    } else if (goal().kind == GoalKind::divide_line) {
+        step_divide(world, tick, sink);
+    } else if (goal().kind == GoalKind::let_go) {
+        step_let_go(world, tick, ticks, sink);
     }
 }
 
@@ -211,7 +251,22 @@ void GoalMonitor::show(TaskDisplay& display) const noexcept {
     display.hold_progress = 0;
     display.lift_height_m = lift_height_;
     display.run_covered_m = display.run_next_m = 0;
+    display.cut_divided_m = cut_.divided();
+    display.cut_next_m = cut_.next();
+    display.cut_distance_m = cut_.distance();
+    display.traction_n_m = cut_.traction();
+    display.cutting = cut_.cutting();
+    display.traction_warning = 0;
+    display.distance_warning = false;
     if (done()) return;
+    if (goal().kind == GoalKind::divide_line && warning_margin_ >= 0) {
+        // Slack tissue is wrong only while it is cut; too much traction tears whatever the blade does.
+        const TractionFault fault = cut_.fault(goal(), warning_margin_);
+        if (fault == TractionFault::tight || cut_.cutting())
+            display.traction_warning = static_cast<std::int8_t>(fault);
+        display.distance_warning =
+            cut_.cutting() && std::abs(cut_.distance()) > goal().tolerance_m * (1 + warning_margin_);
+    }
     const double held = goal().hold_s > 0 ? std::min(1.0, hold_ticks_ * tick_period_ / goal().hold_s) : 0.0;
     switch (goal().kind) {
         case GoalKind::touch_targets:
@@ -225,8 +280,13 @@ void GoalMonitor::show(TaskDisplay& display) const noexcept {
             display.run_next_m = goal().from_m + sign_of(goal()) * run_next_;
             break;
         case GoalKind::lift_and_hold:
+        case GoalKind::take_tension:
+        case GoalKind::let_go:
             display.goal_progress = held;
             display.hold_progress = held;
+            break;
+        case GoalKind::divide_line:
+            display.goal_progress = std::min(1.0, cut_.divided() / goal().length_m);
             break;
     }
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Progress towards a task's goals: targets held, bowel run hand over hand, bowel lifted and held.
+// Progress towards a task's goals: targets held, bowel run hand over hand, bowel lifted and held,
+// a sheet put under tension, divided along its line and let go.
 #pragma once
 
 #include <array>
 #include <vector>
 
+#include "assessment/task/cut_monitor.h"
 #include "assessment/task/hand_monitor.h"
 #include "assessment/task/monitor.h"
 
@@ -22,6 +24,8 @@ class GoalMonitor {
     /// After the step: what the hands hold. `ticks` have passed since the last call, pauses excluded.
     void step(const WorldSnapshot& world, const std::array<HoldChange, hand_count>& changes,
               std::uint32_t tick, std::uint32_t ticks, EventSink& sink) noexcept;
+    /// What the world did to tissue in this step, before step().
+    void tissue_event(const Event& event) noexcept { cut_.event(event); }
     bool done() const noexcept { return goal_ >= static_cast<int>(goals_.size()); }
     /// Writes the goal part of the display.
     void show(TaskDisplay& display) const noexcept;
@@ -36,6 +40,11 @@ class GoalMonitor {
                   std::uint32_t tick, EventSink& sink) noexcept;
     void step_lift(const WorldSnapshot& world, std::uint32_t tick, std::uint32_t ticks,
                    EventSink& sink) noexcept;
+    void step_tension(const WorldSnapshot& world, std::uint32_t tick, std::uint32_t ticks,
+                      EventSink& sink) noexcept;
+    void step_divide(const WorldSnapshot& world, std::uint32_t tick, EventSink& sink) noexcept;
+    void step_let_go(const WorldSnapshot& world, std::uint32_t tick, std::uint32_t ticks,
+                     EventSink& sink) noexcept;
     void progress(double value, std::uint32_t tick, EventSink& sink) noexcept;
     const Goal& goal() const noexcept { return goals_[static_cast<std::size_t>(goal_)]; }
 
@@ -52,6 +61,10 @@ class GoalMonitor {
     double covered_ = 0, run_next_ = 0;
     // lift_and_hold
     double lift_height_ = 0;
+    // take_tension, divide_line, let_go
+    CutMonitor cut_;
+    double warning_margin_ = 0;
+    int millimetres_ = 0;  ///< of the line, as last reported
 };
 
 }  // namespace fulcrum

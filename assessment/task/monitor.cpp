@@ -14,11 +14,11 @@
 namespace fulcrum {
 namespace {
 
-constexpr double moving_speed = 0.005;   // m/s, metrics specification, `time`
-constexpr double moving_duration = 0.2;  // s, idem
-constexpr double device_grace = 60;      // s until a lost device interrupts the attempt
-constexpr double regrasp_window = 2;     // s
-constexpr double drop_height = 0.01;     // m above rest: tissue that falls less was not dropped
+constexpr double moving_speed = 0.005;      // m/s, metrics specification, `time`
+constexpr double moving_duration = 0.2;     // s, idem
+constexpr double device_grace = 60;         // s until a lost device interrupts the attempt
+constexpr double regrasp_window = 2;        // s
+constexpr double drop_height = 0.01;        // m above rest: tissue that falls less was not dropped
 constexpr std::uint32_t fault_outcome = 4;  // StepRecord::outcome
 
 constexpr int no_hand = 255;
@@ -200,6 +200,12 @@ void TaskMonitor::on_step(const TickSample* ticks, std::size_t count, const Worl
 
     const std::uint32_t now = state.last_tick;
     if (!display.ended) {
+        const auto happened = std::clamp<std::size_t>(
+            static_cast<std::size_t>(std::max(0, world.event_count)), 0, world.events.size());
+        for (std::size_t i = 0; i < happened; ++i) {
+            events.on_event(world.events[i]);
+            state.goals.tissue_event(world.events[i]);
+        }
         std::array<HoldChange, hand_count> changes{};
         for (std::size_t h = 0; h < hand_count; ++h) {
             const GraspState& grasp = world.grasps[h];

@@ -32,6 +32,13 @@ struct TaskDisplay {
     double run_covered_m = 0;                ///< run_bowel: arc length covered so far
     double run_next_m = 0;                   ///< run_bowel: arc length where the next grasp should be
     double lift_height_m = 0;                ///< lift_and_hold: height above rest now
+    double cut_divided_m = 0;                ///< divide_line: length of the marked line divided so far
+    double cut_next_m = 0;                   ///< divide_line: first place along it that is not divided
+    double cut_distance_m = 0;               ///< signed distance of the last cut from the line
+    double traction_n_m = 0;                 ///< across the line, at the blade or where it is to be cut next
+    std::int8_t traction_warning = 0;        ///< -1 too slack, 1 too tight, beyond the warning margin
+    bool distance_warning = false;           ///< the blade cuts too far from the line
+    bool cutting = false;                    ///< a blade is in the tissue
     float force[hand_count] = {0, 0};        ///< N, this step's largest
     float force_limit[hand_count] = {0, 0};  ///< N, of the tissue in contact or grasped; 0 none
     bool warning[hand_count] = {false, false};

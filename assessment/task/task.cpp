@@ -91,6 +91,10 @@ class TaskReader {
             copy(node, "minimum_step_m", goal.minimum_step_m);
             copy(node, "maximum_step_m", goal.maximum_step_m);
             copy(node, "height_m", goal.height_m);
+            copy(node, "tolerance_m", goal.tolerance_m);
+            copy(node, "corridor_m", goal.corridor_m);
+            copy(node, "traction_low_n_m", goal.traction_low_n_m);
+            copy(node, "traction_high_n_m", goal.traction_high_n_m);
             for (const Goal& other : task_.goals) {
                 if (other.id == goal.id)
                     document_.fail(place + "/id", "the goal \"" + goal.id + "\" is given twice",
@@ -106,6 +110,23 @@ class TaskReader {
             } else if (kind == "run_bowel") {
                 goal.kind = GoalKind::run_bowel;
                 check_run(node, place, goal);
+            } else if (kind == "take_tension") {
+                goal.kind = GoalKind::take_tension;
+                require(node, place, "hold_s", "seconds to keep the traction");
+                check_traction(node, place, goal);
+            } else if (kind == "divide_line") {
+                goal.kind = GoalKind::divide_line;
+                require(node, place, "length_m", "metres of the marked line");
+                require(node, place, "tolerance_m", "metres from the line that are too far");
+                require(node, place, "corridor_m", "metres from the line within which a cut divides it");
+                if (goal.tolerance_m > goal.corridor_m) {
+                    document_.fail(place + "/tolerance_m", "tolerance_m is above corridor_m",
+                                   "give the smaller distance as tolerance_m");
+                }
+                check_traction(node, place, goal);
+            } else if (kind == "let_go") {
+                goal.kind = GoalKind::let_go;
+                require(node, place, "hold_s", "seconds without a hold");
             } else {
                 goal.kind = GoalKind::lift_and_hold;
                 check_lift(node, place, goal);
@@ -129,6 +150,15 @@ class TaskReader {
             document_.fail(place + "/length_m",
                            "there are only " + std::to_string(room) + " m between from_m and to_m",
                            "ask for less, or move from_m and to_m apart");
+        }
+    }
+
+    void check_traction(const json& node, const std::string& place, const Goal& goal) {
+        require(node, place, "traction_low_n_m", "the least traction across the line, N/m");
+        require(node, place, "traction_high_n_m", "the most traction across the line, N/m");
+        if (goal.traction_low_n_m >= goal.traction_high_n_m) {
+            document_.fail(place + "/traction_low_n_m", "traction_low_n_m is not below traction_high_n_m",
+                           "give the least traction first");
         }
     }
 

@@ -14,6 +14,9 @@ enum class GoalKind : std::uint8_t {
     touch_targets,  ///< touch and hold each sphere of one hand, in order (A2)
     run_bowel,      ///< run a length of bowel hand over hand (B1)
     lift_and_hold,  ///< lift a stretch of bowel above its resting height and hold it (B1)
+    take_tension,   ///< take hold of the sheet and keep the traction across its marked line in the band (B2)
+    divide_line,    ///< divide the sheet along its marked line (B2)
+    let_go,         ///< hold nothing and cut nothing (B2)
 };
 
 struct Goal {
@@ -23,10 +26,13 @@ struct Goal {
     Hand hand = Hand::left;       ///< touch_targets
     int count = 0;                ///< touch_targets: spheres to hold
     double hold_s = 0;            ///< s, continuous
-    double length_m = 0;          ///< run_bowel: arc length to cover
+    double length_m = 0;          ///< run_bowel: arc length to cover; divide_line: of the marked line
     double from_m = 0, to_m = 0;  ///< arc lengths on the bowel: where to start (run), or the stretch to lift
     double minimum_step_m = 0, maximum_step_m = 0;  ///< run_bowel: hand-over-hand distance that counts
     double height_m = 0;                            ///< lift_and_hold
+    double tolerance_m = 0;  ///< divide_line: further from the line is too deep or too shallow
+    double corridor_m = 0;   ///< divide_line: further from the line divides nothing of it
+    double traction_low_n_m = 0, traction_high_n_m = 0;  ///< take_tension, divide_line: N/m across the line
 };
 
 /// A gate as the task names it; the limit of a benchmark gate comes from the benchmark set.

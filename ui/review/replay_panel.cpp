@@ -25,9 +25,10 @@ void show_progress(HudState& hud, double value) {
     const Goal& goal = hud.task->goals[index];
     double whole = goal.hold_s;
     if (goal.kind == GoalKind::touch_targets) whole = goal.count;
-    if (goal.kind == GoalKind::run_bowel) whole = goal.length_m;
+    if (goal.kind == GoalKind::run_bowel || goal.kind == GoalKind::divide_line) whole = goal.length_m;
     hud.display.goal_progress = whole > 0 ? std::min(1.0, value / whole) : 0;
     if (goal.kind == GoalKind::run_bowel) hud.display.run_covered_m = value;
+    if (goal.kind == GoalKind::divide_line) hud.display.cut_divided_m = value;
 }
 
 }  // namespace
@@ -194,6 +195,7 @@ void ReplayPanel::fill_hud() {
         }
     }
     hud.display.lift_height_m = std::numeric_limits<double>::quiet_NaN();  // no event says it
+    hud.display.traction_n_m = std::numeric_limits<double>::quiet_NaN();   // said only while tissue is cut
     std::vector<bool> done;
     int active = -1;
     for (const Event& event : model_->trace->events) {
@@ -202,6 +204,10 @@ void ReplayPanel::fill_hud() {
             hud.display.goal = event.detail;
             hud.display.goal_progress = hud.display.run_covered_m = 0;
         }
+        if (event.kind == EventKind::cut_traction)
+            hud.display.traction_n_m = static_cast<double>(event.value);
+        if (event.kind == EventKind::cut_end)
+            hud.display.traction_n_m = std::numeric_limits<double>::quiet_NaN();
         if (event.kind == EventKind::target_shown) active = event.detail;
         if (event.kind == EventKind::goal_progress && event.detail == hud.display.goal) {
             show_progress(hud, static_cast<double>(event.value));

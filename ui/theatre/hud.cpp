@@ -113,7 +113,33 @@ QString goal_detail(const HudState& state, const Goal& goal) {
             return tr("%1 of %2 mm high")
                 .arg(display.lift_height_m * 1000, 0, 'f', 0)
                 .arg(goal.height_m * 1000, 0, 'f', 0);
+        case GoalKind::take_tension:
+        case GoalKind::divide_line: {
+            const QString divided = goal.kind == GoalKind::take_tension
+                                        ? QString()
+                                        : tr("%1 of %2 mm · ")
+                                              .arg(display.cut_divided_m * 1000, 0, 'f', 0)
+                                              .arg(goal.length_m * 1000, 0, 'f', 0);
+            if (!std::isfinite(display.traction_n_m)) return divided.chopped(std::min(3, divided.size()));
+            return divided + tr("pull %1 of %2–%3 N/m")
+                                 .arg(display.traction_n_m, 0, 'f', 0)
+                                 .arg(goal.traction_low_n_m, 0, 'f', 0)
+                                 .arg(goal.traction_high_n_m, 0, 'f', 0);
+        }
+        case GoalKind::let_go:
+            return tr("%1 of %2 s free")
+                .arg(display.goal_progress * goal.hold_s, 0, 'f', 1)
+                .arg(goal.hold_s, 0, 'f', 1);
     }
+    return {};
+}
+
+/// What is wrong with the cut now; "" nothing.
+QString cut_warning(const TaskDisplay& display) {
+    if (display.traction_warning > 0) return tr("⚠ pull less");
+    if (display.traction_warning < 0) return tr("⚠ pull more");
+    if (display.distance_warning)
+        return tr("⚠ %1 mm off the line").arg(std::abs(display.cut_distance_m) * 1000, 0, 'f', 1);
     return {};
 }
 
@@ -179,6 +205,14 @@ void paint_hud(QPainter& painter, const QRectF& area, const HudState& state) {
                              tr("hold"));
             draw_goal_bar(painter, QRectF(box.right() - 100, y + 7, 100, 8), state.display.hold_progress,
                           p.warning);
+        }
+        const QString wrong = cut_warning(state.display);
+        if (!wrong.isEmpty()) {
+            y += 18;
+            painter.setFont(hud_font(13, true));
+            painter.setPen(p.warning);
+            painter.drawText(QRectF(box.left(), y, box.width(), 26), Qt::AlignRight | Qt::AlignVCenter,
+                             wrong);
         }
     }
 

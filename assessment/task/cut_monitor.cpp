@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/task/cut_monitor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fulcrum {
+namespace {
+
+constexpr double blade_reach = 0.02;  // m, a blade further from the line is not about to cut it
+
+}  // namespace
+
+CutMonitor::CutMonitor(const TaskDefinition& task, const Scene& scene) {
+    for (const Goal& goal : task.goals)
+        if (goal.kind == GoalKind::divide_line && !goal_) goal_ = goal;
+    if (!goal_) return;
+    const auto count = static_cast<std::size_t>(std::max(1.0, std::round(goal_->length_m / cell)));
+    cells_.assign(count, 0);
+    cell_ = goal_->length_m / static_cast<double>(count);
+    for (const InstrumentSpec& spec : scene.instruments)
+        has_blade_[static_cast<std::size_t>(spec.hand)] = spec.kind != "grasper" && spec.kind != "probe";
+}
+
+void CutMonitor::event(const Event& event) noexcept {
+    if (!goal_ || event.hand >= hand_count) return;
+    Blade& blade = blades_[event.hand];
+    if (event.kind == EventKind::cut_end) {
+        blade_in_[event.hand] = blade.placed = false;
+        return;
+    }
+    if (event.kind != EventKind::cut_begin && event.kind != EventKind::cut_advance) return;
+    blade_in_[event.hand] = true;
+    CutElement element;
+    element.from = blade.position;
+    element.from_distance = blade.distance;
+    element.to = blade.position = static_cast<double>(event.value);
+    element.distance = blade.distance = event.detail * 1e-6;
+    distance_ = blade.distance;
+    const bool went_on = blade.placed && event.kind == EventKind::cut_advance;
+    blade.placed = true;
+    if (!went_on) return;
+    const auto [first, last] = part_within(element, goal_->corridor_m);
+    if (last <= first) return;
+    const double a = element.from + first * (element.to - element.from);
+    const double b = element.from + last * (element.to - element.from);
+    const double count = static_cast<double>(cells_.size());
+    // A cell is divided when its middle was passed.
+    const auto cell_from = [&](double place) {
+        return static_cast<std::size_t>(std::clamp(std::ceil(place / cell_ - 0.5), 0.0, count));
+    };
+    for (std::size_t i = cell_from(std::min(a, b)); i < cell_from(std::max(a, b)); ++i) {
+        cells_divided_ += cells_[i] == 0 ? 1U : 0U;
+        cells_[i] = 1;
+    }
+    while (first_open_ < cells_.size() && cells_[first_open_] != 0) ++first_open_;
+}
+
+void CutMonitor::look(const WorldSnapshot& world) noexcept {
+    traction_ = 0;
+    if (!goal_) return;
+    const SheetView& sheet = world.sheet;
+    const std::size_t count =
+        std::min({sheet.line.size(), sheet.line_positions.size(), sheet.line_traction.size()});
+    const auto open = [&](std::size_t i) {
+        return i >= sheet.line_divided.size() || sheet.line_divided[i] == 0;
+    };
+    // Where a blade is near, there; else where the line is next to be divided.
+    double nearest = std::numeric_limits<double>::max();
+    for (std::size_t h = 0; h < hand_count; ++h) {
+        if (!has_blade_[h] || !world.tools[h].inside) continue;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double away = (sheet.line[i] - world.tools[h].tip).norm();
+            if (!open(i) || away >= std::min(nearest, blade_reach)) continue;
+            nearest = away;
+            traction_ = sheet.line_traction[i];
+        }
+    }
+    if (nearest < blade_reach) return;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double away = std::abs(sheet.line_positions[i] - next());
+        if (!open(i) || away >= nearest) continue;
+        nearest = away;
+        traction_ = sheet.line_traction[i];
+    }
+}
+
+TractionFault CutMonitor::fault(const Goal& goal, double margin) const noexcept {
+    if (goal.traction_high_n_m <= goal.traction_low_n_m) return TractionFault::none;
+    if (traction_ < goal.traction_low_n_m * (1 - margin)) return TractionFault::slack;
+    if (traction_ > goal.traction_high_n_m * (1 + margin)) return TractionFault::tight;
+    return TractionFault::none;
+}
+
+}  // namespace fulcrum

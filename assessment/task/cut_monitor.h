@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Live view of a cut along a marked line: how much is divided, how far beside the line the blade is, whether
+// the tissue is taut where it is or will be cut.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "assessment/task/task.h"
+#include "assessment/trace/cut_strokes.h"
+#include "sim_core/scene/scene.h"
+#include "sim_core/world/snapshot.h"
+
+namespace fulcrum {
+
+/// Which way the traction is wrong.
+enum class TractionFault : std::int8_t { slack = -1, none = 0, tight = 1 };
+
+/// One attempt's cut. Allocates nothing after construction, never throws. Without a divide_line goal it stays
+/// at rest.
+class CutMonitor {
+  public:
+    static constexpr double cell = 0.0005;  ///< m of the line that count as divided together
+
+    CutMonitor(const TaskDefinition& task, const Scene& scene);
+    /// What a step did to tissue, in order.
+    void event(const Event& event) noexcept;
+    /// After the step's events: the traction at the place in question.
+    void look(const WorldSnapshot& world) noexcept;
+
+    bool line() const noexcept { return goal_.has_value(); }                ///< the task marks one
+    double length() const noexcept { return goal_ ? goal_->length_m : 0; }  ///< m
+    double divided() const noexcept { return cells_divided_ * cell_; }      ///< m of the line
+    /// First place that is not divided, m along the line; its length where all is.
+    double next() const noexcept { return first_open_ * cell_; }
+    double traction() const noexcept { return traction_; }  ///< N/m
+    double distance() const noexcept { return distance_; }  ///< m, signed, of the last advance
+    bool cutting() const noexcept { return blade_in_[0] || blade_in_[1]; }
+    /// Against the band of a goal, widened by `margin` of its limits.
+    TractionFault fault(const Goal& goal, double margin) const noexcept;
+
+  private:
+    struct Blade {
+        double position = 0, distance = 0;
+        bool placed = false;
+    };
+    std::optional<Goal> goal_;  ///< divide_line
+    std::array<bool, hand_count> has_blade_{}, blade_in_{};
+    std::array<Blade, hand_count> blades_{};
+    std::vector<std::uint8_t> cells_;
+    std::uint32_t cells_divided_ = 0, first_open_ = 0;
+    double cell_ = cell, traction_ = 0, distance_ = 0;
+};
+
+}  // namespace fulcrum
