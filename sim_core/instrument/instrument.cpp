@@ -102,7 +102,7 @@ InstrumentModel make_instrument(const InstrumentSpec& spec, double tick_period) 
     model.jaw_opening = spec.jaw_opening;
     model.grip_limit = 2.0 * spec.grip_force;
     model.tick_period = tick_period;
-    model.has_jaws = spec.kind != "probe";
+    model.has_jaws = spec.kind != "probe" && spec.kind != "hook";
     return model;
 }
 

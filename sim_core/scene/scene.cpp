@@ -53,6 +53,7 @@ class SceneReader {
         if (root.contains("bowel")) scene_.bowel = read_bowel(root.at("bowel"));
         if (root.contains("tethers")) scene_.tethers = read_tethers(root.at("tethers"));
         if (root.contains("membranes")) read_membranes(root.at("membranes"));
+        if (root.contains("sheet")) scene_.sheet = read_sheet(root.at("sheet"));
         if (root.contains("fidelity")) read_fidelity(root.at("fidelity"));
         return std::move(scene_);
     }
@@ -72,6 +73,7 @@ class SceneReader {
             copy(node, "friction", tissue.friction);
             copy(node, "stiffness", tissue.stiffness);
             copy(node, "damping", tissue.damping);
+            if (node.contains("cutting")) tissue.cutting = read_cutting(node.at("cutting"), place + "/cutting", tissue);
             if (scene_.tissue_index(tissue.label) >= 0) {
                 document_.fail(place + "/label", "the tissue \"" + tissue.label + "\" is given twice",
                                "give every tissue its own label");
@@ -83,6 +85,22 @@ class SceneReader {
             }
             scene_.tissues.push_back(tissue);
         }
+    }
+
+    CuttingSpec read_cutting(const json& node, const std::string& place, const TissueSpec& tissue) {
+        CuttingSpec cutting;
+        copy(node, "penetrate_n", cutting.penetrate);
+        copy(node, "static_friction_n", cutting.static_friction);
+        copy(node, "dynamic_friction_n", cutting.dynamic_friction);
+        if (cutting.dynamic_friction > cutting.static_friction) {
+            document_.fail(place + "/dynamic_friction_n", "a blade that moves would be held more than one that stands",
+                           "give at most static_friction_n");
+        }
+        if (!(tissue.friction > 0)) {
+            document_.fail(place, "no force along a tissue without friction, so no blade ever breaks through",
+                           "give the tissue a friction above 0");
+        }
+        return cutting;
     }
 
     TrocarSpec read_trocar(const json& node, const std::string& place) {
@@ -299,6 +317,54 @@ class SceneReader {
             }
             scene_.membranes.push_back(membrane);
         }
+    }
+
+    SheetSpec read_sheet(const json& node) {
+        SheetSpec sheet;
+        copy(node, "kind", sheet.kind);
+        copy(node, "tissue", sheet.tissue);
+        copy(node, "centre", sheet.centre);
+        copy(node, "along", sheet.along);
+        copy(node, "across", sheet.across);
+        copy(node, "length", sheet.length);
+        copy(node, "width", sheet.width);
+        copy(node, "spacing", sheet.spacing);
+        copy(node, "thickness", sheet.thickness);
+        sheet.line_length = std::min(sheet.line_length, sheet.length);
+        copy(node, "line_length", sheet.line_length);
+        copy(node, "line_at", sheet.line_at);
+        copy(node, "flap_stiffness", sheet.flap_stiffness);
+        copy(node, "structural_stiffness", sheet.structural_stiffness);
+        copy(node, "shear_stiffness", sheet.shear_stiffness);
+        copy(node, "bend_stiffness", sheet.bend_stiffness);
+        copy(node, "surface_density", sheet.surface_density);
+        copy(node, "pre_strain", sheet.pre_strain);
+        copy(node, "stiffness_damping", sheet.stiffness_damping);
+        copy(node, "mass_damping", sheet.mass_damping);
+        copy(node, "weight", sheet.weight);
+        copy(node, "blade_width", sheet.blade_width);
+        check_tissue("/sheet", sheet.tissue);
+        for (Vector3* direction : {&sheet.along, &sheet.across}) {
+            if (direction->norm() < 1e-6) {
+                document_.fail(direction == &sheet.along ? "/sheet/along" : "/sheet/across",
+                               "the direction has no length", "give a vector in the sheet's plane");
+            }
+            direction->normalize();
+        }
+        sheet.across -= sheet.along * sheet.along.dot(sheet.across);
+        if (sheet.across.norm() < 0.1) {
+            document_.fail("/sheet/across", "across runs along the marked line", "give a direction at right angles to \"along\"");
+        }
+        sheet.across.normalize();
+        if (sheet.line_length > sheet.length) {
+            document_.fail("/sheet/line_length", "the marked line is longer than the sheet", "give at most length");
+        }
+        if (sheet.spacing > 0.25 * std::min(sheet.length, sheet.width) ||
+            sheet.length / sheet.spacing * (sheet.width / sheet.spacing) > 20000) {
+            document_.fail("/sheet/spacing", "fewer than five vertices along an edge, or more than 20000 in all",
+                           "give a spacing that suits length and width");
+        }
+        return sheet;
     }
 
     void read_fidelity(const json& node) {

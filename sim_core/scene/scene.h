@@ -13,6 +13,13 @@
 
 namespace fulcrum {
 
+/// When a blade goes into a tissue and on in it (paper, Eqs. 6 and 7). Set by the surgeon.
+struct CuttingSpec {
+    double penetrate = 0.3;                ///< N, across the tissue, above which a blade breaks through
+    double static_friction = 0.1;          ///< N, along it, above which it does so
+    double dynamic_friction = 0.06;        ///< N, along it, above which a blade in it moves on; at most static_friction
+};
+
 /// A tissue that instruments can touch. Limits of 0 or less mean: none.
 struct TissueSpec {
     std::string label;                    ///< as in traces: "bowel", "wall", "target"
@@ -24,6 +31,7 @@ struct TissueSpec {
     double friction = 0.5;                ///< jaw friction coefficient
     double stiffness = 400;               ///< N/m, wall stiffness of a tip contact of the instrument's own area
     double damping = 0.4;                 ///< N s/m
+    std::optional<CuttingSpec> cutting;   ///< absent: no blade cuts it
 };
 
 /// A trocar: the pivot of an instrument or of the scope.
@@ -36,7 +44,8 @@ struct TrocarSpec {
 
 struct InstrumentSpec {
     Hand hand = Hand::left;
-    std::string kind = "grasper";                 ///< "grasper" or "probe"
+    std::string kind = "grasper";                 ///< "grasper", "probe", "scissors" or "hook"; the last two cut
+    bool cuts() const { return kind == "scissors" || kind == "hook"; }
     TrocarSpec trocar;
     double start_insertion = 0.12;                ///< m, insertion the device is aligned to at the start
     double shaft_radius = 0.0025;                 ///< m
@@ -122,6 +131,30 @@ struct MembraneSpec {
     double weight = 0;                            ///< share of its weight that the wall beneath does not carry
 };
 
+/// A rectangle of layered tissue between a fixed edge and a flap, to be held taut and divided along a marked line (B2).
+struct SheetSpec {
+    std::string kind = "areolar";                 ///< "areolar", the only one
+    std::string tissue = "areolar";
+    Vector3 centre = Vector3::Zero();             ///< m
+    Vector3 along = Vector3(0, 1, 0);             ///< unit, of the marked line
+    Vector3 across = Vector3(1, 0, 0);            ///< unit, from the fixed edge to the flap, at right angles to it
+    double length = 0.12, width = 0.05;           ///< m, along and across
+    double spacing = 0.004;                       ///< m between vertices
+    double thickness = 0.0015;                    ///< m
+    double line_length = 0.10;                    ///< m, in the middle of the length
+    double line_at = 0.5;                         ///< fraction of the width from the fixed edge
+    double flap_stiffness = 300;                  ///< N/m, of what the whole flap edge hangs on
+    double structural_stiffness = 20;             ///< N/m each spring, as shear and bend
+    double shear_stiffness = 8;
+    double bend_stiffness = 1;
+    double surface_density = 0.8;                 ///< kg/m2
+    double pre_strain = 0.06;
+    double stiffness_damping = 3e-5;              ///< s
+    double mass_damping = 12;                     ///< 1/s
+    double weight = 0.3;                          ///< share of its weight that what lies beneath does not carry
+    double blade_width = 0.0006;                  ///< m, of the ground that a blade takes
+};
+
 /// One choice for every row of the speed-accuracy table (theory, section 8).
 struct Fidelity {
     std::string id = "standard";
@@ -155,6 +188,7 @@ struct Scene {
     std::optional<BowelSpec> bowel;
     std::optional<TetherSpec> tethers;
     std::vector<MembraneSpec> membranes;
+    std::optional<SheetSpec> sheet;
     Fidelity fidelity;
 
     double tick_period() const { return 1.0 / tick_rate; }

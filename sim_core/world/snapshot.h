@@ -61,6 +61,16 @@ struct SheetView {
     std::vector<double> line_traction;   ///< N/m across the line at each point; 0 where it is divided
     std::vector<std::uint8_t> line_divided;  ///< 1 where the sheet is divided across the line at this point
     std::vector<Vector3> flap;           ///< m, the free edge that can be taken hold of, in the line's direction
+    /// To be drawn: an open sheet, seen from both sides. Fixed capacity, *_count valid; rest and triangles change with
+    /// `topology` only.
+    std::vector<Vector3> positions;       ///< m, patient frame
+    std::vector<Vector3> rest;            ///< m, in the sheet as it was made: x along the marked line from its start, y from it
+                                          ///< towards the flap, z = 0
+    std::vector<Triangle> triangles;      ///< visible ones
+    std::int32_t vertex_count = 0, triangle_count = 0;
+    std::uint32_t topology = 0;
+    double thickness = 0;                 ///< m
+    double visible_area = 0, removed_area = 0;  ///< m2 at rest
 };
 
 struct WorldSnapshot {
