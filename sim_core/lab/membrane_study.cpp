@@ -11,21 +11,6 @@
 namespace fulcrum::lab {
 namespace {
 
-std::vector<std::int32_t> fixed_of(const JsonDocument& study, std::size_t vertices) {
-    std::vector<std::int32_t> fixed;
-    if (!study.root().contains("fixed")) return fixed;
-    const auto& list = study.root()["fixed"];
-    if (!list.is_array()) study.fail("/fixed", "not a list", "give vertex numbers in brackets");
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        if (!list[i].is_number_integer() || list[i].get<double>() < 0 ||
-            list[i].get<double>() >= static_cast<double>(vertices))
-            study.fail("/fixed/" + std::to_string(i), "no vertex of the mesh",
-                       "give whole numbers from 0 to " + std::to_string(vertices - 1));
-        fixed.push_back(list[i].get<std::int32_t>());
-    }
-    return fixed;
-}
-
 MembraneIntegrator integrator_of(const JsonDocument& study) {
     const std::string name = text_of(study, "integrator");
     if (name == "symplectic") return MembraneIntegrator::symplectic;
@@ -56,7 +41,7 @@ nlohmann::json run_membrane_study(const JsonDocument& study) {
     const auto steps = static_cast<int>(steps_given);
     if (steps != steps_given) study.fail("/steps", "not a whole number", "give a whole number of steps");
     const auto pull = numbers_of(study, "gravity", 3, {0, 0, -9.81}, 1e6);
-    const std::vector<std::int32_t> fixed = fixed_of(study, mesh.vertices.size());
+    const std::vector<std::int32_t> fixed = vertex_list_of(study, "fixed", mesh.vertices.size());
     MembraneSolve solve;
     solve.integrator = integrator_of(study);
     const int usual = solve.integrator == MembraneIntegrator::global_local ? (steps > 0 ? 10 : 500) : 0;

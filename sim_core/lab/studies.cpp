@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_core/lab/studies.h"
 
+#include "sim_core/lab/cut_study.h"
 #include "sim_core/lab/filter_study.h"
 #include "sim_core/lab/membrane_study.h"
 #include "sim_core/lab/rod_study.h"
@@ -19,6 +20,7 @@ nlohmann::json run_rod(const JsonDocument& study) { return run_rod_study(study.r
 
 // Every model that can be run alone; one line each.
 constexpr Study studies[] = {
+    {"cut", run_cut_study},
     {"filter", run_filter_study},
     {"membrane", run_membrane_study},
     {"rod", run_rod},

@@ -71,6 +71,23 @@ std::vector<double> numbers_of(const JsonDocument& study, const std::string& key
     return numbers;
 }
 
+std::vector<std::int32_t> vertex_list_of(const JsonDocument& study, const std::string& key,
+                                         std::size_t vertices) {
+    std::vector<std::int32_t> numbers;
+    const auto* list = find(study, key);
+    if (list == nullptr) return numbers;
+    if (!list->is_array()) study.fail("/" + key, "not a list", "give vertex numbers in brackets");
+    for (std::size_t i = 0; i < list->size(); ++i) {
+        const auto& number = (*list)[i];
+        if (!number.is_number_integer() || number.get<double>() < 0 ||
+            number.get<double>() >= static_cast<double>(vertices))
+            study.fail("/" + key + "/" + std::to_string(i), "no vertex of the mesh",
+                       "give whole numbers from 0 to " + std::to_string(vertices - 1));
+        numbers.push_back(number.get<std::int32_t>());
+    }
+    return numbers;
+}
+
 TriangleMesh mesh_of(const JsonDocument& study, const std::string& key) {
     const std::string name = text_of(study, key);
     const std::filesystem::path beside = std::filesystem::path(study.file()).parent_path() / name;

@@ -21,6 +21,9 @@ double number_of(const JsonDocument& study, const std::string& key, double least
 /// must be there).
 std::vector<double> numbers_of(const JsonDocument& study, const std::string& key, std::size_t count,
                                const std::vector<double>& fallback, double most);
+/// List of numbers of vertices, each below `vertices`; missing gives none.
+std::vector<std::int32_t> vertex_list_of(const JsonDocument& study, const std::string& key,
+                                         std::size_t vertices);
 /// Mesh file named at a key: relative to the study file's folder, else to the working directory.
 TriangleMesh mesh_of(const JsonDocument& study, const std::string& key);
 
