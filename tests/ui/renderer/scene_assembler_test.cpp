@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QColor>
 #include <QImage>
 
 #include "sim_core/world/anatomy_binding.h"
@@ -75,6 +76,75 @@ TEST(SceneAssembler, TargetsOnlyNeedNoBowel) {
     assembler.install(renderer);
     const QImage image = render_offscreen(renderer, frame, QSize(320, 240));
     EXPECT_GT(qRed(image.pixel(160, 120)) + qGreen(image.pixel(160, 120)) + qBlue(image.pixel(160, 120)), 30);
+}
+
+TEST(SceneAssembler, ASheetIsDrawnAsTheWorldHasItBetweenItsTools) {
+    const Scene scene = load_scene(scenes + "b2_areolar.json");
+    ASSERT_TRUE(scene.sheet);
+    WorldSnapshot snapshot;
+    snapshot.camera.position = Vector3(0, -0.02, 0.08);
+    snapshot.camera.orientation = Quaternion::Identity();
+    SheetView& view = snapshot.sheet;
+    view.thickness = 0.0015;
+    view.line_positions = {0, 0.05, 0.1};
+    for (int j = 0; j <= 10; ++j) {
+        for (int i = 0; i <= 24; ++i) {
+            view.rest.emplace_back(-0.01 + 0.005 * i, -0.025 + 0.005 * j, 0);
+            view.positions.emplace_back(-0.06 + 0.005 * i, -0.045 + 0.005 * j, -0.02);
+        }
+    }
+    view.vertex_count = static_cast<std::int32_t>(view.positions.size());
+    for (int j = 0; j < 10; ++j) {
+        for (int i = 0; i < 24; ++i) {
+            const int a = j * 25 + i;
+            view.triangles.push_back({a, a + 1, a + 26});
+            view.triangles.push_back({a, a + 26, a + 25});
+        }
+    }
+    view.triangle_count = static_cast<std::int32_t>(view.triangles.size());
+    SceneAssembler assembler(scene, snapshot);
+    RendererOptions options;
+    options.texture_size = 128;
+    SceneRenderer renderer(options);
+    assembler.install(renderer);
+    const SceneFrame& frame = assembler.assemble(snapshot);
+    ASSERT_EQ(frame.sheets.size(), 1U);
+    ASSERT_EQ(frame.tools.size(), 2U);
+    EXPECT_EQ(frame.tools[0].end, ToolEnd::grasper);
+    EXPECT_EQ(frame.tools[1].end, ToolEnd::scissors);
+    const QImage whole = render_offscreen(renderer, frame, QSize(320, 320));
+    const QColor middle = whole.pixelColor(110, 130);
+    EXPECT_GT(middle.red(), middle.blue() + 15);
+    // What is gone is not drawn: the box behind it is bluish.
+    view.triangle_count = 0;
+    const QImage gone = render_offscreen(renderer, assembler.assemble(snapshot), QSize(320, 320));
+    const QColor behind = gone.pixelColor(110, 130);
+    EXPECT_LT(behind.red(), behind.blue() + 5);
+}
+
+TEST(SceneAssembler, EachKindOfInstrumentHasItsEnd) {
+    EXPECT_EQ(tool_end("grasper"), ToolEnd::grasper);
+    EXPECT_EQ(tool_end("scissors"), ToolEnd::scissors);
+    EXPECT_EQ(tool_end("hook"), ToolEnd::hook);
+    EXPECT_EQ(tool_end("probe"), ToolEnd::probe);
+    SceneFrame frame;
+    frame.camera.position = Vector3(0, 0, 0.05);
+    SceneRenderer renderer;
+    std::vector<QImage> seen;
+    for (const ToolEnd end : {ToolEnd::grasper, ToolEnd::scissors, ToolEnd::hook, ToolEnd::probe}) {
+        DrawnTool tool;
+        tool.end = end;
+        tool.pose.inside = true;
+        tool.pose.trocar = Vector3(0.1, 0, 0);
+        tool.pose.axis = -Vector3::UnitX();
+        tool.pose.orientation = Quaternion::FromTwoVectors(Vector3::UnitZ(), tool.pose.axis);
+        tool.pose.jaw_angle = 0.4;
+        frame.tools = {tool};
+        seen.push_back(render_offscreen(renderer, frame, QSize(200, 200)));
+    }
+    for (std::size_t a = 0; a < seen.size(); ++a) {
+        for (std::size_t b = a + 1; b < seen.size(); ++b) EXPECT_NE(seen[a], seen[b]);
+    }
 }
 
 }  // namespace

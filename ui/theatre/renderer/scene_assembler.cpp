@@ -49,7 +49,7 @@ struct SceneAssembler::Impl {
     Scene scene;
     AnatomyTextures textures;
     std::unique_ptr<CavityShape> cavity;
-    std::shared_ptr<const TissueTexture> wall;
+    std::shared_ptr<const TissueTexture> wall, areolar;
     std::unique_ptr<BowelShape> bowel;
     std::unique_ptr<MesenteryShape> mesentery;
     std::unique_ptr<BowelSkin> skin;
@@ -66,6 +66,7 @@ SceneAssembler::SceneAssembler(const Scene& scene, const WorldSnapshot& first)
     if (scene.cavity) i.cavity = std::make_unique<CavityShape>(make_cavity(pelvis_parameters(*scene.cavity)));
     if (i.cavity)
         i.wall = std::make_shared<TissueTexture>(make_wall_texture(*i.cavity, i.textures.peritoneum));
+    if (scene.sheet) i.areolar = std::make_shared<TissueTexture>(make_areolar_texture(1, 512));
     if (!scene.bowel || !i.cavity || first.rings.size() < 3) return;
     i.bowel = std::make_unique<BowelShape>(make_bowel(bowel_parameters(*scene.bowel), *i.cavity));
     // The world's cage: a sphere at every second ring.
@@ -106,6 +107,7 @@ void SceneAssembler::install(SceneRenderer& renderer) const {
         renderer.set_reflection(make_reflection(*impl_->bowel));
     }
     if (impl_->mesentery) renderer.set_mesentery(*impl_->mesentery);
+    if (impl_->areolar) renderer.set_sheet_texture(impl_->areolar);
 }
 
 SceneFrame& SceneAssembler::assemble(const WorldSnapshot& snapshot) {
@@ -122,10 +124,25 @@ SceneFrame& SceneAssembler::assemble(const WorldSnapshot& snapshot) {
         if (spec == nullptr) continue;
         DrawnTool tool;
         tool.pose = snapshot.tools[hand];
-        tool.jaws = spec->kind != "probe";
+        tool.end = tool_end(spec->kind);
         tool.jaw_length = spec->jaw_length;
         tool.shaft_radius = spec->shaft_radius;
         i.frame.tools.push_back(tool);
+    }
+    i.frame.sheets.clear();
+    if (const SheetView& view = snapshot.sheet; view.triangle_count > 0) {
+        DrawnSheet sheet;
+        sheet.surface = {view.positions.data(),
+                         view.rest.data(),
+                         static_cast<std::size_t>(view.vertex_count),
+                         view.triangles.data(),
+                         static_cast<std::size_t>(view.triangle_count),
+                         view.thickness};
+        if (!view.line_positions.empty()) {
+            sheet.mark_from = Vector3(view.line_positions.front(), 0, 0);
+            sheet.mark_to = Vector3(view.line_positions.back(), 0, 0);
+        }
+        i.frame.sheets.push_back(sheet);
     }
     i.frame.bowel_positions = i.frame.bowel_normals = nullptr;
     i.frame.mesentery_positions = i.frame.mesentery_normals = nullptr;

@@ -59,7 +59,7 @@ void SceneRenderer::Impl::start(QOpenGLShaderProgram& program, const SceneFrame&
     int count = 0;
     for (const DrawnTool& tool : frame.tools) {
         if (tool.ghost || !tool.pose.inside || count == most_tools) continue;
-        const double length = tool.jaws ? tool.jaw_length : 4 * tool.shaft_radius;
+        const double length = tool.jaws() ? tool.jaw_length : 4 * tool.shaft_radius;
         const QVector3D tip = to_camera.map(vector(tool.pose.tip));
         const QVector3D heel = to_camera.map(vector(tool.pose.tip - 1.6 * length * tool.pose.axis));
         // Open jaws shade less of what lies between them.
@@ -85,14 +85,14 @@ void SceneRenderer::Impl::draw_tool(QOpenGLExtraFunctions& gl, const DrawnTool& 
     const QVector4D tint = tool.ghost ? QVector4D(0.55F, 0.85F, 1.0F, 0.55F) : QVector4D(1, 1, 1, 1);
     steel->setUniformValue("tint", tint);
     const auto radius = static_cast<float>(tool.shaft_radius);
-    const auto jaw_length = static_cast<float>(tool.jaws ? tool.jaw_length : 0);
+    const auto jaw_length = static_cast<float>(tool.jaws() ? tool.jaw_length : 0);
     const auto whole = static_cast<float>((tool.pose.tip - tool.pose.trocar).norm());
     QMatrix4x4 hinge;
     hinge.translate(vector(tool.pose.tip));
     hinge.rotate(quaternion(tool.pose.orientation));
     hinge.translate(0, 0, -jaw_length);
     // The insulation ends a little before the jaws; the steel shows there.
-    const float bare = tool.jaws ? 0.012F : 0.020F;
+    const float bare = tool.jaws() ? 0.012F : 0.020F;
     QMatrix4x4 black = hinge;
     black.translate(0, 0, -whole - 0.05F);
     black.scale(radius, radius, std::max(0.001F, whole + 0.05F - bare));
@@ -101,12 +101,12 @@ void SceneRenderer::Impl::draw_tool(QOpenGLExtraFunctions& gl, const DrawnTool& 
     steel->setUniformValue("insulated", 0.0F);
     QMatrix4x4 steel_end = hinge;
     steel_end.translate(0, 0, -bare - 0.001F);
-    steel_end.scale(0.86F * radius, 0.86F * radius, bare - (tool.jaws ? radius : 3 * radius) + 0.001F);
+    steel_end.scale(0.86F * radius, 0.86F * radius, bare - (tool.jaws() ? radius : 3 * radius) + 0.001F);
     draw_part(gl, *shaft, steel_end);
-    if (!tool.jaws) {
+    if (!tool.jaws()) {
         QMatrix4x4 end = hinge;
         end.scale(0.86F * radius);
-        draw_part(gl, *probe_end, end);
+        draw_part(gl, tool.end == ToolEnd::hook ? *hook : *probe_end, end);
         return;
     }
     QMatrix4x4 fork = hinge;
@@ -117,7 +117,9 @@ void SceneRenderer::Impl::draw_tool(QOpenGLExtraFunctions& gl, const DrawnTool& 
         QMatrix4x4 blade = hinge;
         blade.rotate(side, 0, 0, 1);
         blade.rotate(-half, 1, 0, 0);
-        blade.scale(jaw_length);
+        // Scissors' blades are slimmer than jaws.
+        const float slim = tool.end == ToolEnd::scissors ? 0.55F : 1.0F;
+        blade.scale(slim * jaw_length, slim * jaw_length, jaw_length);
         draw_part(gl, *jaw, blade);
     }
 }

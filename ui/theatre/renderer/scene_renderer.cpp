@@ -142,6 +142,7 @@ bool SceneRenderer::initialise() {
     i.clevis = std::make_unique<GlRigid>(make_clevis());
     i.jaw = std::make_unique<GlRigid>(make_jaw());
     i.probe_end = std::make_unique<GlRigid>(make_probe_end());
+    i.hook = std::make_unique<GlRigid>(make_hook());
     i.sphere = std::make_unique<GlRigid>(make_sphere());
     i.room = std::make_unique<GlRigid>(make_box(0.30F, 0.34F, 0.24F));
     i.disc = std::make_unique<GlRigid>(make_screen_disc());
@@ -164,12 +165,15 @@ void SceneRenderer::draw(const SceneFrame& frame, QSize size) {
 
 void SceneRenderer::release() {
     Impl& i = *impl_;
-    for (Impl::Program* program : {&i.tissue, &i.sheet, &i.wall, &i.plain, &i.box, &i.steel, &i.target, &i.screen})
+    for (Impl::Program* program :
+         {&i.tissue, &i.sheet, &i.wall, &i.plain, &i.box, &i.steel, &i.target, &i.screen})
         program->reset();
-    for (GlTissue* tissue : {&i.serosa, &i.fat, &i.peritoneum, &i.areolar, &i.wall_skin, &i.metal}) *tissue = {};
+    for (GlTissue* tissue : {&i.serosa, &i.fat, &i.peritoneum, &i.areolar, &i.wall_skin, &i.metal})
+        *tissue = {};
     for (auto* surface : {&i.gl_cavity, &i.gl_bowel, &i.gl_mesentery, &i.gl_mesentery_rim, &i.gl_reflection})
         surface->reset();
-    for (auto* part : {&i.shaft, &i.clevis, &i.jaw, &i.probe_end, &i.sphere, &i.room, &i.frame_mask, &i.disc})
+    for (auto* part :
+         {&i.shaft, &i.clevis, &i.jaw, &i.probe_end, &i.hook, &i.sphere, &i.room, &i.frame_mask, &i.disc})
         part->reset();
     for (Impl::Study& study : i.studies) {
         study.surface.reset();

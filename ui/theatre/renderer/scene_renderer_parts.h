@@ -51,7 +51,7 @@ struct SceneRenderer::Impl {
     GlTissue serosa, fat, peritoneum, areolar, wall_skin, metal;
     std::unique_ptr<GlSurface> gl_cavity, gl_bowel, gl_mesentery, gl_mesentery_rim, gl_reflection;
     std::vector<std::unique_ptr<GlSheet>> gl_sheets;
-    std::unique_ptr<GlRigid> shaft, clevis, jaw, probe_end, sphere, room, frame_mask, disc;
+    std::unique_ptr<GlRigid> shaft, clevis, jaw, probe_end, hook, sphere, room, frame_mask, disc;
     std::unique_ptr<QOpenGLFramebufferObject> image, resolved;
 
     QMatrix4x4 to_camera, projection;

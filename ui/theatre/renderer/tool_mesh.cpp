@@ -99,6 +99,21 @@ RigidMesh make_probe_end() {
     });
 }
 
+RigidMesh make_hook() {
+    static constexpr float y[] = {0.0F, 0.0F, 0.0F, -0.5F, -1.1F, -1.35F, -1.3F, -0.9F, 0.0F, 0.0F};
+    static constexpr float z[] = {-4.0F, -4.0F, -3.2F, -2.4F, -1.6F, -0.9F, -0.4F, -0.1F, 0.0F, 0.0F};
+    static constexpr float wide[] = {0.0F, 0.95F, 0.9F, 0.45F, 0.32F, 0.30F, 0.30F, 0.28F, 0.16F, 0.0F};
+    return sweep(10, 14, true, 1, 0.5F, [](int i, int k) {
+        const int before = std::max(i - 1, 0), after = std::min(i + 1, 9);
+        Point along(0, y[after] - y[before], z[after] - z[before]);
+        along.normalize();
+        const Point up(0, along.z(), -along.y());
+        const float angle = 2 * pi * static_cast<float>(k) / 14;
+        return Point(Point(0, y[i], z[i]) +
+                     wide[i] * (std::cos(angle) * Point::UnitX() + std::sin(angle) * up));
+    });
+}
+
 RigidMesh make_sphere() {
     constexpr int rows = 17, columns = 28;
     RigidMesh mesh = sweep(rows, columns, true, 1, 1, [](int i, int k) {

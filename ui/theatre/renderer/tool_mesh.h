@@ -23,6 +23,8 @@ RigidMesh make_clevis();
 RigidMesh make_jaw();
 /// Rod with a round end: radius 1, z from -4 to 0.
 RigidMesh make_probe_end();
+/// L-hook of a rod, in units of the shaft's radius: comes along the axis, dips to -y and ends in its tip at the origin.
+RigidMesh make_hook();
 /// Sphere of radius 1.
 RigidMesh make_sphere();
 /// Inside of a box from (0, 0, 0) to size; coordinates in m.
