@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "app/lab_experiment.h"
 #include "app/lab_measure.h"
+#include "sim_core/lab/size_sweep.h"
 #include "sim_core/lab/stability.h"
 #include "sim_core/lab/studies.h"
 #include "sim_core/lab/validation.h"
@@ -29,7 +30,19 @@ int deliver(const Arguments& arguments, const lab::ResultPage& page, nlohmann::j
     return 0;
 }
 
+int size_sweep(const Arguments& arguments) {
+    if (arguments.has("--only"))
+        throw UsageError("command line: --only: --sweep runs every model; leave --only or --sweep out");
+    std::vector<lab::SizeSweep> sweeps;
+    for (const lab::SweepCase& sweep : lab::size_sweeps()) {
+        std::cerr << sweep.model << '\n';
+        sweeps.push_back(lab::time_sweep(sweep));
+    }
+    return deliver(arguments, lab::size_sweep_page(sweeps), lab::to_json(sweeps));
+}
+
 int bench(const Arguments& arguments) {
+    if (arguments.has("--sweep")) return size_sweep(arguments);
     if (arguments.has("--only") && arguments.has("--output"))
         throw UsageError("command line: --only: a page holds every workload; leave --only or --output out");
     const Measured measured = measure_workloads(arguments.value("--only"));
@@ -79,17 +92,20 @@ int experiment(const Arguments& arguments) {
 int command_lab(const std::vector<std::string>& words) {
     OptionSpec spec;
     spec.usage =
-        "usage: fulcrum lab bench [--only NAME] | cost | validate | tradeoff | stability | experiment "
+        "usage: fulcrum lab bench [--only NAME | --sweep] | cost | validate | tradeoff | stability | "
+        "experiment "
         "[FILE.json] | run STUDY.json "
         "[--json] "
         "[--output "
         "FOLDER]";
     spec.with_value = {"--only", "--output"};
-    spec.flags = {"--json"};
+    spec.flags = {"--json", "--sweep"};
     spec.minimum_words = 1;
     spec.maximum_words = 2;
     const Arguments arguments(words, spec);
     const std::string& action = arguments.words()[0];
+    if (arguments.has("--sweep") && action != "bench")
+        throw UsageError("command line: --sweep: only with lab bench; " + spec.usage);
     if (action == "run") {
         if (arguments.words().size() != 2)
             throw UsageError("command line: lab run: name a study file; " + spec.usage);

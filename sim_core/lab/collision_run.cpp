@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "sim_core/lab/reference_cavity.h"
-#include "sim_core/lab/tradeoff.h"
 
 namespace fulcrum::lab {
 namespace {
@@ -49,27 +48,6 @@ std::unique_ptr<CollisionRun> make_collision_run(CollisionRunOptions options) {
         run->centres.push_back(lists.projected);
     }
     return run;
-}
-
-CollisionWork measure_collision_work(CollisionRun& run, int frames) {
-    const auto step = [&] {
-        if (run.cavity) run.collision->depths(run.now().data(), run.lists, run.depths.data());
-        run.collision->touching_pairs(run.now().data(), run.lists, run.contacts);
-    };
-    for (int k = 0; k < 24; ++k) {
-        run.advance();
-        step();
-    }
-    CollisionCounts before = run.lists.counts_so_far;
-    const std::uint64_t rows = run.lists.pairs.rows_seen;
-    CollisionWork work;
-    work.time_us = median_time_us(0, frames, step, [&] { run.advance(); });
-    const CollisionCounts& after = run.lists.counts_so_far;
-    work.packets = static_cast<double>(after.packets - before.packets) / frames;
-    work.triangles = static_cast<double>(after.triangles - before.triangles) / frames;
-    work.listed = static_cast<double>(after.listed - before.listed) / frames;
-    work.rows = static_cast<double>(run.lists.pairs.rows_seen - rows) / frames;
-    return work;
 }
 
 }  // namespace fulcrum::lab

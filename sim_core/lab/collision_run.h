@@ -41,15 +41,4 @@ struct CollisionRun {
 
 std::unique_ptr<CollisionRun> make_collision_run(CollisionRunOptions options = {});
 
-/// Work of one frame of closest points and pairs, counted, and its time.
-struct CollisionWork {
-    double packets = 0;    ///< of eight triangles, looked at
-    double triangles = 0;  ///< measured exactly
-    double listed = 0;     ///< packets looked at by listings
-    double rows = 0;       ///< one sphere against eight others
-    double time_us = 0;    ///< median
-    double operations() const { return packets + triangles + listed + rows; }
-};
-CollisionWork measure_collision_work(CollisionRun& run, int frames);
-
 }  // namespace fulcrum::lab

@@ -12,6 +12,7 @@
 #include "sim_core/geometry/closest_point.h"
 #include "sim_core/lab/bench.h"
 #include "sim_core/lab/collision_run.h"
+#include "sim_core/lab/size_sweep.h"
 
 namespace fulcrum::lab {
 namespace {
@@ -70,6 +71,27 @@ double worst_pair_depth(CollisionRun& run) {
     return worst;
 }
 
+/// Closest points and pairs of one frame.
+SweepRun prepare_sweep(int spheres, int level) {
+    CollisionRunOptions options;
+    options.spheres = spheres;
+    options.bowl_level = level;
+    options.frames = 30;
+    const std::shared_ptr<CollisionRun> run = make_collision_run(options);
+    SweepRun sweep;
+    sweep.between = [run] { run->advance(); };
+    sweep.step = [run] {
+        run->collision->depths(run->now().data(), run->lists, run->depths.data());
+        run->collision->touching_pairs(run->now().data(), run->lists, run->contacts);
+    };
+    sweep.operations = [run] {
+        const CollisionCounts& counts = run->lists.counts_so_far;
+        return static_cast<double>(counts.packets + counts.triangles + counts.listed +
+                                   run->lists.pairs.rows_seen);
+    };
+    return sweep;
+}
+
 }  // namespace
 
 void add_collision_workloads(std::vector<Workload>& workloads) {
@@ -121,6 +143,35 @@ void add_collision_workloads(std::vector<Workload>& workloads) {
         return prepared;
     };
     workloads.push_back(project);
+}
+
+void add_collision_sweeps(std::vector<SweepCase>& sweeps) {
+    SweepCase spheres;
+    spheres.model = "collision, the bowl growing with the chain";
+    spheres.element = "sphere";
+    spheres.operation =
+        "packets of eight triangles looked at or listed, triangles measured, rows of eight spheres";
+    spheres.sizes = {50, 200, 800};
+    spheres.prepare = [](int count) {
+        SweepRun run = prepare_sweep(count, count < 100 ? 4 : (count < 400 ? 5 : 6));
+        run.elements = count;
+        return run;
+    };
+    spheres.warm_up = 12;
+    spheres.counted = 60;
+    sweeps.push_back(spheres);
+    SweepCase triangles = spheres;
+    triangles.model = "collision of 200 spheres, the bowl ever finer";
+    triangles.element = "triangle";
+    triangles.sizes = {1280, 5120, 20480, 81920, 327680};
+    triangles.prepare = [](int count) {
+        int level = 0;
+        for (int n = 20; n < count; n *= 4) ++level;
+        SweepRun run = prepare_sweep(200, level);
+        run.elements = count;
+        return run;
+    };
+    sweeps.push_back(triangles);
 }
 
 }  // namespace fulcrum::lab

@@ -5,6 +5,7 @@
 
 #include "sim_core/lab/bench.h"
 #include "sim_core/lab/contact_run.h"
+#include "sim_core/lab/size_sweep.h"
 
 namespace fulcrum::lab {
 
@@ -68,6 +69,51 @@ void add_contact_workloads(std::vector<Workload>& workloads) {
         return prepared;
     };
     workloads.push_back(patch);
+}
+
+void add_contact_sweeps(std::vector<SweepCase>& sweeps) {
+    SweepCase tick;
+    tick.model = "surface, a tick of contact";
+    tick.element = "vertex";
+    tick.operation = "vertices skinned: what is under the tool, however many lie elsewhere";
+    tick.sizes = {4000, 12600, 40000, 126000, 400000};  // triangles
+    tick.counted = 200;
+    tick.prepare = [](int triangles) {
+        const std::shared_ptr<ContactRun> contact = build_contact_run_of(triangles);
+        const auto skinned = std::make_shared<double>(0);
+        SweepRun run;
+        run.elements = contact->skin->vertices();
+        // What the tick before has skinned is still marked.
+        run.between = [contact, skinned] {
+            for (const std::uint32_t stamp : contact->tick_scratch.position_stamp)
+                *skinned += stamp == contact->tick_scratch.stamp ? 1 : 0;
+            contact->prepare_tick(0);
+        };
+        run.step = [contact] { contact->touch(); };
+        run.operations = [skinned] { return *skinned; };
+        return run;
+    };
+    sweeps.push_back(tick);
+    SweepCase patch = tick;
+    patch.model = "surface, building a patch";
+    patch.operation = "vertices skinned: those of the rings within reach";
+    patch.prepare = [](int triangles) {
+        const std::shared_ptr<ContactRun> contact = build_contact_run_of(triangles);
+        const auto found = std::make_shared<double>(0);
+        SweepRun run;
+        run.elements = contact->skin->vertices();
+        run.between = [contact] {
+            contact->prepare_tick(0);
+            contact->touch();
+        };
+        run.step = [contact, found] {
+            contact->publish();
+            *found += static_cast<double>(contact->scratch.found.size());
+        };
+        run.operations = [found] { return *found; };
+        return run;
+    };
+    sweeps.push_back(patch);
 }
 
 }  // namespace fulcrum::lab

@@ -3,9 +3,11 @@
 // frame.
 #include <algorithm>
 #include <memory>
+#include <string>
 
 #include "sim_core/lab/bench.h"
 #include "sim_core/lab/membrane_reference.h"
+#include "sim_core/lab/size_sweep.h"
 
 namespace fulcrum::lab {
 namespace {
@@ -116,6 +118,35 @@ void add_membrane_workloads(std::vector<Workload>& workloads) {
     one.samples = 300;
     one.prepare = [] { return prepare_frame(71); };
     workloads.push_back(one);
+}
+
+void add_membrane_sweeps(std::vector<SweepCase>& sweeps) {
+    SweepCase sweep;
+    sweep.model = "membrane, frame of 5 ms";
+    sweep.element = "node";
+    sweep.operation = "springs evaluated and entries of the factor used, " +
+                      std::to_string(frame_iterations) + " iterations a frame";
+    sweep.sizes = {22, 71, 142, 224};  // along an edge
+    sweep.ratio_limit = 4;
+    sweep.warm_up = sweep.counted = 3;
+    sweep.prepare = [](int side) {
+        const Workload::Prepared prepared = prepare_frame(side);
+        const Membrane::Operations each = HeldSheet(side).membrane.operations();
+        const auto frames = std::make_shared<int>(0);
+        SweepRun run;
+        run.elements = static_cast<double>(side) * side;
+        run.between = prepared.between;
+        run.step = [step = prepared.step, frames] {
+            step();
+            ++*frames;
+        };
+        run.operations = [each, frames] {
+            return static_cast<double>(*frames) * frame_iterations *
+                   static_cast<double>(each.springs + each.solve);
+        };
+        return run;
+    };
+    sweeps.push_back(sweep);
 }
 
 }  // namespace fulcrum::lab

@@ -1,108 +1,120 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rod's reference workloads (docs/FORMATS.md, lab bench): the cold cantilever and the warm frame.
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include "sim_core/lab/bench.h"
 #include "sim_core/lab/elastica.h"
-#include "sim_core/rod/rod.h"
+#include "sim_core/lab/reference_rod.h"
+#include "sim_core/lab/size_sweep.h"
+#include "sim_core/rod/rod_system.h"
 
 namespace fulcrum::lab {
 namespace {
 
-/// qL^3/EI = 10 from straight, default settings; error: tip against the extensible elastica.
+double work_of(const RodScratch& scratch) {
+    const RodScratch::Data& data = scratch.data();
+    return static_cast<double>(data.joint_evaluations + data.block_factors);
+}
+
+/// qL^3/EI = 10 from straight, default settings.
+struct ColdRod : RestingRod {
+    RodState start = state;
+    RodReport report;
+    explicit ColdRod(const RodSpec& spec) : RestingRod(spec) {
+        const double length = spec.length;
+        inputs.gravity.z() = -10 * rod.bending_stiffness() / (length * length * length) / spec.linear_density;
+    }
+    void move() {}
+    void solve() {
+        state = start;
+        report = rod.solve(state, inputs, scratch);
+    }
+};
+
+std::shared_ptr<ColdRod> cold_rod(int segments, MaterialLaw law) {
+    RodSpec spec = cantilever_spec(segments);
+    spec.law = law;
+    return std::make_shared<ColdRod>(spec);
+}
+
+/// Error: tip against the extensible elastica.
 Workload::Prepared prepare_cold() {
-    struct Clamped {
-        std::unique_ptr<Rod> rod;
-        RodState start, state;
-        RodScratch scratch;
-        RodInputs inputs;
-        RodReport report;
-        explicit Clamped(int segments) {
-            RodSpec spec;
-            spec.segments = segments;
-            spec.length = 0.4;
-            spec.outer_radius = 0.015;
-            spec.inner_radius = 0;
-            spec.ends[0] = RodEnd::clamped;
-            spec.ends[1] = RodEnd::free;
-            spec.linear_density = 1.0;
-            rod = std::make_unique<Rod>(spec);
-            const double load =
-                10.0 * rod->bending_stiffness() / (spec.length * spec.length * spec.length);  // N/m
-            inputs.gravity = Vector3(0, 0, -load / spec.linear_density);
-            start = rod->make_state();
-            state = start;
-            inputs.ends[0] = start.ends[0];
-            inputs.ends[1] = start.ends[1];
-            scratch = rod->make_scratch(1, 1, 1, 1);
-        }
-        void solve() {
-            state = start;
-            report = rod->solve(state, inputs, scratch);
-        }
-    };
-    auto bench = std::make_shared<Clamped>(96);
+    const auto bench = cold_rod(96, MaterialLaw::linear);
     Workload::Prepared prepared;
     prepared.step = [bench] { bench->solve(); };
-    prepared.bytes = bench->rod->bytes() + bench->scratch.bytes();
+    prepared.bytes = bench->rod.bytes() + bench->scratch.bytes();
     prepared.error = [bench] {
+        const double length = bench->rod.length();
         Cantilever cantilever;
-        cantilever.bending_stiffness = bench->rod->bending_stiffness();
-        cantilever.axial_stiffness = bench->rod->axial_stiffness();
-        cantilever.distributed = 10.0 * cantilever.bending_stiffness / (0.4 * 0.4 * 0.4);
+        cantilever.bending_stiffness = bench->rod.bending_stiffness();
+        cantilever.axial_stiffness = bench->rod.axial_stiffness();
+        cantilever.distributed = 10.0 * cantilever.bending_stiffness / (length * length * length);
         const CantileverTip tip = solve_cantilever(cantilever);
         const Vector3& last = bench->state.nodes.back();
-        return std::optional<double>(std::hypot(last.x() - tip.x, last.z() - tip.z) / 0.4);
+        return std::optional<double>(std::hypot(last.x() - tip.x, last.z() - tip.z) / length);
     };
     prepared.error_unit = "tip, L; against the extensible elastica";
     return prepared;
 }
 
 /// Both ends held, a grasped node moving to and fro at 50 mm/s, 5 ms frames.
-Workload::Prepared prepare_warm(int segments) {
-    struct Frame {
-        std::unique_ptr<Rod> rod;
-        RodState state;
-        RodScratch scratch;
-        RodInputs inputs;
-        RodReport report;
-        Vector3 home;
-        double travelled = 0, direction = 1, worst = 0;
-    };
-    auto bench = std::make_shared<Frame>();
-    RodSpec spec;
-    spec.segments = segments;
-    spec.length = 0.4;
-    spec.outer_radius = 0.015;
-    spec.inner_radius = 0;
+struct WarmRod : RestingRod {
+    RodReport report;
+    Vector3 home = Vector3::Zero();
+    double travelled = 0, direction = 1, worst = 0;
+    explicit WarmRod(const RodSpec& spec) : RestingRod(spec) {
+        inputs.gravity.z() = -9.81;
+        rod.solve(state, inputs, scratch);
+        home = grasp(0.5 * spec.length).target;
+    }
+    void move() {
+        travelled += direction * 0.05 * 0.005;
+        if (std::abs(travelled) > 0.03) direction = -direction;
+        inputs.grasps[0].target = home + Vector3(0, 0.6, 0.8) * travelled;
+    }
+    void solve() {
+        report = rod.solve(state, inputs, scratch);
+        worst = std::max(worst, report.residual);
+    }
+};
+
+std::shared_ptr<WarmRod> warm_rod(int segments, MaterialLaw law) {
+    RodSpec spec = cantilever_spec(segments);
+    spec.law = law;
     spec.ends[0] = spec.ends[1] = RodEnd::held;
-    bench->rod = std::make_unique<Rod>(spec);
-    bench->state = bench->rod->make_state();
-    bench->inputs.gravity = Vector3(0, 0, -9.81);
-    bench->inputs.ends[0] = bench->state.ends[0];
-    bench->inputs.ends[1] = bench->state.ends[1];
-    bench->scratch = bench->rod->make_scratch(1, 1, 1, 1);
-    bench->rod->solve(bench->state, bench->inputs, bench->scratch);
-    RodGrasp grasp;
-    grasp.s = 0.5 * spec.length;
-    grasp.target = bench->rod->wall_point(bench->state, grasp.s, grasp.offset);
-    bench->home = grasp.target;
-    bench->inputs.grasps.push_back(grasp);
+    return std::make_shared<WarmRod>(spec);
+}
+
+Workload::Prepared prepare_warm(int segments) {
+    const auto bench = warm_rod(segments, MaterialLaw::linear);
     Workload::Prepared prepared;
-    prepared.between = [bench] {
-        bench->travelled += bench->direction * 0.05 * 0.005;
-        if (std::abs(bench->travelled) > 0.03) bench->direction = -bench->direction;
-        bench->inputs.grasps[0].target = bench->home + Vector3(0, 0.6, 0.8) * bench->travelled;
-    };
-    prepared.step = [bench] {
-        bench->report = bench->rod->solve(bench->state, bench->inputs, bench->scratch);
-        bench->worst = std::max(bench->worst, bench->report.residual);
-    };
-    prepared.bytes = bench->rod->bytes() + bench->scratch.bytes();
+    prepared.between = [bench] { bench->move(); };
+    prepared.step = [bench] { bench->solve(); };
+    prepared.bytes = bench->rod.bytes() + bench->scratch.bytes();
     prepared.error = [bench] { return std::optional<double>(bench->worst); };
     prepared.error_unit = "worst free residual over max(external, reactions)";
     return prepared;
+}
+
+template <class Made>
+void add_sweep(std::vector<SweepCase>& sweeps, const char* model, Made make) {
+    SweepCase sweep;
+    sweep.model = model;
+    sweep.element = "segment";
+    sweep.operation = "joints evaluated and rows of blocks factored";
+    sweep.sizes = {16, 32, 64, 128, 256, 512, 1024};
+    sweep.prepare = [make](int segments) {
+        const auto bench = make(segments);
+        SweepRun run;
+        run.elements = segments;
+        run.between = [bench] { bench->move(); };
+        run.step = [bench] { bench->solve(); };
+        run.operations = [bench] { return work_of(bench->scratch); };
+        return run;
+    };
+    sweeps.push_back(sweep);
 }
 
 }  // namespace
@@ -120,6 +132,16 @@ void add_rod_workloads(std::vector<Workload>& workloads) {
         warm.samples = 1000;
         warm.prepare = [segments] { return prepare_warm(segments); };
         workloads.push_back(warm);
+    }
+}
+
+void add_rod_sweeps(std::vector<SweepCase>& sweeps) {
+    for (const MaterialLaw law : {MaterialLaw::linear, MaterialLaw::exp2}) {
+        const bool linear = law == MaterialLaw::linear;
+        add_sweep(sweeps, linear ? "rod, warm frame" : "rod of EXP2, warm frame",
+                  [law](int segments) { return warm_rod(segments, law); });
+        add_sweep(sweeps, linear ? "rod, cold" : "rod of EXP2, cold",
+                  [law](int segments) { return cold_rod(segments, law); });
     }
 }
 

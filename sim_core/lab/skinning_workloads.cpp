@@ -8,6 +8,7 @@
 #include "sim_core/bowel/display_skin.h"
 #include "sim_core/lab/bench.h"
 #include "sim_core/lab/reference_tube.h"
+#include "sim_core/lab/size_sweep.h"
 #include "sim_core/numerics/functions.h"
 
 namespace fulcrum::lab {
@@ -94,6 +95,29 @@ void add_skinning_workloads(std::vector<Workload>& workloads) {
     workloads.push_back(skinning("skin_50k", 50000, 60.0, false));
     workloads.push_back(skinning("skin_20k_with_normals", 20000, 50.0, true));
     workloads.push_back(skinning("skin_50k_with_normals", 50000, 120.0, true));
+}
+
+void add_skinning_sweeps(std::vector<SweepCase>& sweeps) {
+    SweepCase sweep;
+    sweep.model = "surface, skinning";
+    sweep.element = "vertex";
+    sweep.operation = "bytes of weights read";
+    sweep.sizes = {2000, 6300, 20000, 63000, 200000};
+    sweep.prepare = [](int vertices) {
+        const std::shared_ptr<SkinningRun> skinned = build(vertices);
+        const auto calls = std::make_shared<double>(0);
+        SweepRun run;
+        run.elements = skinned->skin->vertices();
+        run.step = [skinned, calls] {
+            skinned->display->evaluate(skinned->frames.data(), skinned->ring_floats.data(),
+                                       skinned->positions.data(), nullptr);
+            ++*calls;
+        };
+        run.operations = [skinned, calls] { return *calls * static_cast<double>(skinned->display->bytes()); };
+        return run;
+    };
+    sweep.warm_up = sweep.counted = 2;
+    sweeps.push_back(sweep);
 }
 
 }  // namespace fulcrum::lab

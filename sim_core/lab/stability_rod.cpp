@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim_core/lab/reference_rod.h"
 #include "sim_core/lab/stability_rooms.h"
 #include "sim_core/rod/rod.h"
 
@@ -52,13 +53,9 @@ StabilityCell pulled(double dt, double young) {
     spec.segments = 48;
     spec.young_modulus = young;
     spec.ends[0] = spec.ends[1] = RodEnd::clamped;
-    const Rod rod(spec);
-    RodState state = rod.make_state();
-    RodScratch scratch = rod.make_scratch();
-    RodInputs inputs;
+    RestingRod resting(spec);
+    auto& [rod, state, scratch, inputs] = resting;
     inputs.gravity = Vector3(0, 0, -9.81);
-    inputs.ends[0] = state.ends[0];
-    inputs.ends[1] = state.ends[1];
     for (int i = 0; i < 45; ++i) {
         RodContact contact;
         contact.s = spec.length * (i + 0.5) / 45;
@@ -97,13 +94,9 @@ StabilityCell slender(double slenderness, int segments) {
     // Stiff enough to droop by a tenth of its length.
     spec.young_modulus = 10 * spec.linear_density * 9.81 * std::pow(spec.length, 3) /
                          (8 * pi / 4 * std::pow(spec.outer_radius, 4));
-    const Rod rod(spec);
-    RodState state = rod.make_state();
-    RodScratch scratch = rod.make_scratch();
-    RodInputs inputs;
+    RestingRod resting(spec);
+    auto& [rod, state, scratch, inputs] = resting;
     inputs.gravity = Vector3(0, 0, -9.81);
-    inputs.ends[0] = state.ends[0];
-    inputs.ends[1] = state.ends[1];
     for (int i = 0; i < 12 && judge.cell.outcome != StabilityOutcome::fault; ++i)
         judge.see(rod, state, rod.step(state, inputs, 0.005, scratch));
     return judge.cell;

@@ -129,12 +129,8 @@ void torque(std::vector<ValidationCase>& cases) {
                           Row{20 * pi, 0.4, 16, 400, "clamped, pulled straight, ten turns on 16 segments"}}) {
         RodSpec spec = cantilever_spec(row.segments);
         spec.ends[1] = RodEnd::clamped;
-        const Rod rod(spec);
-        RodState state = rod.make_state();
-        RodScratch scratch = rod.make_scratch();
-        RodInputs inputs;
-        inputs.ends[0] = state.ends[0];
-        inputs.ends[1] = state.ends[1];
+        RestingRod resting(spec);
+        auto& [rod, state, scratch, inputs] = resting;
         inputs.ends[1].position.x() += row.pull;
         RodReport report;
         for (int i = 1; i <= row.steps; ++i) {

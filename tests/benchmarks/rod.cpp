@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rod's reference workloads (quality): warm frames of the quasi-static and of the dynamic level.
-#include <benchmark/benchmark.h>
-
+// The rod's reference workloads, and warm frames of the dynamic level.
 #include <cmath>
 
 #include "sim_core/rod/rod.h"
+#include "tests/benchmarks/workloads.h"
 
 namespace fulcrum {
 namespace {
 
 // A bowed bowel, both ends clamped, its middle carried around at 50 mm/s.
-void warm(benchmark::State& bench, bool dynamic, int contacts, int tethers,
-          MaterialLaw law = MaterialLaw::linear) {
+void warm(benchmark::State& bench, int contacts, int tethers) {
     RodSpec spec;
     spec.segments = static_cast<int>(bench.range(0));
     spec.length = 0.9;
-    spec.law = law;
     spec.ends[0] = spec.ends[1] = RodEnd::clamped;
     for (int i = 0; i <= spec.segments; ++i) {
         const double u = static_cast<double>(i) / spec.segments;
@@ -26,7 +23,7 @@ void warm(benchmark::State& bench, bool dynamic, int contacts, int tethers,
     RodState state = rod.make_state();
     RodScratch scratch = rod.make_scratch();
     RodInputs inputs;
-    inputs.gravity = Vector3(0, 0, dynamic ? -9.81 : -0.2);
+    inputs.gravity = Vector3(0, 0, -9.81);
     inputs.ends[0] = state.ends[0];
     inputs.ends[1] = state.ends[1];
     for (int i = 0; i < tethers; ++i) {
@@ -47,11 +44,7 @@ void warm(benchmark::State& bench, bool dynamic, int contacts, int tethers,
         contact.friction = 0.3;
         inputs.contacts.push_back(contact);
     }
-    if (dynamic) {
-        for (int i = 0; i < 300; ++i) rod.step(state, inputs, 0.005, scratch);
-    } else {
-        rod.solve(state, inputs, scratch);
-    }
+    for (int i = 0; i < 300; ++i) rod.step(state, inputs, 0.005, scratch);
     RodGrasp grasp;
     grasp.s = 0.5 * rod.length();
     grasp.target = rod.wall_point(state, grasp.s, grasp.offset);
@@ -60,91 +53,28 @@ void warm(benchmark::State& bench, bool dynamic, int contacts, int tethers,
     for (auto _ : bench) {
         const double angle = 0.02 * frame++;
         inputs.grasps[0].target += Vector3(0, -std::sin(angle), std::cos(angle)) * 0.00025;
-        const RodReport report =
-            dynamic ? rod.step(state, inputs, 0.005, scratch) : rod.solve(state, inputs, scratch);
+        const RodReport report = rod.step(state, inputs, 0.005, scratch);
         iterations += report.iterations;
         unconverged += !report.converged;
     }
-    bench.SetComplexityN(bench.range(0));
-    bench.counters["each"] =
-        benchmark::Counter(static_cast<double>(frame) * static_cast<double>(bench.range(0)),
-                           benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
     bench.counters["iterations"] = static_cast<double>(iterations) / frame;
     bench.counters["unconverged"] = unconverged;
 }
 
-void warm_static(benchmark::State& bench) {
-    warm(bench, false, 0, 0);
-}
 void warm_dynamic(benchmark::State& bench) {
-    warm(bench, true, 0, 0);
+    warm(bench, 0, 0);
 }
 void scene_b1(benchmark::State& bench) {
-    warm(bench, true, 60, 24);
+    warm(bench, 60, 24);
 }
-void warm_static_exp2(benchmark::State& bench) {
-    warm(bench, false, 0, 0, MaterialLaw::exp2);
-}
-
-// From straight to load 10, default settings (quality, rod cold).
-void cold(benchmark::State& bench, MaterialLaw law) {
-    RodSpec spec;
-    spec.segments = static_cast<int>(bench.range(0));
-    spec.length = 0.4;
-    spec.inner_radius = 0;
-    spec.law = law;
-    spec.ends[0] = RodEnd::clamped;
-    const Rod rod(spec);
-    const RodState start = rod.make_state();
-    RodState state = start;
-    RodScratch scratch = rod.make_scratch();
-    RodInputs inputs;
-    inputs.ends[0] = start.ends[0];
-    inputs.gravity.z() = -10 * rod.bending_stiffness() / (0.4 * 0.4 * 0.4) / spec.linear_density;
-    int systems = 0, frames = 0;
-    for (auto _ : bench) {
-        state = start;
-        systems += rod.solve(state, inputs, scratch).iterations;
-        ++frames;
-    }
-    bench.SetComplexityN(bench.range(0));
-    bench.counters["each"] =
-        benchmark::Counter(static_cast<double>(frames) * static_cast<double>(bench.range(0)),
-                           benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
-    bench.counters["iterations"] = static_cast<double>(systems) / frames;
-}
-void cold_linear(benchmark::State& bench) {
-    cold(bench, MaterialLaw::linear);
-}
-void cold_exp2(benchmark::State& bench) {
-    cold(bench, MaterialLaw::exp2);
-}
-
-// Size sweep, 16 to 1024 segments: "each" is the time a segment, "BigO" the fit over the sizes.
-BENCHMARK(warm_static)
-    ->RangeMultiplier(2)
-    ->Range(16, 1024)
-    ->Complexity(benchmark::oN)
-    ->Unit(benchmark::kMicrosecond);
-BENCHMARK(warm_static_exp2)
-    ->RangeMultiplier(2)
-    ->Range(16, 1024)
-    ->Complexity(benchmark::oN)
-    ->Unit(benchmark::kMicrosecond);
-BENCHMARK(cold_linear)
-    ->RangeMultiplier(2)
-    ->Range(16, 1024)
-    ->Complexity(benchmark::oN)
-    ->Unit(benchmark::kMicrosecond);
-BENCHMARK(cold_exp2)
-    ->RangeMultiplier(2)
-    ->Range(16, 1024)
-    ->Complexity(benchmark::oN)
-    ->Unit(benchmark::kMicrosecond);
 BENCHMARK(warm_dynamic)->Arg(50)->Arg(128)->Unit(benchmark::kMicrosecond);
 BENCHMARK(scene_b1)->Arg(64)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace fulcrum
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+    std::vector<fulcrum::lab::Workload> workloads;
+    fulcrum::lab::add_rod_workloads(workloads);
+    return fulcrum::run_benchmarks(argc, argv, workloads);
+}

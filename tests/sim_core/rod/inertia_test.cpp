@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "sim_core/rod/rod.h"
+#include "sim_core/lab/reference_rod.h"
 #include "sim_core/rod/rod_tables.h"
 
 namespace fulcrum {
@@ -30,15 +30,9 @@ Moved move_jaw(double dt, RodSolve::Level level = RodSolve::Level::newton) {
     RodSpec spec;
     spec.segments = 32;
     spec.length = 0.4;
-    const Rod rod(spec);
-    RodState state = rod.make_state();
-    RodScratch scratch = rod.make_scratch();
-    RodInputs inputs;
-    RodGrasp grasp;
-    grasp.s = 0.15;
-    grasp.offset = Vector3(0, 0.015, 0);
-    const Vector3 home = rod.wall_point(state, grasp.s, grasp.offset);
-    inputs.grasps.push_back(grasp);
+    lab::RestingRod resting(spec);
+    auto& [rod, state, scratch, inputs] = resting;
+    const Vector3 home = resting.grasp(0.15, Vector3(0, 0.015, 0)).target;
     RodSolve solve;
     solve.level = level;
     solve.tolerance = 1e-10;
@@ -100,12 +94,8 @@ double clamp_moment(double spin, double turning, double dt) {
     spec.young_modulus = 1e7;
     spec.mass_damping = 0;
     spec.ends[0] = RodEnd::clamped;
-    const Rod rod(spec);
-    RodState state = rod.make_state();
-    RodScratch scratch = rod.make_scratch();
-    RodInputs inputs;
-    inputs.ends[0] = state.ends[0];
-    inputs.ends[1] = state.ends[1];
+    lab::RestingRod resting(spec);
+    auto& [rod, state, scratch, inputs] = resting;
     for (double& each : state.spins) each = spin;
     for (std::size_t i = 0; i < state.nodes.size(); ++i)
         state.velocities[i] = Vector3(0, turning, 0).cross(state.nodes[i]);

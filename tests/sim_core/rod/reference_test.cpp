@@ -9,6 +9,7 @@
 #include "sim_core/lab/catenary.h"
 #include "sim_core/lab/elastica.h"
 #include "sim_core/lab/held_elastica.h"
+#include "sim_core/lab/reference_rod.h"
 #include "sim_core/rod/rod.h"
 
 namespace fulcrum {
@@ -75,37 +76,22 @@ TEST(RodReference, AGraspAtTwoPointsConvergesToAnElasticaByShooting) {
     double before = 0;
     for (const int segments : {48, 96, 192}) {
         spec.segments = segments;
-        const Rod rod(spec);
-        problem.bending_stiffness = rod.bending_stiffness();
-        problem.axial_stiffness = rod.axial_stiffness();
+        lab::RestingRod resting(spec);
+        problem.bending_stiffness = resting.rod.bending_stiffness();
+        problem.axial_stiffness = resting.rod.axial_stiffness();
         const lab::HeldElasticaSolution exact = lab::solve_held_elastica(problem);
         ASSERT_LT(exact.residual, 1e-10);
-        RodState state = rod.make_state();
-        RodScratch scratch = rod.make_scratch();
-        RodInputs inputs;
-        inputs.ends[0] = state.ends[0];
-        inputs.ends[1] = state.ends[1];
-        for (const double s : problem.held_at) {
-            RodGrasp grasp;
-            grasp.s = s;
-            grasp.target = rod.wall_point(state, s, grasp.offset);
-            inputs.grasps.push_back(grasp);
-        }
-        RodReport report;
-        for (int part = 0; part < 20; ++part) {
-            for (std::size_t k = 0; k < 2; ++k)
-                inputs.grasps[k].target += Vector3(problem.moved[k][0], 0, problem.moved[k][1]) / 20;
-            report = rod.solve(state, inputs, scratch);
-            ASSERT_TRUE(report.converged) << part;
-        }
+        const RodReport report = lab::hold_as(problem, resting);
+        ASSERT_TRUE(report.converged);
         EXPECT_TRUE(report.positive_definite);
         double error = 0, size = 0;
         Vector3 sum = report.end_force[0] + report.end_force[1];
         for (std::size_t k = 0; k < 2; ++k) {
             const Vector3 jaw(exact.reaction[k][0], 0, exact.reaction[k][1]);
-            error = std::max(error, (inputs.grasps[k].reaction - jaw).norm());
+            const Vector3& reaction = resting.inputs.grasps[k].reaction;
+            error = std::max(error, (reaction - jaw).norm());
             size = std::max(size, jaw.norm());
-            sum += inputs.grasps[k].reaction;
+            sum += reaction;
         }
         std::printf("%d segments: reactions apart by %.2e of the largest (%.4f N)\n", segments, error / size,
                     size);
@@ -134,12 +120,8 @@ TEST(RodReference, EveryPairOfEndsBendsByItsBeamFormula) {
         RodSpec spec = solid(64, 0.4, 0.015);
         spec.ends[0] = row.near;
         spec.ends[1] = row.far;
-        const Rod rod(spec);
-        RodState state = rod.make_state();
-        RodScratch scratch = rod.make_scratch();
-        RodInputs inputs;
-        inputs.ends[0] = state.ends[0];
-        inputs.ends[1] = state.ends[1];
+        lab::RestingRod resting(spec);
+        auto& [rod, state, scratch, inputs] = resting;
         const double expected = 1e-6,
                      force = expected * rod.bending_stiffness() / std::pow(0.4, 3) / row.factor;
         inputs.nodal_forces.assign(65, Vector3::Zero());
@@ -166,12 +148,8 @@ TEST(RodReference, EveryPairOfEndsBendsByItsBeamFormula) {
         RodSpec spec = solid(64, 0.4, 0.015);
         spec.ends[0] = RodEnd::clamped;
         spec.ends[1] = far;
-        const Rod rod(spec);
-        RodState state = rod.make_state();
-        RodScratch scratch = rod.make_scratch();
-        RodInputs inputs;
-        inputs.ends[0] = state.ends[0];
-        inputs.ends[1] = state.ends[1];
+        lab::RestingRod resting(spec);
+        auto& [rod, state, scratch, inputs] = resting;
         const double angle = 0.7;
         for (RodFrame* end : {&inputs.ends[0]}) {
             end->rotation.col(0) = Vector3(0, std::cos(angle), std::sin(angle));
