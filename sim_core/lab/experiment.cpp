@@ -23,6 +23,8 @@ constexpr Kind kinds[] = {
     {"laws", run_law_experiment},
     {"bend", run_bend_experiment},
     {"fall", run_fall_experiment},
+    {"subdivision", run_subdivision_experiment},
+    {"cut_bowel", run_cut_bowel_experiment},
 };
 
 }  // namespace

@@ -11,5 +11,7 @@ void run_filter_experiment(const JsonDocument& file, ExperimentResult& result);
 void run_law_experiment(const JsonDocument& file, ExperimentResult& result);
 void run_bend_experiment(const JsonDocument& file, ExperimentResult& result);
 void run_fall_experiment(const JsonDocument& file, ExperimentResult& result);
+void run_subdivision_experiment(const JsonDocument& file, ExperimentResult& result);
+void run_cut_bowel_experiment(const JsonDocument& file, ExperimentResult& result);
 
 }  // namespace fulcrum::lab

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 #include "sim_core/lab/experiment.h"
 #include "sim_core/numerics/input_error.h"
@@ -54,6 +55,30 @@ TEST(Experiment, TheLawsPartWhereTheClosedFormSays) {
     // The rods, not only the formulas: 10 % of stretch each way, then apart.
     EXPECT_NEAR(result.figures[2].value / result.figures[3].value, 1, 0.05);
     EXPECT_GT(result.figures[6].value / result.figures[7].value, 1.3);
+}
+
+// Figs. 13 and 15: children in place of parents, ground accounted for, and a bent bowel that is open along
+// the cut.
+TEST(Experiment, CutsSubdivideTrianglesAndKeepTheGround) {
+    for (const char* name : {"fig13_subdivision", "fig15_cut_bowel"}) {
+        const ExperimentResult result = run(name);
+        ASSERT_EQ(result.panels.size(), 4u) << name;
+        EXPECT_GT(figure(result, "triangles after"), figure(result, "triangles before")) << name;
+        EXPECT_LT(figure(result, "before less after and removed, share of before"), 1e-9) << name;
+        EXPECT_GT(figure(result, "area removed"), 0) << name;
+        EXPECT_EQ(figure(result, "steps rolled back"), 0) << name;
+    }
+    // Edges that only one triangle has: none on the closed tube, a loop of them round the cut.
+    const ExperimentResult bowel = run("fig15_cut_bowel");
+    const auto rim = [](const TriangleMesh& mesh) {
+        std::map<std::pair<std::int32_t, std::int32_t>, int> uses;
+        for (const Triangle& t : mesh.triangles) {
+            for (std::size_t c = 0; c < 3; ++c) ++uses[std::minmax({t[c], t[(c + 1) % 3]})];
+        }
+        return std::count_if(uses.begin(), uses.end(), [](const auto& use) { return use.second == 1; });
+    };
+    const auto before = rim(bowel.panels[0].meshes[0].mesh), after = rim(bowel.panels[2].meshes[0].mesh);
+    EXPECT_GT(after, before + 100);
 }
 
 TEST(Experiment, TheBendKeepsTheVolume) {
