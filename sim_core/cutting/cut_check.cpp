@@ -8,8 +8,6 @@
 namespace fulcrum {
 namespace {
 
-constexpr double least_share = 1e-11;  // of a root that has area: below it a triangle has none
-
 bool finite(const CutVertex& vertex, const Vector3* positions, std::int32_t v) {
     return vertex.rest.allFinite() && vertex.barycentric.allFinite() &&
            (positions == nullptr || positions[v].allFinite());
@@ -17,55 +15,54 @@ bool finite(const CutVertex& vertex, const Vector3* positions, std::int32_t v) {
 
 }  // namespace
 
-const char* CutMesh::wrong_here() {
-    ++mark_;
-    const auto& touched = editor_.touched_triangles();
-    for (const std::int32_t t : touched) {
+const char* CutEditor::wrong_here() {
+    ++checks_;
+    for (const std::int32_t t : touched_triangles_) {
         if (!visible(t)) continue;
-        const CutTriangle& row = state_.triangles[t];
+        const CutTriangle& row = state_->triangles[t];
         Vector3 at[3];
         for (int i = 0; i < 3; ++i) {
             const std::int32_t v = vertex_at(row, i);
-            if (v < 0 || v >= state_.vertex_count || v == vertex_at(row, i + 1)) return "vertices";
-            const CutVertex& vertex = state_.vertices[v];
+            if (v < 0 || v >= state_->vertex_count || v == vertex_at(row, i + 1)) return "vertices";
+            const CutVertex& vertex = state_->vertices[v];
             if (vertex.triangle < 0 || !visible(vertex.triangle)) return "a vertex that is gone";
-            if (!finite(vertex, editor_.positions(), v)) return "not finite";
+            if (!finite(vertex, positions_, v)) return "not finite";
             if (!barycentric_in(*model_, vertex, row.root, at[i])) return "a vertex outside its root";
-            if (vertex_mark_[v] != mark_) {
-                vertex_mark_[v] = mark_;
+            if (counted_stamp_[v] != checks_) {
+                counted_stamp_[v] = checks_;
                 fan_count_[v] = 0;
             }
             ++fan_count_[v];
             const std::int32_t n = neighbour_at(row, i);
             if (n < 0) continue;
             if (!visible(n)) return "a hidden neighbour";
-            const int back = edge_of(state_.triangles[n], vertex_at(row, i + 1), v);
-            if (back < 0 || neighbour_at(state_.triangles[n], back) != t) return "neighbours disagree";
+            const int back = edge_of(state_->triangles[n], vertex_at(row, i + 1), v);
+            if (back < 0 || neighbour_at(state_->triangles[n], back) != t) return "neighbours disagree";
         }
         const double share = share_of(at[0], at[1], at[2]);
         if (std::abs(share - row.share) > 1e-12) return "share";
         if (!model_->flat[static_cast<std::size_t>(row.root)] && !(share > least_share)) return "no area";
     }
-    for (const std::int32_t t : touched) {
+    for (const std::int32_t t : touched_triangles_) {
         if (!visible(t)) continue;
-        for (const std::int32_t v : state_.triangles[t].vertices) {
+        for (const std::int32_t v : state_->triangles[t].vertices) {
             if (fan_count_[v] < 0) continue;
             bool closed = false;
             std::int32_t there = 0;
-            for (const std::int32_t s : editor_.fan(v, closed)) there += editor_.touched(s) ? 1 : 0;
+            for (const std::int32_t s : fan(v, closed)) there += touched(s) ? 1 : 0;
             if (there != fan_count_[v]) return "a vertex joins two fans";
             fan_count_[v] = -1;
         }
     }
-    for (const std::int32_t r : editor_.touched_roots()) {
-        double sum = state_.roots[r].removed_share;
+    for (const std::int32_t r : touched_roots_) {
+        double sum = state_->roots[r].removed_share;
         std::int32_t count = 0;
-        for (std::int32_t t = state_.roots[r].first_visible; t >= 0; t = state_.triangles[t].next_in_root) {
-            sum += state_.triangles[t].share;
+        for (std::int32_t t = state_->roots[r].first_visible; t >= 0; t = state_->triangles[t].next_in_root) {
+            sum += state_->triangles[t].share;
             ++count;
         }
         if (std::abs(sum - 1) > 1e-10) return "area";
-        if (count != state_.roots[r].visible_count) return "list of a root";
+        if (count != state_->roots[r].visible_count) return "list of a root";
     }
     return nullptr;
 }
@@ -179,18 +176,30 @@ CutCheck check_cut(const CutMesh& mesh, const Vector3* positions) {
     }
     for (std::size_t v = 0; v < leaves.size(); ++v)
         if (leaves[v] != reaches[v] || leaves[v] > 1) bad(check.rims_closed, static_cast<std::int32_t>(v));
-    // No vertex inside another visible edge: rim edges against the vertices of their root, at rest.
+    // No vertex inside another visible edge: rim edges against the vertices of their root, and of the roots
+    // beside it as far as they lie on the edge between, by barycentric coordinates.
     for (const Edge& e : rim) {
         const std::int32_t root = mesh.triangle(e.triangle).root;
         if (model.flat[static_cast<std::size_t>(root)]) continue;
-        const Vector3 a = mesh.vertex(e.from).rest, along = mesh.vertex(e.to).rest - a;
+        Vector3 a, along, x;
+        if (!barycentric_in(model, mesh.vertex(e.from), root, a) ||
+            !barycentric_in(model, mesh.vertex(e.to), root, along))
+            continue;
+        along -= a;
         const double squared = along.squaredNorm();
-        for (std::int32_t t = mesh.root(root).first_visible; t >= 0; t = mesh.triangle(t).next_in_root) {
-            for (const std::int32_t v : mesh.triangle(t).vertices) {
-                const Vector3 x = mesh.vertex(v).rest - a;
-                const double s = x.dot(along) / squared;
-                if (s > 1e-7 && s < 1 - 1e-7 && (x - s * along).squaredNorm() < 1e-20 * squared)
-                    bad(check.conforming, v);
+        for (int side = -1; side < 3; ++side) {
+            const std::int32_t r =
+                side < 0 ? root
+                         : model.adjacency.triangle_neighbours[static_cast<std::size_t>(3 * root + side)];
+            if (r < 0) continue;
+            for (std::int32_t t = mesh.root(r).first_visible; t >= 0; t = mesh.triangle(t).next_in_root) {
+                for (const std::int32_t v : mesh.triangle(t).vertices) {
+                    if (!barycentric_in(model, mesh.vertex(v), root, x)) continue;
+                    x -= a;
+                    const double s = x.dot(along) / squared;
+                    if (s > 1e-7 && s < 1 - 1e-7 && (x - s * along).squaredNorm() < 1e-20 * squared)
+                        bad(check.conforming, v);
+                }
             }
         }
     }

@@ -34,6 +34,8 @@ CutEditor::CutEditor(const CutModel& model)
       fragment_stamp_(model.capacity.fragments, 0),
       doomed_stamp_(model.capacity.triangles, 0),
       divided_stamp_(model.capacity.vertices, 0),
+      counted_stamp_(model.capacity.vertices, 0),
+      fan_count_(model.capacity.vertices, 0),
       undo_triangles_(model.capacity.triangles),
       undo_vertices_(model.capacity.vertices),
       undo_roots_(model.root_count),
@@ -46,9 +48,10 @@ CutEditor::CutEditor(const CutModel& model)
 
 std::uint64_t CutEditor::bytes() const {
     return triangle_stamp_.bytes() + vertex_stamp_.bytes() + root_stamp_.bytes() + fragment_stamp_.bytes() +
-           doomed_stamp_.bytes() + divided_stamp_.bytes() + undo_triangles_.bytes() + undo_vertices_.bytes() +
-           undo_roots_.bytes() + undo_fragments_.bytes() + touched_triangles_.bytes() +
-           touched_roots_.bytes() + new_vertices_.bytes() + made_.bytes() + fan_.bytes();
+           doomed_stamp_.bytes() + divided_stamp_.bytes() + counted_stamp_.bytes() + fan_count_.bytes() +
+           undo_triangles_.bytes() + undo_vertices_.bytes() + undo_roots_.bytes() + undo_fragments_.bytes() +
+           touched_triangles_.bytes() + touched_roots_.bytes() + new_vertices_.bytes() + made_.bytes() +
+           fan_.bytes();
 }
 
 void CutEditor::begin(const CutModel& model, CutState& state, Vector3* positions) {
@@ -299,30 +302,37 @@ const CutList<std::int32_t>& CutEditor::fan(std::int32_t vertex, bool& closed) {
     closed = false;
     const std::int32_t seed = state_->vertices[vertex].triangle;
     if (seed < 0) return fan_;
-    // Clockwise to the rim, or once around.
-    std::int32_t t = seed;
+    // Clockwise to the rim, or once around; each neighbour must name the triangle it is reached from.
+    std::int32_t t = seed, first = seed;
     const std::int32_t most = state_->visible_count + 1;
-    for (std::int32_t turns = 0;; ++turns) {
+    for (std::int32_t turns = 0; turns <= most; ++turns) {
         const CutTriangle& row = state_->triangles[t];
         const int i = corner_of(row, vertex);
-        if (i < 0 || turns > most) return fan_;
+        if (i < 0 || turns == most) return fan_;
         const std::int32_t next = neighbour_at(row, i);
+        first = t;
         if (next < 0) break;
+        const int j = corner_of(state_->triangles[next], vertex);
+        if (j < 0 || neighbour_at(state_->triangles[next], j + 2) != t) return fan_;
         t = next;
         if (t == seed) {
             closed = true;
+            first = seed;
             break;
         }
     }
-    const std::int32_t first = t;
+    t = first;
     do {
         const CutTriangle& row = state_->triangles[t];
         const int i = corner_of(row, vertex);
-        if (i < 0 || !fan_.push(t)) {
+        const std::int32_t next = i < 0 ? -1 : neighbour_at(row, i + 2);
+        const int j = next < 0 ? -1 : corner_of(state_->triangles[next], vertex);
+        const bool back = next < 0 || (j >= 0 && neighbour_at(state_->triangles[next], j) == t);
+        if (i < 0 || !back || !fan_.push(t)) {
             fan_.clear();
             return fan_;
         }
-        t = neighbour_at(row, i + 2);
+        t = next;
     } while (t >= 0 && t != first);
     return fan_;
 }

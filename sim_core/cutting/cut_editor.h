@@ -23,6 +23,9 @@ struct CutModel {
     double area = 0;  ///< m2
 };
 
+/// Of a root that has area: below it a triangle has none.
+inline constexpr double least_share = 1e-11;
+
 enum class CutLimit : std::uint8_t { none, vertices, triangles, fragments };
 
 class CutEditor {
@@ -81,6 +84,9 @@ class CutEditor {
     /// Triangles around a vertex, counterclockwise; at a rim the first has the rim before it. closed: the fan
     /// has no rim. The list is valid until the next call. Empty where the records contradict each other.
     const CutList<std::int32_t>& fan(std::int32_t vertex, bool& closed);
+    /// The invariants of theory, section 5, on everything this transaction touched: nullptr, or what is
+    /// wrong and forbids to commit.
+    const char* wrong_here();
     std::uint64_t bytes() const;
 
   private:
@@ -106,9 +112,10 @@ class CutEditor {
     CutState* state_ = nullptr;
     Vector3* positions_ = nullptr;
     CutLimit lacking_ = CutLimit::none;
-    std::uint32_t stamp_ = 0;
+    std::uint32_t stamp_ = 0, removal_ = 0, checks_ = 0;
     CutTable<std::uint32_t> triangle_stamp_, vertex_stamp_, root_stamp_, fragment_stamp_;
-    CutTable<std::uint32_t> doomed_stamp_, divided_stamp_;
+    CutTable<std::uint32_t> doomed_stamp_, divided_stamp_, counted_stamp_;
+    CutTable<std::int32_t> fan_count_;
     CutList<Undo<CutTriangle>> undo_triangles_;
     CutList<Undo<CutVertex>> undo_vertices_;
     CutList<Undo<CutRoot>> undo_roots_;

@@ -95,7 +95,6 @@ CutMesh::CutMesh(const TriangleMesh& mesh, const std::vector<std::int32_t>& fixe
       band_(4 * capacity.triangles),
       around_(capacity.vertices),
       parts_(capacity.triangles),
-      fan_count_(capacity.vertices, 0),
       piece_of_(capacity.triangles, -1),
       pieces_(capacity.triangles) {
     state_.triangles = CutTable<CutTriangle>(capacity.triangles);
@@ -203,7 +202,7 @@ std::uint64_t CutMesh::digest() const {
         hash.add(row.barycentric);
         add(row.root);
         add(row.triangle);
-        hash.add(static_cast<std::uint64_t>(row.fixed));
+        hash.add(static_cast<std::uint64_t>(row.fixed ? 1 : 0) + (row.divided ? 2U : 0U));
     }
     for (std::int32_t r = 0; r < model_->root_count; ++r) {
         add(state_.roots[r].first_visible);
@@ -231,8 +230,8 @@ std::uint64_t CutMesh::bytes() const {
            state_.fragments.bytes() + state_.free_triangles.bytes() + state_.free_vertices.bytes() +
            state_.stroke_triangles.bytes() + state_.stroke_place.bytes() + editor_.bytes() + sides_.bytes() +
            root_mark_.bytes() + triangle_mark_.bytes() + vertex_mark_.bytes() + queue_.bytes() +
-           met_.bytes() + band_.bytes() + around_.bytes() + parts_.bytes() + fan_count_.bytes() +
-           piece_of_.bytes() + pieces_.bytes();
+           met_.bytes() + band_.bytes() + around_.bytes() + parts_.bytes() + piece_of_.bytes() +
+           pieces_.bytes();
 }
 
 }  // namespace fulcrum

@@ -140,12 +140,8 @@ class CutMesh {
     /// Hash of everything that a cut changes.
     std::uint64_t digest() const;
     std::uint64_t bytes() const;
-    /// Whether the latest transaction may be committed: the invariants on all it touched (cut_check.cpp).
-    /// nullptr, or what is wrong.
-    const char* wrong_here();
 
   private:
-    friend class CutTest;
     struct VertexSides {
         std::uint32_t stamp = 0;
         std::array<std::int8_t, BladeRegion::most_planes> side =
@@ -175,7 +171,6 @@ class CutMesh {
     CutTable<std::uint32_t> root_mark_, triangle_mark_, vertex_mark_;
     std::uint32_t mark_ = 0;
     CutList<std::int32_t> queue_, met_, band_, around_, parts_;
-    CutTable<std::int32_t> fan_count_;
     CutTable<std::int32_t> piece_of_;
     CutList<CutPiece> pieces_;
 };

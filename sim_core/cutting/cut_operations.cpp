@@ -63,24 +63,25 @@ std::int32_t CutEditor::split_edge(std::int32_t triangle, int edge, double share
 }
 
 bool CutEditor::remove(const CutList<std::int32_t>& doomed) {
-    for (const std::int32_t t : doomed) doomed_stamp_[t] = stamp_;
+    ++removal_;
+    for (const std::int32_t t : doomed) doomed_stamp_[t] = removal_;
     // Vertices first, while the way around them is still whole.
     for (const std::int32_t t : doomed) {
         for (const std::int32_t v : state_->triangles[t].vertices) {
-            if (divided_stamp_[v] == stamp_) continue;
-            divided_stamp_[v] = stamp_;
+            if (divided_stamp_[v] == removal_) continue;
+            divided_stamp_[v] = removal_;
             bool closed = false;
             const CutList<std::int32_t>& around = fan(v, closed);
             const std::int32_t count = around.size();
             if (count == 0) continue;
             std::int32_t start = 0;
-            while (start < count && doomed_stamp_[around[start]] != stamp_) ++start;
+            while (start < count && doomed_stamp_[around[start]] != removal_) ++start;
             std::int32_t name = -1;  // of the vertex for the run of kept triangles at hand
             bool first_run = true, in_run = false;
             const std::int32_t begin = closed ? start : 0;
             for (std::int32_t k = 0; k < count; ++k) {
                 const std::int32_t here = around[(begin + k) % count];
-                if (doomed_stamp_[here] == stamp_) {
+                if (doomed_stamp_[here] == removal_) {
                     in_run = false;
                     continue;
                 }
@@ -92,7 +93,8 @@ bool CutEditor::remove(const CutList<std::int32_t>& doomed) {
                     } else {
                         if (!has_room(1, 0)) return false;
                         name = new_vertex();
-                        divided_stamp_[name] = stamp_;
+                        divided_stamp_[name] = removal_;
+                        edit_vertex(v).divided = true;
                         edit_vertex(name) = state_->vertices[v];
                         positions_[name] = positions_[v];
                     }
@@ -106,7 +108,7 @@ bool CutEditor::remove(const CutList<std::int32_t>& doomed) {
     for (const std::int32_t t : doomed) {
         const CutTriangle old = state_->triangles[t];
         for (const std::int32_t n : old.neighbours) {
-            if (n < 0 || doomed_stamp_[n] == stamp_) continue;
+            if (n < 0 || doomed_stamp_[n] == removal_) continue;
             CutTriangle& row = edit_triangle(n);
             for (std::int32_t& back : row.neighbours)
                 if (back == t) back = -1;
@@ -137,7 +139,7 @@ bool CutEditor::flip(std::int32_t triangle, int edge) {
         !barycentric_in(*model_, state_->vertices[d], t.root, at_d))
         return false;
     const double one = share_of(at_a, at_d, at_c), two = share_of(at_d, at_b, at_c);
-    if (!(one > 0) || !(two > 0)) return false;
+    if (!(one > least_share) || !(two > least_share)) return false;
     // The new edge must not be there already: d and c would then be joined twice.
     bool closed = false;
     for (const std::int32_t s : fan(c, closed))
@@ -215,7 +217,7 @@ bool CutEditor::collapse(std::int32_t from, std::int32_t to) {
             if (!barycentric_in(*model_, state_->vertices[v], row.root, corners[i])) return false;
         }
         const double share = share_of(corners[0], corners[1], corners[2]);
-        if (!(share > 0)) return false;
+        if (!(share > least_share)) return false;
         after += share * model_->areas[static_cast<std::size_t>(row.root)];
     }
     const double area_of_root = model_->areas[static_cast<std::size_t>(touched_root)];

@@ -82,6 +82,7 @@ struct CutVertex {
     std::int32_t root = -1;
     std::int32_t triangle = -1;  ///< a visible triangle at this vertex; -1: the vertex is gone
     bool fixed = false;
+    bool divided = false;  ///< others lie at the same place: it joined several fans once
 };
 
 struct CutRoot {

@@ -56,7 +56,7 @@ CutOutcome CutMesh::attempt(const BladeStep& step, Vector3* positions, double to
     }
     editor_.begin(*model_, state_, positions);
     const bool done = clip(tolerance) && (band_.size() == 0 || editor_.remove(band_)) && tidy() &&
-                      wrong_here() == nullptr && sort_fragments();
+                      editor_.wrong_here() == nullptr && sort_fragments();
     if (!done) {
         report.lacking = editor_.lacking();
         editor_.roll_back();
@@ -195,7 +195,7 @@ CutReport CutMesh::remove_piece(std::int32_t piece, Vector3* positions) {
     const double removed_before = state_.area_removed;
     report.met = band_.size();
     editor_.begin(*model_, state_, positions);
-    const bool done = editor_.remove(band_) && wrong_here() == nullptr && sort_fragments();
+    const bool done = editor_.remove(band_) && editor_.wrong_here() == nullptr && sort_fragments();
     if (!done) {
         report.lacking = editor_.lacking();
         editor_.roll_back();

@@ -48,7 +48,9 @@ double CutMesh::worst_after(std::int32_t from, std::int32_t to, double& before) 
 }
 
 bool CutMesh::tidy_vertex(std::int32_t vertex) {
-    if (vertex < model_->original_vertices || state_.vertices[vertex].triangle < 0) return true;
+    const CutVertex& here = state_.vertices[vertex];
+    // A vertex that was divided stays: its other half would come to lie inside an edge.
+    if (vertex < model_->original_vertices || here.triangle < 0 || here.divided) return true;
     bool closed = false;
     around_.clear();
     for (const std::int32_t t : editor_.fan(vertex, closed))
@@ -89,12 +91,12 @@ bool CutMesh::tidy_vertex(std::int32_t vertex) {
         const CutTriangle &first = state_.triangles[around_[0]], &last = state_.triangles[around_[count - 1]];
         const std::int32_t next = vertex_at(first, corner_of(first, vertex) + 1);
         const std::int32_t before = vertex_at(last, corner_of(last, vertex) + 2);
-        Vector3 here, one, other;
-        if (!barycentric_in(*model_, state_.vertices[vertex], roots[0], here) ||
+        Vector3 middle, one, other;
+        if (!barycentric_in(*model_, here, roots[0], middle) ||
             !barycentric_in(*model_, state_.vertices[next], roots[0], one) ||
             !barycentric_in(*model_, state_.vertices[before], roots[0], other))
             return true;
-        if (std::abs(share_of(one, here, other)) > straight || !((one - here).dot(other - here) < 0))
+        if (std::abs(share_of(one, middle, other)) > straight || !((one - middle).dot(other - middle) < 0))
             return true;
         consider(next);
         consider(before);

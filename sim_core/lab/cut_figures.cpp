@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_core/lab/cut_figures.h"
+
+#include <cmath>
+
+#include "sim_core/lab/svg.h"
+
+namespace fulcrum::lab {
+namespace {
+
+constexpr double mm = 0.001;
+
+// Patch and route of Fig. 13: the red curve over a few triangles.
+TriangleMesh figure_patch() {
+    TriangleMesh mesh;
+    const int columns = 5, rows = 4;
+    for (int j = 0; j <= rows; ++j)
+        for (int i = 0; i <= columns; ++i)
+            mesh.vertices.emplace_back(mm * (10.0 * i + (j % 2 == 0 ? 0.0 : 5.0)), mm * 8.7 * j, 0.0);
+    const auto at = [columns](int i, int j) { return static_cast<std::int32_t>(j * (columns + 1) + i); };
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i) {
+            if (j % 2 == 0) {
+                mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
+                mesh.triangles.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+            } else {
+                mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+                mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+            }
+        }
+    return mesh;
+}
+
+std::vector<Vector3> figure_route() {
+    return {{0.009, 0.006, 0}, {0.016, 0.009, 0}, {0.024, 0.015, 0}, {0.031, 0.022, 0}, {0.041, 0.027, 0}};
+}
+
+struct Frame {
+    double x, y, scale;  ///< pixels of the origin, pixels per m
+    double across(const Vector3& p) const { return x + scale * p.x(); }
+    double down(const Vector3& p) const { return y - scale * p.y(); }
+};
+
+void draw_line(Svg& svg, const Frame& frame, const Vector3& a, const Vector3& b, const char* colour,
+               double width, bool dashed) {
+    svg.line(frame.across(a), frame.down(a), frame.across(b), frame.down(b), colour, width, dashed);
+}
+
+void draw_mesh(Svg& svg, const Frame& frame, const TriangleMesh& mesh, const char* colour, bool dashed) {
+    for (const Triangle& t : mesh.triangles)
+        for (std::size_t e = 0; e < 3; ++e)
+            draw_line(svg, frame, mesh.vertices[static_cast<std::size_t>(t[e])],
+                      mesh.vertices[static_cast<std::size_t>(t[(e + 1) % 3])], colour, 1, dashed);
+}
+
+void draw_visible(Svg& svg, const Frame& frame, const CutMesh& mesh) {
+    for (const Triangle& t : mesh.visible_triangles())
+        for (std::size_t e = 0; e < 3; ++e)
+            draw_line(svg, frame, mesh.vertex(t[e]).rest, mesh.vertex(t[(e + 1) % 3]).rest, series_colour(0),
+                      1.5, false);
+}
+
+}  // namespace
+
+TriangleMesh figure_triangle() {
+    TriangleMesh mesh;
+    mesh.vertices = {{0, 0, 0}, {10 * mm, 0, 0}, {5 * mm, 9 * mm, 0}};
+    mesh.triangles = {{0, 1, 2}};
+    return mesh;
+}
+
+std::vector<CutExample> cut_examples() {
+    const double w = 1.2 * mm;
+    const auto at = [](double x, double y) { return Vector3(x * mm, y * mm, 0); };
+    return {
+        {'a', "start or end triangle, no corner in the band", at(5, 3.5), at(12, 4.5), w},
+        {'b', "start or end triangle, one corner on the border", at(6.36, 3.48), at(13.56, -1.92), w},
+        {'c', "start or end triangle, one corner in the band", at(5, 3), at(12.5, -1.5), w},
+        {'d', "connecting, two corners in, the third left of the blade", at(-3, 0), at(13, 0), w},
+        {'e', "connecting, two corners in, the third right of the blade", at(13, 0), at(-3, 0), w},
+        {'f', "connecting, one corner in, the others left", at(-3, 5.4), at(3, -5.4), w},
+        {'g', "connecting, one corner in, the others right", at(3, -5.4), at(-3, 5.4), w},
+        {'h', "connecting, one corner in, the others on either side", at(-3, -1.65), at(12, 6.6), w},
+        {'i', "connecting, no corner in the band", at(-2, 4), at(12, 4.5), w},
+        {'j', "connecting, all corners in the band", at(-5, 4), at(15, 4), 12 * mm},
+    };
+}
+
+RestBlade run_example(const CutExample& example, RestBlade::Tally& tally) {
+    const TriangleMesh mesh = figure_triangle();
+    RestBlade blade(mesh, {}, CutMesh::capacity_for(mesh, 64));
+    blade.stroke({example.from, example.to}, example.width, BladeEnd::square, tally);
+    return blade;
+}
+
+ResultPage cut_figures_page() {
+    ResultPage page("fig12_13_cut", "Figs. 12 and 13: triangles that a blade divides",
+                    "fulcrum lab cut --output docs/results");
+    page.paragraph(
+        "One rule makes all ten: a triangle less the band of the blade, what is left divided into triangles. "
+        "Dashed: the "
+        "triangle before, red: the borders of the band and its way, blue: the triangles that are drawn after "
+        "it. The "
+        "letter is what the product counted, from the corners alone; above it stands the letter of Fig. 12.");
+    Svg svg(1000, 470);
+    ResultTable table;
+    table.name = "fig12_cases";
+    table.columns = {"figure", "counted as", "triangles after", "ground taken, mm2", "least angle, degrees"};
+    nlohmann::json cases = nlohmann::json::array();
+    int place = 0;
+    for (const CutExample& example : cut_examples()) {
+        RestBlade::Tally tally;
+        const RestBlade blade = run_example(example, tally);
+        const CutMesh& mesh = blade.mesh();
+        std::string counted;
+        for (std::size_t c = 0; c < tally.cases.count.size(); ++c)
+            for (int n = 0; n < tally.cases.count[c]; ++n)
+                counted += std::string("12") + static_cast<char>('a' + c);
+        const Frame frame{40 + 195.0 * (place % 5), 180 + 225.0 * (place / 5), 12000};
+        draw_mesh(svg, frame, figure_triangle(), "#888888", true);
+        draw_visible(svg, frame, mesh);
+        const Vector3 along = (example.to - example.from).normalized();
+        const Vector3 left = 0.5 * example.width * Vector3(-along.y(), along.x(), 0);
+        for (const double side : {-1.0, 1.0})
+            draw_line(svg, frame, example.from + side * left, example.to + side * left, series_colour(1), 1,
+                      false);
+        draw_line(svg, frame, example.from, example.to, series_colour(1), 1, true);
+        svg.text(frame.x + 60, frame.y - 140, std::string("Fig. 12") + example.letter, 15, "middle", 0,
+                 "#222222", true);
+        svg.text(frame.x + 60, frame.y + 28, "counted: " + (counted.empty() ? "nothing" : counted), 12,
+                 "middle");
+        const double taken = mesh.area_removed() / (mm * mm), angle = least_angle_deg(mesh);
+        const bool left_any = mesh.visible_count() > 0;
+        table.rows.push_back({std::string("12") + example.letter + ": " + example.what, counted,
+                              std::to_string(mesh.visible_count()), pixel(taken),
+                              left_any ? pixel(angle) : "none left"});
+        cases.push_back({{"figure", std::string("12") + example.letter},
+                         {"what", example.what},
+                         {"counted", counted},
+                         {"visible_triangles", mesh.visible_count()},
+                         {"area_removed_m2", mesh.area_removed()},
+                         {"min_angle_deg", left_any ? nlohmann::json(angle) : nlohmann::json()}});
+        ++place;
+    }
+    page.chart("fig12_cases", "Ten triangles, each divided as Fig. 12 names it", svg.finish());
+    page.table(table);
+
+    page.heading("Fig. 13: a route over a patch");
+    const TriangleMesh patch = figure_patch();
+    RestBlade blade(patch, {}, CutMesh::capacity_for(patch, 200));
+    RestBlade::Tally tally;
+    blade.stroke(figure_route(), 0.8 * mm, BladeEnd::square, tally);
+    Svg route(1000, 330);
+    for (const bool after : {false, true}) {
+        const Frame frame{after ? 520.0 : 30.0, 310, 8000};
+        if (after)
+            draw_visible(route, frame, blade.mesh());
+        else
+            draw_mesh(route, frame, patch, series_colour(0), false);
+        const auto way = figure_route();
+        for (std::size_t i = 0; i + 1 < way.size() && !after; ++i)
+            draw_line(route, frame, way[i], way[i + 1], series_colour(1), 2, false);
+        route.text(frame.x, 20,
+                   after ? "after: what is drawn" : "before: triangles and the route of the blade", 14);
+    }
+    page.chart("fig13_route", "A patch of triangles before and after a curved cut", route.finish());
+    ResultTable counts;
+    counts.columns = {"case", "triangles of the patch"};
+    nlohmann::json found = nlohmann::json::object();
+    for (std::size_t c = 0; c < tally.cases.count.size(); ++c) {
+        const std::string name = std::string("12") + static_cast<char>('a' + c);
+        counts.rows.push_back({name, std::to_string(tally.cases.count[c])});
+        found[name] = tally.cases.count[c];
+    }
+    page.table(counts);
+    page.document({{"cases", cases},
+                   {"route",
+                    {{"cases", found},
+                     {"visible_triangles", blade.mesh().visible_count()},
+                     {"area_before_m2", blade.mesh().area_before()},
+                     {"area_after_m2", area_at_rest(blade.mesh())},
+                     {"area_removed_m2", blade.mesh().area_removed()},
+                     {"min_angle_deg", least_angle_deg(blade.mesh())}}}});
+    return page;
+}
+
+}  // namespace fulcrum::lab
