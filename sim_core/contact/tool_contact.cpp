@@ -9,6 +9,7 @@
 #include "sim_core/contact/jaws.h"
 #include "sim_core/contact/patch_surface.h"
 #include "sim_core/contact/rigid_contact.h"
+#include "sim_core/contact/sheet_contact.h"
 
 namespace fulcrum {
 namespace {
@@ -292,6 +293,7 @@ void name_tissue(const ToolContactModel& model, const LocalModel& local, ToolCon
     take(result.surface_force, local.patch.contact.tissue);
     take(result.grasp_force, local.grasp.tissue);
     take(result.jaw_force, local.jaws.tissue);
+    take(result.sheet_force, local.sheet.tissue);
     take(result.wall_force, model.wall.tissue);
     if (result.target_force.squaredNorm() > largest * largest) {
         for (std::size_t i = 0; i < static_cast<std::size_t>(local.target_count); ++i) {
@@ -338,6 +340,7 @@ void step_tool_contact(const ToolContactModel& model, const LocalModel& local, c
     touch_targets(model, local, tool, result);
     touch_wall(model, local, tool, state, result);
     result.force = result.surface_force + result.grasp_force + result.target_force + result.wall_force;
+    if (local.mode != LocalMode::grasp) touch_sheet(model, local, tool, result);
     if (local.jaws.tissue >= 0 && local.mode != LocalMode::grasp) press_jaws(local.jaws, tool, result);
     if (!all_finite(result)) {
         result = ToolContactResult{};

@@ -72,10 +72,12 @@ struct ToolContactResult {
     Vector3 target_force = Vector3::Zero();
     Vector3 wall_force = Vector3::Zero();
     Vector3 jaw_force = Vector3::Zero();   ///< of jaws as boxes on the bowel; the world presses them itself
+    Vector3 sheet_force = Vector3::Zero();  ///< on a sheet that may be divided
     Vector3 tool_force = Vector3::Zero();  ///< on the other instrument (collide_tools)
 
     bool touching_surface = false, touching_wall = false, touching_target = false, touching_tool = false;
     bool grasping = false, slipping = false;
+    bool cutting = false;            ///< the blade is in the sheet
     std::int16_t tissue = -1;        ///< of the largest force, -1 none
     std::int16_t tissue_patch = -1;  ///< under the contact or the jaws
     std::int32_t target = -1;        ///< TargetModel::id touched

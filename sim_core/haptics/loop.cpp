@@ -201,6 +201,7 @@ const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {
         if ((tool.buttons & button_energy) != 0) flags |= hand_energy;
         if ((sent.flags & safety_clamped) != 0) flags |= hand_clamped;
         if (input.hand[hand].faulty != 0) flags |= hand_faulty;
+        if (result.cutting) flags |= hand_cutting;
         if (local.mode == LocalMode::grasp) {
             flags |= hand_grasping;
             record.jaw_force = counts(tool.grip, sample_force_unit);

@@ -6,19 +6,10 @@
 #include "sim_core/contact/jaws.h"
 #include "sim_core/contact/series_stiffness.h"
 #include "sim_core/world/bowel_part.h"
+#include "sim_core/world/jaw_rules.h"
 
 namespace fulcrum {
-namespace {
-
-constexpr double close_share = 0.35, open_share = 0.45;  // of the widest opening: hysteresis between taking and letting go
-constexpr double least_grip = 0.2;                       // N: weaker jaws hold nothing
-constexpr double grasp_reach = 0.006;                    // m from the middle of the jaws to the surface
-constexpr double correction_time = 0.06;                 // s: the tissue is drawn into the jaws in this time
-constexpr double fastest_hold = 2.0;                     // m/s: a device that jumps does not tear the tissue along at once
-constexpr double slip_delay = 0.02;                      // s of overload before the tissue leaves the jaws
-constexpr double pinch_share = 2.0;                      // of the tissue's contact stiffness: both walls between the jaws
-
-}  // namespace
+using namespace jaw_rules;
 
 void BowelPart::begin_grasp(int hand, const ToolAction& action) noexcept {
     const Vector3 jaws = action.tool.tip - 0.5 * action.instrument->jaw_length * action.tool.axis;

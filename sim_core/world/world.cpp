@@ -48,6 +48,11 @@ World::World(const Scene& scene, std::uint64_t seed) : scene_(scene) {
     }
     build_anatomy(seed);
 
+    if (scene_.sheet) {
+        sheet_ = std::make_unique<SheetPart>(scene_, scene_.step_period());
+        sheet_->size_snapshot(snapshot_);
+    }
+
     // The world before the first tick: instruments where their devices are aligned at the start.
     TickOutput start;
     for (int hand = 0; hand < hand_count; ++hand) {
@@ -98,6 +103,17 @@ StepRecord World::step(const TickOutput* outputs, std::size_t count) noexcept {
         find_contacts(last, actions);
         record.outcome = bowel_->step(actions, scene_.step_period());
     }
+    if (sheet_) {
+        Stopwatch watch(measuring_, sheet_us_);
+        sheet_->forget_events();
+        SheetAction actions[hand_count];
+        for (int hand = 0; hand < hand_count && !paused; ++hand) {
+            if (!has_instrument_[hand]) continue;
+            actions[hand].instrument = scene_.instrument(static_cast<Hand>(hand));
+            actions[hand].tool = last.contact[hand].tool;
+        }
+        if (!paused) record.outcome = std::max(record.outcome, sheet_->step(actions, record.last_tick, scene_.step_period()));
+    }
     {
         Stopwatch watch(measuring_, models_us_);
         fill_models(last);
@@ -140,6 +156,7 @@ void World::fill_models(const TickOutput& last) noexcept {
             request.horizon = 2 * scene_.step_period();  // until the next model is there, were it a whole step late
             bowel_->fill_local_model(static_cast<Hand>(hand), request, model);
         }
+        if (sheet_) sheet_->fill_local_model(hand, model);
         model.target_count = static_cast<std::int32_t>(targets_.size());
         std::copy(targets_.begin(), targets_.end(), model.targets.begin());
         model.cavity_seed = cavity_ ? cavity_->closest(last.contact[hand].tool.tip, 0.05).triangle : -1;
@@ -155,6 +172,7 @@ void World::fill_snapshot(const TickOutput& last) noexcept {
     }
     if (scope_) snapshot_.camera = scope_pose(*scope_, last.input.camera);
     if (bowel_) bowel_->fill_snapshot(snapshot_);
+    if (sheet_) sheet_->fill_snapshot(snapshot_);
 }
 
 std::uint64_t World::hash() const noexcept {
@@ -166,6 +184,7 @@ std::uint64_t World::hash() const noexcept {
         hash.add(tool.jaw_angle);
     }
     if (bowel_) bowel_->hash(hash);
+    if (sheet_) sheet_->hash(hash);
     return hash.value() == 0 ? 1 : hash.value();  // 0 means: no hash in this step
 }
 
@@ -185,6 +204,7 @@ std::vector<PartCost> World::costs() const {
         if (scene_.tethers) costs.push_back({"tethers", 0, sizeof(RodTether) * static_cast<std::size_t>(scene_.tethers->count)});
         if (!scene_.membranes.empty()) costs.push_back({"membranes", cost.membranes, bowel_->bytes_membranes()});
     }
+    if (sheet_) costs.push_back({"sheet", sheet_us_, sheet_->bytes()});
     if (scene_.targets) costs.push_back({"targets", 0, targets_.capacity() * sizeof(TargetModel)});
     costs.push_back({"contact_models", models_us_, sizeof(LocalModels)});
     costs.push_back({"snapshot", snapshot_us_, sizeof(WorldSnapshot) + snapshot_.rings.capacity() * sizeof(RingFrame) + snapshot_.nodes.capacity() * sizeof(Vector3)});

@@ -15,6 +15,7 @@
 #include "sim_core/scene/scene.h"
 #include "sim_core/telemetry/sample.h"
 #include "sim_core/world/bowel_part.h"
+#include "sim_core/world/sheet_part.h"
 #include "sim_core/world/snapshot.h"
 
 namespace fulcrum {
@@ -47,6 +48,8 @@ class World {
     /// Parts, null where the scene does not list them. Their constant data may be read by any thread.
     const BowelPart* bowel() const noexcept { return bowel_.get(); }
     BowelPart* bowel() noexcept { return bowel_.get(); }
+    const SheetPart* sheet() const noexcept { return sheet_.get(); }
+    SheetPart* sheet() noexcept { return sheet_.get(); }
     const CavityModel* cavity() const noexcept { return cavity_.get(); }
 
     void measure(bool on);
@@ -63,6 +66,7 @@ class World {
     Scene scene_;
     std::unique_ptr<CavityModel> cavity_;
     std::unique_ptr<BowelPart> bowel_;
+    std::unique_ptr<SheetPart> sheet_;
     std::vector<TargetModel> targets_;
     InstrumentModel instruments_[hand_count];
     bool has_instrument_[hand_count] = {false, false};
@@ -73,7 +77,7 @@ class World {
     std::uint32_t steps_ = 0;
     std::uint32_t next_hash_tick_ = hash_every_ticks;
     bool measuring_ = false;
-    double models_us_ = 0, snapshot_us_ = 0;
+    double models_us_ = 0, snapshot_us_ = 0, sheet_us_ = 0;
 };
 
 }  // namespace fulcrum

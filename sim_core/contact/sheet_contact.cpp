@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_core/contact/sheet_contact.h"
+
+#include <algorithm>
+
+namespace fulcrum {
+
+void touch_sheet(const ToolContactModel& model, const LocalModel& local, const ToolKinematics& tool,
+                 ToolContactResult& result) {
+    const SheetContactModel& sheet = local.sheet;
+    if (sheet.tissue < 0) return;
+    const Vector3 moved = tool.tip - sheet.tip;
+    const Vector3& n = sheet.normal;
+    const double along = moved.dot(n), approach = tool.tip_velocity.dot(n);
+    double push = 0;
+    if (sheet.pushes) {
+        push = sheet.push - sheet.stiffness * along;
+        // The damper comes in with the depth, so that touching is no jump.
+        const double depth = push / std::max(1e-9, sheet.stiffness);
+        const double share = std::clamp(depth / model.onset_depth, 0.0, 1.0);
+        push = push > 0 ? std::max(0.0, push - share * sheet.damping * approach) : 0.0;
+    }
+    Vector3 drag = sheet.drag + sheet.drag_stiffness * (moved - along * n);
+    const double most = sheet.grip + sheet.friction * push, size = drag.norm();
+    if (size > most) drag *= most / size;
+    const Vector3 force = drag - push * n;
+    result.cutting = sheet.cutting;
+    if (!(force.squaredNorm() > 0)) return;
+    result.sheet_force = force;
+    result.force += force;
+    result.torque += (tool.tip - tool.trocar).cross(force);
+    result.point = tool.tip;
+    result.normal = n;
+    if (push > 0) {
+        result.stiffness += sheet.stiffness * n * n.transpose();
+        result.damping = std::max(result.damping, sheet.damping);
+    }
+    if (size <= most) result.stiffness += sheet.drag_stiffness * (Matrix3::Identity() - n * n.transpose());
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+// Blades in the sheet: Eqs. 6 and 7, the steps of a cut, and what becomes of it in springs, places and pieces.
+#include <algorithm>
+#include <cmath>
+
+#include "sim_core/world/sheet_part.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr double least_advance = 0.00035;   // m that a blade's way gathers before it is cut
+constexpr double longest_advance = 0.005;   // m in one step of the world
+constexpr double overlap = 0.0003;          // m by which a step begins in the cut of the one before
+constexpr double ahead = 0.0002;            // m before the blade, where the tissue is that it is in
+constexpr double blade_reach = 0.003;       // m along the normal to either side
+constexpr double out_by = 0.001;            // m beyond the tip's radius: the blade is out of the tissue
+constexpr double off_by = 0.002;            // m from the nearest tissue: it has run over the rim
+constexpr double line_reach = 0.012;        // m beside the marked line within which a cut divides the sheet across it
+constexpr double kept_slack = 1e-6;
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+void SheetPart::leave(int number, std::uint32_t tick) noexcept {
+    HandState& hand = state_.hands[static_cast<std::size_t>(number)];
+    add_place_event(tick, EventKind::cut_end, number, hand.way);
+    hand.touch = SheetTouch::clearing;
+    hand.linked = false;
+    hand.cover = 0;
+    hand.reaction.setZero();
+}
+
+void SheetPart::follow(int number, const SheetAction& action, std::uint32_t tick) noexcept {
+    HandState& hand = state_.hands[static_cast<std::size_t>(number)];
+    hand.friction = friction(action);
+    hand.radius = action.instrument->tip_radius;
+    if (!hand.linked || (hand.touch != SheetTouch::touching && hand.touch != SheetTouch::cutting)) return;
+    const bool button = (action.tool.buttons & button_primary) != 0;
+    const Vector3 n = hand.touch == SheetTouch::touching ? Vector3(hand.side * hand.normal) : hand.normal;
+    const Vector3 here = place(hand.place);
+    Vector3 way = hand.target - here;
+    way -= way.dot(n) * n;
+    if (hand.touch == SheetTouch::touching) {
+        // Eq. 6: the force on the contact plane, and Eq. 7.
+        const double across = std::max(0.0, -hand.reaction.dot(n));
+        const double along = (hand.reaction - hand.reaction.dot(n) * n).norm();
+        if (button && action.instrument->cuts() && tissue_.cutting && across > tissue_.cutting->penetrate &&
+            along > tissue_.cutting->static_friction) {
+            hand.touch = SheetTouch::cutting;
+            hand.way = rest(hand.place);
+            hand.linked = false;  // the blade is another link
+            surface_.begin_stroke();
+            add_place_event(tick, EventKind::cut_begin, number, hand.way);
+            return;
+        }
+        // Where the tip slides the contact goes with it.
+        const double most = hand.friction * across, pull = tissue_.stiffness * hand.cover * way.norm();
+        if (pull > most && pull > 0) {
+            const SheetPlace next = closest(here + (1 - most / pull) * way);
+            if (next.fragment >= 0) hand.place = next;
+        }
+        return;
+    }
+    const Vector3 out = hand.side * n;
+    if (!button || (action.tool.tip - here).dot(out) > action.instrument->tip_radius + out_by) {
+        leave(number, tick);
+        return;
+    }
+    const double pull = tissue_.stiffness * way.norm(), most = tissue_.cutting->dynamic_friction;
+    if (!(pull > most)) return;
+    Vector3 excess = (1 - most / pull) * way;
+    const double size = excess.norm();
+    if (size < least_advance) return;
+    if (size > longest_advance) excess *= longest_advance / size;
+    advance(number, excess, tick);
+}
+
+void SheetPart::advance(int number, const Vector3& excess, std::uint32_t tick) noexcept {
+    HandState& hand = state_.hands[static_cast<std::size_t>(number)];
+    const Vector3 here = place(hand.place), way = excess.normalized();
+    const double traction = traction_at(here, way, hand.normal);
+    BladeStep blade;
+    blade.from = here - overlap * way;
+    blade.to = here + excess;
+    blade.normal = hand.normal;
+    blade.width = spec_.blade_width;
+    blade.depth = blade_reach;
+    blade.root = surface_.fragment(hand.place.fragment).root;
+    const CutReport report = cut(blade);
+    if (report.roll_backs > 0) add_event(tick, EventKind::cut_rolled_back, number, 0, report.roll_backs);
+    if (report.outcome == CutOutcome::full || report.outcome == CutOutcome::invalid) faults_ = std::max(faults_, 1U);
+    if (report.outcome != CutOutcome::cut && report.outcome != CutOutcome::nothing) return;
+    const SheetPlace next = closest(blade.to + ahead * way);
+    const bool gone = next.fragment < 0 || (place(next) - blade.to).norm() > off_by;
+    const Vector3 reached = gone ? Vector3(hand.way + excess.norm() * (rest(next) - hand.way).normalized()) : rest(next);
+    if (report.outcome == CutOutcome::cut) {
+        const double length = (reached - hand.way).norm();
+        mark_divided(hand.way, reached);
+        add_place_event(tick, EventKind::cut_advance, number, reached);
+        add_event(tick, EventKind::cut_traction, number, traction, 1e6 * length);
+        note_loose(tick);
+    }
+    hand.way = reached;
+    if (gone) {
+        leave(number, tick);
+    } else {
+        hand.place = next;
+    }
+}
+
+CutReport SheetPart::cut(const BladeStep& blade) noexcept {
+    const CutReport report = surface_.cut(blade, state_.positions.data());
+    if (report.outcome == CutOutcome::cut) take_over();
+    return report;
+}
+
+void SheetPart::remake_pieces() noexcept {
+    cut_.clear();
+    for (const std::int32_t root : surface_.touched_roots()) {
+        cut_.roots.push_back(root);
+        touched_[at(root)] = 1;
+    }
+    for (const std::int32_t root : surface_.touched_roots()) {
+        for (std::int32_t f = root; f >= 0; f = surface_.fragment(f).next_of_root) {
+            const CutFragment& row = surface_.fragment(f);
+            if (row.triangles == 0) continue;
+            MembranePiece piece;
+            piece.slot = f;
+            piece.root = root;
+            piece.share = row.share;
+            piece.from = f;
+            while (state_.membrane.pieces[at(piece.from)].root < 0) piece.from = surface_.fragment(piece.from).from;
+            if (piece.from != f) state_.loose[at(f)] = state_.loose[at(piece.from)];
+            for (std::int32_t t = surface_.root(root).first_visible; t >= 0; t = surface_.triangle(t).next_in_root) {
+                if (surface_.fragment_of_triangle(t) != f) continue;
+                for (const std::int32_t v : surface_.triangle(t).vertices) {
+                    Vector3 b;
+                    if (!barycentric_in(surface_.model(), surface_.vertex(v), root, b)) continue;
+                    for (int c = 0; c < 3; ++c) {
+                        if (b[c] == 1) piece.corners = static_cast<std::uint8_t>(piece.corners | 1 << c);
+                    }
+                }
+            }
+            FragmentContact contacts[32];
+            const std::int32_t count = std::min(surface_.contacts_of(f, contacts, 32), 32);
+            for (std::int32_t c = 0; c < count; ++c) {
+                const FragmentContact& contact = contacts[c];
+                if (!(contact.length_share > 0)) continue;
+                piece.edges = static_cast<std::uint8_t>(piece.edges | 1 << contact.edge);
+                if (contact.other < 0) continue;
+                const bool both = touched_[at(surface_.fragment(contact.other).root)] != 0;
+                if (both && contact.other < f) continue;  // named by the other
+                cut_.contacts.push_back({f, contact.other, contact.edge, contact.length_share});
+            }
+            cut_.pieces.push_back(piece);
+        }
+    }
+    for (const std::int32_t root : cut_.roots) touched_[at(root)] = 0;
+}
+
+void SheetPart::take_over() noexcept {
+    // Where tips are, before their tissue changes.
+    std::array<Vector3, hand_count> tips;
+    for (std::size_t h = 0; h < hand_count; ++h) tips[h] = place(state_.hands[h].place);
+    remake_pieces();
+    if (!membrane_.part(state_.membrane, cut_, scratch_)) faults_ = 2;
+    list_visible();
+    const MeshAdjacency& adjacency = surface_.model().adjacency;
+    for (const std::int32_t root : cut_.roots) {
+        for (const std::int32_t corner : layout_.mesh.triangles[at(root)]) {
+            for (const std::int32_t near : adjacency.triangles_of(corner)) {
+                for (std::int32_t t = surface_.root(near).first_visible; t >= 0; t = surface_.triangle(t).next_in_root) {
+                    for (const std::int32_t v : surface_.triangle(t).vertices) bind(v);
+                }
+            }
+        }
+    }
+    update_positions();
+    for (const std::int32_t root : cut_.roots) touched_[at(root)] = 1;
+    const auto changed = [&](const SheetPlace& where) { return where.fragment >= 0 && touched_[at(surface_.fragment(where.fragment).root)] != 0; };
+    for (std::size_t h = 0; h < hand_count; ++h) {
+        HandState& hand = state_.hands[h];
+        if (changed(hand.place)) hand.place = closest(tips[h]);
+        // Jaws keep what is still between them.
+        int kept = 0;
+        for (int g = 0; g < hand.grip_count; ++g) {
+            HandState::Grip grip = hand.grips[static_cast<std::size_t>(g)];
+            if (changed(grip.place)) grip.place = find_in_root(surface_.fragment(grip.place.fragment).root, grip.place.barycentric, kept_slack);
+            if (grip.place.fragment >= 0) hand.grips[static_cast<std::size_t>(kept++)] = grip;
+        }
+        hand.grip_count = kept;
+    }
+    for (SheetPlace& point : state_.line) {
+        if (!changed(point)) continue;
+        const SheetPlace found = find_in_root(surface_.fragment(point.fragment).root, point.barycentric, 1e9);
+        point.fragment = found.fragment;
+        point.triangle = found.triangle;
+    }
+    for (const std::int32_t root : cut_.roots) touched_[at(root)] = 0;
+}
+
+void SheetPart::note_loose(std::uint32_t tick) noexcept {
+    state_.any_loose = 0;
+    bool fresh = false;
+    for (std::int32_t f = 0; f < surface_.fragment_count(); ++f) {
+        if (surface_.fragment(f).triangles == 0 || !state_.membrane.pieces[at(f)].isolated) continue;
+        ++state_.any_loose;
+        fresh = fresh || state_.loose[at(f)] == 0;
+    }
+    if (!fresh) return;
+    const std::int32_t pieces = surface_.find_pieces();
+    for (std::int32_t p = 0; p < pieces; ++p) {
+        const CutPiece& piece = surface_.piece(p);
+        const std::int32_t fragment = surface_.fragment_of_triangle(piece.first);
+        if (piece.fixed || state_.loose[at(fragment)] != 0) continue;
+        add_event(tick, EventKind::piece_fallen, -1, piece.area, 0);
+    }
+    for (const std::int32_t t : visible_) {
+        const std::int32_t fragment = surface_.fragment_of_triangle(t);
+        if (state_.membrane.pieces[at(fragment)].isolated && state_.loose[at(fragment)] == 0) state_.loose[at(fragment)] = 1;
+    }
+}
+
+void SheetPart::mark_divided(const Vector3& from, const Vector3& to) noexcept {
+    Vector3 way = to - from;
+    const double length = way.norm();
+    if (!(length > 0)) return;
+    const Vector3 begin = from - overlap / length * way, end = to + overlap / length * way;
+    for (std::size_t i = 0; i < state_.divided.size(); ++i) {
+        const double x = line_positions_[i];
+        if ((begin.x() - x) * (end.x() - x) > 0 || begin.x() == end.x()) continue;
+        const double y = begin.y() + (x - begin.x()) / (end.x() - begin.x()) * (end.y() - begin.y());
+        if (std::abs(y) < line_reach) state_.divided[i] = 1;
+    }
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_core/world/sheet_part.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim_core/numerics/input_error.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr int surface_steps = 1000;     // room for so many steps of a blade
+constexpr double station_gap = 0.005;   // m between points of the marked line
+constexpr double tension_reach = 0.006; // m about a blade whose springs tell the traction
+constexpr int settling_steps = 80;
+constexpr std::uint16_t loose_steps = 200;  // what has come free falls for so long, then it is removed
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+MembraneMaterial material_of(const SheetSpec& spec, const TriangleMesh& mesh) {
+    MembraneMaterial material;
+    material.structural_stiffness = spec.structural_stiffness;
+    material.shear_stiffness = spec.shear_stiffness;
+    material.bend_stiffness = spec.bend_stiffness;
+    material.mass = spec.surface_density * surface_area(mesh);
+    material.pre_strain = spec.pre_strain;
+    material.stiffness_damping = spec.stiffness_damping;
+    material.mass_damping = spec.mass_damping;
+    return material;
+}
+
+std::vector<CutMembrane::Attachment> attachments_of(const SheetSpec& spec, const SheetLayout& layout) {
+    std::vector<CutMembrane::Attachment> held;
+    for (std::int32_t c = 0; c < layout.columns; ++c) {
+        held.push_back({c, std::numeric_limits<double>::infinity()});
+        held.push_back({(layout.rows - 1) * layout.columns + c, spec.flap_stiffness / layout.columns});
+    }
+    return held;
+}
+
+std::vector<std::int32_t> held_vertices(const SheetLayout& layout) {
+    std::vector<std::int32_t> held;
+    for (std::int32_t c = 0; c < layout.columns; ++c) {
+        held.push_back(c);
+        held.push_back((layout.rows - 1) * layout.columns + c);
+    }
+    return held;
+}
+
+}  // namespace
+
+SheetLayout lay_out_sheet(const SheetSpec& spec) {
+    SheetLayout layout;
+    layout.columns = static_cast<std::int32_t>(std::lround(spec.length / spec.spacing)) + 1;
+    layout.rows = static_cast<std::int32_t>(std::lround(spec.width / spec.spacing)) + 1;
+    for (std::int32_t r = 0; r < layout.rows; ++r) {
+        for (std::int32_t c = 0; c < layout.columns; ++c) {
+            const double x = (static_cast<double>(c) / (layout.columns - 1) - 0.5) * spec.length;
+            const double y = (static_cast<double>(r) / (layout.rows - 1) - 0.5) * spec.width;
+            layout.mesh.vertices.push_back(spec.centre + x * spec.along + y * spec.across);
+        }
+    }
+    for (std::int32_t r = 0; r + 1 < layout.rows; ++r) {
+        for (std::int32_t c = 0; c + 1 < layout.columns; ++c) {
+            const std::int32_t a = r * layout.columns + c, b = a + 1, d = a + layout.columns, e = d + 1;
+            if ((r + c) % 2 == 0) {
+                layout.mesh.triangles.push_back({a, b, e});
+                layout.mesh.triangles.push_back({a, e, d});
+            } else {
+                layout.mesh.triangles.push_back({a, b, d});
+                layout.mesh.triangles.push_back({b, e, d});
+            }
+        }
+    }
+    return layout;
+}
+
+SheetPart::SheetPart(const Scene& scene, double dt)
+    : spec_(*scene.sheet),
+      tissue_(scene.tissues[at(scene.tissue_index(scene.sheet->tissue))]),
+      tissue_index_(static_cast<std::int16_t>(scene.tissue_index(scene.sheet->tissue))),
+      gravity_(scene.gravity),
+      layout_(lay_out_sheet(*scene.sheet)),
+      surface_(layout_.mesh, held_vertices(layout_), CutMesh::capacity_for(layout_.mesh, surface_steps)),
+      membrane_(layout_.mesh, material_of(spec_, layout_.mesh), attachments_of(spec_, layout_), surface_.capacity().fragments),
+      scratch_(membrane_.make_scratch()) {
+    if (!(dt <= 1000 * membrane_.safe_time_step())) {
+        throw InputError(scene.id, "/sheet", "the sheet is too stiff for its mass at this step",
+                         "lower its stiffness, raise surface_density or take fewer ticks_per_step");
+    }
+    line_start_ = spec_.centre - 0.5 * spec_.line_length * spec_.along + (spec_.line_at - 0.5) * spec_.width * spec_.across;
+    state_.membrane = membrane_.make_state();
+    state_.positions.assign(at(surface_.capacity().vertices), Vector3::Zero());
+    state_.bindings.resize(at(surface_.capacity().vertices));
+    state_.loose.assign(at(surface_.capacity().fragments), 0);
+    visible_.reserve(at(surface_.capacity().triangles));
+    near_.reserve(at(surface_.capacity().triangles));
+    touched_.assign(at(surface_.root_count()), 0);
+    cut_.roots.reserve(at(surface_.root_count()));
+    cut_.pieces.reserve(at(surface_.capacity().fragments));
+    cut_.contacts.reserve(6 * at(surface_.capacity().fragments));
+    inputs_.links.reserve((grip_points + 1) * hand_count);
+    inputs_.gravity = spec_.weight * gravity_;
+    inputs_.isolated_gravity = gravity_;
+    for (std::int32_t v = 0; v < surface_.vertex_count(); ++v) bind(v);
+    list_visible();
+    update_positions();
+    const int stations = spec_.line_length > 0 ? static_cast<int>(std::ceil(spec_.line_length / station_gap)) + 1 : 0;
+    for (int i = 0; i < stations; ++i) {
+        line_positions_.push_back(spec_.line_length * i / (stations - 1));
+        state_.line.push_back(closest(line_start_ + line_positions_.back() * spec_.along));
+    }
+    state_.divided.assign(state_.line.size(), 0);
+    state_.traction.assign(state_.line.size(), 0.0);
+    settle(dt);
+    for (std::size_t i = 0; i < state_.line.size(); ++i) measure_station();
+}
+
+void SheetPart::settle(double dt) noexcept {
+    // From the shape in which every spring is stretched alike to rest: the speed is taken out at each peak.
+    double kinetic = 0;
+    for (int i = 0; i < settling_steps; ++i) {
+        membrane_.step(state_.membrane, inputs_, dt, scratch_);
+        const double now = membrane_.energy(state_.membrane).kinetic;
+        if (now < kinetic) {
+            for (Vector3& v : state_.membrane.velocities) v.setZero();
+            kinetic = 0;
+        } else {
+            kinetic = now;
+        }
+    }
+    for (Vector3& v : state_.membrane.velocities) v.setZero();
+    update_positions();
+}
+
+Vector3 SheetPart::place(const SheetPlace& where) const noexcept {
+    if (where.fragment < 0 || state_.membrane.pieces[at(where.fragment)].root < 0) return Vector3::Zero();
+    return CutMembrane::point(state_.membrane, where.fragment, where.barycentric);
+}
+
+Vector3 SheetPart::rest(const SheetPlace& where) const noexcept {
+    if (where.fragment < 0) return Vector3::Zero();
+    const Triangle& corners = layout_.mesh.triangles[at(surface_.fragment(where.fragment).root)];
+    Vector3 sum = Vector3::Zero();
+    for (std::size_t c = 0; c < 3; ++c) sum += where.barycentric[static_cast<int>(c)] * layout_.mesh.vertices[at(corners[c])];
+    sum -= line_start_;
+    return Vector3(sum.dot(spec_.along), sum.dot(spec_.across), 0);
+}
+
+void SheetPart::bind(std::int32_t vertex) noexcept {
+    SheetPlace& binding = state_.bindings[at(vertex)];
+    binding = SheetPlace();
+    const CutVertex& row = surface_.vertex(vertex);
+    if (row.triangle < 0) return;
+    const std::int32_t root = surface_.triangle(row.triangle).root;
+    if (!barycentric_in(surface_.model(), row, root, binding.barycentric)) return;
+    binding.fragment = surface_.fragment_of_triangle(row.triangle);
+    binding.triangle = row.triangle;
+}
+
+void SheetPart::list_visible() noexcept {
+    visible_.clear();
+    for (std::int32_t t = 0; t < surface_.triangle_count(); ++t) {
+        if (surface_.visible(t)) visible_.push_back(t);
+    }
+}
+
+void SheetPart::update_positions() noexcept {
+    for (std::int32_t v = 0; v < surface_.vertex_count(); ++v) {
+        const SheetPlace& binding = state_.bindings[at(v)];
+        if (binding.fragment >= 0) state_.positions[at(v)] = CutMembrane::point(state_.membrane, binding.fragment, binding.barycentric);
+    }
+}
+
+std::uint32_t SheetPart::step(const SheetAction* actions, std::uint32_t tick, double dt) noexcept {
+    event_count_ = 0;
+    faults_ = 0;
+    for (int hand = 0; hand < hand_count; ++hand) {
+        if (actions[hand].instrument == nullptr) continue;
+        update_jaws(hand, actions[hand], dt);
+        approach(hand, actions[hand], tick, dt);
+    }
+    add_links(actions);
+    const MembraneReport report = membrane_.step(state_.membrane, inputs_, dt, scratch_);
+    if (report.fault == MembraneFault::refused || report.fault == MembraneFault::frozen) faults_ = 2;
+    read_links();
+    update_positions();
+    for (int hand = 0; hand < hand_count; ++hand) {
+        if (actions[hand].instrument == nullptr) continue;
+        follow(hand, actions[hand], tick);
+        state_.hands[static_cast<std::size_t>(hand)].tip = actions[hand].tool.tip;
+    }
+    drop_loose(tick);
+    measure_station();
+    return faults_;
+}
+
+void SheetPart::drop_loose(std::uint32_t tick) noexcept {
+    if (state_.any_loose == 0) return;
+    std::int32_t due = -1;
+    for (std::int32_t f = 0; f < surface_.fragment_count(); ++f) {
+        std::uint16_t& age = state_.loose[at(f)];
+        if (age == 0 || surface_.fragment(f).triangles == 0) continue;
+        if (age <= loose_steps) ++age;
+        if (age > loose_steps && due < 0) due = f;
+    }
+    if (due < 0) return;
+    surface_.find_pieces();
+    for (std::int32_t t = surface_.root(surface_.fragment(due).root).first_visible; t >= 0; t = surface_.triangle(t).next_in_root) {
+        if (surface_.fragment_of_triangle(t) != due) continue;
+        const std::int32_t piece = surface_.piece_of_triangle(t);
+        if (jaws_hold(piece)) {  // it hangs in the jaws: asked again when it has fallen for as long
+            for (const std::int32_t v : visible_) {
+                if (surface_.piece_of_triangle(v) == piece) state_.loose[at(surface_.fragment_of_triangle(v))] = 1;
+            }
+            return;
+        }
+        if (surface_.remove_piece(piece, state_.positions.data()).outcome == CutOutcome::cut) {
+            take_over();
+            note_loose(tick);
+        }
+        return;
+    }
+}
+
+bool SheetPart::jaws_hold(std::int32_t piece) const noexcept {
+    for (const HandState& hand : state_.hands) {
+        for (int g = 0; hand.held && g < hand.grip_count; ++g) {
+            const std::int32_t triangle = hand.grips[static_cast<std::size_t>(g)].place.triangle;
+            if (triangle >= 0 && surface_.piece_of_triangle(triangle) == piece) return true;
+        }
+    }
+    return false;
+}
+
+double SheetPart::traction_at(const Vector3& point, const Vector3& way, const Vector3& normal) const noexcept {
+    const Vector3 across = normal.cross(way);
+    if (!(across.squaredNorm() > 1e-24)) return 0;
+    const Vector3 unit = across.normalized();
+    return unit.dot(membrane_.tension(state_.membrane, point, tension_reach) * unit);
+}
+
+void SheetPart::measure_station() noexcept {
+    if (state_.line.empty()) return;
+    const auto count = static_cast<std::int32_t>(state_.line.size());
+    const std::int32_t i = state_.next_station;
+    state_.next_station = (i + 1) % count;
+    const SheetPlace& here = state_.line[at(i)];
+    double& traction = state_.traction[at(i)];
+    traction = 0;
+    if (state_.divided[at(i)] != 0 || here.fragment < 0) return;
+    const SheetPlace &before = state_.line[at(std::max(0, i - 1))], &after = state_.line[at(std::min(count - 1, i + 1))];
+    if (before.fragment < 0 || after.fragment < 0) return;
+    const auto& nodes = state_.membrane.pieces[at(here.fragment)].nodes;
+    const auto& x = state_.membrane.positions;
+    const Vector3 normal = (x[at(nodes[1])] - x[at(nodes[0])]).cross(x[at(nodes[2])] - x[at(nodes[0])]);
+    traction = traction_at(place(here), place(after) - place(before), normal);
+}
+
+void SheetPart::add_event(std::uint32_t tick, EventKind kind, int hand, double value, double detail) noexcept {
+    if (event_count_ == event_capacity) return;
+    Event& event = events_[static_cast<std::size_t>(event_count_++)];
+    event = Event();
+    event.tick = tick;
+    event.kind = kind;
+    event.hand = hand < 0 ? std::uint8_t{255} : static_cast<std::uint8_t>(hand);
+    event.tissue = static_cast<std::int8_t>(tissue_index_);
+    event.value = static_cast<float>(value);
+    event.detail = static_cast<std::int32_t>(std::lround(std::clamp(detail, -2.0e9, 2.0e9)));
+}
+
+void SheetPart::add_place_event(std::uint32_t tick, EventKind kind, int hand, const Vector3& where) noexcept {
+    add_event(tick, kind, hand, where.x(), -1e6 * where.y());  // the flap's side is the line's y
+}
+
+void SheetPart::restore(const State& state, const CutState& surface) {
+    state_ = state;
+    surface_.restore(surface);
+    list_visible();
+    event_count_ = 0;
+}
+
+void SheetPart::size_snapshot(WorldSnapshot& snapshot) const {
+    SheetView& view = snapshot.sheet;
+    view.line.resize(state_.line.size(), Vector3::Zero());
+    view.line_positions = line_positions_;
+    view.line_traction = state_.traction;
+    view.line_divided = state_.divided;
+    view.flap.resize(at(layout_.columns), Vector3::Zero());
+    view.positions.resize(at(surface_.capacity().vertices), Vector3::Zero());
+    view.rest.resize(at(surface_.capacity().vertices), Vector3::Zero());
+    view.triangles.resize(at(surface_.capacity().triangles), Triangle{0, 0, 0});
+    view.thickness = spec_.thickness;
+    view.topology = 0xFFFFFFFFU;  // filled with the first picture
+    snapshot.events.resize(event_capacity);
+}
+
+void SheetPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
+    SheetView& view = snapshot.sheet;
+    for (std::size_t i = 0; i < state_.line.size(); ++i) {
+        if (state_.line[i].fragment >= 0) view.line[i] = place(state_.line[i]);
+    }
+    std::copy(state_.traction.begin(), state_.traction.end(), view.line_traction.begin());
+    std::copy(state_.divided.begin(), state_.divided.end(), view.line_divided.begin());
+    for (std::int32_t c = 0; c < layout_.columns; ++c) view.flap[at(c)] = state_.positions[at((layout_.rows - 1) * layout_.columns + c)];
+    view.vertex_count = surface_.vertex_count();
+    std::copy_n(state_.positions.begin(), at(view.vertex_count), view.positions.begin());
+    if (view.topology != state_.membrane.topology) {
+        view.topology = state_.membrane.topology;
+        for (std::int32_t v = 0; v < view.vertex_count; ++v) {
+            const Vector3 from_start = surface_.vertex(v).rest - line_start_;
+            view.rest[at(v)] = Vector3(from_start.dot(spec_.along), from_start.dot(spec_.across), 0);
+        }
+        view.triangle_count = static_cast<std::int32_t>(visible_.size());
+        for (std::size_t k = 0; k < visible_.size(); ++k) view.triangles[k] = surface_.triangle(visible_[k]).vertices;
+        view.visible_area = surface_.area_visible();
+        view.removed_area = surface_.area_removed();
+    }
+    std::copy_n(events_.begin(), event_count_, snapshot.events.begin());
+    snapshot.event_count = event_count_;
+    for (std::size_t h = 0; h < hand_count; ++h) {
+        const HandState& hand = state_.hands[h];
+        GraspState& grasp = snapshot.grasps[h];
+        grasp.held = hand.held;
+        grasp.slipped = hand.slipped;
+        grasp.reaction = hand.held ? hand.pull : Vector3(Vector3::Zero());
+        if (!hand.held) continue;
+        grasp.point = place(hand.grips[0].place);
+        grasp.offset = rest(hand.grips[0].place);
+    }
+}
+
+void SheetPart::hash(StateHash& hash) const noexcept {
+    const CutMembraneState& m = state_.membrane;
+    for (std::size_t n = 0; n < at(m.node_end); ++n) {
+        hash.add(m.positions[n]);
+        hash.add(m.velocities[n]);
+        hash.add(m.masses[n]);
+    }
+    hash.add(static_cast<std::int64_t>(m.topology));
+    hash.add(surface_.digest());
+    for (const HandState& hand : state_.hands) {
+        hash.add(static_cast<std::int64_t>(hand.touch));
+        hash.add(static_cast<std::int64_t>(hand.place.fragment));
+        hash.add(hand.place.barycentric);
+        hash.add(hand.side);
+        hash.add(hand.cover);
+        hash.add(hand.target);
+        hash.add(hand.reaction);
+        hash.add(static_cast<std::int64_t>(hand.grip_count));
+        hash.add(hand.pull);
+    }
+}
+
+std::size_t SheetPart::bytes() const {
+    return membrane_.bytes() + static_cast<std::size_t>(surface_.bytes()) +
+           state_.positions.capacity() * (sizeof(Vector3) + sizeof(SheetPlace)) +
+           state_.membrane.positions.capacity() * (2 * sizeof(Vector3) + sizeof(double)) +
+           state_.membrane.stiffness.capacity() * (2 * sizeof(double) + 4 * sizeof(std::int32_t));
+}
+
+}  // namespace fulcrum

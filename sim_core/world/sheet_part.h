@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// A sheet that is held and divided, as a part of the world (theory, sections 3 to 6; paper, Eqs. 6 and 7).
+// World thread. Nothing allocates after construction.
+//
+// The sheet is one cuttable surface (CutMesh: what is visible, which fragments of each root hang together) over one
+// membrane of springs on virtual nodes (CutMembrane: where it is). A visible vertex lies in the nodes of its fragment.
+// Each step: tools find their contact, jaws and tips enter the membrane's own solve as links, the membrane is stepped,
+// blades advance, and what they cut becomes fragments, nodes and springs before the step ends. The hand gets the
+// solution to first order (SheetContactModel) and never waits.
+//
+// A blade: touching -> in the tissue when its force across the sheet is above `penetrate` and that along it above
+// `static_friction` while its button is held -> advances while the force along it is above `dynamic_friction` -> out
+// when it leaves the sheet or the button opens; then it does not touch again until it has come clear.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sim_core/contact/local_model.h"
+#include "sim_core/cutting/cut_mesh.h"
+#include "sim_core/instrument/instrument.h"
+#include "sim_core/membrane/cut_membrane.h"
+#include "sim_core/scene/scene.h"
+#include "sim_core/telemetry/event.h"
+#include "sim_core/world/snapshot.h"
+#include "sim_core/world/state_hash.h"
+
+namespace fulcrum {
+
+/// The rectangle of a scene's sheet, counterclockwise seen from along x across; vertex = row * columns + column, row 0
+/// the fixed edge, columns along the marked line.
+struct SheetLayout {
+    TriangleMesh mesh;
+    std::int32_t columns = 0, rows = 0;
+};
+SheetLayout lay_out_sheet(const SheetSpec& spec);
+
+/// One hand over one step, as the sheet sees it.
+struct SheetAction {
+    const InstrumentSpec* instrument = nullptr;  ///< null: no such hand
+    ToolKinematics tool;                         ///< at the step's last tick
+};
+
+/// A place on the sheet that moves with it.
+struct SheetPlace {
+    std::int32_t fragment = -1;
+    Vector3 barycentric = Vector3::Zero();  ///< in the fragment's root
+    std::int32_t triangle = -1;             ///< visible one that it lies in
+};
+
+enum class SheetTouch : std::uint8_t { away, touching, cutting, clearing };
+
+class SheetPart {
+  public:
+    static constexpr int event_capacity = 32;
+    static constexpr int grip_points = 3;
+
+    /// What a hand does to the sheet, remembered from step to step.
+    struct HandState {
+        SheetTouch touch = SheetTouch::away;
+        SheetPlace place;                     ///< under the tip; the blade's while it cuts
+        double side = 1;                      ///< of the sheet that the tip is on, by the sheet's outward normal
+        Vector3 normal = Vector3::UnitZ();    ///< outward, blended over the tool's width
+        double cover = 0;                     ///< 0 .. 1, share of the contact that there is tissue for; follows slowly
+        double gap = 0;                       ///< m, tip to sheet on its side
+        Vector3 tip = Vector3::Zero();        ///< m, at the last step
+        double friction = 0, radius = 0;      ///< of the tool, at the last step; m
+        bool known = false;                   ///< `tip` and `side` mean something
+        Vector3 target = Vector3::Zero();     ///< m, of the link, at the last step's end
+        bool linked = false;                  ///< the link was there in the last step
+        Vector3 reaction = Vector3::Zero();   ///< N, tool on sheet
+        Vector3 way = Vector3::Zero();        ///< m at rest: where the blade was last
+        // Jaws.
+        bool held = false, ready = true, slipped = false;
+        struct Grip {
+            SheetPlace place;
+            Vector3 offset = Vector3::Zero();  ///< m, tool frame, from the tip
+            Vector3 correction = Vector3::Zero(), target = Vector3::Zero(), last = Vector3::Zero();
+        };
+        std::array<Grip, grip_points> grips;
+        int grip_count = 0;
+        Vector3 jaw_velocity = Vector3::Zero(), pull = Vector3::Zero();
+        double slip_time = 0;
+    };
+    /// All that changes; with the surface's own state a step goes on from it bit for bit.
+    struct State {
+        CutMembraneState membrane;
+        std::vector<Vector3> positions;      ///< m, by visible vertex
+        std::vector<SheetPlace> bindings;    ///< by visible vertex
+        std::vector<std::uint16_t> loose;    ///< steps since a fragment came free, 0: it hangs on
+        std::array<HandState, hand_count> hands;
+        std::vector<SheetPlace> line;        ///< points of the marked line
+        std::vector<std::uint8_t> divided;
+        std::vector<double> traction;
+        std::int32_t next_station = 0;
+        std::int32_t any_loose = 0;          ///< fragments
+    };
+
+    /// Builds the sheet and lets it come to rest. Throws InputError (place "/sheet").
+    SheetPart(const Scene& scene, double dt);
+
+    /// One step of dt seconds that ends with this tick. Returns StepRecord::outcome.
+    std::uint32_t step(const SheetAction* actions, std::uint32_t tick, double dt) noexcept;
+    void fill_local_model(int hand, LocalModel& model) const noexcept;
+    void size_snapshot(WorldSnapshot& snapshot) const;
+    void fill_snapshot(WorldSnapshot& snapshot) const noexcept;
+    void hash(StateHash& hash) const noexcept;
+
+    const State& state() const { return state_; }
+    const CutMesh& surface() const { return surface_; }
+    const CutMembrane& membrane() const { return membrane_; }
+    /// State and surface of a part made for the same scene.
+    void restore(const State& state, const CutState& surface);
+    const Event* events() const { return events_.data(); }
+    int event_count() const { return event_count_; }
+    /// A step that advances nothing makes no events.
+    void forget_events() noexcept { event_count_ = 0; }
+    std::size_t bytes() const;
+    Vector3 place(const SheetPlace& at) const noexcept;  ///< m
+    Vector3 rest(const SheetPlace& at) const noexcept;   ///< m, in the sheet's frame as SheetView::rest
+
+    /// A cut along a blade's step, with all that follows from it; for studies and tests as for the hands.
+    CutReport cut(const BladeStep& blade) noexcept;
+
+  private:
+    struct Near {
+        SheetPlace place;
+        Vector3 point = Vector3::Zero(), normal = Vector3::UnitZ();
+        double distance = 0, gap = 0, cover = 0;
+    };
+    Near find_near(const Vector3& tip, double radius) noexcept;
+    SheetPlace closest(const Vector3& point) const noexcept;
+    SheetPlace find_in_root(std::int32_t root, const Vector3& barycentric, double slack) const noexcept;
+    SheetPlace place_in(std::int32_t triangle, const Vector3& weights) const noexcept;
+    bool crosses(const Vector3& from, const Vector3& to) const noexcept;
+    void approach(int hand, const SheetAction& action, std::uint32_t tick, double dt) noexcept;
+    void update_jaws(int hand, const SheetAction& action, double dt) noexcept;
+    void take(int hand, const SheetAction& action) noexcept;
+    void add_links(const SheetAction* actions) noexcept;
+    void read_links() noexcept;
+    void follow(int hand, const SheetAction& action, std::uint32_t tick) noexcept;
+    void advance(int hand, const Vector3& way, std::uint32_t tick) noexcept;
+    void leave(int hand, std::uint32_t tick) noexcept;
+    void take_over() noexcept;
+    void note_loose(std::uint32_t tick) noexcept;
+    void drop_loose(std::uint32_t tick) noexcept;
+    void mark_divided(const Vector3& from, const Vector3& to) noexcept;
+    void measure_station() noexcept;
+    void update_positions() noexcept;
+    void list_visible() noexcept;
+    void settle(double dt) noexcept;
+    void remake_pieces() noexcept;
+    bool jaws_hold(std::int32_t piece) const noexcept;
+    void fill_touch(const HandState& hand, SheetContactModel& model) const noexcept;
+    void fill_grasp(const HandState& hand, LocalModel& model) const noexcept;
+    double friction(const SheetAction& action) const noexcept;
+    void bind(std::int32_t vertex) noexcept;
+    double traction_at(const Vector3& point, const Vector3& way, const Vector3& normal) const noexcept;
+    void add_event(std::uint32_t tick, EventKind kind, int hand, double value, double detail) noexcept;
+    void add_place_event(std::uint32_t tick, EventKind kind, int hand, const Vector3& at) noexcept;
+
+    SheetSpec spec_;
+    TissueSpec tissue_;
+    std::int16_t tissue_index_ = -1;
+    Vector3 line_start_ = Vector3::Zero(), gravity_ = Vector3::Zero();
+    SheetLayout layout_;
+    CutMesh surface_;
+    CutMembrane membrane_;
+    CutMembraneScratch scratch_;
+    State state_;
+    std::vector<double> line_positions_;
+    // Scratch.
+    CutMembraneInputs inputs_;
+    std::array<int, hand_count> tip_link_ = {-1, -1}, jaw_link_ = {-1, -1};
+    MembraneCut cut_;
+    std::vector<std::int32_t> visible_, near_;
+    std::vector<std::uint8_t> touched_;  ///< by root
+    std::uint32_t faults_ = 0;
+    std::array<Event, event_capacity> events_;
+    int event_count_ = 0;
+};
+
+}  // namespace fulcrum

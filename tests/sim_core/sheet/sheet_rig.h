@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two hands at the scene of a sheet, ticked and stepped in one thread.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "sim_core/haptics/loop.h"
+#include "sim_core/world/world.h"
+#include "tests/support/support.h"
+
+namespace fulcrum::test {
+
+inline Scene sheet_scene() {
+    return load_scene(source_path("assets/scenes/b2_areolar.json"));
+}
+
+/// One hand's wish.
+struct Wish {
+    Vector3 tip = Vector3::Zero();  ///< m, patient frame
+    bool closed = false, button = false;
+};
+
+struct SheetRig {
+    Scene scene;
+    World world;
+    HapticLoop loop;
+    std::vector<TickOutput> outputs;
+    Trocar trocar[hand_count];
+    DeviceSample last[hand_count];
+    Wish wish[hand_count];
+    std::uint32_t tick = 0;
+    std::uint64_t hash = 0;
+    StepRecord record;
+    std::vector<Event> events;
+    /// Of each tick, N: largest change of the force on a hand from the tick before, and the force.
+    double worst_change = 0, largest_force = 0;
+    Vector3 sent[hand_count] = {Vector3::Zero(), Vector3::Zero()};
+
+    explicit SheetRig(const Scene& chosen = sheet_scene()) : scene(chosen), world(scene, 1), loop(scene, world), outputs(5) {
+        for (int h = 0; h < hand_count; ++h) {
+            trocar[h] = make_trocar(scene.instruments[static_cast<std::size_t>(h)].trocar);
+            last[h] = start_sample(scene.instruments[static_cast<std::size_t>(h)].trocar, 0.10);
+            wish[h].tip = scene.sheet->centre + Vector3(h == 0 ? 0.04 : -0.04, 0, 0.05);
+        }
+    }
+    const SheetPart& sheet() const { return *world.sheet(); }
+    const SheetPart::HandState& hand(int h) const { return sheet().state().hands[static_cast<std::size_t>(h)]; }
+
+    void step() {
+        for (int i = 0; i < 5; ++i) {
+            RigSample input;
+            input.tick = ++tick;
+            for (int h = 0; h < hand_count; ++h) {
+                DeviceReading reading;
+                reading.handle = handle_for_tip(trocar[h], wish[h].tip);
+                reading.jaw = wish[h].closed ? 0 : 1.0;
+                reading.grip = wish[h].closed ? 8 : 0;
+                reading.buttons = wish[h].button ? button_primary : button_none;
+                input.hand[h] = last[h] = quantise(reading, last[h]);
+            }
+            if (scene.camera) input.camera = start_sample(scene.camera->trocar, scene.camera->start_insertion);
+            outputs[static_cast<std::size_t>(i)] = loop.tick(input);
+            for (int h = 0; h < hand_count; ++h) {
+                const Vector3& force = outputs[static_cast<std::size_t>(i)].device_force[h];
+                worst_change = std::max(worst_change, (force - sent[h]).norm());
+                largest_force = std::max(largest_force, force.norm());
+                sent[h] = force;
+            }
+        }
+        record = world.step(outputs.data(), outputs.size());
+        hash = hash * 31 + record.state_hash;
+        loop.adopt(world.local_models());
+        const WorldSnapshot& snapshot = world.snapshot();
+        for (std::int32_t e = 0; e < snapshot.event_count; ++e) events.push_back(snapshot.events[static_cast<std::size_t>(e)]);
+    }
+    void steps(int count) {
+        for (int i = 0; i < count; ++i) step();
+    }
+    /// Moves a tip in a straight line at a speed (m/s), the other hand still.
+    void go(int h, const Vector3& to, double speed) {
+        const Vector3 from = wish[h].tip;
+        const int count = std::max(1, static_cast<int>(std::ceil((to - from).norm() / (speed * 0.005))));
+        for (int i = 1; i <= count; ++i) {
+            wish[h].tip = from + (static_cast<double>(i) / count) * (to - from);
+            step();
+        }
+    }
+    int count(EventKind kind) const {
+        int sum = 0;
+        for (const Event& event : events) sum += event.kind == kind ? 1 : 0;
+        return sum;
+    }
+    /// Left jaws take the flap edge at x (m along the line from the middle) and draw it out by `way`.
+    void hold_flap(double x, const Vector3& way) {
+        const Vector3 jaw(0, 0, -0.5 * scene.instruments[0].jaw_length);
+        const Vector3 place = scene.sheet->centre + x * scene.sheet->along + 0.45 * scene.sheet->width * scene.sheet->across;
+        const auto tip_for = [&](const Vector3& jaws) {  // the jaws' middle there
+            Vector3 tip = jaws;
+            for (int i = 0; i < 20; ++i) tip = jaws - jaw.z() * (tip - trocar[0].position).normalized();
+            return tip;
+        };
+        go(0, tip_for(place + Vector3(0, 0, 0.02)), 0.2);
+        go(0, tip_for(place + Vector3(0, 0, 0.001)), 0.1);
+        steps(5);
+        wish[0].closed = true;
+        steps(20);
+        go(0, tip_for(place + way), 0.05);
+    }
+};
+
+}  // namespace fulcrum::test
