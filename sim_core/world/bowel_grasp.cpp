@@ -104,6 +104,7 @@ void BowelPart::update_sheet_grasp(int hand, const ToolAction& action, double op
     if (opening > open_share || action.tool.grip <= 0.5 * least_grip || grasp.slip_time > slip_delay || !action.tool.inside) {
         part.let_go(hand);
         grasp.membrane = -1;
+        grasps_[hand].state.slipped = grasp.slip_time > slip_delay;
         return;
     }
     grasp.correction *= std::max(0.0, 1.0 - dt / correction_time);
@@ -222,7 +223,17 @@ void BowelPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
     std::copy(dents_.entries.begin(), dents_.entries.begin() + dents_.count, snapshot.dents.begin());
     snapshot.dent_count = dents_.count;
     std::copy(patch_damage_.begin(), patch_damage_.end(), snapshot.patch_damage.begin());
-    for (int hand = 0; hand < hand_count; ++hand) snapshot.grasps[hand] = grasps_[hand].state;
+    for (int hand = 0; hand < hand_count; ++hand) {
+        GraspState& shown = snapshot.grasps[hand];
+        shown = grasps_[hand].state;
+        if (sheet_grasps_[hand].membrane < 0) continue;
+        const SheetGrip& grip = membranes_[static_cast<std::size_t>(sheet_grasps_[hand].membrane)].grip(hand);
+        shown = GraspState();
+        shown.held = true;
+        shown.arc_length = -1;
+        shown.point = grip.point;
+        shown.reaction = grip.reaction;
+    }
     snapshot.residual_penetration = contacts_.deepest_cavity;
     snapshot.floor_load = report_.contact_sum;
     for (std::size_t i = 0; i < membranes_.size(); ++i) membranes_[i].fill_snapshot(snapshot.membranes[i]);

@@ -33,11 +33,11 @@ struct CameraPose {
 /// What a pair of jaws holds.
 struct GraspState {
     bool held = false;
-    double arc_length = 0;               ///< m along the bowel
+    double arc_length = 0;               ///< m along the bowel; -1 where it is a membrane that is held
     Vector3 offset = Vector3::Zero();    ///< wall point in the ring frame, m
     Vector3 point = Vector3::Zero();     ///< wall point, patient frame, m
     Vector3 reaction = Vector3::Zero();  ///< N, jaw on tissue
-    std::int32_t patch = -1;
+    std::int32_t patch = -1;             ///< of the bowel's wall; -1 of a membrane
     bool slipped = false;                ///< the last hold ended because its reaction left the friction cone, not by opening the jaws
 };
 

@@ -5,25 +5,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
 #include "sim_core/membrane/membrane.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/sim_core/membrane/sheets.h"
+#include "tests/support/extremes.h"
 
 namespace fulcrum {
 namespace {
 
-int cases_asked() {
-    const char* text = std::getenv("FULCRUM_CASES");
-    return text != nullptr ? std::atoi(text) : 2500;
-}
-
-/// Uniform in the logarithm.
-double between(Random& random, double low, double high) {
-    return low * std::pow(high / low, random.uniform());
-}
+using test::between;
 
 TriangleMesh extreme_mesh(Random& random) {
     const auto kind = random.below(6);
@@ -46,7 +38,7 @@ TriangleMesh extreme_mesh(Random& random) {
 }
 
 TEST(MembraneExtremes, NothingNonFiniteLeavesAStepAndFaultsAreDeclared) {
-    const int cases = cases_asked();
+    const int cases = test::cases_asked();
     int steps = 0, substepped = 0, unconverged = 0, refused = 0, frozen = 0;
     for (int number = 0; number < cases; ++number) {
         Random random(static_cast<std::uint64_t>(number), 77);
