@@ -31,7 +31,7 @@ Vector3 PassivityController::step(const Vector3& force, const Vector3& hand_velo
     // shrinks.
     const double keep = stored / returned;
     const Vector3 direction = hand_velocity.normalized();
-    const Vector3 cut = force - (1.0 - keep) * force.dot(direction) * direction;
+    Vector3 cut = force - (1.0 - keep) * force.dot(direction) * direction;
     stored = 0;
     if (acted != nullptr) *acted = true;
     return cut;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "sim_core/lab/yardstick.h"
 
@@ -15,7 +16,7 @@ std::uint64_t allocations() { return allocation_counter != nullptr ? allocation_
 
 double quantile(std::vector<double> values, double share) {
     std::sort(values.begin(), values.end());
-    const auto index = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5);
+    const auto index = static_cast<std::size_t>(std::lround(share * static_cast<double>(values.size() - 1)));
     return values[std::min(index, values.size() - 1)];
 }
 
