@@ -126,7 +126,7 @@ std::vector<StabilityMap> membrane_stability() {
         const char* name;
     };
     for (const Row row : {Row{MembraneIntegrator::symplectic, "symplectic Euler"},
-                          Row{MembraneIntegrator::global_local, "prefactored global-local"},
+                          Row{MembraneIntegrator::global_local, "global-local"},
                           Row{MembraneIntegrator::implicit, "implicit Euler"}}) {
         StabilityMap map;
         map.model = "membrane";

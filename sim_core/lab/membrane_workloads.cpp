@@ -30,7 +30,7 @@ struct Bench {
     }
 };
 
-/// Static equilibrium from the flat sheet, the factor made with the membrane; error: energy gap to Newton at
+/// Static equilibrium from the flat sheet, the matrix made with the membrane; error: energy gap to Newton at
 /// 1e-10.
 Workload::Prepared prepare_static(int side) {
     auto bench = std::make_shared<Bench>(side, 0.0);
@@ -124,14 +124,14 @@ void add_membrane_sweeps(std::vector<SweepCase>& sweeps) {
     SweepCase sweep;
     sweep.model = "membrane, frame of 5 ms";
     sweep.element = "node";
-    sweep.operation = "springs evaluated and entries of the factor used, " +
+    sweep.operation = "springs evaluated and entries of the multigrid used, " +
                       std::to_string(frame_iterations) + " iterations a frame";
     sweep.sizes = {22, 71, 142, 224};  // along an edge
     sweep.ratio_limit = 4;
     sweep.warm_up = sweep.counted = 3;
     sweep.prepare = [](int side) {
         const Workload::Prepared prepared = prepare_frame(side);
-        const Membrane::Operations each = HeldSheet(side).membrane.operations();
+        const MembraneScratch::Operations each = HeldSheet(side).membrane.make_scratch(frame).operations();
         const auto frames = std::make_shared<int>(0);
         SweepRun run;
         run.elements = static_cast<double>(side) * side;

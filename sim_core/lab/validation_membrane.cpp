@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Membrane: the prefactored solve against implicit Euler by Newton to 1e-10, both on the same springs;
+// Membrane: the global-local solve against implicit Euler by Newton to 1e-10, both on the same springs;
 // supports against the weight.
 #include <algorithm>
 #include <cmath>

@@ -21,7 +21,7 @@ std::vector<ValidationCase> skinning_validation();
 /// Sum, power and continuity of the force filter.
 std::vector<ValidationCase> filter_validation();
 
-/// The prefactored membrane solve against Newton.
+/// The global-local membrane solve against Newton.
 std::vector<ValidationCase> membrane_validation();
 /// A simulated device at the product's contact, and Eq. 8.
 std::vector<ValidationCase> haptic_validation();

@@ -48,7 +48,7 @@ std::unique_ptr<Membrane::Tables> make_tables(const std::vector<Vector3>& rest,
     std::vector<std::uint8_t> held(rest.size(), 0);
     for (const std::int32_t v : attached) held[at(v)] = 1;
 
-    // Edges that carry the bounding matrix, by vertices.
+    // Edges that carry the bound, by vertices.
     std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> edge_number;
     std::vector<GraphEdge> by_vertex;
     const auto edge_of = [&](std::int32_t a, std::int32_t b) {
@@ -79,14 +79,13 @@ std::unique_ptr<Membrane::Tables> make_tables(const std::vector<Vector3>& rest,
         free_number[v] = static_cast<std::int32_t>(free_vertices.size());
         free_vertices.push_back(static_cast<std::int32_t>(v));
     }
-    std::vector<Vector3> free_positions;
     std::vector<GraphEdge> free_edges;
-    for (const std::int32_t v : free_vertices) free_positions.push_back(rest[at(v)]);
     for (const GraphEdge& e : by_vertex) {
         if (held[at(e[0])] == 0 && held[at(e[1])] == 0)
             free_edges.push_back({free_number[at(e[0])], free_number[at(e[1])]});
     }
-    const std::vector<std::int32_t> order = dissection_order(free_positions, free_edges);
+    const std::vector<std::int32_t> order =
+        sweep_order(static_cast<std::int32_t>(free_vertices.size()), free_edges);
     t.node_of.assign(rest.size(), -1);
     for (const std::int32_t k : order) {
         t.node_of[at(free_vertices[at(k)])] = static_cast<std::int32_t>(t.vertex_of.size());
@@ -98,15 +97,13 @@ std::unique_ptr<Membrane::Tables> make_tables(const std::vector<Vector3>& rest,
     }
     for (const std::int32_t v : t.vertex_of) t.mass.push_back(masses[at(v)]);
 
-    std::vector<GraphEdge> pattern_edges;
     for (const GraphEdge& e : by_vertex) {
         GraphEdge edge = {t.node_of[at(e[0])], t.node_of[at(e[1])]};
         if (edge[0] > edge[1]) std::swap(edge[0], edge[1]);
         t.edges.push_back(edge);
-        t.pattern_edge.push_back(edge[1] < t.free ? static_cast<std::int32_t>(pattern_edges.size()) : -1);
-        if (edge[1] < t.free) pattern_edges.push_back(edge);
+        t.inner_edge.push_back(edge[1] < t.free ? static_cast<std::int32_t>(t.inner_edges.size()) : -1);
+        if (edge[1] < t.free) t.inner_edges.push_back(edge);
     }
-    t.pattern = std::make_shared<MeshFactorPattern>(t.free, pattern_edges);
 
     // Springs in the order of their nodes, so that neighbours in memory are neighbours in the sheet.
     std::vector<std::int32_t> by_node(springs.size());
@@ -158,19 +155,23 @@ MembraneScratch::MembraneScratch() = default;
 MembraneScratch::~MembraneScratch() = default;
 MembraneScratch::MembraneScratch(MembraneScratch&&) noexcept = default;
 MembraneScratch& MembraneScratch::operator=(MembraneScratch&&) noexcept = default;
-int MembraneScratch::factorisations() const {
-    return data_->factorisations;
+int MembraneScratch::builds() const {
+    return data_->builds;
 }
-int MembraneScratch::factor_updates() const {
+int MembraneScratch::updates() const {
     return data_->updates;
+}
+MembraneScratch::Operations MembraneScratch::operations() const {
+    return {data_->multigrid.build_operations(), data_->multigrid.solve_operations(),
+            static_cast<std::int64_t>(data_->stiffness.size())};
 }
 
 std::size_t MembraneScratch::bytes() const {
     if (!data_) return 0;
-    return data_->factor.bytes() +
+    return data_->multigrid.bytes() +
            data_->position.size() * (13 * sizeof(Lanes) + 6 * Data::memory * sizeof(double)) +
            data_->stiffness.size() * (3 * sizeof(double) + sizeof(Lanes)) +
-           (data_->edge_weight.size() + data_->pattern_weight.size()) * sizeof(double) +
+           (data_->edge_weight.size() + data_->inner_weight.size()) * sizeof(double) +
            data_->good.positions.size() * 2 * sizeof(Vector3);
 }
 
@@ -207,16 +208,12 @@ bool Membrane::any_free(const Triangle& corners) const noexcept {
 std::size_t Membrane::bytes() const {
     const Tables& t = *tables_;
     return springs_.size() * sizeof(MembraneSpring) + masses_.size() * sizeof(double) +
-           rest_.size() * sizeof(Vector3) + triangles_.size() * sizeof(Triangle) + t.pattern->bytes() +
+           rest_.size() * sizeof(Vector3) + triangles_.size() * sizeof(Triangle) +
+           t.inner_edges.size() * sizeof(GraphEdge) +
            t.first.size() * (4 * sizeof(std::int32_t) + 2 * sizeof(double)) +
            t.shares.size() * sizeof(Tables::Share) +
            t.edges.size() * (sizeof(GraphEdge) + sizeof(std::int32_t)) +
            t.mass.size() * (sizeof(double) + 2 * sizeof(std::int32_t));
-}
-
-Membrane::Operations Membrane::operations() const {
-    return {tables_->pattern->factor_operations(), tables_->pattern->solve_operations(),
-            static_cast<std::int64_t>(springs_.size())};
 }
 
 MembraneState Membrane::make_state() const {
@@ -248,11 +245,11 @@ MembraneScratch Membrane::make_scratch(double dt) const {
     d.across.assign(springs, 0);
     d.along.assign(springs, all_lanes(0));
     d.edge_weight.assign(tables_->edges.size(), 0);
-    d.pattern_weight.assign(tables_->pattern->edges().size(), 0);
-    d.factor = MeshFactor(tables_->pattern);
+    d.inner_weight.assign(tables_->inner_edges.size(), 0);
+    d.multigrid = MeshMultigrid(tables_->free, tables_->inner_edges);
     d.good = make_state();
-    d.factored_cut = d.good.cut;
-    refresh_factor(*this, d.good, dt, d);
+    d.built_cut = d.good.cut;
+    refresh_matrix(*this, d.good, dt, d);
     return scratch;
 }
 
@@ -389,7 +386,7 @@ MembraneReport Membrane::step(MembraneState& state, MembraneInputs& inputs, doub
         step_symplectic(*this, inputs, stable_step(w, ratio), dt, solve, report, d);
         if (report.fault == MembraneFault::refused) return refuse(inputs, true);
     } else {
-        if (!refresh_factor(*this, state, dt, d)) {
+        if (!refresh_matrix(*this, state, dt, d)) {
             freeze(state, inputs, d, report);
             return report;
         }
@@ -430,7 +427,7 @@ MembraneReport Membrane::solve(MembraneState& state, MembraneInputs& inputs, Mem
     MembraneReport report;
     d.good.positions = state.positions;
     load_step(*this, state, inputs, 0, d);
-    bool good = refresh_factor(*this, state, 0, d);
+    bool good = refresh_matrix(*this, state, 0, d);
     if (good && solve.integrator == MembraneIntegrator::implicit) {
         minimise_newton(*tables_, d, solve.iterations > 0 ? solve.iterations : 200,
                         solve.tolerance > 0 ? solve.tolerance : 1e-10, report);

@@ -4,10 +4,10 @@
 // symplectic: v += h a(x, v), x += h v. Stable for h < (2/w)(sqrt(1 + z^2) - z), w the highest frequency, z
 // its
 //   damping ratio; enforced: the step is divided, or refused and said so, never let go.
-// global_local: minimises implicit Euler's incremental potential with one matrix, factored beforehand, that
-// bounds
-//   the springs' stiffness from above in every shape (each spring's local problem, its direction, is solved
-//   exactly); quasi-Newton memory on top. A fixed number of iterations, or until a tolerance.
+// global_local: minimises implicit Euler's incremental potential with one matrix for every shape, made ready
+//   beforehand: a bound of the springs' stiffness (each spring's local problem, its direction, is solved
+//   exactly); its inverse by a cycle of multigrid, O(n). Quasi-Newton memory and a line search on top. A fixed
+//   number of iterations, or until a tolerance.
 // implicit: the same potential by Newton's method; inner systems by conjugate gradients behind the same
 // matrix.
 //
@@ -105,7 +105,7 @@ struct MembraneLimit {
     double safe_time_step = 0;  ///< s, the same for `safe_frequency`: what is enforced
 };
 
-/// Work space and factor of one thread. Made by Membrane::make_scratch.
+/// Work space and multigrid of one thread. Made by Membrane::make_scratch.
 class MembraneScratch {
   public:
     MembraneScratch();
@@ -115,8 +115,14 @@ class MembraneScratch {
     struct Data;
     Data& data() { return *data_; }
     std::size_t bytes() const;
-    /// Factorisations and rank-one updates so far.
-    int factorisations() const, factor_updates() const;
+    /// How often the matrix was made, and changes of one edge or diagonal entry since.
+    int builds() const, updates() const;
+    /// Multiplications: of making the matrix's levels; of one cycle (each of four lanes); and springs. For
+    /// the size sweep.
+    struct Operations {
+        std::int64_t build = 0, solve = 0, springs = 0;
+    };
+    Operations operations() const;
 
   private:
     friend class Membrane;
@@ -140,20 +146,14 @@ class Membrane {
     const std::vector<double>& masses() const { return masses_; }  ///< kg
     const MembraneMaterial& material() const { return material_; }
     std::size_t bytes() const;
-    /// Multiplications of one factorisation, of one solve, and springs: for the size sweep.
-    struct Operations {
-        std::int64_t factor = 0, solve = 0, springs = 0;
-    };
-    Operations operations() const;
 
     /// The mesh as given, at rest.
     MembraneState make_state() const;
-    /// With the matrix of steps of dt seconds factored (another dt later costs one factorisation in the
-    /// step).
+    /// With the matrix of steps of dt seconds made (another dt later costs making it in the step).
     MembraneScratch make_scratch(double dt = 0.005) const;
 
-    /// One step of dt seconds. Springs cut since the last step enter the factor one by one, at most
-    /// `updates_per_step` of them each step: until then it bounds the stiffness all the more.
+    /// One step of dt seconds. Springs cut since the last step leave the matrix one by one, at most
+    /// `updates_per_step` of them each step: until then it is stiffer than need be.
     static constexpr int updates_per_step = 48;
     static constexpr int most_holds = 16;
     MembraneReport step(MembraneState& state, MembraneInputs& inputs, double dt, MembraneScratch& scratch,

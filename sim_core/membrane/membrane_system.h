@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The membrane's private side: nodes in elimination order (free ones first), springs four abreast, and the
+// The membrane's private side: nodes in the order of sweeps (free ones first), springs four abreast, and the
 // potential that a step minimises.
 #pragma once
 
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim_core/membrane/membrane.h"
-#include "sim_core/membrane/mesh_factor.h"
+#include "sim_core/membrane/mesh_multigrid.h"
 
 namespace fulcrum {
 
@@ -22,7 +22,8 @@ struct Membrane::Tables {
     std::vector<double> stiffness, rest;
     std::vector<std::int32_t> spring_of;  ///< number in springs(), -1 for padding
     std::vector<std::int32_t> place_of;   ///< the reverse
-    /// Edges that carry the bounding matrix; weight of edge e is the sum of share * stiffness of its springs.
+    /// Edges that carry the bound of the springs' stiffness; weight of edge e is the sum of its springs'
+    /// shares.
     std::vector<GraphEdge> edges;  ///< node numbers, lower first; the second may be an attached node
     struct Share {
         std::int32_t edge;
@@ -30,9 +31,9 @@ struct Membrane::Tables {
     };
     std::vector<std::int32_t> share_offsets;  ///< by number in springs()
     std::vector<Share> shares;
-    std::vector<std::int32_t> pattern_edge;  ///< edge of the pattern, -1 where one end is attached
-    std::shared_ptr<const MeshFactorPattern> pattern;
-    double bounding = 0;  ///< 1/s2, bounding_eigenvalue with every spring there
+    std::vector<std::int32_t> inner_edge;  ///< place in inner_edges, -1 where one end is attached
+    std::vector<GraphEdge> inner_edges;    ///< between free nodes
+    double bounding = 0;                   ///< 1/s2, bounding_eigenvalue with every spring there
 };
 
 struct MembraneScratch::Data {
@@ -44,13 +45,14 @@ struct MembraneScratch::Data {
     std::vector<double> stiffness, rest;  ///< of the step: damping included, cut ones 0
     std::vector<double> across;           ///< N/m, tangent: share of the identity
     std::vector<Lanes> along;             ///< root of the rest of the tangent times the direction
-    // The factor and what is in it.
-    MeshFactor factor;
-    double factored_dt = -1;
-    std::vector<std::uint8_t> factored_cut;
-    std::uint32_t factored_topology = 0;
-    bool factor_behind = false;  ///< cut springs are not all in it yet
-    /// Free nodes that are held, each once with all that holds it: in this step, and in the factor.
+    // The matrix that stands for the stiffness, and what is in it.
+    MeshMultigrid multigrid;
+    double built_dt = -1;
+    std::vector<std::uint8_t> built_cut;
+    std::uint32_t built_topology = 0;
+    bool cuts_behind = false;  ///< cut springs are not all in it yet
+    int updates_since = 0;     ///< edges changed since it was built
+    /// Free nodes that are held, each once with all that holds it: in this step, and in the matrix.
     struct Held {
         std::int32_t node = -1;
         double stiffness = 0;
@@ -58,10 +60,10 @@ struct MembraneScratch::Data {
             return node == other.node && stiffness == other.stiffness;
         }
     };
-    std::array<Held, Membrane::most_holds> held, factored_held;
-    int held_count = 0, factored_held_count = 0;
-    std::vector<double> edge_weight, pattern_weight, diagonal;
-    int factorisations = 0, updates = 0;
+    std::array<Held, Membrane::most_holds> held, built_held;
+    int held_count = 0, built_held_count = 0;
+    std::vector<double> edge_weight, inner_weight, diagonal;
+    int builds = 0, updates = 0;
     // Quasi-Newton memory: steps and changes of the gradient, three numbers a node and one behind the last;
     // and product[i][j] = moved[i] . turned[j].
     static constexpr int memory = 2;  // six gain nothing (measured) and take three times the traffic
@@ -110,12 +112,15 @@ void load_step(const Membrane& membrane, const MembraneState& state, const Membr
                Data& data);
 /// Potential at x and its gradient (zero at attached nodes; `support` then holds the springs' pull on them).
 double potential(const Membrane::Tables& tables, const Data& data, const Lanes* x, Lanes* gradient);
-/// Brings the factor to this dt and to what is cut. False: not positive definite.
-bool refresh_factor(const Membrane& membrane, const MembraneState& state, double dt, Data& data);
+/// Brings the matrix to this dt, to what is cut and to what is held. False: not positive definite.
+bool refresh_matrix(const Membrane& membrane, const MembraneState& state, double dt, Data& data);
+/// x = about the matrix's inverse times x, at the free nodes; exact for a motion of the whole where nothing
+/// is attached, so that linear momentum is kept however few the iterations.
+void apply_inverse(const Membrane::Tables& tables, Data& data, Lanes* x);
 double scaled_residual(const Membrane::Tables& tables, const Data& data, const Lanes* x,
                        const Lanes* gradient);
 
-/// The limited-memory quasi-Newton method behind the factor, and Newton's.
+/// The limited-memory quasi-Newton method behind that inverse, and Newton's.
 void minimise_quasi_newton(const Membrane::Tables& tables, Data& data, int iterations, double tolerance,
                            MembraneReport& report);
 void minimise_newton(const Membrane::Tables& tables, Data& data, int iterations, double tolerance,

@@ -23,7 +23,7 @@ struct MembraneSpring {
     double stiffness = 0;                ///< N/m
     SpringKind kind = SpringKind::structural;
     /// Vertices between the two: shear has one or two (the common edges' ends), bend one; -1 where none. The
-    /// squared distance of the pair is bounded by those along the way, which is what keeps the prefactored
+    /// squared distance of the pair is bounded by those along the way, which is what keeps the bounding
     /// matrix as sparse as the mesh.
     std::array<std::int32_t, 2> between = {-1, -1};
 };

@@ -69,7 +69,7 @@ TEST_P(HeldByJaws, TheirReactionIsWhatTheSheetGainsInMomentum) {
     EXPECT_NEAR(momentum(membrane, state).z(), 0.01 * 0.06, 0.003 * 0.06) << "carried along at 60 mm/s";
 }
 
-TEST_P(HeldByJaws, TheFactorFollowsThemByUpdatesAndForgetsThem) {
+TEST_P(HeldByJaws, TheMatrixFollowsThemByUpdatesAndForgetsThem) {
     const Membrane membrane(test::sheet(9, 8), tissue(), {0, 8});
     MembraneState state = membrane.make_state();
     MembraneScratch scratch = membrane.make_scratch(dt);
@@ -78,7 +78,7 @@ TEST_P(HeldByJaws, TheFactorFollowsThemByUpdatesAndForgetsThem) {
     inputs.reactions.resize(2);
     inputs.holds.reserve(4);
     membrane.step(state, inputs, dt, scratch, solve());
-    const int made = scratch.factorisations();
+    const int made = scratch.builds();
     const std::uint64_t allocations = test::allocation_count();
     for (int round = 0; round < 5; ++round) {
         inputs.holds.clear();
@@ -95,7 +95,7 @@ TEST_P(HeldByJaws, TheFactorFollowsThemByUpdatesAndForgetsThem) {
     inputs.holds.clear();
     for (int i = 0; i < 4; ++i) membrane.step(state, inputs, dt, scratch, solve());
     EXPECT_EQ(test::allocation_count(), allocations);
-    EXPECT_EQ(scratch.factorisations(), made);
+    EXPECT_EQ(scratch.builds(), made);
     // Nothing of the holds is left: a scratch that never saw them gives the same step.
     MembraneScratch fresh = membrane.make_scratch(dt);
     MembraneState other = state;
@@ -121,8 +121,8 @@ TEST_P(HeldByJaws, BadHoldsAreRefused) {
     }
 }
 
-// Theory, section 6: what is removed takes its energy with it and none is made, while the factor follows one
-// rank at a time and lags behind a cut that is larger than one step takes in.
+// Theory, section 6: what is removed takes its energy with it and none is made, while the matrix follows one
+// edge at a time and lags behind a cut that is larger than one step takes in.
 TEST_P(HeldByJaws, CuttingEveryTriangleAwayMakesNoEnergy) {
     for (const double pre_strain : {0.0, 0.1}) {
         const Membrane membrane(test::sheet(12, 11), tissue(pre_strain), {0, 11, 120, 131});

@@ -132,24 +132,39 @@ TEST(MembraneSlivers, AreSteppedOnlyBelowTheirLimitAndSaySoAboveIt) {
     EXPECT_GT(refused, 0);
 }
 
-TEST(MembraneSweep, OperationsGrowAsTheSpringsAndAsNestedDissection) {
-    double springs_before = 0, nodes_before = 0;
-    for (const int side : {22, 71, 142}) {
-        const lab::HeldSheet sheet(side);
-        const double nodes = sheet.membrane.vertices();
-        const Membrane::Operations operations = sheet.membrane.operations();
-        // George 1973, nested dissection of a square grid with nine-point couplings: 31/4 n log2 n entries,
-        // each used twice in a solve, and 829/84 n^1.5 multiplications to factor. No order of elimination
-        // does better than these powers, so that 1.05 is beyond a prefactored step.
-        EXPECT_LT(static_cast<double>(operations.solve), 2 * 31.0 / 4 * nodes * std::log2(nodes));
-        EXPECT_LT(static_cast<double>(operations.factor), 829.0 / 84 * std::pow(nodes, 1.5));
-        if (nodes_before > 0) {
-            EXPECT_LT(std::log(static_cast<double>(operations.springs) / springs_before) /
-                          std::log(nodes / nodes_before),
-                      1.05);
-        }
-        springs_before = static_cast<double>(operations.springs);
-        nodes_before = nodes;
+TEST(MembraneSweep, OperationsGrowAsTheNodes) {
+    const lab::HeldSheet small(22), large(224);
+    const MembraneScratch::Operations few = small.membrane.make_scratch().operations(),
+                                      many = large.membrane.make_scratch().operations();
+    const auto exponent = [](std::int64_t a, std::int64_t b, double times) {
+        return std::log(static_cast<double>(b) / static_cast<double>(a)) / std::log(times);
+    };
+    const double times = static_cast<double>(large.membrane.vertices()) / small.membrane.vertices();
+    EXPECT_LE(exponent(few.springs, many.springs, times), 1.05);
+    EXPECT_LE(exponent(few.solve, many.solve, times), 1.05);
+    // A frame: as many cycles as times that the springs are gone through, whatever the size.
+    EXPECT_LE(exponent(few.solve + few.springs, many.solve + many.springs, times), 1.05);
+    // Made once, of the nodes that are not held: of the small sheet's those are fewer.
+    const auto free = [](const Membrane& m) { return m.vertices() - static_cast<int>(m.attached().size()); };
+    EXPECT_LE(
+        exponent(few.build, many.build, static_cast<double>(free(large.membrane)) / free(small.membrane)),
+        1.05);
+}
+
+TEST(MembraneSweep, TheSameIterationsServeEverySize) {
+    // What keeps the work of a solve in step with the nodes: 10 iterations to 1 %, coarse and fine.
+    for (const int side : {16, 32, 64}) {
+        lab::HeldSheet sheet(side);
+        MembraneScratch scratch = sheet.membrane.make_scratch(0);
+        const MembraneState start = sheet.membrane.make_state();
+        MembraneState exact = start, quick = start;
+        MembraneSolve implicit, local;
+        implicit.integrator = MembraneIntegrator::implicit;
+        local.iterations = 10;
+        ASSERT_TRUE(sheet.membrane.solve(exact, sheet.inputs, scratch, implicit).converged);
+        sheet.membrane.solve(quick, sheet.inputs, scratch, local);
+        EXPECT_LT(lab::energy_gap(sheet.membrane, start, quick, exact, sheet.inputs, 0, scratch), 0.01)
+            << side;
     }
 }
 
