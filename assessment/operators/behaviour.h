@@ -32,5 +32,8 @@ std::unique_ptr<Behaviour> make_targeting(const TaskDefinition& task, const Scen
 /// run_bowel and lift_and_hold: hand over hand along the bowel, then one hand lifts and holds.
 std::unique_ptr<Behaviour> make_bowel_handling(const TaskDefinition& task, const Scene& scene,
                                                const Skill& skill);
+/// take_tension, divide_line and let_go: one hand keeps the sheet taut, the other divides it.
+std::unique_ptr<Behaviour> make_sheet_division(const TaskDefinition& task, const Scene& scene,
+                                               const Skill& skill);
 
 }  // namespace fulcrum

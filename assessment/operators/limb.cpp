@@ -162,6 +162,7 @@ DeviceSample Limb::sample() noexcept {
     reading.handle = handle_for_tip(trocar_, tip());
     reading.jaw = jaw_;
     reading.grip = grip_;
+    reading.buttons = pressed_ ? button_primary : button_none;
     last_ = quantise(reading, last_);
     return last_;
 }

@@ -37,6 +37,8 @@ class Limb {
         jaw_wish_ = opening;
         grip_wish_ = grip;
     }
+    /// The device's primary button: a blade cuts while it is held.
+    void press(bool down) noexcept { pressed_ = down; }
     double jaw() const noexcept { return jaw_; }
     double grip() const noexcept { return grip_; }
     /// What the device reports.
@@ -71,6 +73,7 @@ class Limb {
     Vector3 drift_raw_ = Vector3::Zero(), drift_ = Vector3::Zero();
     std::array<double, 3> phase_{}, frequency_{}, loudness_{};
     double jaw_ = 0, jaw_wish_ = 0, grip_ = 0, grip_wish_ = 0;
+    bool pressed_ = false;
     DeviceSample last_;
 };
 

@@ -20,6 +20,11 @@ bool is_bowel_goal(const Goal& goal) {
     return goal.kind == GoalKind::run_bowel || goal.kind == GoalKind::lift_and_hold;
 }
 
+bool is_sheet_goal(const Goal& goal) {
+    return goal.kind == GoalKind::take_tension || goal.kind == GoalKind::divide_line ||
+           goal.kind == GoalKind::let_go;
+}
+
 class SyntheticOperator : public ObservingRig {
   public:
     SyntheticOperator(const Skill& skill, const TaskDefinition& task, const Scene& scene,
@@ -37,7 +42,10 @@ class SyntheticOperator : public ObservingRig {
         body_.eyes = &eyes_;
         body_.view = camera_.view();
         const bool bowel = std::any_of(task.goals.begin(), task.goals.end(), is_bowel_goal);
-        behaviour_ = bowel ? make_bowel_handling(task, scene, skill) : make_targeting(task, scene, skill);
+        const bool sheet = std::any_of(task.goals.begin(), task.goals.end(), is_sheet_goal);
+        behaviour_ = sheet   ? make_sheet_division(task, scene, skill)
+                     : bowel ? make_bowel_handling(task, scene, skill)
+                             : make_targeting(task, scene, skill);
     }
 
     void observe(const WorldSnapshot& world, const TaskDisplay& display) noexcept override {
@@ -86,11 +94,25 @@ std::unique_ptr<ObservingRig> make_operator(const std::string& preset, const Tas
     }
     draw_form(preset, attempt, skill);
     const bool bowel = std::any_of(task.goals.begin(), task.goals.end(), is_bowel_goal);
-    const bool targets = std::any_of(task.goals.begin(), task.goals.end(),
-                                     [](const Goal& goal) { return !is_bowel_goal(goal); });
-    if (bowel && targets) {
-        throw InputError("operator", task.id, "an operator does not perform targets and bowel in one task",
+    const bool sheet = std::any_of(task.goals.begin(), task.goals.end(), is_sheet_goal);
+    const bool targets = std::any_of(task.goals.begin(), task.goals.end(), [](const Goal& goal) {
+        return !is_bowel_goal(goal) && !is_sheet_goal(goal);
+    });
+    if (bowel + sheet + targets > 1) {
+        throw InputError("operator", task.id,
+                         "an operator does not perform targets, bowel and a sheet in one task",
                          "choose a task with one kind of goal");
+    }
+    if (sheet) {
+        int grasper = 0, blade = 0;
+        for (const InstrumentSpec& spec : scene.instruments) {
+            grasper += spec.kind == "grasper" ? 1 : 0;
+            blade += spec.cuts() ? 1 : 0;
+        }
+        if (grasper != 1 || blade != 1) {
+            throw InputError("operator", task.id, "a sheet is divided with a grasper and a blade",
+                             "give one hand a grasper and the other scissors or a hook");
+        }
     }
     for (const Hand hand : {Hand::left, Hand::right}) {
         if (bowel && scene.instrument(hand) == nullptr) {

@@ -5,6 +5,17 @@
 #include <cmath>
 
 namespace fulcrum {
+namespace {
+
+constexpr std::size_t most_line_points = 512;  // of a sheet's line or flap that are looked at
+
+/// Never beyond the room that was made.
+void copy_within(const std::vector<Vector3>& from, std::vector<Vector3>& to) noexcept {
+    const std::size_t count = std::min(from.size(), to.capacity());
+    to.assign(from.begin(), from.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
+}  // namespace
 
 DelayLine::DelayLine(const Scene& scene, double longest_delay_s) {
     const auto looks = static_cast<std::size_t>(std::ceil(longest_delay_s / scene.step_period())) + 4;
@@ -13,6 +24,13 @@ DelayLine::DelayLine(const Scene& scene, double longest_delay_s) {
         const auto nodes = static_cast<std::size_t>(scene.bowel->segments) + 1;
         for (Perception& look : looks_) look.nodes.assign(nodes, Vector3::Zero());
         arc_lengths_.assign(nodes, 0.0);
+    }
+    if (scene.sheet) {
+        for (Perception& look : looks_) {
+            look.line.reserve(most_line_points);
+            look.flap.reserve(most_line_points);
+        }
+        line_positions_.reserve(most_line_points);
     }
     if (scene.targets) targets_.reserve(2 * static_cast<std::size_t>(scene.targets->per_hand));
 }
@@ -27,7 +45,12 @@ void DelayLine::push(std::uint32_t tick, const WorldSnapshot& world, const TaskD
     }
     look.display = display;
     std::copy_n(world.nodes.begin(), std::min(look.nodes.size(), world.nodes.size()), look.nodes.begin());
+    copy_within(world.sheet.line, look.line);
+    copy_within(world.sheet.flap, look.flap);
     if (count_ == 0) {
+        const std::size_t places = std::min(line_positions_.capacity(), world.sheet.line_positions.size());
+        line_positions_.assign(world.sheet.line_positions.begin(),
+                               world.sheet.line_positions.begin() + static_cast<std::ptrdiff_t>(places));
         std::copy_n(world.node_arc_lengths.begin(),
                     std::min(arc_lengths_.size(), world.node_arc_lengths.size()), arc_lengths_.begin());
         const std::size_t targets = std::min(targets_.capacity(), world.targets.size());

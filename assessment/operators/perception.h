@@ -19,6 +19,7 @@ struct Perception {
     Vector3 tip[hand_count] = {Vector3::Zero(), Vector3::Zero()};
     GraspState grasps[hand_count];
     TaskDisplay display;
+    std::vector<Vector3> line, flap;  ///< marked line and free edge of a sheet
     std::vector<Vector3> nodes;  ///< bowel centre line; arc lengths do not change and stand beside the line
 };
 
@@ -31,11 +32,12 @@ class DelayLine {
     const Perception& seen(std::uint32_t now, std::uint32_t delay) const noexcept;
     bool empty() const noexcept { return count_ == 0; }
     const std::vector<double>& arc_lengths() const noexcept { return arc_lengths_; }
+    const std::vector<double>& line_positions() const noexcept { return line_positions_; }
     const std::vector<TargetSphere>& targets() const noexcept { return targets_; }
 
   private:
     std::vector<Perception> looks_;
-    std::vector<double> arc_lengths_;
+    std::vector<double> arc_lengths_, line_positions_;
     std::vector<TargetSphere> targets_;
     std::size_t next_ = 0, count_ = 0;
 };

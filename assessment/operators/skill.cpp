@@ -40,6 +40,10 @@ Skill expert() {
     skill.foresight = 0.97;
     skill.hesitation = 0;
     skill.standoff = 0.004;
+    skill.traction_error = 0.06;
+    skill.traction_slack = 0.15;
+    skill.line_error = 0.00025;
+    skill.stroke = 0.020;
     return skill;
 }
 
@@ -68,6 +72,10 @@ Skill novice() {
     skill.foresight = 0.2;
     skill.hesitation = 2;
     skill.standoff = 0.0005;
+    skill.traction_error = 0.50;
+    skill.traction_slack = 0.50;
+    skill.line_error = 0.0012;
+    skill.stroke = 0.012;
     return skill;
 }
 
@@ -119,6 +127,10 @@ Skill intermediate() {
     skill.foresight = between(a.foresight, b.foresight);
     skill.hesitation = between(a.hesitation, b.hesitation);
     skill.standoff = between(a.standoff, b.standoff);
+    skill.traction_error = between(a.traction_error, b.traction_error);
+    skill.traction_slack = between(a.traction_slack, b.traction_slack);
+    skill.line_error = between(a.line_error, b.line_error);
+    skill.stroke = between(a.stroke, b.stroke);
     return skill;
 }
 
@@ -154,6 +166,10 @@ bool draw_individual(const std::string& preset, std::uint64_t seed, Skill& skill
     vary(skill.comfortable_force, 0.10);
     vary(skill.tolerance, 0.08);
     change_pace(skill, math::exp(width * tempo_spread * tempo));
+    // Drawn last: an individual's other faculties are the same numbers as before there were blades.
+    vary(skill.traction_error, 0.12);
+    vary(skill.traction_slack, 0.10);
+    vary(skill.line_error, 0.12);
     return true;
 }
 

@@ -39,7 +39,11 @@ struct Skill {
     double standoff = 0.002;  ///< m kept from a rigid target by the first movement, made good by the second
     double foresight = 0.5;   ///< share of movements planned clear of the other instrument
     double hesitation = 0;    ///< pieces beyond one in which held tissue is moved
-    double stride = 0.055;    ///< m of bowel from one grasp to the next
+    double traction_error = 0.1;  ///< of the traction held for the right one, relative, from hold to hold
+    double traction_slack = 0.2;  ///< relative distance from it that is let pass
+    double line_error = 0.0004;   ///< m beside the line, from stroke to stroke
+    double stroke = 0.018;        ///< m of one stroke of a blade
+    double stride = 0.055;        ///< m of bowel from one grasp to the next
 };
 
 /// Draws an individual around "novice", "intermediate" or "expert"; false for another name. Pure.

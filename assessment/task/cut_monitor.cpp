@@ -20,7 +20,7 @@ CutMonitor::CutMonitor(const TaskDefinition& task, const Scene& scene) {
     cells_.assign(count, 0);
     cell_ = goal_->length_m / static_cast<double>(count);
     for (const InstrumentSpec& spec : scene.instruments)
-        has_blade_[static_cast<std::size_t>(spec.hand)] = spec.kind != "grasper" && spec.kind != "probe";
+        has_blade_[static_cast<std::size_t>(spec.hand)] = spec.cuts();
 }
 
 void CutMonitor::event(const Event& event) noexcept {

@@ -65,7 +65,14 @@ GoalMonitor::GoalMonitor(const TaskDefinition& task, const Scene& scene)
                 refuse(i, "the goal asks for more targets than the scene has for a hand",
                        "lower \"count\" or raise \"per_hand\" of the scene");
             }
-        } else if (!is_cut_goal(goal.kind)) {
+        } else if (is_cut_goal(goal.kind)) {
+            if (!scene.sheet)
+                refuse(i, "the scene \"" + scene.id + "\" has no sheet to divide",
+                       "add \"sheet\" to the scene or name another scene");
+            if (goal.length_m > scene.sheet->line_length + 1e-9)
+                refuse(i, "the goal asks for more than the marked line's length",
+                       "lower \"length_m\" or raise \"line_length\" of the scene");
+        } else {
             if (!scene.bowel)
                 refuse(i, "the scene \"" + scene.id + "\" has no bowel",
                        "add \"bowel\" to the scene or name another scene");

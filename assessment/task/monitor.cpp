@@ -46,7 +46,7 @@ struct TaskMonitor::State {
     TaskDisplay display;
     double tick_period = 1e-3, tool_reach = 0.005;
     std::uint32_t critical_kinds = 0;  // bit by EventKind
-    int bowel_tissue = -1;
+    int held_tissue = -1;
 
     bool begun = false, paused = false, lost = false, late = false, colliding = false;
     std::uint32_t unpaused_ticks = 0, elapsed_ticks = 0;  // since the beginning; since the first movement
@@ -72,7 +72,8 @@ struct TaskMonitor::State {
             hands[static_cast<std::size_t>(h)].configure(static_cast<Hand>(h), scene, &tissues,
                                                          task.warning_margin);
         }
-        if (scene.bowel) bowel_tissue = scene.tissue_index(scene.bowel->tissue);
+        if (scene.bowel) held_tissue = scene.tissue_index(scene.bowel->tissue);
+        if (scene.sheet) held_tissue = scene.tissue_index(scene.sheet->tissue);
         for (const EventKind kind :
              {EventKind::perforation, EventKind::tear, EventKind::drop, EventKind::tool_collision}) {
             const auto& names = task.critical_errors;
@@ -209,8 +210,7 @@ void TaskMonitor::on_step(const TickSample* ticks, std::size_t count, const Worl
         std::array<HoldChange, hand_count> changes{};
         for (std::size_t h = 0; h < hand_count; ++h) {
             const GraspState& grasp = world.grasps[h];
-            changes[h] =
-                state.hands[h].hold(grasp, now, static_cast<std::int8_t>(state.bowel_tissue), events);
+            changes[h] = state.hands[h].hold(grasp, now, static_cast<std::int8_t>(state.held_tissue), events);
             if (changes[h] == HoldChange::grasped) {
                 for (HandMonitor& other : state.hands) {
                     const HandMonitor::Released& released = other.released();
@@ -218,7 +218,7 @@ void TaskMonitor::on_step(const TickSample* ticks, std::size_t count, const Worl
                         (now - released.tick) * state.tick_period > regrasp_window)
                         continue;
                     events.emit(now, EventKind::regrasp, grasp.patch, grasp.arc_length, static_cast<int>(h),
-                                state.bowel_tissue);
+                                state.held_tissue);
                     other.forget_released();
                     break;
                 }
@@ -226,7 +226,7 @@ void TaskMonitor::on_step(const TickSample* ticks, std::size_t count, const Worl
             if (changes[h] == HoldChange::slipped && !world.grasps[1 - h].held &&
                 state.goals.height(world, grasp) > drop_height) {
                 events.emit(now, EventKind::drop, grasp.patch, grasp.arc_length, static_cast<int>(h),
-                            state.bowel_tissue);
+                            state.held_tissue);
             }
         }
         const double overlap = shaft_overlap(world.tools[0], world.tools[1], state.tool_reach);

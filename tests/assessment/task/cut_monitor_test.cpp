@@ -17,7 +17,7 @@ namespace {
 
 const char* const task_text = R"({
   "id": "cut", "version": 1, "title": "Cut", "stage": "B", "briefing": "b", "product": "p", "steps": ["s"],
-  "scene": "a2_targets.json", "time_limit_s": 20, "warning_margin": 0.1,
+  "scene": "b2_areolar.json", "time_limit_s": 20, "warning_margin": 0.1,
   "goals": [
     {"id": "pull", "kind": "take_tension", "text": "Pull", "hold_s": 0.5, "traction_low_n_m": 4, "traction_high_n_m": 8},
     {"id": "divide", "kind": "divide_line", "text": "Divide", "length_m": 0.1, "tolerance_m": 0.002, "corridor_m": 0.01,
@@ -66,12 +66,7 @@ struct Dissection {
             step();
         }
     }
-    static Scene blades() {
-        Scene scene = load_scene(test::source_path("assets/scenes/a2_targets.json"));
-        for (InstrumentSpec& spec : scene.instruments)
-            spec.kind = spec.hand == Hand::left ? "grasper" : "scissors";
-        return scene;
-    }
+    static Scene blades() { return load_scene(test::source_path("assets/scenes/b2_areolar.json")); }
     void happen(EventKind kind, double value, int detail, int hand = 1) {
         Event& event = world.events[static_cast<std::size_t>(world.event_count++)];
         event = Event{};
@@ -285,6 +280,15 @@ RC_GTEST_PROP(CutMonitorProperty, WhatIsDividedOnlyGrowsAndIsTheUnionOfTheStroke
         const auto count = std::count(millimetres.begin(), millimetres.end(), true);
         RC_ASSERT(std::abs(before - 1e-3 * static_cast<double>(count)) < 1e-9);
     }
+}
+
+TEST(CutTask, NeedsASheetWithALineAsLong) {
+    const TaskDefinition task = parse_task(task_text, "cut.json");
+    EXPECT_THROW(TaskMonitor(task, load_scene(test::source_path("assets/scenes/a2_targets.json")), 1),
+                 InputError);
+    Scene shorter = Dissection::blades();
+    shorter.sheet->line_length = 0.09;
+    EXPECT_THROW(TaskMonitor(task, shorter, 1), InputError);
 }
 
 TEST(CutTask, RefusesWhatDoesNotHoldTogether) {

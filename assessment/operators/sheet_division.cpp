@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: Apache-2.0
+// One hand takes the flap and keeps the sheet taut, the other divides it along the marked line, stroke by
+// stroke.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "assessment/operators/behaviour.h"
+#include "sim_core/numerics/functions.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr double open_share = 0.85, closed_share = 0.12;  // of the widest opening
+constexpr double beyond_rim = 0.0015;  // m outside the flap's edge where the jaws' middle goes down beside it
+constexpr double deeper = 0.001;       // m further inwards at every further attempt
+constexpr double hover = 0.022;        // m back along the shaft, on the way to a grasp
+constexpr double shortest_close_s = 0.35;
+constexpr double pull_step = 0.0025;     // m, longest single pull
+constexpr double least_step = 0.0004;    // m, below it a pull is not worth making
+constexpr double longest_pull = 0.030;   // m from where it was taken: then a new hold is better
+constexpr double ahead = 0.012;          // m of the line by which a hold leads the cut
+constexpr double reach_of_hold = 0.030;  // m of the line that one hold keeps taut
+constexpr double blade_height = 0.010;   // m above the sheet, between strokes
+constexpr double press_step = 0.0015;    // m deeper when the blade has not broken through
+constexpr double deepest_press = 0.012;  // m
+constexpr double blade_depth = 0.0015;   // m below the sheet, of the tip in a stroke
+constexpr double chunk = 0.007;          // m of the line in one sub-movement
+constexpr double run_over = 0.003;       // m beyond either end of the line
+constexpr double seconds_to_wait = 5.0;  // for tension; then a new hold is taken
+
+enum class Hold : std::uint8_t { choose, travel, descend, close, pull, let_go };
+enum class Blade : std::uint8_t { wait, travel, press, stroke, lift };
+
+/// The sheet about a place of its line.
+struct Site {
+    Vector3 point = Vector3::Zero();
+    Vector3 along = Vector3::UnitX();   ///< unit, towards the line's end
+    Vector3 across = Vector3::UnitY();  ///< unit, in the sheet, towards the flap
+    Vector3 up = Vector3::UnitZ();      ///< unit, towards the blade's trocar
+    Vector3 rim = Vector3::Zero();      ///< m, the flap's edge opposite the place
+};
+
+class SheetDivision : public Behaviour {
+  public:
+    SheetDivision(const TaskDefinition& task, const Scene& scene, const Skill& skill)
+        : skill_(skill), goals_(task.goals), hold_reach_(skill), blade_reach_(skill) {
+        for (const InstrumentSpec& spec : scene.instruments)
+            (spec.cuts() ? cutter_ : holder_) = static_cast<int>(spec.hand);
+        for (const Goal& goal : goals_)
+            if (goal.kind == GoalKind::divide_line) line_ = goal;
+        const int tissue = scene.sheet ? scene.tissue_index(scene.sheet->tissue) : -1;
+        if (tissue >= 0) friction_ = scene.tissues[static_cast<std::size_t>(tissue)].friction;
+    }
+
+    void decide(const Perception& seen, Body& body) noexcept override {
+        if (seen.display.ended || seen.display.goal < 0 || seen.line.size() < 2 ||
+            static_cast<std::size_t>(seen.display.goal) >= goals_.size())
+            return;
+        const GoalKind kind = goals_[static_cast<std::size_t>(seen.display.goal)].kind;
+        const Site site = site_at(seen, body, seen.display.cut_next_m);
+        body.gaze = site.point;
+        if (kind == GoalKind::let_go) {
+            finish(body, site);
+            return;
+        }
+        hold(seen, body);
+        divide(seen, body, kind == GoalKind::divide_line);
+    }
+
+  private:
+    // ---- what is seen ----
+    Site site_at(const Perception& seen, const Body& body, double place) const noexcept {
+        const std::vector<double>& s = body.eyes->line_positions();
+        const std::size_t count = std::min(seen.line.size(), s.size());
+        std::size_t upper = 1;
+        while (upper + 1 < count && s[upper] < place) ++upper;
+        const double gap = s[upper] - s[upper - 1];
+        const double share = gap > 0 ? (place - s[upper - 1]) / gap : 0.0;  // outside 0 .. 1: straight on
+        Site site;
+        const Vector3 step = seen.line[upper] - seen.line[upper - 1];
+        site.point = seen.line[upper - 1] + share * step;
+        if (step.norm() > 0) site.along = step.normalized();
+        double nearest = 1e9;
+        for (const Vector3& point : seen.flap) {
+            const double off = std::abs((point - site.point).dot(site.along));
+            if (off >= nearest) continue;
+            nearest = off;
+            site.rim = point;
+        }
+        Vector3 across = site.rim - site.point;
+        across -= across.dot(site.along) * site.along;
+        if (across.norm() > 1e-6) site.across = across.normalized();
+        site.up = site.along.cross(site.across).normalized();
+        if (site.up.dot(body.limb[cutter_]->trocar().position - site.point) < 0) site.up = -site.up;
+        return site;
+    }
+
+    /// Where along the line a point lies.
+    double place_of(const Perception& seen, const Body& body, const Vector3& point) const noexcept {
+        const std::vector<double>& s = body.eyes->line_positions();
+        const std::size_t count = std::min(seen.line.size(), s.size());
+        double best = 1e9, place = 0;
+        for (std::size_t i = 0; i + 1 < count; ++i) {
+            const Vector3 step = seen.line[i + 1] - seen.line[i];
+            double share = (point - seen.line[i]).dot(step) / std::max(1e-12, step.squaredNorm());
+            const bool first = i == 0, last = i + 2 == count;
+            share = std::clamp(share, first ? -1.0 : 0.0, last ? 2.0 : 1.0);
+            const double off = (point - seen.line[i] - share * step).norm();
+            if (off >= best) continue;
+            best = off;
+            place = s[i] + share * (s[i + 1] - s[i]);
+        }
+        return place;
+    }
+
+    bool taut(const Perception& seen) const noexcept {
+        return std::abs(seen.display.traction_n_m - wanted_) <= skill_.traction_slack * wanted_;
+    }
+
+    // ---- the hand that holds ----
+    Vector3 tip_at_rim(const Site& site, const Limb& limb) const noexcept {
+        const Vector3 middle = site.rim + (beyond_rim - attempts_ * deeper) * site.across;
+        return middle + 0.5 * limb.spec().jaw_length * (middle - limb.trocar().position).normalized();
+    }
+    Vector3 above_rim(const Site& site, const Limb& limb) const noexcept {
+        const Vector3 tip = tip_at_rim(site, limb);
+        return tip - (0.5 * limb.spec().jaw_length + hover) * (tip - limb.trocar().position).normalized();
+    }
+
+    void hold(const Perception& seen, Body& body) noexcept {
+        Limb& limb = *body.limb[holder_];
+        const Site site = site_at(seen, body, hold_place_);
+        switch (hold_) {
+            case Hold::choose: {
+                hold_place_ =
+                    std::clamp(seen.display.cut_next_m + ahead, 0.1 * line_.length_m, 0.9 * line_.length_m);
+                limb.jaws(open_share * limb.spec().jaw_opening, 0);
+                const Site there = site_at(seen, body, hold_place_);
+                hold_reach_.start(limb, above_rim(there, limb), body.view, 0.015,
+                                  skill_.choice_s * limb.random().uniform(0.6, 1.4), 4);
+                // Everybody has a tension of their own that they take for the right one, and errs anew with
+                // every hold.
+                const double middle = 0.5 * (line_.traction_low_n_m + line_.traction_high_n_m);
+                wanted_ =
+                    middle * std::clamp(math::exp(skill_.traction_error * limb.random().normal()), 0.3, 2.5);
+                hold_ = Hold::travel;
+                break;
+            }
+            case Hold::travel:
+                hold_reach_.follow(above_rim(site, limb));
+                hold_reach_.update(limb, seen.tip[holder_]);
+                if (hold_reach_.arrived() || (hold_reach_.corrections() > 0 && limb.remaining() < 0.1 &&
+                                              (limb.destination() - above_rim(site, limb)).norm() < 0.005)) {
+                    hold_ = Hold::descend;
+                    hold_reach_.start(limb, tip_at_rim(site, limb), body.view, 0.008, 0, 2.5);
+                }
+                break;
+            case Hold::descend:
+                hold_reach_.follow(tip_at_rim(site, limb));
+                hold_reach_.update(limb, seen.tip[holder_]);
+                if (seen.display.force[holder_] > 0.5 * skill_.comfortable_force) {
+                    limb.stop();
+                } else if (!hold_reach_.arrived()) {
+                    break;
+                }
+                limb.jaws(closed_share * limb.spec().jaw_opening,
+                          std::max(1.5, skill_.grip_force + skill_.grip_spread * limb.random().normal()));
+                until_ = limb.time() + std::max(shortest_close_s, skill_.dwell_s) + skill_.reaction_s + 0.05;
+                hold_ = Hold::close;
+                break;
+            case Hold::close:
+                if (limb.time() < until_) break;
+                if (seen.grasps[holder_].held) {
+                    attempts_ = 0;
+                    taken_ = limb.destination();
+                    slack_since_ = limb.time();
+                    hold_ = Hold::pull;
+                } else {
+                    ++attempts_;
+                    if (attempts_ > 4) attempts_ = -2;
+                    let_go(limb, site);
+                }
+                break;
+            case Hold::pull:
+                pull(seen, body, site);
+                break;
+            case Hold::let_go:
+                if (limb.time() > until_ && limb.remaining() <= 0) hold_ = Hold::choose;
+                break;
+        }
+    }
+
+    void let_go(Limb& limb, const Site& site) noexcept {
+        limb.jaws(open_share * limb.spec().jaw_opening, 0);
+        const Vector3 out = (limb.trocar().position - limb.destination()).normalized();
+        limb.carry(0.008 * out + 0.004 * site.across, 0.35 * skill_.duration_scale);
+        until_ = limb.time() + skill_.dwell_s;
+        hold_ = Hold::let_go;
+    }
+
+    void pull(const Perception& seen, Body& body, const Site& site) noexcept {
+        Limb& limb = *body.limb[holder_];
+        if (!seen.grasps[holder_].held) {  // it slipped, or the cut has freed what was held
+            let_go(limb, site);
+            return;
+        }
+        const double traction = seen.display.traction_n_m, force = seen.display.force[holder_];
+        // Held more firmly as the load grows, at least as firmly as this hand is used to.
+        const double needed = 1.5 * force / (2 * std::max(0.05, friction_));
+        if (needed > limb.grip())
+            limb.jaws(closed_share * limb.spec().jaw_opening, std::min(needed, 2.2 * skill_.grip_force));
+        if (taut(seen)) slack_since_ = limb.time();
+        const bool stretched =
+            (limb.destination() - taken_).norm() > longest_pull || force > 1.5 * skill_.comfortable_force;
+        const bool passed = std::abs(seen.display.cut_next_m - hold_place_) > reach_of_hold;
+        const bool vain = limb.time() - slack_since_ > seconds_to_wait;
+        const bool slack = traction < wanted_ * (1 - skill_.traction_slack);
+        if (blade_ != Blade::stroke && ((slack && stretched) || passed || vain)) {
+            let_go(limb, site);
+            return;
+        }
+        if (limb.remaining() > -skill_.reaction_s) return;  // see what the last pull did before the next
+        const double missing = wanted_ - traction;
+        if (std::abs(missing) < 0.4 * skill_.traction_slack * wanted_ || (missing > 0 && stretched)) return;
+        const double step = std::clamp(pull_step * missing / (0.35 * wanted_), -pull_step, pull_step);
+        if (std::abs(step) < least_step) return;
+        const Vector3 way = (0.85 * site.across + 0.53 * site.up).normalized();
+        limb.carry(step * way, std::abs(step) / skill_.lift_speed);
+    }
+
+    // ---- the hand that cuts ----
+    void divide(const Perception& seen, Body& body, bool allowed) noexcept {
+        Limb& limb = *body.limb[cutter_];
+        const double next = seen.display.cut_next_m;
+        switch (blade_) {
+            case Blade::wait: {
+                limb.press(false);
+                if (!allowed || (hold_ != Hold::pull && skill_.foresight > limb.random().uniform())) break;
+                if (!taut(seen) && limb.time() - asked_ < skill_.foresight * seconds_to_wait) break;
+                from_ = next < 1e-6 ? -run_over : next - 0.001;
+                to_ = std::min(next + skill_.stroke * limb.random().uniform(0.8, 1.2),
+                               line_.length_m + run_over);
+                aside_ = skill_.line_error * limb.random().normal();
+                depth_ = blade_depth;
+                blade_ = Blade::travel;
+                blade_reach_.start(limb, over(site_at(seen, body, from_), blade_height), body.view, 0.008,
+                                   skill_.choice_s * limb.random().uniform(0.3, 0.7), 3);
+                break;
+            }
+            case Blade::travel: {
+                const Vector3 goal = over(site_at(seen, body, from_), blade_height);
+                blade_reach_.follow(goal);
+                blade_reach_.update(limb, seen.tip[cutter_]);
+                if (blade_reach_.arrived() || (blade_reach_.corrections() > 0 && limb.remaining() < 0.1 &&
+                                               (limb.destination() - goal).norm() < 0.004)) {
+                    blade_ = Blade::press;
+                    limb.press(true);
+                    pressed_ = limb.time();
+                    blade_reach_.start(limb, over(site_at(seen, body, from_ + depth_), -depth_), body.view,
+                                       0.004, 0, 2);
+                }
+                break;
+            }
+            case Blade::press:
+                if (seen.display.cutting) {
+                    blade_ = Blade::stroke;
+                    cutting_seen_ = limb.time();
+                    break;
+                }
+                blade_reach_.follow(over(site_at(seen, body, from_ + depth_), -depth_));
+                blade_reach_.update(limb, seen.tip[cutter_]);
+                if (limb.time() - pressed_ > 0.35 + skill_.reaction_s && limb.remaining() <= 0) {
+                    // Deeper and further on, until the blade breaks through.
+                    depth_ += press_step;
+                    pressed_ = limb.time();
+                    if (depth_ > deepest_press || seen.display.force[cutter_] > skill_.comfortable_force)
+                        lift(seen, body);
+                    else
+                        limb.carry(
+                            press_step * (site_at(seen, body, from_).along - site_at(seen, body, from_).up),
+                            0.25 * skill_.duration_scale);
+                }
+                break;
+            case Blade::stroke:
+                stroke(seen, body);
+                break;
+            case Blade::lift:
+                if (limb.remaining() <= 0) {
+                    blade_ = Blade::wait;
+                    asked_ = limb.time();
+                }
+                break;
+        }
+    }
+
+    void stroke(const Perception& seen, Body& body) noexcept {
+        Limb& limb = *body.limb[cutter_];
+        if (seen.display.cutting) cutting_seen_ = limb.time();
+        const bool out = limb.time() - cutting_seen_ > skill_.reaction_s + 0.15;
+        const double here = place_of(seen, body, seen.tip[cutter_]);
+        const bool slack = !taut(seen) && skill_.foresight > 0.5;
+        // Who looks ahead stops when the tissue goes slack; the stroke under way is carried to its end.
+        if (out || here > to_ - 0.001 || (slack && limb.remaining() <= 0)) {
+            lift(seen, body);
+            return;
+        }
+        if (limb.remaining() > std::max(0.0, -skill_.gap_s)) return;
+        const double planned = place_of(seen, body, limb.destination());
+        const double aim = std::min(planned + chunk, to_ + 0.002);
+        const Vector3 goal = over(site_at(seen, body, aim), -blade_depth);
+        limb.reach(goal - limb.destination(), 0.003);
+    }
+
+    void lift(const Perception& seen, Body& body) noexcept {
+        Limb& limb = *body.limb[cutter_];
+        limb.press(false);
+        limb.stop();
+        const Site site = site_at(seen, body, place_of(seen, body, seen.tip[cutter_]));
+        limb.carry((blade_height + depth_) * site.up, 0.3 * skill_.duration_scale);
+        blade_ = Blade::lift;
+    }
+
+    Vector3 over(const Site& site, double height) const noexcept {
+        return site.point + height * site.up + aside_ * site.across;
+    }
+
+    void finish(Body& body, const Site& site) noexcept {
+        if (finished_) return;
+        finished_ = true;
+        Limb& blade = *body.limb[cutter_];
+        blade.press(false);
+        blade.stop();
+        blade.carry(0.02 * site.up, 0.5 * skill_.duration_scale);
+        Limb& limb = *body.limb[holder_];
+        limb.jaws(open_share * limb.spec().jaw_opening, 0);
+        limb.carry(0.01 * (limb.trocar().position - limb.destination()).normalized(),
+                   0.5 * skill_.duration_scale);
+    }
+
+    Skill skill_;
+    std::vector<Goal> goals_;
+    Goal line_;
+    Reach hold_reach_, blade_reach_;
+    int holder_ = 0, cutter_ = 1, attempts_ = 0;
+    double friction_ = 0.5;
+    Hold hold_ = Hold::choose;
+    Blade blade_ = Blade::wait;
+    bool finished_ = false;
+    double hold_place_ = 0, wanted_ = 1, until_ = 0, slack_since_ = 0;
+    Vector3 taken_ = Vector3::Zero();
+    double from_ = 0, to_ = 0, aside_ = 0, depth_ = 0, pressed_ = 0, cutting_seen_ = 0, asked_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Behaviour> make_sheet_division(const TaskDefinition& task, const Scene& scene,
+                                               const Skill& skill) {
+    return std::make_unique<SheetDivision>(task, scene, skill);
+}
+
+}  // namespace fulcrum
