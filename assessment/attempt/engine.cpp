@@ -62,9 +62,7 @@ RunOutcome run_headless(AttemptEngine& engine, Rig& rig, AttemptSink& sink, cons
     const auto ticks_per_step = static_cast<std::uint32_t>(engine.scene().ticks_per_step);
     const auto ticks_per_question = static_cast<std::uint32_t>(engine.scene().tick_rate);
     std::vector<TickOutput> outputs(ticks_per_step);
-    WorldSnapshot shown = engine.initial_snapshot();
-    TaskDisplay shown_display = engine.display();
-    if (observer != nullptr) observer->observe(shown, shown_display);
+    if (observer != nullptr) observer->observe(engine.initial_snapshot(), engine.display());
 
     RunOutcome outcome;
     bool pending = false;  // a step is done and waits for the tick it is due at
@@ -81,9 +79,7 @@ RunOutcome run_headless(AttemptEngine& engine, Rig& rig, AttemptSink& sink, cons
         if (tick % ticks_per_step == 0) {
             if (pending) {  // step j-1 is due now
                 engine.adopt(engine.world().local_models());
-                shown = engine.world().snapshot();
-                shown_display = engine.display();
-                if (observer != nullptr) observer->observe(shown, shown_display);
+                if (observer != nullptr) observer->observe(engine.world().snapshot(), engine.display());
             }
             engine.step(outputs.data(), ticks_per_step, sink);
             pending = true;

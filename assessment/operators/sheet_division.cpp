@@ -16,18 +16,20 @@ constexpr double beyond_rim = 0.0015;  // m outside the flap's edge where the ja
 constexpr double deeper = 0.001;       // m further inwards at every further attempt
 constexpr double hover = 0.022;        // m back along the shaft, on the way to a grasp
 constexpr double shortest_close_s = 0.35;
-constexpr double pull_step = 0.0025;     // m, longest single pull
-constexpr double least_step = 0.0004;    // m, below it a pull is not worth making
-constexpr double longest_pull = 0.030;   // m from where it was taken: then a new hold is better
-constexpr double ahead = 0.012;          // m of the line by which a hold leads the cut
-constexpr double reach_of_hold = 0.030;  // m of the line that one hold keeps taut
-constexpr double blade_height = 0.010;   // m above the sheet, between strokes
-constexpr double press_step = 0.0015;    // m deeper when the blade has not broken through
-constexpr double deepest_press = 0.012;  // m
-constexpr double blade_depth = 0.0015;   // m below the sheet, of the tip in a stroke
-constexpr double chunk = 0.007;          // m of the line in one sub-movement
-constexpr double run_over = 0.003;       // m beyond either end of the line
-constexpr double seconds_to_wait = 5.0;  // for tension; then a new hold is taken
+constexpr double pull_step = 0.0025;      // m, longest single pull
+constexpr double least_step = 0.0004;     // m, below it a pull is not worth making
+constexpr double longest_pull = 0.030;    // m from where it was taken: then a new hold is better
+constexpr double ahead = 0.012;           // m of the line by which a hold leads the cut
+constexpr double reach_of_hold = 0.030;   // m of the line that one hold keeps taut
+constexpr double blade_felt = 0.02;       // N, below it the blade is not on the sheet
+constexpr double blade_height = 0.010;    // m above the sheet, between strokes
+constexpr double press_step = 0.0015;     // m deeper when the blade has not broken through
+constexpr double deepest_press = 0.012;   // m
+constexpr double blade_depth = 0.0015;    // m below the sheet, of the tip in a stroke
+constexpr double chunk = 0.007;           // m of the line in one sub-movement
+constexpr double run_over = 0.003;        // m beyond either end of the line
+constexpr double seconds_to_learn = 3.0;  // content with a tension that is not the one asked for
+constexpr double seconds_to_wait = 5.0;   // for tension; then a new hold is taken
 
 enum class Hold : std::uint8_t { choose, travel, descend, close, pull, let_go };
 enum class Blade : std::uint8_t { wait, travel, press, stroke, lift };
@@ -114,6 +116,12 @@ class SheetDivision : public Behaviour {
         return place;
     }
 
+    /// Height of the blade's tip over the line, as the hand that moves it knows it, m.
+    double level(const Perception& seen, const Body& body, const Limb& limb) const noexcept {
+        const Site site = site_at(seen, body, place_of(seen, body, limb.tip()));
+        return (limb.tip() - site.point).dot(site.up);
+    }
+
     bool taut(const Perception& seen) const noexcept {
         return std::abs(seen.display.traction_n_m - wanted_) <= skill_.traction_slack * wanted_;
     }
@@ -141,9 +149,7 @@ class SheetDivision : public Behaviour {
                                   skill_.choice_s * limb.random().uniform(0.6, 1.4), 4);
                 // Everybody has a tension of their own that they take for the right one, and errs anew with
                 // every hold.
-                const double middle = 0.5 * (line_.traction_low_n_m + line_.traction_high_n_m);
-                wanted_ =
-                    middle * std::clamp(math::exp(skill_.traction_error * limb.random().normal()), 0.3, 2.5);
+                judge_tension(limb, skill_.traction_error);
                 hold_ = Hold::travel;
                 break;
             }
@@ -179,7 +185,7 @@ class SheetDivision : public Behaviour {
                 } else {
                     ++attempts_;
                     if (attempts_ > 4) attempts_ = -2;
-                    let_go(limb, site);
+                    let_go(limb);
                 }
                 break;
             case Hold::pull:
@@ -191,10 +197,20 @@ class SheetDivision : public Behaviour {
         }
     }
 
-    void let_go(Limb& limb, const Site& site) noexcept {
+    /// The tension that this hand takes for the right one: in the lower half of the band, where tissue opens
+    /// and still gives.
+    void judge_tension(Limb& limb, double error) noexcept {
+        const double low = line_.traction_low_n_m, share = 0.35;
+        const double right = low + share * (line_.traction_high_n_m - low);
+        wanted_ = right * std::clamp(math::exp(error * limb.random().normal()), 0.3, 2.5);
+        content_since_ = limb.time();
+    }
+
+    void let_go(Limb& limb) noexcept {
         limb.jaws(open_share * limb.spec().jaw_opening, 0);
+        // Out along the shaft: the rim goes back past the jaws, the tip comes up outside it.
         const Vector3 out = (limb.trocar().position - limb.destination()).normalized();
-        limb.carry(0.008 * out + 0.004 * site.across, 0.35 * skill_.duration_scale);
+        limb.carry((0.5 * limb.spec().jaw_length + hover) * out, 0.5 * skill_.duration_scale);
         until_ = limb.time() + skill_.dwell_s;
         hold_ = Hold::let_go;
     }
@@ -202,7 +218,7 @@ class SheetDivision : public Behaviour {
     void pull(const Perception& seen, Body& body, const Site& site) noexcept {
         Limb& limb = *body.limb[holder_];
         if (!seen.grasps[holder_].held) {  // it slipped, or the cut has freed what was held
-            let_go(limb, site);
+            let_go(limb);
             return;
         }
         const double traction = seen.display.traction_n_m, force = seen.display.force[holder_];
@@ -211,13 +227,27 @@ class SheetDivision : public Behaviour {
         if (needed > limb.grip())
             limb.jaws(closed_share * limb.spec().jaw_opening, std::min(needed, 2.2 * skill_.grip_force));
         if (taut(seen)) slack_since_ = limb.time();
+        // Content with it, and the task does not go on: the band that is shown corrects the hand.
+        const bool first_goal =
+            goals_[static_cast<std::size_t>(seen.display.goal)].kind == GoalKind::take_tension;
+        if (!first_goal || !taut(seen)) content_since_ = limb.time();
+        if (limb.time() - content_since_ > seconds_to_learn) judge_tension(limb, 0.3 * skill_.traction_error);
         const bool stretched =
             (limb.destination() - taken_).norm() > longest_pull || force > 1.5 * skill_.comfortable_force;
         const bool passed = std::abs(seen.display.cut_next_m - hold_place_) > reach_of_hold;
         const bool vain = limb.time() - slack_since_ > seconds_to_wait;
         const bool slack = traction < wanted_ * (1 - skill_.traction_slack);
-        if (blade_ != Blade::stroke && ((slack && stretched) || passed || vain)) {
-            let_go(limb, site);
+        // What the blade presses is not what this hand pulls: it holds still until the blade is out.
+        // In a stroke, who has learned it goes on adjusting, and keeps this hold.
+        const bool stroking = blade_ == Blade::stroke;
+        const bool blade_presses =
+            blade_ == Blade::press || (!stroking && seen.display.force[cutter_] > blade_felt);
+        if (blade_presses || (stroking && skill_.foresight < 0.5)) {
+            slack_since_ = limb.time();
+            return;
+        }
+        if (!stroking && ((slack && stretched) || passed || vain)) {
+            let_go(limb);
             return;
         }
         if (limb.remaining() > -skill_.reaction_s) return;  // see what the last pull did before the next
@@ -226,6 +256,7 @@ class SheetDivision : public Behaviour {
         const double step = std::clamp(pull_step * missing / (0.35 * wanted_), -pull_step, pull_step);
         if (std::abs(step) < least_step) return;
         const Vector3 way = (0.85 * site.across + 0.53 * site.up).normalized();
+        if (step < 0 && (limb.destination() - taken_).dot(way) < 0) return;  // nothing is pulled any more
         limb.carry(step * way, std::abs(step) / skill_.lift_speed);
     }
 
@@ -244,12 +275,12 @@ class SheetDivision : public Behaviour {
                 aside_ = skill_.line_error * limb.random().normal();
                 depth_ = blade_depth;
                 blade_ = Blade::travel;
-                blade_reach_.start(limb, over(site_at(seen, body, from_), blade_height), body.view, 0.008,
-                                   skill_.choice_s * limb.random().uniform(0.3, 0.7), 3);
+                blade_reach_.start(limb, over(site_at(seen, body, from_), limb, blade_height), body.view,
+                                   0.008, skill_.choice_s * limb.random().uniform(0.3, 0.7), 3);
                 break;
             }
             case Blade::travel: {
-                const Vector3 goal = over(site_at(seen, body, from_), blade_height);
+                const Vector3 goal = over(site_at(seen, body, from_), limb, blade_height);
                 blade_reach_.follow(goal);
                 blade_reach_.update(limb, seen.tip[cutter_]);
                 if (blade_reach_.arrived() || (blade_reach_.corrections() > 0 && limb.remaining() < 0.1 &&
@@ -257,7 +288,7 @@ class SheetDivision : public Behaviour {
                     blade_ = Blade::press;
                     limb.press(true);
                     pressed_ = limb.time();
-                    blade_reach_.start(limb, over(site_at(seen, body, from_ + depth_), -depth_), body.view,
+                    blade_reach_.start(limb, over(site_at(seen, body, from_), limb, -depth_), body.view,
                                        0.004, 0, 2);
                 }
                 break;
@@ -268,14 +299,14 @@ class SheetDivision : public Behaviour {
                     cutting_seen_ = limb.time();
                     break;
                 }
-                blade_reach_.follow(over(site_at(seen, body, from_ + depth_), -depth_));
+                blade_reach_.follow(over(site_at(seen, body, from_), limb, -depth_));
                 blade_reach_.update(limb, seen.tip[cutter_]);
                 if (limb.time() - pressed_ > 0.35 + skill_.reaction_s && limb.remaining() <= 0) {
                     // Deeper and further on, until the blade breaks through.
                     depth_ += press_step;
                     pressed_ = limb.time();
                     if (depth_ > deepest_press || seen.display.force[cutter_] > skill_.comfortable_force)
-                        lift(seen, body);
+                        lift(limb);
                     else
                         limb.carry(
                             press_step * (site_at(seen, body, from_).along - site_at(seen, body, from_).up),
@@ -286,7 +317,9 @@ class SheetDivision : public Behaviour {
                 stroke(seen, body);
                 break;
             case Blade::lift:
-                if (limb.remaining() <= 0) {
+                if (level(seen, body, limb) > -blade_depth) limb.press(false);
+                if (limb.remaining() <= -skill_.reaction_s) {
+                    limb.press(false);
                     blade_ = Blade::wait;
                     asked_ = limb.time();
                 }
@@ -302,27 +335,30 @@ class SheetDivision : public Behaviour {
         const bool slack = !taut(seen) && skill_.foresight > 0.5;
         // Who looks ahead stops when the tissue goes slack; the stroke under way is carried to its end.
         if (out || here > to_ - 0.001 || (slack && limb.remaining() <= 0)) {
-            lift(seen, body);
+            lift(limb);
             return;
         }
         if (limb.remaining() > std::max(0.0, -skill_.gap_s)) return;
         const double planned = place_of(seen, body, limb.destination());
         const double aim = std::min(planned + chunk, to_ + 0.002);
-        const Vector3 goal = over(site_at(seen, body, aim), -blade_depth);
+        const Vector3 goal = over(site_at(seen, body, aim), limb, -blade_depth);
         limb.reach(goal - limb.destination(), 0.003);
     }
 
-    void lift(const Perception& seen, Body& body) noexcept {
-        Limb& limb = *body.limb[cutter_];
-        limb.press(false);
+    // Back along the shaft, the button held until the tip is at the sheet's level: the blade comes out
+    // through the slit that it made and cuts nothing on its way.
+    void lift(Limb& limb) noexcept {
         limb.stop();
-        const Site site = site_at(seen, body, place_of(seen, body, seen.tip[cutter_]));
-        limb.carry((blade_height + depth_) * site.up, 0.3 * skill_.duration_scale);
+        limb.carry((blade_height + depth_) * (limb.trocar().position - limb.destination()).normalized(),
+                   0.4 * skill_.duration_scale);
         blade_ = Blade::lift;
     }
 
-    Vector3 over(const Site& site, double height) const noexcept {
-        return site.point + height * site.up + aside_ * site.across;
+    /// A tip above (or, below 0, beneath) a place of the line, by the way that its shaft goes: what is
+    /// pressed down and springs back when the blade is through then meets the blade where it was touched.
+    Vector3 over(const Site& site, const Limb& limb, double height) const noexcept {
+        const Vector3 point = site.point + aside_ * site.across;
+        return point - height * (point - limb.trocar().position).normalized();
     }
 
     void finish(Body& body, const Site& site) noexcept {
@@ -347,7 +383,7 @@ class SheetDivision : public Behaviour {
     Hold hold_ = Hold::choose;
     Blade blade_ = Blade::wait;
     bool finished_ = false;
-    double hold_place_ = 0, wanted_ = 1, until_ = 0, slack_since_ = 0;
+    double hold_place_ = 0, wanted_ = 1, until_ = 0, slack_since_ = 0, content_since_ = 0;
     Vector3 taken_ = Vector3::Zero();
     double from_ = 0, to_ = 0, aside_ = 0, depth_ = 0, pressed_ = 0, cutting_seen_ = 0, asked_ = 0;
 };

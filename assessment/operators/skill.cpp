@@ -72,9 +72,9 @@ Skill novice() {
     skill.foresight = 0.2;
     skill.hesitation = 2;
     skill.standoff = 0.0005;
-    skill.traction_error = 0.50;
+    skill.traction_error = 0.70;
     skill.traction_slack = 0.50;
-    skill.line_error = 0.0012;
+    skill.line_error = 0.0016;
     skill.stroke = 0.012;
     return skill;
 }
