@@ -123,5 +123,44 @@ TEST(OperatorOnTheWorld, ExpertRunsTheBowelAtTheFastFidelity) {
     EXPECT_LT(events.worst(), 3U);
 }
 
+/// Everything that a replay needs.
+class FullRecord : public AttemptSink {
+  public:
+    void on_tick(const RigSample& input, const TickSample& sample) noexcept override {
+        record.inputs.push_back(input);
+        record.samples.push_back(sample);
+    }
+    void on_step(const StepRecord& step) noexcept override { record.steps.push_back(step); }
+    void on_event(const Event& event) noexcept override { record.events.push_back(event); }
+    AttemptRecord record;
+};
+
+TEST(OperatorOnTheWorld, ExpertPullsAndCutsTheSheetAndTheCutReplaysBitForBit) {
+    const TaskDefinition task = load_task(test::source_path("assets/tasks/B2.json"));
+    const Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
+    AttemptEngine engine(scene, task, 2500);
+    const auto rig = make_operator("expert", task, scene, 2500);
+    FullRecord sink;
+    const RunOutcome run = run_headless(engine, *rig, sink, [](double t) { return t < 12; });
+    const auto count = [&](EventKind kind) {
+        return std::count_if(sink.record.events.begin(), sink.record.events.end(),
+                             [&](const Event& event) { return event.kind == kind; });
+    };
+    EXPECT_GE(count(EventKind::grasp), 1);
+    EXPECT_GE(count(EventKind::cut_begin), 1);
+    EXPECT_GE(count(EventKind::cut_advance), 10);
+    EXPECT_EQ(count(EventKind::cut_advance), count(EventKind::cut_traction));
+    EXPECT_EQ(count(EventKind::simulator_fault), 0);
+    EXPECT_GT(engine.display().cut_divided_m, 0.002);
+    const bool cutting =
+        std::any_of(sink.record.samples.begin(), sink.record.samples.end(),
+                    [](const TickSample& sample) { return (sample.hand[1].flags & hand_cutting) != 0; });
+    EXPECT_TRUE(cutting) << "the tick says when a blade is in tissue";
+    AttemptEngine again(scene, task, 2500);
+    const ReplayOutcome replay = replay_record(again, sink.record);
+    EXPECT_TRUE(replay.identical) << replay.first_divergence_s;
+    EXPECT_EQ(replay.state_hash, run.state_hash);
+}
+
 }  // namespace
 }  // namespace fulcrum

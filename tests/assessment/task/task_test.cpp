@@ -17,7 +17,7 @@ std::string task_text(const std::string& name) {
 }
 
 TEST(Task, FirstTasksHoldTogetherWithTheirScenes) {
-    for (const char* id : {"A2", "B1"}) {
+    for (const char* id : {"A2", "B1", "B2"}) {
         const TaskDefinition task = load_task(test::source_path(std::string("assets/tasks/") + id + ".json"));
         EXPECT_EQ(task.id, id);
         const Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
@@ -34,6 +34,9 @@ TEST(Task, FirstTasksHoldTogetherWithTheirScenes) {
                 ASSERT_TRUE(scene.targets.has_value());
                 EXPECT_LE(goal.count, scene.targets->per_hand);
                 EXPECT_NE(scene.instrument(goal.hand), nullptr);
+            } else if (task.id == "B2") {
+                ASSERT_TRUE(scene.sheet.has_value());
+                EXPECT_LE(goal.length_m, scene.sheet->line_length);
             } else {
                 ASSERT_TRUE(scene.bowel.has_value());
                 EXPECT_LE(std::max(goal.from_m, goal.to_m), scene.bowel->length);
@@ -57,6 +60,21 @@ TEST(Task, BowelHandlingAsksForWhatTheCurriculumSays) {
     EXPECT_NEAR(gate("grasp_ftp")->limit, 300, 1e-12);
     ASSERT_NE(gate("perforation"), task.gates.end());
     EXPECT_NEAR(gate("perforation")->limit, 0, 1e-12);
+}
+
+TEST(Task, PlaneCuttingAsksForWhatTheCurriculumSays) {
+    const TaskDefinition task = load_task(test::source_path("assets/tasks/B2.json"));
+    ASSERT_EQ(task.goals.size(), 3U);
+    EXPECT_EQ(task.goals[0].kind, GoalKind::take_tension);
+    EXPECT_EQ(task.goals[1].kind, GoalKind::divide_line);
+    EXPECT_NEAR(task.goals[1].length_m, 0.1, 1e-12);
+    EXPECT_EQ(task.goals[1].traction_low_n_m, task.goals[0].traction_low_n_m);
+    EXPECT_EQ(task.goals[1].traction_high_n_m, task.goals[0].traction_high_n_m);
+    EXPECT_EQ(task.goals[2].kind, GoalKind::let_go);
+    for (const char* metric : {"traction_eff", "plane_dev", "cut_dev"})
+        EXPECT_TRUE(std::any_of(task.gates.begin(), task.gates.end(), [&](const GateSpec& gate) {
+            return gate.metric == metric;
+        })) << metric;
 }
 
 struct BrokenTask {
