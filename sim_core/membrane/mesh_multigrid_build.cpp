@@ -14,8 +14,8 @@ std::size_t at(std::int32_t i) {
 
 constexpr std::int32_t dense_nodes = 48;  // a level of so few is solved exactly
 constexpr std::size_t most_levels = 24;
-// Measured on held sheets of 1,000 to 50,000 nodes: 0.02 to 0.5 and 0.7 to 1 differ by an iteration in
-// twelve.
+// Measured on held sheets of 1,000 to 50,000 nodes: from 0.02 to 0.5, and from 0.7 to 1, conjugate gradients
+// differ by an iteration or two.
 constexpr double strong = 0.25;    // a coupling is strong from this share of its row's strongest on
 constexpr double smoothing = 0.9;  // of the gathering: the share of a damped Jacobi step
 
