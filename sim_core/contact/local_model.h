@@ -103,18 +103,20 @@ struct JawPushModel {
     std::int16_t tissue = -1;             ///< index into the scene's tissue table, -1: no jaw presses
 };
 
-/// A sheet under the tip, or about a blade, about the world's solution of it. Across the sheet it only pushes:
-/// push - K along the normal; along it drag + K' of the way made, at most grip + friction times the push.
+/// A sheet under the tip, or about a blade, about the world's solution of it. Across the sheet it only
+/// pushes: push - K along the normal; along it drag + K' of the way made, at most grip + friction times the
+/// push.
 struct SheetContactModel {
-    std::int16_t tissue = -1;           ///< index into the scene's tissue table, -1: no sheet near
-    Vector3 tip = Vector3::Zero();      ///< m, of the tool at the model's tick
-    Vector3 normal = Vector3::UnitZ();  ///< unit, of the sheet towards the tool
-    bool pushes = false;                ///< false: a blade is in it
-    double push = 0;                    ///< N at that pose; below 0: the tip is that much over K away
-    double stiffness = 0, damping = 0;  ///< N/m, N s/m
-    Vector3 drag = Vector3::Zero();     ///< N, tool on sheet, along it, at that pose
-    double drag_stiffness = 0;          ///< N/m
-    double friction = 0, grip = 0;      ///< grip: N
+    std::int16_t tissue = -1;            ///< index into the scene's tissue table, -1: no sheet near
+    Vector3 tip = Vector3::Zero();       ///< m, of the tool at the model's tick
+    Vector3 normal = Vector3::UnitZ();   ///< unit, of the sheet towards the tool
+    Vector3 velocity = Vector3::Zero();  ///< m/s, of the sheet there
+    bool pushes = false;                 ///< false: a blade is in it
+    double push = 0;                     ///< N at that pose; below 0: the tip is that much over K away
+    double stiffness = 0, damping = 0;   ///< N/m, N s/m
+    Vector3 drag = Vector3::Zero();      ///< N, tool on sheet, along it, at that pose
+    double drag_stiffness = 0;           ///< N/m
+    double friction = 0, grip = 0;       ///< grip: N
     bool cutting = false;
 };
 

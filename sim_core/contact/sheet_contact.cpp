@@ -11,7 +11,7 @@ void touch_sheet(const ToolContactModel& model, const LocalModel& local, const T
     if (sheet.tissue < 0) return;
     const Vector3 moved = tool.tip - sheet.tip;
     const Vector3& n = sheet.normal;
-    const double along = moved.dot(n), approach = tool.tip_velocity.dot(n);
+    const double along = moved.dot(n), approach = (tool.tip_velocity - sheet.velocity).dot(n);
     double push = 0;
     if (sheet.pushes) {
         push = sheet.push - sheet.stiffness * along;

@@ -20,6 +20,7 @@ constexpr double least_cover = 0.02;    // below it there is no contact
 constexpr double no_cover = 0.30, full_cover = 0.60;  // share of the tool's width with tissue: a straight rim has half
 constexpr double slide_friction = 0.2;  // of a tool that does not bite
 constexpr double clear_by = 0.0005;     // m beyond the tip's radius
+constexpr double shaft_seen = 0.05;      // m of the shaft that may be in a slit
 constexpr double sheet_springs = 4;     // springs whose stiffness a place of the sheet answers with
 constexpr double jaw_span = 0.3;        // of the jaw's length, between places that it holds
 
@@ -159,7 +160,7 @@ void SheetPart::approach(int number, const SheetAction& action, std::uint32_t ti
     if (!tool.inside || !tool.present || !tool.tip.allFinite() || hand.held) {
         if (hand.touch == SheetTouch::cutting) leave(number, tick);
         hand.touch = SheetTouch::away;
-        hand.known = hand.linked = false;
+        hand.known = hand.linked = hand.over = false;
         hand.cover = 0;
         hand.reaction.setZero();
         return;
@@ -176,7 +177,7 @@ void SheetPart::approach(int number, const SheetAction& action, std::uint32_t ti
             hand.touch = SheetTouch::touching;  // held on its side below
         } else {
             hand.touch = SheetTouch::away;
-            hand.known = hand.linked = false;
+            hand.known = hand.linked = hand.over = false;
             hand.cover = 0;
             hand.reaction.setZero();
             return;
@@ -189,12 +190,20 @@ void SheetPart::approach(int number, const SheetAction& action, std::uint32_t ti
         hand.side = now;
         hand.tip = tool.tip;
     }
-    if (hand.touch == SheetTouch::clearing && (std::abs(near.gap) > radius + clear_by || near.cover == 0)) {
-        hand.touch = SheetTouch::away;
-        hand.side = now;
+    if (hand.touch == SheetTouch::clearing) {
+        // The shaft is still in the slit: the tip comes out by it, or has found a way on which nothing crosses the shaft.
+        const bool out = hand.side * near.gap > radius + clear_by;
+        const bool beyond = hand.side * near.gap < -radius - clear_by && !crosses(tool.tip - shaft_seen * tool.axis, tool.tip);
+        if (out || beyond) {
+            hand.touch = SheetTouch::away;
+            hand.side = now;
+        }
     }
-    // A tip that is on the other side went round a rim, through a slit, or too fast for one step.
-    if (hand.touch == SheetTouch::away && hand.side != now && !crosses(hand.tip, tool.tip)) hand.side = now;
+    // A tip that is on the other side went round a rim or through a slit; over tissue before and now, it or the sheet was
+    // too fast for one step.
+    const bool through = (near.cover > 0 && hand.over) || crosses(hand.tip, tool.tip);
+    if (hand.touch == SheetTouch::away && hand.side != now && !through) hand.side = now;
+    hand.over = near.cover > 0;
     hand.cover += (near.cover - hand.cover) * dt / (cover_time + dt);
     hand.gap = hand.side * near.gap;
     const bool pressed = hand.gap < radius && hand.cover > least_cover;
@@ -329,6 +338,7 @@ void SheetPart::fill_touch(const HandState& hand, SheetContactModel& model) cons
     const double slope = series(k, sheet_springs * spec_.structural_stiffness);
     model.tissue = tissue_index_;
     model.tip = hand.tip;
+    if (hand.linked) model.velocity = CutMembrane::velocity(state_.membrane, hand.place.fragment, hand.place.barycentric);
     model.stiffness = model.drag_stiffness = slope;
     model.damping = tissue_.damping * std::min(1.0, hand.cover);
     const Vector3 way = hand.linked ? Vector3(hand.target - place(hand.place)) : Vector3(Vector3::Zero());

@@ -99,7 +99,6 @@ void SheetPart::advance(int number, const Vector3& excess, std::uint32_t tick) n
         mark_divided(hand.way, reached);
         add_place_event(tick, EventKind::cut_advance, number, reached);
         add_event(tick, EventKind::cut_traction, number, traction, 1e6 * length);
-        note_loose(tick);
     }
     hand.way = reached;
     if (gone) {
@@ -111,7 +110,10 @@ void SheetPart::advance(int number, const Vector3& excess, std::uint32_t tick) n
 
 CutReport SheetPart::cut(const BladeStep& blade) noexcept {
     const CutReport report = surface_.cut(blade, state_.positions.data());
-    if (report.outcome == CutOutcome::cut) take_over();
+    if (report.outcome == CutOutcome::cut) {
+        take_over();
+        note_loose(tick_);
+    }
     return report;
 }
 

@@ -176,6 +176,7 @@ void SheetPart::update_positions() noexcept {
 std::uint32_t SheetPart::step(const SheetAction* actions, std::uint32_t tick, double dt) noexcept {
     event_count_ = 0;
     faults_ = 0;
+    tick_ = tick;
     for (int hand = 0; hand < hand_count; ++hand) {
         if (actions[hand].instrument == nullptr) continue;
         update_jaws(hand, actions[hand], dt);

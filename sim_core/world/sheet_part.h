@@ -66,6 +66,7 @@ class SheetPart {
         double gap = 0;                       ///< m, tip to sheet on its side
         Vector3 tip = Vector3::Zero();        ///< m, at the last step
         double friction = 0, radius = 0;      ///< of the tool, at the last step; m
+        bool over = false;                    ///< tissue was under it then
         bool known = false;                   ///< `tip` and `side` mean something
         Vector3 target = Vector3::Zero();     ///< m, of the link, at the last step's end
         bool linked = false;                  ///< the link was there in the last step
@@ -176,7 +177,7 @@ class SheetPart {
     MembraneCut cut_;
     std::vector<std::int32_t> visible_, near_;
     std::vector<std::uint8_t> touched_;  ///< by root
-    std::uint32_t faults_ = 0;
+    std::uint32_t faults_ = 0, tick_ = 0;
     std::array<Event, event_capacity> events_;
     int event_count_ = 0;
 };

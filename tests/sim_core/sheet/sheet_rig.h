@@ -2,6 +2,7 @@
 // Two hands at the scene of a sheet, ticked and stepped in one thread.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -30,6 +31,8 @@ struct SheetRig {
     Trocar trocar[hand_count];
     DeviceSample last[hand_count];
     Wish wish[hand_count];
+    Vector3 asked[hand_count];  ///< where the tips were asked to be at the last step
+    double squeeze[hand_count] = {0, 0};
     std::uint32_t tick = 0;
     std::uint64_t hash = 0;
     StepRecord record;
@@ -42,7 +45,7 @@ struct SheetRig {
         for (int h = 0; h < hand_count; ++h) {
             trocar[h] = make_trocar(scene.instruments[static_cast<std::size_t>(h)].trocar);
             last[h] = start_sample(scene.instruments[static_cast<std::size_t>(h)].trocar, 0.10);
-            wish[h].tip = scene.sheet->centre + Vector3(h == 0 ? 0.04 : -0.04, 0, 0.05);
+            wish[h].tip = asked[h] = scene.sheet->centre + Vector3(h == 0 ? 0.04 : -0.04, 0, 0.05);
         }
     }
     const SheetPart& sheet() const { return *world.sheet(); }
@@ -54,9 +57,12 @@ struct SheetRig {
             input.tick = ++tick;
             for (int h = 0; h < hand_count; ++h) {
                 DeviceReading reading;
-                reading.handle = handle_for_tip(trocar[h], wish[h].tip);
-                reading.jaw = wish[h].closed ? 0 : 1.0;
-                reading.grip = wish[h].closed ? 8 : 0;
+                const Vector3 tip = asked[h] + 0.2 * (i + 1) * (wish[h].tip - asked[h]);
+                reading.handle = handle_for_tip(trocar[h], tip);
+                // Fingers take 40 ms.
+                squeeze[h] = std::clamp(squeeze[h] + (wish[h].closed ? 0.025 : -0.025), 0.0, 1.0);
+                reading.jaw = 1 - squeeze[h];
+                reading.grip = 8 * squeeze[h];
                 reading.buttons = wish[h].button ? button_primary : button_none;
                 input.hand[h] = last[h] = quantise(reading, last[h]);
             }
@@ -69,6 +75,7 @@ struct SheetRig {
                 sent[h] = force;
             }
         }
+        for (int h = 0; h < hand_count; ++h) asked[h] = wish[h].tip;
         record = world.step(outputs.data(), outputs.size());
         hash = hash * 31 + record.state_hash;
         loop.adopt(world.local_models());
@@ -93,9 +100,10 @@ struct SheetRig {
         return sum;
     }
     /// Left jaws take the flap edge at x (m along the line from the middle) and draw it out by `way`.
-    void hold_flap(double x, const Vector3& way) {
+    void hold_flap(double x, const Vector3& way) { hold_at(x, 0.45 * scene.sheet->width, way); }
+    void hold_at(double x, double y, const Vector3& way) {
         const Vector3 jaw(0, 0, -0.5 * scene.instruments[0].jaw_length);
-        const Vector3 place = scene.sheet->centre + x * scene.sheet->along + 0.45 * scene.sheet->width * scene.sheet->across;
+        const Vector3 place = scene.sheet->centre + x * scene.sheet->along + y * scene.sheet->across;
         const auto tip_for = [&](const Vector3& jaws) {  // the jaws' middle there
             Vector3 tip = jaws;
             for (int i = 0; i < 20; ++i) tip = jaws - jaw.z() * (tip - trocar[0].position).normalized();
