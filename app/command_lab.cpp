@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "app/lab_experiment.h"
 #include "app/lab_measure.h"
+#include "sim_core/lab/cut_figures.h"
 #include "sim_core/lab/size_sweep.h"
 #include "sim_core/lab/stability.h"
 #include "sim_core/lab/studies.h"
@@ -72,6 +73,11 @@ int tradeoff(const Arguments& arguments) {
     return deliver(arguments, lab::tradeoff_page(studies, sensitivity), lab::to_json(studies, sensitivity));
 }
 
+int cut(const Arguments& arguments) {
+    const lab::ResultPage page = lab::cut_figures_page();
+    return deliver(arguments, page, page.document());
+}
+
 /// One file, or every one of assets/experiments.
 int experiment(const Arguments& arguments) {
     const auto folder = arguments.value("--output");
@@ -92,7 +98,7 @@ int experiment(const Arguments& arguments) {
 int command_lab(const std::vector<std::string>& words) {
     OptionSpec spec;
     spec.usage =
-        "usage: fulcrum lab bench [--only NAME | --sweep] | cost | validate | tradeoff | stability | "
+        "usage: fulcrum lab bench [--only NAME | --sweep] | cost | validate | tradeoff | stability | cut | "
         "experiment "
         "[FILE.json] | run STUDY.json "
         "[--json] "
@@ -120,6 +126,7 @@ int command_lab(const std::vector<std::string>& words) {
     if (action == "bench") return bench(arguments);
     if (action == "cost") return cost(arguments);
     if (action == "validate") return validate(arguments);
+    if (action == "cut") return cut(arguments);
     if (action == "tradeoff") return tradeoff(arguments);
     if (action == "stability") return stability(arguments);
     throw UsageError("command line: lab " + action + ": no such action; " + spec.usage);

@@ -84,24 +84,34 @@ bool BladeRegion::near(const Vector3& a, const Vector3& b, const Vector3& c, dou
 
 bool BladeRegion::meets(const Vector3& a, const Vector3& b, const Vector3& c, double inset) const {
     // Sutherland and Hodgman's clipping; each plane adds at most one corner.
-    std::array<Vector3, 3 + most_planes> corners = {a, b, c}, kept;
+    constexpr std::size_t room = 3 + most_planes;
+    Vector3 rooms[2][room];
+    double distances[room];
+    Vector3* corners = rooms[0];
+    Vector3* kept = rooms[1];
+    corners[0] = a;
+    corners[1] = b;
+    corners[2] = c;
     std::size_t size = 3;
     for (int k = 0; k < count; ++k) {
         const BladePlane& plane = planes[static_cast<std::size_t>(k)];
-        std::size_t next = 0;
+        std::size_t within = 0;
         for (std::size_t i = 0; i < size; ++i) {
-            const Vector3& here = corners[i];
-            const Vector3& there = corners[i + 1 == size ? 0 : i + 1];
-            const double d = plane.distance(here) + inset, e = plane.distance(there) + inset;
-            if (d <= 0) kept[next++] = here;
-            if ((d < 0 && e > 0) || (d > 0 && e < 0)) {
-                if (next < kept.size()) kept[next++] = here + d / (d - e) * (there - here);
-            }
-            if (next == kept.size()) break;
+            distances[i] = plane.distance(corners[i]) + inset;
+            within += distances[i] <= 0 ? 1U : 0U;
         }
-        if (next == 0) return false;
+        if (within == 0) return false;
+        if (within == size) continue;
+        std::size_t next = 0;
+        for (std::size_t i = 0; i < size && next < room; ++i) {
+            const std::size_t j = i + 1 == size ? 0 : i + 1;
+            const double d = distances[i], e = distances[j];
+            if (d <= 0) kept[next++] = corners[i];
+            if (((d < 0 && e > 0) || (d > 0 && e < 0)) && next < room)
+                kept[next++] = corners[i] + d / (d - e) * (corners[j] - corners[i]);
+        }
         size = next;
-        corners = kept;
+        std::swap(corners, kept);
     }
     return true;
 }

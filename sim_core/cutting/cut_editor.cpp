@@ -2,29 +2,21 @@
 // Transaction, journal and the records' bookkeeping; the operations are in cut_operations.cpp.
 #include "sim_core/cutting/cut_editor.h"
 
-#include <algorithm>
-
 namespace fulcrum {
 
-bool barycentric_in(const CutModel& model, const CutVertex& vertex, std::int32_t root, Vector3& coordinates) {
-    if (vertex.root == root) {
-        coordinates = vertex.barycentric;
-        return true;
-    }
+bool barycentric_in_other(const CutModel& model, const CutVertex& vertex, std::int32_t root,
+                          Vector3& coordinates) {
     const Triangle& own = model.mesh.triangles[static_cast<std::size_t>(vertex.root)];
     const Triangle& other = model.mesh.triangles[static_cast<std::size_t>(root)];
     coordinates.setZero();
     for (int i = 0; i < 3; ++i) {
         if (vertex.barycentric[i] == 0) continue;
-        const auto place = std::find(other.begin(), other.end(), own[static_cast<std::size_t>(i)]);
-        if (place == other.end()) return false;
-        coordinates[static_cast<int>(place - other.begin())] = vertex.barycentric[i];
+        int j = 0;
+        while (j < 3 && other[static_cast<std::size_t>(j)] != own[static_cast<std::size_t>(i)]) ++j;
+        if (j == 3) return false;
+        coordinates[j] = vertex.barycentric[i];
     }
     return true;
-}
-
-double share_of(const Vector3& a, const Vector3& b, const Vector3& c) {
-    return (b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y());
 }
 
 CutEditor::CutEditor(const CutModel& model)

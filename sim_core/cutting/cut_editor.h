@@ -129,9 +129,18 @@ class CutEditor {
 };
 
 /// Barycentric coordinates of a vertex in a root that it lies in or on; false where it does not.
-bool barycentric_in(const CutModel& model, const CutVertex& vertex, std::int32_t root, Vector3& coordinates);
+bool barycentric_in_other(const CutModel& model, const CutVertex& vertex, std::int32_t root,
+                          Vector3& coordinates);
+inline bool barycentric_in(const CutModel& model, const CutVertex& vertex, std::int32_t root,
+                           Vector3& coordinates) {
+    if (vertex.root != root) return barycentric_in_other(model, vertex, root, coordinates);
+    coordinates = vertex.barycentric;
+    return true;
+}
 /// Signed share of a root's area that three points given by barycentric coordinates span.
-double share_of(const Vector3& a, const Vector3& b, const Vector3& c);
+inline double share_of(const Vector3& a, const Vector3& b, const Vector3& c) {
+    return (b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y());
+}
 
 inline int corner_of(const CutTriangle& triangle, std::int32_t vertex) {
     for (int i = 0; i < 3; ++i)

@@ -142,10 +142,10 @@ class CutMesh {
     std::uint64_t bytes() const;
 
   private:
+    /// Of which planes a vertex lies outside or inside by more than the tolerance, a bit each.
     struct VertexSides {
         std::uint32_t stamp = 0;
-        std::array<std::int8_t, BladeRegion::most_planes> side =
-            {};  ///< -1 inside, 0 on the plane, 1 outside
+        std::uint16_t outside = 0, inside = 0;
     };
     bool list_triangles(std::int32_t root, double inset, const Vector3* positions);
     const VertexSides& sides(std::int32_t vertex);
@@ -159,7 +159,9 @@ class CutMesh {
     void note_cases();
     CutOutcome attempt(const BladeStep& step, Vector3* positions, double tolerance, CutReport& report);
     double quality(std::int32_t root, std::int32_t a, std::int32_t b, std::int32_t c) const;
-    double worst_after(std::int32_t from, std::int32_t to, double& before);
+    double quality(const CutTriangle& triangle) const;
+    double quality(std::int32_t root, double share, std::int32_t a, std::int32_t b, std::int32_t c) const;
+    double worst_after(std::int32_t from, std::int32_t to, double enough) const;
 
     std::shared_ptr<const CutModel> model_;
     CutState state_;

@@ -112,15 +112,14 @@ bool CutMesh::list_triangles(std::int32_t root, double inset, const Vector3* pos
 const CutMesh::VertexSides& CutMesh::sides(std::int32_t vertex) {
     VertexSides& row = sides_[vertex];
     if (row.stamp == editor_.stamp()) return row;
-    row.stamp = editor_.stamp();
     const Vector3& x = editor_.positions()[vertex];
+    unsigned outside = 0, inside = 0;
     for (int k = 0; k < region_.count; ++k) {
-        const auto place = static_cast<std::size_t>(k);
-        const double distance = region_.planes[place].distance(x);
-        row.side[place] = static_cast<std::int8_t>(distance > tolerance_    ? 1
-                                                   : distance < -tolerance_ ? -1
-                                                                            : 0);
+        const double distance = region_.planes[static_cast<std::size_t>(k)].distance(x);
+        outside |= static_cast<unsigned>(distance > tolerance_) << k;
+        inside |= static_cast<unsigned>(distance < -tolerance_) << k;
     }
+    row = {editor_.stamp(), static_cast<std::uint16_t>(outside), static_cast<std::uint16_t>(inside)};
     return row;
 }
 
@@ -139,28 +138,39 @@ bool CutMesh::clip(double tolerance) {
 
 bool CutMesh::clip_by(int plane) {
     const auto k = static_cast<std::size_t>(plane);
+    const unsigned bit = 1U << plane;
     CutList<std::int32_t>& made = editor_.made();
+    std::int32_t kept = 0;
     for (std::int32_t i = 0; i < band_.size(); ++i) {
         const std::int32_t t = band_[i];
         while (editor_.visible(t)) {
-            const CutTriangle row = state_.triangles[t];
+            const Triangle v = state_.triangles[t].vertices;
+            const unsigned outside[3] = {sides(v[0]).outside & bit, sides(v[1]).outside & bit,
+                                         sides(v[2]).outside & bit};
+            if ((outside[0] | outside[1] | outside[2]) == 0) break;
             int edge = 0;
-            while (edge < 3 &&
-                   sides(vertex_at(row, edge)).side[k] * sides(vertex_at(row, edge + 1)).side[k] >= 0)
+            while (edge < 3) {
+                const auto e = static_cast<std::size_t>(edge), f = e == 2 ? 0 : e + 1;
+                if ((outside[e] != 0 && (sides(v[f]).inside & bit) != 0) ||
+                    (outside[f] != 0 && (sides(v[e]).inside & bit) != 0))
+                    break;
                 ++edge;
+            }
             if (edge == 3) break;
-            const std::int32_t a = vertex_at(row, edge), b = vertex_at(row, edge + 1);
-            const std::int32_t other = neighbour_at(row, edge);
+            const std::int32_t a = v[static_cast<std::size_t>(edge)],
+                               b = v[static_cast<std::size_t>((edge + 1) % 3)];
+            const std::int32_t other = neighbour_at(state_.triangles[t], edge);
             const bool other_in_band = other >= 0 && triangle_mark_[other] == mark_;
             const double at_a = region_.planes[k].distance(editor_.positions()[a]);
             const double at_b = region_.planes[k].distance(editor_.positions()[b]);
             made.clear();
             const std::int32_t m = editor_.split_edge(t, edge, at_a / (at_a - at_b));
             if (m < 0) return false;
+            // On this plane by making, and on every plane that holds both ends of the edge.
             sides(m);
-            for (std::size_t j = 0; j < static_cast<std::size_t>(region_.count); ++j)
-                if (sides_[a].side[j] == 0 && sides_[b].side[j] == 0) sides_[m].side[j] = 0;
-            sides_[m].side[k] = 0;
+            const unsigned off = sides_[a].outside | sides_[a].inside | sides_[b].outside | sides_[b].inside;
+            sides_[m].outside = static_cast<std::uint16_t>(sides_[m].outside & off & ~bit);
+            sides_[m].inside = static_cast<std::uint16_t>(sides_[m].inside & off & ~bit);
             // The first two are the halves of t, the next two those of its neighbour.
             for (std::int32_t n = 0; n < made.size(); ++n) {
                 if (n >= 2 && !other_in_band) break;
@@ -171,12 +181,13 @@ bool CutMesh::clip_by(int plane) {
         }
     }
     // What lies beyond this plane is kept as it is.
-    std::int32_t kept = 0;
     for (std::int32_t i = 0; i < band_.size(); ++i) {
         const std::int32_t t = band_[i];
         bool beyond = !editor_.visible(t);
-        if (!beyond)
-            for (const std::int32_t v : state_.triangles[t].vertices) beyond = beyond || sides(v).side[k] > 0;
+        if (!beyond) {
+            const Triangle& v = state_.triangles[t].vertices;
+            beyond = ((sides(v[0]).outside | sides(v[1]).outside | sides(v[2]).outside) & bit) != 0;
+        }
         if (beyond)
             triangle_mark_[t] = 0;
         else

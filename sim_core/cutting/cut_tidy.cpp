@@ -16,14 +16,8 @@ constexpr double straight = 1e-13;    // share of a root that a collapse along t
 
 }  // namespace
 
-double CutMesh::quality(std::int32_t root, std::int32_t a, std::int32_t b, std::int32_t c) const {
-    Vector3 at_a, at_b, at_c;
-    if (!barycentric_in(*model_, state_.vertices[a], root, at_a) ||
-        !barycentric_in(*model_, state_.vertices[b], root, at_b) ||
-        !barycentric_in(*model_, state_.vertices[c], root, at_c))
-        return -1;
-    const double share = share_of(at_a, at_b, at_c);
-    if (!(share > 1e-10)) return -1;
+double CutMesh::quality(std::int32_t root, double share, std::int32_t a, std::int32_t b,
+                        std::int32_t c) const {
     const Vector3 &x = state_.vertices[a].rest, &y = state_.vertices[b].rest, &z = state_.vertices[c].rest;
     const double squares = (y - x).squaredNorm() + (z - y).squaredNorm() + (x - z).squaredNorm();
     constexpr double four_root_three = 6.928203230275509;
@@ -31,18 +25,31 @@ double CutMesh::quality(std::int32_t root, std::int32_t a, std::int32_t b, std::
                        : -1;
 }
 
-double CutMesh::worst_after(std::int32_t from, std::int32_t to, double& before) {
-    // around_ holds the triangles of `from`.
+double CutMesh::quality(const CutTriangle& triangle) const {
+    return quality(triangle.root, triangle.share, triangle.vertices[0], triangle.vertices[1],
+                   triangle.vertices[2]);
+}
+
+double CutMesh::quality(std::int32_t root, std::int32_t a, std::int32_t b, std::int32_t c) const {
+    Vector3 at_a, at_b, at_c;
+    if (!barycentric_in(*model_, state_.vertices[a], root, at_a) ||
+        !barycentric_in(*model_, state_.vertices[b], root, at_b) ||
+        !barycentric_in(*model_, state_.vertices[c], root, at_c))
+        return -1;
+    const double share = share_of(at_a, at_b, at_c);
+    return share > 10 * least_share ? quality(root, share, a, b, c) : -1;
+}
+
+double CutMesh::worst_after(std::int32_t from, std::int32_t to, double enough) const {
+    // around_ holds the triangles of `from`; what falls below `enough` need not be known better.
     double after = 1;
-    before = 1;
     for (const std::int32_t t : around_) {
         const CutTriangle& row = state_.triangles[t];
         const std::int32_t a = row.vertices[0], b = row.vertices[1], c = row.vertices[2];
-        before = std::min(before, quality(row.root, a, b, c));
         if (a == to || b == to || c == to) continue;
         after =
             std::min(after, quality(row.root, a == from ? to : a, b == from ? to : b, c == from ? to : c));
-        if (after < 0) break;
+        if (after < enough) break;
     }
     return after;
 }
@@ -67,11 +74,11 @@ bool CutMesh::tidy_vertex(std::int32_t vertex) {
     }
     if (!closed && roots[1] >= 0) return true;
     std::int32_t best = -1;
-    double best_after = 0;
+    double best_after = 0, enough = good_enough;
+    for (const std::int32_t t : around_) enough = std::min(enough, quality(state_.triangles[t]));
     const auto consider = [&](std::int32_t to) {
-        double before = 0;
-        const double after = worst_after(vertex, to, before);
-        if (after <= best_after || after < std::min(before, good_enough)) return;
+        const double after = worst_after(vertex, to, std::max(enough, best_after));
+        if (after <= best_after || after < enough) return;
         best_after = after;
         best = to;
     };
@@ -138,7 +145,7 @@ bool CutMesh::tidy_slivers() {
             const std::int32_t t = parts_[p];
             if (!visible(t)) continue;
             const CutTriangle row = state_.triangles[t];
-            if (quality(r, row.vertices[0], row.vertices[1], row.vertices[2]) > sliver) continue;
+            if (quality(row) > sliver) continue;
             double squares[3];
             for (int e = 0; e < 3; ++e)
                 squares[e] =
@@ -177,7 +184,7 @@ bool CutMesh::turn_edges() {
                 const int back = edge_of(over, b, a);
                 if (back < 0) continue;
                 const std::int32_t d = vertex_at(over, back + 2);
-                const double now = std::min(quality(row.root, a, b, c), quality(row.root, b, a, d));
+                const double now = std::min(quality(row), quality(over));
                 if (now > 0.8) continue;
                 const double then = std::min(quality(row.root, a, d, c), quality(row.root, d, b, c));
                 if (then < 1.05 * now || then <= 0) continue;

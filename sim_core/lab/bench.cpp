@@ -69,6 +69,7 @@ std::vector<Workload> reference_workloads() {
     add_skinning_workloads(workloads);
     add_contact_workloads(workloads);
     add_membrane_workloads(workloads);
+    add_cut_workloads(workloads);
     add_sheet_workloads(workloads);
     return workloads;
 }

@@ -53,6 +53,7 @@ void add_collision_workloads(std::vector<Workload>& workloads);
 void add_skinning_workloads(std::vector<Workload>& workloads);
 void add_contact_workloads(std::vector<Workload>& workloads);
 void add_membrane_workloads(std::vector<Workload>& workloads);
+void add_cut_workloads(std::vector<Workload>& workloads);
 void add_sheet_workloads(std::vector<Workload>& workloads);
 
 }  // namespace fulcrum::lab

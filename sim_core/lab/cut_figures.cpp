@@ -10,31 +10,6 @@ namespace {
 
 constexpr double mm = 0.001;
 
-// Patch and route of Fig. 13: the red curve over a few triangles.
-TriangleMesh figure_patch() {
-    TriangleMesh mesh;
-    const int columns = 5, rows = 4;
-    for (int j = 0; j <= rows; ++j)
-        for (int i = 0; i <= columns; ++i)
-            mesh.vertices.emplace_back(mm * (10.0 * i + (j % 2 == 0 ? 0.0 : 5.0)), mm * 8.7 * j, 0.0);
-    const auto at = [columns](int i, int j) { return static_cast<std::int32_t>(j * (columns + 1) + i); };
-    for (int j = 0; j < rows; ++j)
-        for (int i = 0; i < columns; ++i) {
-            if (j % 2 == 0) {
-                mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
-                mesh.triangles.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
-            } else {
-                mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-                mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-            }
-        }
-    return mesh;
-}
-
-std::vector<Vector3> figure_route() {
-    return {{0.009, 0.006, 0}, {0.016, 0.009, 0}, {0.024, 0.015, 0}, {0.031, 0.022, 0}, {0.041, 0.027, 0}};
-}
-
 struct Frame {
     double x, y, scale;  ///< pixels of the origin, pixels per m
     double across(const Vector3& p) const { return x + scale * p.x(); }
@@ -94,7 +69,7 @@ RestBlade run_example(const CutExample& example, RestBlade::Tally& tally) {
 }
 
 ResultPage cut_figures_page() {
-    ResultPage page("fig12_13_cut", "Figs. 12 and 13: triangles that a blade divides",
+    ResultPage page("fig12_cut_cases", "Fig. 12: the ten ways a blade divides a triangle",
                     "fulcrum lab cut --output docs/results");
     page.paragraph(
         "One rule makes all ten: a triangle less the band of the blade, what is left divided into triangles. "
@@ -145,42 +120,7 @@ ResultPage cut_figures_page() {
     page.chart("fig12_cases", "Ten triangles, each divided as Fig. 12 names it", svg.finish());
     page.table(table);
 
-    page.heading("Fig. 13: a route over a patch");
-    const TriangleMesh patch = figure_patch();
-    RestBlade blade(patch, {}, CutMesh::capacity_for(patch, 200));
-    RestBlade::Tally tally;
-    blade.stroke(figure_route(), 0.8 * mm, BladeEnd::square, tally);
-    Svg route(1000, 330);
-    for (const bool after : {false, true}) {
-        const Frame frame{after ? 520.0 : 30.0, 310, 8000};
-        if (after)
-            draw_visible(route, frame, blade.mesh());
-        else
-            draw_mesh(route, frame, patch, series_colour(0), false);
-        const auto way = figure_route();
-        for (std::size_t i = 0; i + 1 < way.size() && !after; ++i)
-            draw_line(route, frame, way[i], way[i + 1], series_colour(1), 2, false);
-        route.text(frame.x, 20,
-                   after ? "after: what is drawn" : "before: triangles and the route of the blade", 14);
-    }
-    page.chart("fig13_route", "A patch of triangles before and after a curved cut", route.finish());
-    ResultTable counts;
-    counts.columns = {"case", "triangles of the patch"};
-    nlohmann::json found = nlohmann::json::object();
-    for (std::size_t c = 0; c < tally.cases.count.size(); ++c) {
-        const std::string name = std::string("12") + static_cast<char>('a' + c);
-        counts.rows.push_back({name, std::to_string(tally.cases.count[c])});
-        found[name] = tally.cases.count[c];
-    }
-    page.table(counts);
-    page.document({{"cases", cases},
-                   {"route",
-                    {{"cases", found},
-                     {"visible_triangles", blade.mesh().visible_count()},
-                     {"area_before_m2", blade.mesh().area_before()},
-                     {"area_after_m2", area_at_rest(blade.mesh())},
-                     {"area_removed_m2", blade.mesh().area_removed()},
-                     {"min_angle_deg", least_angle_deg(blade.mesh())}}}});
+    page.document({{"cases", cases}});
     return page;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Figs. 12 and 13 of the paper by the product's own rule: the ten ways a stroke divides a triangle, each by
-// an example, and a route over a patch.
+// Fig. 12 of the paper by the product's own rule: the ten ways a stroke divides a triangle, each by an
+// example.
 #pragma once
 
 #include <vector>
@@ -24,7 +24,7 @@ std::vector<CutExample> cut_examples();
 /// An example cut; tally.cases names it.
 RestBlade run_example(const CutExample& example, RestBlade::Tally& tally);
 
-/// Pictures and counts: `fulcrum lab cut --output FOLDER`.
+/// Picture and counts: `fulcrum lab cut --output FOLDER`.
 ResultPage cut_figures_page();
 
 }  // namespace fulcrum::lab

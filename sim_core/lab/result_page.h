@@ -39,6 +39,7 @@ class ResultPage {
     void file(const ResultFile& file, const std::string& alternative);
     /// The document of docs/FORMATS.md; written as ID.json with the machine added.
     void document(nlohmann::json json) { json_ = std::move(json); }
+    const nlohmann::json& document() const { return json_; }
 
     /// Writes everything into a folder (made when missing). Returns the paths. Throws InputError when it
     /// cannot.
