@@ -148,7 +148,10 @@ class CutMesh {
         std::uint16_t outside = 0, inside = 0;
     };
     bool list_triangles(std::int32_t root, double inset, const Vector3* positions);
-    const VertexSides& sides(std::int32_t vertex);
+    const VertexSides& sides(std::int32_t vertex) {
+        return sides_[vertex].stamp == editor_.stamp() ? sides_[vertex] : find_sides(vertex);
+    }
+    const VertexSides& find_sides(std::int32_t vertex);
     bool clip(double tolerance);
     bool clip_by(int plane);
     bool tidy();

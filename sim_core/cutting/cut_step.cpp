@@ -109,9 +109,7 @@ bool CutMesh::list_triangles(std::int32_t root, double inset, const Vector3* pos
     return true;
 }
 
-const CutMesh::VertexSides& CutMesh::sides(std::int32_t vertex) {
-    VertexSides& row = sides_[vertex];
-    if (row.stamp == editor_.stamp()) return row;
+const CutMesh::VertexSides& CutMesh::find_sides(std::int32_t vertex) {
     const Vector3& x = editor_.positions()[vertex];
     unsigned outside = 0, inside = 0;
     for (int k = 0; k < region_.count; ++k) {
@@ -119,8 +117,9 @@ const CutMesh::VertexSides& CutMesh::sides(std::int32_t vertex) {
         outside |= static_cast<unsigned>(distance > tolerance_) << k;
         inside |= static_cast<unsigned>(distance < -tolerance_) << k;
     }
-    row = {editor_.stamp(), static_cast<std::uint16_t>(outside), static_cast<std::uint16_t>(inside)};
-    return row;
+    sides_[vertex] = {editor_.stamp(), static_cast<std::uint16_t>(outside),
+                      static_cast<std::uint16_t>(inside)};
+    return sides_[vertex];
 }
 
 bool CutMesh::clip(double tolerance) {

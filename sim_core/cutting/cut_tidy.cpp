@@ -73,6 +73,19 @@ bool CutMesh::tidy_vertex(std::int32_t vertex) {
         roots[1] = r;
     }
     if (!closed && roots[1] >= 0) return true;
+    std::int32_t next = -1, before = -1;
+    if (!closed) {
+        const CutTriangle &first = state_.triangles[around_[0]], &last = state_.triangles[around_[count - 1]];
+        next = vertex_at(first, corner_of(first, vertex) + 1);
+        before = vertex_at(last, corner_of(last, vertex) + 2);
+        Vector3 middle, one, other;
+        if (!barycentric_in(*model_, here, roots[0], middle) ||
+            !barycentric_in(*model_, state_.vertices[next], roots[0], one) ||
+            !barycentric_in(*model_, state_.vertices[before], roots[0], other))
+            return true;
+        if (std::abs(share_of(one, middle, other)) > straight || !((one - middle).dot(other - middle) < 0))
+            return true;
+    }
     std::int32_t best = -1;
     double best_after = 0, enough = good_enough;
     for (const std::int32_t t : around_) enough = std::min(enough, quality(state_.triangles[t]));
@@ -82,31 +95,20 @@ bool CutMesh::tidy_vertex(std::int32_t vertex) {
         best_after = after;
         best = to;
     };
-    if (closed) {
-        for (std::int32_t k = 0; k < count; ++k) {
-            const CutTriangle& row = state_.triangles[around_[k]];
-            const std::int32_t to = vertex_at(row, corner_of(row, vertex) + 1);
-            if (roots[1] >= 0) {
-                Vector3 ignored;
-                if (!barycentric_in(*model_, state_.vertices[to], roots[0], ignored) ||
-                    !barycentric_in(*model_, state_.vertices[to], roots[1], ignored))
-                    continue;
-            }
-            consider(to);
-        }
-    } else {
-        const CutTriangle &first = state_.triangles[around_[0]], &last = state_.triangles[around_[count - 1]];
-        const std::int32_t next = vertex_at(first, corner_of(first, vertex) + 1);
-        const std::int32_t before = vertex_at(last, corner_of(last, vertex) + 2);
-        Vector3 middle, one, other;
-        if (!barycentric_in(*model_, here, roots[0], middle) ||
-            !barycentric_in(*model_, state_.vertices[next], roots[0], one) ||
-            !barycentric_in(*model_, state_.vertices[before], roots[0], other))
-            return true;
-        if (std::abs(share_of(one, middle, other)) > straight || !((one - middle).dot(other - middle) < 0))
-            return true;
+    if (!closed) {
         consider(next);
         consider(before);
+    }
+    for (std::int32_t k = 0; closed && k < count; ++k) {
+        const CutTriangle& row = state_.triangles[around_[k]];
+        const std::int32_t to = vertex_at(row, corner_of(row, vertex) + 1);
+        if (roots[1] >= 0) {
+            Vector3 ignored;
+            if (!barycentric_in(*model_, state_.vertices[to], roots[0], ignored) ||
+                !barycentric_in(*model_, state_.vertices[to], roots[1], ignored))
+                continue;
+        }
+        consider(to);
     }
     if (best >= 0) editor_.collapse(vertex, best);
     return editor_.lacking() == CutLimit::none;
@@ -175,7 +177,7 @@ bool CutMesh::turn_edges() {
                 if (!visible(t)) break;
                 const CutTriangle& row = state_.triangles[t];
                 const std::int32_t n = neighbour_at(row, e);
-                if (n < 0 || state_.triangles[n].root != row.root ||
+                if (n < 0 || (n < t && editor_.touched(n)) || state_.triangles[n].root != row.root ||
                     model_->flat[static_cast<std::size_t>(row.root)])
                     continue;
                 const CutTriangle& over = state_.triangles[n];
