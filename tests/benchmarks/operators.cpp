@@ -169,7 +169,7 @@ int main(int argc, char** argv) {
         "intermediates' median lies between the others'. Of " +
         std::to_string(seeds) + " experts, intermediates, novices: completed " + of(completed) + "; passed " +
         (benchmark ? of(passed) : std::string("by no one, there is no set")) +
-        ". Replayed bit for bit: " + std::to_string(identical) + " of " + std::to_string(groups * seeds) +
+        ". Replayed bit for bit: " + std::to_string(identical) + " of " + std::to_string(groups * replays) +
         ". " + short_number(simulated / wall) +
         " times real time a core, start, operators and record included, scoring and the replay "
         "that follows left out.");
