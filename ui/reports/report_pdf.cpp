@@ -271,6 +271,21 @@ QString cohort_cell(const std::vector<database::CohortRow>& rows, const std::str
     return lines.join(QLatin1Char('\n'));
 }
 
+// Parts joined again as long as they fit into a line.
+QStringList wrapped(Sheet& sheet, const QString& whole, const QString& between, double width) {
+    const QFontMetricsF measure(sheet.painter().font(), sheet.painter().device());
+    QStringList lines;
+    for (const QString& part : whole.split(between)) {
+        const QString longer = lines.isEmpty() ? part : lines.back() + between + part;
+        if (!lines.isEmpty() && measure.horizontalAdvance(longer) <= width) {
+            lines.back() = longer;
+        } else {
+            lines << part;
+        }
+    }
+    return lines;
+}
+
 void cohort_pages(Sheet& sheet, const CohortReport& report) {
     std::vector<std::pair<std::string, std::string>> people;
     for (const database::CohortRow& row : report.table.rows) {
@@ -304,10 +319,18 @@ void cohort_pages(Sheet& sheet, const CohortReport& report) {
         sheet.skip(2);
         sheet.font(8.5, true, paper_palette().muted);
         sheet.cell(0, name_width, tr("person"));
+        const double first_line = sheet.y();
+        int head_lines = 1;
         for (std::size_t t = 0; t < report.tasks.size(); ++t) {
-            sheet.cell(name_width + static_cast<double>(t) * task_width, task_width,
-                       text(report.tasks[t].id + "  " + report.tasks[t].title));
+            const QStringList words = wrapped(sheet, text(report.tasks[t].id + " " + report.tasks[t].title),
+                                              QStringLiteral(" "), task_width - Sheet::mm(3));
+            for (int k = 0; k < words.size(); ++k) {
+                sheet.to(first_line + k * sheet.line_height());
+                sheet.cell(name_width + static_cast<double>(t) * task_width, task_width, words[k]);
+            }
+            head_lines = std::max(head_lines, static_cast<int>(words.size()));
         }
+        sheet.to(first_line + (head_lines - 1) * sheet.line_height());
         sheet.skip(5);
         sheet.rule();
     };
@@ -315,11 +338,15 @@ void cohort_pages(Sheet& sheet, const CohortReport& report) {
     for (const auto& [person, name] : people) {
         int lines = 1;
         std::vector<QStringList> cells;
-        for (const ReportTask& task : report.tasks) {
-            cells.push_back(cohort_cell(report.table.rows, person, task.id).split(QLatin1Char('\n')));
-            lines = std::max(lines, cells.back().size());
-        }
         sheet.font(8.5);
+        for (const ReportTask& task : report.tasks) {
+            QStringList cell;
+            for (const QString& part :
+                 cohort_cell(report.table.rows, person, task.id).split(QLatin1Char('\n')))
+                cell << wrapped(sheet, part, QStringLiteral(" · "), task_width - Sheet::mm(3));
+            lines = std::max(lines, static_cast<int>(cell.size()));
+            cells.push_back(cell);
+        }
         const double height = sheet.line_height() * lines + Sheet::mm(1.5);
         if (sheet.y() + height > bottom) {
             footer(sheet, report.provenance, n);
@@ -348,7 +375,7 @@ void write_person_pdf(const PersonReport& report, const std::string& path) {
 }
 
 bool write_cohort_pdf(const CohortReport& report, const std::string& path, const Progress& progress) {
-    Sheet sheet(path, false, tr("Cohort %1").arg(text(report.table.cohort_name)));
+    Sheet sheet(path, report.tasks.size() > 4, tr("Cohort %1").arg(text(report.table.cohort_name)));
     cohort_pages(sheet, report);
     for (std::size_t i = 0; i < report.people.size(); ++i) {
         const double done = static_cast<double>(i) / static_cast<double>(report.people.size());
