@@ -17,7 +17,7 @@ struct PoolModel {
     int columns = 0, rows = 0;
     double cell = 0.008;         ///< m, edge of a cell
     std::vector<double> ground;  ///< m, height of each cell along gravity (up positive), row by row
-    double spread_time = 0.08;   ///< s, in which two neighbours even out
+    double spread_time = 0.25;   ///< s, in which two neighbours even out
     std::size_t index(int column, int row) const {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
                static_cast<std::size_t>(column);

@@ -136,6 +136,7 @@ struct LocalModel {
     std::uint32_t topology_version =
         0;  ///< of the surface's triangles; another number voids remembered triangles
     LocalMode mode = LocalMode::none;
+    bool energises = true;  ///< false: what the hand holds now gives no energy, whatever its pedal says
     SurfacePatch patch;
     GraspModel grasp;
     JawPushModel jaws;

@@ -18,7 +18,7 @@ inline constexpr double device_angle_unit = 1e-6;   ///< rad per count
 inline constexpr double device_force_unit = 1e-3;   ///< N per count
 
 /// Buttons of one device, bit mask.
-enum DeviceButton : std::uint16_t { button_none = 0, button_primary = 1, button_clutch = 2, button_energy = 4 };
+enum DeviceButton : std::uint16_t { button_none = 0, button_primary = 1, button_clutch = 2, button_energy = 4, button_exchange = 8 };
 
 /// One device at one tick. The handle position is that of the instrument's handle in its trocar's frame
 /// (origin at the pivot, +z into the body along the nominal shaft, +y up, +x completing a right-handed frame):

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_core/haptics/loop.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim_core/contact/jaws.h"
@@ -68,8 +69,8 @@ HapticLoop::HapticLoop(const Scene& scene, const World& world) : parts_(std::mak
         parts.has_hand[hand] = true;
         contact = make_tool_contact(scene, make_instrument(spec, scene.tick_period()));
         contact.cavity = world.cavity();
-        if (scene.cavity) {
-            const int index = scene.tissue_index(scene.cavity->tissue);
+        if (scene.cavity || scene.bands) {
+            const int index = scene.tissue_index(scene.cavity ? scene.cavity->tissue : scene.bands->bed_tissue);
             contact.wall.tissue = static_cast<std::int16_t>(index);
             contact.wall.most_stiffness = scene.tissues[static_cast<std::size_t>(index)].stiffness;
             contact.wall.damping = scene.tissues[static_cast<std::size_t>(index)].damping;
@@ -198,7 +199,7 @@ const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {
         unsigned flags = 0;
         if (tool.inside) flags |= hand_inside;
         if (parts.has_camera && in_view(camera, tool.tip)) flags |= hand_in_view;
-        if ((tool.buttons & button_energy) != 0) flags |= hand_energy;
+        if ((tool.buttons & button_energy) != 0 && local.energises) flags |= hand_energy;
         if ((sent.flags & safety_clamped) != 0) flags |= hand_clamped;
         if (input.hand[hand].faulty != 0) flags |= hand_faulty;
         if (result.cutting) flags |= hand_cutting;
@@ -206,7 +207,7 @@ const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {
             flags |= hand_grasping;
             record.jaw_force = counts(tool.grip, sample_force_unit);
             const JawContact jaws = find_jaw_contact(parts.contact[hand].instrument, tool, std::max(tool.jaw_angle, 0.25), local, input.tick, parts.scratch[hand]);
-            record.jaw_area = counts(std::max(jaws.area, 1e-6), sample_area_unit);
+            record.jaw_area = counts(std::max({jaws.area, local.grasp.area, 1e-6}), sample_area_unit);
             record.tissue = local.grasp.tissue;
             record.patch = local.grasp.tissue_patch;
         }

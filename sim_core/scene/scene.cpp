@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "sim_core/scene/bands_reader.h"
 #include "sim_core/scene/json_document.h"
 
 namespace fulcrum {
@@ -54,6 +55,7 @@ class SceneReader {
         if (root.contains("tethers")) scene_.tethers = read_tethers(root.at("tethers"));
         if (root.contains("membranes")) read_membranes(root.at("membranes"));
         if (root.contains("sheet")) scene_.sheet = read_sheet(root.at("sheet"));
+        if (root.contains("bands")) read_bands(root.at("bands"));
         if (root.contains("fidelity")) read_fidelity(root.at("fidelity"));
         return std::move(scene_);
     }
@@ -146,6 +148,18 @@ class SceneReader {
                     "give one instrument a hand");
             }
             copy(node, "kind", instrument.kind);
+            copy(node, "exchange", instrument.exchange);
+            if (!instrument.exchange.empty()) {
+                if (!document_.root().contains("bands")) {
+                    document_.fail(place + "/exchange", "instruments are exchanged where nothing needs another",
+                                   "add \"bands\" to the scene or remove \"exchange\"");
+                }
+                if (node.contains("kind") && instrument.kind != instrument.exchange.front()) {
+                    document_.fail(place + "/exchange", "the first of \"exchange\" is not \"kind\"",
+                                   "start the list with what the hand holds at the start");
+                }
+                instrument.kind = instrument.exchange.front();
+            }
             instrument.trocar = read_trocar(node.at("trocar"), place + "/trocar");
             copy(node, "start_insertion", instrument.start_insertion);
             copy(node, "shaft_radius", instrument.shaft_radius);
@@ -365,6 +379,17 @@ class SceneReader {
                            "give a spacing that suits length and width");
         }
         return sheet;
+    }
+
+    void read_bands(const json& node) {
+        scene_.bands = read_bands_spec(document_, node);
+        for (const std::string& label : {scene_.bands->tissue, scene_.bands->bed_tissue, scene_.bands->nerve_tissue, scene_.bands->vessel_tissue}) {
+            check_tissue("/bands", label);
+        }
+        if (scene_.bowel || scene_.cavity || scene_.targets || scene_.sheet) {
+            document_.fail("/bands", "bands have a bed of their own and share it with no bowel, cavity, sheet or targets",
+                           "remove those parts or \"bands\"");
+        }
     }
 
     void read_fidelity(const json& node) {

@@ -10,6 +10,7 @@
 
 #include "sim_core/material/layered_wall.h"
 #include "sim_core/numerics/types.h"
+#include "sim_core/scene/bands_spec.h"
 
 namespace fulcrum {
 
@@ -44,8 +45,10 @@ struct TrocarSpec {
 
 struct InstrumentSpec {
     Hand hand = Hand::left;
-    std::string kind = "grasper";                 ///< "grasper", "probe", "scissors" or "hook"; the last two cut
+    std::string kind = "grasper";                 ///< "grasper", "probe", "scissors", "hook" (these two cut sheets); with bands also "harmonic", "clip_applier", "suction"
     bool cuts() const { return kind == "scissors" || kind == "hook"; }
+    /// Kinds that this hand changes between, by a button of its device; the first is held at the start. Empty: `kind` alone.
+    std::vector<std::string> exchange;
     TrocarSpec trocar;
     double start_insertion = 0.12;                ///< m, insertion the device is aligned to at the start
     double shaft_radius = 0.0025;                 ///< m
@@ -189,6 +192,7 @@ struct Scene {
     std::optional<TetherSpec> tethers;
     std::vector<MembraneSpec> membranes;
     std::optional<SheetSpec> sheet;
+    std::optional<BandsSpec> bands;
     Fidelity fidelity;
 
     double tick_period() const { return 1.0 / tick_rate; }

@@ -70,6 +70,11 @@ World::~World() = default;
 
 void World::build_anatomy(std::uint64_t seed) {
     if (scene_.cavity) cavity_ = std::make_unique<CavityModel>(cavity_mesh(*scene_.cavity), FreeSide::behind);
+    if (scene_.bands) {
+        cavity_ = std::make_unique<CavityModel>(bed_mesh(*scene_.bands), FreeSide::front);
+        bands_ = std::make_unique<BandsPart>(scene_, seed);
+        bands_->size_snapshot(snapshot_);
+    }
     if (scene_.bowel) {
         bowel_ = std::make_unique<BowelPart>(scene_, bowel_anatomy(scene_), cavity_.get());
         bowel_->size_snapshot(snapshot_);
@@ -114,6 +119,10 @@ StepRecord World::step(const TickOutput* outputs, std::size_t count) noexcept {
         }
         if (!paused) record.outcome = std::max(record.outcome, sheet_->step(actions, record.last_tick, scene_.step_period()));
     }
+    if (bands_ && !paused) {
+        Stopwatch watch(measuring_, bands_us_);
+        record.outcome = std::max(record.outcome, bands_->step(outputs, count, scene_.step_period()));
+    }
     {
         Stopwatch watch(measuring_, models_us_);
         fill_models(last);
@@ -157,6 +166,7 @@ void World::fill_models(const TickOutput& last) noexcept {
             bowel_->fill_local_model(static_cast<Hand>(hand), request, model);
         }
         if (sheet_) sheet_->fill_local_model(hand, model);
+        if (bands_) bands_->fill_local_model(static_cast<Hand>(hand), model);
         model.target_count = static_cast<std::int32_t>(targets_.size());
         std::copy(targets_.begin(), targets_.end(), model.targets.begin());
         model.cavity_seed = cavity_ ? cavity_->closest(last.contact[hand].tool.tip, 0.05).triangle : -1;
@@ -173,6 +183,7 @@ void World::fill_snapshot(const TickOutput& last) noexcept {
     if (scope_) snapshot_.camera = scope_pose(*scope_, last.input.camera);
     if (bowel_) bowel_->fill_snapshot(snapshot_);
     if (sheet_) sheet_->fill_snapshot(snapshot_);
+    if (bands_) bands_->fill_snapshot(snapshot_);
 }
 
 std::uint64_t World::hash() const noexcept {
@@ -185,6 +196,7 @@ std::uint64_t World::hash() const noexcept {
     }
     if (bowel_) bowel_->hash(hash);
     if (sheet_) sheet_->hash(hash);
+    if (bands_) bands_->hash(hash);
     return hash.value() == 0 ? 1 : hash.value();  // 0 means: no hash in this step
 }
 
@@ -205,6 +217,7 @@ std::vector<PartCost> World::costs() const {
         if (!scene_.membranes.empty()) costs.push_back({"membranes", cost.membranes, bowel_->bytes_membranes()});
     }
     if (sheet_) costs.push_back({"sheet", sheet_us_, sheet_->bytes()});
+    if (bands_) costs.push_back({"bands", bands_us_, bands_->bytes()});
     if (scene_.targets) costs.push_back({"targets", 0, targets_.capacity() * sizeof(TargetModel)});
     costs.push_back({"contact_models", models_us_, sizeof(LocalModels)});
     costs.push_back({"snapshot", snapshot_us_, sizeof(WorldSnapshot) + snapshot_.rings.capacity() * sizeof(RingFrame) + snapshot_.nodes.capacity() * sizeof(Vector3)});

@@ -14,6 +14,7 @@
 #include "sim_core/instrument/instrument.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/telemetry/sample.h"
+#include "sim_core/world/bands_part.h"
 #include "sim_core/world/bowel_part.h"
 #include "sim_core/world/sheet_part.h"
 #include "sim_core/world/snapshot.h"
@@ -50,6 +51,7 @@ class World {
     BowelPart* bowel() noexcept { return bowel_.get(); }
     const SheetPart* sheet() const noexcept { return sheet_.get(); }
     SheetPart* sheet() noexcept { return sheet_.get(); }
+    const BandsPart* bands() const noexcept { return bands_.get(); }
     const CavityModel* cavity() const noexcept { return cavity_.get(); }
 
     void measure(bool on);
@@ -67,6 +69,7 @@ class World {
     std::unique_ptr<CavityModel> cavity_;
     std::unique_ptr<BowelPart> bowel_;
     std::unique_ptr<SheetPart> sheet_;
+    std::unique_ptr<BandsPart> bands_;
     std::vector<TargetModel> targets_;
     InstrumentModel instruments_[hand_count];
     bool has_instrument_[hand_count] = {false, false};
@@ -77,7 +80,7 @@ class World {
     std::uint32_t steps_ = 0;
     std::uint32_t next_hash_tick_ = hash_every_ticks;
     bool measuring_ = false;
-    double models_us_ = 0, snapshot_us_ = 0, sheet_us_ = 0;
+    double models_us_ = 0, snapshot_us_ = 0, sheet_us_ = 0, bands_us_ = 0;
 };
 
 }  // namespace fulcrum

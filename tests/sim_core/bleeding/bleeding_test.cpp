@@ -71,8 +71,9 @@ PoolModel bed(int columns, int rows, double (*height)(int, int)) {
 }
 
 TEST(Pool, KeepsItsVolumeAndComesToLieLevel) {
-    const PoolModel model =
+    PoolModel model =
         bed(12, 10, [](int c, int r) { return 2e-4 * ((c - 6) * (c - 6) + (r - 5) * (r - 5)); });
+    model.spread_time = 0.08;
     PoolState state = make_pool_state(model);
     pour(model, 0, 0, 20e-6, state);
     for (int i = 0; i < 8000; ++i) {

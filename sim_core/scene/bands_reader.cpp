@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_core/scene/bands_reader.h"
+
+namespace fulcrum {
+namespace {
+
+using nlohmann::json;
+
+constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;
+
+template <typename T>
+void copy(const json& node, const char* key, T& value) {
+    if (node.contains(key)) value = node.at(key).get<T>();
+}
+void copy(const json& node, const char* key, Vector3& value) {
+    if (!node.contains(key)) return;
+    for (int i = 0; i < 3; ++i) value[i] = node.at(key).at(static_cast<std::size_t>(i)).get<double>();
+}
+void copy_degrees(const json& node, const char* key, double& radians) {
+    if (node.contains(key)) radians = node.at(key).get<double>() * radians_per_degree;
+}
+
+}  // namespace
+
+BandsSpec read_bands_spec(const JsonDocument& document, const json& node) {
+    BandsSpec bands;
+    copy(node, "count", bands.count);
+    copy(node, "vessels", bands.vessels);
+    copy(node, "centre", bands.centre);
+    copy(node, "half_extent", bands.half_extent);
+    copy(node, "height", bands.height);
+    copy(node, "length", bands.length);
+    copy(node, "width", bands.width);
+    copy(node, "thickness", bands.thickness);
+    copy(node, "jitter", bands.jitter);
+    copy_degrees(node, "tilt_deg", bands.tilt);
+    copy(node, "young_modulus", bands.young_modulus);
+    copy(node, "pre_strain", bands.pre_strain);
+    copy(node, "density", bands.density);
+    copy(node, "tear_force", bands.tear_force);
+    copy(node, "nerve_gap", bands.nerve_gap);
+    copy(node, "nerve_radius", bands.nerve_radius);
+    copy(node, "nerve_dose_limit", bands.nerve_dose_limit);
+    copy(node, "safe_distance", bands.safe_distance);
+    copy(node, "vessel_radius", bands.vessel_radius);
+    copy(node, "vessel_pressure", bands.vessel_pressure);
+    copy(node, "feeding_length", bands.feeding_length);
+    copy(node, "clotting_time", bands.clotting_time);
+    copy(node, "seal_time", bands.seal_time);
+    copy(node, "recoil_tension", bands.recoil_tension);
+    copy(node, "least_recoil", bands.least_recoil);
+    copy(node, "conductivity", bands.conductivity);
+    copy(node, "specific_heat", bands.specific_heat);
+    copy(node, "water_share", bands.water_share);
+    copy(node, "suction_flow", bands.suction_flow);
+    copy(node, "clips", bands.clips);
+    copy(node, "exchange_time", bands.exchange_time);
+    copy(node, "tissue", bands.tissue);
+    copy(node, "bed_tissue", bands.bed_tissue);
+    copy(node, "nerve_tissue", bands.nerve_tissue);
+    copy(node, "vessel_tissue", bands.vessel_tissue);
+    if (bands.vessels > bands.count) {
+        document.fail("/bands/vessels", "more vessels than bands", "give at most \"count\"");
+    }
+    if (bands.half_extent.x() < bands.length + 2 * bands.jitter ||
+        bands.half_extent.y() < 0.003 * bands.count) {
+        document.fail("/bands/half_extent", "the bed is too small for two columns of such bands",
+                      "give a wider bed, fewer bands or shorter ones");
+    }
+    if (bands.half_extent.maxCoeff() > 0.3 || bands.half_extent.z() < 0) {
+        document.fail("/bands/half_extent", "the bed is above 0.6 m or its rim lies below its middle",
+                      "give half edges in metres");
+    }
+    if (bands.nerve_gap >= bands.height) {
+        document.fail("/bands/nerve_gap", "the nerve lies beneath the bed", "give a gap below \"height\"");
+    }
+    return bands;
+}
+
+}  // namespace fulcrum

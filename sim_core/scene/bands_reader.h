@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// The part "bands" of a scene file.
+#pragma once
+
+#include "sim_core/scene/bands_spec.h"
+#include "sim_core/scene/json_document.h"
+
+namespace fulcrum {
+
+/// The schema has checked types and ranges. Throws InputError naming place and mend for what makes no sense
+/// together; tissue labels are the caller's to check.
+BandsSpec read_bands_spec(const JsonDocument& document, const nlohmann::json& node);
+
+}  // namespace fulcrum

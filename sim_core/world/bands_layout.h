@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where bands, vessels and nerve stand: drawn from the attempt's seed. Same seed, same places.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim_core/bleeding/pool.h"
+#include "sim_core/energy/heat.h"
+#include "sim_core/geometry/mesh.h"
+#include "sim_core/scene/bands_spec.h"
+
+namespace fulcrum {
+
+struct BandPlace {
+    Vector3 root = Vector3::Zero(),
+            end = Vector3::Zero();  ///< m, the posts' heads; a vessel comes from the root
+    std::int32_t vessel = -1;
+    Vector3 vessel_root = Vector3::Zero();  ///< m, on the bed, where its branch leaves
+};
+
+struct BandsLayout {
+    std::vector<BandPlace> bands;
+    std::vector<std::int32_t> vessel_bands;  ///< by vessel
+    std::vector<Vector3> nerve;              ///< m, a line along y
+    PoolModel pool;                          ///< ground in patient z
+    Vector3 corner = Vector3::Zero();        ///< m, of the pool's first cell (z: middle of the bed)
+
+    /// Cell under a place, nearest where it lies beside the bed.
+    int column(const Vector3& place) const;
+    int row(const Vector3& place) const;
+    double ground(const Vector3& place) const { return pool.ground[pool.index(column(place), row(place))]; }
+};
+
+BandsLayout place_bands(const BandsSpec& spec, std::uint64_t seed);
+/// The bed as the instruments feel it, normals up.
+TriangleMesh bed_mesh(const BandsSpec& spec);
+
+/// Heat patches of a layout: segments of all bands first, then vessel roots, bed cells, nerve.
+struct BandsHeat {
+    HeatModel model;
+    std::size_t roots = 0, bed = 0, nerve = 0;  ///< where each begins
+    std::vector<std::int32_t>
+        segment_links;  ///< link between segment s and s + 1 of band b at [b * (segments - 1) + s]
+};
+BandsHeat make_bands_heat(const BandsSpec& spec, const BandsLayout& layout);
+
+}  // namespace fulcrum

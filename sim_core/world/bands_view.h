@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bands, vessels, nerve, blood and smoke as the viewport, the monitor and the operators see them after a step
+// (WorldSnapshot::bands). Vectors have their final size from the start.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim_core/strand/strand.h"
+
+namespace fulcrum {
+
+/// What a hand can hold where instruments are exchanged.
+enum class ToolKind : std::uint8_t { grasper, probe, harmonic, hook, clip_applier, suction };
+/// A scene's word for it; anything unknown is a probe.
+ToolKind tool_kind(const std::string& word) noexcept;
+const char* tool_kind_name(ToolKind kind) noexcept;
+constexpr bool gives_energy(ToolKind kind) {
+    return kind == ToolKind::harmonic || kind == ToolKind::hook;
+}
+
+/// What the power of an activation reaches.
+enum class EnergyTarget : std::uint8_t { nothing, band, vessel, bed, nerve };
+
+struct BandView {
+    std::array<Vector3, strand_nodes> position;       ///< m
+    std::array<float, strand_segments> heat{};        ///< degrees C
+    std::array<float, strand_segments> char_share{};  ///< 0 moist .. 1 dry and black
+    std::array<float, strand_segments> coagulated{};  ///< 0 .. 1, white
+    std::uint32_t parted = 0;                         ///< bit s: segment s is divided
+    bool torn = false;                                ///< it gave way to traction, not to an instrument
+    float tension = 0;                                ///< N, largest along it
+    std::int32_t vessel = -1;                         ///< index of the vessel in it, -1 none
+    std::int32_t clip_node = -1;                      ///< where a clip sits, -1 none
+    bool divided() const { return parted != 0; }
+};
+
+/// A place where a vessel can bleed: 2 v the trunk in the band, 2 v + 1 the branch at its root.
+struct OutletView {
+    Vector3 position = Vector3::Zero();  ///< m
+    std::int32_t band = -1;
+    double flow = 0;        ///< m3/s
+    double lost = 0;        ///< m3 since the start
+    float blood_depth = 0;  ///< m that it lies under
+    bool opened = false;    ///< it has bled
+    bool clipped = false;
+    bool injured = false;  ///< torn, or divided before it was sealed or clipped
+};
+
+/// What a hand's exchangeable instrument is doing.
+struct HandToolView {
+    ToolKind kind = ToolKind::grasper;
+    std::int32_t index = 0;   ///< in InstrumentSpec::exchange
+    float exchange_left = 0;  ///< s until it can be used
+    bool active = false;      ///< energy or suction was on in this step
+    EnergyTarget target = EnergyTarget::nothing;
+    float nerve_distance = 1;  ///< m, blade's surface to the nerve's
+    std::int32_t band = -1;    ///< held, or touched by the power
+    float blade = 37;          ///< degrees C
+    std::int32_t clips_left = 0;
+    std::int32_t clips_fired = 0;
+    std::int32_t last_clip_outlet = -1;  ///< of the last clip; -1: on a band or on nothing
+    float last_clip_distance = 0;        ///< m, jaws to what it was put on
+};
+
+struct BandsView {
+    std::vector<BandView> bands;
+    std::vector<OutletView> outlets;
+    HandToolView tools[hand_count];
+    std::vector<Vector3> nerve;     ///< m
+    std::vector<float> nerve_dose;  ///< min
+    double nerve_radius = 0;        ///< m
+    double lateral_dose = 0;        ///< min, largest over nerve and bed
+    double worst_nerve_dose = 0;    ///< min
+    // The bed: a grid of cells, row by row along y; blood lies on it.
+    std::int32_t columns = 0, rows = 0;
+    double cell = 0;                             ///< m
+    Vector3 corner = Vector3::Zero();            ///< m, of the first cell
+    std::vector<float> ground, blood, bed_dose;  ///< m (patient z), m, min
+    double lost = 0, removed = 0;                ///< m3 of blood since the start
+    double smoke = 0;                            ///< share of light that does not come through
+    double heat_given = 0;                       ///< J since the start
+};
+
+}  // namespace fulcrum
