@@ -23,6 +23,7 @@ std::vector<Metric> make_registry() {
     append(all, force_metrics());
     append(all, grasp_metrics());
     append(all, cutting_metrics());
+    append(all, energy_metrics());
     check_registry(all);
     return all;
 }

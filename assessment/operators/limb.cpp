@@ -162,7 +162,7 @@ DeviceSample Limb::sample() noexcept {
     reading.handle = handle_for_tip(trocar_, tip());
     reading.jaw = jaw_;
     reading.grip = grip_;
-    reading.buttons = pressed_ ? button_primary : button_none;
+    reading.buttons = static_cast<std::uint16_t>((pressed_ ? button_primary : button_none) | buttons_);
     last_ = quantise(reading, last_);
     return last_;
 }

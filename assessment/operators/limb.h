@@ -39,6 +39,8 @@ class Limb {
     }
     /// The device's primary button: a blade cuts while it is held.
     void press(bool down) noexcept { pressed_ = down; }
+    /// Buttons beside the primary one (DeviceButton mask) from now on.
+    void hold_buttons(std::uint16_t buttons) noexcept { buttons_ = buttons; }
     double jaw() const noexcept { return jaw_; }
     double grip() const noexcept { return grip_; }
     /// What the device reports.
@@ -74,6 +76,7 @@ class Limb {
     std::array<double, 3> phase_{}, frequency_{}, loudness_{};
     double jaw_ = 0, jaw_wish_ = 0, grip_ = 0, grip_wish_ = 0;
     bool pressed_ = false;
+    std::uint16_t buttons_ = 0;
     DeviceSample last_;
 };
 

@@ -25,6 +25,10 @@ bool is_sheet_goal(const Goal& goal) {
            goal.kind == GoalKind::let_go;
 }
 
+bool is_bands_goal(const Goal& goal) {
+    return goal.kind == GoalKind::divide_bands || goal.kind == GoalKind::stop_bleeding;
+}
+
 class SyntheticOperator : public ObservingRig {
   public:
     SyntheticOperator(const Skill& skill, const TaskDefinition& task, const Scene& scene,
@@ -43,7 +47,9 @@ class SyntheticOperator : public ObservingRig {
         body_.view = camera_.view();
         const bool bowel = std::any_of(task.goals.begin(), task.goals.end(), is_bowel_goal);
         const bool sheet = std::any_of(task.goals.begin(), task.goals.end(), is_sheet_goal);
+        const bool bands = std::any_of(task.goals.begin(), task.goals.end(), is_bands_goal);
         behaviour_ = sheet   ? make_sheet_division(task, scene, skill)
+                     : bands ? make_band_handling(task, scene, skill)
                      : bowel ? make_bowel_handling(task, scene, skill)
                              : make_targeting(task, scene, skill);
     }
@@ -95,12 +101,13 @@ std::unique_ptr<ObservingRig> make_operator(const std::string& preset, const Tas
     draw_form(preset, attempt, skill);
     const bool bowel = std::any_of(task.goals.begin(), task.goals.end(), is_bowel_goal);
     const bool sheet = std::any_of(task.goals.begin(), task.goals.end(), is_sheet_goal);
+    const bool bands = std::any_of(task.goals.begin(), task.goals.end(), is_bands_goal);
     const bool targets = std::any_of(task.goals.begin(), task.goals.end(), [](const Goal& goal) {
-        return !is_bowel_goal(goal) && !is_sheet_goal(goal);
+        return !is_bowel_goal(goal) && !is_sheet_goal(goal) && !is_bands_goal(goal);
     });
-    if (bowel + sheet + targets > 1) {
+    if (bowel + sheet + bands + targets > 1) {
         throw InputError("operator", task.id,
-                         "an operator does not perform targets, bowel and a sheet in one task",
+                         "an operator does not perform targets, bowel, a sheet and bands in one task",
                          "choose a task with one kind of goal");
     }
     if (sheet) {
@@ -115,7 +122,7 @@ std::unique_ptr<ObservingRig> make_operator(const std::string& preset, const Tas
         }
     }
     for (const Hand hand : {Hand::left, Hand::right}) {
-        if (bowel && scene.instrument(hand) == nullptr) {
+        if ((bowel || bands) && scene.instrument(hand) == nullptr) {
             throw InputError("operator", task.id,
                              std::string("the scene gives the ") + hand_name(hand) + " hand no instrument",
                              "add a grasper to the scene");

@@ -14,6 +14,7 @@ void copy_within(const std::vector<Vector3>& from, std::vector<Vector3>& to) noe
     const std::size_t count = std::min(from.size(), to.capacity());
     to.assign(from.begin(), from.begin() + static_cast<std::ptrdiff_t>(count));
 }
+constexpr std::size_t most_nerve_points = 64;
 
 }  // namespace
 
@@ -32,6 +33,13 @@ DelayLine::DelayLine(const Scene& scene, double longest_delay_s) {
         }
         line_positions_.reserve(most_line_points);
     }
+    if (scene.bands) {
+        for (Perception& look : looks_) {
+            look.bands.resize(static_cast<std::size_t>(scene.bands->count));
+            look.outlets.resize(2 * static_cast<std::size_t>(scene.bands->vessels));
+            look.nerve.reserve(most_nerve_points);
+        }
+    }
     if (scene.targets) targets_.reserve(2 * static_cast<std::size_t>(scene.targets->per_hand));
 }
 
@@ -47,6 +55,16 @@ void DelayLine::push(std::uint32_t tick, const WorldSnapshot& world, const TaskD
     std::copy_n(world.nodes.begin(), std::min(look.nodes.size(), world.nodes.size()), look.nodes.begin());
     copy_within(world.sheet.line, look.line);
     copy_within(world.sheet.flap, look.flap);
+    if (!world.bands.empty() && !look.bands.empty()) {
+        const BandsView& view = world.bands[0];
+        std::copy_n(view.bands.begin(), std::min(look.bands.size(), view.bands.size()), look.bands.begin());
+        std::copy_n(view.outlets.begin(), std::min(look.outlets.size(), view.outlets.size()),
+                    look.outlets.begin());
+        const std::size_t points = std::min(look.nerve.capacity(), view.nerve.size());
+        look.nerve.assign(view.nerve.begin(), view.nerve.begin() + static_cast<std::ptrdiff_t>(points));
+        for (int h = 0; h < hand_count; ++h) look.tools[h] = view.tools[h];
+        look.smoke = view.smoke;
+    }
     if (count_ == 0) {
         const std::size_t places = std::min(line_positions_.capacity(), world.sheet.line_positions.size());
         line_positions_.assign(world.sheet.line_positions.begin(),

@@ -20,6 +20,12 @@ struct Perception {
     GraspState grasps[hand_count];
     TaskDisplay display;
     std::vector<Vector3> line, flap;  ///< marked line and free edge of a sheet
+    // Scene::bands; empty without.
+    std::vector<BandView> bands;
+    std::vector<OutletView> outlets;
+    std::vector<Vector3> nerve;
+    HandToolView tools[hand_count];
+    double smoke = 0;
     std::vector<Vector3> nodes;  ///< bowel centre line; arc lengths do not change and stand beside the line
 };
 

@@ -35,6 +35,10 @@ constexpr int no_hand = 255;
 constexpr double line_end_slack =
     0.002;  // m of the line that may stay: a bridge that the flap's own weight parts
 
+bool is_bands_goal(GoalKind kind) {
+    return kind == GoalKind::divide_bands || kind == GoalKind::stop_bleeding;
+}
+
 bool is_cut_goal(GoalKind kind) {
     return kind == GoalKind::take_tension || kind == GoalKind::divide_line || kind == GoalKind::let_go;
 }
@@ -72,6 +76,14 @@ GoalMonitor::GoalMonitor(const TaskDefinition& task, const Scene& scene)
             if (goal.length_m > scene.sheet->line_length + 1e-9)
                 refuse(i, "the goal asks for more than the marked line's length",
                        "lower \"length_m\" or raise \"line_length\" of the scene");
+        } else if (is_bands_goal(goal.kind)) {
+            if (!scene.bands)
+                refuse(i, "the scene \"" + scene.id + "\" has no bands",
+                       "add \"bands\" to the scene or name another scene");
+            if (goal.count > (goal.kind == GoalKind::divide_bands ? scene.bands->count : scene.bands->vessels)) {
+                refuse(i, "the goal asks for more bands or vessels than the scene has",
+                       "lower \"count\" or raise the scene's");
+            }
         } else {
             if (!scene.bowel)
                 refuse(i, "the scene \"" + scene.id + "\" has no bowel",
@@ -92,6 +104,7 @@ void GoalMonitor::begin_goal(const WorldSnapshot& world, std::uint32_t tick, Eve
     hold_ticks_ = 0;
     covered_ = run_next_ = 0;
     lift_height_ = 0;
+    counted_ = 0;
     if (done()) return;
     emit(sink, tick, EventKind::phase_begin, no_hand, goal_, 0);
     if (goal().kind == GoalKind::touch_targets) show_target(world, tick, sink);
@@ -228,6 +241,20 @@ void GoalMonitor::step_let_go(const WorldSnapshot& world, std::uint32_t tick, st
     if (hold_ticks_ * tick_period_ >= goal().hold_s) end_goal(world, tick, sink);
 }
 
+void GoalMonitor::step_bands(const WorldSnapshot& world, std::uint32_t tick, EventSink& sink) noexcept {
+    if (bands_divided_ > counted_) progress(bands_divided_, tick, sink);
+    counted_ = std::max(counted_, bands_divided_);
+    if (bands_divided_ >= goal().count) end_goal(world, tick, sink);
+}
+
+void GoalMonitor::step_bleeding(const WorldSnapshot& world, std::uint32_t tick, std::uint32_t ticks,
+                                EventSink& sink) noexcept {
+    if (vessels_dry_ != counted_) progress(vessels_dry_, tick, sink);
+    counted_ = vessels_dry_;
+    hold_ticks_ = vessels_dry_ >= goal().count ? hold_ticks_ + ticks : 0;
+    if (hold_ticks_ * tick_period_ >= goal().hold_s) end_goal(world, tick, sink);
+}
+
 void GoalMonitor::step(const WorldSnapshot& world, const std::array<HoldChange, hand_count>& changes,
                        std::uint32_t tick, std::uint32_t ticks, EventSink& sink) noexcept {
     for (const HoldChange change : changes) grasped_ever_ = grasped_ever_ || change == HoldChange::grasped;
@@ -248,6 +275,10 @@ void GoalMonitor::step(const WorldSnapshot& world, const std::array<HoldChange, 
         step_divide(world, tick, sink);
     } else if (goal().kind == GoalKind::let_go) {
         step_let_go(world, tick, ticks, sink);
+    } else if (goal().kind == GoalKind::divide_bands) {
+        step_bands(world, tick, sink);
+    } else if (goal().kind == GoalKind::stop_bleeding) {
+        step_bleeding(world, tick, ticks, sink);
     }
 }
 
@@ -290,6 +321,13 @@ void GoalMonitor::show(TaskDisplay& display) const noexcept {
         case GoalKind::take_tension:
         case GoalKind::let_go:
             display.goal_progress = held;
+            display.hold_progress = held;
+            break;
+        case GoalKind::divide_bands:
+            display.goal_progress = std::min(1.0, static_cast<double>(bands_divided_) / goal().count);
+            break;
+        case GoalKind::stop_bleeding:
+            display.goal_progress = std::min(1.0, static_cast<double>(vessels_dry_) / goal().count);
             display.hold_progress = held;
             break;
         case GoalKind::divide_line:

@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "assessment/task/band_monitor.h"
 #include "assessment/task/cut_monitor.h"
 #include "assessment/task/hand_monitor.h"
 #include "assessment/task/monitor.h"
@@ -26,6 +27,11 @@ class GoalMonitor {
               std::uint32_t tick, std::uint32_t ticks, EventSink& sink) noexcept;
     /// What the world did to tissue in this step, before step().
     void tissue_event(const Event& event) noexcept { cut_.event(event); }
+    /// Bands as the monitor counts them, before step().
+    void bands(const BandMonitor& bands) noexcept {
+        bands_divided_ = bands.divided();
+        vessels_dry_ = bands.dry();
+    }
     bool done() const noexcept { return goal_ >= static_cast<int>(goals_.size()); }
     /// Writes the goal part of the display.
     void show(TaskDisplay& display) const noexcept;
@@ -45,6 +51,9 @@ class GoalMonitor {
     void step_divide(const WorldSnapshot& world, std::uint32_t tick, EventSink& sink) noexcept;
     void step_let_go(const WorldSnapshot& world, std::uint32_t tick, std::uint32_t ticks,
                      EventSink& sink) noexcept;
+    void step_bands(const WorldSnapshot& world, std::uint32_t tick, EventSink& sink) noexcept;
+    void step_bleeding(const WorldSnapshot& world, std::uint32_t tick, std::uint32_t ticks,
+                       EventSink& sink) noexcept;
     void progress(double value, std::uint32_t tick, EventSink& sink) noexcept;
     const Goal& goal() const noexcept { return goals_[static_cast<std::size_t>(goal_)]; }
 
@@ -64,6 +73,8 @@ class GoalMonitor {
     // take_tension, divide_line, let_go
     CutMonitor cut_;
     double warning_margin_ = 0;
+    // divide_bands, stop_bleeding
+    int bands_divided_ = 0, vessels_dry_ = 0, counted_ = 0;
     int millimetres_ = 0;  ///< of the line, as last reported
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "assessment/task/band_monitor.h"
 #include "assessment/task/goal_monitor.h"
 #include "assessment/task/hand_monitor.h"
 #include "sim_core/haptics/device.h"
@@ -43,9 +44,10 @@ struct TaskMonitor::State {
     std::vector<TissueWatch> tissues;
     std::array<HandMonitor, hand_count> hands;
     GoalMonitor goals;
+    BandMonitor bands;
     TaskDisplay display;
     double tick_period = 1e-3, tool_reach = 0.005;
-    std::uint32_t critical_kinds = 0;  // bit by EventKind
+    std::uint64_t critical_kinds = 0;  // bit by EventKind
     int held_tissue = -1;
 
     bool begun = false, paused = false, lost = false, late = false, colliding = false;
@@ -54,7 +56,7 @@ struct TaskMonitor::State {
     std::array<std::uint32_t, hand_count> run_ticks{}, run_start{};
 
     State(const TaskDefinition& definition, const Scene& scene, std::uint64_t seed)
-        : task(definition), goals(definition, scene), tick_period(scene.tick_period()) {
+        : task(definition), goals(definition, scene), bands(scene), tick_period(scene.tick_period()) {
         const std::vector<double> perforation = draw_perforation_forces(scene, seed);
         for (const TissueSpec& spec : scene.tissues) {
             TissueWatch watch;
@@ -74,11 +76,13 @@ struct TaskMonitor::State {
         }
         if (scene.bowel) held_tissue = scene.tissue_index(scene.bowel->tissue);
         if (scene.sheet) held_tissue = scene.tissue_index(scene.sheet->tissue);
+        if (scene.bands) held_tissue = scene.tissue_index(scene.bands->tissue);
         for (const EventKind kind :
-             {EventKind::perforation, EventKind::tear, EventKind::drop, EventKind::tool_collision}) {
+             {EventKind::perforation, EventKind::tear, EventKind::drop, EventKind::tool_collision,
+              EventKind::vessel_injury, EventKind::nerve_injury}) {
             const auto& names = task.critical_errors;
             if (std::find(names.begin(), names.end(), event_name(kind)) != names.end())
-                critical_kinds |= 1U << static_cast<unsigned>(kind);
+                critical_kinds |= std::uint64_t{1} << static_cast<unsigned>(kind);
         }
         display.remaining_s = task.time_limit_s;
         goals.show(display);
@@ -90,11 +94,11 @@ namespace {
 // Passes events on and notes the critical ones.
 class CriticalFilter : public EventSink {
   public:
-    CriticalFilter(EventSink& sink, std::uint32_t kinds, bool& critical)
+    CriticalFilter(EventSink& sink, std::uint64_t kinds, bool& critical)
         : sink_(sink), kinds_(kinds), critical_(critical) {}
     void on_event(const Event& event) noexcept override {
         const auto kind = static_cast<unsigned>(event.kind);
-        if (kind < 32 && (kinds_ >> kind & 1U) != 0) critical_ = true;
+        if (kind < 64 && (kinds_ >> kind & 1U) != 0) critical_ = true;
         sink_.on_event(event);
     }
     void emit(std::uint32_t tick, EventKind kind, std::int32_t detail = 0, double value = 0,
@@ -111,7 +115,7 @@ class CriticalFilter : public EventSink {
 
   private:
     EventSink& sink_;
-    std::uint32_t kinds_;
+    std::uint64_t kinds_;
     bool& critical_;
 };
 
@@ -132,6 +136,7 @@ void TaskMonitor::on_step(const TickSample* ticks, std::size_t count, const Worl
     if (display.ended || count == 0) return;
     CriticalFilter events(sink, state.critical_kinds, display.critical);
     const auto end = [&](std::uint32_t tick, EventKind kind) {
+        state.bands.finish(tick, events);
         display.ended = true;
         display.end = kind;
         events.emit(tick, kind);
@@ -192,6 +197,7 @@ void TaskMonitor::on_step(const TickSample* ticks, std::size_t count, const Worl
             }
         }
         if (display.moving_seen) ++state.elapsed_ticks;
+        state.bands.tick(sample);
         state.goals.tick(sample, world, events);
         if (state.goals.done()) break;
         // Who never moves is timed out as well, or an attempt without hands would never end.
@@ -207,6 +213,8 @@ void TaskMonitor::on_step(const TickSample* ticks, std::size_t count, const Worl
             events.on_event(world.events[i]);
             state.goals.tissue_event(world.events[i]);
         }
+        state.bands.step(world, now, events);
+        state.goals.bands(state.bands);
         std::array<HoldChange, hand_count> changes{};
         for (std::size_t h = 0; h < hand_count; ++h) {
             const GraspState& grasp = world.grasps[h];
@@ -248,6 +256,10 @@ void TaskMonitor::on_step(const TickSample* ticks, std::size_t count, const Worl
         display.force_limit[h] = static_cast<float>(state.hands[h].force_limit());
         display.warning[h] = state.hands[h].warning();
     }
+    display.bands_divided = state.bands.divided();
+    display.vessels_dry = state.bands.dry();
+    display.blood_ml = static_cast<float>(state.bands.lost_ml());
+    display.clips_left = state.bands.clips_left();
     state.goals.show(display);
 }
 

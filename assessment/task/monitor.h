@@ -39,6 +39,10 @@ struct TaskDisplay {
     std::int8_t traction_warning = 0;        ///< -1 too slack, 1 too tight, beyond the warning margin
     bool distance_warning = false;           ///< the blade cuts too far from the line
     bool cutting = false;                    ///< a blade is in the tissue
+    std::int32_t bands_divided = 0;          ///< divide_bands: so far
+    std::int32_t vessels_dry = 0;            ///< stop_bleeding: divided and not bleeding
+    float blood_ml = 0;                      ///< lost so far
+    std::int32_t clips_left = 0;
     float force[hand_count] = {0, 0};        ///< N, this step's largest
     float force_limit[hand_count] = {0, 0};  ///< N, of the tissue in contact or grasped; 0 none
     bool warning[hand_count] = {false, false};

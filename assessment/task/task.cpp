@@ -124,6 +124,13 @@ class TaskReader {
                                    "give the smaller distance as tolerance_m");
                 }
                 check_traction(node, place, goal);
+            } else if (kind == "divide_bands") {
+                goal.kind = GoalKind::divide_bands;
+                require(node, place, "count", "how many bands");
+            } else if (kind == "stop_bleeding") {
+                goal.kind = GoalKind::stop_bleeding;
+                require(node, place, "count", "how many vessels");
+                require(node, place, "hold_s", "seconds without bleeding");
             } else if (kind == "let_go") {
                 goal.kind = GoalKind::let_go;
                 require(node, place, "hold_s", "seconds without a hold");

@@ -17,6 +17,8 @@ enum class GoalKind : std::uint8_t {
     take_tension,   ///< take hold of the sheet and keep the traction across its marked line in the band (B2)
     divide_line,    ///< divide the sheet along its marked line (B2)
     let_go,         ///< hold nothing and cut nothing (B2)
+    divide_bands,   ///< divide a number of bands (B3)
+    stop_bleeding,  ///< every vessel divided, none of them bleeding for a while (B3)
 };
 
 struct Goal {

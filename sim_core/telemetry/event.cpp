@@ -43,6 +43,17 @@ const char* event_name(EventKind kind) {
         case EventKind::cut_traction: return "cut_traction";
         case EventKind::cut_rolled_back: return "cut_rolled_back";
         case EventKind::piece_fallen: return "piece_fallen";
+        case EventKind::activation_begin: return "activation_begin";
+        case EventKind::activation_end: return "activation_end";
+        case EventKind::band_divided: return "band_divided";
+        case EventKind::bleed_begin: return "bleed_begin";
+        case EventKind::bleed_end: return "bleed_end";
+        case EventKind::blood_loss: return "blood_loss";
+        case EventKind::clip_applied: return "clip_applied";
+        case EventKind::heat_dose: return "heat_dose";
+        case EventKind::vessel_injury: return "vessel_injury";
+        case EventKind::nerve_injury: return "nerve_injury";
+        case EventKind::tool_exchanged: return "tool_exchanged";
     }
     return "unknown";
 }

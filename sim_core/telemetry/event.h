@@ -46,7 +46,20 @@ enum class EventKind : std::uint16_t {
     cut_traction = 35,     ///< value: traction across the cut (N/m); detail: length of this advance (um)
     cut_rolled_back = 36,  ///< a step of the cut was invalid and undone; detail: retries
     piece_fallen = 37,     ///< tissue came free; value: area (m2)
+    activation_begin = 38, ///< energy is on; value: distance to the named structure (m); detail: bits of ActivationBit; tissue: what it reaches
+    activation_end = 39,   ///< value: least distance to the named structure (m); detail: bits that held throughout; tissue: what it reached
+    band_divided = 40,     ///< value: tension (N); detail: band
+    bleed_begin = 41,      ///< value: flow (mL/min); detail: outlet, 2 v trunk and 2 v + 1 branch of vessel v
+    bleed_end = 42,        ///< value: blood lost from it so far (mL); detail: outlet
+    blood_loss = 43,       ///< value: blood lost so far (mL), all outlets
+    clip_applied = 44,     ///< value: distance to what it sits on (m); detail: outlet, -1 another place
+    heat_dose = 45,        ///< value: largest CEM43 over non-target patches so far (min); tissue: where
+    vessel_injury = 46,    ///< critical: torn, or divided before it was closed; detail: outlet
+    nerve_injury = 47,     ///< critical; value: CEM43 (min)
+    tool_exchanged = 48,   ///< detail: index in the hand's list of instruments
 };
+/// What an activation was like.
+enum ActivationBit : std::int32_t { activation_in_view = 1, activation_on_target = 2, activation_clear = 4 };
 const char* event_name(EventKind kind);
 
 /// hand: 0 left, 1 right, 255 none. tissue: index into the scene's tissue table, -1 none.

@@ -64,6 +64,7 @@ BandsPart::BandsPart(const Scene& scene, std::uint64_t seed)
     torn_.assign(strands_.size(), 0);
     clip_nodes_.assign(strands_.size(), -1);
     parted_at_.assign(strands_.size(), -1);
+    parted_tension_.assign(strands_.size(), 0.0);
     progress_.assign(strands_.size() * strand_segments, 0.0);
     sealed_.assign(strands_.size() * strand_segments, 0.0);
     for (std::size_t v = 0; v < layout_.vessel_bands.size(); ++v) {
@@ -191,6 +192,7 @@ void BandsPart::part(std::size_t band, int segment, bool torn) noexcept {
     overload_time_[band] = 0;
     if (parted_at_[band] >= 0) return;  // a second cut of what is divided already
     parted_at_[band] = segment;
+    parted_tension_[band] = tension;
     torn_[band] = torn ? 1 : 0;
     for (Outlet& outlet : outlets_) {
         if (outlet.band != static_cast<std::int32_t>(band)) continue;
@@ -302,6 +304,7 @@ void BandsPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
             tension = std::max(tension, strand_tension(strand_model_, strands_[b], s));
         }
         band.tension = static_cast<float>(tension);
+        band.parted_tension = static_cast<float>(parted_tension_[b]);
     }
     view.lost = 0;
     for (std::size_t i = 0; i < outlets_.size(); ++i) {

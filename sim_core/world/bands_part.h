@@ -117,6 +117,7 @@ class BandsPart {
     std::vector<std::int32_t> clip_nodes_;  ///< by band, -1 none
     std::vector<double> progress_;          ///< of parting, by segment patch
     std::vector<double> sealed_;            ///< of a vessel there, by segment patch
+    std::vector<double> parted_tension_;    ///< N, by band
     std::vector<std::int32_t> parted_at_;   ///< first parted segment by band, -1 none
     std::vector<Outlet> outlets_;
     HeatState heat_state_;

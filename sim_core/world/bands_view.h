@@ -34,6 +34,7 @@ struct BandView {
     float tension = 0;                                ///< N, largest along it
     std::int32_t vessel = -1;                         ///< index of the vessel in it, -1 none
     std::int32_t clip_node = -1;                      ///< where a clip sits, -1 none
+    float parted_tension = 0;                         ///< N, when it was divided first
     bool divided() const { return parted != 0; }
 };
 

@@ -23,7 +23,8 @@ QString hand_words(const Event& event) {
 }  // namespace
 
 bool is_critical(EventKind kind) {
-    return kind == EventKind::perforation;
+    return kind == EventKind::perforation || kind == EventKind::vessel_injury ||
+           kind == EventKind::nerve_injury;
 }
 
 bool is_penalty(EventKind kind) {
@@ -38,6 +39,9 @@ bool is_penalty(EventKind kind) {
         case EventKind::device_fault:
         case EventKind::device_lost:
         case EventKind::simulator_fault:
+        case EventKind::vessel_injury:
+        case EventKind::nerve_injury:
+        case EventKind::bleed_begin:
             return true;
         default:
             return false;
@@ -133,6 +137,37 @@ QString event_words(const Event& event, const std::vector<std::string>& tissues)
         case EventKind::piece_fallen:
             words = tr("A piece of %1 mm² came free").arg(figure(static_cast<double>(event.value) * 1e6));
             break;
+        case EventKind::activation_begin:
+            words = (event.detail & activation_clear) != 0
+                        ? tr("Energy on")
+                        : tr("Energy on %1 mm from the nerve").arg(figure(static_cast<double>(event.value) * 1e3));
+            break;
+        case EventKind::activation_end:
+            words = tr("Energy off");
+            break;
+        case EventKind::band_divided:
+            words = tr("Band %1 divided at %2 N").arg(event.detail + 1).arg(figure(static_cast<double>(event.value)));
+            break;
+        case EventKind::bleed_begin:
+            words = tr("Bleeding, %1 mL/min").arg(figure(static_cast<double>(event.value)));
+            break;
+        case EventKind::bleed_end:
+            words = tr("Bleeding stopped after %1 mL").arg(figure(static_cast<double>(event.value)));
+            break;
+        case EventKind::clip_applied:
+            words = event.detail >= 0 ? tr("Clip on a bleeding point") : tr("Clip");
+            break;
+        case EventKind::vessel_injury:
+            words = tr("Vessel injured");
+            break;
+        case EventKind::nerve_injury:
+            words = tr("Nerve injured by heat");
+            break;
+        case EventKind::tool_exchanged:
+            words = tr("Instrument exchanged");
+            break;
+        case EventKind::blood_loss:
+        case EventKind::heat_dose:
         case EventKind::cut_advance:
         case EventKind::cut_traction:
         case EventKind::cut_rolled_back:

@@ -24,7 +24,9 @@ void show_progress(HudState& hud, double value) {
     if (hud.task == nullptr || index >= hud.task->goals.size()) return;
     const Goal& goal = hud.task->goals[index];
     double whole = goal.hold_s;
-    if (goal.kind == GoalKind::touch_targets) whole = goal.count;
+    if (goal.kind == GoalKind::touch_targets || goal.kind == GoalKind::divide_bands ||
+        goal.kind == GoalKind::stop_bleeding)
+        whole = goal.count;
     if (goal.kind == GoalKind::run_bowel || goal.kind == GoalKind::divide_line) whole = goal.length_m;
     hud.display.goal_progress = whole > 0 ? std::min(1.0, value / whole) : 0;
     if (goal.kind == GoalKind::run_bowel) hud.display.run_covered_m = value;
@@ -204,6 +206,7 @@ void ReplayPanel::fill_hud() {
             hud.display.goal = event.detail;
             hud.display.goal_progress = hud.display.run_covered_m = 0;
         }
+        if (event.kind == EventKind::blood_loss) hud.display.blood_ml = event.value;
         if (event.kind == EventKind::cut_traction)
             hud.display.traction_n_m = static_cast<double>(event.value);
         if (event.kind == EventKind::cut_end)

@@ -126,6 +126,16 @@ QString goal_detail(const HudState& state, const Goal& goal) {
                                  .arg(goal.traction_low_n_m, 0, 'f', 0)
                                  .arg(goal.traction_high_n_m, 0, 'f', 0);
         }
+        case GoalKind::divide_bands:
+            return tr("%1 of %2 bands · %3 mL lost")
+                .arg(std::lround(display.goal_progress * goal.count))
+                .arg(goal.count)
+                .arg(static_cast<double>(display.blood_ml), 0, 'f', 1);
+        case GoalKind::stop_bleeding:
+            return tr("%1 of %2 vessels dry · %3 mL lost")
+                .arg(std::lround(display.goal_progress * goal.count))
+                .arg(goal.count)
+                .arg(static_cast<double>(display.blood_ml), 0, 'f', 1);
         case GoalKind::let_go:
             return tr("%1 of %2 s free")
                 .arg(display.goal_progress * goal.hold_s, 0, 'f', 1)

@@ -23,6 +23,8 @@ constexpr double follow_rate = 0.07262, jaw_rate = 0.03700;
 
 constexpr int longest_ramp = 400;  // ticks from one target to the next
 
+constexpr int pedal_key = Qt::Key_B, exchange_key = Qt::Key_T;
+
 struct KeyMove {
     int key;
     int hand;  // 0 left, 1 right, 2 camera
@@ -183,6 +185,10 @@ bool MouseKeyboardInput::press_key(int key) {
             hand_[static_cast<std::size_t>(active_)].latched =
                 !hand_[static_cast<std::size_t>(active_)].latched;
             return true;
+        case pedal_key:
+        case exchange_key:
+            held_.insert(key);
+            return true;
         default:
             break;
     }
@@ -226,7 +232,11 @@ void MouseKeyboardInput::advance(double dt) {
         const bool closed = jaws_closed(static_cast<Hand>(h));
         targets_.hand[h].jaw = closed ? 0 : hand_[h].opening * 0.6;
         targets_.hand[h].grip = closed ? hand_[h].grip : 0;
-        targets_.hand[h].buttons = closed ? button_primary : button_none;
+        const bool active = h == static_cast<int>(active_);
+        unsigned buttons = closed ? button_primary : button_none;
+        if (active && held_.contains(pedal_key)) buttons |= button_energy;
+        if (active && held_.contains(exchange_key)) buttons |= button_exchange;
+        targets_.hand[h].buttons = static_cast<std::uint16_t>(buttons);
     }
     publish();
 }
@@ -255,6 +265,7 @@ QStringList MouseKeyboardInput::help_lines() {
         words("Space\tjaws of the active hand stay closed, or open again"),
         words("W A S D · R F · Q E · X\tleft hand: handle · in, out · turn · jaws"),
         words("I J K L · P ; · U O · M\tright hand: handle · in, out · turn · jaws"),
+        words("B · T\tpedal of the active hand (energy, suction) · its next instrument"),
         words("Arrows · Page up, down · Home, End\tscope: look · in, out · light post"),
         words("Escape, F1\tpause · this help"),
     };

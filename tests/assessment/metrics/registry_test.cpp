@@ -32,6 +32,9 @@ TEST(Registry, HoldsTheMetricsOfTheSpecification) {
          {"traction_eff", "traction_eff_len", "cut_dev", "cut_dev_max", "plane_dev", "plane_dev_median",
           "plane_dev_p95", "plane_deep", "plane_shallow", "area_developed"})
         EXPECT_NE(find_metric(id), nullptr) << id;
+    for (const char* id :
+         {"energy_safe", "energy_time", "lateral_heat", "bleed_ml", "vessel_injury", "nerve_injury", "tear"})
+        EXPECT_NE(find_metric(id), nullptr) << id;
     EXPECT_EQ(find_metric("path_lenght"), nullptr);
 }
 
@@ -106,7 +109,8 @@ TEST(Compute, OfAnEmptyRecordIsAbsentThroughout) {
     Trace trace = trace_from_samples({}, {}, {"bowel"});
     for (const MetricResult& result : compute_metrics(trace, {}, {})) {
         const bool counted = result.id == "slip" || result.id == "regrasp" || result.id == "drop" ||
-                             result.id == "perforation";
+                             result.id == "perforation" || result.id == "vessel_injury" ||
+                             result.id == "nerve_injury" || result.id == "tear";
         EXPECT_EQ(result.value.has_value(), counted) << result.id;
     }
 }

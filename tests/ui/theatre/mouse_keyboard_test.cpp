@@ -42,6 +42,25 @@ TEST(MouseKeyboard, StartsWhereTheSceneSays) {
     }
 }
 
+TEST(MouseKeyboard, PedalAndExchangeAreButtonsOfTheActiveHandWhileHeld) {
+    const Scene bands = load_scene(fulcrum::test::source_path("assets/scenes/b3_bands.json"));
+    MouseKeyboardInput input(bands);
+    ASSERT_EQ(input.active_hand(), Hand::right);
+    EXPECT_TRUE(input.press_key(Qt::Key_B));
+    input.advance(0);
+    RigSample sample = settle(*input.rig(), 1);
+    EXPECT_EQ(sample.hand[1].buttons & (button_energy | button_exchange), button_energy);
+    EXPECT_EQ(sample.hand[0].buttons & button_energy, 0);
+    input.release_key(Qt::Key_B);
+    EXPECT_TRUE(input.press_key(Qt::Key_T));
+    input.advance(0);
+    sample = settle(*input.rig(), 1);
+    EXPECT_EQ(sample.hand[1].buttons & (button_energy | button_exchange), button_exchange);
+    input.release_all();
+    input.advance(0);
+    EXPECT_EQ(settle(*input.rig(), 1).hand[1].buttons & (button_energy | button_exchange), 0);
+}
+
 TEST(MouseKeyboard, TheTipGoesAgainstTheMouse) {
     const Scene targets = scene();
     MouseKeyboardInput input(targets);

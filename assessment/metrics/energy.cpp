@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+// Energy, heat and blood: how long energy was on, how safely, what it heated beside its target, what was
+// lost.
+#include <algorithm>
+
+#include "assessment/metrics/analysis.h"
+#include "assessment/metrics/descriptor_text.h"
+#include "assessment/metrics/registry.h"
+
+namespace fulcrum {
+
+namespace {
+
+constexpr std::int32_t safe_bits = activation_in_view | activation_on_target | activation_clear;
+
+/// From begin to end of each activation of a row's hand, with what held throughout.
+struct ActivationSpan {
+    TimeInterval when;
+    std::int32_t bits = 0;
+    double distance = 0;  ///< m, least
+};
+
+std::vector<ActivationSpan> activations(const Analysis& analysis, int hand) {
+    std::vector<ActivationSpan> spans;
+    double begun[hand_count] = {-1, -1};
+    for (const Event& event : analysis.events()) {
+        if (event.hand >= hand_count || (hand >= 0 && event.hand != hand)) continue;
+        const double t = analysis.trace().time_of(event);
+        if (event.kind == EventKind::activation_begin) begun[event.hand] = t;
+        if (event.kind != EventKind::activation_end) continue;
+        const double begin = begun[event.hand] >= 0 ? begun[event.hand] : t;
+        spans.push_back({{begin, t}, event.detail, static_cast<double>(event.value)});
+        begun[event.hand] = -1;
+    }
+    return spans;
+}
+
+Figure energy_safe(const Analysis& analysis, const Selection& row) {
+    const std::vector<ActivationSpan> spans = activations(analysis, row.hand);
+    if (spans.empty()) return absent(Absence::not_done, "energy was never activated");
+    std::vector<ScoredInterval> unsafe;
+    int safe = 0;
+    for (const ActivationSpan& span : spans) {
+        if ((span.bits & safe_bits) == safe_bits) {
+            ++safe;
+        } else {
+            // The nearer the named structure the worse; out of view and off target count as much as 2 mm.
+            unsafe.push_back({(span.bits & activation_clear) == 0 ? 1.0 - span.distance : 0.5, span.when});
+        }
+    }
+    Figure figure;
+    figure.value = 100.0 * safe / static_cast<double>(spans.size());
+    figure.count = static_cast<int>(spans.size());
+    figure.evidence = worst_first(std::move(unsafe));
+    return figure;
+}
+
+Figure energy_time(const Analysis& analysis, const Selection& row) {
+    const Trace& trace = analysis.trace();
+    const std::vector<std::uint8_t>& on = trace.hand[static_cast<std::size_t>(row.hand)].energy;
+    double sum = 0;
+    std::vector<ScoredInterval> spans;
+    for (const TraceBlock& block : trace.blocks) {
+        // A sample says what holds until the next; the last one of a block lasts as long as the one before
+        // it.
+        for (std::size_t i = block.first; i < block.last;) {
+            if (on[i] == 0) {
+                ++i;
+                continue;
+            }
+            const std::size_t first = i;
+            while (i < block.last && on[i] != 0) ++i;
+            double end = 0;
+            if (i < block.last) {
+                end = trace.t[i];
+            } else {
+                end = trace.t[i - 1] +
+                      (i - 1 > block.first ? trace.t[i - 1] - trace.t[i - 2] : trace.tick_period);
+            }
+            sum += end - trace.t[first];
+            spans.push_back({end - trace.t[first], {trace.t[first], end}});
+        }
+    }
+    Figure figure;
+    figure.value = sum;
+    figure.count = static_cast<int>(spans.size());
+    figure.evidence = worst_first(std::move(spans));
+    return figure;
+}
+
+/// The last value that an event of a running sum or maximum told; 0 where none did. Where it rose most is the
+/// evidence.
+Figure last_told(const Analysis& analysis, EventKind kind) {
+    if (analysis.trace().t.empty()) return absent(Absence::not_measured, "nothing was recorded");
+    double value = 0, before = 0;
+    std::vector<ScoredInterval> rises;
+    for (const Event& event : analysis.events()) {
+        if (event.kind != kind) continue;
+        before = value;
+        value = std::max(value, static_cast<double>(event.value));
+        const double t = analysis.trace().time_of(event);
+        if (value > before) rises.push_back({value - before, {std::max(0.0, t - 1), t}});
+    }
+    Figure figure;
+    figure.value = value;
+    figure.evidence = worst_first(std::move(rises));
+    return figure;
+}
+
+Figure lateral_heat(const Analysis& analysis, const Selection& /*row*/) {
+    return last_told(analysis, EventKind::heat_dose);
+}
+
+Figure bleed_ml(const Analysis& analysis, const Selection& /*row*/) {
+    Figure figure = last_told(analysis, EventKind::blood_loss);
+    if (!figure.value) return figure;
+    // The bleedings themselves say where to look, the one that lost most first.
+    struct Open {
+        std::int32_t outlet = 0;
+        double begin = 0;
+    };
+    std::vector<Open> open;
+    std::vector<ScoredInterval> bleedings;
+    std::vector<std::pair<std::int32_t, double>> before;
+    for (const Event& event : analysis.events()) {
+        const double t = analysis.trace().time_of(event);
+        if (event.kind == EventKind::bleed_begin) open.push_back({event.detail, t});
+        if (event.kind != EventKind::bleed_end) continue;
+        const auto begun = std::find_if(open.begin(), open.end(),
+                                        [&](const Open& known) { return known.outlet == event.detail; });
+        if (begun == open.end()) continue;
+        auto known = std::find_if(before.begin(), before.end(),
+                                  [&](const auto& entry) { return entry.first == event.detail; });
+        if (known == before.end()) known = before.insert(before.end(), {event.detail, 0.0});
+        bleedings.push_back({static_cast<double>(event.value) - known->second, {begun->begin, t}});
+        known->second = static_cast<double>(event.value);
+        open.erase(begun);
+    }
+    if (!bleedings.empty()) figure.evidence = worst_first(std::move(bleedings));
+    return figure;
+}
+
+Figure count_of(const Analysis& analysis, const Selection& row, EventKind kind) {
+    int count = 0;
+    Figure figure;
+    for (const Event& event : analysis.events()) {
+        if (event.kind != kind || (row.hand >= 0 && event.hand != row.hand)) continue;
+        ++count;
+        const double t = analysis.trace().time_of(event);
+        if (figure.evidence.size() < evidence_limit)
+            figure.evidence.push_back({std::max(0.0, t - 0.5), t + 0.5});
+    }
+    figure.value = count;
+    return figure;
+}
+Figure vessel_injury(const Analysis& analysis, const Selection& row) {
+    return count_of(analysis, row, EventKind::vessel_injury);
+}
+Figure nerve_injury(const Analysis& analysis, const Selection& row) {
+    return count_of(analysis, row, EventKind::nerve_injury);
+}
+Figure tear(const Analysis& analysis, const Selection& row) {
+    return count_of(analysis, row, EventKind::tear);
+}
+
+}  // namespace
+
+std::vector<Metric> energy_metrics() {
+    using D = Direction;
+    using A = Aggregation;
+    using E = EvidenceGrade;
+    std::vector<Metric> metrics;
+    const auto add = [&](MetricDescriptor d, Hands hands, bool events, std::vector<Channel> channels,
+                         Figure (*compute)(const Analysis&, const Selection&)) {
+        d.filter = no_filter;
+        d.hands = hands;
+        d.needs_events = events;
+        d.channels = std::move(channels);
+        d.absent_means = AbsentMeans::failed;
+        metrics.push_back({std::move(d), compute});
+    };
+    add(describe(
+            {"energy_safe", "Safe activations", "%", 1}, D::higher, Scale::raw, A::share, E::expert,
+            "tip in view, on target tissue, at least 2 mm from a named structure, each throughout",
+            {"Share of activations with the tip in view, on the tissue to be divided or sealed, and clear of "
+             "the marked structure from "
+             "beginning to end.",
+             "{value} of the activations were safe where {limit} are asked for",
+             "press the pedal only when the blade is in view, closed on the target and clear of the nerve"}),
+        Hands::either, true, {}, energy_safe);
+    add(describe({"energy_time", "Time with energy on", "s", 0.1}, D::lower, Scale::raw, A::total, E::expert,
+                 "sum of activations",
+                 {"How long energy was on, all activations together.",
+                  "energy was on for {value} where {limit} is the limit",
+                  "let go of the pedal as soon as the tissue has parted"}),
+        Hands::each, false, {Channel::energy}, energy_time);
+    add(describe(
+            {"lateral_heat", "Heat beside the target", "min", 0.1}, D::lower, Scale::raw, A::maximum,
+            E::moderate, "CEM43, Sapareto and Dewey 1984: R 0.5 from 43 degrees C, 0.25 from 39",
+            {"Largest thermal dose (equivalent minutes at 43 degrees) of tissue that was not to be heated.",
+             "tissue beside the target took {value} where {limit} is the limit",
+             "keep the hot blade away from what lies behind, and let it cool before touching"}),
+        Hands::either, true, {}, lateral_heat);
+    add(describe({"bleed_ml", "Blood lost", "mL", 0.1}, D::lower, Scale::raw, A::total, E::moderate,
+                 "modelled blood loss",
+                 {"Blood lost from all vessels.", "{value} of blood were lost where {limit} is the limit",
+                  "seal a vessel slowly without traction, and clip a bleeding point before anything else"}),
+        Hands::either, true, {}, bleed_ml);
+    const auto add_count = [&](Naming naming, const char* source, Wording wording,
+                               Figure (*compute)(const Analysis&, const Selection&)) {
+        MetricDescriptor d = describe(std::move(naming), D::lower, Scale::raw, A::count, E::moderate, source,
+                                      std::move(wording));
+        add(std::move(d), Hands::each, true, {}, compute);
+    };
+    add_count({"vessel_injury", "Vessels injured", "-", 1},
+              "event, critical: torn, or divided before it was closed",
+              {"Number of vessels torn or divided before they were sealed or clipped.",
+               "{value} vessels were torn or divided open where {limit} are allowed",
+               "clip or seal a vessel before it is divided, and pull less"},
+              vessel_injury);
+    add_count({"nerve_injury", "Nerve injured", "-", 1},
+              "event, critical: thermal dose of the marked nerve above its limit",
+              {"Number of injuries of the marked nerve by heat.",
+               "the nerve was injured {value} times where {limit} are allowed",
+               "divide on the side away from the nerve and let the blade cool"},
+              nerve_injury);
+    add_count({"tear", "Tears", "-", 1}, "event: tissue gave way to traction",
+              {"Number of times tissue tore under traction.",
+               "tissue tore {value} times where {limit} are allowed", "lift only until the tissue is taut"},
+              tear);
+    return metrics;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/task/band_monitor.h"
+
+#include <algorithm>
+
+namespace fulcrum {
+namespace {
+
+constexpr double millilitres = 1e6;  // per m3
+constexpr double loss_step = 0.25;   // mL between two tellings of the sum
+constexpr double dose_pause = 0.5;   // s between two tellings of the dose
+constexpr double least_dose = 0.01;  // min, below it nothing is told
+
+void emit(EventSink& sink, std::uint32_t tick, EventKind kind, int hand, std::int8_t tissue,
+          std::int32_t detail, double value) noexcept {
+    Event event;
+    event.tick = tick;
+    event.kind = kind;
+    event.hand = static_cast<std::uint8_t>(hand);
+    event.tissue = tissue;
+    event.detail = detail;
+    event.value = static_cast<float>(value);
+    sink.on_event(event);
+}
+
+constexpr int no_hand = 255;
+
+}  // namespace
+
+BandMonitor::BandMonitor(const Scene& scene)
+    : present_(scene.bands.has_value()), tick_period_(scene.tick_period()) {
+    if (!present_) return;
+    const BandsSpec& spec = *scene.bands;
+    safe_distance_ = spec.safe_distance;
+    nerve_limit_ = spec.nerve_dose_limit;
+    band_tissue_ = static_cast<std::int8_t>(scene.tissue_index(spec.tissue));
+    bed_tissue_ = static_cast<std::int8_t>(scene.tissue_index(spec.bed_tissue));
+    nerve_tissue_ = static_cast<std::int8_t>(scene.tissue_index(spec.nerve_tissue));
+    vessel_tissue_ = static_cast<std::int8_t>(scene.tissue_index(spec.vessel_tissue));
+    band_divided_.assign(static_cast<std::size_t>(spec.count), 0);
+    bleeding_.assign(2 * static_cast<std::size_t>(spec.vessels), 0);
+    injured_ = bleeding_;
+    outlet_ml_.assign(bleeding_.size(), 0.0);
+    clips_left_ = spec.clips;
+}
+
+std::int8_t BandMonitor::tissue_of(EnergyTarget target) const noexcept {
+    switch (target) {
+        case EnergyTarget::nothing:
+            return -1;
+        case EnergyTarget::band:
+            return band_tissue_;
+        case EnergyTarget::vessel:
+            return vessel_tissue_;
+        case EnergyTarget::bed:
+            return bed_tissue_;
+        case EnergyTarget::nerve:
+            return nerve_tissue_;
+    }
+    return -1;
+}
+
+void BandMonitor::tick(const TickSample& sample) noexcept {
+    if (!present_) return;
+    for (std::size_t h = 0; h < hand_count; ++h) {
+        const std::uint16_t flags = sample.hand[h].flags;
+        if ((flags & hand_energy) != 0 && (flags & hand_in_view) == 0) activations_[h].seen_in_view = false;
+    }
+}
+
+void BandMonitor::step(const WorldSnapshot& world, std::uint32_t tick, EventSink& sink) noexcept {
+    if (!present_ || world.bands.empty()) return;
+    const BandsView& view = world.bands[0];
+    for (int hand = 0; hand < hand_count; ++hand) step_hand(hand, view, tick, sink);
+    for (std::size_t b = 0; b < band_divided_.size() && b < view.bands.size(); ++b) {
+        const BandView& band = view.bands[b];
+        if (!band.divided() || band_divided_[b] != 0) continue;
+        band_divided_[b] = 1;
+        ++divided_;
+        if (band.torn)
+            emit(sink, tick, EventKind::tear, no_hand, band_tissue_, static_cast<std::int32_t>(b), 0);
+        emit(sink, tick, EventKind::band_divided, no_hand, band_tissue_, static_cast<std::int32_t>(b),
+             static_cast<double>(band.parted_tension));
+    }
+    step_outlets(view, tick, sink);
+    if (view.lateral_dose > dose_) {
+        dose_ = view.lateral_dose;
+        dose_tissue_ = view.worst_nerve_dose >= view.lateral_dose ? nerve_tissue_ : bed_tissue_;
+    }
+    if ((tick - told_dose_tick_) * tick_period_ >= dose_pause) tell_dose(tick, sink);
+    if (!nerve_injured_ && view.worst_nerve_dose > nerve_limit_) {
+        nerve_injured_ = true;
+        emit(sink, tick, EventKind::nerve_injury, no_hand, nerve_tissue_, 0, view.worst_nerve_dose);
+    }
+}
+
+void BandMonitor::step_hand(int hand, const BandsView& view, std::uint32_t tick, EventSink& sink) noexcept {
+    const auto h = static_cast<std::size_t>(hand);
+    const HandToolView& tool = view.tools[hand];
+    Activation& activation = activations_[h];
+    clips_left_ = tool.clips_left;
+    if (tool.index != tool_index_[h]) {
+        tool_index_[h] = tool.index;
+        emit(sink, tick, EventKind::tool_exchanged, hand, -1, tool.index, 0);
+    }
+    if (tool.clips_fired > clips_fired_[h]) {
+        emit(sink, tick, EventKind::clip_applied, hand, vessel_tissue_, tool.last_clip_outlet,
+             static_cast<double>(tool.last_clip_distance));
+    }
+    clips_fired_[h] = tool.clips_fired;
+
+    const bool on = tool.active && gives_energy(tool.kind);
+    if (on) {
+        const bool target = tool.target == EnergyTarget::band || tool.target == EnergyTarget::vessel;
+        const auto distance = static_cast<double>(tool.nerve_distance);
+        const std::int32_t bits = (activation.seen_in_view ? activation_in_view : 0) |
+                                  (target ? activation_on_target : 0) |
+                                  (distance >= safe_distance_ ? activation_clear : 0);
+        const std::int8_t tissue = tissue_of(tool.target);
+        if (!activation.on) {
+            activation.on = true;
+            activation.bits = bits;
+            activation.least_distance = distance;
+            activation.tissue = tissue;
+            emit(sink, tick, EventKind::activation_begin, hand, tissue, bits, distance);
+        } else {
+            activation.bits &= bits;
+            activation.least_distance = std::min(activation.least_distance, distance);
+            if (activation.tissue < 0) activation.tissue = tissue;
+        }
+    } else if (activation.on) {
+        end_activation(hand, tick, sink);
+    }
+    if (!on) activation.seen_in_view = true;
+}
+
+void BandMonitor::end_activation(int hand, std::uint32_t tick, EventSink& sink) noexcept {
+    Activation& activation = activations_[static_cast<std::size_t>(hand)];
+    emit(sink, tick, EventKind::activation_end, hand, activation.tissue, activation.bits,
+         activation.least_distance);
+    activation = Activation();
+}
+
+void BandMonitor::step_outlets(const BandsView& view, std::uint32_t tick, EventSink& sink) noexcept {
+    dry_ = 0;
+    lost_ml_ = view.lost * millilitres;
+    for (std::size_t i = 0; i < bleeding_.size() && i < view.outlets.size(); ++i) {
+        const OutletView& outlet = view.outlets[i];
+        const auto number = static_cast<std::int32_t>(i);
+        const bool bleeds = outlet.flow > 0;
+        outlet_ml_[i] = outlet.lost * millilitres;
+        if (bleeds && bleeding_[i] == 0)
+            emit(sink, tick, EventKind::bleed_begin, no_hand, vessel_tissue_, number,
+                 outlet.flow * millilitres * 60);
+        if (!bleeds && bleeding_[i] != 0)
+            emit(sink, tick, EventKind::bleed_end, no_hand, vessel_tissue_, number, outlet_ml_[i]);
+        bleeding_[i] = bleeds ? 1 : 0;
+        if (outlet.injured && injured_[i] == 0) {
+            injured_[i] = 1;
+            emit(sink, tick, EventKind::vessel_injury, no_hand, vessel_tissue_, number, 0);
+        }
+    }
+    for (std::size_t v = 0; 2 * v + 1 < bleeding_.size() && 2 * v + 1 < view.outlets.size(); ++v) {
+        const bool open = view.outlets[2 * v].opened;
+        dry_ += open && bleeding_[2 * v] == 0 && bleeding_[2 * v + 1] == 0 ? 1 : 0;
+    }
+    if (lost_ml_ >= told_ml_ + loss_step) tell_loss(tick, sink);
+}
+
+void BandMonitor::tell_loss(std::uint32_t tick, EventSink& sink) noexcept {
+    if (!(lost_ml_ > told_ml_)) return;
+    told_ml_ = lost_ml_;
+    emit(sink, tick, EventKind::blood_loss, no_hand, vessel_tissue_, 0, lost_ml_);
+}
+
+void BandMonitor::tell_dose(std::uint32_t tick, EventSink& sink) noexcept {
+    if (!(dose_ > told_dose_) || dose_ < least_dose) return;
+    told_dose_ = dose_;
+    told_dose_tick_ = tick;
+    emit(sink, tick, EventKind::heat_dose, no_hand, dose_tissue_, 0, dose_);
+}
+
+void BandMonitor::finish(std::uint32_t tick, EventSink& sink) noexcept {
+    if (!present_) return;
+    for (int hand = 0; hand < hand_count; ++hand) {
+        if (activations_[static_cast<std::size_t>(hand)].on) end_activation(hand, tick, sink);
+    }
+    for (std::size_t i = 0; i < bleeding_.size(); ++i) {
+        if (bleeding_[i] != 0)
+            emit(sink, tick, EventKind::bleed_end, no_hand, vessel_tissue_, static_cast<std::int32_t>(i),
+                 outlet_ml_[i]);
+        bleeding_[i] = 0;
+    }
+    tell_loss(tick, sink);
+    tell_dose(tick, sink);
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a world of bands does, as events: activations with what held throughout, divisions, bleeding, clips,
+// doses; the goals and the critical errors of B3.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "assessment/task/band_monitor.h"
+#include "assessment/task/monitor.h"
+#include "sim_core/haptics/device.h"
+#include "sim_core/numerics/input_error.h"
+#include "tests/support/allocation_count.h"
+#include "tests/support/support.h"
+
+namespace fulcrum {
+namespace {
+
+class Kept : public EventSink {
+  public:
+    Kept() { events.reserve(4096); }
+    void on_event(const Event& event) noexcept override {
+        if (events.size() < events.capacity()) events.push_back(event);
+    }
+    std::vector<Event> of(EventKind kind) const {
+        std::vector<Event> found;
+        for (const Event& event : events)
+            if (event.kind == kind) found.push_back(event);
+        return found;
+    }
+    std::vector<Event> events;
+};
+
+/// B3 with a world that the test paints.
+struct Stage {
+    Stage()
+        : task(load_task(test::source_path("assets/tasks/B3.json"))),
+          scene(load_scene(test::source_path("assets/scenes/b3_bands.json"))),
+          monitor(task, scene, 1) {
+        world.bands.resize(1);
+        view().bands.resize(10);
+        view().outlets.resize(6);
+        view().tools[1].kind = ToolKind::harmonic;
+        view().tools[1].clips_left = 12;
+    }
+    BandsView& view() { return world.bands[0]; }
+    void step(int steps = 1) {
+        for (int i = 0; i < steps; ++i) {
+            TickSample ticks[5];
+            for (TickSample& sample : ticks) {
+                sample.tick = ++tick;
+                sample.hand[1].flags = static_cast<std::uint16_t>(hand_inside | (in_view ? hand_in_view : 0) |
+                                                                  (view().tools[1].active ? hand_energy : 0));
+                sample.hand[1].tip[0] = static_cast<std::int32_t>(tick) * 500;  // 50 mm/s
+            }
+            monitor.on_step(ticks, 5, world, sink);
+        }
+    }
+    void divide(std::size_t band, double tension = 0.5) {
+        view().bands[band].parted = 1U << 4U;
+        view().bands[band].parted_tension = static_cast<float>(tension);
+    }
+    TaskDefinition task;
+    Scene scene;
+    TaskMonitor monitor;
+    WorldSnapshot world;
+    Kept sink;
+    bool in_view = true;
+    std::uint32_t tick = 0;
+};
+
+TEST(BandMonitor, AnActivationSaysWhatHeldThroughout) {
+    Stage stage;
+    stage.step(100);
+    HandToolView& tool = stage.view().tools[1];
+    tool.active = true;
+    tool.target = EnergyTarget::band;
+    tool.nerve_distance = 0.008F;
+    stage.step(10);
+    tool.nerve_distance = 0.0035F;
+    stage.step(10);
+    tool.active = false;
+    stage.step(5);
+    // Again: out of view for one step, then near the nerve.
+    tool.active = true;
+    stage.in_view = false;
+    stage.step(1);
+    stage.in_view = true;
+    tool.nerve_distance = 0.001F;
+    stage.step(10);
+    tool.active = false;
+    stage.step(2);
+    const std::vector<Event> begun = stage.sink.of(EventKind::activation_begin),
+                             ended = stage.sink.of(EventKind::activation_end);
+    ASSERT_EQ(begun.size(), 2U);
+    ASSERT_EQ(ended.size(), 2U);
+    const int all = activation_in_view | activation_on_target | activation_clear;
+    EXPECT_EQ(begun[0].detail, all);
+    EXPECT_EQ(begun[0].hand, 1);
+    EXPECT_EQ(begun[0].tissue, stage.scene.tissue_index("band"));
+    EXPECT_EQ(ended[0].detail, all);
+    EXPECT_NEAR(static_cast<double>(ended[0].value), 0.0035, 1e-7);
+    EXPECT_EQ(ended[0].tick - begun[0].tick, 100U);
+    EXPECT_EQ(ended[1].detail, static_cast<std::int32_t>(activation_on_target));
+    EXPECT_NEAR(static_cast<double>(ended[1].value), 0.001, 1e-7);
+}
+
+TEST(BandMonitor, SuctionIsNoActivation) {
+    Stage stage;
+    stage.view().tools[1].kind = ToolKind::suction;
+    stage.view().tools[1].index = 2;
+    stage.view().tools[1].active = true;
+    stage.step(10);
+    EXPECT_TRUE(stage.sink.of(EventKind::activation_begin).empty());
+    ASSERT_EQ(stage.sink.of(EventKind::tool_exchanged).size(), 1U);
+    EXPECT_EQ(stage.sink.of(EventKind::tool_exchanged)[0].detail, 2);
+}
+
+TEST(BandMonitor, BandsAreDividedBleedAndDryAndTheTaskIsCompleted) {
+    Stage stage;
+    stage.step(100);
+    for (std::size_t b = 0; b < 9; ++b) stage.divide(b);
+    stage.view().bands[3].torn = true;
+    OutletView& branch = stage.view().outlets[1];
+    branch.opened = stage.view().outlets[0].opened = true;
+    branch.flow = 20e-6 / 60;
+    branch.lost = 0.1e-6;
+    stage.view().lost = 0.1e-6;
+    stage.step(2);
+    EXPECT_EQ(stage.sink.of(EventKind::band_divided).size(), 9U);
+    EXPECT_EQ(stage.sink.of(EventKind::tear).size(), 1U);
+    EXPECT_EQ(stage.monitor.display().bands_divided, 9);
+    EXPECT_NEAR(stage.monitor.display().goal_progress, 0.9, 1e-12);
+    ASSERT_EQ(stage.sink.of(EventKind::bleed_begin).size(), 1U);
+    EXPECT_NEAR(static_cast<double>(stage.sink.of(EventKind::bleed_begin)[0].value), 20.0, 1e-5);
+    for (int i = 0; i < 50; ++i) {
+        branch.lost += 0.05e-6;
+        stage.view().lost = branch.lost;
+        stage.step();
+    }
+    EXPECT_NEAR(static_cast<double>(stage.sink.of(EventKind::blood_loss).size()), 2.5 / 0.25, 2);
+    branch.flow = 0;
+    branch.clipped = true;
+    stage.view().tools[1].clips_fired = 1;
+    stage.view().tools[1].clips_left = 11;
+    stage.view().tools[1].last_clip_outlet = 1;
+    stage.step();
+    EXPECT_NEAR(static_cast<double>(stage.sink.of(EventKind::bleed_end)[0].value), 2.6, 1e-4);
+    EXPECT_EQ(stage.sink.of(EventKind::clip_applied).size(), 1U);
+    EXPECT_EQ(stage.monitor.display().clips_left, 11);
+    EXPECT_EQ(stage.monitor.display().vessels_dry, 1);
+
+    stage.divide(9);
+    stage.step(2);
+    EXPECT_EQ(stage.monitor.display().goal, 1);
+    for (OutletView& outlet : stage.view().outlets) outlet.opened = true;
+    stage.step(500);
+    EXPECT_FALSE(stage.monitor.display().ended);
+    stage.step(150);
+    EXPECT_TRUE(stage.monitor.display().ended);
+    EXPECT_EQ(stage.monitor.display().end, EventKind::completed);
+    EXPECT_FALSE(stage.monitor.display().critical);
+    // The sum is told once more before the end, so that the record holds all of it.
+    EXPECT_NEAR(static_cast<double>(stage.sink.of(EventKind::blood_loss).back().value), 2.6, 1e-4);
+    EXPECT_EQ(stage.sink.events.back().kind, EventKind::completed);
+}
+
+TEST(BandMonitor, InjuriesAreCriticalAndToldOnce) {
+    Stage stage;
+    stage.step(10);
+    stage.view().outlets[2].injured = true;
+    stage.step(5);
+    EXPECT_TRUE(stage.monitor.display().critical);
+    EXPECT_EQ(stage.sink.of(EventKind::vessel_injury).size(), 1U);
+    EXPECT_EQ(stage.sink.of(EventKind::vessel_injury)[0].detail, 2);
+
+    Stage other;
+    other.step(10);
+    other.view().worst_nerve_dose = other.view().lateral_dose = 59;
+    other.step(200);
+    EXPECT_FALSE(other.monitor.display().critical);
+    ASSERT_FALSE(other.sink.of(EventKind::heat_dose).empty());
+    EXPECT_NEAR(static_cast<double>(other.sink.of(EventKind::heat_dose).back().value), 59, 1e-5);
+    EXPECT_EQ(other.sink.of(EventKind::heat_dose).back().tissue, other.scene.tissue_index("nerve"));
+    other.view().worst_nerve_dose = other.view().lateral_dose = 61;
+    other.step(5);
+    EXPECT_TRUE(other.monitor.display().critical);
+    EXPECT_EQ(other.sink.of(EventKind::nerve_injury).size(), 1U);
+}
+
+TEST(BandMonitor, WhatIsOpenAtTheEndIsClosed) {
+    Stage stage;
+    stage.step(100);
+    stage.view().tools[1].active = true;
+    stage.view().tools[1].target = EnergyTarget::bed;
+    stage.view().outlets[1].opened = true;
+    stage.view().outlets[1].flow = 1e-6;
+    stage.view().outlets[1].lost = stage.view().lost = 0.1e-6;
+    stage.step(10);
+    TickSample last;
+    last.tick = ++stage.tick;
+    last.rig_flags = rig_abandon;
+    stage.monitor.on_step(&last, 1, stage.world, stage.sink);
+    EXPECT_EQ(stage.sink.of(EventKind::activation_end).size(), 1U);
+    EXPECT_EQ(stage.sink.of(EventKind::activation_end)[0].detail & activation_on_target, 0);
+    EXPECT_EQ(stage.sink.of(EventKind::bleed_end).size(), 1U);
+    ASSERT_EQ(stage.sink.of(EventKind::blood_loss).size(), 1U);
+    EXPECT_EQ(stage.sink.events.back().kind, EventKind::abandoned);
+}
+
+TEST(BandMonitor, AllocatesNothing) {
+    Stage stage;
+    stage.step(20);
+    EXPECT_EQ(test::allocations_in([&] {
+                  stage.view().tools[1].active = true;
+                  stage.step(5);
+                  stage.divide(0);
+                  stage.view().outlets[0].flow = 1e-6;
+                  stage.step(5);
+                  stage.view().tools[1].active = false;
+                  stage.step(5);
+              }),
+              0u);
+}
+
+TEST(BandTask, AsksOnlyForWhatTheSceneHas) {
+    const TaskDefinition task = load_task(test::source_path("assets/tasks/B3.json"));
+    ASSERT_EQ(task.goals.size(), 2U);
+    EXPECT_EQ(task.goals[0].kind, GoalKind::divide_bands);
+    EXPECT_EQ(task.goals[1].kind, GoalKind::stop_bleeding);
+    Scene scene = load_scene(test::source_path("assets/scenes/b3_bands.json"));
+    scene.bands->count = 6;
+    EXPECT_THROW(TaskMonitor(task, scene, 1), InputError);
+    scene.bands->count = 10;
+    scene.bands->vessels = 2;
+    EXPECT_THROW(TaskMonitor(task, scene, 1), InputError);
+    scene.bands.reset();
+    EXPECT_THROW(TaskMonitor(task, scene, 1), InputError);
+}
+
+}  // namespace
+}  // namespace fulcrum
