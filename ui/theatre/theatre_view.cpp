@@ -138,7 +138,7 @@ void TheatreView::paintGL() {
             installed_ = true;
         }
         SceneFrame& frame = assembler_->assemble(world_);
-        for (std::size_t i = 0; i < frame.targets.size(); ++i) {
+        for (std::size_t i = 0; i < std::min(frame.targets.size(), world_.targets.size()); ++i) {
             TargetLook look = TargetLook::waiting;
             if (i < done_.size() && done_[i]) look = TargetLook::done;
             if (static_cast<int>(i) == active_) look = touched_ ? TargetLook::touched : TargetLook::current;

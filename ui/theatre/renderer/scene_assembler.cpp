@@ -5,6 +5,7 @@
 
 #include "sim_core/bowel/display_skin.h"
 #include "sim_core/world/anatomy_binding.h"
+#include "ui/theatre/renderer/bands_drawing.h"
 
 namespace fulcrum::ui {
 
@@ -55,6 +56,7 @@ struct SceneAssembler::Impl {
     std::unique_ptr<BowelSkin> skin;
     std::unique_ptr<DisplaySkin> display;
     std::vector<float> ring_floats, positions, normals, sheet_positions, sheet_normals;
+    BandsDrawing bands;
     SceneFrame frame;
 };
 
@@ -124,7 +126,8 @@ SceneFrame& SceneAssembler::assemble(const WorldSnapshot& snapshot) {
         if (spec == nullptr) continue;
         DrawnTool tool;
         tool.pose = snapshot.tools[hand];
-        tool.end = tool_end(spec->kind);
+        tool.end = tool_end(snapshot.bands.empty() ? spec->kind
+                                                   : tool_kind_name(snapshot.bands[0].tools[hand].kind));
         tool.jaw_length = spec->jaw_length;
         tool.shaft_radius = spec->shaft_radius;
         i.frame.tools.push_back(tool);
@@ -144,6 +147,7 @@ SceneFrame& SceneAssembler::assemble(const WorldSnapshot& snapshot) {
         }
         i.frame.sheets.push_back(sheet);
     }
+    if (!snapshot.bands.empty()) i.bands.add(snapshot.bands[0], i.frame);
     i.frame.bowel_positions = i.frame.bowel_normals = nullptr;
     i.frame.mesentery_positions = i.frame.mesentery_normals = nullptr;
     if (!i.display || static_cast<int>(snapshot.rings.size()) != i.skin->rings()) return i.frame;

@@ -146,7 +146,8 @@ void SceneRenderer::Impl::draw_targets(QOpenGLExtraFunctions& gl, const SceneFra
         target->setUniformValue("hue", paint.hue);
         target->setUniformValue("glow", paint.glow);
         target->setUniformValue("opacity", paint.opacity);
-        target->setUniformValue("bands", item.hand == Hand::left ? 1.0F : 2.0F);
+        const float stripes = item.look > TargetLook::done ? 0.0F : item.hand == Hand::left ? 1.0F : 2.0F;
+        target->setUniformValue("bands", stripes);
         sphere->draw(gl);
     }
 }

@@ -20,7 +20,8 @@
 namespace fulcrum::ui {
 
 /// How a target sphere is shown. Colours are from a colour-blind-safe palette.
-enum class TargetLook { waiting, current, touched, done };
+/// The first four are spheres to touch; the others are what lies among bands.
+enum class TargetLook { waiting, current, touched, done, vessel, nerve, blood, bleeding, clip, charred };
 
 struct DrawnTarget {
     Vector3 centre = Vector3::Zero();

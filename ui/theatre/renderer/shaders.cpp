@@ -328,13 +328,13 @@ in vec3 facing;
 in vec3 own;
 uniform vec3 hue;
 uniform float glow;        // 0 .. 1: the one to touch now
-uniform float bands;       // 1: left, 2: right, told apart without colour
+uniform float bands;       // 0: none, 1: left, 2: right, told apart without colour
 uniform float opacity;
 out vec4 colour;
 void main() {
     vec3 n = normalize(facing);
     float height = own.z;
-    float band = bands < 1.5 ? abs(height) : abs(abs(height) - 0.34);
+    float band = bands < 0.5 ? 1.0 : bands < 1.5 ? abs(height) : abs(abs(height) - 0.34);
     float painted = 1.0 - smoothstep(0.10, 0.14, band);
     vec3 c = mix(hue, vec3(0.93), painted);
     c *= c;
