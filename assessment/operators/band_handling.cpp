@@ -88,6 +88,12 @@ class BandHandling : public Behaviour {
                 burn(seen, body);
                 break;
             case Stage::let_go:
+                // Jaws open when the pedal is up.
+                if (divided_ && right.time() > release_) {
+                    divided_ = false;
+                    open(right);
+                    open(left);
+                }
                 if (right.time() > until_) {
                     retract(right);
                     retract(left);
@@ -293,8 +299,7 @@ class BandHandling : public Behaviour {
         release_ = right.time() + 0.15 * skill_.hesitation;
         stage_ = Stage::let_go;
         until_ = release_ + 0.5 * skill_.dwell_s + 0.2;
-        open(right);
-        open(*body.limb[0]);
+        divided_ = true;
     }
 
     void go_to_outlet(const Perception& /*seen*/, Body& body) noexcept {
@@ -360,6 +365,7 @@ class BandHandling : public Behaviour {
     Stage stage_ = Stage::choose;
     ToolKind wanted_ = ToolKind::harmonic;
     bool begun_ = false, stopped_ = false, started_[hand_count] = {false, false};
+    bool divided_ = false;  // what was held is through: the jaws wait for the pedal
     int band_ = 0, outlet_ = -1, hold_node_ = 9, cut_node_ = 4, node_[hand_count] = {9, 4}, attempts_ = 0;
     double until_ = 0, until_swap_ = 0, release_ = 0, delay_ = 0, sucked_ = 0;
 };

@@ -57,33 +57,90 @@ void BandsDrawing::lay_band(const BandView& band, Ribbon& ribbon) const {
     }
 }
 
+void BandsDrawing::lay_strip(const std::vector<Vector3>& way, double width, Ribbon& ribbon) {
+    ribbon.positions.clear();
+    ribbon.rest.clear();
+    ribbon.triangles.clear();
+    double reached = 0;
+    for (std::size_t i = 0; i < way.size(); ++i) {
+        const Vector3 along = way[std::min(i + 1, way.size() - 1)] - way[i == 0 ? 0 : i - 1];
+        Vector3 across = Vector3::UnitZ().cross(along);
+        across = across.norm() > 1e-9 ? Vector3(across.normalized()) : Vector3(Vector3::UnitY());
+        if (i > 0) reached += (way[i] - way[i - 1]).norm();
+        for (const double side : {-0.5, 0.5}) {
+            ribbon.positions.push_back(way[i] + side * width * across);
+            ribbon.rest.emplace_back(reached, side * width, 0);
+        }
+        if (i == 0) continue;
+        const auto d = static_cast<std::int32_t>(2 * i + 1), c = d - 1, b = d - 2, a = d - 3;
+        ribbon.triangles.push_back({a, c, d});
+        ribbon.triangles.push_back({a, d, b});
+    }
+}
+
+// The blood's level over the bed; where there is none it dips below the ground, so that the pool's edge lies
+// on it.
+void BandsDrawing::lay_blood(const BandsView& view) {
+    blood_.positions = bed_.positions;
+    blood_.rest = bed_.rest;
+    blood_.triangles.clear();
+    wet_.assign(blood_.positions.size(), 0);
+    for (std::size_t i = 0; i < wet_.size(); ++i) {
+        const auto depth = static_cast<double>(view.blood[i]);
+        wet_[i] = depth >= least_blood ? 1 : 0;
+        blood_.positions[i].z() =
+            static_cast<double>(view.ground[i]) + (wet_[i] != 0 ? depth : -0.5 * bed_thickness);
+    }
+    const auto wet = [this](std::int32_t v) { return wet_[static_cast<std::size_t>(v)] != 0; };
+    for (const Triangle& triangle : bed_.triangles) {
+        if (std::any_of(triangle.begin(), triangle.end(), wet)) blood_.triangles.push_back(triangle);
+    }
+}
+
+BandsDrawing::Ribbon& BandsDrawing::strip() {
+    return strips_[strips_used_++];
+}
+
 void BandsDrawing::add(const BandsView& view, SceneFrame& frame) {
     lay_bed(view);
     bands_.resize(view.bands.size());
-    const auto sheet = [&](const Ribbon& ribbon, double thickness) {
+    strips_used_ = 0;
+    // Room for all strips first: what the frame points at must stay where it is.
+    strips_.resize(std::max(strips_.size(), view.bands.size() * strand_segments + 1));
+    const auto sheet = [&](const Ribbon& ribbon, double thickness, const QVector3D& tint, float share) {
         DrawnSheet drawn;
         drawn.surface = {ribbon.positions.data(), ribbon.rest.data(),      ribbon.positions.size(),
                          ribbon.triangles.data(), ribbon.triangles.size(), thickness};
+        drawn.tint = tint;
+        drawn.tint_share = share;
         frame.sheets.push_back(drawn);
     };
-    sheet(bed_, bed_thickness);
+    const Vector3 above(0, 0, 0.5 * band_thickness);
+    sheet(bed_, bed_thickness, QVector3D(0.55F, 0.20F, 0.16F), 0.45F);
     for (std::size_t b = 0; b < view.bands.size(); ++b) {
         const BandView& band = view.bands[b];
         lay_band(band, bands_[b]);
-        sheet(bands_[b], band_thickness);
+        sheet(bands_[b], band_thickness, QVector3D(0.85F, 0.62F, 0.50F), 0.25F);
         for (std::size_t s = 0; s < strand_segments; ++s) {
-            const Vector3 middle = 0.5 * (band.position[s] + band.position[s + 1]);
-            if (band.char_share[s] > charred) {
-                ball(frame, middle, 0.0018, TargetLook::charred);
-            } else if (band.vessel >= 0 && s % 2 == 0) {
-                ball(frame, middle, vessel_radius, TargetLook::vessel);
+            const bool burnt = band.char_share[s] > charred;
+            if ((band.parted >> s & 1U) != 0 || (!burnt && band.vessel < 0)) continue;
+            way_ = {band.position[s] + above, band.position[s + 1] + above};
+            Ribbon& mark = strip();
+            lay_strip(way_, burnt ? 1.05 * band_width : 2 * vessel_radius, mark);
+            if (burnt) {
+                sheet(mark, 0.0006, QVector3D(0.02F, 0.015F, 0.012F), 0.93F);
+            } else {
+                sheet(mark, vessel_radius, QVector3D(0.30F, 0.015F, 0.03F), 1.0F);
             }
         }
         if (band.clip_node >= 0)
             ball(frame, band.position[static_cast<std::size_t>(band.clip_node)], clip_radius,
                  TargetLook::clip);
     }
-    for (const Vector3& point : view.nerve) ball(frame, point, view.nerve_radius, TargetLook::nerve);
+    way_.assign(view.nerve.begin(), view.nerve.end());
+    Ribbon& nerve = strip();
+    lay_strip(way_, 2 * view.nerve_radius, nerve);
+    sheet(nerve, 1.6 * view.nerve_radius, QVector3D(0.92F, 0.78F, 0.22F), 0.9F);
     for (const OutletView& outlet : view.outlets) {
         if (outlet.clipped) {
             ball(frame, outlet.position, clip_radius, TargetLook::clip);
@@ -91,19 +148,8 @@ void BandsDrawing::add(const BandsView& view, SceneFrame& frame) {
             ball(frame, outlet.position, outlet_radius, TargetLook::bleeding);
         }
     }
-    // Blood as flat caps of large balls: together they look like a pool.
-    const double radius = 1.4 * view.cell;
-    for (int row = 0; row < view.rows; ++row) {
-        for (int column = 0; column < view.columns; ++column) {
-            const auto index = static_cast<std::size_t>(row * view.columns + column);
-            const auto depth = static_cast<double>(view.blood[index]);
-            if (depth < least_blood) continue;
-            const Vector3 centre(view.corner.x() + (column + 0.5) * view.cell,
-                                 view.corner.y() + (row + 0.5) * view.cell,
-                                 static_cast<double>(view.ground[index]) - radius + 0.35 * view.cell + depth);
-            ball(frame, centre, radius, TargetLook::blood);
-        }
-    }
+    lay_blood(view);
+    if (!blood_.triangles.empty()) sheet(blood_, 0.0002, QVector3D(0.17F, 0.004F, 0.008F), 1.0F);
     frame.brightness = 1 - darkest * view.smoke;
 }
 

@@ -22,8 +22,15 @@ class BandsDrawing {
     };
     void lay_bed(const BandsView& view);
     void lay_band(const BandView& band, Ribbon& ribbon) const;
-    Ribbon bed_;
-    std::vector<Ribbon> bands_;
+    /// A strip along a way, flat side up.
+    static void lay_strip(const std::vector<Vector3>& way, double width, Ribbon& ribbon);
+    void lay_blood(const BandsView& view);
+    Ribbon& strip();
+    Ribbon bed_, blood_;
+    std::vector<Ribbon> bands_, strips_;
+    std::size_t strips_used_ = 0;
+    std::vector<Vector3> way_;
+    std::vector<char> wet_;
 };
 
 }  // namespace fulcrum::ui

@@ -164,6 +164,7 @@ void SceneRenderer::Impl::draw_sheets(QOpenGLExtraFunctions& gl, const SceneFram
         const DrawnSheet& drawn = frame.sheets[k];
         const QVector3D from = vector(drawn.mark_from), to = vector(drawn.mark_to);
         sheet->setUniformValue("mark_from_to", QVector4D(from.x(), from.y(), to.x(), to.y()));
+        sheet->setUniformValue("tint", QVector4D(drawn.tint, drawn.tint_share));
         gl_sheets[k]->update(drawn.surface, drawn.version);
         gl_sheets[k]->draw(gl);
     }

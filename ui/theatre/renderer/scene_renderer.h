@@ -21,7 +21,7 @@ namespace fulcrum::ui {
 
 /// How a target sphere is shown. Colours are from a colour-blind-safe palette.
 /// The first four are spheres to touch; the others are what lies among bands.
-enum class TargetLook { waiting, current, touched, done, vessel, nerve, blood, bleeding, clip, charred };
+enum class TargetLook { waiting, current, touched, done, bleeding, clip };
 
 struct DrawnTarget {
     Vector3 centre = Vector3::Zero();
@@ -61,6 +61,8 @@ struct DrawnSheet {
     Vector3 mark_from = Vector3::Zero(),
             mark_to = Vector3::Zero();  ///< m at rest: ends of the ink line; equal: none
     std::uint64_t version = 0;          ///< as SceneFrame::version
+    QVector3D tint;                     ///< linear RGB of what is not areolar tissue
+    float tint_share = 0;               ///< 0 .. 1: how much of it
 };
 
 /// Everything one picture needs. Pointers are only read during draw().

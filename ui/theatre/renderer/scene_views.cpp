@@ -47,18 +47,10 @@ TargetPaint paint_of(const DrawnTarget& target) {
             return {QVector3D(0.98F, 0.95F, 0.75F), 0.8F, 1.0F};
         case TargetLook::done:
             return {QVector3D(0.35F, 0.36F, 0.38F), 0.0F, 0.35F};
-        case TargetLook::vessel:
-            return {QVector3D(0.52F, 0.07F, 0.06F), 0.0F, 1.0F};
-        case TargetLook::nerve:
-            return {QVector3D(0.86F, 0.72F, 0.22F), 0.0F, 1.0F};
-        case TargetLook::blood:
-            return {QVector3D(0.26F, 0.01F, 0.012F), 0.0F, 1.0F};
         case TargetLook::bleeding:
             return {QVector3D(0.62F, 0.02F, 0.02F), 0.25F, 1.0F};
         case TargetLook::clip:
             return {QVector3D(0.70F, 0.72F, 0.75F), 0.0F, 1.0F};
-        case TargetLook::charred:
-            return {QVector3D(0.05F, 0.035F, 0.03F), 0.0F, 1.0F};
         case TargetLook::waiting:
             break;
     }

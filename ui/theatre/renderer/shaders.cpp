@@ -181,6 +181,7 @@ uniform float bump;
 uniform float tile;       // m
 uniform vec4 mark_from_to; // ink line at rest, m: from xy to zw
 uniform vec3 cut_hue;     // linear: what a cut shows
+uniform vec4 tint;        // linear colour and its share: what else than areolar tissue this is
 out vec4 colour;
 void main() {
     vec3 n = normalize(facing);
@@ -205,6 +206,7 @@ void main() {
     own = mix(own, vec3(0.03, 0.05, 0.30), 0.85 * ink);
     // A cut is paler and duller than the film over it.
     own = mix(own, cut_hue, arrived.z);
+    own = mix(own, tint.rgb, tint.a);
     own = mix(own, vec3(0.95, 0.72, 0.62), 0.6 * arrived.y);
     vec3 film = mix(n, rough, 0.62);
     colour = vec4(wet(own, mix(rough, n, arrived.z), film, to_eye, texel.a * (1.0 - 0.5 * arrived.z), arrived.x), 1.0);
