@@ -178,6 +178,10 @@ void SheetPart::take_over() noexcept {
             }
         }
     }
+    // A vertex that is gone hangs on nothing: what it hung on may be gone too.
+    for (std::int32_t v = 0; v < surface_.vertex_count(); ++v) {
+        if (surface_.vertex(v).triangle < 0) state_.bindings[at(v)] = SheetPlace();
+    }
     update_positions();
     for (const std::int32_t root : cut_.roots) touched_[at(root)] = 1;
     const auto changed = [&](const SheetPlace& where) { return where.fragment >= 0 && touched_[at(surface_.fragment(where.fragment).root)] != 0; };

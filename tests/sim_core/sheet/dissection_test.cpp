@@ -137,6 +137,7 @@ TEST(SheetWorld, NoSwapRaisesTheEnergyOrMovesWhatIsThere) {
         ASSERT_LE(now.bend, old.bend * (1 + 1e-12));
         ASSERT_LE(now.kinetic, old.kinetic * (1 + 1e-12));
         lost += old.elastic() - now.elastic();
+        for (const Vector3& position : sheet.state().positions) ASSERT_TRUE(position.allFinite());
         for (std::size_t v = 0; v < rest.size(); ++v) {
             if (sheet.state().bindings[v].fragment < 0) continue;
             // Tidying may have laid another vertex under the number.
