@@ -140,27 +140,14 @@ Figure bleed_ml(const Analysis& analysis, const Selection& /*row*/) {
     return figure;
 }
 
-Figure count_of(const Analysis& analysis, const Selection& row, EventKind kind) {
-    int count = 0;
-    Figure figure;
-    for (const Event& event : analysis.events()) {
-        if (event.kind != kind || (row.hand >= 0 && event.hand != row.hand)) continue;
-        ++count;
-        const double t = analysis.trace().time_of(event);
-        if (figure.evidence.size() < evidence_limit)
-            figure.evidence.push_back({std::max(0.0, t - 0.5), t + 0.5});
-    }
-    figure.value = count;
-    return figure;
-}
 Figure vessel_injury(const Analysis& analysis, const Selection& row) {
-    return count_of(analysis, row, EventKind::vessel_injury);
+    return count_events(analysis, row, EventKind::vessel_injury);
 }
 Figure nerve_injury(const Analysis& analysis, const Selection& row) {
-    return count_of(analysis, row, EventKind::nerve_injury);
+    return count_events(analysis, row, EventKind::nerve_injury);
 }
 Figure tear(const Analysis& analysis, const Selection& row) {
-    return count_of(analysis, row, EventKind::tear);
+    return count_events(analysis, row, EventKind::tear);
 }
 
 }  // namespace

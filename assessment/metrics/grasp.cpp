@@ -107,22 +107,6 @@ Figure grasp_ftp_patch(const Analysis& analysis, const Selection& row) {
     return figure;
 }
 
-Figure count_events(const Analysis& analysis, const Selection& row, EventKind kind) {
-    int count = 0;
-    Figure figure;
-    for (const Event& event : analysis.events()) {
-        if (event.kind != kind) continue;
-        if (row.hand >= 0 && event.hand != row.hand) continue;
-        if (row.tissue >= 0 && event.tissue != row.tissue) continue;
-        ++count;
-        const double t = analysis.trace().time_of(event);
-        if (figure.evidence.size() < evidence_limit)
-            figure.evidence.push_back({std::max(0.0, t - 0.5), t + 0.5});
-    }
-    figure.value = count;
-    return figure;
-}
-
 Figure slip(const Analysis& analysis, const Selection& row) {
     return count_events(analysis, row, EventKind::slip);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// The whole of one class's public side, a little over 500 lines; solvers and springs stand in files of their own.
 #include "sim_core/membrane/membrane.h"
 
 #include <algorithm>

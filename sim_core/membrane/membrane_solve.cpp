@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The incremental potential and its minimisers.
+// The incremental potential and its minimisers; a little over 500 lines, for both share its line search and factor.
 #include <algorithm>
 #include <array>
 #include <cmath>

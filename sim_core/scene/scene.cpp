@@ -6,6 +6,7 @@
 
 #include "sim_core/scene/bands_reader.h"
 #include "sim_core/scene/json_document.h"
+#include "sim_core/scene/scene_json.h"
 
 namespace fulcrum {
 
@@ -15,21 +16,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;
-
-// The schema has checked types and ranges; what is left is to copy, keeping the default of a key that is
-// absent.
-template <typename T>
-void copy(const json& node, const char* key, T& value) {
-    if (node.contains(key)) value = node.at(key).get<T>();
-}
-void copy(const json& node, const char* key, Vector3& value) {
-    if (!node.contains(key)) return;
-    for (int i = 0; i < 3; ++i) value[i] = node.at(key).at(static_cast<std::size_t>(i)).get<double>();
-}
-void copy_degrees(const json& node, const char* key, double& radians) {
-    if (node.contains(key)) radians = node.at(key).get<double>() * radians_per_degree;
-}
+using scene_json::copy;
+using scene_json::copy_degrees;
 
 class SceneReader {
   public:

@@ -6,23 +6,12 @@
 
 #include "sim_core/geometry/closest_point.h"
 #include "sim_core/numerics/input_error.h"
+#include "sim_core/world/sheet_material.h"
 
 namespace fulcrum {
 namespace {
 
 constexpr double most_coupling = 0.5;  // solved in turn, the pair is stable below 4/3
-
-MembraneMaterial material_of(const MembraneSpec& spec, const TriangleMesh& mesh) {
-    MembraneMaterial material;
-    material.structural_stiffness = spec.structural_stiffness;
-    material.shear_stiffness = spec.shear_stiffness;
-    material.bend_stiffness = spec.bend_stiffness;
-    material.mass = spec.surface_density * surface_area(mesh);
-    material.pre_strain = spec.pre_strain;
-    material.stiffness_damping = spec.stiffness_damping;
-    material.mass_damping = spec.mass_damping;
-    return material;
-}
 
 std::vector<std::int32_t> held(const MembraneSheet& sheet) {
     std::vector<std::int32_t> vertices = sheet.bowel_vertices;
@@ -58,7 +47,7 @@ std::uint32_t outcome_of(MembraneFault fault) {
 }  // namespace
 
 MembranePart::MembranePart(const Scene& scene, std::size_t index, const MembraneSheet& sheet, const Rod& rod, const RodState& rest, double dt)
-    : membrane_(sheet.mesh, material_of(scene.membranes[index], sheet.mesh), held(sheet)),
+    : membrane_(sheet.mesh, sheet_material(scene.membranes[index], sheet.mesh), held(sheet)),
       state_(membrane_.make_state()),
       good_(state_),
       scratch_(membrane_.make_scratch(dt)),

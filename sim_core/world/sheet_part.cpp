@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "sim_core/numerics/input_error.h"
+#include "sim_core/world/sheet_material.h"
 
 namespace fulcrum {
 namespace {
@@ -17,18 +18,6 @@ constexpr int settling_steps = 80;
 constexpr std::uint16_t loose_steps = 200;  // what has come free falls for so long, then it is removed
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-MembraneMaterial material_of(const SheetSpec& spec, const TriangleMesh& mesh) {
-    MembraneMaterial material;
-    material.structural_stiffness = spec.structural_stiffness;
-    material.shear_stiffness = spec.shear_stiffness;
-    material.bend_stiffness = spec.bend_stiffness;
-    material.mass = spec.surface_density * surface_area(mesh);
-    material.pre_strain = spec.pre_strain;
-    material.stiffness_damping = spec.stiffness_damping;
-    material.mass_damping = spec.mass_damping;
-    return material;
-}
 
 std::vector<CutMembrane::Attachment> attachments_of(const SheetSpec& spec, const SheetLayout& layout) {
     std::vector<CutMembrane::Attachment> held;
@@ -83,7 +72,7 @@ SheetPart::SheetPart(const Scene& scene, double dt)
       gravity_(scene.gravity),
       layout_(lay_out_sheet(*scene.sheet)),
       surface_(layout_.mesh, held_vertices(layout_), CutMesh::capacity_for(layout_.mesh, surface_steps)),
-      membrane_(layout_.mesh, material_of(spec_, layout_.mesh), attachments_of(spec_, layout_), surface_.capacity().fragments),
+      membrane_(layout_.mesh, sheet_material(spec_, layout_.mesh), attachments_of(spec_, layout_), surface_.capacity().fragments),
       scratch_(membrane_.make_scratch()) {
     if (!(dt <= 1000 * membrane_.safe_time_step())) {
         throw InputError(scene.id, "/sheet", "the sheet is too stiff for its mass at this step",

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copying keys of a scene that the schema has checked; a key that is absent keeps its default.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "sim_core/numerics/types.h"
+
+namespace fulcrum::scene_json {
+
+constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;
+
+template <typename T>
+void copy(const nlohmann::json& node, const char* key, T& value) {
+    if (node.contains(key)) value = node.at(key).get<T>();
+}
+inline void copy(const nlohmann::json& node, const char* key, Vector3& value) {
+    if (!node.contains(key)) return;
+    for (int i = 0; i < 3; ++i) value[i] = node.at(key).at(static_cast<std::size_t>(i)).get<double>();
+}
+inline void copy_degrees(const nlohmann::json& node, const char* key, double& radians) {
+    if (node.contains(key)) radians = node.at(key).get<double>() * radians_per_degree;
+}
+
+}  // namespace fulcrum::scene_json
