@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "assessment/pathology/pathology.h"
 #include "assessment/trace/trace.h"
 
 namespace fulcrum {
@@ -18,16 +19,18 @@ enum class Direction : std::uint8_t {
     context
 };                                            ///< which way is better; context is never a gate
 enum class Scale : std::uint8_t { raw, ln };  ///< ln only for metrics that cannot be 0
-/// How samples become one figure. count and share take no z; count, total and maximum can only grow during an
-/// attempt.
+/// How samples become one figure. count, share and grade (an ordinal) take no z; count, total and maximum can
+/// only grow during an attempt, minimum only fall.
 enum class Aggregation : std::uint8_t {
     total,
     maximum,
+    minimum,
     mean,
     deviation,
     median_of_segments,
     ratio,
     share,
+    grade,
     count
 };
 enum class EvidenceGrade : std::uint8_t {
@@ -105,6 +108,7 @@ struct CutPlan {
 /// What a metric must know besides the trace.
 struct MetricContext {
     std::optional<CutPlan> cut;  ///< absent: the task marks no line
+    std::optional<SpecimenPlan> specimen;  ///< absent: the task leaves none
     std::vector<TissueLimits> tissues;
     std::vector<Vector3> targets;      ///< m, centre of target i (Event::detail of target_shown)
     std::vector<std::string> phases;   ///< HUD or goal name of phase i (Event::detail of phase_begin)

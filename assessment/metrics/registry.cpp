@@ -24,6 +24,7 @@ std::vector<Metric> make_registry() {
     append(all, grasp_metrics());
     append(all, cutting_metrics());
     append(all, energy_metrics());
+    append(all, specimen_metrics());
     check_registry(all);
     return all;
 }
@@ -41,7 +42,8 @@ void check_filled(const Metric& metric) {
     if (d.direction != Direction::context && d.advice_fault.find("{limit}") == std::string::npos)
         refuse("the advice does not name the limit");
     if (d.channels.empty() && !d.needs_events) refuse("it names neither channels nor events");
-    if (d.scale == Scale::ln && (d.aggregation == Aggregation::count || d.aggregation == Aggregation::share))
+    if (d.scale == Scale::ln && (d.aggregation == Aggregation::count || d.aggregation == Aggregation::share ||
+                                    d.aggregation == Aggregation::grade))
         refuse("a count or share can be 0 and takes no logarithm");
     if (metric.compute == nullptr) refuse("it has no function");
 }

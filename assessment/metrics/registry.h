@@ -35,7 +35,7 @@ struct Metric {
     Figure (*compute)(const Analysis& analysis, const Selection& row) = nullptr;
 };
 
-/// Checked on first use; families in the order motion, smoothness, force, cutting, energy.
+/// Checked on first use; families in the order motion, smoothness, force, cutting, energy, specimen.
 const std::vector<Metric>& metric_registry();
 /// Null when unknown.
 const MetricDescriptor* find_metric(const std::string& id);
@@ -51,5 +51,6 @@ std::vector<Metric> force_metrics();
 std::vector<Metric> grasp_metrics();
 std::vector<Metric> cutting_metrics();
 std::vector<Metric> energy_metrics();
+std::vector<Metric> specimen_metrics();
 
 }  // namespace fulcrum

@@ -54,9 +54,11 @@ std::vector<ExpertValues> values_by_person(const std::vector<BenchmarkAttempt>& 
     return people;
 }
 
-/// Counts, shares, and what varies by less than the metric's precision take no z.
+/// Counts, shares, grades, and what varies by less than the metric's precision take no z.
 bool takes_z(const MetricDescriptor& d, const ExpertBenchmark& benchmark) {
-    if (d.aggregation == Aggregation::count || d.aggregation == Aggregation::share) return false;
+    if (d.aggregation == Aggregation::count || d.aggregation == Aggregation::share ||
+        d.aggregation == Aggregation::grade)
+        return false;
     const double in_unit =
         d.scale == Scale::ln ? std::exp(benchmark.mean) * benchmark.deviation : benchmark.deviation;
     return in_unit >= d.precision;

@@ -11,9 +11,11 @@ namespace fulcrum {
 namespace {
 
 /// A value that a part of an attempt has already broken stays broken however the attempt would have gone on.
-bool only_grows(const std::string& metric) {
+bool stays_broken(const std::string& metric) {
     const MetricDescriptor* d = find_metric(metric);
-    if (d == nullptr || d->direction != Direction::lower) return false;
+    if (d == nullptr) return false;
+    if (d->direction == Direction::higher) return d->aggregation == Aggregation::minimum;
+    if (d->direction != Direction::lower) return false;
     return d->aggregation == Aggregation::total || d->aggregation == Aggregation::maximum ||
            d->aggregation == Aggregation::count;
 }
@@ -22,7 +24,7 @@ bool only_grows(const std::string& metric) {
 bool broke_absolute_limit(const ScoreInput& input, const std::vector<GateResult>& gates) {
     for (std::size_t i = 0; i < gates.size(); ++i)
         if (input.task.gates[i].kind == "absolute" && gates[i].value && gates[i].passed == false &&
-            only_grows(gates[i].metric))
+            stays_broken(gates[i].metric))
             return true;
     return false;
 }

@@ -35,6 +35,9 @@ TEST(Registry, HoldsTheMetricsOfTheSpecification) {
     for (const char* id :
          {"energy_safe", "energy_time", "lateral_heat", "bleed_ml", "vessel_injury", "nerve_injury", "tear"})
         EXPECT_NE(find_metric(id), nullptr) << id;
+    for (const char* id : {"tme_grade", "tme_defect", "crm_mm", "drm_mm", "plane_dev_right", "plane_dev_mid",
+                           "plane_dev_left"})
+        EXPECT_NE(find_metric(id), nullptr) << id;
     EXPECT_EQ(find_metric("path_lenght"), nullptr);
 }
 

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// Figures of the pathology report as metrics: grade, margins, deepest defect, distance from the plane by
+// sector.
+#include "assessment/metrics/analysis.h"
+#include "assessment/metrics/descriptor_text.h"
+#include "assessment/metrics/registry.h"
+#include "assessment/pathology/pathology.h"
+#include "assessment/trace/cut_strokes.h"
+
+namespace fulcrum {
+
+namespace {
+
+constexpr double to_mm = 1e3;
+
+/// The report, or why there is none.
+struct Finding {
+    PathologyReport report;
+    std::optional<Figure> absence;
+};
+
+Finding finding_of(const Analysis& analysis) {
+    Finding finding;
+    if (!analysis.context().specimen) {
+        finding.absence = absent(Absence::not_measured, "the task leaves no specimen");
+        return finding;
+    }
+    const Trace& trace = analysis.trace();
+    finding.report = pathology_report(cut_strokes(analysis.events(), trace.tick_period, trace.end),
+                                      *analysis.context().specimen);
+    if (!(finding.report.plane.length > 0)) finding.absence = absent(Absence::not_done, "nothing was cut");
+    return finding;
+}
+
+/// Where the cut lay deepest in the fat, the deepest first.
+std::vector<TimeInterval> defect_times(const PathologyReport& report) {
+    std::vector<TimeInterval> times;
+    for (const Defect& defect : report.defects)
+        times.push_back({std::max(0.0, defect.when.begin - 0.5), defect.when.end + 0.5});
+    return times;
+}
+
+Figure tme_grade(const Analysis& analysis, const Selection& /*row*/) {
+    const Finding finding = finding_of(analysis);
+    if (finding.absence) return *finding.absence;
+    Figure figure;
+    figure.value = *finding.report.grade;
+    figure.evidence = defect_times(finding.report);
+    return figure;
+}
+
+Figure tme_defect(const Analysis& analysis, const Selection& /*row*/) {
+    const Finding finding = finding_of(analysis);
+    if (finding.absence) return *finding.absence;
+    Figure figure;
+    figure.value = finding.report.deepest_defect * to_mm;
+    figure.evidence = defect_times(finding.report);
+    return figure;
+}
+
+Figure margin(const Margin& margin, const char* not_divided) {
+    if (margin.absence == MarginAbsence::no_tumour)
+        return absent(Absence::not_measured, "the case has no tumour");
+    if (!margin.distance) return absent(Absence::not_done, not_divided);
+    Figure figure;
+    figure.value = *margin.distance * to_mm;
+    return figure;
+}
+
+Figure crm_mm(const Analysis& analysis, const Selection& /*row*/) {
+    const Finding finding = finding_of(analysis);
+    if (finding.absence) return *finding.absence;
+    Figure figure = margin(finding.report.circumferential, "the plane beside the tumour was not divided");
+    if (figure.value) {
+        const TimeInterval& when = finding.report.circumferential.when;
+        figure.evidence = {{std::max(0.0, when.begin - 0.5), when.end + 0.5}};
+    }
+    return figure;
+}
+
+Figure drm_mm(const Analysis& analysis, const Selection& /*row*/) {
+    const Finding finding = finding_of(analysis);
+    if (finding.absence) return *finding.absence;
+    return margin(finding.report.distal, "the dissection did not reach beyond the tumour");
+}
+
+Figure plane_dev_in(const Analysis& analysis, Sector sector) {
+    const Finding finding = finding_of(analysis);
+    if (finding.absence) return *finding.absence;
+    const PlaneDeviation& plane = finding.report.sectors[static_cast<std::size_t>(sector)].plane;
+    if (!plane.median) return absent(Absence::not_done, "nothing was cut in this sector");
+    Figure figure;
+    figure.value = *plane.median * to_mm;
+    return figure;
+}
+Figure plane_dev_right(const Analysis& analysis, const Selection& /*row*/) {
+    return plane_dev_in(analysis, Sector::right);
+}
+Figure plane_dev_mid(const Analysis& analysis, const Selection& /*row*/) {
+    return plane_dev_in(analysis, Sector::mid);
+}
+Figure plane_dev_left(const Analysis& analysis, const Selection& /*row*/) {
+    return plane_dev_in(analysis, Sector::left);
+}
+
+}  // namespace
+
+std::vector<Metric> specimen_metrics() {
+    using D = Direction;
+    using A = Aggregation;
+    std::vector<Metric> metrics;
+    const auto add = [&](Naming naming, D direction, A aggregation, EvidenceGrade grade, const char* source,
+                         Wording wording, Figure (*compute)(const Analysis&, const Selection&)) {
+        MetricDescriptor d = describe(std::move(naming), direction, Scale::raw, aggregation, grade, source,
+                                      std::move(wording));
+        d.filter = no_filter;
+        d.hands = Hands::either;
+        d.needs_events = true;
+        d.absent_means = AbsentMeans::failed;
+        metrics.push_back({std::move(d), compute});
+    };
+    add({"tme_grade", "Mesorectal grade", "-", 1}, D::higher, A::grade, EvidenceGrade::moderate,
+        "Quirke: 3 complete (no defect deeper than 5 mm, no coning), 2 nearly complete, 1 down to the "
+        "muscularis; from event cut_advance",
+        {"What a pathologist would say of the specimen: 3 complete, 2 nearly complete, 1 incomplete.",
+         "the specimen is of grade {value} where {limit} is the least",
+         "stay on the shiny surface of the mesorectum and stop as soon as fat shows in front of the blade"},
+        tme_grade);
+    add({"tme_defect", "Deepest defect of the mesorectum", "mm", 0.1}, D::lower, A::maximum,
+        EvidenceGrade::moderate, "event cut_advance: distance beyond the areolar layer, into the fat",
+        {"How deep the cut went into the fat that is to come out whole.",
+         "the cut went {value} into the fat where {limit} is the most",
+         "keep the blade in the white fibres; where you see yellow you are too close to the rectum"},
+        tme_defect);
+    add({"crm_mm", "Circumferential margin", "mm", 0.1}, D::higher, A::minimum, EvidenceGrade::strong,
+        "least distance of the cut to the tumour's edge; positive at 1 mm or less",
+        {"Least distance between the cut and the edge of the tumour. At 1 mm or less the margin is positive.",
+         "the cut passed the tumour at {value} where {limit} is the least",
+         "know where the tumour lies and keep to the plane beside it"},
+        crm_mm);
+    add({"drm_mm", "Distal reach below the tumour", "mm", 1}, D::higher, A::maximum, EvidenceGrade::moderate,
+        "tumour's lower edge to the lowest level fully divided; nothing is transected",
+        {"How far below the tumour the dissection reached: the distal margin that a transection there would "
+         "leave.",
+         "the dissection reached {value} below the tumour where {limit} is the least",
+         "divide every level from side to side before you go deeper, down to the levator"},
+        drm_mm);
+    const char* const sector_source = "event cut_advance, in this third of every level";
+    const auto add_sector = [&](const char* id, const char* name, const char* where,
+                                Figure (*compute)(const Analysis&, const Selection&)) {
+        add({id, name, "mm", 0.1}, D::lower, A::mean, EvidenceGrade::expert, sector_source,
+            {std::string("Distance of the cut from the intended plane ") + where +
+                 ", whichever side: half of the cut lies nearer.",
+             std::string(where) + " half of the cut lay further than {value} from the plane where {limit} is "
+                                  "the most",
+             std::string("restore the tension ") + where + " before you cut there"},
+            compute);
+    };
+    add_sector("plane_dev_right", "Distance from the plane, right", "on the patient's right",
+               plane_dev_right);
+    add_sector("plane_dev_mid", "Distance from the plane, midline", "in the midline", plane_dev_mid);
+    add_sector("plane_dev_left", "Distance from the plane, left", "on the patient's left", plane_dev_left);
+    return metrics;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a pathologist would say of the specimen that a dissection leaves, from the cut surface alone: where
+// the cut lay beside the intended plane, how deep it went into the mesorectum, which margins are left. All
+// places are those of the tissue at rest.
+//
+// The dissected tissue is a row of levels, each a strip between the sacrum's fascia (height 0) and the wall
+// of the rectum (height `fat`), bridged by areolar tissue (to `areolar`) and mesorectal fat. The intended
+// plane lies at height `plane`. Positions along the marked line run through the levels from cranial to
+// caudal, in each from the patient's right to the left. A cut at signed distance d (positive towards the
+// sacrum: too deep) has height plane - d.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assessment/trace/cut_strokes.h"
+
+namespace fulcrum {
+
+enum class Sector : std::uint8_t { right, mid, left };  ///< the patient's; a third of a level each
+inline constexpr int sector_count = 3;
+const char* sector_name(Sector sector);
+
+/// A tumour of the rectum's wall that grows outwards into the mesorectum.
+struct Tumour {
+    int level = 0;  ///< 0 most cranial
+    Sector sector = Sector::mid;
+    double depth = 0;   ///< m, from the muscularis outwards
+    double length = 0;  ///< m, craniocaudal, centred on its level
+};
+
+/// What of scene and task the report is made with. Lengths in m.
+struct SpecimenPlan {
+    int levels = 0;
+    double line = 0;     ///< of the marked line on one level
+    double spacing = 0;  ///< between levels, craniocaudal
+    double plane = 0, areolar = 0,
+           fat = 0;        ///< heights: intended plane, end of the areolar layer, muscularis
+    double tolerance = 0;  ///< further from the plane is too deep or too shallow
+    double corridor = 0;   ///< further from the plane divides nothing of it
+    std::optional<Tumour> tumour;
+};
+
+// Quirke's grades ask for defects deeper than 5 mm; the rest is ours.
+inline constexpr double deep_defect = 0.005;         ///< m into the fat
+inline constexpr double least_defect = 0.001;        ///< m, a shallower scratch is not listed
+inline constexpr double muscularis_reach = 0.001;    ///< m from the muscularis counts as there
+inline constexpr double positive_margin = 0.001;     ///< m, a circumferential margin of this or less
+inline constexpr double coning_limit = 0.003;        ///< m inwards from the first judged level to the last
+inline constexpr int least_levels_of_coning = 3;     ///< a trend needs as many levels
+inline constexpr double judged_share = 0.5;          ///< of a level's line: less divided is not in the trend
+inline constexpr double fully_divided_share = 0.95;  ///< of a level's line
+inline constexpr std::size_t most_defects = 20;      ///< listed, deepest first
+
+/// Distances from the plane over a part of the cut, by length; absent where nothing was cut.
+struct PlaneDeviation {
+    double length = 0;                                      ///< m of cut
+    std::optional<double> median, p95;                      ///< m, of the size of the distance
+    std::optional<double> side;                             ///< m, median of the signed distance
+    std::optional<double> worst;                            ///< m, the signed distance of largest size
+    std::optional<double> in_plane, too_deep, too_shallow;  ///< shares of the length, together 1
+};
+
+struct SectorFinding {
+    int level = 0;  ///< -1: all levels
+    Sector sector = Sector::mid;
+    PlaneDeviation plane;
+    double divided = 0;  ///< share of its part of the line, 0 to 1
+    double defect = 0;   ///< m, deepest into the fat
+};
+
+/// A stretch of the cut that lies in the fat.
+struct Defect {
+    int level = 0;
+    double from = 0, to = 0;  ///< m along the level's line, from the patient's right
+    double depth = 0;         ///< m into the fat, greatest
+    bool muscularis = false;  ///< reaches the wall
+    TimeInterval when;        ///< s, of the attempt
+};
+
+enum class GradeReason : std::uint8_t {
+    nothing_cut,        ///< no grade
+    intact,             ///< 3
+    defect,             ///< 2: deeper than 5 mm
+    coning,             ///< 2: the cut runs towards the rectum from level to level
+    defect_and_coning,  ///< 2
+    muscularis,         ///< 1: a defect down to the wall
+};
+const char* grade_reason_name(GradeReason reason);
+
+enum class MarginAbsence : std::uint8_t {
+    none,         ///< there is a margin
+    no_tumour,    ///< the case has none
+    not_divided,  ///< not dissected beside the tumour, or not beyond it
+};
+const char* margin_absence_name(MarginAbsence absence);
+
+struct Margin {
+    std::optional<double> distance;  ///< m
+    MarginAbsence absence = MarginAbsence::no_tumour;
+    TimeInterval when;  ///< s, of the element that is nearest; circumferential only
+};
+
+struct PathologyReport {
+    int version = 1;  ///< of this function; changes whenever a figure could
+    SpecimenPlan plan;
+    double divided = 0;  ///< share of the whole line
+    PlaneDeviation plane;
+    std::vector<SectorFinding> findings;              ///< by level, then sector
+    std::array<SectorFinding, sector_count> sectors;  ///< all levels together
+    std::vector<Defect> defects;                      ///< deepest first, at most most_defects
+    double deepest_defect = 0;                        ///< m
+    std::optional<double> coning;  ///< m inwards over the judged levels, by least squares over their medians;
+                                   ///< absent below least_levels_of_coning
+    std::optional<int> grade;      ///< 3 complete, 2 nearly complete, 1 incomplete; absent: nothing was cut
+    GradeReason reason = GradeReason::nothing_cut;
+    Margin circumferential;  ///< least distance of the cut to the tumour's edge; 0 within it
+    Margin distal;  ///< from the tumour's lower edge to the lowest level reached; nothing is transected
+    int lowest_level = -1;  ///< the levels down to this one are fully divided; -1 none
+};
+
+/// Pure. Strokes as cut_strokes() gives them; what of them is no number is left out.
+PathologyReport pathology_report(const std::vector<CutStroke>& strokes, const SpecimenPlan& plan);
+
+/// The report as one JSON document, lengths in mm, shares in percent; what the store keeps and exports show.
+std::string pathology_json(const PathologyReport& report);
+/// Its reverse. Throws InputError naming `file` and the JSON pointer.
+PathologyReport parse_pathology(const std::string& text, const std::string& file);
+
+}  // namespace fulcrum
