@@ -60,8 +60,11 @@ void DelayLine::push(std::uint32_t tick, const WorldSnapshot& world, const TaskD
         std::copy_n(view.bands.begin(), std::min(look.bands.size(), view.bands.size()), look.bands.begin());
         std::copy_n(view.outlets.begin(), std::min(look.outlets.size(), view.outlets.size()),
                     look.outlets.begin());
-        const std::size_t points = std::min(look.nerve.capacity(), view.nerve.size());
-        look.nerve.assign(view.nerve.begin(), view.nerve.begin() + static_cast<std::ptrdiff_t>(points));
+        look.nerve.clear();
+        for (const NerveView& nerve : view.nerves) {
+            for (const Vector3& point : nerve.line)
+                if (look.nerve.size() < look.nerve.capacity()) look.nerve.push_back(point);
+        }
         for (int h = 0; h < hand_count; ++h) look.tools[h] = view.tools[h];
         look.smoke = view.smoke;
     }

@@ -24,22 +24,33 @@ void emit(EventSink& sink, std::uint32_t tick, EventKind kind, int hand, std::in
 }
 
 constexpr int no_hand = 255;
+constexpr std::size_t most_nerves = 2;
 
 }  // namespace
 
 BandMonitor::BandMonitor(const Scene& scene)
-    : present_(scene.bands.has_value()), tick_period_(scene.tick_period()) {
+    : present_(scene.field() != nullptr), tick_period_(scene.tick_period()) {
     if (!present_) return;
-    const BandsSpec& spec = *scene.bands;
+    const FieldSpec& spec = *scene.field();
+    const auto tissue = [&](const std::string& label) {
+        return static_cast<std::int8_t>(scene.tissue_index(label));
+    };
     safe_distance_ = spec.safe_distance;
     nerve_limit_ = spec.nerve_dose_limit;
-    band_tissue_ = static_cast<std::int8_t>(scene.tissue_index(spec.tissue));
-    bed_tissue_ = static_cast<std::int8_t>(scene.tissue_index(spec.bed_tissue));
-    nerve_tissue_ = static_cast<std::int8_t>(scene.tissue_index(spec.nerve_tissue));
-    vessel_tissue_ = static_cast<std::int8_t>(scene.tissue_index(spec.vessel_tissue));
-    band_divided_.assign(static_cast<std::size_t>(spec.count), 0);
-    bleeding_.assign(2 * static_cast<std::size_t>(spec.vessels), 0);
+    bed_tissue_ = tissue(spec.bed_tissue);
+    nerve_tissue_ = tissue(spec.nerve_tissue);
+    vessel_tissue_ = tissue(spec.vessel_tissue);
+    if (scene.sheet) sheet_tissue_ = tissue(scene.sheet->tissue);
+    std::size_t outlets = field_outlet_capacity;
+    if (scene.bands) {
+        band_tissue_ = tissue(scene.bands->tissue);
+        band_divided_.assign(static_cast<std::size_t>(scene.bands->count), 0);
+        outlets = 2 * static_cast<std::size_t>(scene.bands->vessels);
+    }
+    bleeding_.assign(outlets, 0);
     injured_ = bleeding_;
+    nerve_heated_.assign(most_nerves, 0);
+    nerve_divided_ = nerve_heated_;
     outlet_ml_.assign(bleeding_.size(), 0.0);
     clips_left_ = spec.clips;
 }
@@ -56,6 +67,8 @@ std::int8_t BandMonitor::tissue_of(EnergyTarget target) const noexcept {
             return bed_tissue_;
         case EnergyTarget::nerve:
             return nerve_tissue_;
+        case EnergyTarget::sheet:
+            return sheet_tissue_;
     }
     return -1;
 }
@@ -85,12 +98,30 @@ void BandMonitor::step(const WorldSnapshot& world, std::uint32_t tick, EventSink
     step_outlets(view, tick, sink);
     if (view.lateral_dose > dose_) {
         dose_ = view.lateral_dose;
-        dose_tissue_ = view.worst_nerve_dose >= view.lateral_dose ? nerve_tissue_ : bed_tissue_;
+        dose_tissue_ = view.worst_nerve_dose >= view.lateral_dose ? nerve_tissue_
+                       : view.worst_bed_dose >= view.lateral_dose ? bed_tissue_
+                                                                  : sheet_tissue_;
     }
     if ((tick - told_dose_tick_) * tick_period_ >= dose_pause) tell_dose(tick, sink);
-    if (!nerve_injured_ && view.worst_nerve_dose > nerve_limit_) {
-        nerve_injured_ = true;
-        emit(sink, tick, EventKind::nerve_injury, no_hand, nerve_tissue_, 0, view.worst_nerve_dose);
+    step_nerves(view, tick, sink);
+}
+
+void BandMonitor::step_nerves(const BandsView& view, std::uint32_t tick, EventSink& sink) noexcept {
+    for (std::size_t n = 0; n < most_nerves && n < view.nerves.size(); ++n) {
+        const NerveView& nerve = view.nerves[n];
+        float worst = 0;
+        for (const float dose : nerve.dose) worst = std::max(worst, dose);
+        const auto number = static_cast<std::int32_t>(n);
+        if (nerve_heated_[n] == 0 && static_cast<double>(worst) > nerve_limit_) {
+            nerve_heated_[n] = 1;
+            emit(sink, tick, EventKind::nerve_injury, no_hand, nerve_tissue_, number,
+                 static_cast<double>(worst));
+        }
+        if (nerve_divided_[n] == 0 && nerve.divided) {
+            nerve_divided_[n] = 1;
+            emit(sink, tick, EventKind::nerve_injury, no_hand, nerve_tissue_, number + nerve_was_divided,
+                 static_cast<double>(worst));
+        }
     }
 }
 
@@ -111,7 +142,8 @@ void BandMonitor::step_hand(int hand, const BandsView& view, std::uint32_t tick,
 
     const bool on = tool.active && gives_energy(tool.kind);
     if (on) {
-        const bool target = tool.target == EnergyTarget::band || tool.target == EnergyTarget::vessel;
+        const bool target = tool.target == EnergyTarget::band || tool.target == EnergyTarget::vessel ||
+                            tool.target == EnergyTarget::sheet;
         const auto distance = static_cast<double>(tool.nerve_distance);
         const std::int32_t bits = (activation.seen_in_view ? activation_in_view : 0) |
                                   (target ? activation_on_target : 0) |
@@ -160,7 +192,8 @@ void BandMonitor::step_outlets(const BandsView& view, std::uint32_t tick, EventS
             emit(sink, tick, EventKind::vessel_injury, no_hand, vessel_tissue_, number, 0);
         }
     }
-    for (std::size_t v = 0; 2 * v + 1 < bleeding_.size() && 2 * v + 1 < view.outlets.size(); ++v) {
+    for (std::size_t v = 0;
+         !band_divided_.empty() && 2 * v + 1 < bleeding_.size() && 2 * v + 1 < view.outlets.size(); ++v) {
         const bool open = view.outlets[2 * v].opened;
         dry_ += open && bleeding_[2 * v] == 0 && bleeding_[2 * v + 1] == 0 ? 1 : 0;
     }

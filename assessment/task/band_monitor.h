@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bands, vessels and nerve as events: activations and what they were like, divisions, bleeding, clips, heat
-// where none belongs. Without Scene::bands it stays at rest.
+// Bands, vessels and nerves as events: activations and what they were like, divisions, bleeding, clips, heat
+// where none belongs. Without Scene::bands and Scene::structures it stays at rest.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ class BandMonitor {
     void finish(std::uint32_t tick, EventSink& sink) noexcept;
 
     int divided() const noexcept { return divided_; }
-    /// Vessels that are divided and do not bleed.
+    /// Vessels of bands that are divided and do not bleed.
     int dry() const noexcept { return dry_; }
     double lost_ml() const noexcept { return lost_ml_; }
     int clips_left() const noexcept { return clips_left_; }
@@ -36,6 +36,7 @@ class BandMonitor {
         std::int8_t tissue = -1;
     };
     void step_hand(int hand, const BandsView& view, std::uint32_t tick, EventSink& sink) noexcept;
+    void step_nerves(const BandsView& view, std::uint32_t tick, EventSink& sink) noexcept;
     void step_outlets(const BandsView& view, std::uint32_t tick, EventSink& sink) noexcept;
     void end_activation(int hand, std::uint32_t tick, EventSink& sink) noexcept;
     void tell_loss(std::uint32_t tick, EventSink& sink) noexcept;
@@ -44,16 +45,16 @@ class BandMonitor {
 
     bool present_ = false;
     double tick_period_ = 1e-3, safe_distance_ = 0.002, nerve_limit_ = 60;
-    std::int8_t band_tissue_ = -1, bed_tissue_ = -1, nerve_tissue_ = -1, vessel_tissue_ = -1;
+    std::int8_t band_tissue_ = -1, bed_tissue_ = -1, nerve_tissue_ = -1, vessel_tissue_ = -1,
+                sheet_tissue_ = -1;
     std::array<Activation, hand_count> activations_;
     std::array<std::int32_t, hand_count> clips_fired_{}, tool_index_{};
-    std::vector<std::uint8_t> band_divided_, bleeding_, injured_;
+    std::vector<std::uint8_t> band_divided_, bleeding_, injured_, nerve_heated_, nerve_divided_;
     std::vector<double> outlet_ml_;
     int divided_ = 0, dry_ = 0, clips_left_ = 0;
     double lost_ml_ = 0, told_ml_ = 0, dose_ = 0, told_dose_ = 0;
     std::uint32_t told_dose_tick_ = 0;
     std::int8_t dose_tissue_ = -1;
-    bool nerve_injured_ = false;
 };
 
 }  // namespace fulcrum

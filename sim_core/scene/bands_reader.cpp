@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_core/scene/bands_reader.h"
 
+#include "sim_core/scene/field_json.h"
 #include "sim_core/scene/scene_json.h"
 
 namespace fulcrum {
@@ -27,29 +28,12 @@ BandsSpec read_bands_spec(const JsonDocument& document, const json& node) {
     copy_degrees(node, "tilt_deg", bands.tilt);
     copy(node, "young_modulus", bands.young_modulus);
     copy(node, "pre_strain", bands.pre_strain);
-    copy(node, "density", bands.density);
     copy(node, "tear_force", bands.tear_force);
     copy(node, "nerve_gap", bands.nerve_gap);
-    copy(node, "nerve_radius", bands.nerve_radius);
-    copy(node, "nerve_dose_limit", bands.nerve_dose_limit);
-    copy(node, "safe_distance", bands.safe_distance);
-    copy(node, "vessel_radius", bands.vessel_radius);
-    copy(node, "vessel_pressure", bands.vessel_pressure);
-    copy(node, "feeding_length", bands.feeding_length);
-    copy(node, "clotting_time", bands.clotting_time);
-    copy(node, "seal_time", bands.seal_time);
     copy(node, "recoil_tension", bands.recoil_tension);
     copy(node, "least_recoil", bands.least_recoil);
-    copy(node, "conductivity", bands.conductivity);
-    copy(node, "specific_heat", bands.specific_heat);
-    copy(node, "water_share", bands.water_share);
-    copy(node, "suction_flow", bands.suction_flow);
-    copy(node, "clips", bands.clips);
-    copy(node, "exchange_time", bands.exchange_time);
     copy(node, "tissue", bands.tissue);
-    copy(node, "bed_tissue", bands.bed_tissue);
-    copy(node, "nerve_tissue", bands.nerve_tissue);
-    copy(node, "vessel_tissue", bands.vessel_tissue);
+    scene_json::copy_field(node, bands);
     if (bands.vessels > bands.count) {
         document.fail("/bands/vessels", "more vessels than bands", "give at most \"count\"");
     }

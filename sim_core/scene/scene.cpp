@@ -7,6 +7,7 @@
 #include "sim_core/scene/bands_reader.h"
 #include "sim_core/scene/json_document.h"
 #include "sim_core/scene/scene_json.h"
+#include "sim_core/scene/structures_reader.h"
 
 namespace fulcrum {
 
@@ -44,6 +45,7 @@ class SceneReader {
         if (root.contains("membranes")) read_membranes(root.at("membranes"));
         if (root.contains("sheet")) scene_.sheet = read_sheet(root.at("sheet"));
         if (root.contains("bands")) read_bands(root.at("bands"));
+        if (root.contains("structures")) read_structures(root.at("structures"));
         if (root.contains("fidelity")) read_fidelity(root.at("fidelity"));
         return std::move(scene_);
     }
@@ -138,9 +140,9 @@ class SceneReader {
             copy(node, "kind", instrument.kind);
             copy(node, "exchange", instrument.exchange);
             if (!instrument.exchange.empty()) {
-                if (!document_.root().contains("bands")) {
+                if (!document_.root().contains("bands") && !document_.root().contains("structures")) {
                     document_.fail(place + "/exchange", "instruments are exchanged where nothing needs another",
-                                   "add \"bands\" to the scene or remove \"exchange\"");
+                                   "add \"bands\" or \"structures\" to the scene or remove \"exchange\"");
                 }
                 if (node.contains("kind") && instrument.kind != instrument.exchange.front()) {
                     document_.fail(place + "/exchange", "the first of \"exchange\" is not \"kind\"",
@@ -380,6 +382,16 @@ class SceneReader {
         }
     }
 
+    void read_structures(const json& node) {
+        scene_.structures = read_structures_spec(document_, node);
+        for (const std::string& label : {scene_.structures->bed_tissue, scene_.structures->nerve_tissue, scene_.structures->vessel_tissue}) {
+            check_tissue("/structures", label);
+        }
+        if (scene_.bands) {
+            document_.fail("/structures", "bands have nerve and vessels of their own", "remove \"bands\" or \"structures\"");
+        }
+    }
+
     void read_fidelity(const json& node) {
         Fidelity& fidelity = scene_.fidelity;
         copy(node, "id", fidelity.id);
@@ -421,6 +433,11 @@ const InstrumentSpec* Scene::instrument(Hand hand) const {
         if (spec.hand == hand) return &spec;
     }
     return nullptr;
+}
+
+const FieldSpec* Scene::field() const {
+    if (bands) return &*bands;
+    return structures ? &*structures : nullptr;
 }
 
 Scene parse_scene(const std::string& text, const std::string& file) {

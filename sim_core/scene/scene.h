@@ -11,6 +11,7 @@
 #include "sim_core/material/layered_wall.h"
 #include "sim_core/numerics/types.h"
 #include "sim_core/scene/bands_spec.h"
+#include "sim_core/scene/structures_spec.h"
 
 namespace fulcrum {
 
@@ -45,9 +46,9 @@ struct TrocarSpec {
 
 struct InstrumentSpec {
     Hand hand = Hand::left;
-    std::string kind = "grasper";                 ///< "grasper", "probe", "scissors", "hook" (these two cut sheets); with bands also "harmonic", "clip_applier", "suction"
+    std::string kind = "grasper";                 ///< "grasper", "probe", "scissors", "hook" (these two cut sheets); with bands or structures also "harmonic", "clip_applier", "suction"
     bool cuts() const { return kind == "scissors" || kind == "hook"; }
-    /// Kinds that this hand changes between, by a button of its device; the first is held at the start. Empty: `kind` alone.
+    /// With bands or structures: kinds that this hand changes between, by a button of its device; the first is held at the start. Empty: `kind` alone.
     std::vector<std::string> exchange;
     TrocarSpec trocar;
     double start_insertion = 0.12;                ///< m, insertion the device is aligned to at the start
@@ -193,12 +194,14 @@ struct Scene {
     std::vector<MembraneSpec> membranes;
     std::optional<SheetSpec> sheet;
     std::optional<BandsSpec> bands;
+    std::optional<StructuresSpec> structures;
     Fidelity fidelity;
 
     double tick_period() const { return 1.0 / tick_rate; }
     double step_period() const { return static_cast<double>(ticks_per_step) / tick_rate; }
     int tissue_index(const std::string& label) const;  ///< -1 when unknown
     const InstrumentSpec* instrument(Hand hand) const;
+    const FieldSpec* field() const;  ///< of bands or structures; null without
 };
 
 /// Reads and checks a scene file. Throws InputError naming file, place (line or JSON pointer) and mend.

@@ -49,17 +49,19 @@ enum class EventKind : std::uint16_t {
     activation_begin = 38, ///< energy is on; value: distance to the named structure (m); detail: bits of ActivationBit; tissue: what it reaches
     activation_end = 39,   ///< value: least distance to the named structure (m); detail: bits that held throughout; tissue: what it reached
     band_divided = 40,     ///< value: tension (N); detail: band
-    bleed_begin = 41,      ///< value: flow (mL/min); detail: outlet, 2 v trunk and 2 v + 1 branch of vessel v
+    bleed_begin = 41,      ///< value: flow (mL/min); detail: outlet; of bands 2 v trunk and 2 v + 1 branch of vessel v, of a wall in the order of opening
     bleed_end = 42,        ///< value: blood lost from it so far (mL); detail: outlet
     blood_loss = 43,       ///< value: blood lost so far (mL), all outlets
     clip_applied = 44,     ///< value: distance to what it sits on (m); detail: outlet, -1 another place
     heat_dose = 45,        ///< value: largest CEM43 over non-target patches so far (min); tissue: where
     vessel_injury = 46,    ///< critical: torn, or divided before it was closed; detail: outlet
-    nerve_injury = 47,     ///< critical; value: CEM43 (min)
+    nerve_injury = 47,     ///< critical; value: CEM43 (min); detail: nerve, + nerve_was_divided where a blade did it
     tool_exchanged = 48,   ///< detail: index in the hand's list of instruments
 };
 /// What an activation was like.
 enum ActivationBit : std::int32_t { activation_in_view = 1, activation_on_target = 2, activation_clear = 4 };
+/// Added to the detail of nerve_injury.
+inline constexpr std::int32_t nerve_was_divided = 256;
 const char* event_name(EventKind kind);
 
 /// hand: 0 left, 1 right, 255 none. tissue: index into the scene's tissue table, -1 none.

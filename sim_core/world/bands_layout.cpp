@@ -28,26 +28,17 @@ double bed_height(const BandsSpec& spec, double x, double y) {
 
 }  // namespace
 
-int BandsLayout::column(const Vector3& place) const {
-    return static_cast<int>(
-        std::clamp(std::floor((place.x() - corner.x()) / pool.cell), 0.0, pool.columns - 1.0));
-}
-int BandsLayout::row(const Vector3& place) const {
-    return static_cast<int>(
-        std::clamp(std::floor((place.y() - corner.y()) / pool.cell), 0.0, pool.rows - 1.0));
-}
-
 BandsLayout place_bands(const BandsSpec& spec, std::uint64_t seed) {
     BandsLayout layout;
-    PoolModel& pool = layout.pool;
+    PoolModel& pool = layout.bed.pool;
     pool.cell = cell;
     pool.columns = std::max(2, static_cast<int>(std::ceil(2 * spec.half_extent.x() / cell)));
     pool.rows = std::max(2, static_cast<int>(std::ceil(2 * spec.half_extent.y() / cell)));
-    layout.corner = spec.centre - Vector3(0.5 * cell * pool.columns, 0.5 * cell * pool.rows, 0);
+    layout.bed.corner = spec.centre - Vector3(0.5 * cell * pool.columns, 0.5 * cell * pool.rows, 0);
     for (int row = 0; row < pool.rows; ++row)
         for (int column = 0; column < pool.columns; ++column)
-            pool.ground.push_back(bed_height(spec, layout.corner.x() + (column + 0.5) * cell,
-                                             layout.corner.y() + (row + 0.5) * cell));
+            pool.ground.push_back(bed_height(spec, layout.bed.corner.x() + (column + 0.5) * cell,
+                                             layout.bed.corner.y() + (row + 0.5) * cell));
 
     Random random(seed, 0xBA2D5U);
     const int rows = (spec.count + 1) / 2;
@@ -66,7 +57,7 @@ BandsLayout place_bands(const BandsSpec& spec, std::uint64_t seed) {
         band.root = middle + side * half;
         band.end = middle - side * half;
         band.vessel_root = band.root + root_offset * side * half.normalized();
-        band.vessel_root.z() = layout.ground(band.vessel_root);
+        band.vessel_root.z() = layout.bed.ground(band.vessel_root);
         layout.bands.push_back(band);
     }
     std::vector<std::int32_t> order;
@@ -137,7 +128,7 @@ BandsHeat make_bands_heat(const BandsSpec& spec, const BandsLayout& layout) {
     for (std::size_t v = 0; v < layout.vessel_bands.size(); ++v)
         patch(root_size * root_size * root_size, root_size * root_size, spec.water_share);
     heat.bed = model.patches.size();
-    const PoolModel& pool = layout.pool;
+    const PoolModel& pool = layout.bed.pool;
     for (int row = 0; row < pool.rows; ++row) {
         for (int column = 0; column < pool.columns; ++column) {
             const std::int32_t here = patch(cell * cell * bed_depth, cell * cell, spec.water_share);
@@ -146,7 +137,7 @@ BandsHeat make_bands_heat(const BandsSpec& spec, const BandsLayout& layout) {
         }
     }
     const auto bed_cell = [&](const Vector3& place) {
-        return static_cast<std::int32_t>(heat.bed + pool.index(layout.column(place), layout.row(place)));
+        return static_cast<std::int32_t>(heat.bed + layout.bed.cell(place));
     };
     for (std::size_t v = 0; v < layout.vessel_bands.size(); ++v) {
         const auto root = static_cast<std::int32_t>(heat.roots + v);
@@ -161,7 +152,7 @@ BandsHeat make_bands_heat(const BandsSpec& spec, const BandsLayout& layout) {
         const std::int32_t here =
             patch(round * piece, 2 * 3.14159265358979323846 * spec.nerve_radius * piece, spec.water_share);
         if (i > 0) link(here - 1, here, round, piece);
-        const double above = std::max(0.001, layout.nerve[i].z() - layout.ground(layout.nerve[i]));
+        const double above = std::max(0.001, layout.nerve[i].z() - layout.bed.ground(layout.nerve[i]));
         link(here, bed_cell(layout.nerve[i]), 2 * spec.nerve_radius * piece, above);
     }
     return heat;

@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim_core/bleeding/pool.h"
 #include "sim_core/energy/heat.h"
 #include "sim_core/geometry/mesh.h"
 #include "sim_core/scene/bands_spec.h"
+#include "sim_core/world/field_bed.h"
 
 namespace fulcrum {
 
@@ -23,13 +23,7 @@ struct BandsLayout {
     std::vector<BandPlace> bands;
     std::vector<std::int32_t> vessel_bands;  ///< by vessel
     std::vector<Vector3> nerve;              ///< m, a line along y
-    PoolModel pool;                          ///< ground in patient z
-    Vector3 corner = Vector3::Zero();        ///< m, of the pool's first cell (z: middle of the bed)
-
-    /// Cell under a place, nearest where it lies beside the bed.
-    int column(const Vector3& place) const;
-    int row(const Vector3& place) const;
-    double ground(const Vector3& place) const { return pool.ground[pool.index(column(place), row(place))]; }
+    FieldBed bed;                            ///< level cells
 };
 
 BandsLayout place_bands(const BandsSpec& spec, std::uint64_t seed);

@@ -79,7 +79,7 @@ BandsPart::BandsPart(const Scene& scene, std::uint64_t seed)
     heat_state_ = make_heat_state(heat_.model);
     heat_inputs_ = make_heat_inputs(heat_.model);
     heat_scratch_ = make_heat_scratch(heat_.model);
-    pool_ = make_pool_state(layout_.pool);
+    pool_ = make_pool_state(layout_.bed.pool);
     clips_left_ = spec_.clips;
     for (const InstrumentSpec& spec : scene.instruments) {
         HandTool& hand = hands_[static_cast<int>(spec.hand)];
@@ -216,9 +216,9 @@ void BandsPart::bleed(double dt) noexcept {
         if (!outlet.opened) continue;
         const double lost = step_bleed(vessel_, dt, outlet.bleed);
         const Vector3 place = outlet_position(outlet);
-        pour(layout_.pool, layout_.column(place), layout_.row(place), lost, pool_);
+        pour(layout_.bed.pool, layout_.bed.column(place), layout_.bed.row(place), lost, pool_);
     }
-    step_pool(layout_.pool, dt, pool_);
+    step_pool(layout_.bed.pool, dt, pool_);
 }
 
 Vector3 BandsPart::outlet_position(const Outlet& outlet) const noexcept {
@@ -272,14 +272,15 @@ void BandsPart::size_snapshot(WorldSnapshot& snapshot) const {
     BandsView& view = snapshot.bands[0];
     view.bands.resize(strands_.size());
     view.outlets.resize(outlets_.size());
-    view.nerve = layout_.nerve;
-    view.nerve_dose.assign(layout_.nerve.size(), 0.0F);
+    view.nerves.resize(1);
+    view.nerves[0].line = layout_.nerve;
+    view.nerves[0].dose.assign(layout_.nerve.size(), 0.0F);
     view.nerve_radius = spec_.nerve_radius;
-    view.columns = layout_.pool.columns;
-    view.rows = layout_.pool.rows;
-    view.cell = layout_.pool.cell;
-    view.corner = layout_.corner;
-    for (const double height : layout_.pool.ground) view.ground.push_back(static_cast<float>(height));
+    view.columns = layout_.bed.pool.columns;
+    view.rows = layout_.bed.pool.rows;
+    view.cell = layout_.bed.pool.cell;
+    view.corner = layout_.bed.corner;
+    for (const double height : layout_.bed.pool.ground) view.ground.push_back(static_cast<float>(height));
     view.blood.assign(view.ground.size(), 0.0F);
     view.bed_dose.assign(view.ground.size(), 0.0F);
 }
@@ -315,10 +316,9 @@ void BandsPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
         const double flow = outlet.opened ? bleed_flow(vessel_, outlet.bleed) : 0.0;
         seen.flow = flow >= visible_flow ? flow : 0.0;
         seen.lost = outlet.bleed.lost;
-        const std::size_t under =
-            layout_.pool.index(layout_.column(seen.position), layout_.row(seen.position));
+        const std::size_t under = layout_.bed.cell(seen.position);
         seen.blood_depth = static_cast<float>(
-            std::max(0.0, layout_.pool.ground[under] + pool_.depth[under] - seen.position.z()));
+            std::max(0.0, layout_.bed.pool.ground[under] + pool_.depth[under] - seen.position.z()));
         seen.opened = outlet.opened;
         seen.clipped = outlet.bleed.clipped;
         seen.injured = outlet.injured;
@@ -351,9 +351,9 @@ void BandsPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
         grasp.reaction = hold_force(hand.hold, strand);
     }
     double worst = 0, lateral = 0;
-    for (std::size_t i = 0; i < view.nerve_dose.size(); ++i) {
+    for (std::size_t i = 0; i < layout_.nerve.size(); ++i) {
         const double dose = heat_state_.dose[heat_.nerve + i];
-        view.nerve_dose[i] = static_cast<float>(dose);
+        view.nerves[0].dose[i] = static_cast<float>(dose);
         worst = std::max(worst, dose);
     }
     for (std::size_t i = 0; i < view.blood.size(); ++i) {
@@ -363,6 +363,7 @@ void BandsPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
         lateral = std::max(lateral, dose);
     }
     view.worst_nerve_dose = worst;
+    view.worst_bed_dose = lateral;
     view.lateral_dose = std::max(worst, lateral);
     view.smoke = 1 - transmission(smoke_model_, smoke_);
     view.heat_given = heat_state_.given;

@@ -67,10 +67,10 @@ void BandsPart::step_tool(HandTool& hand, const TickOutput* outputs, std::size_t
     } else if (kind == ToolKind::suction && pressed > 0) {
         hand.active = true;
         suction_ = true;
-        const std::size_t under = layout_.pool.index(layout_.column(tool.tip), layout_.row(tool.tip));
-        if (tool.tip.z() < layout_.pool.ground[under] + pool_.depth[under] + suction_height) {
-            suck(layout_.pool, tool.tip.x() - layout_.corner.x(), tool.tip.y() - layout_.corner.y(),
-                 suction_reach, spec_.suction_flow * dt, pool_);
+        const std::size_t under = layout_.bed.cell(tool.tip);
+        if (tool.tip.z() < layout_.bed.pool.ground[under] + pool_.depth[under] + suction_height) {
+            suck(layout_.bed.pool, tool.tip.x() - layout_.bed.corner.x(),
+                 tool.tip.y() - layout_.bed.corner.y(), suction_reach, spec_.suction_flow * dt, pool_);
         }
     }
 }
@@ -209,8 +209,8 @@ void BandsPart::apply_energy(HandTool& hand, const ToolKinematics& tool, double 
             take(distance_to_blade(heel, tool.tip, place) - 0.002, outlet_patch(outlet), EnergyTarget::vessel,
                  -1);
             if (hand.target != EnergyTarget::vessel || reached != outlet_patch(outlet)) continue;
-            const std::size_t under = layout_.pool.index(layout_.column(place), layout_.row(place));
-            share = share_under_blood(layout_.pool.ground[under] + pool_.depth[under] - place.z());
+            const std::size_t under = layout_.bed.cell(place);
+            share = share_under_blood(layout_.bed.pool.ground[under] + pool_.depth[under] - place.z());
         }
         if (!model.needs_jaws) {
             for (std::size_t b = 0; b < strands_.size(); ++b) {
@@ -232,9 +232,9 @@ void BandsPart::apply_energy(HandTool& hand, const ToolKinematics& tool, double 
                                hand.instrument->tip_radius;
             take(on + gap, heat_.nerve + i, EnergyTarget::nerve, -1);
         }
-        const std::size_t under = layout_.pool.index(layout_.column(tool.tip), layout_.row(tool.tip));
-        take(on + tool.tip.z() - layout_.pool.ground[under] - hand.instrument->tip_radius, heat_.bed + under,
-             EnergyTarget::bed, -1);
+        const std::size_t under = layout_.bed.cell(tool.tip);
+        take(on + tool.tip.z() - layout_.bed.pool.ground[under] - hand.instrument->tip_radius,
+             heat_.bed + under, EnergyTarget::bed, -1);
         if (hand.target != EnergyTarget::nothing)
             heat(reached, power * (hand.target == EnergyTarget::vessel ? share : 1.0));
     }
@@ -245,9 +245,9 @@ void BandsPart::apply_energy(HandTool& hand, const ToolKinematics& tool, double 
                                               spec_.nerve_radius - hand.instrument->tip_radius);
         if (away < spread_reach) heat(heat_.nerve + i, spread * math::exp(-away / spread_length));
     }
-    const std::size_t under = layout_.pool.index(layout_.column(tool.tip), layout_.row(tool.tip));
+    const std::size_t under = layout_.bed.cell(tool.tip);
     const double above =
-        std::max(0.0, tool.tip.z() - layout_.pool.ground[under] - hand.instrument->tip_radius);
+        std::max(0.0, tool.tip.z() - layout_.bed.pool.ground[under] - hand.instrument->tip_radius);
     if (above < spread_reach) heat(heat_.bed + under, spread * math::exp(-above / spread_length));
 }
 
@@ -272,8 +272,8 @@ void BandsPart::touch_with_blade(HandTool& hand, const ToolKinematics& tool) noe
         if (distance_to_blade(heel, tool.tip, layout_.nerve[i]) < reach + spec_.nerve_radius)
             touch(heat_.nerve + i);
     }
-    const std::size_t under = layout_.pool.index(layout_.column(tool.tip), layout_.row(tool.tip));
-    if (tool.tip.z() - layout_.pool.ground[under] < reach) touch(heat_.bed + under);
+    const std::size_t under = layout_.bed.cell(tool.tip);
+    if (tool.tip.z() - layout_.bed.pool.ground[under] < reach) touch(heat_.bed + under);
 }
 
 }  // namespace fulcrum

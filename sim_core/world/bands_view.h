@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bands, vessels, nerve, blood and smoke as the viewport, the monitor and the operators see them after a step
-// (WorldSnapshot::bands). Vectors have their final size from the start.
+// Bands or a wall with its veins, nerves, blood, smoke and hand tools as the viewport, the monitor and the
+// operators see them after a step (WorldSnapshot::bands). Vectors have their final size from the start.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ constexpr bool gives_energy(ToolKind kind) {
 }
 
 /// What the power of an activation reaches.
-enum class EnergyTarget : std::uint8_t { nothing, band, vessel, bed, nerve };
+enum class EnergyTarget : std::uint8_t { nothing, band, vessel, bed, nerve, sheet };
 
 struct BandView {
     std::array<Vector3, strand_nodes> position;       ///< m
@@ -38,10 +38,28 @@ struct BandView {
     bool divided() const { return parted != 0; }
 };
 
-/// A place where a vessel can bleed: 2 v the trunk in the band, 2 v + 1 the branch at its root.
+struct NerveView {
+    std::vector<Vector3> line;  ///< m
+    std::vector<float> dose;    ///< min (CEM43), a point each
+    bool divided = false;       ///< by a blade
+};
+
+/// A vein beneath a wall.
+struct VeinView {
+    std::vector<Vector3> line;  ///< m, above it on the wall
+    double radius = 0;          ///< m
+    double depth = 0;           ///< m, wall to vein
+};
+
+/// Most openings that veins of a wall have at a time.
+inline constexpr std::size_t field_outlet_capacity = 16;
+
+/// A place where a vessel can bleed. Of bands: 2 v the trunk in the band, 2 v + 1 the branch at its root. Of
+/// a wall: as they were opened; places not used yet are not opened.
 struct OutletView {
     Vector3 position = Vector3::Zero();  ///< m
-    std::int32_t band = -1;
+    std::int32_t band = -1;              ///< -1: it is of a vein
+    std::int32_t vein = -1;
     double flow = 0;        ///< m3/s
     double lost = 0;        ///< m3 since the start
     float blood_depth = 0;  ///< m that it lies under
@@ -57,7 +75,7 @@ struct HandToolView {
     float exchange_left = 0;  ///< s until it can be used
     bool active = false;      ///< energy or suction was on in this step
     EnergyTarget target = EnergyTarget::nothing;
-    float nerve_distance = 1;  ///< m, blade's surface to the nerve's
+    float nerve_distance = 1;  ///< m, blade's surface to the nearest nerve's
     std::int32_t band = -1;    ///< held, or touched by the power
     float blade = 37;          ///< degrees C
     std::int32_t clips_left = 0;
@@ -66,15 +84,20 @@ struct HandToolView {
     float last_clip_distance = 0;        ///< m, jaws to what it was put on
 };
 
+/// Bands may be none: then it is a wall with veins (Scene::structures).
 struct BandsView {
     std::vector<BandView> bands;
     std::vector<OutletView> outlets;
     HandToolView tools[hand_count];
-    std::vector<Vector3> nerve;     ///< m
-    std::vector<float> nerve_dose;  ///< min
-    double nerve_radius = 0;        ///< m
-    double lateral_dose = 0;        ///< min, largest over nerve and bed
-    double worst_nerve_dose = 0;    ///< min
+    std::vector<NerveView> nerves;
+    std::vector<VeinView> veins;
+    double nerve_radius = 0;  ///< m
+    double lateral_dose =
+        0;  ///< min, largest over what energy is not for: nerves, bed, far tissue of a sheet
+    double worst_nerve_dose = 0, worst_bed_dose = 0;  ///< min
+    /// Of a sheet that energy divides, by its root triangle as it was made; empty without.
+    std::vector<float> sheet_char;  ///< 0 moist .. 1 dry and black
+    std::vector<float> sheet_dose;  ///< min
     // The bed: a grid of cells, row by row along y; blood lies on it.
     std::int32_t columns = 0, rows = 0;
     double cell = 0;                             ///< m

@@ -95,7 +95,7 @@ struct WorldSnapshot {
     SheetView sheet;                     ///< Scene::sheet; empty without
     std::vector<Event> events;           ///< what this step did to tissue, for the monitor to pass on; fixed capacity, event_count valid
     std::int32_t event_count = 0;
-    std::vector<BandsView> bands;        ///< one with Scene::bands; empty without
+    std::vector<BandsView> bands;        ///< one with Scene::bands or Scene::structures; empty without
     std::vector<float> patch_damage;     ///< N s per tissue patch
     double residual_penetration = 0;     ///< m, deepest sphere in the cavity after the step
     double floor_load = 0;               ///< N, sum of contact forces on the cavity

@@ -177,16 +177,26 @@ TEST(BandMonitor, InjuriesAreCriticalAndToldOnce) {
 
     Stage other;
     other.step(10);
+    other.view().nerves.resize(2);
+    other.view().nerves[1].dose.assign(3, 59.0F);
     other.view().worst_nerve_dose = other.view().lateral_dose = 59;
     other.step(200);
     EXPECT_FALSE(other.monitor.display().critical);
     ASSERT_FALSE(other.sink.of(EventKind::heat_dose).empty());
     EXPECT_NEAR(static_cast<double>(other.sink.of(EventKind::heat_dose).back().value), 59, 1e-5);
     EXPECT_EQ(other.sink.of(EventKind::heat_dose).back().tissue, other.scene.tissue_index("nerve"));
+    other.view().nerves[1].dose[2] = 61.0F;
     other.view().worst_nerve_dose = other.view().lateral_dose = 61;
     other.step(5);
     EXPECT_TRUE(other.monitor.display().critical);
-    EXPECT_EQ(other.sink.of(EventKind::nerve_injury).size(), 1U);
+    ASSERT_EQ(other.sink.of(EventKind::nerve_injury).size(), 1U);
+    EXPECT_EQ(other.sink.of(EventKind::nerve_injury)[0].detail, 1);
+    EXPECT_EQ(other.sink.of(EventKind::nerve_injury)[0].value, 61.0F);
+    // A blade through the other nerve is another injury.
+    other.view().nerves[0].divided = true;
+    other.step(5);
+    ASSERT_EQ(other.sink.of(EventKind::nerve_injury).size(), 2U);
+    EXPECT_EQ(other.sink.of(EventKind::nerve_injury)[1].detail, nerve_was_divided);
 }
 
 TEST(BandMonitor, WhatIsOpenAtTheEndIsClosed) {

@@ -190,7 +190,7 @@ TEST(BandsPart, AVesselBleedsWhenItsBandPartsMoreUnderTensionAndAClipStopsIt) {
         stage.run(1);
         EXPECT_EQ(stage.view().outlets[1].lost, stage.world.bands()->outlet(1).lost);
         EXPECT_NEAR(stage.world.bands()->pool().poured, stage.view().lost, 1e-15);
-        EXPECT_NEAR(pooled_volume(stage.world.bands()->layout().pool, stage.world.bands()->pool()),
+        EXPECT_NEAR(pooled_volume(stage.world.bands()->layout().bed.pool, stage.world.bands()->pool()),
                     stage.view().lost, 1e-12);
     }
     EXPECT_LT(seconds[1], seconds[0]);
@@ -269,7 +269,7 @@ TEST(BandsPart, ANerveIsHeatedByWhatIsNearAndNotByWhatIsFar) {
     int i = 0;
     for (const double gap : {0.001, 0.003, 0.012}) {
         BandsStage stage;
-        const Vector3 nerve = stage.view().nerve[12];
+        const Vector3 nerve = stage.view().nerves[0].line[12];
         const double reach =
             gap + stage.scene.instrument(Hand::right)->tip_radius + stage.view().nerve_radius;
         stage.go(Hand::right, nerve + Vector3(0, 0, reach));

@@ -106,7 +106,7 @@ void BandsDrawing::add(const BandsView& view, SceneFrame& frame) {
     bands_.resize(view.bands.size());
     strips_used_ = 0;
     // Room for all strips first: what the frame points at must stay where it is.
-    strips_.resize(std::max(strips_.size(), view.bands.size() * strand_segments + 1));
+    strips_.resize(std::max(strips_.size(), view.bands.size() * strand_segments + view.nerves.size()));
     const auto sheet = [&](const Ribbon& ribbon, double thickness, const QVector3D& tint, float share) {
         DrawnSheet drawn;
         drawn.surface = {ribbon.positions.data(), ribbon.rest.data(),      ribbon.positions.size(),
@@ -137,10 +137,12 @@ void BandsDrawing::add(const BandsView& view, SceneFrame& frame) {
             ball(frame, band.position[static_cast<std::size_t>(band.clip_node)], clip_radius,
                  TargetLook::clip);
     }
-    way_.assign(view.nerve.begin(), view.nerve.end());
-    Ribbon& nerve = strip();
-    lay_strip(way_, 2 * view.nerve_radius, nerve);
-    sheet(nerve, 1.6 * view.nerve_radius, QVector3D(0.92F, 0.78F, 0.22F), 0.9F);
+    for (const NerveView& seen : view.nerves) {
+        way_.assign(seen.line.begin(), seen.line.end());
+        Ribbon& nerve = strip();
+        lay_strip(way_, 2 * view.nerve_radius, nerve);
+        sheet(nerve, 1.6 * view.nerve_radius, QVector3D(0.92F, 0.78F, 0.22F), 0.9F);
+    }
     for (const OutletView& outlet : view.outlets) {
         if (outlet.clipped) {
             ball(frame, outlet.position, clip_radius, TargetLook::clip);

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_core/scene/structures_reader.h"
+
+#include "sim_core/scene/field_json.h"
+#include "sim_core/scene/scene_json.h"
+
+namespace fulcrum {
+
+using scene_json::copy;
+
+StructuresSpec read_structures_spec(const JsonDocument& document, const nlohmann::json& node) {
+    StructuresSpec structures;
+    scene_json::copy_field(node, structures);
+    copy(node, "vein_lateral", structures.vein_lateral);
+    copy(node, "rungs", structures.rungs);
+    copy(node, "rung_radius", structures.rung_radius);
+    copy(node, "vein_depth", structures.vein_depth);
+    copy(node, "vein_tear_force", structures.vein_tear_force);
+    copy(node, "wander", structures.wander);
+    copy(node, "nerve_cranial", structures.nerve_cranial);
+    copy(node, "nerve_caudal", structures.nerve_caudal);
+    copy(node, "nerve_height", structures.nerve_height);
+    copy(node, "cell", structures.cell);
+    if (structures.rung_radius > structures.vessel_radius) {
+        document.fail("/structures/rung_radius", "a rung is wider than the veins it joins",
+                      "give at most \"vessel_radius\"");
+    }
+    if (structures.nerve_height < structures.nerve_radius) {
+        document.fail("/structures/nerve_height", "the nerves lie in the fascia",
+                      "give at least \"nerve_radius\"");
+    }
+    if (structures.wander > 0.5 * structures.vein_lateral) {
+        document.fail("/structures/wander", "veins that wander so far run into each other",
+                      "give at most half of \"vein_lateral\"");
+    }
+    return structures;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// The part "structures" of a scene file.
+#pragma once
+
+#include "sim_core/scene/json_document.h"
+#include "sim_core/scene/structures_spec.h"
+
+namespace fulcrum {
+
+/// The schema has checked types and ranges. Throws InputError naming place and mend for what makes no sense
+/// together; tissue labels are the caller's to check.
+StructuresSpec read_structures_spec(const JsonDocument& document, const nlohmann::json& node);
+
+}  // namespace fulcrum

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// What lies beneath instruments as a grid of cells along x and y: blood lies on it, heat goes into it.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "sim_core/bleeding/pool.h"
+#include "sim_core/numerics/types.h"
+
+namespace fulcrum {
+
+/// Constant for an attempt. Heights in patient z: a supine patient's weight pulls along -z.
+struct FieldBed {
+    PoolModel pool;                    ///< ground: heights of the cells' middles
+    Vector3 corner = Vector3::Zero();  ///< m, of the first cell (x and y)
+    /// dz/dx and dz/dy by cell; empty: every cell is level.
+    std::vector<std::array<double, 2>> slope;
+
+    /// Cell under a place, nearest where it lies beside the bed.
+    int column(const Vector3& place) const {
+        return static_cast<int>(
+            std::clamp(std::floor((place.x() - corner.x()) / pool.cell), 0.0, pool.columns - 1.0));
+    }
+    int row(const Vector3& place) const {
+        return static_cast<int>(
+            std::clamp(std::floor((place.y() - corner.y()) / pool.cell), 0.0, pool.rows - 1.0));
+    }
+    std::size_t cell(const Vector3& place) const { return pool.index(column(place), row(place)); }
+    /// m, of the bed under a place.
+    double ground(const Vector3& place) const {
+        const int c = column(place), r = row(place);
+        const std::size_t i = pool.index(c, r);
+        if (slope.empty()) return pool.ground[i];
+        return pool.ground[i] + slope[i][0] * (place.x() - corner.x() - (c + 0.5) * pool.cell) +
+               slope[i][1] * (place.y() - corner.y() - (r + 0.5) * pool.cell);
+    }
+    /// Unit, up from the bed under a place.
+    Vector3 normal(const Vector3& place) const {
+        if (slope.empty()) return Vector3::UnitZ();
+        const std::array<double, 2>& s = slope[cell(place)];
+        return Vector3(-s[0], -s[1], 1).normalized();
+    }
+    /// m from the bed along its normal, > 0 above it; exact for a plane.
+    double height(const Vector3& place) const {
+        const double above = place.z() - ground(place);
+        return slope.empty() ? above : above * normal(place).z();
+    }
+};
+
+}  // namespace fulcrum
