@@ -29,8 +29,10 @@ void touch_sheet(const ToolContactModel& model, const LocalModel& local, const T
     result.sheet_force = force;
     result.force += force;
     result.torque += (tool.tip - tool.trocar).cross(force);
-    result.point = tool.tip;
-    result.normal = n;
+    if (!result.touching_surface) {  // the bowel's own contact is where its load acts
+        result.point = tool.tip;
+        result.normal = n;
+    }
     if (push > 0) {
         result.stiffness += sheet.stiffness * n * n.transpose();
         result.damping = std::max(result.damping, sheet.damping);

@@ -272,6 +272,8 @@ CutMembraneScratch CutMembrane::make_scratch() const {
     s.inverse_mass_.assign(nodes, 0.0);
     s.anchor_.assign(nodes, 0.0);
     s.good_.assign(nodes, Vector3::Zero());
+    s.driven_.assign(rest_.size(), -1);
+    s.driven_nodes_.reserve(nodes);
     s.incidences_.reserve(at(most_pieces_));
     s.vertices_.reserve(rest_.size());
     s.parent_.assign(nodes, -1);

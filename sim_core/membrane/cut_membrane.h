@@ -16,6 +16,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "sim_core/geometry/mesh.h"
@@ -107,10 +108,20 @@ struct CutMembraneLink {
     Vector3 reaction = Vector3::Zero();  ///< out: N, mean over the step, on the membrane
 };
 
+/// A vertex held without give whose place is moved over a step. Every node that is still held there goes with
+/// it.
+struct DrivenVertex {
+    std::int32_t vertex = -1;          ///< with an attachment of infinite stiffness
+    Vector3 target = Vector3::Zero();  ///< m, at the step's end
+    Vector3 reaction =
+        Vector3::Zero();  ///< out: N, mean over the step, of what holds it on the membrane, inertia included
+};
+
 struct CutMembraneInputs {
     Vector3 gravity = Vector3::Zero();           ///< m/s2, of what hangs in the sheet
     Vector3 isolated_gravity = Vector3::Zero();  ///< m/s2, of what is cut out
     std::vector<CutMembraneLink> links;
+    std::vector<DrivenVertex> driven;  ///< each vertex once; one that is not named stays where it is
 };
 
 class CutMembraneScratch;
@@ -225,6 +236,8 @@ class CutMembraneScratch {
     std::vector<Lanes> position_, velocity_, gradient_;
     std::vector<double> inverse_mass_, anchor_;
     std::vector<Vector3> good_;
+    std::vector<std::int32_t> driven_;                                 ///< by vertex, -1
+    std::vector<std::pair<std::int32_t, std::int32_t>> driven_nodes_;  ///< node, number in the inputs
     // Of part().
     struct Incidence {
         std::int32_t piece, corner, parent, node, new_node;

@@ -25,7 +25,7 @@ bool within(const Vector3& v, double limit) {
     return v.allFinite() && v.cwiseAbs().maxCoeff() <= limit;
 }
 
-bool usable(const CutMembraneState& state, const CutMembraneInputs& inputs) {
+bool usable(const CutMembraneState& state, const CutMembraneInputs& inputs, std::size_t vertices) {
     if (!within(inputs.gravity, strongest) || !within(inputs.isolated_gravity, strongest)) return false;
     for (const CutMembraneLink& link : inputs.links) {
         if (link.piece < 0 || at(link.piece) >= state.pieces.size() || state.pieces[at(link.piece)].root < 0)
@@ -35,6 +35,10 @@ bool usable(const CutMembraneState& state, const CutMembraneInputs& inputs) {
             return false;
         if (!within(link.start, farthest) || !within(link.target, farthest) || !within(link.normal, 2) ||
             !within(link.barycentric, 1e3))
+            return false;
+    }
+    for (const DrivenVertex& driven : inputs.driven) {
+        if (driven.vertex < 0 || at(driven.vertex) >= vertices || !within(driven.target, farthest))
             return false;
     }
     return true;
@@ -68,8 +72,9 @@ MembraneReport CutMembrane::step(CutMembraneState& state, CutMembraneInputs& inp
                                  CutMembraneScratch& scratch, int most_substeps) const noexcept {
     MembraneReport report;
     for (CutMembraneLink& link : inputs.links) link.reaction.setZero();
+    for (DrivenVertex& driven : inputs.driven) driven.reaction.setZero();
     const double wanted = std::ceil(dt / (0.98 * safe_time_step()));
-    report.finite = usable(state, inputs) && finite(state);
+    report.finite = usable(state, inputs, rest_.size()) && finite(state);
     if (!report.finite || !(dt >= 1e-9 && dt <= 1) || !(wanted <= most_substeps)) {
         report.fault = MembraneFault::refused;
         report.converged = false;
@@ -80,6 +85,9 @@ MembraneReport CutMembrane::step(CutMembraneState& state, CutMembraneInputs& inp
     const std::size_t nodes = at(state.node_end);
     Lanes *x = scratch.position_.data(), *v = scratch.velocity_.data(), *g = scratch.gradient_.data();
     double *inverse = scratch.inverse_mass_.data(), *anchor = scratch.anchor_.data();
+    for (std::size_t i = 0; i < inputs.driven.size(); ++i)
+        scratch.driven_[at(inputs.driven[i].vertex)] = static_cast<std::int32_t>(i);
+    scratch.driven_nodes_.clear();
     for (std::size_t n = 0; n < nodes; ++n) {
         scratch.good_[n] = state.positions[n];
         x[n] = lanes_of(state.positions[n]);
@@ -93,8 +101,16 @@ MembraneReport CutMembrane::step(CutMembraneState& state, CutMembraneInputs& inp
         } else {
             inverse[n] = 0;
             v[n] = all_lanes(0);
+            const std::int32_t number = scratch.driven_[vertex];
+            if (number < 0) continue;
+            DrivenVertex& driven = inputs.driven[at(number)];
+            const Vector3 velocity = (driven.target - state.positions[n]) / dt;
+            v[n] = lanes_of(velocity);
+            driven.reaction += state.masses[n] / dt * (velocity - state.velocities[n]);
+            scratch.driven_nodes_.emplace_back(static_cast<std::int32_t>(n), number);
         }
     }
+    for (const DrivenVertex& driven : inputs.driven) scratch.driven_[at(driven.vertex)] = -1;
     const Lanes weight[2] = {lanes_of(inputs.gravity), lanes_of(inputs.isolated_gravity)};
     const membrane_detail::SpringEnds ends{state.first.data(), state.second.data(), at(state.spring_end)};
     const Lanes step = all_lanes(h);
@@ -130,6 +146,8 @@ MembraneReport CutMembrane::step(CutMembraneState& state, CutMembraneInputs& inp
             for (int c = 0; c < 3; ++c) g[at(corner[at(c)])] -= all_lanes(link.barycentric[c]) * force;
             link.reaction += vector_of(force) / report.substeps;
         }
+        for (const auto& [node, number] : scratch.driven_nodes_)
+            inputs.driven[at(number)].reaction += vector_of(g[at(node)]) / report.substeps;
         for (std::size_t n = 0; n < nodes; ++n) {
             v[n] -= all_lanes(h * inverse[n]) * g[n];
             x[n] += step * v[n];
@@ -145,6 +163,7 @@ MembraneReport CutMembrane::step(CutMembraneState& state, CutMembraneInputs& inp
             state.velocities[n].setZero();
         }
         for (CutMembraneLink& link : inputs.links) link.reaction.setZero();
+        for (DrivenVertex& driven : inputs.driven) driven.reaction.setZero();
         report.fault = MembraneFault::frozen;
         report.finite = report.converged = false;
         return report;

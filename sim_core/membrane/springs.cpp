@@ -37,6 +37,26 @@ void check(const TriangleMesh& mesh) {
         throw InputError("membrane", "triangles", "the mesh has no triangle", "give at least one");
 }
 
+// Mean over the triangles of each edge.
+std::map<Pair, double> edge_zones(const TriangleMesh& mesh, const std::vector<double>& zones) {
+    if (zones.size() != mesh.triangles.size())
+        throw InputError("membrane", "zones", "there is not one for each triangle",
+                         "give one a triangle or none");
+    std::map<Pair, std::pair<double, int>> sums;
+    for (std::size_t t = 0; t < zones.size(); ++t) {
+        if (!(zones[t] > 0 && zones[t] <= 1e6))
+            throw InputError("membrane", "zones", "a zone is not above 0", "give factors of the stiffness");
+        for (std::size_t e = 0; e < 3; ++e) {
+            auto& sum = sums[ordered(mesh.triangles[t][e], mesh.triangles[t][(e + 1) % 3])];
+            sum.first += zones[t];
+            ++sum.second;
+        }
+    }
+    std::map<Pair, double> means;
+    for (const auto& [edge, sum] : sums) means[edge] = sum.first / sum.second;
+    return means;
+}
+
 }  // namespace
 
 std::vector<MembraneSpring> derive_springs(const TriangleMesh& mesh, const MembraneMaterial& material) {
@@ -90,6 +110,19 @@ std::vector<MembraneSpring> derive_springs(const TriangleMesh& mesh, const Membr
                 }
             }
             if (best >= 0) add(static_cast<std::int32_t>(i), best, SpringKind::bend, {j, -1});
+        }
+    }
+    if (!material.zones.empty()) {
+        const std::map<Pair, double> zone = edge_zones(mesh, material.zones);
+        for (auto& [pair, spring] : springs) {
+            if (spring.kind == SpringKind::structural) spring.stiffness *= zone.at(pair);
+            if (spring.kind == SpringKind::shear)
+                spring.stiffness *= zone.at(ordered(spring.between[0], spring.between[1]));
+            if (spring.kind == SpringKind::bend) {
+                const std::int32_t middle = spring.between[0];
+                spring.stiffness *=
+                    0.5 * (zone.at(ordered(spring.first, middle)) + zone.at(ordered(middle, spring.second)));
+            }
         }
     }
     std::vector<MembraneSpring> result;

@@ -37,6 +37,8 @@ struct MembraneMaterial {
     double pre_strain = 0;             ///< -0.5 .. 1: springs are stretched by this share in the given shape
     double stiffness_damping = 0;      ///< s, 0 or more: each spring damps with this times its stiffness
     double mass_damping = 0;           ///< 1/s, 0 or more: force -c m v
+    std::vector<double> zones;  ///< empty, or by triangle, above 0: a spring has its stiffness times the mean
+                                ///< of the triangles it spans
 };
 
 /// Springs of a mesh, in a fixed order. Throws InputError where a triangle names a vertex twice or one that

@@ -7,6 +7,7 @@
 #include "sim_core/scene/bands_reader.h"
 #include "sim_core/scene/json_document.h"
 #include "sim_core/scene/scene_json.h"
+#include "sim_core/scene/septa_reader.h"
 #include "sim_core/scene/structures_reader.h"
 
 namespace fulcrum {
@@ -44,6 +45,7 @@ class SceneReader {
         if (root.contains("tethers")) scene_.tethers = read_tethers(root.at("tethers"));
         if (root.contains("membranes")) read_membranes(root.at("membranes"));
         if (root.contains("sheet")) scene_.sheet = read_sheet(root.at("sheet"));
+        read_sacral_hollow(root);
         if (root.contains("bands")) read_bands(root.at("bands"));
         if (root.contains("structures")) read_structures(root.at("structures"));
         if (root.contains("fidelity")) read_fidelity(root.at("fidelity"));
@@ -265,6 +267,8 @@ class SceneReader {
         copy(node, "seed", bowel.seed);
         copy(node, "tissue", bowel.tissue);
         copy(node, "floor_friction", bowel.floor_friction);
+        copy(node, "layout", bowel.layout);
+        copy(node, "weight", bowel.weight);
         check_tissue("/bowel", bowel.tissue);
         if (bowel.wall_thickness >= bowel.outer_radius) {
             document_.fail("/bowel/wall_thickness", "the wall is thicker than the bowel's radius",
@@ -369,6 +373,30 @@ class SceneReader {
                            "give a spacing that suits length and width");
         }
         return sheet;
+    }
+
+    void read_sacral_hollow(const json& root) {
+        const bool rectum = scene_.bowel && scene_.bowel->layout == "rectum";
+        if (root.contains("presacral")) {
+            scene_.presacral = read_presacral_spec(root.at("presacral"));
+            check_tissue("/presacral", scene_.presacral->tissue);
+        }
+        if (rectum != scene_.presacral.has_value()) {
+            document_.fail(rectum ? "/bowel/layout" : "/presacral", "a rectum and the presacral wall behind it belong together",
+                           "give the bowel the layout \"rectum\" and the scene \"presacral\", or neither");
+        }
+        if (rectum && (scene_.cavity || scene_.tethers || !scene_.membranes.empty() || scene_.targets)) {
+            document_.fail("/presacral", "the sacral hollow is the rectum's cavity, and septa hold it",
+                           "remove cavity, tethers, membranes and targets");
+        }
+        if (!root.contains("septa")) return;
+        if (!rectum || scene_.sheet) {
+            document_.fail("/septa", "septa hang between a rectum and its presacral wall, and are the scene's only sheet",
+                           "add \"presacral\" and a bowel of layout \"rectum\", and remove \"sheet\"");
+        }
+        scene_.septa = read_septa_spec(document_, root.at("septa"), *scene_.presacral, scene_.bowel->length, scene_.bowel->outer_radius);
+        check_tissue("/septa", scene_.septa->tissue);
+        check_tissue("/septa", scene_.septa->fat_tissue);
     }
 
     void read_bands(const json& node) {

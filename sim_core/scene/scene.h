@@ -11,6 +11,7 @@
 #include "sim_core/material/layered_wall.h"
 #include "sim_core/numerics/types.h"
 #include "sim_core/scene/bands_spec.h"
+#include "sim_core/scene/septa_spec.h"
 #include "sim_core/scene/structures_spec.h"
 
 namespace fulcrum {
@@ -110,6 +111,8 @@ struct BowelSpec {
     std::uint64_t seed = 1;
     std::string tissue = "bowel";
     double floor_friction = 0.3;
+    std::string layout = "colon";                 ///< "colon": the rectosigmoid in a cavity; "rectum": along the sacral hollow, needs presacral
+    double weight = 1;                            ///< share of its weight that what lies beneath does not carry
 };
 
 /// The mesentery of B1: tension-only springs from the rod to a line on the wall, through the rod's attachment interface.
@@ -193,6 +196,8 @@ struct Scene {
     std::optional<TetherSpec> tethers;
     std::vector<MembraneSpec> membranes;
     std::optional<SheetSpec> sheet;
+    std::optional<PresacralSpec> presacral;
+    std::optional<SeptaSpec> septa;
     std::optional<BandsSpec> bands;
     std::optional<StructuresSpec> structures;
     Fidelity fidelity;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "sim_core/anatomy/anatomy.h"
+#include "sim_core/anatomy/rectum.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/world/bowel_part.h"
 
@@ -11,7 +12,9 @@ namespace fulcrum {
 PelvisParameters pelvis_parameters(const CavitySpec& spec);
 BowelParameters bowel_parameters(const BowelSpec& spec);
 TriangleMesh cavity_mesh(const CavitySpec& spec);
-/// The scene has a bowel and a cavity. Throws InputError.
+/// Of a scene with a rectum and a presacral wall.
+RectumParameters rectum_parameters(const Scene& scene);
+/// The scene has a bowel, and a cavity or a presacral wall for it. Throws InputError.
 BowelAnatomy bowel_anatomy(const Scene& scene);
 
 }  // namespace fulcrum

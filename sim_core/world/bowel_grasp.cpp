@@ -11,11 +11,10 @@
 namespace fulcrum {
 using namespace jaw_rules;
 
-void BowelPart::begin_grasp(int hand, const ToolAction& action) noexcept {
-    const Vector3 jaws = action.tool.tip - 0.5 * action.instrument->jaw_length * action.tool.axis;
+// The wall's vertex within the root of `least`, m2, which is lowered to its squared distance; -1: none.
+std::int32_t BowelPart::nearest_to(const Vector3& jaws, double& least) const noexcept {
     // Sphere -> its rings -> their vertices: only what can be within reach is skinned.
     std::int32_t nearest = -1;
-    double least = grasp_reach * grasp_reach;
     for (int r = 0; r + skin_rings <= skin_->rings(); ++r) {
         const auto first = static_cast<std::size_t>(skin_->by_ring_offsets()[static_cast<std::size_t>(r)]);
         const auto last = static_cast<std::size_t>(skin_->by_ring_offsets()[static_cast<std::size_t>(r) + 1]);
@@ -29,6 +28,19 @@ void BowelPart::begin_grasp(int hand, const ToolAction& action) noexcept {
             }
         }
     }
+    return nearest;
+}
+
+double BowelPart::distance_to_jaws(const ToolAction& action) const noexcept {
+    double least = grasp_reach * grasp_reach;
+    nearest_to(action.tool.tip - 0.5 * action.instrument->jaw_length * action.tool.axis, least);
+    return std::sqrt(least);
+}
+
+void BowelPart::begin_grasp(int hand, const ToolAction& action) noexcept {
+    const Vector3 jaws = action.tool.tip - 0.5 * action.instrument->jaw_length * action.tool.axis;
+    double least = grasp_reach * grasp_reach;
+    const std::int32_t nearest = nearest_to(jaws, least);
     if (begin_sheet_grasp(hand, action, jaws, least) || nearest < 0) return;
     HandGrasp& grasp = grasps_[hand];
     const Vector3 point = skin_vertex(skin_->rows()[static_cast<std::size_t>(nearest)], ring_frames_);
@@ -152,7 +164,7 @@ void BowelPart::update_grasps(const ToolAction* actions, double dt) noexcept {
                 grasp.filtered.count = 0;
             }
         } else if (closed && grasp.ready && action.tool.inside) {
-            begin_grasp(hand, action);
+            if (!action.busy) begin_grasp(hand, action);
             grasp.ready = false;
         }
         if (!grasp.state.held) continue;
@@ -209,7 +221,8 @@ void BowelPart::size_snapshot(WorldSnapshot& snapshot) const {
     snapshot.patch_damage = patch_damage_;
     snapshot.tether_anchors.clear();
     snapshot.tether_arc_lengths.clear();
-    for (const RodTether& tether : inputs_.tethers) {
+    for (std::size_t i = anatomy_.cranial_holds.size(); i < inputs_.tethers.size(); ++i) {
+        const RodTether& tether = inputs_.tethers[i];
         snapshot.tether_anchors.push_back(tether.anchor);
         snapshot.tether_arc_lengths.push_back(tether.s);
     }

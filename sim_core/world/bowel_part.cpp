@@ -44,7 +44,7 @@ RodSolve rod_solve(const Fidelity& fidelity) {
     return solve;
 }
 
-RodSpec rod_spec(const Scene& scene, const std::vector<Vector3>& centre_line) {
+RodSpec rod_spec(const Scene& scene, const std::vector<Vector3>& centre_line, bool held_free) {
     const BowelSpec& bowel = *scene.bowel;
     RodSpec spec;
     spec.segments = bowel.segments;
@@ -63,7 +63,7 @@ RodSpec rod_spec(const Scene& scene, const std::vector<Vector3>& centre_line) {
     spec.linear_density = bowel.linear_density;
     spec.mass_damping = bowel.damping;
     spec.ends[0] = RodEnd::clamped;
-    spec.ends[1] = RodEnd::clamped;
+    spec.ends[1] = held_free ? RodEnd::free : RodEnd::clamped;
     // The bowel has grown in its place: its in-situ shape is its natural one, and only gravity bends it away.
     spec.rest_nodes = resample(centre_line, bowel.segments + 1);
     return spec;
@@ -85,7 +85,7 @@ TissueContact tissue_contact(const Scene& scene, const WinklerBed& bed) {
 
 BowelPart::BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel* cavity) : scene_(scene), anatomy_(std::move(anatomy)) {
     const BowelSpec& spec = *scene.bowel;
-    rod_ = std::make_unique<Rod>(rod_spec(scene, anatomy_.centre_line));
+    rod_ = std::make_unique<Rod>(rod_spec(scene, anatomy_.centre_line, !anatomy_.cranial_holds.empty()));
     // The skin is bound along the rod's own arc length, whatever the polyline's exact length is.
     spheres_ = sample_spheres(rod_->length(), spec.sphere_spacing, anatomy_.radius);
     skin_ = std::make_unique<BowelSkin>(anatomy_.surface, build_cage(anatomy_.surface, anatomy_.length, spheres_));
@@ -104,7 +104,7 @@ BowelPart::BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel
     state_ = rod_->make_state();
     good_ = state_;
     const int spheres = static_cast<int>(spheres_.arc_lengths.size());
-    const int tethers = scene.tethers ? scene.tethers->count : 0;
+    const int tethers = static_cast<int>(anatomy_.cranial_holds.size()) + (scene.tethers ? scene.tethers->count : 0);
     scratch_ = rod_->make_scratch(std::max(1, tethers), hand_count, spheres * planes_remembered, 512);
     lists_ = collision_->make_lists();
     contacts_ = collision_->make_contacts();
@@ -119,7 +119,7 @@ BowelPart::BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel
     patch_damage_.assign(static_cast<std::size_t>(patch_count(*skin_, 2, 4)), 0.0F);
     remembered_lambda_.assign(static_cast<std::size_t>(spheres * planes_remembered), 0.0);
     remembered_normal_.assign(remembered_lambda_.size(), Vector3::Zero());
-    inputs_.gravity = scene.gravity;
+    inputs_.gravity = spec.weight * scene.gravity;
     membranes_.reserve(anatomy_.membranes.size());
     std::size_t hung = 0;
     for (std::size_t i = 0; i < anatomy_.membranes.size(); ++i) {
@@ -133,7 +133,7 @@ BowelPart::BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel
         jaw_pushes_[static_cast<int>(instrument.hand)].assign(centres_.size(), Vector3::Zero());
         hung += centres_.size();
     }
-    inputs_.loads.reserve(2 * 16 + hung);
+    inputs_.loads.reserve(2 * 16 + extra_loads + hung);
     inputs_.grasps.reserve(hand_count);
     inputs_.contacts.reserve(static_cast<std::size_t>(spheres * planes_remembered));
     inputs_.self_contacts.reserve(512);
@@ -144,6 +144,8 @@ BowelPart::BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel
     good_inputs_.self_contacts.reserve(inputs_.self_contacts.capacity());
     good_inputs_.loads.reserve(inputs_.loads.capacity());
     good_inputs_.tethers.reserve(static_cast<std::size_t>(std::max(1, tethers)));
+    inputs_.tethers = anatomy_.cranial_holds;
+    for (RodTether& hold : inputs_.tethers) hold.s = std::min(hold.s, rod_->length());
     if (scene.tethers) {
         const TetherSpec& tether = *scene.tethers;
         for (int i = 0; i < tether.count; ++i) {
@@ -172,13 +174,17 @@ void BowelPart::lay_down() {
         for (const Vector3& velocity : state_.velocities) fastest = std::max(fastest, velocity.norm());
         if (i > 100 && fastest < 2e-4) break;
     }
+    stop();
+}
+
+void BowelPart::stop() noexcept {
     Rod::stop(state_);
     for (MembranePart& membrane : membranes_) membrane.stop();
 }
 
 double BowelPart::weight() const { return scene_.gravity.norm() * scene_.bowel->linear_density * rod_->length(); }
 
-std::uint32_t BowelPart::step(const ToolAction* actions, double dt) noexcept {
+std::uint32_t BowelPart::step(const ToolAction* actions, double dt, const std::vector<RodLoad>* more) noexcept {
     {
         Stopwatch watch(measuring_, costs_.grasps);
         update_grasps(actions, dt);
@@ -187,6 +193,9 @@ std::uint32_t BowelPart::step(const ToolAction* actions, double dt) noexcept {
         Stopwatch watch(measuring_, costs_.loads);
         gather_loads(actions, dt);
         if (with_jaws_) press_jaws(actions);
+        for (std::size_t i = 0; more != nullptr && i < std::min(more->size(), extra_loads); ++i) {
+            if (inputs_.loads.size() < inputs_.loads.capacity()) inputs_.loads.push_back((*more)[i]);
+        }
     }
     std::uint32_t membrane_outcome = 0;
     {

@@ -32,6 +32,7 @@ struct BowelAnatomy {
     std::vector<Vector3> centre_line;   ///< in situ, patient frame, first = rectum
     std::vector<Vector3> root_line;     ///< mesenteric root on the wall, first = rectal end
     std::vector<MembraneSheet> membranes;  ///< one for each of Scene::membranes
+    std::vector<RodTether> cranial_holds;  ///< not empty: its cranial end is free but for these
 };
 
 /// One hand over one step, as the bowel sees it.
@@ -40,6 +41,7 @@ struct ToolAction {
     ToolKinematics tool;                         ///< at the step's last tick
     const ToolContactResult* contact = nullptr;  ///< with the surface as it would be at the step's end; null: none
     bool slipping = false;
+    bool busy = false;                           ///< its jaws hold something else
 };
 
 /// How much deeper a tool's jaws are in a sphere of the bowel than its shaft: depth m, normal out of the sphere
@@ -53,7 +55,13 @@ class BowelPart {
     BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel* cavity);
 
     /// One step of dt seconds: grasps, loads, rod, collision, rings, dents. Returns StepRecord::outcome.
-    std::uint32_t step(const ToolAction* actions, double dt) noexcept;
+    /// more: what else acts on the rod in this step, up to extra_loads; null: nothing.
+    std::uint32_t step(const ToolAction* actions, double dt, const std::vector<RodLoad>* more = nullptr) noexcept;
+    static constexpr std::size_t extra_loads = 64;
+    /// m, from the middle of a hand's jaws to the wall; the jaws' reach where it is further.
+    double distance_to_jaws(const ToolAction& action) const noexcept;
+    /// Turns every velocity off.
+    void stop() noexcept;
     /// Hand's patch and grasp for the tick; leaves step, tick and targets alone.
     void fill_local_model(Hand hand, const PatchRequest& request, LocalModel& model) noexcept;
     void fill_snapshot(WorldSnapshot& snapshot) const noexcept;
@@ -107,6 +115,7 @@ class BowelPart {
     };
     void lay_down();
     void update_grasps(const ToolAction* actions, double dt) noexcept;
+    std::int32_t nearest_to(const Vector3& jaws, double& least) const noexcept;
     void begin_grasp(int hand, const ToolAction& action) noexcept;
     bool begin_sheet_grasp(int hand, const ToolAction& action, const Vector3& jaws, double nearest_bowel) noexcept;
     void update_sheet_grasp(int hand, const ToolAction& action, double opening, double dt) noexcept;

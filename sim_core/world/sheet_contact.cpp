@@ -157,7 +157,7 @@ void SheetPart::approach(int number, const SheetAction& action, std::uint32_t ti
     HandState& hand = state_.hands[static_cast<std::size_t>(number)];
     const ToolKinematics& tool = action.tool;
     const double radius = action.instrument->tip_radius;
-    if (!tool.inside || !tool.present || !tool.tip.allFinite() || hand.held) {
+    if (!tool.inside || !tool.present || !tool.tip.allFinite() || hand.held || action.busy) {
         if (hand.touch == SheetTouch::cutting) leave(number, tick);
         hand.touch = SheetTouch::away;
         hand.known = hand.linked = hand.over = false;
@@ -228,7 +228,7 @@ void SheetPart::take(int number, const SheetAction& action) noexcept {
         if (grip.place.fragment < 0) return;
         grip.target = grip.last = place(grip.place);
         grip.correction = grip.target - jaw;
-        if (grip.correction.norm() > grasp_reach) {
+        if (grip.correction.norm() > grasp_reach || (hand.grip_count == 0 && grip.correction.norm() > action.other)) {
             if (hand.grip_count == 0) return;
             continue;
         }
@@ -241,6 +241,14 @@ void SheetPart::take(int number, const SheetAction& action) noexcept {
     hand.jaw_velocity.setZero();
 }
 
+bool SheetPart::closing(int number, const SheetAction& action) const noexcept {
+    const HandState& hand = state_.hands[static_cast<std::size_t>(number)];
+    const ToolKinematics& tool = action.tool;
+    if (action.instrument->kind != "grasper" || !tool.present || hand.held) return false;
+    const double opening = tool.jaw_angle / std::max(1e-9, action.instrument->jaw_opening);
+    return opening < close_share && tool.grip > least_grip && hand.ready && tool.inside;
+}
+
 void SheetPart::update_jaws(int number, const SheetAction& action, double dt) noexcept {
     HandState& hand = state_.hands[static_cast<std::size_t>(number)];
     const ToolKinematics& tool = action.tool;
@@ -248,8 +256,8 @@ void SheetPart::update_jaws(int number, const SheetAction& action, double dt) no
     const double opening = tool.jaw_angle / std::max(1e-9, action.instrument->jaw_opening);
     if (opening > open_share) hand.ready = true;
     if (!hand.held) {
-        if (opening < close_share && tool.grip > least_grip && hand.ready && tool.inside) {
-            take(number, action);
+        if (closing(number, action)) {
+            if (!action.busy) take(number, action);
             hand.ready = false;
         }
         return;
@@ -310,7 +318,7 @@ void SheetPart::add_links(const SheetAction* actions) noexcept {
             link.normal = hand.normal;
             link.push = false;
             link.stiffness = tissue_.stiffness;
-            link.grip = tissue_.cutting->dynamic_friction;
+            link.grip = hand.cut_friction;
             const Vector3 here = place(hand.place);
             const double back = std::clamp((tool.tip - here).dot(tool.axis), 0.0, instrument.jaw_length);
             link.target = tool.tip - back * tool.axis;
@@ -345,7 +353,7 @@ void SheetPart::fill_touch(const HandState& hand, SheetContactModel& model) cons
     if (hand.touch == SheetTouch::cutting) {
         model.normal = hand.normal;
         model.cutting = true;
-        model.grip = tissue_.cutting->dynamic_friction;
+        model.grip = hand.cut_friction;
         model.drag = k * (way - way.dot(model.normal) * model.normal);
         const double size = model.drag.norm();
         if (size > model.grip) model.drag *= model.grip / size;

@@ -16,6 +16,7 @@ constexpr double blade_reach = 0.003;       // m along the normal to either side
 constexpr double out_by = 0.001;            // m beyond the tip's radius: the blade is out of the tissue
 constexpr double off_by = 0.002;            // m from the nearest tissue: it has run over the rim
 constexpr double line_reach = 0.012;        // m beside the marked line within which a cut divides the sheet across it
+constexpr double off_wall = 0.0005;         // m at rest from the muscularis that a blade keeps
 constexpr double kept_slack = 1e-6;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
@@ -45,10 +46,12 @@ void SheetPart::follow(int number, const SheetAction& action, std::uint32_t tick
         // Eq. 6: the force on the contact plane, and Eq. 7.
         const double across = std::max(0.0, -hand.reaction.dot(n));
         const double along = (hand.reaction - hand.reaction.dot(n) * n).norm();
-        if (button && action.instrument->cuts() && tissue_.cutting && across > tissue_.cutting->penetrate &&
-            along > tissue_.cutting->static_friction) {
+        const CuttingSpec* cutting = cutting_at(hand.place);
+        if (button && action.instrument->cuts() && cutting != nullptr && across > cutting->penetrate &&
+            along > cutting->static_friction) {
             hand.touch = SheetTouch::cutting;
             hand.way = rest(hand.place);
+            hand.cut_friction = cutting->dynamic_friction;
             hand.linked = false;  // the blade is another link
             surface_.begin_stroke();
             add_place_event(tick, EventKind::cut_begin, number, hand.way);
@@ -67,9 +70,9 @@ void SheetPart::follow(int number, const SheetAction& action, std::uint32_t tick
         leave(number, tick);
         return;
     }
-    const double pull = tissue_.stiffness * way.norm(), most = tissue_.cutting->dynamic_friction;
+    const double pull = tissue_.stiffness * way.norm(), most = hand.cut_friction;
     if (!(pull > most)) return;
-    Vector3 excess = (1 - most / pull) * way;
+    Vector3 excess = keep_off_wall(hand.place, (1 - most / pull) * way);
     const double size = excess.norm();
     if (size < least_advance) return;
     if (size > longest_advance) excess *= longest_advance / size;
@@ -98,14 +101,38 @@ void SheetPart::advance(int number, const Vector3& excess, std::uint32_t tick) n
         const double length = (reached - hand.way).norm();
         mark_divided(hand.way, reached);
         add_place_event(tick, EventKind::cut_advance, number, reached);
-        add_event(tick, EventKind::cut_traction, number, traction, 1e6 * length);
+        add_event(tick, EventKind::cut_traction, number, traction, 1e6 * length, in_fat(reached));
     }
     hand.way = reached;
     if (gone) {
         leave(number, tick);
     } else {
         hand.place = next;
+        if (const CuttingSpec* cutting = cutting_at(next)) hand.cut_friction = cutting->dynamic_friction;
     }
+}
+
+const CuttingSpec* SheetPart::cutting_at(const SheetPlace& where) const noexcept {
+    const TissueSpec& tissue = in_fat(rest(where)) ? fat_ : tissue_;
+    return tissue.cutting ? &*tissue.cutting : nullptr;
+}
+
+// The muscularis of the rectum is not cut: a blade that would come to it is led along it.
+Vector3 SheetPart::keep_off_wall(const SheetPlace& where, const Vector3& way) const noexcept {
+    if (!septa_ || where.fragment < 0) return way;
+    const std::int32_t root = surface_.fragment(where.fragment).root;
+    const Triangle& corners = layout_.mesh.triangles[at(root)];
+    const auto& nodes = state_.membrane.pieces[at(where.fragment)].nodes;
+    const auto now = [&](std::size_t c) -> const Vector3& { return state_.membrane.positions[at(nodes[c])]; };
+    const auto before = [&](std::size_t c) -> const Vector3& { return layout_.rest[at(corners[c])]; };
+    // Height at rest as a function of the place now.
+    const Vector3 u = now(1) - now(0), v = now(2) - now(0), n = u.cross(v);
+    const double area = n.squaredNorm();
+    if (!(area > 1e-30)) return Vector3::Zero();
+    const Vector3 slope = ((before(1).y() - before(0).y()) * v.cross(n) + (before(2).y() - before(0).y()) * n.cross(u)) / area;
+    const double rise = way.dot(slope), most = septa_->fat_height - septa_->plane_height - off_wall - rest(where).y();
+    if (rise <= most) return way;
+    return way - (rise - std::max(0.0, most)) / slope.squaredNorm() * slope;
 }
 
 CutReport SheetPart::cut(const BladeStep& blade) noexcept {

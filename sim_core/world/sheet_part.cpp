@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "sim_core/numerics/input_error.h"
+#include "sim_core/world/anatomy_binding.h"
 #include "sim_core/world/sheet_material.h"
 
 namespace fulcrum {
@@ -19,63 +20,32 @@ constexpr std::uint16_t loose_steps = 200;  // what has come free falls for so l
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-std::vector<CutMembrane::Attachment> attachments_of(const SheetSpec& spec, const SheetLayout& layout) {
-    std::vector<CutMembrane::Attachment> held;
-    for (std::int32_t c = 0; c < layout.columns; ++c) {
-        held.push_back({c, std::numeric_limits<double>::infinity()});
-        held.push_back({(layout.rows - 1) * layout.columns + c, spec.flap_stiffness / layout.columns});
-    }
-    return held;
+SheetLayout layout_of(const Scene& scene) {
+    return scene.septa ? lay_out_septa(*scene.septa, rectum_parameters(scene).curve) : lay_out_sheet(*scene.sheet);
 }
 
-std::vector<std::int32_t> held_vertices(const SheetLayout& layout) {
-    std::vector<std::int32_t> held;
-    for (std::int32_t c = 0; c < layout.columns; ++c) {
-        held.push_back(c);
-        held.push_back((layout.rows - 1) * layout.columns + c);
-    }
-    return held;
+MembraneMaterial material_of(const SheetSpec& spec, const SheetLayout& layout) {
+    MembraneMaterial material = sheet_material(spec, layout.mesh);
+    material.zones = layout.zones;
+    return material;
 }
 
 }  // namespace
 
-SheetLayout lay_out_sheet(const SheetSpec& spec) {
-    SheetLayout layout;
-    layout.columns = static_cast<std::int32_t>(std::lround(spec.length / spec.spacing)) + 1;
-    layout.rows = static_cast<std::int32_t>(std::lround(spec.width / spec.spacing)) + 1;
-    for (std::int32_t r = 0; r < layout.rows; ++r) {
-        for (std::int32_t c = 0; c < layout.columns; ++c) {
-            const double x = (static_cast<double>(c) / (layout.columns - 1) - 0.5) * spec.length;
-            const double y = (static_cast<double>(r) / (layout.rows - 1) - 0.5) * spec.width;
-            layout.mesh.vertices.push_back(spec.centre + x * spec.along + y * spec.across);
-        }
-    }
-    for (std::int32_t r = 0; r + 1 < layout.rows; ++r) {
-        for (std::int32_t c = 0; c + 1 < layout.columns; ++c) {
-            const std::int32_t a = r * layout.columns + c, b = a + 1, d = a + layout.columns, e = d + 1;
-            if ((r + c) % 2 == 0) {
-                layout.mesh.triangles.push_back({a, b, e});
-                layout.mesh.triangles.push_back({a, e, d});
-            } else {
-                layout.mesh.triangles.push_back({a, b, d});
-                layout.mesh.triangles.push_back({b, e, d});
-            }
-        }
-    }
-    return layout;
-}
-
 SheetPart::SheetPart(const Scene& scene, double dt)
-    : spec_(*scene.sheet),
-      tissue_(scene.tissues[at(scene.tissue_index(scene.sheet->tissue))]),
-      tissue_index_(static_cast<std::int16_t>(scene.tissue_index(scene.sheet->tissue))),
+    : spec_(scene.septa ? common_spec(*scene.septa) : *scene.sheet),
+      septa_(scene.septa),
+      tissue_(scene.tissues[at(scene.tissue_index(spec_.tissue))]),
+      fat_(scene.tissues[at(scene.tissue_index(septa_ ? septa_->fat_tissue : spec_.tissue))]),
+      tissue_index_(static_cast<std::int16_t>(scene.tissue_index(spec_.tissue))),
+      fat_index_(static_cast<std::int16_t>(scene.tissue_index(septa_ ? septa_->fat_tissue : spec_.tissue))),
       gravity_(scene.gravity),
-      layout_(lay_out_sheet(*scene.sheet)),
-      surface_(layout_.mesh, held_vertices(layout_), CutMesh::capacity_for(layout_.mesh, surface_steps)),
-      membrane_(layout_.mesh, sheet_material(spec_, layout_.mesh), attachments_of(spec_, layout_), surface_.capacity().fragments),
+      layout_(layout_of(scene)),
+      surface_(layout_.mesh, layout_.held, CutMesh::capacity_for(layout_.mesh, surface_steps)),
+      membrane_(layout_.mesh, material_of(spec_, layout_), layout_.attachments, surface_.capacity().fragments),
       scratch_(membrane_.make_scratch()) {
     if (!(dt <= 1000 * membrane_.safe_time_step())) {
-        throw InputError(scene.id, "/sheet", "the sheet is too stiff for its mass at this step",
+        throw InputError(scene.id, septa_ ? "/septa" : "/sheet", "the sheet is too stiff for its mass at this step",
                          "lower its stiffness, raise surface_density or take fewer ticks_per_step");
     }
     line_start_ = spec_.centre - 0.5 * spec_.line_length * spec_.along + (spec_.line_at - 0.5) * spec_.width * spec_.across;
@@ -95,15 +65,32 @@ SheetPart::SheetPart(const Scene& scene, double dt)
     for (std::int32_t v = 0; v < surface_.vertex_count(); ++v) bind(v);
     list_visible();
     update_positions();
-    const int stations = spec_.line_length > 0 ? static_cast<int>(std::ceil(spec_.line_length / station_gap)) + 1 : 0;
-    for (int i = 0; i < stations; ++i) {
-        line_positions_.push_back(spec_.line_length * i / (stations - 1));
-        state_.line.push_back(closest(line_start_ + line_positions_.back() * spec_.along));
-    }
+    mark_line(septa_ ? rectum_parameters(scene).curve : SacralCurve());
     state_.divided.assign(state_.line.size(), 0);
     state_.traction.assign(state_.line.size(), 0.0);
     settle(dt);
     for (std::size_t i = 0; i < state_.line.size(); ++i) measure_station();
+}
+
+void SheetPart::mark_line(const SacralCurve& curve) {
+    if (!septa_) {
+        const int stations = spec_.line_length > 0 ? static_cast<int>(std::ceil(spec_.line_length / station_gap)) + 1 : 0;
+        for (int i = 0; i < stations; ++i) {
+            line_positions_.push_back(spec_.line_length * i / (stations - 1));
+            state_.line.push_back(closest(line_start_ + line_positions_.back() * spec_.along));
+        }
+        return;
+    }
+    // In the middle of equal parts of each septum's line: none lies on two of them.
+    stations_ = std::max(2, static_cast<std::int32_t>(std::ceil(septa_->width / station_gap)));
+    const double turn = septa_->width / (curve.fascia_radius() - septa_->plane_height);
+    for (std::int32_t k = 0; k < layout_.pieces; ++k) {
+        for (std::int32_t i = 0; i < stations_; ++i) {
+            const double share = (i + 0.5) / stations_;
+            line_positions_.push_back((k + share) * septa_->width);
+            state_.line.push_back(closest(curve.point(layout_.arc_lengths[at(k)], (share - 0.5) * turn, septa_->plane_height)));
+        }
+    }
 }
 
 void SheetPart::settle(double dt) noexcept {
@@ -132,7 +119,9 @@ Vector3 SheetPart::rest(const SheetPlace& where) const noexcept {
     if (where.fragment < 0) return Vector3::Zero();
     const Triangle& corners = layout_.mesh.triangles[at(surface_.fragment(where.fragment).root)];
     Vector3 sum = Vector3::Zero();
-    for (std::size_t c = 0; c < 3; ++c) sum += where.barycentric[static_cast<int>(c)] * layout_.mesh.vertices[at(corners[c])];
+    const std::vector<Vector3>& from = septa_ ? layout_.rest : layout_.mesh.vertices;
+    for (std::size_t c = 0; c < 3; ++c) sum += where.barycentric[static_cast<int>(c)] * from[at(corners[c])];
+    if (septa_) return sum;
     sum -= line_start_;
     return Vector3(sum.dot(spec_.along), sum.dot(spec_.across), 0);
 }
@@ -175,6 +164,7 @@ std::uint32_t SheetPart::step(const SheetAction* actions, std::uint32_t tick, do
     const MembraneReport report = membrane_.step(state_.membrane, inputs_, dt, scratch_);
     if (report.fault == MembraneFault::refused || report.fault == MembraneFault::frozen) faults_ = 2;
     read_links();
+    sum_pulls();
     update_positions();
     for (int hand = 0; hand < hand_count; ++hand) {
         if (actions[hand].instrument == nullptr) continue;
@@ -240,7 +230,8 @@ void SheetPart::measure_station() noexcept {
     double& traction = state_.traction[at(i)];
     traction = 0;
     if (state_.divided[at(i)] != 0 || here.fragment < 0) return;
-    const SheetPlace &before = state_.line[at(std::max(0, i - 1))], &after = state_.line[at(std::min(count - 1, i + 1))];
+    const std::int32_t first = septa_ ? i / stations_ * stations_ : 0, last = septa_ ? first + stations_ - 1 : count - 1;
+    const SheetPlace &before = state_.line[at(std::max(first, i - 1))], &after = state_.line[at(std::min(last, i + 1))];
     if (before.fragment < 0 || after.fragment < 0) return;
     const auto& nodes = state_.membrane.pieces[at(here.fragment)].nodes;
     const auto& x = state_.membrane.positions;
@@ -248,20 +239,20 @@ void SheetPart::measure_station() noexcept {
     traction = traction_at(place(here), place(after) - place(before), normal);
 }
 
-void SheetPart::add_event(std::uint32_t tick, EventKind kind, int hand, double value, double detail) noexcept {
+void SheetPart::add_event(std::uint32_t tick, EventKind kind, int hand, double value, double detail, bool fat) noexcept {
     if (event_count_ == event_capacity) return;
     Event& event = events_[static_cast<std::size_t>(event_count_++)];
     event = Event();
     event.tick = tick;
     event.kind = kind;
     event.hand = hand < 0 ? std::uint8_t{255} : static_cast<std::uint8_t>(hand);
-    event.tissue = static_cast<std::int8_t>(tissue_index_);
+    event.tissue = static_cast<std::int8_t>(fat ? fat_index_ : tissue_index_);
     event.value = static_cast<float>(value);
     event.detail = static_cast<std::int32_t>(std::lround(std::clamp(detail, -2.0e9, 2.0e9)));
 }
 
 void SheetPart::add_place_event(std::uint32_t tick, EventKind kind, int hand, const Vector3& where) noexcept {
-    add_event(tick, kind, hand, where.x(), -1e6 * where.y());  // the flap's side is the line's y
+    add_event(tick, kind, hand, where.x(), -1e6 * where.y(), in_fat(where));  // the flap's side is the line's y
 }
 
 void SheetPart::restore(const State& state, const CutState& surface) {
@@ -282,8 +273,14 @@ void SheetPart::size_snapshot(WorldSnapshot& snapshot) const {
     view.rest.resize(at(surface_.capacity().vertices), Vector3::Zero());
     view.triangles.resize(at(surface_.capacity().triangles), Triangle{0, 0, 0});
     view.thickness = spec_.thickness;
+    if (septa_) {
+        view.septum_length = septa_->width;
+        view.fat_from = septa_->areolar_height - septa_->plane_height;
+        view.envelope_columns = layout_.columns;
+        view.envelope.resize(at(layout_.pieces * layout_.columns), Vector3::Zero());
+    }
     view.topology = 0xFFFFFFFFU;  // filled with the first picture
-    snapshot.events.resize(event_capacity);
+    snapshot.events.resize(snapshot.events.size() + event_capacity);
 }
 
 void SheetPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
@@ -294,11 +291,19 @@ void SheetPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
     std::copy(state_.traction.begin(), state_.traction.end(), view.line_traction.begin());
     std::copy(state_.divided.begin(), state_.divided.end(), view.line_divided.begin());
     for (std::int32_t c = 0; c < layout_.columns; ++c) view.flap[at(c)] = state_.positions[at((layout_.rows - 1) * layout_.columns + c)];
+    for (std::size_t i = 0; i < view.envelope.size(); ++i) {
+        const auto piece = static_cast<std::int32_t>(i) / layout_.columns, column = static_cast<std::int32_t>(i) % layout_.columns;
+        view.envelope[i] = state_.positions[at((piece * layout_.rows + layout_.envelope_row) * layout_.columns + column)];
+    }
     view.vertex_count = surface_.vertex_count();
     std::copy_n(state_.positions.begin(), at(view.vertex_count), view.positions.begin());
     if (view.topology != state_.membrane.topology) {
         view.topology = state_.membrane.topology;
         for (std::int32_t v = 0; v < view.vertex_count; ++v) {
+            if (septa_) {
+                if (state_.bindings[at(v)].fragment >= 0) view.rest[at(v)] = rest(state_.bindings[at(v)]);
+                continue;
+            }
             const Vector3 from_start = surface_.vertex(v).rest - line_start_;
             view.rest[at(v)] = Vector3(from_start.dot(spec_.along), from_start.dot(spec_.across), 0);
         }
@@ -307,11 +312,17 @@ void SheetPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
         view.visible_area = surface_.area_visible();
         view.removed_area = surface_.area_removed();
     }
-    std::copy_n(events_.begin(), event_count_, snapshot.events.begin());
-    snapshot.event_count = event_count_;
+    std::copy_n(events_.begin(), event_count_, snapshot.events.begin() + snapshot.event_count);
+    snapshot.event_count += event_count_;
     for (std::size_t h = 0; h < hand_count; ++h) {
         const HandState& hand = state_.hands[h];
         GraspState& grasp = snapshot.grasps[h];
+        if (septa_) {
+            // The same jaws may hold the rectum: what they hold there stays shown.
+            if (!hand.held) continue;
+            grasp = GraspState();
+            grasp.arc_length = -1;
+        }
         grasp.held = hand.held;
         grasp.slipped = hand.slipped;
         grasp.reaction = hand.held ? hand.pull : Vector3(Vector3::Zero());

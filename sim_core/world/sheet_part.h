@@ -15,31 +15,29 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "sim_core/contact/local_model.h"
 #include "sim_core/cutting/cut_mesh.h"
 #include "sim_core/instrument/instrument.h"
 #include "sim_core/membrane/cut_membrane.h"
+#include "sim_core/rod/rod.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/telemetry/event.h"
+#include "sim_core/world/sheet_layout.h"
 #include "sim_core/world/snapshot.h"
 #include "sim_core/world/state_hash.h"
 
 namespace fulcrum {
 
-/// The rectangle of a scene's sheet, counterclockwise seen from along x across; vertex = row * columns + column, row 0
-/// the fixed edge, columns along the marked line.
-struct SheetLayout {
-    TriangleMesh mesh;
-    std::int32_t columns = 0, rows = 0;
-};
-SheetLayout lay_out_sheet(const SheetSpec& spec);
-
 /// One hand over one step, as the sheet sees it.
 struct SheetAction {
     const InstrumentSpec* instrument = nullptr;  ///< null: no such hand
     ToolKinematics tool;                         ///< at the step's last tick
+    bool busy = false;                           ///< its jaws hold something else
+    double other = std::numeric_limits<double>::infinity();  ///< m, from the middle of its jaws to what else they could take
 };
 
 /// A place on the sheet that moves with it.
@@ -72,6 +70,7 @@ class SheetPart {
         bool linked = false;                  ///< the link was there in the last step
         Vector3 reaction = Vector3::Zero();   ///< N, tool on sheet
         Vector3 way = Vector3::Zero();        ///< m at rest: where the blade was last
+        double cut_friction = 0;              ///< N, dynamic friction of the tissue that the blade is in
         // Jaws.
         bool held = false, ready = true, slipped = false;
         struct Grip {
@@ -98,8 +97,23 @@ class SheetPart {
         std::int32_t any_loose = 0;          ///< fragments
     };
 
-    /// Builds the sheet and lets it come to rest. Throws InputError (place "/sheet").
+    /// Builds the sheet and lets it come to rest. Throws InputError (place "/sheet" or "/septa").
     SheetPart(const Scene& scene, double dt);
+
+    // Septa hang on the rectum, two-way: before each step their edge is carried to where the rod's wall points are about
+    // to be, after it what holds the edge there acts on the rod, equal and opposite, in the rod's same step.
+    /// state: the rod in the shape that the septa were made for. Throws InputError where they are too stiff for its mass.
+    void hang_on(const Scene& scene, const Rod& rod, const RodState& state, double dt);
+    void carry_edge(const Rod& rod, const RodState& state, double dt) noexcept;
+    /// One for each septum; empty without.
+    const std::vector<RodLoad>& pulls() const { return pulls_; }
+    /// Stiffness that the moved edge meets within one step over the rod's inertia (1 would be the limit).
+    double coupling() const { return coupling_; }
+    /// Turns every velocity off.
+    void stop() noexcept;
+    /// Jaws that would take hold in this step if something is within their reach.
+    bool closing(int hand, const SheetAction& action) const noexcept;
+    bool holds(int hand) const { return state_.hands[static_cast<std::size_t>(hand)].held; }
 
     /// One step of dt seconds that ends with this tick. Returns StepRecord::outcome.
     std::uint32_t step(const SheetAction* actions, std::uint32_t tick, double dt) noexcept;
@@ -151,6 +165,11 @@ class SheetPart {
     void update_positions() noexcept;
     void list_visible() noexcept;
     void settle(double dt) noexcept;
+    void mark_line(const SacralCurve& curve);
+    void sum_pulls() noexcept;
+    bool in_fat(const Vector3& rest) const noexcept { return septa_ && rest.y() >= septa_->areolar_height - septa_->plane_height; }
+    const CuttingSpec* cutting_at(const SheetPlace& where) const noexcept;
+    Vector3 keep_off_wall(const SheetPlace& where, const Vector3& way) const noexcept;
     void remake_pieces() noexcept;
     bool jaws_hold(std::int32_t piece) const noexcept;
     void fill_touch(const HandState& hand, SheetContactModel& model) const noexcept;
@@ -158,12 +177,13 @@ class SheetPart {
     double friction(const SheetAction& action) const noexcept;
     void bind(std::int32_t vertex) noexcept;
     double traction_at(const Vector3& point, const Vector3& way, const Vector3& normal) const noexcept;
-    void add_event(std::uint32_t tick, EventKind kind, int hand, double value, double detail) noexcept;
+    void add_event(std::uint32_t tick, EventKind kind, int hand, double value, double detail, bool fat = false) noexcept;
     void add_place_event(std::uint32_t tick, EventKind kind, int hand, const Vector3& at) noexcept;
 
     SheetSpec spec_;
-    TissueSpec tissue_;
-    std::int16_t tissue_index_ = -1;
+    std::optional<SeptaSpec> septa_;
+    TissueSpec tissue_, fat_;  ///< of the areolar zone, or of all; of the fat
+    std::int16_t tissue_index_ = -1, fat_index_ = -1;
     Vector3 line_start_ = Vector3::Zero(), gravity_ = Vector3::Zero();
     SheetLayout layout_;
     CutMesh surface_;
@@ -171,8 +191,13 @@ class SheetPart {
     CutMembraneScratch scratch_;
     State state_;
     std::vector<double> line_positions_;
+    std::int32_t stations_ = 0;     ///< of one septum
+    std::vector<Vector3> offsets_;  ///< of the driven vertices, ring frame
+    double coupling_ = 0;
     // Scratch.
     CutMembraneInputs inputs_;
+    std::vector<Vector3> arms_;     ///< m, of the driven vertices from the rod's centre line
+    std::vector<RodLoad> pulls_;
     std::array<int, hand_count> tip_link_ = {-1, -1}, jaw_link_ = {-1, -1};
     MembraneCut cut_;
     std::vector<std::int32_t> visible_, near_;

@@ -71,6 +71,12 @@ struct SheetView {
     std::int32_t vertex_count = 0, triangle_count = 0;
     std::uint32_t topology = 0;
     double thickness = 0;                 ///< m
+    // Septa: the marked lines laid end to end, the first the most cranial; septum = floor(x / septum_length).
+    double septum_length = 0;             ///< m; 0: one sheet
+    double fat_from = 0;                  ///< m, y at rest where the fat of the mesorectum begins
+    std::vector<Vector3> envelope;        ///< m, where that border is now, septum * envelope_columns + column, the patient's right
+                                          ///< first; where the tissue is gone its last place
+    std::int32_t envelope_columns = 0;
     double visible_area = 0, removed_area = 0;  ///< m2 at rest
 };
 

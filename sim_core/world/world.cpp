@@ -11,6 +11,11 @@
 #include "sim_core/world/stopwatch.h"
 
 namespace fulcrum {
+namespace {
+
+constexpr double settle_time = 4.0;  // s at most in which rectum and septa come to rest together
+
+}  // namespace
 
 /// The instruments against the surface as the world sees it: the tick's own law, at the end of the step that is being made. The force
 /// that moves the bowel must not be the tick's: that one was made for a surface up to ten ticks old, and would throw a light bowel to
@@ -48,10 +53,11 @@ World::World(const Scene& scene, std::uint64_t seed) : scene_(scene) {
     }
     build_anatomy(seed);
 
-    if (scene_.sheet) {
+    if (scene_.sheet || scene_.septa) {
         sheet_ = std::make_unique<SheetPart>(scene_, scene_.step_period());
         sheet_->size_snapshot(snapshot_);
     }
+    if (sheet_ && bowel_) hang_septa();
 
     // The world before the first tick: instruments where their devices are aligned at the start.
     TickOutput start;
@@ -70,6 +76,7 @@ World::~World() = default;
 
 void World::build_anatomy(std::uint64_t seed) {
     if (scene_.cavity) cavity_ = std::make_unique<CavityModel>(cavity_mesh(*scene_.cavity), FreeSide::behind);
+    if (scene_.presacral) cavity_ = std::make_unique<CavityModel>(make_presacral_wall(rectum_parameters(scene_)), FreeSide::front);
     if (scene_.bands) {
         cavity_ = std::make_unique<CavityModel>(bed_mesh(*scene_.bands), FreeSide::front);
         bands_ = std::make_unique<BandsPart>(scene_, seed);
@@ -88,6 +95,25 @@ void World::build_anatomy(std::uint64_t seed) {
     }
 }
 
+// From the shape in which the rectum lay without them to rest.
+void World::hang_septa() {
+    const double dt = scene_.step_period();
+    sheet_->hang_on(scene_, bowel_->rod(), bowel_->state(), dt);
+    const SheetAction no_tool[hand_count];
+    const ToolAction nothing[hand_count];
+    const int steps = static_cast<int>(settle_time / dt);
+    for (int i = 0; i < steps; ++i) {
+        sheet_->carry_edge(bowel_->rod(), bowel_->state(), dt);
+        sheet_->step(no_tool, 0, dt);
+        bowel_->step(nothing, dt, &sheet_->pulls());
+        double fastest = 0;
+        for (const Vector3& velocity : bowel_->state().velocities) fastest = std::max(fastest, velocity.norm());
+        if (i > 100 && fastest < 2e-4) break;
+    }
+    sheet_->stop();
+    bowel_->stop();
+}
+
 StepRecord World::step(const TickOutput* outputs, std::size_t count) noexcept {
     StepRecord record;
     record.step = ++steps_;
@@ -96,6 +122,29 @@ StepRecord World::step(const TickOutput* outputs, std::size_t count) noexcept {
     const TickOutput& last = outputs[count - 1];
 
     const bool paused = (last.sample.rig_flags & (rig_paused | rig_device_lost)) != 0U;
+    SheetAction on_sheet[hand_count];
+    if (sheet_) {
+        Stopwatch watch(measuring_, sheet_us_);
+        sheet_->forget_events();
+        for (int hand = 0; hand < hand_count && !paused; ++hand) {
+            if (!has_instrument_[hand]) continue;
+            SheetAction& action = on_sheet[hand];
+            action.instrument = scene_.instrument(static_cast<Hand>(hand));
+            action.tool = last.contact[hand].tool;
+            if (!bowel_) continue;
+            // Jaws take what is nearer.
+            action.busy = bowel_->grasp(static_cast<Hand>(hand)).held;
+            if (action.busy || !sheet_->closing(hand, action)) continue;
+            ToolAction jaws;
+            jaws.instrument = action.instrument;
+            jaws.tool = action.tool;
+            action.other = bowel_->distance_to_jaws(jaws);
+        }
+        if (!paused) {
+            if (bowel_) sheet_->carry_edge(bowel_->rod(), bowel_->state(), scene_.step_period());
+            record.outcome = sheet_->step(on_sheet, record.last_tick, scene_.step_period());
+        }
+    }
     if (bowel_ && !paused) {
         ToolAction actions[hand_count];
         for (int hand = 0; hand < hand_count; ++hand) {
@@ -103,21 +152,12 @@ StepRecord World::step(const TickOutput* outputs, std::size_t count) noexcept {
             ToolAction& action = actions[hand];
             action.instrument = scene_.instrument(static_cast<Hand>(hand));
             action.tool = last.contact[hand].tool;
+            action.busy = sheet_ && sheet_->holds(hand);
             for (std::size_t i = 0; i < count; ++i) action.slipping = action.slipping || outputs[i].contact[hand].slipping;
         }
         find_contacts(last, actions);
-        record.outcome = bowel_->step(actions, scene_.step_period());
-    }
-    if (sheet_) {
-        Stopwatch watch(measuring_, sheet_us_);
-        sheet_->forget_events();
-        SheetAction actions[hand_count];
-        for (int hand = 0; hand < hand_count && !paused; ++hand) {
-            if (!has_instrument_[hand]) continue;
-            actions[hand].instrument = scene_.instrument(static_cast<Hand>(hand));
-            actions[hand].tool = last.contact[hand].tool;
-        }
-        if (!paused) record.outcome = std::max(record.outcome, sheet_->step(actions, record.last_tick, scene_.step_period()));
+        const std::vector<RodLoad>* pulls = sheet_ ? &sheet_->pulls() : nullptr;
+        record.outcome = std::max(record.outcome, bowel_->step(actions, scene_.step_period(), pulls));
     }
     if (bands_ && !paused) {
         Stopwatch watch(measuring_, bands_us_);
@@ -176,6 +216,7 @@ void World::fill_models(const TickOutput& last) noexcept {
 void World::fill_snapshot(const TickOutput& last) noexcept {
     snapshot_.step = steps_;
     snapshot_.tick = last.sample.tick;
+    snapshot_.event_count = 0;
     for (int hand = 0; hand < hand_count; ++hand) {
         if (!has_instrument_[hand]) continue;
         snapshot_.tools[hand] = last.contact[hand].tool.pose();

@@ -60,6 +60,7 @@ class World {
   private:
     struct HandContacts;
     void build_anatomy(std::uint64_t seed);
+    void hang_septa();
     void find_contacts(const TickOutput& last, ToolAction* actions) noexcept;
     void fill_models(const TickOutput& last) noexcept;
     void fill_snapshot(const TickOutput& last) noexcept;

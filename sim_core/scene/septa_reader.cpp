@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_core/scene/septa_reader.h"
+
+#include "sim_core/scene/scene_json.h"
+
+namespace fulcrum {
+namespace {
+
+using nlohmann::json;
+
+using scene_json::copy;
+using scene_json::copy_degrees;
+
+}  // namespace
+
+PresacralSpec read_presacral_spec(const json& node) {
+    PresacralSpec presacral;
+    copy(node, "centre", presacral.centre);
+    copy(node, "curve_radius", presacral.curve_radius);
+    copy_degrees(node, "caudal_angle_deg", presacral.caudal_angle);
+    copy(node, "gap", presacral.gap);
+    copy(node, "hold_stiffness", presacral.hold_stiffness);
+    copy(node, "unevenness", presacral.unevenness);
+    copy(node, "seed", presacral.seed);
+    copy(node, "tissue", presacral.tissue);
+    return presacral;
+}
+
+SeptaSpec read_septa_spec(const JsonDocument& document, const json& node, const PresacralSpec& presacral,
+                          double length, double radius) {
+    SeptaSpec septa;
+    copy(node, "count", septa.count);
+    copy(node, "spacing", septa.spacing);
+    copy_degrees(node, "first_angle_deg", septa.first_angle);
+    copy(node, "width", septa.width);
+    copy(node, "node_spacing", septa.node_spacing);
+    copy(node, "areolar_rows", septa.areolar_rows);
+    copy(node, "fat_rows", septa.fat_rows);
+    copy(node, "plane_height", septa.plane_height);
+    copy(node, "areolar_height", septa.areolar_height);
+    copy(node, "thickness", septa.thickness);
+    copy(node, "tissue", septa.tissue);
+    copy(node, "fat_tissue", septa.fat_tissue);
+    copy(node, "structural_stiffness", septa.structural_stiffness);
+    copy(node, "shear_stiffness", septa.shear_stiffness);
+    copy(node, "bend_stiffness", septa.bend_stiffness);
+    copy(node, "fat_stiffness", septa.fat_stiffness);
+    copy(node, "surface_density", septa.surface_density);
+    copy(node, "pre_strain", septa.pre_strain);
+    copy(node, "stiffness_damping", septa.stiffness_damping);
+    copy(node, "mass_damping", septa.mass_damping);
+    copy(node, "weight", septa.weight);
+    copy(node, "blade_width", septa.blade_width);
+    septa.fat_height = presacral.gap;
+    if (!(septa.plane_height < septa.areolar_height)) {
+        document.fail("/septa/plane_height", "the intended plane lies outside the areolar zone",
+                      "give less than areolar_height");
+    }
+    if (!(septa.areolar_height < 0.8 * septa.fat_height)) {
+        document.fail("/septa/areolar_height", "the areolar zone leaves no room for the mesorectal fat",
+                      "give less than 0.8 of presacral.gap");
+    }
+    // Beyond a right angle to either side a septum would lie beside the rectum, not behind it.
+    constexpr double widest = 3.0;  // rad
+    const double plane_radius = radius + presacral.gap - septa.plane_height;
+    if (septa.width > widest * plane_radius) {
+        document.fail("/septa/width", "the septa reach around the rectum",
+                      "give less, or a wider presacral.gap or rectum");
+    }
+    if (septa.node_spacing > 0.25 * septa.width || septa.width / septa.node_spacing > 200) {
+        document.fail("/septa/node_spacing", "fewer than five vertices along a septum, or more than 200",
+                      "give a spacing that suits the width");
+    }
+    const double step = septa.spacing / (presacral.curve_radius + plane_radius);
+    const double last = septa.first_angle - (septa.count - 1) * step;
+    if (septa.first_angle > presacral.caudal_angle + 0.97 * length / presacral.curve_radius ||
+        last < presacral.caudal_angle + 0.03 * length / presacral.curve_radius) {
+        document.fail("/septa/first_angle_deg", "a septum lies beyond an end of the rectum",
+                      "give fewer or closer septa, another first angle or a longer rectum");
+    }
+    return septa;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads and checks a scene's `presacral` and `septa`.
+#pragma once
+
+#include "sim_core/scene/json_document.h"
+#include "sim_core/scene/septa_spec.h"
+
+namespace fulcrum {
+
+/// node: the object at "/presacral", checked against the schema. Throws InputError.
+PresacralSpec read_presacral_spec(const nlohmann::json& node);
+/// node: the object at "/septa". length: m, of the rectum; radius: m, of its muscularis. Throws InputError.
+SeptaSpec read_septa_spec(const JsonDocument& document, const nlohmann::json& node,
+                          const PresacralSpec& presacral, double length, double radius);
+
+}  // namespace fulcrum
