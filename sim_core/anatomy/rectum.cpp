@@ -13,8 +13,11 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr int line_points = 181;
-constexpr double wall_beyond = 0.025;    // m that the wall goes on beyond the rectum's ends
-constexpr double wall_turn = 1.45;       // rad that it reaches around to either side
+constexpr double below = 0.025;          // m that the wall follows the curve beyond the caudal end
+constexpr double above = 0.050;          // m that it goes on straight from the promontory
+constexpr double fall = 0.4;             // rad by which that part and the brims fall away posteriorly
+constexpr double hollow = 1.25;          // rad to either side, where the trough ends
+constexpr double brim = 0.035;           // m that it goes on from there, straight to the side
 constexpr double wall_spacing = 0.0035;  // m
 
 void check(const RectumParameters& p) {
@@ -27,6 +30,8 @@ void check(const RectumParameters& p) {
     if (!(p.curve.gap >= 0.002 && p.curve.gap <= 0.05)) refuse("gap", "give 0.002 to 0.05 m");
     if (!(p.curve.curve_radius >= 1.5 * p.curve.fascia_radius() && p.curve.curve_radius <= 10))
         refuse("curve_radius", "give at least 1.5 times the fascia's distance from the centre line");
+    if (!(p.promontory > 0 && p.promontory <= p.length))
+        refuse("promontory", "give an arc length on the rectum");
     if (!(p.length <= 3 * p.curve.curve_radius)) refuse("length", "give less than three radii of the curve");
     if (!(p.unevenness >= 0 && p.unevenness <= 0.003)) refuse("unevenness", "give 0 to 0.003 m");
     if (p.vertices < 200 || p.vertices > 200000) refuse("vertices", "give 200 to 200000");
@@ -109,23 +114,31 @@ BowelShape make_rectum(const RectumParameters& p) {
 TriangleMesh make_presacral_wall(const RectumParameters& p) {
     check(p);
     const SacralCurve& curve = p.curve;
-    const double length = p.length + 2 * wall_beyond;
-    const double along = length * (curve.curve_radius + curve.fascia_radius()) / curve.curve_radius;
-    const int rows = static_cast<int>(std::ceil(along / wall_spacing));
-    const int columns = static_cast<int>(std::ceil(2 * wall_turn * curve.fascia_radius() / wall_spacing));
+    const auto count = [](double length) { return static_cast<int>(std::ceil(length / wall_spacing)); };
+    const double stretch = (curve.curve_radius + curve.fascia_radius()) / curve.curve_radius;
+    const int curved = count((p.promontory + below) * stretch), straight = count(above);
+    const int arc = count(hollow * curve.fascia_radius()), side = count(brim);
+    double sine = 0, cosine = 1;
+    math::sin_cos(fall, sine, cosine);
+    const Vector3 onwards = cosine * curve.cranial(p.promontory) + sine * curve.posterior(p.promontory);
     TriangleMesh mesh;
-    for (int r = 0; r <= rows; ++r) {
-        const double s = length * r / rows - wall_beyond;
-        for (int c = 0; c <= columns; ++c) {
-            const double turn = wall_turn * (2.0 * c / columns - 1);
-            const Vector3 smooth = curve.point(s, turn, 0);
+    for (int r = 0; r <= curved + straight; ++r) {
+        const double s = std::min(p.promontory, (p.promontory + below) * r / curved - below);
+        const Vector3 shift = above * std::max(0, r - curved) / straight * onwards;
+        for (int c = -arc - side; c <= arc + side; ++c) {
+            const double turn = hollow * std::clamp(c, -arc, arc) / arc;
+            const double out = brim * (c - std::clamp(c, -arc, arc)) / side;
+            const Vector3 beside =
+                out * cosine * Vector3::UnitX() + std::abs(out) * sine * curve.posterior(s);
+            const Vector3 smooth = curve.point(s, turn, 0) + shift + beside;
             const double deeper =
                 0.5 * p.unevenness * (1 + std::clamp(noise3(smooth / 0.012, p.seed), -1.0, 1.0));
-            mesh.vertices.push_back(curve.point(s, turn, -deeper));
+            mesh.vertices.push_back(smooth + curve.point(s, turn, -deeper) - curve.point(s, turn, 0));
         }
     }
-    for (int r = 0; r < rows; ++r) {
-        for (int c = 0; c < columns; ++c) {
+    const std::int32_t columns = 2 * (arc + side);
+    for (std::int32_t r = 0; r < curved + straight; ++r) {
+        for (std::int32_t c = 0; c < columns; ++c) {
             const std::int32_t a = r * (columns + 1) + c, b = a + 1, d = a + columns + 1, e = d + 1;
             // Columns to the left, rows cranially: this sense faces the rectum.
             mesh.triangles.push_back({a, b, e});

@@ -32,6 +32,7 @@ struct SacralCurve {
 struct RectumParameters {
     SacralCurve curve;
     double length = 0.14;      ///< m, of the rectum, 0.05 .. 0.3
+    double promontory = 0.12;  ///< m along the rectum, where the wall leaves the curve and falls away
     int vertices = 3000;       ///< asked, 200 .. 200000; the generator rounds
     double unevenness = 4e-4;  ///< m, by how much the wall lies deeper than the fascia at most, 0 .. 0.003
     std::uint64_t seed = 1;
@@ -41,7 +42,9 @@ struct RectumParameters {
 /// InputError.
 BowelShape make_rectum(const RectumParameters& parameters);
 
-/// The presacral wall, an open trough whose triangles face the rectum (FreeSide::front). Throws InputError.
+/// The presacral wall, an open trough whose triangles face the rectum (FreeSide::front); beside the hollow it
+/// goes on to the sides, above the promontory straight on, falling away, so that what comes from the abdomen
+/// comes from in front of it. Throws InputError.
 TriangleMesh make_presacral_wall(const RectumParameters& parameters);
 
 }  // namespace fulcrum

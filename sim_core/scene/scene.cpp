@@ -378,7 +378,8 @@ class SceneReader {
     void read_sacral_hollow(const json& root) {
         const bool rectum = scene_.bowel && scene_.bowel->layout == "rectum";
         if (root.contains("presacral")) {
-            scene_.presacral = read_presacral_spec(root.at("presacral"));
+            if (!scene_.bowel) document_.fail("/presacral", "a presacral wall without a rectum", "add a bowel of layout \"rectum\"");
+            scene_.presacral = read_presacral_spec(document_, root.at("presacral"), scene_.bowel->length);
             check_tissue("/presacral", scene_.presacral->tissue);
         }
         if (rectum != scene_.presacral.has_value()) {

@@ -13,16 +13,22 @@ using scene_json::copy_degrees;
 
 }  // namespace
 
-PresacralSpec read_presacral_spec(const json& node) {
+PresacralSpec read_presacral_spec(const JsonDocument& document, const json& node, double length) {
     PresacralSpec presacral;
     copy(node, "centre", presacral.centre);
     copy(node, "curve_radius", presacral.curve_radius);
     copy_degrees(node, "caudal_angle_deg", presacral.caudal_angle);
+    copy_degrees(node, "promontory_angle_deg", presacral.promontory_angle);
     copy(node, "gap", presacral.gap);
     copy(node, "hold_stiffness", presacral.hold_stiffness);
     copy(node, "unevenness", presacral.unevenness);
     copy(node, "seed", presacral.seed);
     copy(node, "tissue", presacral.tissue);
+    if (!(presacral.promontory_angle > presacral.caudal_angle) ||
+        presacral.promontory_angle > presacral.caudal_angle + length / presacral.curve_radius) {
+        document.fail("/presacral/promontory_angle_deg", "the promontory lies beyond an end of the rectum",
+                      "give an angle between the rectum's ends");
+    }
     return presacral;
 }
 
@@ -73,9 +79,9 @@ SeptaSpec read_septa_spec(const JsonDocument& document, const json& node, const 
     }
     const double step = septa.spacing / (presacral.curve_radius + plane_radius);
     const double last = septa.first_angle - (septa.count - 1) * step;
-    if (septa.first_angle > presacral.caudal_angle + 0.97 * length / presacral.curve_radius ||
+    if (septa.first_angle > presacral.promontory_angle ||
         last < presacral.caudal_angle + 0.03 * length / presacral.curve_radius) {
-        document.fail("/septa/first_angle_deg", "a septum lies beyond an end of the rectum",
+        document.fail("/septa/first_angle_deg", "a septum lies above the promontory or below the rectum",
                       "give fewer or closer septa, another first angle or a longer rectum");
     }
     return septa;

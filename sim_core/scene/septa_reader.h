@@ -8,7 +8,8 @@
 namespace fulcrum {
 
 /// node: the object at "/presacral", checked against the schema. Throws InputError.
-PresacralSpec read_presacral_spec(const nlohmann::json& node);
+/// length: m, of the rectum.
+PresacralSpec read_presacral_spec(const JsonDocument& document, const nlohmann::json& node, double length);
 /// node: the object at "/septa". length: m, of the rectum; radius: m, of its muscularis. Throws InputError.
 SeptaSpec read_septa_spec(const JsonDocument& document, const nlohmann::json& node,
                           const PresacralSpec& presacral, double length, double radius);

@@ -16,9 +16,10 @@ struct PresacralSpec {
     Vector3 centre = Vector3(0, -0.07, 0.079);  ///< m, of the arc
     double curve_radius = 0.123;                ///< m, of the rectum's centre line about it
     double caudal_angle = -0.2617993877991494;  ///< rad, where the rectum begins, at the levator
-    double gap = 0.018;          ///< m, from the muscularis of the rectum to the fascia: the mesorectum
-    double hold_stiffness = 25;  ///< N/m, of each of three ties that hold the rectum's cranial end
-    double unevenness = 0.0004;  ///< m, by how much the wall may lie deeper than the fascia
+    double promontory_angle = 0.72;  ///< rad, where the wall leaves the arc and falls away cranially
+    double gap = 0.018;              ///< m, from the muscularis of the rectum to the fascia: the mesorectum
+    double hold_stiffness = 25;      ///< N/m, of each of three ties that hold the rectum's cranial end
+    double unevenness = 0.0004;      ///< m, by how much the wall may lie deeper than the fascia
     std::uint64_t seed = 1;
     std::string tissue = "fascia";
 };
@@ -36,16 +37,16 @@ struct SeptaSpec {
     double fat_height = 0.018;           ///< m, where the muscularis begins: PresacralSpec::gap
     double thickness = 0.0015;           ///< m
     std::string tissue = "areolar", fat_tissue = "fat";
-    double structural_stiffness = 12;  ///< N/m each spring of the areolar zone, as shear and bend
-    double shear_stiffness = 5;
-    double bend_stiffness = 0.5;
-    double fat_stiffness = 2;      ///< of the fat's springs over the areolar ones'
-    double surface_density = 2.0;  ///< kg/m2
+    double structural_stiffness = 6;  ///< N/m each spring of the areolar zone, as shear and bend
+    double shear_stiffness = 2.5;
+    double bend_stiffness = 0.2;
+    double fat_stiffness = 1.5;    ///< of the fat's springs over the areolar ones'
+    double surface_density = 2.5;  ///< kg/m2
     double pre_strain = 0.04;
-    double stiffness_damping = 3e-5;  ///< s
-    double mass_damping = 40;         ///< 1/s
-    double weight = 0;                ///< share of its weight that what lies beneath does not carry
-    double blade_width = 0.0006;      ///< m, of the ground that a blade takes
+    double stiffness_damping = 0;  ///< s
+    double mass_damping = 60;      ///< 1/s
+    double weight = 0;             ///< share of its weight that what lies beneath does not carry
+    double blade_width = 0.0006;   ///< m, of the ground that a blade takes
 };
 
 }  // namespace fulcrum

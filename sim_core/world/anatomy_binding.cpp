@@ -45,6 +45,7 @@ RectumParameters rectum_parameters(const Scene& scene) {
     const PresacralSpec& presacral = *scene.presacral;
     rectum.curve = {presacral.centre, presacral.curve_radius, presacral.caudal_angle, scene.bowel->outer_radius, presacral.gap};
     rectum.length = scene.bowel->length;
+    rectum.promontory = rectum.curve.arc_length(presacral.promontory_angle);
     rectum.vertices = scene.bowel->surface_vertices;
     rectum.unevenness = presacral.unevenness;
     rectum.seed = presacral.seed;

@@ -45,7 +45,8 @@ struct SheetRig {
         for (int h = 0; h < hand_count; ++h) {
             trocar[h] = make_trocar(scene.instruments[static_cast<std::size_t>(h)].trocar);
             last[h] = start_sample(scene.instruments[static_cast<std::size_t>(h)].trocar, 0.10);
-            wish[h].tip = asked[h] = scene.sheet->centre + Vector3(h == 0 ? 0.04 : -0.04, 0, 0.05);
+            const Vector3 middle = scene.sheet ? scene.sheet->centre : Vector3(0, 0.04, -0.01);
+            wish[h].tip = asked[h] = middle + Vector3(h == 0 ? 0.04 : -0.04, 0, 0.05);
         }
     }
     const SheetPart& sheet() const { return *world.sheet(); }
@@ -99,16 +100,16 @@ struct SheetRig {
         for (const Event& event : events) sum += event.kind == kind ? 1 : 0;
         return sum;
     }
+    /// Where the left tip is when the middle of its jaws is there.
+    Vector3 tip_for(const Vector3& jaws) const {
+        Vector3 tip = jaws;
+        for (int i = 0; i < 20; ++i) tip = jaws + 0.5 * scene.instruments[0].jaw_length * (tip - trocar[0].position).normalized();
+        return tip;
+    }
     /// Left jaws take the flap edge at x (m along the line from the middle) and draw it out by `way`.
     void hold_flap(double x, const Vector3& way) { hold_at(x, 0.45 * scene.sheet->width, way); }
     void hold_at(double x, double y, const Vector3& way) {
-        const Vector3 jaw(0, 0, -0.5 * scene.instruments[0].jaw_length);
         const Vector3 place = scene.sheet->centre + x * scene.sheet->along + y * scene.sheet->across;
-        const auto tip_for = [&](const Vector3& jaws) {  // the jaws' middle there
-            Vector3 tip = jaws;
-            for (int i = 0; i < 20; ++i) tip = jaws - jaw.z() * (tip - trocar[0].position).normalized();
-            return tip;
-        };
         go(0, tip_for(place + Vector3(0, 0, 0.02)), 0.2);
         go(0, tip_for(place + Vector3(0, 0, 0.001)), 0.1);
         steps(5);
