@@ -2,12 +2,14 @@
 // fulcrum lab: the laboratory. Every figure is measured when asked for; --output writes the pages of
 // docs/results.
 #include <algorithm>
+#include <charconv>
 #include <iostream>
 
 #include "app/commands.h"
 #include "app/lab_experiment.h"
 #include "app/lab_measure.h"
 #include "sim_core/lab/cut_figures.h"
+#include "sim_core/lab/cut_strokes.h"
 #include "sim_core/lab/size_sweep.h"
 #include "sim_core/lab/stability.h"
 #include "sim_core/lab/studies.h"
@@ -78,6 +80,19 @@ int cut(const Arguments& arguments) {
     return deliver(arguments, page, page.document());
 }
 
+/// As many as are named, or what the page of docs/results has.
+int strokes(const Arguments& arguments) {
+    int count = 100000;
+    if (arguments.words().size() > 1) {
+        const std::string& word = arguments.words()[1];
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), count);
+        if (error != std::errc() || end != word.data() + word.size() || count < 1 || count > 10000000)
+            throw UsageError("command line: lab strokes: " + word + ": give a number from 1 to 10000000");
+    }
+    const lab::ResultPage page = lab::cut_strokes_page(count);
+    return deliver(arguments, page, page.document());
+}
+
 /// One file, or every one of assets/experiments.
 int experiment(const Arguments& arguments) {
     const auto folder = arguments.value("--output");
@@ -99,7 +114,7 @@ int command_lab(const std::vector<std::string>& words) {
     OptionSpec spec;
     spec.usage =
         "usage: fulcrum lab bench [--only NAME | --sweep] | cost | validate | tradeoff | stability | cut | "
-        "experiment "
+        "strokes [N] | experiment "
         "[FILE.json] | run STUDY.json "
         "[--json] "
         "[--output "
@@ -121,6 +136,7 @@ int command_lab(const std::vector<std::string>& words) {
         return 0;
     }
     if (action == "experiment") return experiment(arguments);
+    if (action == "strokes") return strokes(arguments);
     if (arguments.words().size() != 1)
         throw UsageError("command line: " + arguments.words()[1] + ": not expected; " + spec.usage);
     if (action == "bench") return bench(arguments);

@@ -7,7 +7,8 @@
 // root (collapse and flip of children only, where the union stays). Every step is a transaction: validated
 // against the invariants below on all it touched, then committed with a new version, or played back bit for
 // bit and tried again with borders that move to near vertices; if that fails too the tissue stays uncut and
-// the report says so.
+// the report says so. A band too thin for the triangles it meets (a thousandth of their size) is widened, and
+// a border that would leave a part without area goes through the next vertex: both count as cut.
 //
 // Invariants after every commit: finite; no visible triangle without area; conforming (neighbours name each
 // other across one directed edge, at most two triangles an edge, orientation kept); the triangles of a vertex
@@ -38,6 +39,7 @@ struct CutReport {
     std::int32_t roll_backs = 0;  ///< attempts played back in this call
     std::int32_t met = 0;         ///< visible triangles on the cutting list
     double removed_area = 0;      ///< m2 at rest, by this call
+    double width = 0;             ///< m, of the band: the step's, more where the surface is too coarse for it
     std::int32_t root = -1;       ///< root to begin the next step's search from; -1: nothing was met
 };
 
@@ -160,7 +162,8 @@ class CutMesh {
     bool turn_edges();
     bool sort_fragments();
     void note_cases();
-    CutOutcome attempt(const BladeStep& step, Vector3* positions, double tolerance, CutReport& report);
+    CutOutcome attempt(const BladeStep& step, Vector3* positions, double of_width, double of_root,
+                       CutReport& report);
     double quality(std::int32_t root, std::int32_t a, std::int32_t b, std::int32_t c) const;
     double quality(const CutTriangle& triangle) const;
     double quality(std::int32_t root, double share, std::int32_t a, std::int32_t b, std::int32_t c) const;
@@ -171,7 +174,7 @@ class CutMesh {
     CutEditor editor_;
     // Scratch of a step.
     BladeRegion region_;
-    double tolerance_ = 0;
+    double tolerance_ = 0, give_ = 0;
     CutTable<VertexSides> sides_;
     CutTable<std::uint32_t> root_mark_, triangle_mark_, vertex_mark_;
     std::uint32_t mark_ = 0;

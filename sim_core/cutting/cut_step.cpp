@@ -8,8 +8,18 @@
 namespace fulcrum {
 namespace {
 
-// A vertex this near to a border (in widths) lies on it; each retry moves borders further to near vertices.
-constexpr double tolerances[] = {2e-3, 2e-2, 1e-1};
+// A vertex this near to a border lies on it; each retry moves borders further to near vertices. In widths,
+// but at least so much of the coarsest root met (of its radius): triangles smaller both ways have no area to
+// speak of in their root (least_share).
+struct Snap {
+    double of_width, of_root;
+};
+constexpr Snap snaps[] = {{2e-3, 2e-5}, {2e-2, 5e-5}, {1e-1, 1e-4}};
+constexpr double least_width = 1e-3;  // of a band, of the coarsest root met: what its corners need
+// A part with a smaller share is not made: the border goes through the edge's nearer end, where that lies
+// within so much of the width, or of the coarsest root.
+constexpr double meagre = 4 * least_share;
+constexpr double give_of_width = 0.5, give_of_root = 3e-3;
 
 }  // namespace
 
@@ -29,8 +39,9 @@ CutReport CutMesh::cut(const BladeStep& step, Vector3* positions) {
         return report;
     }
     if (step.root < 0 || step.root >= model_->root_count) return report;
-    for (const double tolerance : tolerances) {
-        report.outcome = attempt(step, positions, tolerance * step.width, report);
+    report.width = step.width;
+    for (const Snap& snap : snaps) {
+        report.outcome = attempt(step, positions, snap.of_width, snap.of_root, report);
         if (report.outcome != CutOutcome::rolled_back) break;
         ++report.roll_backs;
     }
@@ -38,10 +49,30 @@ CutReport CutMesh::cut(const BladeStep& step, Vector3* positions) {
     return report;
 }
 
-CutOutcome CutMesh::attempt(const BladeStep& step, Vector3* positions, double tolerance, CutReport& report) {
-    tolerance_ = tolerance;
+CutOutcome CutMesh::attempt(const BladeStep& step, Vector3* positions, double of_width, double of_root,
+                            CutReport& report) {
     const double removed_before = state_.area_removed;
-    if (!list_triangles(step.root, tolerance, positions)) return CutOutcome::invalid;
+    double tolerance = of_width * report.width, coarsest = 0, depth = region_.reach;
+    // A wider band may meet a coarser root yet: once more for each.
+    for (;;) {
+        if (!list_triangles(step.root, tolerance, positions)) return CutOutcome::invalid;
+        for (const std::int32_t t : met_)
+            coarsest = std::max(coarsest, model_->radii[static_cast<std::size_t>(state_.triangles[t].root)]);
+        const double width = std::max(report.width, least_width * coarsest);
+        const double least = std::max(of_width * width, of_root * coarsest);
+        const bool thin = width > report.width || depth < 4 * least;
+        if (!thin && least <= tolerance) break;
+        tolerance = std::max(least, tolerance);
+        if (!thin) continue;
+        BladeStep wider = step;
+        wider.width = report.width = width;
+        wider.depth = depth = std::max(step.depth, 4 * least);
+        const BladeFault fault = make_region(wider, region_);
+        if (fault != BladeFault::none)
+            return fault == BladeFault::no_advance ? CutOutcome::nothing : CutOutcome::invalid;
+    }
+    tolerance_ = tolerance;
+    give_ = std::max(give_of_width * report.width, give_of_root * coarsest);
     report.met = met_.size();
     if (met_.size() == 0) return CutOutcome::nothing;
     double nearest = 1e300;
@@ -162,6 +193,15 @@ bool CutMesh::clip_by(int plane) {
             const bool other_in_band = other >= 0 && triangle_mark_[other] == mark_;
             const double at_a = region_.planes[k].distance(editor_.positions()[a]);
             const double at_b = region_.planes[k].distance(editor_.positions()[b]);
+            const double near = std::min(std::abs(at_a), std::abs(at_b));
+            const double whole =
+                std::min(state_.triangles[t].share, other < 0 ? 1.0 : state_.triangles[other].share);
+            if (whole * near < meagre * std::abs(at_a - at_b) && near < give_) {
+                VertexSides& end = sides_[std::abs(at_a) < std::abs(at_b) ? a : b];
+                end.outside = static_cast<std::uint16_t>(end.outside & ~bit);
+                end.inside = static_cast<std::uint16_t>(end.inside & ~bit);
+                continue;
+            }
             made.clear();
             const std::int32_t m = editor_.split_edge(t, edge, at_a / (at_a - at_b));
             if (m < 0) return false;

@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "sim_core/lab/chart.h"
+#include "sim_core/lab/processor_time.h"
 
 namespace fulcrum::lab {
 namespace {
@@ -32,18 +33,11 @@ std::string plural(const std::string& element) {
     return element == "vertex" ? "vertices" : element + "s";
 }
 
-/// This thread's time on a processor: sizes are compared with each other, whatever else the machine does.
-double processor_us() {
-    std::timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
-}
-
 double once_us(const SweepRun& run) {
     if (run.between) run.between();
-    const double begin = processor_us();
+    const double begin = processor_time_us();
     run.step();
-    return processor_us() - begin;
+    return processor_time_us() - begin;
 }
 
 SizeSweep named(const SweepCase& sweep) {

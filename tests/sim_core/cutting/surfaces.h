@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <vector>
 
 #include "sim_core/cutting/cut_mesh.h"
@@ -39,39 +38,6 @@ inline std::vector<std::int32_t> border_of_sheet(int columns, int rows) {
             if (i == 0 || j == 0 || i == columns || j == rows)
                 border.push_back(static_cast<std::int32_t>(j * (columns + 1) + i));
     return border;
-}
-
-/// Icosahedron halved `times`, radius in m.
-inline TriangleMesh cut_sphere(int times, double radius) {
-    const double g = 0.5 * (1 + std::sqrt(5.0));
-    TriangleMesh mesh;
-    mesh.vertices = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
-                     {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
-    mesh.triangles = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-                      {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
-                      {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
-    for (int k = 0; k < times; ++k) {
-        std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> middles;
-        const auto middle = [&](std::int32_t a, std::int32_t b) {
-            const auto key = std::make_pair(std::min(a, b), std::max(a, b));
-            const auto [place, fresh] = middles.emplace(key, static_cast<std::int32_t>(mesh.vertices.size()));
-            if (fresh)
-                mesh.vertices.push_back(0.5 * (mesh.vertices[static_cast<std::size_t>(a)] +
-                                               mesh.vertices[static_cast<std::size_t>(b)]));
-            return place->second;
-        };
-        std::vector<Triangle> finer;
-        for (const Triangle& t : mesh.triangles) {
-            const std::int32_t a = middle(t[0], t[1]), b = middle(t[1], t[2]), c = middle(t[2], t[0]);
-            finer.push_back({t[0], a, c});
-            finer.push_back({a, t[1], b});
-            finer.push_back({c, b, t[2]});
-            finer.push_back({a, b, c});
-        }
-        mesh.triangles = finer;
-    }
-    for (Vector3& v : mesh.vertices) v *= radius / v.norm();
-    return mesh;
 }
 
 /// A mesh with the positions its vertices have now.
