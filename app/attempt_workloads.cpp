@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/performance.h"
+#include "app/plane_workload.h"
 #include "assessment/operators/operator.h"
 #include "database/trace_codec.h"
 
@@ -99,6 +100,7 @@ std::vector<lab::Workload> attempt_workloads() {
         return prepared;
     };
     workloads.push_back(world);
+    workloads.push_back(plane_workload());
 
     lab::Workload recording;
     recording.name = "recording_1s";

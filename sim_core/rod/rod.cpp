@@ -120,6 +120,15 @@ RodScratch::RodScratch() = default;
 RodScratch::~RodScratch() = default;
 RodScratch::RodScratch(RodScratch&&) noexcept = default;
 RodScratch& RodScratch::operator=(RodScratch&&) noexcept = default;
+RodScratch::RodScratch(const RodScratch& other) : data_(other.data_ ? std::make_unique<Data>(*other.data_) : nullptr) {}
+RodScratch& RodScratch::operator=(const RodScratch& other) {
+    if (data_ && other.data_) {
+        *data_ = *other.data_;
+    } else {
+        data_ = other.data_ ? std::make_unique<Data>(*other.data_) : nullptr;
+    }
+    return *this;
+}
 
 std::size_t RodScratch::bytes() const {
     if (!data_) return 0;

@@ -201,6 +201,9 @@ class RodScratch {
     ~RodScratch();
     RodScratch(RodScratch&&) noexcept;
     RodScratch& operator=(RodScratch&&) noexcept;
+    /// A step goes on from a copy bit for bit; an assignment of the same rod's allocates nothing.
+    RodScratch(const RodScratch& other);
+    RodScratch& operator=(const RodScratch& other);
     struct Data;
     Data& data() { return *data_; }
     const Data& data() const { return *data_; }

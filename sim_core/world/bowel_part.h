@@ -67,6 +67,11 @@ class BowelPart {
     void fill_snapshot(WorldSnapshot& snapshot) const noexcept;
     void size_snapshot(WorldSnapshot& snapshot) const;
     void hash(StateHash& hash) const noexcept;
+    /// All that changes from step to step; a part made for the same scene goes on from it bit for bit.
+    /// Null with membranes, whose solver remembers more than their state.
+    struct Saved;
+    std::shared_ptr<const Saved> save() const;
+    void restore(const Saved& saved);
 
     const BowelSkin& skin() const { return *skin_; }
     const Rod& rod() const { return *rod_; }

@@ -17,6 +17,7 @@ constexpr double out_by = 0.001;            // m beyond the tip's radius: the bl
 constexpr double off_by = 0.002;            // m from the nearest tissue: it has run over the rim
 constexpr double line_reach = 0.012;        // m beside the marked line within which a cut divides the sheet across it
 constexpr double off_wall = 0.0005;         // m at rest from the muscularis that a blade keeps
+constexpr double off_rim = 1e-6;            // m: places are told as being this far from the rim of a septum at least
 constexpr double kept_slack = 1e-6;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
@@ -50,7 +51,7 @@ void SheetPart::follow(int number, const SheetAction& action, std::uint32_t tick
         if (button && action.instrument->cuts() && cutting != nullptr && across > cutting->penetrate &&
             along > cutting->static_friction) {
             hand.touch = SheetTouch::cutting;
-            hand.way = rest(hand.place);
+            hand.way = on_septum(hand.place, rest(hand.place));
             hand.cut_friction = cutting->dynamic_friction;
             hand.linked = false;  // the blade is another link
             surface_.begin_stroke();
@@ -96,7 +97,7 @@ void SheetPart::advance(int number, const Vector3& excess, std::uint32_t tick) n
     if (report.outcome != CutOutcome::cut && report.outcome != CutOutcome::nothing) return;
     const SheetPlace next = closest(blade.to + ahead * way);
     const bool gone = next.fragment < 0 || (place(next) - blade.to).norm() > off_by;
-    const Vector3 reached = gone ? Vector3(hand.way + excess.norm() * (rest(next) - hand.way).normalized()) : rest(next);
+    const Vector3 reached = on_septum(hand.place, gone ? Vector3(hand.way + excess.norm() * (rest(next) - hand.way).normalized()) : rest(next));
     if (report.outcome == CutOutcome::cut) {
         const double length = (reached - hand.way).norm();
         mark_divided(hand.way, reached);
@@ -115,6 +116,15 @@ void SheetPart::advance(int number, const Vector3& excess, std::uint32_t tick) n
 const CuttingSpec* SheetPart::cutting_at(const SheetPlace& where) const noexcept {
     const TissueSpec& tissue = in_fat(rest(where)) ? fat_ : tissue_;
     return tissue.cutting ? &*tissue.cutting : nullptr;
+}
+
+// Lines lie end to end: what runs over the rim of one septum is not on the next.
+Vector3 SheetPart::on_septum(const SheetPlace& where, Vector3 rest) const noexcept {
+    if (!septa_ || where.fragment < 0) return rest;
+    const auto roots = static_cast<std::int32_t>(layout_.mesh.triangles.size()) / layout_.pieces;
+    const double first = surface_.fragment(where.fragment).root / roots * septa_->width;
+    rest.x() = std::clamp(rest.x(), first + off_rim, first + septa_->width - off_rim);
+    return rest;
 }
 
 // The muscularis of the rectum is not cut: a blade that would come to it is led along it.

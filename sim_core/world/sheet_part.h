@@ -125,6 +125,8 @@ class SheetPart {
     const State& state() const { return state_; }
     const CutMesh& surface() const { return surface_; }
     const CutMembrane& membrane() const { return membrane_; }
+    const CutMembraneInputs& inputs() const { return inputs_; }
+    const SheetLayout& layout() const { return layout_; }
     /// State and surface of a part made for the same scene.
     void restore(const State& state, const CutState& surface);
     const Event* events() const { return events_.data(); }
@@ -169,6 +171,7 @@ class SheetPart {
     void sum_pulls() noexcept;
     bool in_fat(const Vector3& rest) const noexcept { return septa_ && rest.y() >= septa_->areolar_height - septa_->plane_height; }
     const CuttingSpec* cutting_at(const SheetPlace& where) const noexcept;
+    Vector3 on_septum(const SheetPlace& where, Vector3 rest) const noexcept;
     Vector3 keep_off_wall(const SheetPlace& where, const Vector3& way) const noexcept;
     void remake_pieces() noexcept;
     bool jaws_hold(std::int32_t piece) const noexcept;

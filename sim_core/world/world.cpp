@@ -17,16 +17,6 @@ constexpr double settle_time = 4.0;  // s at most in which rectum and septa come
 
 }  // namespace
 
-/// The instruments against the surface as the world sees it: the tick's own law, at the end of the step that is being made. The force
-/// that moves the bowel must not be the tick's: that one was made for a surface up to ten ticks old, and would throw a light bowel to
-/// and fro under a tool that does not move.
-struct World::HandContacts {
-    ToolContactModel model[hand_count];
-    ToolContactState state[hand_count];
-    ToolContactScratch scratch[hand_count];
-    ToolContactResult result[hand_count];
-};
-
 World::World(const Scene& scene, std::uint64_t seed) : scene_(scene) {
     for (const InstrumentSpec& spec : scene_.instruments) {
         const int hand = static_cast<int>(spec.hand);

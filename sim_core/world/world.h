@@ -10,6 +10,7 @@
 
 #include "sim_core/collision/cavity.h"
 #include "sim_core/contact/local_model.h"
+#include "sim_core/contact/tool_contact.h"
 #include "sim_core/haptics/tick_output.h"
 #include "sim_core/instrument/instrument.h"
 #include "sim_core/scene/scene.h"
@@ -54,11 +55,26 @@ class World {
     const BandsPart* bands() const noexcept { return bands_.get(); }
     const CavityModel* cavity() const noexcept { return cavity_.get(); }
 
+    /// All that changes from step to step: saved in mid-attempt, a world of the same scene and seed goes on from it bit for bit
+    /// with the same tick outputs. Null where the scene lists `membranes`, whose solver remembers more than their state. Not for the
+    /// real-time path.
+    struct Saved;
+    std::shared_ptr<const Saved> save() const;
+    void restore(const Saved& saved);
+
     void measure(bool on);
     std::vector<PartCost> costs() const;
 
   private:
-    struct HandContacts;
+    /// The instruments against the surface as the world sees it: the tick's own law, at the end of the step that is being made. The
+    /// force that moves the bowel must not be the tick's: that one was made for a surface up to ten ticks old, and would throw a
+    /// light bowel to and fro under a tool that does not move.
+    struct HandContacts {
+        ToolContactModel model[hand_count];
+        ToolContactState state[hand_count];
+        ToolContactScratch scratch[hand_count];
+        ToolContactResult result[hand_count];
+    };
     void build_anatomy(std::uint64_t seed);
     void hang_septa();
     void find_contacts(const TickOutput& last, ToolAction* actions) noexcept;
