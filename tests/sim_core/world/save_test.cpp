@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// A world saved in mid-attempt goes on from there bit for bit, whatever its scene lists.
+#include <gtest/gtest.h>
+
+#include "tests/sim_core/sheet/sheet_rig.h"
+
+namespace fulcrum {
+namespace {
+
+std::uint64_t hash_of(const World& world) {
+    StateHash hash;
+    if (world.bowel() != nullptr) world.bowel()->hash(hash);
+    if (world.sheet() != nullptr) world.sheet()->hash(hash);
+    if (world.bands() != nullptr) world.bands()->hash(hash);
+    for (const Event& event : world.snapshot().events) hash.add(static_cast<double>(event.value));
+    return hash.value();
+}
+
+class WorldSave : public testing::TestWithParam<const char*> {};
+
+TEST_P(WorldSave, GoesOnBitForBitInItselfAndInAWorldMadeAnew) {
+    test::SheetRig rig(load_scene(test::source_path(std::string("assets/scenes/") + GetParam() + ".json")));
+    const WorldSnapshot& first = rig.world.snapshot();
+    const Vector3 place = !first.nodes.empty() ? first.nodes[first.nodes.size() / 3]
+                          : rig.scene.sheet    ? rig.scene.sheet->centre
+                          : rig.scene.bands
+                              ? Vector3(rig.scene.bands->centre + Vector3(0, 0, rig.scene.bands->height))
+                              : Vector3(Vector3::Zero());
+    // Both tips into the tissue, the left jaws closed on it, the right one drawn along with its button held.
+    rig.go(0, rig.tip_for(place + Vector3(0.012, 0, 0)), 0.3);
+    rig.go(1, place + Vector3(-0.012, 0, 0.001), 0.3);
+    rig.wish[0].closed = rig.wish[1].button = true;
+    rig.steps(20);
+    rig.go(0, rig.wish[0].tip + Vector3(0, 0, 0.004), 0.05);
+    rig.go(1, rig.wish[1].tip + Vector3(0.002, 0.004, -0.006), 0.05);
+    const std::shared_ptr<const World::Saved> saved = rig.world.save();
+    ASSERT_NE(saved, nullptr);
+    const std::uint64_t at_save = hash_of(rig.world);
+    std::vector<std::vector<TickOutput>> outputs;
+    std::vector<std::uint64_t> hashes, told;
+    for (int i = 0; i < 80; ++i) {
+        rig.wish[0].tip += Vector3(0, 1e-4, 1e-4);
+        rig.wish[1].tip += Vector3(1.5e-4, 0, i < 40 ? -1e-4 : 1e-4);
+        rig.step();
+        outputs.push_back(rig.outputs);
+        hashes.push_back(hash_of(rig.world));
+        told.push_back(rig.record.state_hash);
+    }
+    EXPECT_NE(hashes.back(), at_save);
+    World fresh(rig.scene, 1);
+    for (World* world : {&rig.world, &fresh}) {
+        world->restore(*saved);
+        EXPECT_EQ(hash_of(*world), at_save);
+        for (std::size_t i = 0; i < outputs.size(); ++i) {
+            const StepRecord record = world->step(outputs[i].data(), outputs[i].size());
+            ASSERT_EQ(hash_of(*world), hashes[i])
+                << (world == &fresh ? "made anew, step " : "itself, step ") << i;
+            ASSERT_EQ(record.state_hash, told[i]);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, WorldSave,
+                         testing::Values("b1_bowel", "b2_plane", "b3_bands", "c4_posterior"),
+                         [](const testing::TestParamInfo<const char*>& scene) {
+                             return std::string(scene.param);
+                         });
+
+TEST(WorldSaving, SaysWhereItCannot) {
+    const World world(load_scene(test::source_path("assets/scenes/b1_mesentery.json")), 1);
+    EXPECT_EQ(world.save(), nullptr) << "membranes remember more than their state";
+}
+
+}  // namespace
+}  // namespace fulcrum
