@@ -41,6 +41,7 @@ BandMonitor::BandMonitor(const Scene& scene)
     nerve_tissue_ = tissue(spec.nerve_tissue);
     vessel_tissue_ = tissue(spec.vessel_tissue);
     if (scene.sheet) sheet_tissue_ = tissue(scene.sheet->tissue);
+    if (scene.septa) sheet_tissue_ = tissue(scene.septa->tissue);
     std::size_t outlets = field_outlet_capacity;
     if (scene.bands) {
         band_tissue_ = tissue(scene.bands->tissue);

@@ -13,6 +13,8 @@ namespace {
 constexpr double tolerance = 1e-14;  // of the residual, relative to the right-hand side
 constexpr double least_right = 1e-300;
 constexpr double damage_limit = 1e6;
+constexpr double harmless =
+    39;  // degrees C: below it, as of dose, damage counts as at rest (less than 3e-7 1/s)
 constexpr double hottest = 1e6;  // K, beyond which no input leads
 
 double usable(double value, double most) {
@@ -112,6 +114,7 @@ HeatReport step_heat(const HeatModel& model, const HeatInputs& inputs, double dt
     }
 
     const double boiling = model.boiling_point - model.body_temperature;
+    const double at_rest = damage_rate(model.body_temperature);
     state.given += given * dt;
     for (std::size_t i = 0; i < count; ++i) {
         const HeatPatch& patch = model.patches[i];
@@ -131,7 +134,8 @@ HeatReport step_heat(const HeatModel& model, const HeatInputs& inputs, double dt
         }
         const double mean = model.body_temperature + 0.5 * (state.rise[i] + rise);
         state.dose[i] = std::min(dose_limit, state.dose[i] + dose_rate(mean) * dt / 60.0);
-        state.damage[i] = std::min(damage_limit, state.damage[i] + damage_rate(mean) * dt);
+        const double harm = mean < harmless ? at_rest : damage_rate(mean);
+        state.damage[i] = std::min(damage_limit, state.damage[i] + harm * dt);
         state.rise[i] = rise;
     }
     return report;

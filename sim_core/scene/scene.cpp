@@ -86,6 +86,7 @@ class SceneReader {
         copy(node, "penetrate_n", cutting.penetrate);
         copy(node, "static_friction_n", cutting.static_friction);
         copy(node, "dynamic_friction_n", cutting.dynamic_friction);
+        copy(node, "energy_factor", cutting.energy_factor);
         if (cutting.dynamic_friction > cutting.static_friction) {
             document_.fail(place + "/dynamic_friction_n", "a blade that moves would be held more than one that stands",
                            "give at most static_friction_n");
@@ -415,6 +416,9 @@ class SceneReader {
         scene_.structures = read_structures_spec(document_, node);
         for (const std::string& label : {scene_.structures->bed_tissue, scene_.structures->nerve_tissue, scene_.structures->vessel_tissue}) {
             check_tissue("/structures", label);
+        }
+        if (!scene_.presacral) {
+            document_.fail("/structures", "structures without the wall that they run in", "add \"presacral\" or remove \"structures\"");
         }
         if (scene_.bands) {
             document_.fail("/structures", "bands have nerve and vessels of their own", "remove \"bands\" or \"structures\"");

@@ -21,6 +21,7 @@ struct CuttingSpec {
     double penetrate = 0.3;                ///< N, across the tissue, above which a blade breaks through
     double static_friction = 0.1;          ///< N, along it, above which it does so
     double dynamic_friction = 0.06;        ///< N, along it, above which a blade in it moves on; at most static_friction
+    double energy_factor = 0.4;            ///< share of these that a blade under power needs; provisional
 };
 
 /// A tissue that instruments can touch. Limits of 0 or less mean: none.

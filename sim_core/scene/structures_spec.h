@@ -11,24 +11,23 @@ namespace fulcrum {
 /// Venous pressure of a patient who lies on the back; flow as VesselModel says.
 struct StructuresSpec : FieldSpec {
     StructuresSpec() {
-        nerve_radius = 0.001;
         vessel_radius = 0.0012;
         vessel_pressure = 1330;  // 10 mmHg
-        feeding_length = 0.08;
+        feeding_length = 0.15;
         clotting_time = 900;
         seal_time = 2.0;
         bed_tissue = "fascia";
         vessel_tissue = "vein";
     }
-    double vein_lateral = 0.014;    ///< m, of the long veins to either side, from the middle
-    int rungs = 5;                  ///< 0 .. 16, across from one lateral vein to the other
-    double rung_radius = 0.0008;    ///< m
-    double vein_depth = 0.0005;     ///< m of fascia over a vein: what a blade goes through
-    double vein_tear_force = 2.5;   ///< N of a blunt tip on the fascia over a vein above which it tears
-    double wander = 0.001;          ///< m, how far veins wander sideways, drawn from the attempt's seed
-    double nerve_cranial = 0.0285;  ///< m from the middle, where a nerve enters
-    double nerve_caudal = 0.031;    ///< m from the middle, where it leaves
-    double nerve_height = 0.0025;   ///< m, its axis before the fascia
+    double vein_lateral = 0.014;   ///< m along the wall from its middle, of the long veins to either side
+    int rungs = 5;                 ///< 0 .. 16, across from one lateral vein to the other
+    double rung_radius = 0.0008;   ///< m
+    double vein_depth = 0.0005;    ///< m of fascia over a vein: what a blade goes through
+    double vein_tear_force = 2.5;  ///< N of a blunt tip on the fascia over a vein above which it tears
+    double wander = 0.001;         ///< m, how far veins wander sideways, drawn from the attempt's seed
+    double nerve_cranial = 0.037;  ///< m along the wall from its middle, where a nerve enters
+    double nerve_caudal = 0.039;   ///< m along the wall from its middle, where it leaves
+    double nerve_height = 0.0025;  ///< m, its axis before the fascia
     double cell = 0.005;  ///< m, edge of a cell of the wall: blood lies on cells and heat goes into them
 };
 

@@ -13,12 +13,8 @@ namespace {
 
 constexpr double cell = 0.008;  // m
 constexpr int nerve_points = 24;
-constexpr double bed_depth = 0.003;        // m of the bed that a patch stands for
-constexpr double root_size = 0.003;        // m, edge of the tissue around a vessel's root
-constexpr double root_offset = 0.004;      // m beyond the post
-constexpr double gas_transfer = 10;        // W/(m2 K), still gas
-constexpr double blood_per_tissue = 8e-7;  // m3/(s kg), about 50 mL/min/kg; provisional
-constexpr double blood_heat = 3.8e6;       // J/(m3 K)
+constexpr double root_size = 0.003;    // m, edge of the tissue around a vessel's root
+constexpr double root_offset = 0.004;  // m beyond the post
 
 double bed_height(const BandsSpec& spec, double x, double y) {
     const double u = (x - spec.centre.x()) / spec.half_extent.x(),
@@ -102,60 +98,40 @@ TriangleMesh bed_mesh(const BandsSpec& spec) {
     return mesh;
 }
 
-BandsHeat make_bands_heat(const BandsSpec& spec, const BandsLayout& layout) {
-    BandsHeat heat;
-    HeatModel& model = heat.model;
-    const auto patch = [&](double volume, double surface, double water_share) {
-        const double mass = spec.density * volume;
-        model.patches.push_back({mass * spec.specific_heat,
-                                 mass * blood_per_tissue * blood_heat + gas_transfer * surface,
-                                 water_share * mass});
-        return static_cast<std::int32_t>(model.patches.size()) - 1;
-    };
-    const auto link = [&](std::int32_t a, std::int32_t b, double area, double distance) {
-        model.links.push_back({a, b, spec.conductivity * area / distance});
-        return static_cast<std::int32_t>(model.links.size()) - 1;
-    };
+FieldModel make_bands_field(const BandsSpec& spec, const BandsLayout& layout, BandPatches& patches) {
+    FieldModel model;
+    model.bed = layout.bed;
+    VesselModel vessel;
+    vessel.radius = spec.vessel_radius;
+    vessel.pressure = spec.vessel_pressure;
+    vessel.feeding_length = spec.feeding_length;
+    vessel.clotting_time = spec.clotting_time;
+    model.vessels.push_back(vessel);
+
+    FieldHeat heat(spec, model.heat);
     const double segment = spec.length / strand_segments, section = spec.width * spec.thickness;
     for (std::size_t b = 0; b < layout.bands.size(); ++b) {
         for (int s = 0; s < strand_segments; ++s) {
             const std::int32_t here =
-                patch(section * segment, 2 * (spec.width + spec.thickness) * segment, spec.water_share);
-            if (s > 0) heat.segment_links.push_back(link(here - 1, here, section, segment));
+                heat.patch(section * segment, 2 * (spec.width + spec.thickness) * segment);
+            if (s > 0) patches.segment_links.push_back(heat.link(here - 1, here, section, segment));
         }
     }
-    heat.roots = model.patches.size();
+    patches.roots = model.heat.patches.size();
     for (std::size_t v = 0; v < layout.vessel_bands.size(); ++v)
-        patch(root_size * root_size * root_size, root_size * root_size, spec.water_share);
-    heat.bed = model.patches.size();
-    const PoolModel& pool = layout.bed.pool;
-    for (int row = 0; row < pool.rows; ++row) {
-        for (int column = 0; column < pool.columns; ++column) {
-            const std::int32_t here = patch(cell * cell * bed_depth, cell * cell, spec.water_share);
-            if (column > 0) link(here - 1, here, cell * bed_depth, cell);
-            if (row > 0) link(here - pool.columns, here, cell * bed_depth, cell);
-        }
-    }
-    const auto bed_cell = [&](const Vector3& place) {
-        return static_cast<std::int32_t>(heat.bed + layout.bed.cell(place));
-    };
+        heat.patch(root_size * root_size * root_size, root_size * root_size);
+    model.first_bed = heat.bed(layout.bed);
     for (std::size_t v = 0; v < layout.vessel_bands.size(); ++v) {
-        const auto root = static_cast<std::int32_t>(heat.roots + v);
-        link(root, bed_cell(layout.bands[static_cast<std::size_t>(layout.vessel_bands[v])].vessel_root),
-             root_size * root_size, root_size);
+        const Vector3& root = layout.bands[static_cast<std::size_t>(layout.vessel_bands[v])].vessel_root;
+        heat.link(static_cast<std::int32_t>(patches.roots + v),
+                  static_cast<std::int32_t>(model.first_bed + layout.bed.cell(root)), root_size * root_size,
+                  root_size);
     }
-    heat.nerve = model.patches.size();
-    const double piece =
-        (layout.nerve.back() - layout.nerve.front()).norm() / static_cast<double>(layout.nerve.size() - 1);
-    const double round = 3.14159265358979323846 * spec.nerve_radius * spec.nerve_radius;
-    for (std::size_t i = 0; i < layout.nerve.size(); ++i) {
-        const std::int32_t here =
-            patch(round * piece, 2 * 3.14159265358979323846 * spec.nerve_radius * piece, spec.water_share);
-        if (i > 0) link(here - 1, here, round, piece);
-        const double above = std::max(0.001, layout.nerve[i].z() - layout.bed.ground(layout.nerve[i]));
-        link(here, bed_cell(layout.nerve[i]), 2 * spec.nerve_radius * piece, above);
-    }
-    return heat;
+    model.nerves.push_back(
+        {layout.nerve, heat.nerve(layout.nerve, layout.bed, model.first_bed, [&](const Vector3& point) {
+             return point.z() - layout.bed.ground(point);
+         })});
+    return model;
 }
 
 }  // namespace fulcrum

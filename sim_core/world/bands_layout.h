@@ -5,10 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim_core/energy/heat.h"
 #include "sim_core/geometry/mesh.h"
 #include "sim_core/scene/bands_spec.h"
-#include "sim_core/world/field_bed.h"
+#include "sim_core/world/operative_field.h"
 
 namespace fulcrum {
 
@@ -30,13 +29,13 @@ BandsLayout place_bands(const BandsSpec& spec, std::uint64_t seed);
 /// The bed as the instruments feel it, normals up.
 TriangleMesh bed_mesh(const BandsSpec& spec);
 
-/// Heat patches of a layout: segments of all bands first, then vessel roots, bed cells, nerve.
-struct BandsHeat {
-    HeatModel model;
-    std::size_t roots = 0, bed = 0, nerve = 0;  ///< where each begins
+/// Which heat patches of a field are bands': segments of all bands come first, segment s of band b is
+/// b * strand_segments + s.
+struct BandPatches {
+    std::size_t roots = 0;  ///< patch of the first vessel's root
     std::vector<std::int32_t>
         segment_links;  ///< link between segment s and s + 1 of band b at [b * (segments - 1) + s]
 };
-BandsHeat make_bands_heat(const BandsSpec& spec, const BandsLayout& layout);
+FieldModel make_bands_field(const BandsSpec& spec, const BandsLayout& layout, BandPatches& patches);
 
 }  // namespace fulcrum

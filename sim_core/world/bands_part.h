@@ -9,16 +9,13 @@
 #include <array>
 #include <vector>
 
-#include "sim_core/bleeding/pool.h"
-#include "sim_core/bleeding/vessel.h"
 #include "sim_core/contact/local_model.h"
-#include "sim_core/energy/energy_tool.h"
-#include "sim_core/energy/heat.h"
 #include "sim_core/haptics/tick_output.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/strand/strand.h"
 #include "sim_core/world/bands_layout.h"
 #include "sim_core/world/bands_view.h"
+#include "sim_core/world/operative_field.h"
 #include "sim_core/world/snapshot.h"
 #include "sim_core/world/state_hash.h"
 
@@ -40,74 +37,43 @@ class BandsPart {
     std::size_t bytes() const;
 
     const BandsLayout& layout() const { return layout_; }
-    const HeatState& heat() const { return heat_state_; }
-    const HeatModel& heat_model() const { return heat_.model; }
-    const PoolState& pool() const { return pool_; }
+    const OperativeField& field() const { return field_; }
     const StrandState& strand(std::size_t band) const { return strands_[band]; }
-    const BleedState& outlet(std::size_t index) const { return outlets_[index].bleed; }
 
   private:
-    struct Outlet {
-        BleedState bleed;
-        std::int32_t band = 0, vessel = 0;
-        bool trunk = false, opened = false, injured = false;
-    };
-    struct HandTool {
-        const InstrumentSpec* instrument = nullptr;
-        std::array<ToolKind, 6> kinds{};
-        int kind_count = 1, index = 0;
-        double exchange_left = 0;   ///< s
-        std::uint16_t buttons = 0;  ///< of the last tick
-        bool ready = true;          ///< the jaws were open since they last closed
-        bool active = false;
-        EnergyTarget target = EnergyTarget::nothing;
-        double nerve_distance = 1;  ///< m
-        std::int32_t touched_band = -1;
-        std::int32_t clips_fired = 0, last_clip_outlet = -1;
-        double last_clip_distance = 0;  ///< m
-        // What the jaws hold.
-        std::int32_t band = -1;
+    /// What a hand's jaws hold, and which band its power reaches.
+    struct Grip {
+        std::int32_t band = -1, touched = -1;
         StrandHold hold;
         Vector3 correction = Vector3::Zero(), target_velocity = Vector3::Zero(),
                 hold_offset = Vector3::Zero();
         double slip_time = 0;  ///< s
         bool slipped = false;
-        // Energy.
-        BladeState blade;
-        std::array<std::int32_t, 16> touched{};  ///< heat patches that the blade touches
-        int touched_count = 0;
-        ToolKind kind() const { return kinds[static_cast<std::size_t>(index)]; }
-        bool usable() const { return exchange_left <= 0; }
     };
 
-    void step_tool(HandTool& hand, const TickOutput* outputs, std::size_t count, int number,
-                   double dt) noexcept;
-    void exchange(HandTool& hand, const TickOutput* outputs, std::size_t count, int number,
-                  double dt) noexcept;
-    void step_jaws(HandTool& hand, const ToolKinematics& tool, double dt) noexcept;
-    void fire_clip(HandTool& hand, const ToolKinematics& tool) noexcept;
-    void apply_energy(HandTool& hand, const ToolKinematics& tool, double duty) noexcept;
-    void touch_with_blade(HandTool& hand, const ToolKinematics& tool) noexcept;
+    void step_tool(int number, const TickOutput* outputs, std::size_t count, double dt) noexcept;
+    void step_jaws(int number, const ToolKinematics& tool, double dt) noexcept;
+    void fire_clip(int number, const ToolKinematics& tool) noexcept;
+    void apply_energy(int number, const ToolKinematics& tool, double duty) noexcept;
+    void touch_with_blade(int number, const ToolKinematics& tool) noexcept;
     void step_strands(double dt) noexcept;
     void part_heated(double dt) noexcept;
     void part(std::size_t band, int segment, bool torn) noexcept;
-    void bleed(double dt) noexcept;
-    Vector3 outlet_position(const Outlet& outlet) const noexcept;
+    /// Where outlets are and which tissue is around them: their bands move and part.
+    void place_outlets() noexcept;
     std::size_t segment_patch(std::size_t band, int segment) const {
         return band * static_cast<std::size_t>(strand_segments) + static_cast<std::size_t>(segment);
     }
-    std::size_t outlet_patch(const Outlet& outlet) const noexcept;
-    double temperature(std::size_t patch) const {
-        return heat_.model.body_temperature + heat_state_.rise[patch];
+    std::size_t outlet_band(std::size_t outlet) const {
+        return static_cast<std::size_t>(layout_.vessel_bands[outlet / 2]);
     }
+    static bool is_trunk(std::size_t outlet) { return outlet % 2 == 0; }
 
     BandsSpec spec_;
     BandsLayout layout_;
     StrandModel strand_model_;
-    EnergyToolModel shears_ = harmonic_shears(), hook_ = monopolar_hook();
-    VesselModel vessel_;
-    SmokeModel smoke_model_;
-    BandsHeat heat_;
+    BandPatches patches_;
+    OperativeField field_;  ///< outlets: 2 v trunk, 2 v + 1 branch of vessel v
     TissueSpec tissue_;
     std::int16_t tissue_index_ = -1;
 
@@ -119,15 +85,7 @@ class BandsPart {
     std::vector<double> sealed_;            ///< of a vessel there, by segment patch
     std::vector<double> parted_tension_;    ///< N, by band
     std::vector<std::int32_t> parted_at_;   ///< first parted segment by band, -1 none
-    std::vector<Outlet> outlets_;
-    HeatState heat_state_;
-    HeatInputs heat_inputs_;
-    HeatScratch heat_scratch_;
-    PoolState pool_;
-    SmokeState smoke_;
-    HandTool hands_[hand_count];
-    bool suction_ = false;
-    std::int32_t clips_left_ = 0;
+    std::array<Grip, hand_count> grips_;
 };
 
 }  // namespace fulcrum

@@ -13,7 +13,7 @@
 namespace fulcrum {
 
 /// What a hand can hold where instruments are exchanged.
-enum class ToolKind : std::uint8_t { grasper, probe, harmonic, hook, clip_applier, suction };
+enum class ToolKind : std::uint8_t { grasper, probe, harmonic, hook, clip_applier, suction, scissors };
 /// A scene's word for it; anything unknown is a probe.
 ToolKind tool_kind(const std::string& word) noexcept;
 const char* tool_kind_name(ToolKind kind) noexcept;
@@ -95,7 +95,7 @@ struct BandsView {
     double lateral_dose =
         0;  ///< min, largest over what energy is not for: nerves, bed, far tissue of a sheet
     double worst_nerve_dose = 0, worst_bed_dose = 0;  ///< min
-    /// Of a sheet that energy divides, by its root triangle as it was made; empty without.
+    /// Of a sheet that energy divides, by its root triangle as it was made (SheetView::roots); empty without.
     std::vector<float> sheet_char;  ///< 0 moist .. 1 dry and black
     std::vector<float> sheet_dose;  ///< min
     // The bed: a grid of cells, row by row along y; blood lies on it.

@@ -29,24 +29,15 @@ struct FieldBed {
             std::clamp(std::floor((place.y() - corner.y()) / pool.cell), 0.0, pool.rows - 1.0));
     }
     std::size_t cell(const Vector3& place) const { return pool.index(column(place), row(place)); }
-    /// m, of the bed under a place.
+    /// m, of the bed under a place; beside it as at its rim.
     double ground(const Vector3& place) const {
         const int c = column(place), r = row(place);
         const std::size_t i = pool.index(c, r);
         if (slope.empty()) return pool.ground[i];
-        return pool.ground[i] + slope[i][0] * (place.x() - corner.x() - (c + 0.5) * pool.cell) +
-               slope[i][1] * (place.y() - corner.y() - (r + 0.5) * pool.cell);
-    }
-    /// Unit, up from the bed under a place.
-    Vector3 normal(const Vector3& place) const {
-        if (slope.empty()) return Vector3::UnitZ();
-        const std::array<double, 2>& s = slope[cell(place)];
-        return Vector3(-s[0], -s[1], 1).normalized();
-    }
-    /// m from the bed along its normal, > 0 above it; exact for a plane.
-    double height(const Vector3& place) const {
-        const double above = place.z() - ground(place);
-        return slope.empty() ? above : above * normal(place).z();
+        const double half = 0.5 * pool.cell;
+        return pool.ground[i] +
+               slope[i][0] * std::clamp(place.x() - corner.x() - (c + 0.5) * pool.cell, -half, half) +
+               slope[i][1] * std::clamp(place.y() - corner.y() - (r + 0.5) * pool.cell, -half, half);
     }
 };
 

@@ -37,6 +37,8 @@ void SheetPart::follow(int number, const SheetAction& action, std::uint32_t tick
     HandState& hand = state_.hands[static_cast<std::size_t>(number)];
     hand.friction = friction(action);
     hand.radius = action.instrument->tip_radius;
+    const CuttingSpec* at_hand = hand.place.fragment >= 0 ? cutting_at(hand.place) : nullptr;
+    hand.ease = action.energised && at_hand != nullptr ? at_hand->energy_factor : 1.0;
     if (!hand.linked || (hand.touch != SheetTouch::touching && hand.touch != SheetTouch::cutting)) return;
     const bool button = (action.tool.buttons & button_primary) != 0;
     const Vector3 n = hand.touch == SheetTouch::touching ? Vector3(hand.side * hand.normal) : hand.normal;
@@ -47,12 +49,11 @@ void SheetPart::follow(int number, const SheetAction& action, std::uint32_t tick
         // Eq. 6: the force on the contact plane, and Eq. 7.
         const double across = std::max(0.0, -hand.reaction.dot(n));
         const double along = (hand.reaction - hand.reaction.dot(n) * n).norm();
-        const CuttingSpec* cutting = cutting_at(hand.place);
-        if (button && action.instrument->cuts() && cutting != nullptr && across > cutting->penetrate &&
-            along > cutting->static_friction) {
+        if (button && action.instrument->cuts() && at_hand != nullptr && across > hand.ease * at_hand->penetrate &&
+            along > hand.ease * at_hand->static_friction) {
             hand.touch = SheetTouch::cutting;
             hand.way = on_septum(hand.place, rest(hand.place));
-            hand.cut_friction = cutting->dynamic_friction;
+            hand.cut_friction = hand.ease * at_hand->dynamic_friction;
             hand.linked = false;  // the blade is another link
             surface_.begin_stroke();
             add_place_event(tick, EventKind::cut_begin, number, hand.way);
@@ -71,6 +72,7 @@ void SheetPart::follow(int number, const SheetAction& action, std::uint32_t tick
         leave(number, tick);
         return;
     }
+    if (at_hand != nullptr) hand.cut_friction = hand.ease * at_hand->dynamic_friction;
     const double pull = tissue_.stiffness * way.norm(), most = hand.cut_friction;
     if (!(pull > most)) return;
     Vector3 excess = keep_off_wall(hand.place, (1 - most / pull) * way);
@@ -109,7 +111,7 @@ void SheetPart::advance(int number, const Vector3& excess, std::uint32_t tick) n
         leave(number, tick);
     } else {
         hand.place = next;
-        if (const CuttingSpec* cutting = cutting_at(next)) hand.cut_friction = cutting->dynamic_friction;
+        if (const CuttingSpec* cutting = cutting_at(next)) hand.cut_friction = hand.ease * cutting->dynamic_friction;
     }
 }
 

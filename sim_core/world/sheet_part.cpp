@@ -272,6 +272,7 @@ void SheetPart::size_snapshot(WorldSnapshot& snapshot) const {
     view.positions.resize(at(surface_.capacity().vertices), Vector3::Zero());
     view.rest.resize(at(surface_.capacity().vertices), Vector3::Zero());
     view.triangles.resize(at(surface_.capacity().triangles), Triangle{0, 0, 0});
+    view.roots.resize(view.triangles.size(), 0);
     view.thickness = spec_.thickness;
     if (septa_) {
         view.septum_length = septa_->width;
@@ -308,7 +309,10 @@ void SheetPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
             view.rest[at(v)] = Vector3(from_start.dot(spec_.along), from_start.dot(spec_.across), 0);
         }
         view.triangle_count = static_cast<std::int32_t>(visible_.size());
-        for (std::size_t k = 0; k < visible_.size(); ++k) view.triangles[k] = surface_.triangle(visible_[k]).vertices;
+        for (std::size_t k = 0; k < visible_.size(); ++k) {
+            view.triangles[k] = surface_.triangle(visible_[k]).vertices;
+            view.roots[k] = surface_.triangle(visible_[k]).root;
+        }
         view.visible_area = surface_.area_visible();
         view.removed_area = surface_.area_removed();
     }

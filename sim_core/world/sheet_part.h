@@ -38,6 +38,7 @@ struct SheetAction {
     ToolKinematics tool;                         ///< at the step's last tick
     bool busy = false;                           ///< its jaws hold something else
     double other = std::numeric_limits<double>::infinity();  ///< m, from the middle of its jaws to what else they could take
+    bool energised = false;                      ///< its blade is under power: it needs CuttingSpec::energy_factor of the forces
 };
 
 /// A place on the sheet that moves with it.
@@ -71,6 +72,7 @@ class SheetPart {
         Vector3 reaction = Vector3::Zero();   ///< N, tool on sheet
         Vector3 way = Vector3::Zero();        ///< m at rest: where the blade was last
         double cut_friction = 0;              ///< N, dynamic friction of the tissue that the blade is in
+        double ease = 1;                      ///< share of a tissue's forces that its blade needs: less under power
         // Jaws.
         bool held = false, ready = true, slipped = false;
         struct Grip {

@@ -68,6 +68,7 @@ struct SheetView {
     std::vector<Vector3> rest;            ///< m, in the sheet as it was made: x along the marked line from its start, y from it
                                           ///< towards the flap, z = 0
     std::vector<Triangle> triangles;      ///< visible ones
+    std::vector<std::int32_t> roots;      ///< of each: the triangle as it was made that it is a part of, BandsView::sheet_char
     std::int32_t vertex_count = 0, triangle_count = 0;
     std::uint32_t topology = 0;
     double thickness = 0;                 ///< m

@@ -48,6 +48,11 @@ World::World(const Scene& scene, std::uint64_t seed) : scene_(scene) {
         sheet_->size_snapshot(snapshot_);
     }
     if (sheet_ && bowel_) hang_septa();
+    if (scene_.structures) {
+        const RectumParameters rectum = rectum_parameters(scene_);
+        structures_ = std::make_unique<StructuresPart>(scene_, presacral_wall(rectum.curve, rectum.promontory), *cavity_, sheet_.get(), seed);
+        structures_->size_snapshot(snapshot_);
+    }
 
     // The world before the first tick: instruments where their devices are aligned at the start.
     TickOutput start;
@@ -104,6 +109,11 @@ void World::hang_septa() {
     bowel_->stop();
 }
 
+HeldTool World::held(int hand, const TickOutput& last) const noexcept {
+    if (structures_) return structures_->held(hand, last.contact[hand].tool);
+    return {scene_.instrument(static_cast<Hand>(hand)), last.contact[hand].tool, false};
+}
+
 StepRecord World::step(const TickOutput* outputs, std::size_t count) noexcept {
     StepRecord record;
     record.step = ++steps_;
@@ -119,8 +129,10 @@ StepRecord World::step(const TickOutput* outputs, std::size_t count) noexcept {
         for (int hand = 0; hand < hand_count && !paused; ++hand) {
             if (!has_instrument_[hand]) continue;
             SheetAction& action = on_sheet[hand];
-            action.instrument = scene_.instrument(static_cast<Hand>(hand));
-            action.tool = last.contact[hand].tool;
+            const HeldTool now = held(hand, last);
+            action.instrument = now.instrument;
+            action.tool = now.tool;
+            action.energised = now.energised;
             if (!bowel_) continue;
             // Jaws take what is nearer.
             action.busy = bowel_->grasp(static_cast<Hand>(hand)).held;
@@ -140,8 +152,9 @@ StepRecord World::step(const TickOutput* outputs, std::size_t count) noexcept {
         for (int hand = 0; hand < hand_count; ++hand) {
             if (!has_instrument_[hand]) continue;
             ToolAction& action = actions[hand];
-            action.instrument = scene_.instrument(static_cast<Hand>(hand));
-            action.tool = last.contact[hand].tool;
+            const HeldTool now = held(hand, last);
+            action.instrument = now.instrument;
+            action.tool = now.tool;
             action.busy = sheet_ && sheet_->holds(hand);
             for (std::size_t i = 0; i < count; ++i) action.slipping = action.slipping || outputs[i].contact[hand].slipping;
         }
@@ -152,6 +165,10 @@ StepRecord World::step(const TickOutput* outputs, std::size_t count) noexcept {
     if (bands_ && !paused) {
         Stopwatch watch(measuring_, bands_us_);
         record.outcome = std::max(record.outcome, bands_->step(outputs, count, scene_.step_period()));
+    }
+    if (structures_ && !paused) {
+        Stopwatch watch(measuring_, structures_us_);
+        structures_->step(outputs, count, scene_.step_period());
     }
     {
         Stopwatch watch(measuring_, models_us_);
@@ -197,6 +214,7 @@ void World::fill_models(const TickOutput& last) noexcept {
         }
         if (sheet_) sheet_->fill_local_model(hand, model);
         if (bands_) bands_->fill_local_model(static_cast<Hand>(hand), model);
+        if (structures_) structures_->fill_local_model(hand, model);
         model.target_count = static_cast<std::int32_t>(targets_.size());
         std::copy(targets_.begin(), targets_.end(), model.targets.begin());
         model.cavity_seed = cavity_ ? cavity_->closest(last.contact[hand].tool.tip, 0.05).triangle : -1;
@@ -215,6 +233,7 @@ void World::fill_snapshot(const TickOutput& last) noexcept {
     if (bowel_) bowel_->fill_snapshot(snapshot_);
     if (sheet_) sheet_->fill_snapshot(snapshot_);
     if (bands_) bands_->fill_snapshot(snapshot_);
+    if (structures_) structures_->fill_snapshot(snapshot_);
 }
 
 std::uint64_t World::hash() const noexcept {
@@ -228,6 +247,7 @@ std::uint64_t World::hash() const noexcept {
     if (bowel_) bowel_->hash(hash);
     if (sheet_) sheet_->hash(hash);
     if (bands_) bands_->hash(hash);
+    if (structures_) structures_->hash(hash);
     return hash.value() == 0 ? 1 : hash.value();  // 0 means: no hash in this step
 }
 
@@ -249,6 +269,7 @@ std::vector<PartCost> World::costs() const {
     }
     if (sheet_) costs.push_back({"sheet", sheet_us_, sheet_->bytes()});
     if (bands_) costs.push_back({"bands", bands_us_, bands_->bytes()});
+    if (structures_) costs.push_back({"structures", structures_us_, structures_->bytes()});
     if (scene_.targets) costs.push_back({"targets", 0, targets_.capacity() * sizeof(TargetModel)});
     costs.push_back({"contact_models", models_us_, sizeof(LocalModels)});
     costs.push_back({"snapshot", snapshot_us_, sizeof(WorldSnapshot) + snapshot_.rings.capacity() * sizeof(RingFrame) + snapshot_.nodes.capacity() * sizeof(Vector3)});

@@ -19,6 +19,7 @@
 #include "sim_core/world/bowel_part.h"
 #include "sim_core/world/sheet_part.h"
 #include "sim_core/world/snapshot.h"
+#include "sim_core/world/structures_part.h"
 
 namespace fulcrum {
 
@@ -53,6 +54,7 @@ class World {
     const SheetPart* sheet() const noexcept { return sheet_.get(); }
     SheetPart* sheet() noexcept { return sheet_.get(); }
     const BandsPart* bands() const noexcept { return bands_.get(); }
+    const StructuresPart* structures() const noexcept { return structures_.get(); }
     const CavityModel* cavity() const noexcept { return cavity_.get(); }
 
     /// All that changes from step to step: saved in mid-attempt, a world of the same scene and seed goes on from it bit for bit
@@ -77,6 +79,7 @@ class World {
     };
     void build_anatomy(std::uint64_t seed);
     void hang_septa();
+    HeldTool held(int hand, const TickOutput& last) const noexcept;
     void find_contacts(const TickOutput& last, ToolAction* actions) noexcept;
     void fill_models(const TickOutput& last) noexcept;
     void fill_snapshot(const TickOutput& last) noexcept;
@@ -87,6 +90,7 @@ class World {
     std::unique_ptr<BowelPart> bowel_;
     std::unique_ptr<SheetPart> sheet_;
     std::unique_ptr<BandsPart> bands_;
+    std::unique_ptr<StructuresPart> structures_;
     std::vector<TargetModel> targets_;
     InstrumentModel instruments_[hand_count];
     bool has_instrument_[hand_count] = {false, false};
@@ -97,7 +101,7 @@ class World {
     std::uint32_t steps_ = 0;
     std::uint32_t next_hash_tick_ = hash_every_ticks;
     bool measuring_ = false;
-    double models_us_ = 0, snapshot_us_ = 0, sheet_us_ = 0, bands_us_ = 0;
+    double models_us_ = 0, snapshot_us_ = 0, sheet_us_ = 0, bands_us_ = 0, structures_us_ = 0;
 };
 
 }  // namespace fulcrum

@@ -11,6 +11,7 @@ struct World::Saved {
     std::optional<SheetPart::State> sheet;
     std::optional<CutState> surface;
     std::optional<BandsPart> bands;
+    std::optional<StructuresPart::Saved> structures;
     LocalModels models;
     std::array<ToolContactState, hand_count> contacts;
     WorldSnapshot snapshot;
@@ -28,6 +29,7 @@ std::shared_ptr<const World::Saved> World::save() const {
         saved->surface = sheet_->surface().state();
     }
     if (bands_) saved->bands = *bands_;
+    if (structures_) saved->structures = structures_->save();
     saved->models = models_;
     for (std::size_t h = 0; contacts_ && h < hand_count; ++h) saved->contacts[h] = contacts_->state[h];
     saved->snapshot = snapshot_;
@@ -40,6 +42,7 @@ void World::restore(const Saved& saved) {
     if (bowel_) bowel_->restore(*saved.bowel);
     if (sheet_) sheet_->restore(*saved.sheet, *saved.surface);
     if (bands_) *bands_ = *saved.bands;
+    if (structures_) structures_->restore(*saved.structures);
     models_ = saved.models;
     for (std::size_t h = 0; contacts_ && h < hand_count; ++h) contacts_->state[h] = saved.contacts[h];
     snapshot_ = saved.snapshot;

@@ -199,6 +199,76 @@ TEST(BandMonitor, InjuriesAreCriticalAndToldOnce) {
     EXPECT_EQ(other.sink.of(EventKind::nerve_injury)[1].detail, nerve_was_divided);
 }
 
+TEST(BandMonitor, AWallWithVeinsTellsTheSameEvents) {
+    const Scene scene = load_scene(test::source_path("assets/scenes/c4_posterior.json"));
+    BandMonitor monitor(scene);
+    WorldSnapshot world;
+    world.bands.resize(1);
+    BandsView& view = world.bands[0];
+    view.outlets.resize(field_outlet_capacity);
+    view.nerves.resize(2);
+    for (NerveView& nerve : view.nerves) nerve.dose.assign(4, 0.0F);
+    view.tools[1].kind = ToolKind::hook;
+    view.tools[1].clips_left = scene.structures->clips;
+    Kept sink;
+    std::uint32_t tick = 0;
+    const auto step = [&] { monitor.step(world, tick += 5, sink); };
+    step();
+    EXPECT_TRUE(sink.events.empty());
+
+    // Power in the areolar plane is on target and clear of the nerves; then too near to one.
+    view.tools[1].active = true;
+    view.tools[1].target = EnergyTarget::sheet;
+    view.tools[1].nerve_distance = 0.006F;
+    step();
+    view.tools[1].nerve_distance = 0.001F;
+    step();
+    view.tools[1].active = false;
+    step();
+    ASSERT_EQ(sink.of(EventKind::activation_end).size(), 1U);
+    EXPECT_EQ(sink.of(EventKind::activation_begin)[0].detail,
+              activation_in_view | activation_on_target | activation_clear);
+    EXPECT_EQ(sink.of(EventKind::activation_begin)[0].tissue, scene.tissue_index("areolar"));
+    EXPECT_EQ(sink.of(EventKind::activation_end)[0].detail, activation_in_view | activation_on_target);
+
+    // The sixteenth place bleeds, is clipped and dries.
+    OutletView& outlet = view.outlets[field_outlet_capacity - 1];
+    outlet.opened = outlet.injured = true;
+    outlet.flow = 2e-6;
+    outlet.lost = view.lost = 0.5e-6;
+    step();
+    ASSERT_EQ(sink.of(EventKind::vessel_injury).size(), 1U);
+    EXPECT_EQ(sink.of(EventKind::vessel_injury)[0].detail, 15);
+    EXPECT_EQ(sink.of(EventKind::vessel_injury)[0].tissue, scene.tissue_index("vein"));
+    ASSERT_EQ(sink.of(EventKind::bleed_begin).size(), 1U);
+    EXPECT_NEAR(static_cast<double>(sink.of(EventKind::bleed_begin)[0].value), 120, 1e-3);
+    ASSERT_EQ(sink.of(EventKind::blood_loss).size(), 1U);
+    view.tools[1].kind = ToolKind::clip_applier;
+    view.tools[1].index = 2;
+    view.tools[1].clips_fired = 1;
+    view.tools[1].last_clip_outlet = 15;
+    outlet.clipped = true;
+    outlet.flow = 0;
+    step();
+    EXPECT_EQ(sink.of(EventKind::tool_exchanged).size(), 1U);
+    ASSERT_EQ(sink.of(EventKind::clip_applied).size(), 1U);
+    EXPECT_EQ(sink.of(EventKind::clip_applied)[0].detail, 15);
+    EXPECT_EQ(sink.of(EventKind::bleed_end).size(), 1U);
+    EXPECT_EQ(monitor.dry(), 0);  // no vessel was to be divided
+    EXPECT_EQ(monitor.divided(), 0);
+
+    // Heat beyond the plane is told with the sheet's tissue, a divided nerve once.
+    view.lateral_dose = 30;
+    view.nerves[0].divided = true;
+    tick += 1000;
+    step();
+    step();
+    ASSERT_EQ(sink.of(EventKind::heat_dose).size(), 1U);
+    EXPECT_EQ(sink.of(EventKind::heat_dose)[0].tissue, scene.tissue_index("areolar"));
+    ASSERT_EQ(sink.of(EventKind::nerve_injury).size(), 1U);
+    EXPECT_EQ(sink.of(EventKind::nerve_injury)[0].detail, nerve_was_divided);
+}
+
 TEST(BandMonitor, WhatIsOpenAtTheEndIsClosed) {
     Stage stage;
     stage.step(100);

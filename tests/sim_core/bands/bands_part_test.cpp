@@ -140,8 +140,9 @@ TEST(BandsPart, ShearsDivideWhatTheyHoldAndHeatIsBalanced) {
     EXPECT_GT(seconds, 1.0);
     EXPECT_LT(seconds, 8.0);
     EXPECT_TRUE(flagged);
-    const HeatState& heat = stage.world.bands()->heat();
-    const double out = stored_heat(stage.world.bands()->heat_model(), heat) + heat.perfused + heat.boiled;
+    const HeatState& heat = stage.world.bands()->field().heat();
+    const double out =
+        stored_heat(stage.world.bands()->field().model().heat, heat) + heat.perfused + heat.boiled;
     EXPECT_NEAR(heat.given, out, 1e-9 * heat.given);
     EXPECT_GT(heat.given, 20.0);
     EXPECT_GT(stage.view().smoke, 0.01);
@@ -188,10 +189,11 @@ TEST(BandsPart, AVesselBleedsWhenItsBandPartsMoreUnderTensionAndAClipStopsIt) {
         const double lost = stage.view().lost;
         EXPECT_GT(lost, 0.1e-6);
         stage.run(1);
-        EXPECT_EQ(stage.view().outlets[1].lost, stage.world.bands()->outlet(1).lost);
-        EXPECT_NEAR(stage.world.bands()->pool().poured, stage.view().lost, 1e-15);
-        EXPECT_NEAR(pooled_volume(stage.world.bands()->layout().bed.pool, stage.world.bands()->pool()),
-                    stage.view().lost, 1e-12);
+        EXPECT_EQ(stage.view().outlets[1].lost, stage.world.bands()->field().outlets()[1].bleed.lost);
+        EXPECT_NEAR(stage.world.bands()->field().pool().poured, stage.view().lost, 1e-15);
+        EXPECT_NEAR(
+            pooled_volume(stage.world.bands()->layout().bed.pool, stage.world.bands()->field().pool()),
+            stage.view().lost, 1e-12);
     }
     EXPECT_LT(seconds[1], seconds[0]);
     EXPECT_GT(flow[1], 1.5 * flow[0]);
@@ -280,6 +282,49 @@ TEST(BandsPart, ANerveIsHeatedByWhatIsNearAndNotByWhatIsFar) {
     }
     EXPECT_GT(dose[0], 100 * std::max(dose[1], 1e-3));
     EXPECT_EQ(dose[2], 0.0);
+}
+
+TEST(BandsPart, AHookDividesWhatItsTipTouchesWithoutJaws) {
+    BandsStage stage;
+    std::size_t band = 0;
+    while (stage.view().bands[band].vessel >= 0) ++band;
+    stage.exchange_to(Hand::right, ToolKind::hook);
+    ASSERT_EQ(stage.view().tools[1].kind, ToolKind::hook);
+    const Vector3 place = stage.view().bands[band].position[strand_segments / 2];
+    stage.go(Hand::right, place + Vector3(0, 0, 0.02));
+    stage.go(Hand::right, place + Vector3(0, 0, 0.001));
+    stage.run(1);
+    EXPECT_FALSE(stage.view().bands[band].divided());  // no pedal
+    stage.press(Hand::right, button_energy, true);
+    const std::uint32_t begun = stage.tick;
+    while (!stage.view().bands[band].divided() && stage.tick - begun < 20000) stage.step();
+    EXPECT_TRUE(stage.view().bands[band].divided());
+    EXPECT_FALSE(stage.view().bands[band].torn);
+    EXPECT_LT(stage.tick - begun, 8000U);
+    EXPECT_EQ(stage.view().tools[1].band, static_cast<std::int32_t>(band));
+    EXPECT_EQ(stage.view().tools[1].target, EnergyTarget::band);
+    EXPECT_GT(stage.view().bands[band].char_share[strand_segments / 2], 0.0F);
+    for (std::size_t b = 0; b < stage.view().bands.size(); ++b)
+        EXPECT_EQ(stage.view().bands[b].divided(), b == band) << b;
+    EXPECT_FALSE(stage.view().nerves[0].divided);
+}
+
+TEST(BandsPart, AHookUnderPowerOnTheNerveBurnsItAndThroughItDividesIt) {
+    BandsStage stage;
+    stage.exchange_to(Hand::right, ToolKind::hook);
+    const Vector3 nerve = stage.view().nerves[0].line[12];
+    const double reach = stage.scene.instrument(Hand::right)->tip_radius + stage.view().nerve_radius;
+    stage.go(Hand::right, nerve + Vector3(0, 0, 0.03));
+    stage.go(Hand::right, nerve + Vector3(0, 0, reach + 0.0003));
+    stage.run(0.5);
+    EXPECT_EQ(stage.view().worst_nerve_dose, 0.0);
+    stage.press(Hand::right, button_energy, true);
+    stage.run(0.3);
+    EXPECT_EQ(stage.view().tools[1].target, EnergyTarget::nerve);
+    EXPECT_GT(stage.view().worst_nerve_dose, stage.scene.bands->nerve_dose_limit);
+    EXPECT_FALSE(stage.view().nerves[0].divided);
+    stage.go(Hand::right, nerve + Vector3(0, 0, 0.0005));
+    EXPECT_TRUE(stage.view().nerves[0].divided);
 }
 
 TEST(BandsPart, TheSameHandsMakeTheSameBits) {

@@ -2,6 +2,7 @@
 // Where veins and nerves run: on the wall, before it, as the scene's few numbers say; the same for a seed.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -14,31 +15,45 @@
 namespace fulcrum {
 namespace {
 
-/// A hollow: steep towards its caudal end, as the sacrum's is.
-FieldWall hollow() {
-    FieldWall wall;
-    wall.right = -0.035;
-    wall.left = 0.035;
-    wall.caudal = -0.05;
-    wall.cranial = 0.03;
-    wall.height = [](double x, double y) { return -0.05 + 4 * x * x + 6 * (y - 0.01) * (y - 0.01); };
-    return wall;
+SacralCurve curve() {
+    return {Vector3(0, -0.07, 0.079), 0.123, -0.26, 0.015, 0.018};
+}
+constexpr double rectum = 0.12;
+
+TEST(StructuresLayout, TheWallOfASacralHollowIsATorusFromInside) {
+    const SacralCurve c = curve();
+    const FieldWall wall = presacral_wall(c, rectum);
+    for (double along = 0; along <= rectum; along += 0.0113) {
+        for (double across = -0.04; across <= 0.0401; across += 0.0079) {
+            const Vector3 p = wall.point(along, across, 0);
+            EXPECT_NEAR(wall.height(p.x(), p.y()), p.z(), 1e-12);
+            // Above it along the way to the centre line.
+            const Vector3 above = wall.point(along, across, 0.004);
+            EXPECT_NEAR((above - p).norm(), 0.004, 1e-12);
+            EXPECT_NEAR((above - c.centre_line(along)).norm(), c.fascia_radius() - 0.004, 1e-12);
+        }
+    }
+    const Vector3 low = wall.point(0, 0, 0), high = wall.point(rectum, 0, 0);
+    EXPECT_NEAR(low.y(), wall.low, 1e-12);
+    EXPECT_NEAR(high.y(), wall.high, 1e-12);
 }
 
 TEST(StructuresLayout, VeinsRunOnTheWallAndRungsEndInTheLongOnes) {
-    const FieldWall wall = hollow();
+    const FieldWall wall = presacral_wall(curve(), rectum);
     const StructuresSpec spec;
     const StructuresLayout layout = place_structures(spec, wall, 3);
     ASSERT_EQ(layout.veins.size(), 3U + static_cast<std::size_t>(spec.rungs));
     for (const VeinPlace& vein : layout.veins) {
-        for (const Vector3& p : vein.line) EXPECT_NEAR(p.z(), wall.height(p.x(), p.y()), 1e-15);
+        for (const Vector3& p : vein.line) EXPECT_NEAR(p.z(), wall.height(p.x(), p.y()), 1e-12);
     }
     for (int side = -1; side <= 1; ++side) {
         const VeinPlace& vein = layout.veins[side == 0 ? 0U : side < 0 ? 1U : 2U];
         EXPECT_EQ(vein.radius, spec.vessel_radius);
+        const double radius = curve().fascia_radius();
         for (const Vector3& p : vein.line)
-            EXPECT_LE(std::abs(p.x() - side * spec.vein_lateral), spec.wander + 1e-12);
-        EXPECT_NEAR(vein.line.back().y() - vein.line.front().y(), wall.cranial - wall.caudal, 1e-12);
+            EXPECT_LE(std::abs(radius * std::asin(p.x() / radius) - side * spec.vein_lateral),
+                      spec.wander + 1e-9);
+        EXPECT_NEAR(vein.line.front().y(), wall.low, 0.01);
     }
     for (std::size_t v = 3; v < layout.veins.size(); ++v) {
         const VeinPlace& rung = layout.veins[v];
@@ -56,40 +71,40 @@ TEST(StructuresLayout, VeinsRunOnTheWallAndRungsEndInTheLongOnes) {
 }
 
 TEST(StructuresLayout, NervesStandBeforeTheWallAndDivergeDownwards) {
-    const FieldWall wall = hollow();
+    const FieldWall wall = presacral_wall(curve(), rectum);
     const StructuresSpec spec;
     const StructuresLayout layout = place_structures(spec, wall, 3);
     ASSERT_EQ(layout.nerves.size(), 2U);
     for (std::size_t n = 0; n < 2; ++n) {
         const std::vector<Vector3>& line = layout.nerves[n];
         const double side = n == 0 ? -1 : 1;
-        EXPECT_GT(line.front().y(), line.back().y());
+        EXPECT_LT(line.front().y(), line.back().y());
+        EXPECT_GT(side * line.front().x(), side * line.back().x());
         for (std::size_t i = 0; i < line.size(); ++i) {
             const double share = static_cast<double>(i) / static_cast<double>(line.size() - 1);
-            const double x = side * (spec.nerve_cranial + share * (spec.nerve_caudal - spec.nerve_cranial));
-            const double y = wall.cranial - share * (wall.cranial - wall.caudal);
-            EXPECT_NEAR((line[i] - wall.point(x, y)).norm(), spec.nerve_height, 1e-12);
-            EXPECT_NEAR((line[i] - wall.point(x, y)).dot(wall.normal(x, y)), spec.nerve_height, 1e-12);
+            const double across =
+                side * (spec.nerve_caudal + share * (spec.nerve_cranial - spec.nerve_caudal));
+            EXPECT_NEAR((line[i] - wall.point(share * rectum, across, 0)).norm(), spec.nerve_height, 1e-12);
         }
     }
 }
 
-TEST(StructuresLayout, TheBedFollowsTheWallsSlope) {
-    const FieldWall wall = hollow();
+TEST(StructuresLayout, TheBedFollowsTheWall) {
+    const FieldWall wall = presacral_wall(curve(), rectum);
     const StructuresSpec spec;
     const FieldBed bed = place_structures(spec, wall, 3).bed;
-    for (double x = wall.right; x <= wall.left; x += 0.0037) {
-        for (double y = wall.caudal; y <= wall.cranial; y += 0.0041) {
-            const Vector3 point = wall.point(x, y);
-            // Second order within half a cell: 4 and 6 1/m of curvature over 2.5 mm.
-            EXPECT_NEAR(bed.ground(point), point.z(), 10 * 0.25 * spec.cell * spec.cell + 1e-12);
-            EXPECT_NEAR(bed.height(point + 0.003 * wall.normal(x, y)), 0.003, 2.5e-4);
+    for (double along = 0.005; along < rectum; along += 0.0117) {
+        for (const double across : {-0.02, -0.011, 0.0, 0.007, 0.019}) {
+            const Vector3 point = wall.point(along, across, 0);
+            // Second order within half a cell: the fascia's radius is 33 mm, seen at 35 degrees at most.
+            EXPECT_NEAR(bed.ground(point), point.z(), 3.5e-4) << along << " " << across;
         }
     }
+    EXPECT_NEAR(bed.corner.x() + 0.5 * bed.pool.columns * bed.pool.cell, 0, 1e-12);
 }
 
 TEST(StructuresLayout, PlacesComeFromTheSeed) {
-    const FieldWall wall = hollow();
+    const FieldWall wall = presacral_wall(curve(), rectum);
     const StructuresSpec spec;
     const StructuresLayout a = place_structures(spec, wall, 3), b = place_structures(spec, wall, 3),
                            c = place_structures(spec, wall, 4);
@@ -102,13 +117,20 @@ TEST(StructuresLayout, PlacesComeFromTheSeed) {
     EXPECT_EQ(a.nerves, c.nerves);
 }
 
-std::string refusal(const std::string& structures) {
-    std::string text = read_text_file(test::source_path("assets/scenes/b2_areolar.json"), 1 << 20);
-    const std::string from = "\"tissues\": [";
-    text.replace(
-        text.find(from), from.size(),
-        "\"structures\": " + structures +
-            ", \"tissues\": [{\"label\": \"fascia\"}, {\"label\": \"nerve\"}, {\"label\": \"vein\"},");
+/// What is said of C4's scene with other structures, or with another of its parts.
+std::string refusal(const std::string& structures, const std::string& scene = "c4_posterior") {
+    std::string text = read_text_file(test::source_path("assets/scenes/" + scene + ".json"), 1 << 20);
+    const std::string from = "\"structures\": {}";
+    const std::size_t at = text.find(from);
+    if (at != std::string::npos) {
+        text.replace(at, from.size(), "\"structures\": " + structures);
+    } else {
+        const std::string tissues = "\"tissues\": [";
+        text.replace(
+            text.find(tissues), tissues.size(),
+            "\"structures\": " + structures +
+                ", \"tissues\": [{\"label\": \"fascia\"}, {\"label\": \"nerve\"}, {\"label\": \"vein\"},");
+    }
     try {
         parse_scene(text, "scene.json");
     } catch (const InputError& error) {
@@ -125,6 +147,7 @@ TEST(StructuresSpec, KeysThatMakeNoSenseAreRefusedByPlaceAndMend) {
     EXPECT_NE(refusal("{\"wander\": 0.009}").find("/structures/wander"), std::string::npos);
     EXPECT_NE(refusal("{\"veins\": 3}").find("veins"), std::string::npos);
     EXPECT_NE(refusal("{\"nerve_tissue\": \"liver\"}").find("liver"), std::string::npos);
+    EXPECT_NE(refusal("{}", "b2_areolar").find("presacral"), std::string::npos);
 }
 
 }  // namespace
