@@ -46,6 +46,7 @@ struct HapticLoop::Parts {
     InstrumentState instrument[hand_count];
     ToolKinematics tool[hand_count];
     ToolContactState state[hand_count];
+    ToolContactState state_before[hand_count];  // at the tick before
     SafetyState safety[hand_count];
     PassivityController passivity[hand_count];
     DeviceSample held[hand_count];   // what the instruments follow: the devices but for pauses and losses
@@ -137,6 +138,7 @@ const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {
 
     // 2. Contact of each hand, then of the instruments with each other.
     for (int hand = 0; hand < hand_count; ++hand) {
+        parts.state_before[hand] = parts.state[hand];
         if (parts.has_hand[hand]) step_tool_contact(parts.contact[hand], models.hand[hand], parts.tool[hand], input.tick, parts.state[hand], parts.scratch[hand], parts.result[hand]);
     }
     if (parts.has_hand[0] && parts.has_hand[1]) {
@@ -157,7 +159,8 @@ const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {
         safety.force = -result.force;
         safety.model_changed = parts.swapped;
         if (parts.swapped) {
-            ToolContactState state = parts.state[hand];  // the old model's answer at this pose must not disturb the state
+            // The old model's answer at this pose, from what it remembered; what is remembered now is the new one's.
+            ToolContactState state = parts.state_before[hand];
             step_tool_contact(parts.contact[hand], before.hand[hand], tool, input.tick, state, parts.scratch[hand], parts.old_result);
             safety.old_force = -(parts.old_result.force + result.tool_force);
         }
