@@ -171,6 +171,14 @@ void SheetPart::approach(int number, const SheetAction& action, std::uint32_t ti
     }
     const Near near = find_near(tool.tip, radius);
     const bool within = near.distance <= reach;
+    if (const std::int32_t septum = septum_of(near.place); septum != hand.septum) {
+        // Another one is nearer now: what side of the last one it was on says nothing of this one.
+        hand.septum = septum;
+        hand.touch = SheetTouch::away;
+        hand.known = hand.linked = hand.over = false;
+        hand.cover = 0;
+        hand.reaction.setZero();
+    }
     if (!within) {
         // Which side it is on now shows where it comes back from, unless it went through tissue meanwhile.
         if (hand.known && near.place.fragment >= 0 && crosses(hand.tip, tool.tip)) {

@@ -123,8 +123,7 @@ const CuttingSpec* SheetPart::cutting_at(const SheetPlace& where) const noexcept
 // Lines lie end to end: what runs over the rim of one septum is not on the next.
 Vector3 SheetPart::on_septum(const SheetPlace& where, Vector3 rest) const noexcept {
     if (!septa_ || where.fragment < 0) return rest;
-    const auto roots = static_cast<std::int32_t>(layout_.mesh.triangles.size()) / layout_.pieces;
-    const double first = surface_.fragment(where.fragment).root / roots * septa_->width;
+    const double first = septum_of(where) * septa_->width;
     rest.x() = std::clamp(rest.x(), first + off_rim, first + septa_->width - off_rim);
     return rest;
 }

@@ -67,6 +67,7 @@ class SheetPart {
         double friction = 0, radius = 0;      ///< of the tool, at the last step; m
         bool over = false;                    ///< tissue was under it then
         bool known = false;                   ///< `tip` and `side` mean something
+        std::int32_t septum = 0;              ///< whose side it is
         Vector3 target = Vector3::Zero();     ///< m, of the link, at the last step's end
         bool linked = false;                  ///< the link was there in the last step
         Vector3 reaction = Vector3::Zero();   ///< N, tool on sheet
@@ -173,6 +174,9 @@ class SheetPart {
     void sum_pulls() noexcept;
     bool in_fat(const Vector3& rest) const noexcept { return septa_ && rest.y() >= septa_->areolar_height - septa_->plane_height; }
     const CuttingSpec* cutting_at(const SheetPlace& where) const noexcept;
+    std::int32_t septum_of(const SheetPlace& where) const noexcept {
+        return where.fragment < 0 ? 0 : surface_.fragment(where.fragment).root / (surface_.root_count() / layout_.pieces);
+    }
     Vector3 on_septum(const SheetPlace& where, Vector3 rest) const noexcept;
     Vector3 keep_off_wall(const SheetPlace& where, const Vector3& way) const noexcept;
     void remake_pieces() noexcept;

@@ -69,17 +69,26 @@ struct SeptaRig : SheetRig {
         go(1, on_line(septum, from + 0.1, -0.006), 0.03);
         draw(septum, from + 0.1, to, speed);
     }
+    /// Where the way through the plane passes a septum, 4 mm cranially of it.
+    Vector3 pass(int septum, double share, double height) const {
+        const double turn =
+            (share - 0.5) * scene.septa->width / (curve.fascia_radius() - scene.septa->plane_height);
+        return curve.point(arc_length(septum) + 0.004, turn, height);
+    }
+    /// Through what is divided already, then onto the line.
     void set_on(int septum, double share) {
-        go(1, on_line(septum, share, 0.06), 0.2);
-        go(1, on_line(septum, share, 0.004), 0.1);
+        const Vector3 mouth = pass(0, share, 0.0045);
+        go(1, mouth + 0.07 * (trocar[1].position - mouth).normalized(), 0.2);
+        for (int k = 0; k <= septum; ++k) go(1, pass(k, share, k < septum ? 0.0045 : 0.003), 0.1);
     }
     void draw(int septum, double from, double to, double speed) {
         for (double share = from; share < to; share += 0.02) go(1, on_line(septum, share, -0.005), speed);
     }
-    void withdraw() {
+    void withdraw(int septum = 0, double share = 0.8) {
         wish[1].button = false;
         steps(4);
-        go(1, wish[1].tip + 0.05 * curve.cranial(arc_length(0)), 0.1);
+        for (int k = septum; k >= 0; --k) go(1, pass(k, share, 0.0045), 0.1);
+        go(1, wish[1].tip + 0.07 * (trocar[1].position - wish[1].tip).normalized(), 0.2);
     }
 };
 

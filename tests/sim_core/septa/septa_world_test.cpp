@@ -124,6 +124,42 @@ TEST(SeptaWorld, AHookDividesThePlaneOfTheFirstSeptumAndTheRectumComesFreeOfIt) 
     EXPECT_EQ(rig.record.outcome, 0U);
 }
 
+// Both variants: every plane divided, one after the other, as a whole task goes.
+TEST(SeptaWorld, TheWholePlaneIsDevelopedWithoutFaultInAStandardAndInANarrowPelvis) {
+    for (const char* variant : {"c4_posterior", "c4_posterior_narrow"}) {
+        test::SeptaRig rig(load_scene(test::source_path(std::string("assets/scenes/") + variant + ".json")));
+        rig.take_rectum();
+        rig.lift(0.010);
+        const double before = rig.world.snapshot().grasps[0].reaction.norm();
+        std::uint32_t worst = 0;
+        for (int k = 0; k < rig.scene.septa->count; ++k) {
+            // A blind hand: where the blade did not go in it is set on again, a little further on.
+            const int begun = rig.count(EventKind::cut_begin);
+            for (const double from : {0.06, 0.10, 0.14}) {
+                rig.divide(k, from, 1.1, 0.05);
+                worst = std::max(worst, rig.record.outcome);
+                rig.withdraw(k);
+                worst = std::max(worst, rig.record.outcome);
+                if (rig.count(EventKind::cut_begin) > begun) break;
+            }
+            EXPECT_GT(rig.count(EventKind::cut_begin), begun) << variant << ", septum " << k;
+            rig.lift(0.010 + 0.002 * (k + 1));
+            worst = std::max(worst, rig.record.outcome);
+        }
+        EXPECT_EQ(worst, 0U) << variant;
+        EXPECT_EQ(rig.count(EventKind::cut_rolled_back), 0) << variant;
+        int divided = 0;
+        for (const std::uint8_t at : rig.view().line_divided) divided += at;
+        EXPECT_GT(divided, 0.7 * static_cast<double>(rig.view().line_divided.size())) << variant;
+        EXPECT_TRUE(rig.world.snapshot().grasps[0].held);
+        EXPECT_LT(rig.world.snapshot().grasps[0].reaction.norm(), before)
+            << "the rectum has come free, though it is lifted further";
+        EXPECT_TRUE(check_cut(rig.sheet().surface(), rig.sheet().state().positions.data()).passed())
+            << variant;
+        for (const Vector3& place : rig.view().envelope) EXPECT_TRUE(place.allFinite());
+    }
+}
+
 // Issue 4, must show 5: the slew over cut, lift and push.
 TEST(SeptaWorld, TheForceToTheHandsChangesByNoMoreThanTheSlewOverGraspLiftCutAndPush) {
     test::SeptaRig rig;
