@@ -33,10 +33,11 @@ DelayLine::DelayLine(const Scene& scene, double longest_delay_s) {
         }
         line_positions_.reserve(most_line_points);
     }
-    if (scene.bands) {
+    if (scene.field() != nullptr) {
         for (Perception& look : looks_) {
-            look.bands.resize(static_cast<std::size_t>(scene.bands->count));
-            look.outlets.resize(2 * static_cast<std::size_t>(scene.bands->vessels));
+            if (scene.bands) look.bands.resize(static_cast<std::size_t>(scene.bands->count));
+            look.outlets.resize(scene.bands ? 2 * static_cast<std::size_t>(scene.bands->vessels)
+                                            : field_outlet_capacity);
             look.nerve.reserve(most_nerve_points);
         }
     }
@@ -55,7 +56,7 @@ void DelayLine::push(std::uint32_t tick, const WorldSnapshot& world, const TaskD
     std::copy_n(world.nodes.begin(), std::min(look.nodes.size(), world.nodes.size()), look.nodes.begin());
     copy_within(world.sheet.line, look.line);
     copy_within(world.sheet.flap, look.flap);
-    if (!world.bands.empty() && !look.bands.empty()) {
+    if (!world.bands.empty()) {
         const BandsView& view = world.bands[0];
         std::copy_n(view.bands.begin(), std::min(look.bands.size(), view.bands.size()), look.bands.begin());
         std::copy_n(view.outlets.begin(), std::min(look.outlets.size(), view.outlets.size()),

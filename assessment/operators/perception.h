@@ -20,7 +20,7 @@ struct Perception {
     GraspState grasps[hand_count];
     TaskDisplay display;
     std::vector<Vector3> line, flap;  ///< marked line and free edge of a sheet
-    // Scene::bands; empty without.
+    // Scene::bands or Scene::structures; empty without.
     std::vector<BandView> bands;
     std::vector<OutletView> outlets;
     std::vector<Vector3> nerve;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -86,6 +87,36 @@ TEST(StructuresInTheWorld, ABladePressedIntoTheFasciaOpensAVeinThatTheSameHandsO
         hash = stage.record.state_hash;
     }
     EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+TEST(StructuresInTheWorld, HeatInThePlaneIsWhatEnergyIsForAndHeatInTheFatIsNot) {
+    double far[2] = {0, 0};
+    for (const int fat : {0, 1}) {
+        BandsStage stage(posterior_scene(), 5);
+        const SheetView& sheet = stage.world.snapshot().sheet;
+        // In the middle of the first septum, in the plane or well into the fat.
+        const double line = 0.5 * sheet.septum_length, height = fat == 1 ? sheet.fat_from + 0.006 : 0.001;
+        Vector3 place = Vector3::Zero();
+        double least = 1;
+        for (std::size_t v = 0; v < static_cast<std::size_t>(sheet.vertex_count); ++v) {
+            const double away = (sheet.rest[v] - Vector3(line, height, 0)).norm();
+            if (!(away < least)) continue;
+            least = away;
+            place = sheet.positions[v];
+        }
+        ASSERT_LT(least, 0.004);
+        // Beside it at once, cranially along the hollow, so that nothing is touched there or on the way.
+        const double angle = stage.scene.septa->first_angle;
+        stage.tip[1] = place + 0.0022 * Vector3(0, std::cos(angle), std::sin(angle));
+        stage.run(0.05);
+        stage.press(Hand::right, button_energy, true);
+        stage.run(6);
+        EXPECT_EQ(stage.view().tools[1].target, EnergyTarget::nothing) << fat;
+        EXPECT_GT(*std::max_element(stage.view().sheet_dose.begin(), stage.view().sheet_dose.end()), 0.0F);
+        far[fat] = stage.view().lateral_dose;
+    }
+    EXPECT_GT(far[1], 0.1);
+    EXPECT_GT(far[1], 10 * far[0]);
 }
 
 TEST(StructuresInTheWorld, AnotherWorldGoesOnFromWhatWasSavedWhileItBled) {
