@@ -107,6 +107,9 @@ nlohmann::json to_json(const database::AttemptMeta& meta, const std::string& att
             {"gates", gates_to_json(score.gates)},
             {"metrics", metrics_to_json(result.scored.metrics)},
             {"critical_errors", critical_errors_to_json(score.critical_errors)},
+            {"pathology", result.scored.pathology
+                              ? nlohmann::json::parse(pathology_json(*result.scored.pathology))
+                              : nlohmann::json()},
             {"events", result.events},
             {"missed_ticks", result.missed},
             {"state_hash", hex(result.state_hash)},

@@ -26,7 +26,9 @@ ScoredAttempt score_record(const Scene& scene, const TaskDefinition& task, const
     ScoredAttempt scored;
     const std::array<bool, hand_count> hands = {scene.instrument(Hand::left) != nullptr, scene.instrument(Hand::right) != nullptr};
     const Trace trace = trace_from_samples(samples, events, tissue_labels(scene), scene.tick_rate, hands);
-    scored.metrics = compute_metrics(trace, events, make_metric_context(scene, task, targets));
+    const MetricContext context = make_metric_context(scene, task, targets);
+    scored.metrics = compute_metrics(trace, events, context);
+    if (context.specimen) scored.pathology = pathology_report(cut_strokes(events, trace.tick_period, trace.end), *context.specimen);
     scored.state = attempt_state(events);
     scored.duration_s = samples.empty() ? 0 : samples.back().tick * scene.tick_period();
     scored.score = score_attempt(task, trace, events, scored.metrics, benchmark);
@@ -88,6 +90,7 @@ database::ScoreRow to_row(const ScoredAttempt& scored, const std::string& limits
     row.advice = scored.score.advice;
     for (const GateResult& gate : scored.score.gates) row.gates.push_back(to_row(gate));
     for (const MetricResult& metric : scored.metrics) row.metrics.push_back(to_row(metric));
+    if (scored.pathology) row.pathology = pathology_json(*scored.pathology);
     for (const CriticalError& error : scored.score.critical_errors) {
         row.critical_errors.push_back({error.time_s, error.event, error.hand, error.tissue, error.event});
     }

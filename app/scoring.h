@@ -23,6 +23,7 @@ struct ScoredAttempt {
     double duration_s = 0;               ///< last sample's time
     std::vector<MetricResult> metrics;
     Score score;
+    std::optional<PathologyReport> pathology;  ///< where the task leaves a specimen
 };
 
 /// The benchmark set in force for a task and device class: assets/benchmarks/TASK.json (first sets serve every class). Empty if none.

@@ -82,6 +82,7 @@ struct ScoreRow {
     std::vector<GateRow> gates;
     std::vector<MetricRow> metrics;
     std::vector<CriticalErrorRow> critical_errors;
+    std::string pathology;  ///< JSON (assessment/pathology); empty: the task leaves no specimen
 };
 
 /// A field left at the end (damage, cut surface), as one checksummed blob.

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "database/attempt_query.h"
+#include "database/attempts.h"
 #include "database/audit.h"
 #include "database/score_rows.h"
 
@@ -232,13 +233,37 @@ PersonProgress Reports::person_progress(const Session& session, const std::strin
             row.bind(attempt.meta.id);
             if (row.next()) score_id = row.text(0);
         }
-        if (!score_id.empty()) point.metrics = read_score(store_.connection(), score_id).metrics;
+        if (!score_id.empty()) {
+            ScoreRow score = read_score(store_.connection(), score_id);
+            point.pathology = pathology_of(score);
+            point.metrics = std::move(score.metrics);
+        }
         series.points.push_back(std::move(point));
     }
     progress.state = overall.state;
     for (auto& [device_class, series] : by_class) progress.series.push_back(std::move(series));
     provenance.write(progress);
     return progress;
+}
+
+std::optional<PathologyReport> pathology_of(const ScoreRow& score) {
+    if (score.pathology.empty()) return std::nullopt;
+    return parse_pathology(score.pathology, "score " + score.id);
+}
+
+AttemptReport Reports::attempt_report(const Session& session, const std::string& attempt_id,
+                                      ReportPurpose purpose) const {
+    const Attempts attempts(store_);
+    AttemptReport report;
+    report.attempt = attempts.read(session, attempt_id);
+    if (purpose == ReportPurpose::exported)
+        store_.require(session, Operation::export_person, Subject::person(report.attempt.meta.person_id));
+    report.score = attempts.score(session, attempt_id);
+    if (report.score) report.pathology = pathology_of(*report.score);
+    Provenance provenance(store_);
+    provenance.add(report.attempt);
+    provenance.write(report);
+    return report;
 }
 
 std::vector<CohortRow> Reports::person_table(const Session& session, const std::string& person_id,

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "assessment/pathology/pathology.h"
 #include "database/attempt_records.h"
 #include "database/store.h"
 
@@ -59,7 +60,8 @@ struct ProgressPoint {
     bool provisional = false;
     std::string not_scored_because;
     std::optional<double> points;
-    std::vector<MetricRow> metrics;  ///< of the score in force
+    std::vector<MetricRow> metrics;            ///< of the score in force
+    std::optional<PathologyReport> pathology;  ///< of the score in force, where the task leaves a specimen
 };
 struct ProgressSeries {
     std::string device_class;
@@ -70,6 +72,19 @@ struct PersonProgress {
     bool synthetic = false;
     TaskState state = TaskState::open;   ///< over all device classes shown
     std::vector<ProgressSeries> series;  ///< by device class
+    std::vector<std::string> metric_versions, benchmark_sets, program_versions;
+    std::string audit_head;
+};
+
+/// The pathology report that a score holds; empty where the task leaves no specimen. Screens, paper and
+/// exports all read it here. Throws InputError where it cannot be read.
+std::optional<PathologyReport> pathology_of(const ScoreRow& score);
+
+/// One attempt as it stands now.
+struct AttemptReport {
+    AttemptSummary attempt;
+    std::optional<ScoreRow> score;  ///< in force
+    std::optional<PathologyReport> pathology;
     std::vector<std::string> metric_versions, benchmark_sets, program_versions;
     std::string audit_head;
 };
@@ -85,6 +100,8 @@ class Reports {
     PersonProgress person_progress(const Session& session, const std::string& person_id,
                                    const std::string& task_id,
                                    ReportPurpose purpose = ReportPurpose::screen) const;
+    AttemptReport attempt_report(const Session& session, const std::string& attempt_id,
+                                 ReportPurpose purpose = ReportPurpose::screen) const;
     /// The rows of cohort_table for one person.
     std::vector<CohortRow> person_table(const Session& session, const std::string& person_id,
                                         const std::vector<std::string>& tasks,

@@ -91,6 +91,8 @@ std::string score_digest(const std::string& attempt_id, const ScoreRow& score) {
     for (const CriticalErrorRow& error : score.critical_errors) {
         canonical.add(error.time_s).add(error.kind).add(error.hand).add(error.tissue).add(error.text);
     }
+    if (!score.pathology.empty())
+        canonical.add(score.pathology);  // scores of before there were any keep theirs
     return to_hex(blake2b(canonical.bytes()));
 }
 
@@ -178,6 +180,11 @@ std::string write_score(const Store& store, const Session& session, const std::s
             .bind(error.text)
             .run();
     }
+    if (!score.pathology.empty())
+        Query(connection, "INSERT INTO pathology (score_id, report) VALUES (?, ?)")
+            .bind(score.id)
+            .bind(score.pathology)
+            .run();
     // The payload holds the digest, not the figures: the administrator who reads the audit log sees no
     // scores.
     Audit(store).append(session, score.id, "score.add",
@@ -251,6 +258,9 @@ ScoreRow read_score(Connection& connection, const std::string& score_id) {
         score.critical_errors.push_back(
             {errors.real(0), errors.text(1), errors.text(2), errors.text(3), errors.text(4)});
     }
+    Query pathology(connection, "SELECT report FROM pathology WHERE score_id = ?");
+    pathology.bind(score_id);
+    if (pathology.next()) score.pathology = pathology.text(0);
     return score;
 }
 

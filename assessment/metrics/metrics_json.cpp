@@ -3,6 +3,7 @@
 
 #include "assessment/metrics/registry.h"
 #include "assessment/trace/trace_csv.h"
+#include "assessment/task/specimen_plan.h"
 #include "sim_core/numerics/input_error.h"
 
 namespace fulcrum {
@@ -111,6 +112,7 @@ MetricContext make_metric_context(const Scene& scene, const TaskDefinition& task
         context.tissues.push_back(std::move(limits));
     }
     context.targets = targets;
+    context.specimen = make_specimen_plan(scene, task);
     for (const Goal& goal : task.goals) {
         context.phases.push_back(goal.id);
         if (goal.kind == GoalKind::divide_line && !context.cut)

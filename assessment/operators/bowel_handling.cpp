@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "assessment/operators/behaviour.h"
-#include "assessment/task/bowel_line.h"
+#include "assessment/operators/bowel_grasp.h"
 #include "sim_core/geometry/closest_point.h"
 
 namespace fulcrum {
@@ -285,27 +285,13 @@ class BowelHandling : public Behaviour {
         limb.carry(0.012 * out + Vector3(0, 0, 0.008), 0.35 * skill_.duration_scale);
     }
 
-    // Where the tip must be so that the middle of the jaws lies beside the wall: the side of the tube that
-    // the shaft passes along, a little towards the trocar, never beneath the tube.
     Vector3 place_for_tip(const Perception& seen, const Body& body) const noexcept {
-        const Limb& limb = *body.limb[mover_];
         const LinePoint point = line_point(seen.nodes, body.eyes->arc_lengths(), place_);
-        const Vector3 axis = (point.position - limb.trocar().position).normalized();
-        Vector3 side = axis.cross(point.tangent);
-        if (side.norm() < 0.2)
-            side = Vector3::UnitZ() - axis.z() * axis;  // the shaft runs along the bowel: take its top
-        side.normalize();
-        if (side.z() < 0) side = -side;
-        const Vector3 outward = (0.95 * side - 0.3 * axis).normalized();
-        const Vector3 middle = point.position + (radius_ + jaw_clearance - depth_) * outward;
-        const Vector3 shaft = (middle - limb.trocar().position).normalized();
-        return middle + 0.5 * limb.spec().jaw_length * shaft;
+        return tip_beside_tube(*body.limb[mover_], point, radius_ + jaw_clearance - depth_);
     }
 
     Vector3 above(const Perception& seen, const Body& body) const noexcept {
-        const Vector3 place = place_for_tip(seen, body);
-        const Vector3 out = (body.limb[mover_]->trocar().position - place).normalized();
-        return place + hover * (0.7 * out + Vector3(0, 0, 0.5));
+        return tip_above_tube(*body.limb[mover_], place_for_tip(seen, body), hover);
     }
 
     Skill skill_;

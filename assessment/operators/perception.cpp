@@ -26,7 +26,7 @@ DelayLine::DelayLine(const Scene& scene, double longest_delay_s) {
         for (Perception& look : looks_) look.nodes.assign(nodes, Vector3::Zero());
         arc_lengths_.assign(nodes, 0.0);
     }
-    if (scene.sheet) {
+    if (scene.sheet || scene.septa) {
         for (Perception& look : looks_) {
             look.line.reserve(most_line_points);
             look.flap.reserve(most_line_points);

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // One hand takes the flap and keeps the sheet taut, the other divides it along the marked line, stroke by
-// stroke.
+// stroke. Of septa behind a rectum: the one hand takes the rectum and lifts it off the sacrum, further down
+// as the dissection goes down; the other divides septum after septum, and sucks smoke and blood away.
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "assessment/operators/behaviour.h"
+#include "assessment/operators/bowel_grasp.h"
+#include "assessment/operators/sheet_sight.h"
+#include "assessment/operators/suction_turn.h"
 #include "sim_core/numerics/functions.h"
 
 namespace fulcrum {
@@ -31,27 +35,43 @@ constexpr double run_over = 0.003;        // m beyond either end of the line
 constexpr double seconds_to_learn = 3.0;  // content with a tension that is not the one asked for
 constexpr double seconds_to_wait = 5.0;   // for tension; then a new hold is taken
 
-enum class Hold : std::uint8_t { choose, travel, descend, close, pull, let_go };
-enum class Blade : std::uint8_t { wait, travel, press, stroke, lift };
+constexpr double jaw_clearance = 0.003;  // m from the rectum's wall to the shaft's axis when jaws close
+constexpr double nearer = 0.0015;        // m at every further attempt on the rectum
+constexpr double over_septum = 0.001;    // m beyond a septum's rim
+constexpr double inside_rim = 0.004;     // m of the line
+constexpr double deepest_septum_press = 0.006;  // m: the next septum is not far behind
+constexpr double further_on = 0.001;            // m along the line after a place that gave no hold
+constexpr int most_misses = 4;
+constexpr double near_enough = 0.010;   // m, of a point that is only passed
+constexpr double lift_step = 0.0012;    // m, longest single pull on a rectum
+constexpr double settle_s = 0.25;       // s until the tissue behind it has followed
+constexpr double longest_lift = 0.045;  // m of the rectum from where it was taken
+constexpr double lift_hover = 0.020;    // m off the rectum, on the way to a grasp
 
-/// The sheet about a place of its line.
-struct Site {
-    Vector3 point = Vector3::Zero();
-    Vector3 along = Vector3::UnitX();   ///< unit, towards the line's end
-    Vector3 across = Vector3::UnitY();  ///< unit, in the sheet, towards the flap
-    Vector3 up = Vector3::UnitZ();      ///< unit, towards the blade's trocar
-    Vector3 rim = Vector3::Zero();      ///< m, the flap's edge opposite the place
-};
+enum class Hold : std::uint8_t { choose, travel, descend, close, pull, let_go };
+enum class Blade : std::uint8_t { wait, cross, travel, press, stroke, lift, suck };
 
 class SheetDivision : public Behaviour {
   public:
     SheetDivision(const TaskDefinition& task, const Scene& scene, const Skill& skill)
-        : skill_(skill), goals_(task.goals), hold_reach_(skill), blade_reach_(skill) {
+        : skill_(skill),
+          goals_(task.goals),
+          hold_reach_(skill),
+          blade_reach_(skill),
+          suction_(skill.reaction_s) {
         for (const InstrumentSpec& spec : scene.instruments)
             (spec.cuts() ? cutter_ : holder_) = static_cast<int>(spec.hand);
         for (const Goal& goal : goals_)
             if (goal.kind == GoalKind::divide_line) line_ = goal;
-        const int tissue = scene.sheet ? scene.tissue_index(scene.sheet->tissue) : -1;
+        sight_.cutter = cutter_;
+        if (scene.septa) {
+            sight_.septa = scene.septa->count;
+            sight_.septum = scene.septa->width;
+            radius_ = scene.bowel->outer_radius;
+        }
+        const int tissue = scene.sheet   ? scene.tissue_index(scene.sheet->tissue)
+                           : scene.septa ? scene.tissue_index(scene.bowel->tissue)
+                                         : -1;
         if (tissue >= 0) friction_ = scene.tissues[static_cast<std::size_t>(tissue)].friction;
     }
 
@@ -60,6 +80,10 @@ class SheetDivision : public Behaviour {
             static_cast<std::size_t>(seen.display.goal) >= goals_.size())
             return;
         const GoalKind kind = goals_[static_cast<std::size_t>(seen.display.goal)].kind;
+        if (blade_ == Blade::wait && sight_.level != sight_.level_of(seen.display.cut_next_m)) {
+            sight_.level = sight_.level_of(seen.display.cut_next_m);
+            judge_tension(*body.limb[holder_], skill_.traction_error);  // every level is judged anew
+        }
         const Site site = site_at(seen, body, seen.display.cut_next_m);
         body.gaze = site.point;
         if (kind == GoalKind::let_go) {
@@ -72,48 +96,12 @@ class SheetDivision : public Behaviour {
 
   private:
     // ---- what is seen ----
+    bool of_septa() const noexcept { return sight_.of_septa(); }
     Site site_at(const Perception& seen, const Body& body, double place) const noexcept {
-        const std::vector<double>& s = body.eyes->line_positions();
-        const std::size_t count = std::min(seen.line.size(), s.size());
-        std::size_t upper = 1;
-        while (upper + 1 < count && s[upper] < place) ++upper;
-        const double gap = s[upper] - s[upper - 1];
-        const double share = gap > 0 ? (place - s[upper - 1]) / gap : 0.0;  // outside 0 .. 1: straight on
-        Site site;
-        const Vector3 step = seen.line[upper] - seen.line[upper - 1];
-        site.point = seen.line[upper - 1] + share * step;
-        if (step.norm() > 0) site.along = step.normalized();
-        double nearest = 1e9;
-        for (const Vector3& point : seen.flap) {
-            const double off = std::abs((point - site.point).dot(site.along));
-            if (off >= nearest) continue;
-            nearest = off;
-            site.rim = point;
-        }
-        Vector3 across = site.rim - site.point;
-        across -= across.dot(site.along) * site.along;
-        if (across.norm() > 1e-6) site.across = across.normalized();
-        site.up = site.along.cross(site.across).normalized();
-        if (site.up.dot(body.limb[cutter_]->trocar().position - site.point) < 0) site.up = -site.up;
-        return site;
+        return sight_.site_at(seen, body, place);
     }
-
-    /// Where along the line a point lies.
     double place_of(const Perception& seen, const Body& body, const Vector3& point) const noexcept {
-        const std::vector<double>& s = body.eyes->line_positions();
-        const std::size_t count = std::min(seen.line.size(), s.size());
-        double best = 1e9, place = 0;
-        for (std::size_t i = 0; i + 1 < count; ++i) {
-            const Vector3 step = seen.line[i + 1] - seen.line[i];
-            double share = (point - seen.line[i]).dot(step) / std::max(1e-12, step.squaredNorm());
-            const bool first = i == 0, last = i + 2 == count;
-            share = std::clamp(share, first ? -1.0 : 0.0, last ? 2.0 : 1.0);
-            const double off = (point - seen.line[i] - share * step).norm();
-            if (off >= best) continue;
-            best = off;
-            place = s[i] + share * (s[i + 1] - s[i]);
-        }
-        return place;
+        return sight_.place_of(seen, body, point);
     }
 
     /// Height of the blade's tip over the line, as the hand that moves it knows it, m.
@@ -127,6 +115,22 @@ class SheetDivision : public Behaviour {
     }
 
     // ---- the hand that holds ----
+    /// The rectum in front of the middle of the septum that is worked on.
+    LinePoint rectum(const Perception& seen, const Body& body) const noexcept {
+        return line_point(seen.nodes, body.eyes->arc_lengths(), hold_place_);
+    }
+    /// Where the holding tip closes, and where it stops before that.
+    Vector3 tip_to_hold(const Perception& seen, const Body& body, const Site& site,
+                        const Limb& limb) const noexcept {
+        return of_septa()
+                   ? tip_beside_tube(limb, rectum(seen, body), radius_ + jaw_clearance - attempts_ * nearer)
+                   : tip_at_rim(site, limb);
+    }
+    Vector3 tip_before_hold(const Perception& seen, const Body& body, const Site& site,
+                            const Limb& limb) const noexcept {
+        return of_septa() ? tip_above_tube(limb, tip_to_hold(seen, body, site, limb), lift_hover)
+                          : above_rim(site, limb);
+    }
     Vector3 tip_at_rim(const Site& site, const Limb& limb) const noexcept {
         const Vector3 middle = site.rim + (beyond_rim - attempts_ * deeper) * site.across;
         return middle + 0.5 * limb.spec().jaw_length * (middle - limb.trocar().position).normalized();
@@ -138,14 +142,18 @@ class SheetDivision : public Behaviour {
 
     void hold(const Perception& seen, Body& body) noexcept {
         Limb& limb = *body.limb[holder_];
-        const Site site = site_at(seen, body, hold_place_);
+        const Site site =
+            site_at(seen, body, of_septa() ? (sight_.level + 0.5) * sight_.septum : hold_place_);
         switch (hold_) {
             case Hold::choose: {
-                hold_place_ =
-                    std::clamp(seen.display.cut_next_m + ahead, 0.1 * line_.length_m, 0.9 * line_.length_m);
+                hold_level_ = sight_.level_of(seen.display.cut_next_m);
+                hold_place_ = of_septa() ? sight_.arc_in_front(seen, body)
+                                         : std::clamp(seen.display.cut_next_m + ahead, 0.1 * line_.length_m,
+                                                      0.9 * line_.length_m);
                 limb.jaws(open_share * limb.spec().jaw_opening, 0);
-                const Site there = site_at(seen, body, hold_place_);
-                hold_reach_.start(limb, above_rim(there, limb), body.view, 0.015,
+                const Site there =
+                    site_at(seen, body, of_septa() ? (sight_.level + 0.5) * sight_.septum : hold_place_);
+                hold_reach_.start(limb, tip_before_hold(seen, body, there, limb), body.view, 0.015,
                                   skill_.choice_s * limb.random().uniform(0.6, 1.4), 4);
                 // Everybody has a tension of their own that they take for the right one, and errs anew with
                 // every hold.
@@ -154,16 +162,17 @@ class SheetDivision : public Behaviour {
                 break;
             }
             case Hold::travel:
-                hold_reach_.follow(above_rim(site, limb));
+                hold_reach_.follow(tip_before_hold(seen, body, site, limb));
                 hold_reach_.update(limb, seen.tip[holder_]);
-                if (hold_reach_.arrived() || (hold_reach_.corrections() > 0 && limb.remaining() < 0.1 &&
-                                              (limb.destination() - above_rim(site, limb)).norm() < 0.005)) {
+                if (hold_reach_.arrived() ||
+                    (hold_reach_.corrections() > 0 && limb.remaining() < 0.1 &&
+                     (limb.destination() - tip_before_hold(seen, body, site, limb)).norm() < 0.005)) {
                     hold_ = Hold::descend;
-                    hold_reach_.start(limb, tip_at_rim(site, limb), body.view, 0.008, 0, 2.5);
+                    hold_reach_.start(limb, tip_to_hold(seen, body, site, limb), body.view, 0.008, 0, 2.5);
                 }
                 break;
             case Hold::descend:
-                hold_reach_.follow(tip_at_rim(site, limb));
+                hold_reach_.follow(tip_to_hold(seen, body, site, limb));
                 hold_reach_.update(limb, seen.tip[holder_]);
                 if (seen.display.force[holder_] > 0.5 * skill_.comfortable_force) {
                     limb.stop();
@@ -233,8 +242,10 @@ class SheetDivision : public Behaviour {
         if (!first_goal || !taut(seen)) content_since_ = limb.time();
         if (limb.time() - content_since_ > seconds_to_learn) judge_tension(limb, 0.3 * skill_.traction_error);
         const bool stretched =
-            (limb.destination() - taken_).norm() > longest_pull || force > 1.5 * skill_.comfortable_force;
-        const bool passed = std::abs(seen.display.cut_next_m - hold_place_) > reach_of_hold;
+            (limb.destination() - taken_).norm() > (of_septa() ? longest_lift : longest_pull) ||
+            force > 1.5 * skill_.comfortable_force;
+        const bool passed = of_septa() ? sight_.level_of(seen.display.cut_next_m) > hold_level_ + 1
+                                       : std::abs(seen.display.cut_next_m - hold_place_) > reach_of_hold;
         const bool vain = limb.time() - slack_since_ > seconds_to_wait;
         const bool slack = traction < wanted_ * (1 - skill_.traction_slack);
         // What the blade presses is not what this hand pulls: it holds still until the blade is out.
@@ -250,17 +261,23 @@ class SheetDivision : public Behaviour {
             let_go(limb);
             return;
         }
-        if (limb.remaining() > -skill_.reaction_s) return;  // see what the last pull did before the next
+        // See what the last pull did before the next.
+        if (limb.remaining() > -skill_.reaction_s - (of_septa() ? settle_s : 0)) return;
         const double missing = wanted_ - traction;
         if (std::abs(missing) < 0.4 * skill_.traction_slack * wanted_ || (missing > 0 && stretched)) return;
-        const double step = std::clamp(pull_step * missing / (0.35 * wanted_), -pull_step, pull_step);
-        if (std::abs(step) < least_step) return;
-        const Vector3 way = (0.85 * site.across + 0.53 * site.up).normalized();
+        const double longest = of_septa() ? lift_step : pull_step;
+        const double step = std::clamp(longest * missing / (0.35 * wanted_), -longest, longest);
+        if (std::abs(step) < (of_septa() ? 0.4 : 1) * least_step) return;
+        const Vector3 way = of_septa() ? (0.95 * site.across + 0.3 * site.up).normalized()
+                                       : (0.85 * site.across + 0.53 * site.up).normalized();
         if (step < 0 && (limb.destination() - taken_).dot(way) < 0) return;  // nothing is pulled any more
         limb.carry(step * way, std::abs(step) / skill_.lift_speed);
     }
 
     // ---- the hand that cuts ----
+    // Beside a septum's rims run the nerves.
+    double over_rim() const noexcept { return of_septa() ? over_septum : run_over; }
+    double beyond() const noexcept { return of_septa() ? 0.0004 : 0.002; }
     void divide(const Perception& seen, Body& body, bool allowed) noexcept {
         Limb& limb = *body.limb[cutter_];
         const double next = seen.display.cut_next_m;
@@ -269,16 +286,49 @@ class SheetDivision : public Behaviour {
                 limb.press(false);
                 if (!allowed || (hold_ != Hold::pull && skill_.foresight > limb.random().uniform())) break;
                 if (!taut(seen) && limb.time() - asked_ < skill_.foresight * seconds_to_wait) break;
-                from_ = next < 1e-6 ? -run_over : next - 0.001;
+                if (suction_.wanted(seen, limb)) {
+                    suction_.begin();
+                    blade_ = Blade::suck;
+                    break;
+                }
+                const double start = sight_.level * sight_.septum;
+                from_ = next < start + 1e-6 ? start - over_rim() : next - 0.001;
+                way_ = 1;
                 to_ = std::min(next + skill_.stroke * limb.random().uniform(0.8, 1.2),
-                               line_.length_m + run_over);
+                               (of_septa() ? start + sight_.septum : line_.length_m) + over_rim());
+                if (of_septa() && next < start + 1e-6) {
+                    // The rim itself gives the blade no hold: from a little inside out over it first.
+                    from_ = start + inside_rim;
+                    to_ = start - over_rim();
+                    way_ = -1;
+                }
+                if (of_septa()) from_ += misses_ * further_on;
                 aside_ = skill_.line_error * limb.random().normal();
                 depth_ = blade_depth;
+                const double delay = skill_.choice_s * limb.random().uniform(0.3, 0.7);
+                if (of_septa() && sight_.level != crossed_) {
+                    // From one rim to the other along the plane, not through what lies in front of it.
+                    crossed_ = sight_.level;
+                    blade_ = Blade::cross;
+                    blade_reach_.start(limb, middle(seen, body, limb), body.view, 0.015, delay, 6);
+                    break;
+                }
                 blade_ = Blade::travel;
                 blade_reach_.start(limb, over(site_at(seen, body, from_), limb, blade_height), body.view,
-                                   0.008, skill_.choice_s * limb.random().uniform(0.3, 0.7), 3);
+                                   0.008, delay, 3);
                 break;
             }
+            case Blade::cross:
+                blade_reach_.follow(middle(seen, body, limb));
+                blade_reach_.update(limb, seen.tip[cutter_]);
+                if (!blade_reach_.started() ||
+                    (limb.destination() - middle(seen, body, limb)).norm() > near_enough ||
+                    limb.remaining() > 0.12)
+                    break;
+                blade_ = Blade::travel;
+                blade_reach_.start(limb, over(site_at(seen, body, from_), limb, blade_height), body.view,
+                                   0.008, 0, 3);
+                break;
             case Blade::travel: {
                 const Vector3 goal = over(site_at(seen, body, from_), limb, blade_height);
                 blade_reach_.follow(goal);
@@ -295,6 +345,7 @@ class SheetDivision : public Behaviour {
             }
             case Blade::press:
                 if (seen.display.cutting) {
+                    misses_ = 0;
                     blade_ = Blade::stroke;
                     cutting_seen_ = limb.time();
                     break;
@@ -305,16 +356,21 @@ class SheetDivision : public Behaviour {
                     // Deeper and further on, until the blade breaks through.
                     depth_ += press_step;
                     pressed_ = limb.time();
-                    if (depth_ > deepest_press || seen.display.force[cutter_] > skill_.comfortable_force)
-                        lift(limb);
-                    else
-                        limb.carry(
-                            press_step * (site_at(seen, body, from_).along - site_at(seen, body, from_).up),
-                            0.25 * skill_.duration_scale);
+                    if (depth_ > (of_septa() ? deepest_septum_press : deepest_press) ||
+                        seen.display.force[cutter_] > skill_.comfortable_force) {
+                        misses_ = misses_ < most_misses ? misses_ + 1 : 0;
+                        lift(seen, body);
+                    } else
+                        limb.carry(press_step * (way_ * site_at(seen, body, from_).along -
+                                                 site_at(seen, body, from_).up),
+                                   0.25 * skill_.duration_scale);
                 }
                 break;
             case Blade::stroke:
                 stroke(seen, body);
+                break;
+            case Blade::suck:
+                if (suction_.update(seen.tools[cutter_], limb)) blade_ = Blade::wait;
                 break;
             case Blade::lift:
                 if (level(seen, body, limb) > -blade_depth) limb.press(false);
@@ -334,30 +390,40 @@ class SheetDivision : public Behaviour {
         const double here = place_of(seen, body, seen.tip[cutter_]);
         const bool slack = !taut(seen) && skill_.foresight > 0.5;
         // Who looks ahead stops when the tissue goes slack; the stroke under way is carried to its end.
-        if (out || here > to_ - 0.001 || (slack && limb.remaining() <= 0)) {
-            lift(limb);
+        if (out || way_ * (here - to_) > -0.001 || (slack && limb.remaining() <= 0)) {
+            lift(seen, body);
             return;
         }
         if (limb.remaining() > std::max(0.0, -skill_.gap_s)) return;
         const double planned = place_of(seen, body, limb.destination());
-        const double aim = std::min(planned + chunk, to_ + 0.002);
+        const double aim =
+            way_ > 0 ? std::min(planned + chunk, to_ + beyond()) : std::max(planned - chunk, to_ - beyond());
         const Vector3 goal = over(site_at(seen, body, aim), limb, -blade_depth);
         limb.reach(goal - limb.destination(), 0.003);
     }
 
     // Back along the shaft, the button held until the tip is at the sheet's level: the blade comes out
     // through the slit that it made and cuts nothing on its way.
-    void lift(Limb& limb) noexcept {
+    void lift(const Perception& seen, const Body& body) noexcept {
+        Limb& limb = *body.limb[cutter_];
         limb.stop();
-        limb.carry((blade_height + depth_) * (limb.trocar().position - limb.destination()).normalized(),
-                   0.4 * skill_.duration_scale);
+        const Vector3 out = of_septa() ? site_at(seen, body, to_).up
+                                       : (limb.trocar().position - limb.destination()).normalized();
+        limb.carry((blade_height + depth_) * out, 0.4 * skill_.duration_scale);
         blade_ = Blade::lift;
+    }
+
+    /// Above the middle of the septum that is worked on.
+    Vector3 middle(const Perception& seen, const Body& body, const Limb& limb) const noexcept {
+        return over(site_at(seen, body, (sight_.level + 0.5) * sight_.septum), limb, blade_height);
     }
 
     /// A tip above (or, below 0, beneath) a place of the line, by the way that its shaft goes: what is
     /// pressed down and springs back when the blade is through then meets the blade where it was touched.
     Vector3 over(const Site& site, const Limb& limb, double height) const noexcept {
         const Vector3 point = site.point + aside_ * site.across;
+        if (of_septa())
+            return point + height * site.up;  // beside the rims the wall stands in the shaft's way
         return point - height * (point - limb.trocar().position).normalized();
     }
 
@@ -378,11 +444,18 @@ class SheetDivision : public Behaviour {
     std::vector<Goal> goals_;
     Goal line_;
     Reach hold_reach_, blade_reach_;
+    SuctionTurn suction_;
+    SheetSight sight_;
     int holder_ = 0, cutter_ = 1, attempts_ = 0;
     double friction_ = 0.5;
     Hold hold_ = Hold::choose;
     Blade blade_ = Blade::wait;
     bool finished_ = false;
+    // Septa.
+    int hold_level_ = 0;
+    double radius_ = 0;
+    int crossed_ = 0, misses_ = 0;
+    double way_ = 1;  // +1 along the line, -1 against it
     double hold_place_ = 0, wanted_ = 1, until_ = 0, slack_since_ = 0, content_since_ = 0;
     Vector3 taken_ = Vector3::Zero();
     double from_ = 0, to_ = 0, aside_ = 0, depth_ = 0, pressed_ = 0, cutting_seen_ = 0, asked_ = 0;

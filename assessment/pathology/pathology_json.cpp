@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "assessment/pathology/pathology.h"
@@ -12,15 +13,19 @@ using Json = nlohmann::ordered_json;
 
 constexpr double mm = 1e3, percent = 1e2;
 
+/// In a unit of people, to a millionth: what is read back and written again is the same text.
+double scaled(double value, double unit) {
+    return std::round(value * unit * 1e6) / 1e6;
+}
 Json scaled(const std::optional<double>& value, double unit) {
-    return value ? Json(*value * unit) : Json(nullptr);
+    return value ? Json(scaled(*value, unit)) : Json(nullptr);
 }
 std::optional<double> unscaled(const Json& node, double unit) {
     return node.is_null() ? std::nullopt : std::optional<double>(node.get<double>() / unit);
 }
 
 Json plane_json(const PlaneDeviation& plane) {
-    return {{"length_mm", plane.length * mm},
+    return {{"length_mm", scaled(plane.length, mm)},
             {"median_mm", scaled(plane.median, mm)},
             {"p95_mm", scaled(plane.p95, mm)},
             {"side_mm", scaled(plane.side, mm)},
@@ -45,8 +50,8 @@ PlaneDeviation plane_from(const Json& node) {
 Json finding_json(const SectorFinding& finding) {
     Json node = {{"level", finding.level < 0 ? Json(nullptr) : Json(finding.level)},
                  {"sector", sector_name(finding.sector)},
-                 {"divided_percent", finding.divided * percent},
-                 {"defect_mm", finding.defect * mm}};
+                 {"divided_percent", scaled(finding.divided, percent)},
+                 {"defect_mm", scaled(finding.defect, mm)}};
     node.update(plane_json(finding.plane));
     return node;
 }
@@ -101,19 +106,19 @@ Margin margin_from(const Json& node) {
 
 Json specimen_json(const SpecimenPlan& plan) {
     Json node = {{"levels", plan.levels},
-                 {"line_mm", plan.line * mm},
-                 {"spacing_mm", plan.spacing * mm},
-                 {"plane_mm", plan.plane * mm},
-                 {"areolar_mm", plan.areolar * mm},
-                 {"muscularis_mm", plan.fat * mm},
-                 {"tolerance_mm", plan.tolerance * mm},
-                 {"corridor_mm", plan.corridor * mm},
+                 {"line_mm", scaled(plan.line, mm)},
+                 {"spacing_mm", scaled(plan.spacing, mm)},
+                 {"plane_mm", scaled(plan.plane, mm)},
+                 {"areolar_mm", scaled(plan.areolar, mm)},
+                 {"muscularis_mm", scaled(plan.fat, mm)},
+                 {"tolerance_mm", scaled(plan.tolerance, mm)},
+                 {"corridor_mm", scaled(plan.corridor, mm)},
                  {"tumour", nullptr}};
     if (plan.tumour) {
         node["tumour"] = {{"level", plan.tumour->level},
                           {"sector", sector_name(plan.tumour->sector)},
-                          {"depth_mm", plan.tumour->depth * mm},
-                          {"length_mm", plan.tumour->length * mm}};
+                          {"depth_mm", scaled(plan.tumour->depth, mm)},
+                          {"length_mm", scaled(plan.tumour->length, mm)}};
     }
     return node;
 }
@@ -143,21 +148,21 @@ std::string pathology_json(const PathologyReport& report) {
     for (const SectorFinding& finding : report.sectors) sectors.push_back(finding_json(finding));
     for (const Defect& defect : report.defects) {
         defects.push_back({{"level", defect.level},
-                           {"from_mm", defect.from * mm},
-                           {"to_mm", defect.to * mm},
-                           {"depth_mm", defect.depth * mm},
+                           {"from_mm", scaled(defect.from, mm)},
+                           {"to_mm", scaled(defect.to, mm)},
+                           {"depth_mm", scaled(defect.depth, mm)},
                            {"muscularis", defect.muscularis},
                            {"when_s", interval_json(defect.when)}});
     }
     const Json document = {
         {"version", report.version},
         {"specimen", specimen_json(report.plan)},
-        {"divided_percent", report.divided * percent},
+        {"divided_percent", scaled(report.divided, percent)},
         {"plane", plane_json(report.plane)},
         {"findings", std::move(findings)},
         {"sectors", std::move(sectors)},
         {"defects", std::move(defects)},
-        {"deepest_defect_mm", report.deepest_defect * mm},
+        {"deepest_defect_mm", scaled(report.deepest_defect, mm)},
         {"coning_mm", scaled(report.coning, mm)},
         {"tme_grade", report.grade ? Json(*report.grade) : Json(nullptr)},
         {"grade_reason", grade_reason_name(report.reason)},

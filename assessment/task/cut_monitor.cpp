@@ -8,6 +8,7 @@
 namespace fulcrum {
 namespace {
 
+constexpr double bridge = 0.003;     // m of a septum, at its rim or between two strokes
 constexpr double blade_reach = 0.02;  // m, a blade further from the line is not about to cut it
 
 }  // namespace
@@ -19,6 +20,8 @@ CutMonitor::CutMonitor(const TaskDefinition& task, const Scene& scene) {
     const auto count = static_cast<std::size_t>(std::max(1.0, std::round(goal_->length_m / cell)));
     cells_.assign(count, 0);
     cell_ = goal_->length_m / static_cast<double>(count);
+    of_septa_ = scene.septa.has_value();
+    if (of_septa_) least_open_ = static_cast<std::uint32_t>(std::lround(bridge / cell_));
     for (const InstrumentSpec& spec : scene.instruments)
         has_blade_[static_cast<std::size_t>(spec.hand)] = spec.cuts();
 }
@@ -54,7 +57,13 @@ void CutMonitor::event(const Event& event) noexcept {
         cells_divided_ += cells_[i] == 0 ? 1U : 0U;
         cells_[i] = 1;
     }
-    while (first_open_ < cells_.size() && cells_[first_open_] != 0) ++first_open_;
+    while (first_open_ < cells_.size() && !open_from(first_open_)) ++first_open_;
+}
+
+bool CutMonitor::open_from(std::size_t from) const noexcept {
+    std::size_t open = 0;
+    while (open < least_open_ && from + open < cells_.size() && cells_[from + open] == 0) ++open;
+    return open >= least_open_;
 }
 
 void CutMonitor::look(const WorldSnapshot& world) noexcept {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "assessment/task/bowel_line.h"
+#include "assessment/task/specimen_plan.h"
 #include "sim_core/numerics/input_error.h"
 
 namespace fulcrum {
@@ -70,10 +71,10 @@ GoalMonitor::GoalMonitor(const TaskDefinition& task, const Scene& scene)
                        "lower \"count\" or raise \"per_hand\" of the scene");
             }
         } else if (is_cut_goal(goal.kind)) {
-            if (!scene.sheet)
+            if (!scene.sheet && !scene.septa)
                 refuse(i, "the scene \"" + scene.id + "\" has no sheet to divide",
-                       "add \"sheet\" to the scene or name another scene");
-            if (goal.length_m > scene.sheet->line_length + 1e-9)
+                       "add \"sheet\" or \"septa\" to the scene or name another scene");
+            if (goal.length_m > marked_line(scene) + 1e-9)
                 refuse(i, "the goal asks for more than the marked line's length",
                        "lower \"length_m\" or raise \"line_length\" of the scene");
         } else if (is_bands_goal(goal.kind)) {
@@ -94,6 +95,7 @@ GoalMonitor::GoalMonitor(const TaskDefinition& task, const Scene& scene)
             }
         }
     }
+    make_specimen_plan(scene, task);  // refuses what the report could not be made of
     if (scene.bowel) rest_heights_.assign(static_cast<std::size_t>(scene.bowel->segments) + 1, 0.0);
 }
 
@@ -223,7 +225,7 @@ void GoalMonitor::step_tension(const WorldSnapshot& world, std::uint32_t tick, s
     const bool taut = holding && cut_.fault(goal(), 0) == TractionFault::none;
     hold_ticks_ = taut ? hold_ticks_ + ticks : 0;
     // Who has divided everything has nothing left to put under tension.
-    const bool divided = cut_.line() && cut_.divided() + line_end_slack >= cut_.length();
+    const bool divided = cut_.line() && cut_.reached() + line_end_slack >= cut_.length();
     if (hold_ticks_ * tick_period_ >= goal().hold_s || divided) end_goal(world, tick, sink);
 }
 
@@ -231,7 +233,7 @@ void GoalMonitor::step_divide(const WorldSnapshot& world, std::uint32_t tick, Ev
     const auto millimetres = static_cast<int>(cut_.divided() * 1e3 + 1e-9);
     if (millimetres > millimetres_) progress(cut_.divided(), tick, sink);
     millimetres_ = std::max(millimetres, millimetres_);
-    if (cut_.divided() + line_end_slack >= goal().length_m) end_goal(world, tick, sink);
+    if (cut_.reached() + line_end_slack >= goal().length_m) end_goal(world, tick, sink);
 }
 
 void GoalMonitor::step_let_go(const WorldSnapshot& world, std::uint32_t tick, std::uint32_t ticks,

@@ -39,6 +39,7 @@ class TaskReader {
         copy(root, "metrics", task_.metrics);
         copy(root, "critical_errors", task_.critical_errors);
         copy(root, "device_classes", task_.device_classes);
+        read_pathology(root);
         check_scene_name();
         check_metrics();
         read_goals(root.at("goals"));
@@ -55,6 +56,20 @@ class TaskReader {
             document_.fail("/scene", "\"" + name + "\" is not the name of a scene file",
                            "give a file name of assets/scenes, such as a2_targets.json");
         }
+    }
+
+    void read_pathology(const json& root) {
+        task_.pathology = root.contains("pathology");
+        if (!task_.pathology || !root.at("pathology").contains("tumour")) return;
+        const json& node = root.at("pathology").at("tumour");
+        Tumour tumour;
+        copy(node, "level", tumour.level);
+        copy(node, "depth_m", tumour.depth);
+        copy(node, "length_m", tumour.length);
+        const auto sector = node.at("sector").get<std::string>();
+        for (const Sector known : {Sector::right, Sector::mid, Sector::left})
+            if (sector == sector_name(known)) tumour.sector = known;
+        task_.tumour = tumour;
     }
 
     void check_metrics() {

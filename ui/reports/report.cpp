@@ -7,6 +7,7 @@
 
 #include "database/people.h"
 #include "sim_core/numerics/input_error.h"
+#include "ui/reports/report_rows.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
@@ -23,18 +24,6 @@ std::vector<ReportTask> titles_of(const std::vector<std::string>& ids,
         titles.push_back(std::move(shown));
     }
     return titles;
-}
-
-ReportProvenance provenance_of(const database::Store& store, const database::Session& session,
-                               const std::string& program_version) {
-    ReportProvenance provenance;
-    provenance.programme = store.programme_name();
-    provenance.program_version = program_version;
-    provenance.as_of = store.now();
-    provenance.made_by = session.display_name().empty() ? session.login() : session.display_name();
-    provenance.made_as = database::role_name(session.role());
-    provenance.demo = store.is_demo();
-    return provenance;
 }
 
 void add_all(std::vector<std::string>& to, const std::vector<std::string>& from) {
@@ -61,6 +50,18 @@ void save(const std::string& path, const std::string& content) {
 }
 
 }  // namespace
+
+ReportProvenance provenance_of(const database::Store& store, const database::Session& session,
+                               const std::string& program_version) {
+    ReportProvenance provenance;
+    provenance.programme = store.programme_name();
+    provenance.program_version = program_version;
+    provenance.as_of = store.now();
+    provenance.made_by = session.display_name().empty() ? session.login() : session.display_name();
+    provenance.made_as = database::role_name(session.role());
+    provenance.demo = store.is_demo();
+    return provenance;
+}
 
 ReportFormat parse_report_format(const std::string& name) {
     if (name == "pdf") return ReportFormat::pdf;
@@ -131,6 +132,16 @@ std::vector<std::string> write_report(const database::Store& store, const databa
     std::vector<std::string> files{request.path};
     const std::string dictionary = request.path + ".dictionary.csv";
     const auto stopped = [&](double done) { return progress && !progress(done, {}); };
+    if (!request.attempt_id.empty()) {
+        const AttemptPaper paper = gather_attempt(store, session, request.attempt_id, tasks, program_version);
+        if (stopped(0.5)) return {};
+        if (request.format == ReportFormat::pdf) {
+            write_attempt_pdf(paper, request.path);
+        } else {
+            save(request.path, request.format == ReportFormat::csv ? attempt_csv(paper) : attempt_json(paper));
+        }
+        return files;
+    }
     if (!request.person_id.empty()) {
         if (stopped(0.1)) return {};
         const PersonReport report = gather_person(store, session, request.person_id, tasks, program_version);

@@ -43,6 +43,13 @@ struct CohortReport {
     std::vector<PersonReport> people;  ///< one page each
 };
 
+/// One attempt.
+struct AttemptPaper {
+    ReportProvenance provenance;
+    ReportTask task;
+    database::AttemptReport report;
+};
+
 enum class ReportFormat { pdf, csv, json };
 /// Throws InputError for an unknown name.
 ReportFormat parse_report_format(const std::string& name);
@@ -51,6 +58,9 @@ ReportFormat parse_report_format(const std::string& name);
 PersonReport gather_person(const database::Store& store, const database::Session& session,
                            const std::string& person_id, const std::vector<TaskDefinition>& tasks,
                            const std::string& program_version);
+AttemptPaper gather_attempt(const database::Store& store, const database::Session& session,
+                            const std::string& attempt_id, const std::vector<TaskDefinition>& tasks,
+                            const std::string& program_version);
 /// Tells its progress; an empty optional when it was stopped. Only the PDF prints the people's pages; the
 /// others need no more than the table (`with_people` false).
 std::optional<CohortReport> gather_cohort(const database::Store& store, const database::Session& session,
@@ -65,17 +75,22 @@ std::string cohort_csv(const CohortReport& report);
 std::string csv_dictionary(bool cohort, const PersonReport* person = nullptr);
 std::string person_json(const PersonReport& report);
 std::string cohort_json(const CohortReport& report);
+/// One line a figure: metrics, then the pathology report by level and sector.
+std::string attempt_csv(const AttemptPaper& paper);
+std::string attempt_json(const AttemptPaper& paper);
 /// Written to a temporary file first. Throw StoreError (failed) when it cannot be written.
 void write_person_pdf(const PersonReport& report, const std::string& path);
+void write_attempt_pdf(const AttemptPaper& paper, const std::string& path);
 /// False when stopped; the file is then not there.
 bool write_cohort_pdf(const CohortReport& report, const std::string& path, const Progress& progress = {});
 
 struct ReportRequest {
-    std::string person_id, cohort_id;  ///< exactly one
+    std::string person_id, cohort_id, attempt_id;  ///< exactly one
     ReportFormat format = ReportFormat::pdf;
     std::string path;
 };
-/// Gathers and writes; a CSV gets its dictionary beside it (FILE.dictionary.csv). Returns the files, none
+/// Gathers and writes; a CSV of a person or cohort gets its dictionary beside it
+/// (FILE.dictionary.csv). Returns the files, none
 /// when stopped.
 std::vector<std::string> write_report(const database::Store& store, const database::Session& session,
                                       const ReportRequest& request, const std::vector<TaskDefinition>& tasks,

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <nlohmann/json.hpp>
-
-#include "ui/reports/report.h"
+#include "ui/reports/report_rows.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -17,19 +15,6 @@ Json or_null(const std::string& value) {
 }
 Json time_or_null(std::int64_t time) {
     return time == 0 ? Json(nullptr) : Json(database::iso_utc(time));
-}
-
-Json provenance_json(const ReportProvenance& provenance) {
-    return {{"programme", provenance.programme},
-            {"as_of", database::iso_utc(provenance.as_of)},
-            {"made_by", provenance.made_by},
-            {"made_as", provenance.made_as},
-            {"program_version", provenance.program_version},
-            {"program_versions", provenance.program_versions},
-            {"metric_versions", provenance.metric_versions},
-            {"benchmark_sets", provenance.benchmark_sets},
-            {"audit_head", provenance.audit_head},
-            {"demo", provenance.demo}};
 }
 
 Json row_json(const database::CohortRow& row) {
@@ -50,19 +35,7 @@ Json row_json(const database::CohortRow& row) {
 
 Json point_json(const database::ProgressPoint& point) {
     Json metrics = Json::array();
-    for (const database::MetricRow& metric : point.metrics) {
-        Json evidence = Json::array();
-        for (const auto& [from, to] : metric.evidence) evidence.push_back({from, to});
-        metrics.push_back({{"id", metric.id},
-                           {"version", metric.version},
-                           {"hand", or_null(metric.hand)},
-                           {"tissue", or_null(metric.tissue)},
-                           {"value", or_null(metric.value)},
-                           {"absent_because", or_null(metric.absent_because)},
-                           {"unit", metric.unit},
-                           {"direction", metric.direction},
-                           {"evidence", std::move(evidence)}});
-    }
+    for (const database::MetricRow& metric : point.metrics) metrics.push_back(metric_json(metric));
     return {{"attempt", point.attempt_id},
             {"number", point.number},
             {"started", database::iso_utc(point.started)},
@@ -78,10 +51,38 @@ Json point_json(const database::ProgressPoint& point) {
             {"provisional", point.provisional},
             {"not_scored_because", or_null(point.not_scored_because)},
             {"points", or_null(point.points)},
-            {"metrics", std::move(metrics)}};
+            {"metrics", std::move(metrics)},
+            {"pathology", point.pathology ? Json::parse(pathology_json(*point.pathology)) : Json(nullptr)}};
 }
 
 }  // namespace
+
+Json provenance_json(const ReportProvenance& provenance) {
+    return {{"programme", provenance.programme},
+            {"as_of", database::iso_utc(provenance.as_of)},
+            {"made_by", provenance.made_by},
+            {"made_as", provenance.made_as},
+            {"program_version", provenance.program_version},
+            {"program_versions", provenance.program_versions},
+            {"metric_versions", provenance.metric_versions},
+            {"benchmark_sets", provenance.benchmark_sets},
+            {"audit_head", provenance.audit_head},
+            {"demo", provenance.demo}};
+}
+
+Json metric_json(const database::MetricRow& metric) {
+    Json evidence = Json::array();
+    for (const auto& [from, to] : metric.evidence) evidence.push_back({from, to});
+    return {{"id", metric.id},
+            {"version", metric.version},
+            {"hand", or_null(metric.hand)},
+            {"tissue", or_null(metric.tissue)},
+            {"value", or_null(metric.value)},
+            {"absent_because", or_null(metric.absent_because)},
+            {"unit", metric.unit},
+            {"direction", metric.direction},
+            {"evidence", std::move(evidence)}};
+}
 
 std::string person_json(const PersonReport& report) {
     Json document = {{"report", "person"},

@@ -2,13 +2,11 @@
 // Reports on A4 by QPainter: a person on one page, a cohort as a table of people and tasks with a page for
 // each person behind it.
 #include <QCoreApplication>
-#include <QFile>
-#include <QPageSize>
 #include <QPainter>
-#include <QPdfWriter>
 #include <algorithm>
 
 #include "ui/charts/attempt_chart.h"
+#include "ui/reports/paper.h"
 #include "ui/reports/report.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
@@ -16,110 +14,9 @@
 namespace fulcrum::ui {
 namespace {
 
-constexpr int dots_per_inch = 300;
-
 QString tr(const char* source) {
     return QCoreApplication::translate("fulcrum::ui::report", source);
 }
-
-QString joined(const std::vector<std::string>& parts) {
-    QStringList list;
-    for (const std::string& part : parts) list << text(part);
-    return list.isEmpty() ? QStringLiteral("–") : list.join(QStringLiteral(", "));
-}
-
-/// A page being written from the top down; units are millimetres through mm().
-class Sheet {
-  public:
-    Sheet(const std::string& path, bool landscape, const QString& title)
-        : path_(path), part_(path + ".part"), writer_(text(part_)) {
-        writer_.setResolution(dots_per_inch);
-        writer_.setPageSize(QPageSize(QPageSize::A4));
-        writer_.setPageOrientation(landscape ? QPageLayout::Landscape : QPageLayout::Portrait);
-        writer_.setPageMargins(QMarginsF(14, 12, 14, 12), QPageLayout::Millimeter);
-        writer_.setTitle(title);
-        writer_.setCreator(QStringLiteral("Fulcrum"));
-        if (!painter_.begin(&writer_)) {
-            throw database::StoreError(database::StoreErrorKind::failed, path + ": the PDF cannot be written",
-                                       "choose another folder or free some space");
-        }
-    }
-    Sheet(const Sheet&) = delete;
-    Sheet& operator=(const Sheet&) = delete;
-    ~Sheet() {
-        if (painter_.isActive()) painter_.end();
-        QFile::remove(text(part_));
-    }
-    void finish() {
-        painter_.end();
-        QFile::remove(text(path_));
-        if (!QFile::rename(text(part_), text(path_))) {
-            throw database::StoreError(database::StoreErrorKind::failed,
-                                       path_ + ": the PDF cannot be written",
-                                       "choose another folder or free some space");
-        }
-    }
-
-    static double mm(double length) { return length * dots_per_inch / 25.4; }
-    double width() const { return writer_.width(); }
-    double height() const { return writer_.height(); }
-    double y() const { return y_; }
-    void skip(double length_mm) { y_ += mm(length_mm); }
-    void to(double y) { y_ = y; }
-    QPainter& painter() { return painter_; }
-    void new_page() {
-        if (started_) writer_.newPage();
-        started_ = true;
-        y_ = 0;
-    }
-    void font(double points, bool bold = false, const QColor& colour = paper_palette().text) {
-        QFont font(QStringLiteral("DejaVu Sans"));
-        font.setPointSizeF(points);
-        font.setBold(bold);
-        painter_.setFont(font);
-        painter_.setPen(colour);
-    }
-    double line_height() { return QFontMetricsF(painter_.font(), &writer_).height(); }
-    /// A paragraph; moves down.
-    void paragraph(const QString& shown) {
-        const QRectF room(0, y_, width(), height());
-        QRectF used;
-        painter_.drawText(room, Qt::TextWordWrap, shown, &used);
-        y_ = used.bottom() + mm(0.8);
-    }
-    void rule() {
-        painter_.setPen(QPen(paper_palette().line, mm(0.2)));
-        painter_.drawLine(QPointF(0, y_), QPointF(width(), y_));
-        y_ += mm(1.5);
-    }
-    void cell(double x, double cell_width, const QString& shown, Qt::Alignment alignment = Qt::AlignLeft) {
-        const QString fitted =
-            QFontMetricsF(painter_.font(), &writer_).elidedText(shown, Qt::ElideRight, cell_width - mm(1.5));
-        painter_.drawText(QRectF(x, y_, cell_width - mm(1.5), line_height()), alignment | Qt::AlignVCenter,
-                          fitted);
-    }
-    void watermark(const QString& shown) {
-        painter_.save();
-        QFont font(QStringLiteral("DejaVu Sans"));
-        font.setPointSizeF(54);
-        font.setBold(true);
-        painter_.setFont(font);
-        QColor faint = paper_palette().bad;
-        faint.setAlpha(28);
-        painter_.setPen(faint);
-        painter_.translate(width() / 2, height() / 2);
-        painter_.rotate(-35);
-        painter_.drawText(QRectF(-width(), -height() / 4, 2 * width(), height() / 2), Qt::AlignCenter, shown);
-        painter_.restore();
-    }
-
-  private:
-    std::string path_, part_;
-    QPdfWriter writer_;
-    QPainter painter_;
-    double y_ = 0;
-    bool started_ = false;
-};
 
 QString state_text(const database::CohortRow& row) {
     switch (row.state) {
@@ -131,24 +28,6 @@ QString state_text(const database::CohortRow& row) {
             return tr("open");
     }
     return {};
-}
-
-void footer(Sheet& sheet, const ReportProvenance& provenance, const QString& n) {
-    const double top = sheet.height() - Sheet::mm(21);
-    sheet.to(top);
-    sheet.rule();
-    sheet.font(7, false, paper_palette().muted);
-    QString metrics = joined(provenance.metric_versions);
-    const double room = sheet.width() * 1.9;
-    const QFontMetricsF measure(sheet.painter().font(), sheet.painter().device());
-    metrics = measure.elidedText(metrics, Qt::ElideRight, room);
-    sheet.paragraph(tr("Metrics: %1").arg(metrics));
-    sheet.paragraph(tr("Benchmark sets: %1 · %2 · program %3")
-                        .arg(joined(provenance.benchmark_sets), n, text(provenance.program_version)));
-    sheet.paragraph(tr("%1 · made %2 by %3 (%4) · audit %5")
-                        .arg(text(provenance.programme), local_time(provenance.as_of),
-                             text(provenance.made_by), role_text(provenance.made_as),
-                             text(provenance.audit_head.substr(0, 16))));
 }
 
 bool any_provisional(const std::vector<database::CohortRow>& rows) {

@@ -278,6 +278,7 @@ std::optional<AttemptModel> load_attempt(const database::Store& store, const dat
     model.summary = attempts.read(session, attempt_id);
     for (database::ScoreRow& score : attempts.scores(session, attempt_id))
         (score.in_force ? model.score : model.recomputed) = std::move(score);  // the newest comes last
+    if (model.score) model.pathology = database::pathology_of(*model.score);
     if (scene) {
         model.tick = scene->tick_period();
         for (const TissueSpec& tissue : scene->tissues) {

@@ -12,6 +12,7 @@
 
 #include "assessment/task/task.h"
 #include "database/attempts.h"
+#include "database/report_data.h"
 #include "sim_core/scene/scene.h"
 #include "ui/application_services.h"
 #include "ui/charts/decimation.h"
@@ -36,6 +37,7 @@ struct AttemptModel {
     database::AttemptSummary summary;
     std::optional<database::ScoreRow> score;       ///< in force
     std::optional<database::ScoreRow> recomputed;  ///< the newest beside it
+    std::optional<PathologyReport> pathology;      ///< of the score in force, where there is a specimen
     std::shared_ptr<const database::Trace> trace;  ///< null until the whole record was read, for the replay
     std::size_t samples = 0;                       ///< recorded
     double duration = 0;                           ///< s, of the record

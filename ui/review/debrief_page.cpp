@@ -9,10 +9,12 @@
 
 #include "assessment/metrics/registry.h"
 #include "ui/charts/time_chart.h"
+#include "ui/reports/report_export.h"
 #include "ui/review/actions_card.h"
 #include "ui/review/comments_card.h"
 #include "ui/review/gates_card.h"
 #include "ui/review/path_view.h"
+#include "ui/review/pathology_card.h"
 #include "ui/review/replay_panel.h"
 #include "ui/shell/background_job.h"
 #include "ui/style/palette.h"
@@ -39,6 +41,8 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
 
     gates_ = new GatesCard;
     content->addWidget(gates_);
+    pathology_ = new PathologyCard;
+    content->addWidget(pathology_);
 
     auto* middle = new QHBoxLayout;
     middle->setSpacing(14);
@@ -115,6 +119,8 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
     connect(metrics_, &QTableWidget::itemActivated, this, jump);
     connect(metrics_, &QTableWidget::itemClicked, this, jump);
     connect(gates_, &GatesCard::time_chosen, this, &DebriefPage::go_to);
+    connect(pathology_, &PathologyCard::time_chosen, this, &DebriefPage::go_to);
+    connect(pathology_, &PathologyCard::save_wanted, this, &DebriefPage::save_report);
     connect(force_, &TimeChart::time_chosen, this, &DebriefPage::go_to);
     connect(path_, &PathView::time_chosen, this, &DebriefPage::go_to);
     connect(comments_, &CommentsCard::time_chosen, this, &DebriefPage::go_to);
@@ -224,6 +230,7 @@ void DebriefPage::show_model() {
     content_->show();
     fill_head();
     gates_->open(*model_);
+    show_pathology();
     fill_events();
     fill_metrics();
     fill_charts();
@@ -345,6 +352,22 @@ void DebriefPage::fill_head() {
     const std::string advice = model_->score ? model_->score->advice : std::string();
     advice_->setText(text(advice));
     advice_->parentWidget()->setVisible(!advice.empty());
+}
+
+void DebriefPage::show_pathology() {
+    const database::AttemptMeta& meta = model_->summary.meta;
+    std::optional<QString> file;
+    if (context().allowed(database::Operation::export_person, database::Subject::person(meta.person_id)))
+        file = text(meta.task_id) + QStringLiteral(" ") + text(model_->summary.person_name);
+    pathology_->open(model_->pathology, file);
+}
+
+void DebriefPage::save_report(const QString& path) {
+    ReportRequest request;
+    request.attempt_id = attempt_id_;
+    request.format = report_format_of(path);
+    request.path = plain(path);
+    export_report(context(), this, job_bar_, request, [this](const QString&) { show_pathology(); });
 }
 
 void DebriefPage::fill_events() {

@@ -24,6 +24,7 @@ class CommentsCard;
 class GatesCard;
 class JobBar;
 class PathView;
+class PathologyCard;
 class ReplayPanel;
 class TimeChart;
 
@@ -51,6 +52,8 @@ class DebriefPage : public Page {
     void read_record();
     void show_record(std::shared_ptr<const database::Trace> trace);
     void fill_head();
+    void show_pathology();
+    void save_report(const QString& path);
     void fill_events();
     void fill_metrics();
     void fill_charts();
@@ -67,6 +70,7 @@ class DebriefPage : public Page {
     QLabel *number_[4], *number_title_[4], *number_why_[4];
     QPushButton* back_;
     GatesCard* gates_;
+    PathologyCard* pathology_;
     QTableWidget* metrics_;
     ReplayPanel* replay_;
     QListWidget* events_;

@@ -9,6 +9,7 @@
 #include "assessment/learning/statistics.h"
 #include "assessment/metrics/metrics_json.h"
 #include "assessment/operators/operator.h"
+#include "assessment/task/specimen_plan.h"
 #include "sim_core/scene/fidelity.h"
 #include "tests/support/support.h"
 
@@ -160,6 +161,29 @@ TEST(OperatorOnTheWorld, ExpertPullsAndCutsTheSheetAndTheCutReplaysBitForBit) {
     const ReplayOutcome replay = replay_record(again, sink.record);
     EXPECT_TRUE(replay.identical) << replay.first_divergence_s;
     EXPECT_EQ(replay.state_hash, run.state_hash);
+}
+
+// The first of four levels; whole attempts of twenty seeds are in docs/results.
+TEST(OperatorOnTheWorld, ExpertLiftsTheRectumAndDividesInThePlane) {
+    const TaskDefinition task = load_task(test::source_path("assets/tasks/C4.json"));
+    const Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
+    AttemptEngine engine(scene, task, 2500);
+    const auto rig = make_operator("expert", task, scene, 2500);
+    FullRecord sink;
+    run_headless(engine, *rig, sink, [&](double t) { return t < 20 && engine.display().cut_divided_m < 0.02; });
+    const auto count = [&](EventKind kind) {
+        return std::count_if(sink.record.events.begin(), sink.record.events.end(),
+                             [&](const Event& event) { return event.kind == kind; });
+    };
+    EXPECT_GE(count(EventKind::grasp), 1) << "the rectum is held";
+    EXPECT_GE(count(EventKind::phase_end), 1) << "and was put under tension";
+    EXPECT_GE(engine.display().cut_divided_m, 0.02);
+    EXPECT_EQ(count(EventKind::perforation) + count(EventKind::vessel_injury) + count(EventKind::nerve_injury), 0);
+    EXPECT_EQ(count(EventKind::simulator_fault), 0);
+    const PathologyReport report = pathology_report(
+        cut_strokes(sink.record.events, scene.tick_period(), 20), make_specimen_plan(scene, task).value());
+    EXPECT_EQ(report.grade, 3);
+    EXPECT_LT(report.plane.median.value(), 0.0015);
 }
 
 }  // namespace

@@ -253,9 +253,10 @@ TEST(Pathology, SurvivesJson) {
     EXPECT_EQ(again.reason, report.reason);
     EXPECT_EQ(again.findings.size(), report.findings.size());
     EXPECT_EQ(again.defects.size(), report.defects.size());
-    EXPECT_NEAR(again.circumferential.distance.value(), report.circumferential.distance.value(), 1e-12);
-    EXPECT_NEAR(again.plane.p95.value(), report.plane.p95.value(), 1e-12);
+    EXPECT_NEAR(again.circumferential.distance.value(), report.circumferential.distance.value(), 5.1e-10);
+    EXPECT_NEAR(again.plane.p95.value(), report.plane.p95.value(), 5.1e-10);
     EXPECT_EQ(again.plan.tumour->sector, Sector::mid);
+    EXPECT_EQ(pathology_json(again), text) << "read back and written again";
     const PathologyReport nothing =
         parse_pathology(pathology_json(pathology_report({}, plan())), "empty.json");
     EXPECT_FALSE(nothing.grade.has_value());
@@ -317,7 +318,7 @@ RC_GTEST_PROP(PathologyProperties, LengthIsKeptAndSharesAreShares, ()) {
     if (report.distal.distance) RC_ASSERT(*report.distal.distance >= 0);
     const std::string text = pathology_json(report);
     RC_ASSERT(text.find("nan") == std::string::npos);
-    RC_ASSERT(parse_pathology(text, "any").reason == report.reason);
+    RC_ASSERT(pathology_json(parse_pathology(text, "any")) == text);
 }
 
 RC_GTEST_PROP(PathologyProperties, AMirroredCutHasMirroredSectors, ()) {

@@ -3,6 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "assessment/pathology/pathology.h"
+#include "database/report_data.h"
+#include "database/score_rows.h"
 #include "tests/database/programme_fixture.h"
 
 namespace fulcrum::database::test {
@@ -45,6 +48,42 @@ TEST(Attempt, ComesBackAsItWasRecorded) {
     EXPECT_EQ(score.critical_errors[0].time_s, 12.25);
     EXPECT_EQ(programme.attempts().products(ann, recorder.attempt_id())[0].data,
               (std::vector<std::uint8_t>{1, 2, 3, 0, 255}));
+}
+
+TEST(Attempt, KeepsThePathologyReportWithItsScore) {
+    SpecimenPlan plan{4, 0.06, 0.02, 0.003, 0.006, 0.018, 0.002, 0.01, Tumour{1, Sector::mid, 0.008, 0.012}};
+    CutStroke stroke;
+    stroke.elements.push_back({1, 2, 0, 0.24, 0.0005, 0.0005, 0.24, {}});
+    const std::string report = pathology_json(pathology_report({stroke}, plan));
+    Programme programme;
+    Recorder recorder(programme.path, programme.session("ann"), example_meta(programme.id("ann")),
+                      programme.clock.options());
+    Programme::append_second(recorder, 0);
+    AttemptResult result = example_result(true, 60);
+    result.score->pathology = report;
+    recorder.finish(result);
+    const Session& ann = programme.session("ann");
+    const AttemptReport read = Reports(*programme.store).attempt_report(ann, recorder.attempt_id());
+    EXPECT_EQ(read.score->pathology, report);
+    ASSERT_TRUE(read.pathology.has_value());
+    EXPECT_EQ(pathology_json(*read.pathology), report);
+    EXPECT_EQ(read.pathology->grade, 3);
+    EXPECT_EQ(read.metric_versions, (std::vector<std::string>{"path_len@1", "sparc@2"}));
+    // The screens' series holds the same one.
+    const PersonProgress progress = Reports(*programme.store).person_progress(ann, programme.id("ann"), "A2");
+    EXPECT_EQ(pathology_json(*progress.series.at(0).points.at(0).pathology), report);
+    // The chain knows it: another report, or none, is another digest.
+    ScoreRow score = *read.score;
+    const std::string digest = score_digest(recorder.attempt_id(), score);
+    score.pathology = pathology_json(pathology_report({}, plan));
+    EXPECT_NE(score_digest(recorder.attempt_id(), score), digest);
+    // Somebody else's attempt is not exported.
+    EXPECT_THROW(Reports(*programme.store)
+                     .attempt_report(programme.session("eve"), recorder.attempt_id(), ReportPurpose::exported),
+                 AccessDenied);
+    score.pathology.clear();
+    EXPECT_NE(score_digest(recorder.attempt_id(), score), digest);
+    EXPECT_FALSE(pathology_of(score).has_value());
 }
 
 TEST(Attempt, ItsOverviewIsThatOfItsTraceChunkByChunk) {

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One attempt on paper and as data: verdict, gates, figures and, where it leaves a specimen, the pathology
+// report.
+#include <QCoreApplication>
+
+#include "assessment/metrics/registry.h"
+#include "ui/reports/paper.h"
+#include "ui/reports/pathology_words.h"
+#include "ui/reports/report_rows.h"
+#include "ui/style/text.h"
+
+namespace fulcrum::ui {
+namespace {
+
+QString tr(const char* source) {
+    return QCoreApplication::translate("fulcrum::ui::report", source);
+}
+
+/// Rows of equal cells across the paper; the first columns read from the left, figures from the right.
+class Columns {
+  public:
+    Columns(Sheet& sheet, std::vector<double> shares, std::size_t words)
+        : sheet_(sheet), shares_(std::move(shares)), words_(words) {}
+    void row(const QStringList& cells) {
+        double x = 0;
+        for (std::size_t i = 0; i < shares_.size(); ++i) {
+            const double width = shares_[i] * sheet_.width();
+            sheet_.cell(x, width, cells[static_cast<int>(i)], i < words_ ? Qt::AlignLeft : Qt::AlignRight);
+            x += width;
+        }
+        sheet_.to(sheet_.y() + sheet_.line_height() + Sheet::mm(0.6));
+    }
+
+  private:
+    Sheet& sheet_;
+    std::vector<double> shares_;
+    std::size_t words_;
+};
+
+void head(Sheet& sheet, const AttemptPaper& paper) {
+    const database::AttemptSummary& attempt = paper.report.attempt;
+    sheet.new_page();
+    if (paper.provenance.demo) sheet.watermark(tr("DEMONSTRATION"));
+    sheet.font(9, false, paper_palette().muted);
+    sheet.paragraph(tr("%1 · attempt report").arg(text(paper.provenance.programme)));
+    sheet.font(17, true);
+    sheet.paragraph(text(attempt.meta.task_id + "  " + paper.task.title));
+    sheet.font(9, false, paper_palette().muted);
+    sheet.paragraph(tr("%1 · %2 · %3 · %4 · %5")
+                        .arg(text(attempt.person_name), local_time(attempt.meta.started),
+                             attempt.meta.mode == "assessed" ? tr("assessed") : tr("practice"),
+                             device_class_text(attempt.meta.device_class), attempt_state(attempt.state)));
+    if (attempt.synthetic || attempt.meta.device_class == "synthetic" || paper.provenance.demo) {
+        sheet.font(9, true, paper_palette().bad);
+        sheet.paragraph(tr("Synthetic: made by a simulated operator, not by a person."));
+    }
+    if (attempt.provisional) {
+        sheet.font(9, true, paper_palette().bad);
+        sheet.paragraph(
+            tr("Provisional limits (synthetic operators): they allow \"passed (provisional)\", never "
+               "proficiency or a certificate."));
+    }
+    sheet.font(11, true);
+    QString result = verdict(attempt.passed, attempt.provisional);
+    if (attempt.points && attempt.passed) result += tr(" · %1 points").arg(figure(*attempt.points));
+    sheet.paragraph(result);
+    sheet.font(9);
+    if (!attempt.passed && !attempt.not_scored_because.empty())
+        sheet.paragraph(tr("Not scored: %1").arg(text(attempt.not_scored_because)));
+    if (paper.report.score && !paper.report.score->advice.empty())
+        sheet.paragraph(text(paper.report.score->advice));
+    sheet.skip(2);
+}
+
+void gates(Sheet& sheet, const database::ScoreRow& score) {
+    if (score.gates.empty()) return;
+    Columns columns(sheet, {0.40, 0.10, 0.16, 0.16, 0.18}, 2);
+    sheet.font(8, true, paper_palette().muted);
+    columns.row({tr("gate"), tr("hand"), tr("value"), tr("limit"), tr("result")});
+    sheet.rule();
+    for (const database::GateRow& gate : score.gates) {
+        const MetricDescriptor* metric = find_metric(gate.metric);
+        const bool higher = metric != nullptr && metric->direction == Direction::higher;
+        const bool missed = gate.passed && !*gate.passed;
+        sheet.font(8, false, missed ? paper_palette().bad : paper_palette().text);
+        columns.row({metric == nullptr ? text(gate.metric) : text(metric->name), hand_text(gate.hand),
+                     figure_with_unit(gate.value, gate.unit),
+                     gate.limit ? (higher ? QStringLiteral("≥ ") : QStringLiteral("≤ ")) +
+                                      figure_with_unit(gate.limit, gate.unit)
+                                : tr("none"),
+                     gate.passed ? (*gate.passed ? tr("met") : tr("not met")) : tr("not judged")});
+    }
+    sheet.skip(4);
+}
+
+void pathology(Sheet& sheet, const PathologyReport& report) {
+    sheet.font(12, true);
+    sheet.paragraph(tr("Pathology report (simulated)"));
+    sheet.skip(1);
+    for (const PathologyLine& line : pathology_lines(report)) {
+        sheet.font(8.5, true, paper_palette().muted);
+        const double top = sheet.y();
+        sheet.cell(0, sheet.width() * 0.27, line.title);
+        sheet.font(8.5, false, line.bad ? paper_palette().bad : paper_palette().text);
+        const QRectF room(sheet.width() * 0.27, top, sheet.width() * 0.73, sheet.height());
+        QRectF used;
+        sheet.painter().drawText(room, Qt::TextWordWrap, line.words, &used);
+        sheet.to(used.bottom() + Sheet::mm(0.8));
+    }
+    sheet.skip(3);
+    Columns columns(sheet, {0.06, 0.10, 0.10, 0.105, 0.10, 0.10, 0.105, 0.105, 0.125, 0.10}, 2);
+    sheet.font(6.2, true, paper_palette().muted);
+    columns.row(pathology_columns());
+    sheet.rule();
+    const std::vector<QStringList> rows = pathology_rows(report);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (i == report.findings.size()) sheet.rule();
+        sheet.font(8, i >= report.findings.size());
+        columns.row(rows[i]);
+    }
+    sheet.skip(1);
+    sheet.font(7, false, paper_palette().muted);
+    sheet.paragraph(pathology_legend(report));
+}
+
+/// One line of the CSV: a figure of the attempt, its place where it belongs to one.
+void csv_row(std::string& csv, const AttemptPaper& paper, const std::string& figure,
+             const std::string& version, const std::string& hand, const std::string& tissue,
+             const std::string& level, const std::string& sector, const std::optional<double>& value,
+             const std::string& unit, const std::string& absent_because) {
+    const database::AttemptMeta& meta = paper.report.attempt.meta;
+    for (const std::string& cell :
+         {csv_text(meta.id), csv_text(paper.report.attempt.person_login), csv_text(meta.task_id),
+          database::iso_utc(meta.started), csv_text(figure), version, hand, csv_text(tissue), level, sector,
+          csv_number(value), csv_text(unit), csv_text(absent_because)})
+        csv += cell + ",";
+    csv.back() = '\r';
+    csv += '\n';
+}
+
+void csv_finding(std::string& csv, const AttemptPaper& paper, const SectorFinding& finding,
+                 const std::string& version) {
+    const std::string level = finding.level < 0 ? "all" : std::to_string(finding.level + 1);
+    const auto row = [&](const char* name, const std::optional<double>& value, double scale,
+                         const char* unit) {
+        csv_row(csv, paper, name, version, "", "", level, sector_name(finding.sector),
+                value ? std::optional<double>(*value * scale) : std::nullopt, unit,
+                value ? "" : "nothing was cut in this sector");
+    };
+    row("pathology.divided", finding.divided, 100, "%");
+    row("pathology.median", finding.plane.median, 1e3, "mm");
+    row("pathology.p95", finding.plane.p95, 1e3, "mm");
+    row("pathology.side", finding.plane.side, 1e3, "mm");
+    row("pathology.worst", finding.plane.worst, 1e3, "mm");
+    row("pathology.in_plane", finding.plane.in_plane, 100, "%");
+    row("pathology.too_deep", finding.plane.too_deep, 100, "%");
+    row("pathology.too_shallow", finding.plane.too_shallow, 100, "%");
+    row("pathology.defect", finding.defect, 1e3, "mm");
+}
+
+}  // namespace
+
+AttemptPaper gather_attempt(const database::Store& store, const database::Session& session,
+                            const std::string& attempt_id, const std::vector<TaskDefinition>& tasks,
+                            const std::string& program_version) {
+    AttemptPaper paper;
+    paper.report =
+        database::Reports(store).attempt_report(session, attempt_id, database::ReportPurpose::exported);
+    paper.provenance = provenance_of(store, session, program_version);
+    paper.provenance.metric_versions = paper.report.metric_versions;
+    paper.provenance.benchmark_sets = paper.report.benchmark_sets;
+    paper.provenance.program_versions = paper.report.program_versions;
+    paper.provenance.audit_head = paper.report.audit_head;
+    paper.task = {paper.report.attempt.meta.task_id, paper.report.attempt.meta.task_id, ""};
+    for (const TaskDefinition& task : tasks)
+        if (task.id == paper.task.id) paper.task = {task.id, task.title, task.stage};
+    return paper;
+}
+
+void write_attempt_pdf(const AttemptPaper& paper, const std::string& path) {
+    Sheet sheet(path, false,
+                tr("Attempt of %1, %2").arg(text(paper.report.attempt.person_name), text(paper.task.id)));
+    head(sheet, paper);
+    if (paper.report.score) gates(sheet, *paper.report.score);
+    if (paper.report.pathology) pathology(sheet, *paper.report.pathology);
+    footer(sheet, paper.provenance, tr("attempt %1").arg(text(paper.report.attempt.meta.id)));
+    sheet.finish();
+}
+
+std::string attempt_csv(const AttemptPaper& paper) {
+    std::string csv =
+        "attempt_id,login,task,started_utc,figure,version,hand,tissue,level,sector,value,unit,absent_"
+        "because\r\n"
+        "-,-,-,-,-,-,-,-,-,-,as unit says,-,-\r\n";
+    if (paper.report.score) {
+        for (const database::MetricRow& metric : paper.report.score->metrics)
+            csv_row(csv, paper, metric.id, std::to_string(metric.version), metric.hand, metric.tissue, "", "",
+                    metric.value, metric.unit.empty() ? "-" : metric.unit, metric.absent_because);
+    }
+    if (paper.report.pathology) {
+        const std::string version = std::to_string(paper.report.pathology->version);
+        for (const SectorFinding& finding : paper.report.pathology->findings)
+            csv_finding(csv, paper, finding, version);
+        for (const SectorFinding& finding : paper.report.pathology->sectors)
+            csv_finding(csv, paper, finding, version);
+    }
+    return csv;
+}
+
+std::string attempt_json(const AttemptPaper& paper) {
+    using Json = nlohmann::ordered_json;
+    const database::AttemptSummary& attempt = paper.report.attempt;
+    const auto number = [](const std::optional<double>& value) {
+        return value ? Json(*value) : Json(nullptr);
+    };
+    const auto words = [](const std::string& value) { return value.empty() ? Json(nullptr) : Json(value); };
+    Json gates = Json::array(), metrics = Json::array();
+    if (paper.report.score) {
+        for (const database::GateRow& gate : paper.report.score->gates)
+            gates.push_back({{"metric", gate.metric},
+                             {"hand", words(gate.hand)},
+                             {"tissue", words(gate.tissue)},
+                             {"kind", gate.kind},
+                             {"value", number(gate.value)},
+                             {"unit", gate.unit},
+                             {"limit", number(gate.limit)},
+                             {"limit_source", words(gate.limit_source)},
+                             {"z", number(gate.z)},
+                             {"passed", gate.passed ? Json(*gate.passed) : Json(nullptr)},
+                             {"provisional", gate.provisional}});
+        for (const database::MetricRow& metric : paper.report.score->metrics)
+            metrics.push_back(metric_json(metric));
+    }
+    const Json document = {
+        {"report", "attempt"},
+        {"attempt", attempt.meta.id},
+        {"person",
+         {{"id", attempt.meta.person_id}, {"login", attempt.person_login}, {"name", attempt.person_name}}},
+        {"synthetic", attempt.synthetic},
+        {"task", attempt.meta.task_id},
+        {"started", database::iso_utc(attempt.meta.started)},
+        {"device_class", attempt.meta.device_class},
+        {"mode", attempt.meta.mode},
+        {"state", attempt.state},
+        {"duration_s", attempt.duration_s},
+        {"passed", attempt.passed ? Json(*attempt.passed) : Json(nullptr)},
+        {"provisional", attempt.provisional},
+        {"not_scored_because", words(attempt.not_scored_because)},
+        {"points", number(attempt.points)},
+        {"gates", std::move(gates)},
+        {"metrics", std::move(metrics)},
+        {"pathology",
+         paper.report.pathology ? Json::parse(pathology_json(*paper.report.pathology)) : Json(nullptr)},
+        {"provenance", provenance_json(paper.provenance)}};
+    return document.dump(2) + "\n";
+}
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/reports/paper.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QPageSize>
+
+#include "ui/style/text.h"
+
+namespace fulcrum::ui {
+namespace {
+
+QString tr(const char* source) {
+    return QCoreApplication::translate("fulcrum::ui::report", source);
+}
+
+QString joined(const std::vector<std::string>& parts) {
+    QStringList list;
+    for (const std::string& part : parts) list << text(part);
+    return list.isEmpty() ? QStringLiteral("–") : list.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+Sheet::Sheet(const std::string& path, bool landscape, const QString& title)
+    : path_(path), part_(path + ".part"), writer_(text(part_)) {
+    writer_.setResolution(dots_per_inch);
+    writer_.setPageSize(QPageSize(QPageSize::A4));
+    writer_.setPageOrientation(landscape ? QPageLayout::Landscape : QPageLayout::Portrait);
+    writer_.setPageMargins(QMarginsF(14, 12, 14, 12), QPageLayout::Millimeter);
+    writer_.setTitle(title);
+    writer_.setCreator(QStringLiteral("Fulcrum"));
+    if (!painter_.begin(&writer_)) {
+        throw database::StoreError(database::StoreErrorKind::failed, path + ": the PDF cannot be written",
+                                   "choose another folder or free some space");
+    }
+}
+
+Sheet::~Sheet() {
+    if (painter_.isActive()) painter_.end();
+    QFile::remove(text(part_));
+}
+
+void Sheet::finish() {
+    painter_.end();
+    QFile::remove(text(path_));
+    if (!QFile::rename(text(part_), text(path_))) {
+        throw database::StoreError(database::StoreErrorKind::failed, path_ + ": the PDF cannot be written",
+                                   "choose another folder or free some space");
+    }
+}
+
+void Sheet::watermark(const QString& shown) {
+    painter_.save();
+    QFont font(QStringLiteral("DejaVu Sans"));
+    font.setPointSizeF(54);
+    font.setBold(true);
+    painter_.setFont(font);
+    QColor faint = paper_palette().bad;
+    faint.setAlpha(28);
+    painter_.setPen(faint);
+    painter_.translate(width() / 2, height() / 2);
+    painter_.rotate(-35);
+    painter_.drawText(QRectF(-width(), -height() / 4, 2 * width(), height() / 2), Qt::AlignCenter, shown);
+    painter_.restore();
+}
+
+void footer(Sheet& sheet, const ReportProvenance& provenance, const QString& n) {
+    const double top = sheet.height() - Sheet::mm(21);
+    sheet.to(top);
+    sheet.rule();
+    sheet.font(7, false, paper_palette().muted);
+    QString metrics = joined(provenance.metric_versions);
+    const double room = sheet.width() * 1.9;
+    const QFontMetricsF measure(sheet.painter().font(), sheet.painter().device());
+    metrics = measure.elidedText(metrics, Qt::ElideRight, room);
+    sheet.paragraph(tr("Metrics: %1").arg(metrics));
+    sheet.paragraph(tr("Benchmark sets: %1 · %2 · program %3")
+                        .arg(joined(provenance.benchmark_sets), n, text(provenance.program_version)));
+    sheet.paragraph(tr("%1 · made %2 by %3 (%4) · audit %5")
+                        .arg(text(provenance.programme), local_time(provenance.as_of),
+                             text(provenance.made_by), role_text(provenance.made_as),
+                             text(provenance.audit_head.substr(0, 16))));
+}
+
+}  // namespace fulcrum::ui

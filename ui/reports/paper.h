@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A4 paper written from the top down by QPainter, and what stands at the foot of every report.
+#pragma once
+
+#include <QPainter>
+#include <QPdfWriter>
+#include <string>
+
+#include "ui/reports/report.h"
+#include "ui/style/palette.h"
+
+namespace fulcrum::ui {
+
+inline constexpr int dots_per_inch = 300;
+
+/// A page being written from the top down; units are millimetres through mm().
+class Sheet {
+  public:
+    /// Throws StoreError (failed) where the file cannot be written.
+    Sheet(const std::string& path, bool landscape, const QString& title);
+    Sheet(const Sheet&) = delete;
+    Sheet& operator=(const Sheet&) = delete;
+    ~Sheet();
+    /// Puts the file in its place; without it nothing is left. Throws as the constructor.
+    void finish();
+
+    static double mm(double length) { return length * dots_per_inch / 25.4; }
+    double width() const { return writer_.width(); }
+    double height() const { return writer_.height(); }
+    double y() const { return y_; }
+    void skip(double length_mm) { y_ += mm(length_mm); }
+    void to(double y) { y_ = y; }
+    QPainter& painter() { return painter_; }
+    void new_page() {
+        if (started_) writer_.newPage();
+        started_ = true;
+        y_ = 0;
+    }
+    void font(double points, bool bold = false, const QColor& colour = paper_palette().text) {
+        QFont font(QStringLiteral("DejaVu Sans"));
+        font.setPointSizeF(points);
+        font.setBold(bold);
+        painter_.setFont(font);
+        painter_.setPen(colour);
+    }
+    double line_height() { return QFontMetricsF(painter_.font(), &writer_).height(); }
+    /// A paragraph; moves down.
+    void paragraph(const QString& shown) {
+        const QRectF room(0, y_, width(), height());
+        QRectF used;
+        painter_.drawText(room, Qt::TextWordWrap, shown, &used);
+        y_ = used.bottom() + mm(0.8);
+    }
+    void rule() {
+        painter_.setPen(QPen(paper_palette().line, mm(0.2)));
+        painter_.drawLine(QPointF(0, y_), QPointF(width(), y_));
+        y_ += mm(1.5);
+    }
+    void cell(double x, double cell_width, const QString& shown, Qt::Alignment alignment = Qt::AlignLeft) {
+        const QString fitted =
+            QFontMetricsF(painter_.font(), &writer_).elidedText(shown, Qt::ElideRight, cell_width - mm(1.5));
+        painter_.drawText(QRectF(x, y_, cell_width - mm(1.5), line_height()), alignment | Qt::AlignVCenter,
+                          fitted);
+    }
+    void watermark(const QString& shown);
+
+  private:
+    std::string path_, part_;
+    QPdfWriter writer_;
+    QPainter painter_;
+    double y_ = 0;
+    bool started_ = false;
+};
+
+void footer(Sheet& sheet, const ReportProvenance& provenance, const QString& n);
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/reports/pathology_words.h"
+
+#include <QCoreApplication>
+#include <cmath>
+
+#include "ui/style/text.h"
+
+namespace fulcrum::ui {
+namespace {
+
+QString tr(const char* source) {
+    return QCoreApplication::translate("fulcrum::ui::pathology", source);
+}
+
+QString mm(double metres) {
+    return QString::number(metres * 1e3, 'f', 1);
+}
+QString mm(const std::optional<double>& metres) {
+    return metres ? mm(*metres) : QStringLiteral("–");
+}
+QString percent(const std::optional<double>& share) {
+    return share ? QString::number(std::round(100 * *share), 'f', 0) : QStringLiteral("–");
+}
+
+PathologyLine grade_line(const PathologyReport& report) {
+    PathologyLine line{tr("Mesorectum"), {}, report.grade.value_or(3) < 3, -1};
+    const QString deepest = mm(report.deepest_defect);
+    switch (report.reason) {
+        case GradeReason::nothing_cut:
+            line.words = tr("No grade: nothing was cut.");
+            break;
+        case GradeReason::intact:
+            line.words = tr("Grade 3, complete: no defect deeper than 5 mm, no coning.");
+            break;
+        case GradeReason::defect:
+            line.words = tr("Grade 2, nearly complete: a defect of %1 mm, deeper than 5 mm.").arg(deepest);
+            break;
+        case GradeReason::coning:
+            line.words = tr("Grade 2, nearly complete: coning.");
+            break;
+        case GradeReason::defect_and_coning:
+            line.words =
+                tr("Grade 2, nearly complete: a defect of %1 mm, deeper than 5 mm, and coning.").arg(deepest);
+            break;
+        case GradeReason::muscularis:
+            line.words = tr("Grade 1, incomplete: a defect down to the muscularis.");
+            break;
+    }
+    return line;
+}
+
+PathologyLine coning_line(const PathologyReport& report) {
+    PathologyLine line{tr("Coning"), {}, false, -1};
+    if (!report.coning) {
+        line.words = tr("Not judged: fewer than three levels were divided at least by half.");
+        return line;
+    }
+    line.bad = *report.coning > coning_limit;
+    const QString way = *report.coning >= 0 ? tr("towards the rectum") : tr("towards the sacrum");
+    line.words =
+        tr("%1: from the first level to the last the cut moves %2 mm %3 (coning: more than %4 mm "
+           "towards the rectum).")
+            .arg(line.bad ? tr("Yes") : tr("None"), mm(std::abs(*report.coning)), way, mm(coning_limit));
+    return line;
+}
+
+Sector sector_at(const PathologyReport& report, double place) {
+    const double third = report.plan.line / sector_count;
+    return static_cast<Sector>(std::min(sector_count - 1, static_cast<int>(place / third)));
+}
+
+void add_defects(const PathologyReport& report, std::vector<PathologyLine>& lines) {
+    if (report.defects.empty()) {
+        lines.push_back({tr("Defects"), tr("None."), false, -1});
+        return;
+    }
+    constexpr std::size_t shown = 5;  // the table has every sector's deepest
+    for (std::size_t i = 0; i < std::min(shown, report.defects.size()); ++i) {
+        const Defect& defect = report.defects[i];
+        QString words =
+            tr("%1: %2 mm deep, %3 mm wide, at %4")
+                .arg(place_text(defect.level, sector_at(report, 0.5 * (defect.from + defect.to))),
+                     mm(defect.depth), mm(defect.to - defect.from), clock_text(defect.when.begin));
+        if (defect.muscularis) words += tr(", down to the muscularis");
+        lines.push_back({i == 0 ? tr("Defects") : QString(), words + QLatin1Char('.'),
+                         defect.depth > deep_defect, defect.when.begin});
+    }
+    if (report.defects.size() > shown)
+        lines.push_back({{}, tr("and %1 shallower ones.").arg(report.defects.size() - shown), false, -1});
+}
+
+PathologyLine circumferential_line(const PathologyReport& report) {
+    PathologyLine line{tr("Circumferential margin"), {}, false, -1};
+    const Margin& margin = report.circumferential;
+    if (margin.absence == MarginAbsence::no_tumour) {
+        line.words = tr("The case has no tumour.");
+    } else if (!margin.distance) {
+        line.words = tr("Not given: the plane beside the tumour was not divided.");
+        line.bad = true;
+    } else {
+        line.bad = *margin.distance <= positive_margin;
+        line.time = margin.when.begin;
+        line.words = tr("%1 mm, %2 (positive: 1 mm or less). Tumour at %3, its edge %4 mm outside the "
+                        "muscularis.")
+                         .arg(mm(*margin.distance), line.bad ? tr("positive") : tr("negative"),
+                              place_text(report.plan.tumour->level, report.plan.tumour->sector),
+                              mm(report.plan.tumour->depth));
+    }
+    return line;
+}
+
+PathologyLine distal_line(const PathologyReport& report) {
+    PathologyLine line{tr("Distal margin"), {}, false, -1};
+    const Margin& margin = report.distal;
+    if (margin.absence == MarginAbsence::no_tumour) {
+        line.words = tr("The case has no tumour.");
+    } else if (!margin.distance) {
+        line.words =
+            tr("No transection was done in this task, and the dissection did not reach below the tumour.");
+        line.bad = true;
+    } else {
+        line.words =
+            tr("No transection was done in this task: the distal margin is the way from the tumour's "
+               "lower edge to the lowest level that was divided from side to side, %1 mm (level %2).")
+                .arg(mm(*margin.distance))
+                .arg(report.lowest_level + 1);
+    }
+    return line;
+}
+
+QStringList row_of(const QString& level, const QString& sector, double divided, const PlaneDeviation& plane,
+                   double defect) {
+    return {level,
+            sector,
+            percent(divided),
+            mm(plane.median),
+            mm(plane.p95),
+            mm(plane.worst),
+            percent(plane.in_plane),
+            percent(plane.too_deep),
+            percent(plane.too_shallow),
+            mm(defect)};
+}
+
+}  // namespace
+
+QString sector_text(Sector sector) {
+    switch (sector) {
+        case Sector::right:
+            return tr("right");
+        case Sector::mid:
+            return tr("midline");
+        case Sector::left:
+            return tr("left");
+    }
+    return {};
+}
+
+QString place_text(int level, Sector sector) {
+    return tr("level %1, %2").arg(level + 1).arg(sector_text(sector));
+}
+
+std::vector<PathologyLine> pathology_lines(const PathologyReport& report) {
+    std::vector<PathologyLine> lines;
+    lines.push_back({tr("Specimen"),
+                     tr("Rectum in its mesorectal envelope, posterior sector, %1 levels; %2 % of the plane "
+                        "divided, not transected.")
+                         .arg(report.plan.levels)
+                         .arg(percent(report.divided)),
+                     false, -1});
+    lines.push_back(grade_line(report));
+    lines.push_back(coning_line(report));
+    add_defects(report, lines);
+    lines.push_back(circumferential_line(report));
+    lines.push_back(distal_line(report));
+    return lines;
+}
+
+QStringList pathology_columns() {
+    return {tr("Level"),           tr("Sector"),     tr("Divided (%)"),  tr("Median (mm)"),
+            tr("95th (mm)"),       tr("Worst (mm)"), tr("In plane (%)"), tr("Too deep (%)"),
+            tr("Too shallow (%)"), tr("Defect (mm)")};
+}
+
+std::vector<QStringList> pathology_rows(const PathologyReport& report) {
+    std::vector<QStringList> rows;
+    for (const SectorFinding& finding : report.findings)
+        rows.push_back(row_of(QString::number(finding.level + 1), sector_text(finding.sector),
+                              finding.divided, finding.plane, finding.defect));
+    for (const SectorFinding& finding : report.sectors)
+        rows.push_back(
+            row_of(tr("all"), sector_text(finding.sector), finding.divided, finding.plane, finding.defect));
+    rows.push_back(row_of(tr("all"), tr("all"), report.divided, report.plane, report.deepest_defect));
+    return rows;
+}
+
+QString pathology_legend(const PathologyReport& report) {
+    return tr("Levels from cranial to caudal, sides of the patient. Distances of the cut from the intended "
+              "plane: median and 95th percentile of their size; the worst is positive towards the sacrum "
+              "(too "
+              "deep), negative into the mesorectum (too shallow); in plane within %1 mm. Simulated: from the "
+              "cut surface of this attempt at rest.")
+        .arg(mm(report.plan.tolerance));
+}
+
+}  // namespace fulcrum::ui

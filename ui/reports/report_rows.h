@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every report says in the same way. Internal to this room.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "ui/reports/report.h"
+
+namespace fulcrum::ui {
+
+ReportProvenance provenance_of(const database::Store& store, const database::Session& session,
+                               const std::string& program_version);
+nlohmann::ordered_json provenance_json(const ReportProvenance& provenance);
+nlohmann::ordered_json metric_json(const database::MetricRow& metric);
+
+}  // namespace fulcrum::ui
