@@ -11,6 +11,7 @@
 #include "app/live_attempt.h"
 #include "app/replay_source.h"
 #include "app/rescoring.h"
+#include "app/site_tissues.h"
 #include "assessment/operators/operator.h"
 #include "assessment/version.h"
 #include "ui/shell/main_window.h"
@@ -43,16 +44,16 @@ class Services : public ui::ApplicationServices {
     std::unique_ptr<ui::AttemptSession> start_attempt(const ui::AttemptRequest& request) override {
         // The recorder asks again; here it is refused before a scene is made.
         store_->require(request.session, database::Operation::perform_attempt, database::Subject::person(request.session.person_id()));
-        LiveRequest live{load_task_and_scene(request.task_id), request.seed, request.assessed, request.rig, store_->path(), request.session, {}, benchmark_in_force(request.task_id)};
+        LiveRequest live{load_site_task(*store_, request.session, request.task_id), request.seed, request.assessed, request.rig, store_->path(), request.session, {}, benchmark_in_force(request.task_id)};
         if (live.seed == 0) live.seed = draw_seed();
         live.meta = attempt_meta(live.loaded, live.seed, request.assessed ? "assessed" : "practice", request.device_class, request.device,
                                  live.benchmark ? &*live.benchmark : nullptr);
         live.meta.person_id = request.session.person_id();
         return std::make_unique<LiveAttempt>(std::move(live));
     }
-    std::unique_ptr<ui::AttemptSession> start_demonstration(const std::string& task_id) override {
+    std::unique_ptr<ui::AttemptSession> start_demonstration(const database::Session& session, const std::string& task_id) override {
         LiveRequest live;
-        live.loaded = load_task_and_scene(task_id);
+        live.loaded = load_site_task(*store_, session, task_id);
         live.seed = demonstration_seed;
         live.assessed = false;
         live.rig = make_operator("expert", live.loaded.task, live.loaded.scene, demonstration_seed);
@@ -70,8 +71,19 @@ class Services : public ui::ApplicationServices {
     std::vector<ui::RecomputedScore> recompute_scores(const database::Session& session, const ui::Progress& progress) override {
         return app::recompute_scores(store_path(session.is_demo()), session, {}, progress);
     }
-    std::unique_ptr<ui::ReplaySource> open_replay(const std::string& task_id, std::uint64_t seed, std::shared_ptr<const database::Trace> trace) override {
-        return make_replay_source(load_task_and_scene(task_id), seed, std::move(trace));
+    Scene scene_of(const database::Session& session, const database::AttemptSummary& attempt) const override {
+        return load_recorded(database::Attempts(*store_), session, attempt).scene;
+    }
+    std::unique_ptr<ui::ReplaySource> open_replay(const database::Session& session, const database::AttemptSummary& attempt,
+                                                  std::shared_ptr<const database::Trace> trace) override {
+        return make_replay_source(load_recorded(database::Attempts(*store_), session, attempt), attempt.meta.seed, std::move(trace));
+    }
+    ui::SiteTissues site_tissues(const database::Session& session, const std::string& task_id) override {
+        return app::site_tissues(*store_, session, task_id);
+    }
+    void set_site_tissues(const database::Session& session, const std::string& task_id, int seen, const database::TissueValues& values,
+                          const std::string& reason) override {
+        app::set_site_tissues(*store_, session, task_id, seen, values, reason);
     }
     std::string program_version() const override { return version_line(); }
 

@@ -68,9 +68,9 @@ std::vector<BenchmarkAttempt> run_operators(const LoadedTask& loaded, const std:
     return attempts;
 }
 
-std::vector<BenchmarkAttempt> stored_attempts(const Arguments& arguments, const std::string& task, const std::vector<std::string>& logins) {
-    const database::Store store = open_store(arguments, false);
-    const database::Session session = person_session(arguments, store);
+/// Attempts in tissue that is cut as in `loaded`.
+std::vector<BenchmarkAttempt> stored_attempts(const database::Store& store, const database::Session& session, const LoadedTask& loaded,
+                                              const std::vector<std::string>& logins) {
     const database::Attempts attempts(store);
     const database::People people(store);
     std::vector<BenchmarkAttempt> result;
@@ -79,7 +79,7 @@ std::vector<BenchmarkAttempt> stored_attempts(const Arguments& arguments, const 
         if (!person) throw InputError("command line", "--experts", "no person '" + login + "'", "name logins of this store, separated by commas");
         database::AttemptFilter filter;
         filter.person_id = person->id;
-        filter.task_id = task;
+        filter.task_id = loaded.task.id;
         filter.include_voided = false;
         std::vector<database::AttemptSummary> list = attempts.list(session, filter);
         std::reverse(list.begin(), list.end());  // oldest first: the first ones were familiarisation
@@ -88,6 +88,7 @@ std::vector<BenchmarkAttempt> stored_attempts(const Arguments& arguments, const 
             if (summary.meta.mode != "assessed" || summary.state != "completed" || ++seen <= familiarisation) continue;
             const auto score = attempts.score(session, summary.meta.id);
             if (!score) continue;
+            if (!cutting_difference(cutting_values(load_recorded(attempts, session, summary).scene), cutting_values(loaded.scene)).empty()) continue;
             BenchmarkAttempt attempt;
             attempt.person = login;
             for (const database::MetricRow& row : score->metrics) {
@@ -135,9 +136,17 @@ int command_benchmark(const std::vector<std::string>& words) {
     const Arguments arguments(words, spec);
     if (arguments.words()[0] != "build") throw UsageError("command line: benchmark " + arguments.words()[0] + ": no such action; " + spec.usage);
     if (arguments.has("--operators") == arguments.has("--experts")) throw UsageError("command line: give either --operators or --experts; " + spec.usage);
-    const LoadedTask loaded = load_task_and_scene(arguments.words()[1]);
+    LoadedTask loaded = load_task_and_scene(arguments.words()[1]);
+    std::optional<database::Store> store;
+    std::optional<database::Session> session;
+    if (arguments.has("--experts") || arguments.has("--db")) {  // a site's set is made in the site's tissue
+        store = open_store(arguments, false);
+        session = arguments.has("--experts") ? person_session(arguments, *store) : session_of(arguments, *store);
+        loaded = load_site_task(*store, *session, loaded.task.id);
+    }
 
     BenchmarkRequest request;
+    request.cutting = cutting_values(loaded.scene);
     request.variant_family = loaded.scene.variant;
     request.fidelity = loaded.scene.fidelity.id;
     if (arguments.has("--operators")) {
@@ -150,7 +159,7 @@ int command_benchmark(const std::vector<std::string>& words) {
         request.source = "experts of this site";
         request.provisional = false;
         request.familiarisation = familiarisation;
-        request.experts = stored_attempts(arguments, loaded.task.id, split(*arguments.value("--experts")));
+        request.experts = stored_attempts(*store, *session, loaded, split(*arguments.value("--experts")));
     }
     const BenchmarkBuild build = build_benchmark(loaded.task, request);
     nlohmann::json trials = nlohmann::json::array();

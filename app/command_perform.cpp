@@ -170,7 +170,8 @@ int command_perform(const std::vector<std::string>& words) {
     if (arguments.has("--operator") && arguments.has("--input"))
         throw UsageError("command line: --input: not together with --operator; " + spec.usage);
 
-    const LoadedTask loaded = load_task_and_scene(arguments.words()[0], arguments.value_or("--fidelity", ""));
+    const std::string fidelity = arguments.value_or("--fidelity", "");
+    LoadedTask loaded = load_task_and_scene(arguments.words()[0], fidelity);  // what is wrong is told before a store is made
     const auto seed = static_cast<std::uint64_t>(arguments.integer("--seed", 1, 0, 4'000'000'000LL));
     const std::string operator_name =
         arguments.has("--input") ? "" : arguments.value_or("--operator", "expert");
@@ -187,6 +188,8 @@ int command_perform(const std::vector<std::string>& words) {
     const database::Store store = open_store(arguments, true);
     const database::Session session = store.station_session();
     score_interrupted(store.path(), session);  // what an earlier run left when it was killed
+    loaded = load_site_task(store, session, loaded.task.id, fidelity);
+    if (!operator_name.empty()) rig = make_operator(operator_name, loaded.task, loaded.scene, seed);
     const database::Person person = subject(arguments, store, session, operator_name, seed);
 
     database::AttemptMeta meta = attempt_meta(

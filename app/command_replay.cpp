@@ -38,7 +38,7 @@ int command_replay(const std::vector<std::string>& words) {
     const std::string& id = arguments.words()[0];
     const database::AttemptSummary summary = attempts.read(session, id);
     database::Trace trace = attempts.read_trace(session, id);
-    LoadedTask loaded = load_task_and_scene(summary.meta.task_id, summary.meta.fidelity == "standard" ? "" : summary.meta.fidelity);
+    const LoadedTask loaded = load_recorded(attempts, session, summary);
 
     AttemptRecord record{std::move(trace.inputs), std::move(trace.samples), std::move(trace.steps), std::move(trace.events)};
     if (record.inputs.size() != record.samples.size()) throw InputError(id, "trace", "inputs and samples differ in number", "run fulcrum db check");

@@ -20,7 +20,7 @@ const std::map<std::string, Command>& commands() {
     static const std::map<std::string, Command> table = {
         {"perform", command_perform}, {"replay", command_replay},   {"metrics", command_metrics}, {"check", command_check},
         {"benchmark", command_benchmark}, {"report", command_report}, {"db", command_db},       {"lab", command_lab},
-        {"demonstrate", command_demonstrate},
+        {"demonstrate", command_demonstrate}, {"tissues", command_tissues},
     };
     return table;
 }

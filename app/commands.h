@@ -20,6 +20,7 @@ int command_benchmark(const std::vector<std::string>& words);
 int command_report(const std::vector<std::string>& words);
 int command_db(const std::vector<std::string>& words);
 int command_lab(const std::vector<std::string>& words);
+int command_tissues(const std::vector<std::string>& words);
 int command_demonstrate(const std::vector<std::string>& words);
 
 /// Runs the subcommand named by the first word. Throws UsageError for an unknown one.

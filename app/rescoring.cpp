@@ -33,7 +33,7 @@ void recompute(const database::Attempts& attempts, const database::Session& sess
 
 ScoredAttempt score_stored(const database::Attempts& attempts, const database::Session& session,
                            const database::AttemptSummary& summary, const BenchmarkSet* benchmark) {
-    const LoadedTask loaded = load_task_and_scene(summary.meta.task_id);
+    const LoadedTask loaded = load_recorded(attempts, session, summary);
     const database::Trace trace = attempts.read_trace(session, summary.meta.id);
     return score_record(loaded.scene, loaded.task, targets_of(loaded, summary.meta.seed), trace.samples,
                         trace.events, benchmark);

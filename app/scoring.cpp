@@ -15,6 +15,15 @@ std::optional<BenchmarkSet> benchmark_in_force(const std::string& task_id) {
     return load_benchmark(path);
 }
 
+std::string why_not_comparable(const BenchmarkSet& benchmark, const Scene& scene, const std::string& scene_file) {
+    const CuttingValues used = cutting_values(scene);
+    if (used.empty() && benchmark.cutting.empty()) return {};
+    const CuttingValues made_with = benchmark.cutting.empty() ? cutting_values(load_scene(asset_path("scenes/" + scene_file))) : benchmark.cutting;
+    const std::string difference = cutting_difference(used, made_with);
+    if (difference.empty()) return {};
+    return "tissue is cut otherwise than where the limits were made (" + difference + ")";
+}
+
 std::vector<std::string> tissue_labels(const Scene& scene) {
     std::vector<std::string> labels;
     for (const TissueSpec& tissue : scene.tissues) labels.push_back(tissue.label);
@@ -31,7 +40,8 @@ ScoredAttempt score_record(const Scene& scene, const TaskDefinition& task, const
     if (context.specimen) scored.pathology = pathology_report(cut_strokes(events, trace.tick_period, trace.end), *context.specimen);
     scored.state = attempt_state(events);
     scored.duration_s = samples.empty() ? 0 : samples.back().tick * scene.tick_period();
-    scored.score = score_attempt(task, trace, events, scored.metrics, benchmark);
+    const std::string other = benchmark == nullptr ? std::string() : why_not_comparable(*benchmark, scene, task.scene);
+    scored.score = score_attempt(task, trace, events, scored.metrics, other.empty() ? benchmark : nullptr, other);
     return scored;
 }
 

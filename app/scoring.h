@@ -28,8 +28,11 @@ struct ScoredAttempt {
 
 /// The benchmark set in force for a task and device class: assets/benchmarks/TASK.json (first sets serve every class). Empty if none.
 std::optional<BenchmarkSet> benchmark_in_force(const std::string& task_id);
+/// Why an attempt in this scene is not held against the set: its tissues are cut otherwise than those of the scene
+/// that the set was made in. Empty if it is. `scene_file`: the task's, whose values a set without any of its own means.
+std::string why_not_comparable(const BenchmarkSet& benchmark, const Scene& scene, const std::string& scene_file);
 
-/// Pure but for its arguments. `targets`: centres of the scene's targets for this seed.
+/// Pure but for its arguments and the scene file of the task (why_not_comparable). `targets`: centres of the scene's targets for this seed.
 ScoredAttempt score_record(const Scene& scene, const TaskDefinition& task, const std::vector<Vector3>& targets,
                            const std::vector<TickSample>& samples, const std::vector<Event>& events, const BenchmarkSet* benchmark);
 

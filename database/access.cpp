@@ -17,7 +17,8 @@ constexpr Scope none = Scope::none, own = Scope::own, cohort = Scope::cohort, pr
                 synthetic = Scope::synthetic;
 
 // platform.md, "Roles". Administrators run the accounts and the store and see no scores; the station does
-// synthetic work only.
+// synthetic work only. What a site says of its tissues is no one's data: whoever performs needs it; setting it is
+// the educators', as benchmarks and curricula are.
 // clang-format off
 constexpr std::array<Row, operation_count> table{{
     //                                                                 trainee    educator   director   administrator station   never own
@@ -50,6 +51,8 @@ constexpr std::array<Row, operation_count> table{{
     {Operation::check_store,             "check_store",                none,      none,      none,      programme, programme, false},
     {Operation::backup,                  "backup",                     none,      none,      none,      programme, none,      false},
     {Operation::manage_settings,         "manage_settings",            none,      none,      none,      programme, none,      false},
+    {Operation::read_tissues,            "read_tissues",               programme, programme, programme, none,      programme, false},
+    {Operation::set_tissues,             "set_tissues",                none,      programme, none,      none,      none,      false},
 }};
 // clang-format on
 

@@ -57,8 +57,10 @@ enum class Operation : std::uint8_t {
     check_store,  ///< integrity, checksums, audit chain; reads no personal data
     backup,
     manage_settings,  ///< programme name, sign-in picker on or off
+    read_tissues,     ///< what the site says of a task's tissues
+    set_tissues,
 };
-inline constexpr int operation_count = 29;
+inline constexpr int operation_count = 31;
 const char* operation_name(Operation operation);
 
 /// How the subject of an operation stands to the actor.

@@ -26,7 +26,8 @@ struct AttemptMeta {
     std::uint64_t seed = 0;
     std::string fidelity;
     std::string scene;         ///< file name
-    std::string scene_digest;  ///< of the scene's content, hex; may be empty
+    std::string scene_text;    ///< the scene as it is used, for the record; not read back with the attempt
+    std::string scene_digest;  ///< BLAKE2b-256 of scene_text, hex, made by the recorder; empty without it
     std::string curriculum;    ///< id@version or empty
     std::string limits;        ///< benchmark set id@version in force at the start, or empty
     std::string program_version;

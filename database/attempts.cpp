@@ -260,6 +260,19 @@ std::vector<Event> Attempts::read_events(const Session& session, const std::stri
     return read_chunks(store_.connection(), attempt_id, true).events;
 }
 
+std::string Attempts::scene_text(const Session& session, const std::string& attempt_id) const {
+    require_attempt(store_, session, Operation::read_attempt, attempt_id);
+    Query row(store_.connection(),
+              "SELECT a.scene_digest, s.text FROM attempt a LEFT JOIN scene_text s ON s.digest = a.scene_digest "
+              "WHERE a.id = ?");
+    row.bind(attempt_id);
+    if (!row.next() || row.text(0).empty()) return {};
+    if (row.is_null(1) || text_digest(row.text(1)) != row.text(0))
+        throw StoreError(StoreErrorKind::corrupt, "the scene of attempt " + attempt_id + " is damaged",
+                         "restore the newest backup");
+    return row.text(1);
+}
+
 std::vector<ProductBlob> Attempts::products(const Session& session, const std::string& attempt_id) const {
     require_attempt(store_, session, Operation::read_trace, attempt_id);
     Query rows(store_.connection(),

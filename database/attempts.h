@@ -67,6 +67,9 @@ class Attempts {
                        const std::function<void(std::size_t chunks)>& prepare,
                        const std::function<void(std::size_t chunk, const TraceOverview&)>& visit) const;
     std::vector<Event> read_events(const Session& session, const std::string& attempt_id) const;
+    /// The scene as the attempt used it; empty for attempts from before scenes were kept. StoreError corrupt where
+    /// the text is gone or does not match its digest. Operation::read_attempt.
+    std::string scene_text(const Session& session, const std::string& attempt_id) const;
     std::vector<ProductBlob> products(const Session& session, const std::string& attempt_id) const;
 
     /// The first score of an attempt (one that was interrupted) is in force; any other lies beside it.

@@ -64,6 +64,10 @@ std::string to_hex(const Bytes& bytes) {
     return text;
 }
 
+std::string text_digest(const std::string& text) {
+    return to_hex(blake2b(text.data(), text.size(), 32));
+}
+
 std::string make_verifier(const std::string& secret) {
     ready();
     char verifier[crypto_pwhash_STRBYTES];

@@ -18,6 +18,8 @@ Bytes random_bytes(std::size_t count);
 Bytes blake2b(const void* data, std::size_t length, std::size_t size);
 Bytes blake2b(const Bytes& data, std::size_t size = 32);
 std::string to_hex(const Bytes& bytes);
+/// BLAKE2b-256 of a text, hex.
+std::string text_digest(const std::string& text);
 
 /// Argon2id, interactive limits (64 MiB, about 0.1 s).
 std::string make_verifier(const std::string& secret);

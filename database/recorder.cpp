@@ -35,6 +35,12 @@ StoreOptions for_writing(StoreOptions options) {
 void insert_attempt(const Store& store, const AttemptMeta& attempt) {
     Connection& connection = store.connection();
     Transaction transaction(connection);
+    if (!attempt.scene_text.empty()) {
+        Query(connection, "INSERT INTO scene_text (digest, text) VALUES (?, ?) ON CONFLICT (digest) DO NOTHING")
+            .bind(attempt.scene_digest)
+            .bind(attempt.scene_text)
+            .run();
+    }
     Query(connection,
           "INSERT INTO attempt (id, person_id, station_id, task_id, task_version, mode, device_class, "
           "device, operator_name, variant, "
@@ -178,6 +184,7 @@ Recorder::Recorder(const std::string& store_path, const Session& session, Attemp
         throw StoreError(StoreErrorKind::sealed_demo, "the demo takes practice attempts only",
                          "choose practice, or make a programme");
     }
+    attempt.scene_digest = attempt.scene_text.empty() ? std::string() : text_digest(attempt.scene_text);
     if (attempt.id.empty()) attempt.id = random_uuid();
     if (attempt.started == 0) {
         attempt.started = store.now();

@@ -36,7 +36,7 @@ struct StoreOptions {
 /// A finding of check(): ok == false names what is wrong and the way on.
 struct CheckItem {
     std::string name;  ///< "integrity", "foreign keys", "audit chain", "trace checksums", "score digests",
-                       ///< "permissions"
+                       ///< "scenes", "permissions"
     bool ok = true;
     std::int64_t count = 0;             ///< things looked at
     std::vector<std::string> problems;  ///< empty if ok; at most 20, then a line that says how many more

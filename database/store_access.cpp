@@ -22,6 +22,7 @@ bool writes(Operation operation) {
         case Operation::reassign_attempt:
         case Operation::request_correction:
         case Operation::manage_settings:
+        case Operation::set_tissues:
             return true;
         default:
             return false;

@@ -128,6 +128,19 @@ void check_scores(const Store& store, CheckItem& item) {
     }
 }
 
+void check_scenes(const Store& store, CheckItem& item) {
+    Query rows(store.connection(), "SELECT digest, text FROM scene_text");
+    while (rows.next()) {
+        ++item.count;
+        if (text_digest(rows.text(1)) != rows.text(0))
+            item.problems.push_back("scene " + rows.text(0) + ": changed after it was written");
+    }
+    Query lost(store.connection(),
+               "SELECT id FROM attempt WHERE scene_digest <> '' AND scene_digest NOT IN (SELECT digest FROM "
+               "scene_text)");
+    while (lost.next()) item.problems.push_back("attempt " + lost.text(0) + ": its scene is gone");
+}
+
 void check_permissions(const Store& store, CheckItem& item) {
     struct stat status {};
     item.count = 1;
@@ -173,6 +186,7 @@ CheckReport check_store(const Store& store, const StoreProgress& progress) {
     });
     look(0.4, 0.85, "trace checksums", [&](CheckItem& item) { check_traces(store, item, watch); });
     look(0.85, 1, "score digests", [&](CheckItem& item) { check_scores(store, item); });
+    look(1, 1, "scenes", [&](CheckItem& item) { check_scenes(store, item); });
     look(1, 1, "permissions", [&](CheckItem& item) { check_permissions(store, item); });
     return report;
 }

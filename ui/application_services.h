@@ -15,7 +15,9 @@
 
 #include "assessment/task/monitor.h"
 #include "assessment/task/task.h"
+#include "database/attempt_records.h"
 #include "database/store.h"
+#include "database/tissues.h"
 #include "sim_core/haptics/device.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/telemetry/sample.h"
@@ -152,6 +154,22 @@ struct RecomputedScore {
     std::string problem;                  ///< why there is no new one; empty if there is
 };
 
+/// One value that a site may set in place of the scene file's.
+struct SiteTissueValue {
+    std::string tissue, key;
+    std::string words, unit, range;  ///< for screens
+    double scene = 0;                ///< what the scene file says
+    double value = 0;                ///< what is in force
+};
+
+/// The tissues of a task that blades cut.
+struct SiteTissues {
+    std::vector<SiteTissueValue> values;  ///< empty: the task cuts nothing by force
+    int version = 0;                      ///< of the site's values in force; 0: never set
+    bool differ = false;                  ///< from the scene file's
+    std::string limits_note;  ///< why attempts are not held against the task's limits; empty if they are
+};
+
 class ApplicationServices {
   public:
     virtual ~ApplicationServices() = default;
@@ -175,7 +193,7 @@ class ApplicationServices {
     /// Prepares an attempt; it begins with AttemptSession::start(). Throws InputError, database::StoreError, database::AccessDenied.
     virtual std::unique_ptr<AttemptSession> start_attempt(const AttemptRequest& request) = 0;
     /// An expert operator performs the task to be watched; nothing is stored. Prepares like an attempt; its outcome stays empty.
-    virtual std::unique_ptr<AttemptSession> start_demonstration(const std::string& task_id) = 0;
+    virtual std::unique_ptr<AttemptSession> start_demonstration(const database::Session& session, const std::string& task_id) = 0;
     /// Scores what was interrupted and has no score yet, as far as the session may, from its record (product.md: it does not count
     /// unless what was recorded failed already). Called on a worker thread; opens the store for itself.
     virtual std::vector<InterruptedScore> score_interrupted(const database::Session& session, const Progress& progress) = 0;
@@ -185,8 +203,18 @@ class ApplicationServices {
     virtual std::vector<RecomputedScore> recompute_scores(const database::Session& session, const Progress& progress) = 0;
     /// A replay of a stored trace, kept alive by the source. Throws InputError when the task or scene is not
     /// known here.
-    virtual std::unique_ptr<ReplaySource> open_replay(const std::string& task_id, std::uint64_t seed,
+    virtual std::unique_ptr<ReplaySource> open_replay(const database::Session& session,
+                                                      const database::AttemptSummary& attempt,
                                                       std::shared_ptr<const database::Trace> trace) = 0;
+    /// The scene as a stored attempt used it. Throws as open_replay, and StoreError, AccessDenied.
+    virtual Scene scene_of(const database::Session& session,
+                           const database::AttemptSummary& attempt) const = 0;
+    /// What blades meet in a task's tissues here. Throws InputError, AccessDenied.
+    virtual SiteTissues site_tissues(const database::Session& session, const std::string& task_id) = 0;
+    /// For attempts that begin afterwards. `values`: in place of the scene file's; none: back to those. Throws
+    /// InputError naming tissue, value and mend; as database::Tissues::set().
+    virtual void set_site_tissues(const database::Session& session, const std::string& task_id, int seen,
+                                  const database::TissueValues& values, const std::string& reason) = 0;
     /// For the about box and for reports.
     virtual std::string program_version() const = 0;
 };

@@ -109,7 +109,7 @@ json benchmark_to_json(const BenchmarkSet& set) {
                           {"absolute_limit", number_or_null(level.absolute_limit)},
                           {"experts", level.experts},
                           {"left_out", level.left_out}});
-    return {{"$comment", "SPDX-License-Identifier: Apache-2.0"},
+    json document = {{"$comment", "SPDX-License-Identifier: Apache-2.0"},
             {"version", set.version},
             {"task", set.task},
             {"task_version", set.task_version},
@@ -124,6 +124,8 @@ json benchmark_to_json(const BenchmarkSet& set) {
             {"experts", people_to_json(set.experts)},
             {"novices", people_to_json(set.novices)},
             {"levels", std::move(levels)}};
+    if (!set.cutting.empty()) document["cutting"] = set.cutting;
+    return document;
 }
 
 BenchmarkSet parse_benchmark(const std::string& text, const std::string& file) {
@@ -144,6 +146,7 @@ BenchmarkSet parse_benchmark(const std::string& text, const std::string& file) {
     set.expert_pass_share = root.at("expert_pass_share").get<double>();
     set.experts = people_from_json(root.at("experts"));
     set.novices = people_from_json(root.at("novices"));
+    if (root.contains("cutting")) set.cutting = root.at("cutting").get<CuttingValues>();
     std::set<std::tuple<std::string, std::string, std::string>> seen;
     for (const json& row : root.at("levels")) {
         const std::string place = "/levels/" + std::to_string(set.levels.size());

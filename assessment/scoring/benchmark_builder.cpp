@@ -215,6 +215,7 @@ BenchmarkBuild build_benchmark(const TaskDefinition& task, const BenchmarkReques
     set.device_class = request.device_class;
     set.fidelity = request.fidelity;
     set.source = request.source;
+    set.cutting = request.cutting;
     set.provisional = request.provisional;
     set.p0 = request.p0;
     set.experts = people_of(request.experts, request.familiarisation);

@@ -25,6 +25,7 @@ struct BenchmarkRequest {
     int minimum_experts = 8, minimum_attempts = 3;
     int minimum_familiarisation = 3;  ///< 0 for synthetic operators, who do not learn
     std::vector<BenchmarkAttempt> experts, novices;
+    CuttingValues cutting;  ///< as BenchmarkSet::cutting
 };
 
 /// What was tried, so that the screen can show it even after a refusal.

@@ -159,6 +159,8 @@ Score score_attempt(const ScoreInput& input) {
     score.critical_errors = input.critical_errors;
     for (const GateSpec& spec : input.task.gates) {
         score.gates.push_back(judge_gate(spec, input.metrics, input.benchmark));
+        GateResult& gate = score.gates.back();
+        if (gate.kind == "benchmark" && !input.why_no_benchmark.empty()) gate.absent_because = input.why_no_benchmark;
         score.provisional = score.provisional || score.gates.back().provisional;
     }
     decide(input, score);
@@ -170,8 +172,10 @@ Score score_attempt(const ScoreInput& input) {
 }
 
 Score score_attempt(const TaskDefinition& task, const Trace& trace, const std::vector<Event>& events,
-                    const std::vector<MetricResult>& metrics, const BenchmarkSet* benchmark) {
+                    const std::vector<MetricResult>& metrics, const BenchmarkSet* benchmark,
+                    const std::string& why_no_benchmark) {
     ScoreInput input{task, metrics, benchmark, attempt_state(events)};
+    input.why_no_benchmark = why_no_benchmark;
     input.moved = std::any_of(events.begin(), events.end(),
                               [](const Event& event) { return event.kind == EventKind::first_movement; });
     input.critical_errors = critical_errors(task, events, trace);

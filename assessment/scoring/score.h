@@ -73,6 +73,7 @@ struct ScoreInput {
         TimeInterval interval;
     };
     std::vector<Phase> phases = {};
+    std::string why_no_benchmark = {};  ///< with a null `benchmark`: there is one, but it does not fit this scene
 };
 
 /// Pure. The same input gives the same sentence.
@@ -82,7 +83,8 @@ std::vector<ScoreInput::Phase> phases_of(const TaskDefinition& task, const std::
                                          const Trace& trace);
 /// The whole way from an attempt's record to its score.
 Score score_attempt(const TaskDefinition& task, const Trace& trace, const std::vector<Event>& events,
-                    const std::vector<MetricResult>& metrics, const BenchmarkSet* benchmark);
+                    const std::vector<MetricResult>& metrics, const BenchmarkSet* benchmark,
+                    const std::string& why_no_benchmark = {});
 
 /// The `gates` array of `perform`.
 nlohmann::json gates_to_json(const std::vector<GateResult>& gates);

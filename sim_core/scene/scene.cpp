@@ -5,6 +5,7 @@
 #include <set>
 
 #include "sim_core/scene/bands_reader.h"
+#include "sim_core/scene/cutting_values.h"
 #include "sim_core/scene/json_document.h"
 #include "sim_core/scene/scene_json.h"
 #include "sim_core/scene/septa_reader.h"
@@ -83,10 +84,7 @@ class SceneReader {
 
     CuttingSpec read_cutting(const json& node, const std::string& place, const TissueSpec& tissue) {
         CuttingSpec cutting;
-        copy(node, "penetrate_n", cutting.penetrate);
-        copy(node, "static_friction_n", cutting.static_friction);
-        copy(node, "dynamic_friction_n", cutting.dynamic_friction);
-        copy(node, "energy_factor", cutting.energy_factor);
+        for (const CuttingKey& key : cutting_keys) copy(node, key.key, cutting.*key.value);
         if (cutting.dynamic_friction > cutting.static_friction) {
             document_.fail(place + "/dynamic_friction_n", "a blade that moves would be held more than one that stands",
                            "give at most static_friction_n");

@@ -25,8 +25,9 @@ class ForwardingServices : public ui::ApplicationServices {
         if (between) asked.rig = between(request.rig);
         return own_->start_attempt(asked);
     }
-    std::unique_ptr<ui::AttemptSession> start_demonstration(const std::string& task_id) override {
-        return own_->start_demonstration(task_id);
+    std::unique_ptr<ui::AttemptSession> start_demonstration(const database::Session& session,
+                                                            const std::string& task_id) override {
+        return own_->start_demonstration(session, task_id);
     }
     std::vector<ui::InterruptedScore> score_interrupted(const database::Session& session,
                                                         const ui::Progress& progress) override {
@@ -39,9 +40,20 @@ class ForwardingServices : public ui::ApplicationServices {
                                                       const ui::Progress& progress) override {
         return own_->recompute_scores(session, progress);
     }
-    std::unique_ptr<ui::ReplaySource> open_replay(const std::string& task_id, std::uint64_t seed,
+    std::unique_ptr<ui::ReplaySource> open_replay(const database::Session& session,
+                                                  const database::AttemptSummary& attempt,
                                                   std::shared_ptr<const database::Trace> trace) override {
-        return own_->open_replay(task_id, seed, std::move(trace));
+        return own_->open_replay(session, attempt, std::move(trace));
+    }
+    Scene scene_of(const database::Session& session, const database::AttemptSummary& attempt) const override {
+        return own_->scene_of(session, attempt);
+    }
+    ui::SiteTissues site_tissues(const database::Session& session, const std::string& task_id) override {
+        return own_->site_tissues(session, task_id);
+    }
+    void set_site_tissues(const database::Session& session, const std::string& task_id, int seen,
+                          const database::TissueValues& values, const std::string& reason) override {
+        own_->set_site_tissues(session, task_id, seen, values, reason);
     }
     std::string program_version() const override { return own_->program_version(); }
 

@@ -46,6 +46,8 @@ inline const Expected expected_table[] = {
     {Operation::check_store, "---pp"},
     {Operation::backup, "---p-"},
     {Operation::manage_settings, "---p-"},
+    {Operation::read_tissues, "ppp-p"},
+    {Operation::set_tissues, "-p---"},
 };
 
 inline Scope scope_of_letter(char letter) {

@@ -177,15 +177,14 @@ void DebriefPage::open(const std::string& attempt_id, double time_s) {
     attempt_id_ = attempt_id;
     wanted_time_ = time_s;
     std::optional<Scene> scene;
-    std::string task_id;
+    database::AttemptSummary attempt;
     if (!context().guarded([&] {
-            task_id =
-                database::Attempts(context().store()).read(context().session(), attempt_id).meta.task_id;
+            attempt = database::Attempts(context().store()).read(context().session(), attempt_id);
         })) {
         return;
     }
-    if (const TaskDefinition* task = context().task(task_id)) {
-        context().guarded([&] { scene = context().services().scene_for(*task); });
+    if (context().task(attempt.meta.task_id) != nullptr) {
+        context().guarded([&] { scene = context().services().scene_of(context().session(), attempt); });
     }
     auto loaded = std::make_shared<std::optional<AttemptModel>>();
     job_ = BackgroundJob::run(
@@ -273,8 +272,7 @@ void DebriefPage::show_record(std::shared_ptr<const database::Trace> trace) {
         why = tr("Nothing was recorded.");
     } else {
         try {
-            source = context().services().open_replay(model_->summary.meta.task_id, model_->summary.meta.seed,
-                                                      model_->trace);
+            source = context().services().open_replay(context().session(), model_->summary, model_->trace);
         } catch (const std::exception& error) {
             why = tr("No picture: %1").arg(QString::fromUtf8(error.what()));
         }

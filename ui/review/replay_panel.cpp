@@ -174,6 +174,11 @@ void ReplayPanel::fill_hud() {
     for (int h = 0; h < hand_count; ++h) {
         const InstrumentSpec* spec = source_->scene().instrument(static_cast<Hand>(h));
         hud.has_jaws[h] = spec != nullptr && spec->kind != "probe";
+        const std::vector<BandsView>& bands = source_->snapshot().bands;
+        if (spec != nullptr && !spec->exchange.empty() && !bands.empty()) {
+            hud.tool[h] = tool_words(bands[0].tools[h]);
+            hud.tool_active[h] = bands[0].tools[h].active;
+        }
     }
     const std::vector<TickSample>& samples = model_->trace->samples;
     const auto tick = static_cast<std::uint32_t>(time_ / model_->tick);

@@ -13,6 +13,7 @@
 #include "ui/administration/cohorts_page.h"
 #include "ui/administration/people_page.h"
 #include "ui/administration/station_page.h"
+#include "ui/administration/tissues_page.h"
 #include "ui/dashboards/attempts_page.h"
 #include "ui/dashboards/cohort_page.h"
 #include "ui/review/debrief_page.h"
@@ -296,13 +297,15 @@ void MainWindow::fill_rail() {
         case database::Role::educator:
             entries = {{tr("Attempts"), "rail_attempts", [this] { return page<AttemptsPage>(); }},
                        {tr("Cohorts"), "rail_cohort", [this] { return page<CohortPage>(); }},
-                       {tr("Progress"), "rail_progress", [this] { return page<ProgressPage>(); }}};
+                       {tr("Progress"), "rail_progress", [this] { return page<ProgressPage>(); }},
+                       {tr("Tissue"), "rail_tissues", [this] { return page<TissuesPage>(); }}};
             break;
         case database::Role::director:
             entries = {{tr("Cohorts"), "rail_cohort", [this] { return page<CohortPage>(); }},
                        {tr("Attempts"), "rail_attempts", [this] { return page<AttemptsPage>(); }},
                        {tr("Progress"), "rail_progress", [this] { return page<ProgressPage>(); }},
-                       {tr("Assign cohorts"), "rail_assign", [this] { return page<CohortsPage>(); }}};
+                       {tr("Assign cohorts"), "rail_assign", [this] { return page<CohortsPage>(); }},
+                       {tr("Tissue"), "rail_tissues", [this] { return page<TissuesPage>(); }}};
             break;
         case database::Role::administrator:
             entries = {{tr("People"), "rail_people", [this] { return page<PeoplePage>(); }},

@@ -81,6 +81,21 @@ void draw_force(QPainter& painter, const QRectF& box, const HudState& state, int
                          compact ? (state.jaws_closed[h] ? tr("closed") : tr("open"))
                                  : (state.jaws_closed[h] ? tr("jaws closed") : tr("jaws open")));
     }
+    if (!state.tool[h].isEmpty()) {
+        // Above the hand's name, where nothing else is written.
+        painter.setFont(hud_font(13, true));
+        painter.setPen(state.tool_active[h] ? p.warning : p.text);
+        const QRectF line(h == 0 ? box.left() - 4 : box.left() - 100, box.top() - 50,
+                          h == 0 ? 240 : box.width() + 84, 24);
+        const int side = (h == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter;
+        painter.drawText(line, side,
+                         (state.tool_active[h] ? QStringLiteral("⚡ ") : QString()) + state.tool[h]);
+        if (state.shows_active_hand && !compact) {
+            painter.setFont(hud_font(12));
+            painter.setPen(p.muted);
+            painter.drawText(line.translated(0, 22), side, tr("T next · B pedal"));
+        }
+    }
     painter.setFont(hud_font(14, true));
     painter.setPen(over ? p.bad : p.text);
     painter.drawText(QRectF(box.left() - 4, bar.bottom() + 6, box.width(), 26),
@@ -153,7 +168,54 @@ QString cut_warning(const TaskDisplay& display) {
     return {};
 }
 
+/// Traction across the line: the band that is asked for is marked, so that it is hit without reading figures.
+void draw_traction(QPainter& painter, const QRectF& bar, const TaskDisplay& display, const Goal& goal) {
+    const Palette& p = dark();
+    const double scale = 1.5 * goal.traction_high_n_m;
+    const auto place = [&](double traction) {
+        return bar.left() + bar.width() * std::clamp(traction / scale, 0.0, 1.0);
+    };
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(255, 255, 255, 40));
+    painter.drawRoundedRect(bar, 4, 4);
+    painter.setBrush(QColor(p.good.red(), p.good.green(), p.good.blue(), 120));
+    const double low = place(goal.traction_low_n_m), high = place(goal.traction_high_n_m);
+    painter.drawRect(QRectF(low, bar.top(), high - low, bar.height()));
+    const double now = place(display.traction_n_m);
+    const bool within =
+        display.traction_n_m >= goal.traction_low_n_m && display.traction_n_m <= goal.traction_high_n_m;
+    painter.setBrush(within ? p.text : p.warning);
+    painter.drawRect(QRectF(now - 2, bar.top() - 4, 4, bar.height() + 8));
+}
+
 }  // namespace
+
+QString tool_words(const HandToolView& tool) {
+    QString words;
+    switch (tool.kind) {
+        case ToolKind::grasper:
+            words = tr("grasper");
+            break;
+        case ToolKind::probe:
+            words = tr("probe");
+            break;
+        case ToolKind::harmonic:
+            words = tr("shears");
+            break;
+        case ToolKind::hook:
+            words = tr("hook");
+            break;
+        case ToolKind::clip_applier:
+            words = tr("clips: %1").arg(tool.clips_left);
+            break;
+        case ToolKind::suction:
+            words = tr("suction");
+            break;
+    }
+    if (tool.exchange_left > 0)
+        words += tr(", in %1 s").arg(static_cast<double>(tool.exchange_left), 0, 'f', 1);
+    return words;
+}
 
 void paint_hud(QPainter& painter, const QRectF& area, const HudState& state) {
     const Palette& p = dark();
@@ -215,6 +277,11 @@ void paint_hud(QPainter& painter, const QRectF& area, const HudState& state) {
                              tr("hold"));
             draw_goal_bar(painter, QRectF(box.right() - 100, y + 7, 100, 8), state.display.hold_progress,
                           p.warning);
+        }
+        if ((goal.kind == GoalKind::take_tension || goal.kind == GoalKind::divide_line) &&
+            std::isfinite(state.display.traction_n_m) && goal.traction_high_n_m > 0) {
+            y += 20;
+            draw_traction(painter, QRectF(box.right() - length, y, length, 10), state.display, goal);
         }
         const QString wrong = cut_warning(state.display);
         if (!wrong.isEmpty()) {

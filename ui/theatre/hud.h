@@ -9,6 +9,7 @@
 #include "assessment/task/monitor.h"
 #include "assessment/task/task.h"
 #include "sim_core/numerics/types.h"
+#include "sim_core/world/bands_view.h"
 
 class QPainter;
 
@@ -24,9 +25,14 @@ struct HudState {
     bool force_felt = true;
     bool jaws_closed[hand_count] = {false, false};
     bool has_jaws[hand_count] = {true, true};  ///< a probe has none
-    QString health;                            ///< small line at the foot, "" none
+    QString tool[hand_count];  ///< what the hand holds where instruments are exchanged, "" elsewhere
+    bool tool_active[hand_count] = {false, false};  ///< its energy or suction is on
+    QString health;                                 ///< small line at the foot, "" none
     QString place;  ///< where it happens: "replay ×0.5" instead of the mode, "" live
 };
+
+/// In words: "shears", "clip applier, 5 clips", "suction, in 1.2 s".
+QString tool_words(const HandToolView& tool);
 
 void paint_hud(QPainter& painter, const QRectF& area, const HudState& state);
 /// A dimmed cover with a heading and lines in the middle: pause, device lost, help.

@@ -94,7 +94,7 @@ bool TheatrePage::begin(const std::string& task_id, bool assessed) {
 bool TheatrePage::demonstrate(const std::string& task_id) {
     const TaskDefinition* task = context().task(task_id);
     return task != nullptr && open([&] {
-               session_ = context().services().start_demonstration(task_id);
+               session_ = context().services().start_demonstration(context().session(), task_id);
                input_ = std::make_unique<MouseKeyboardInput>(context().services().scene_for(*task));
                demonstrated_ = text(task_id);
            });
@@ -387,6 +387,10 @@ void TheatrePage::show_world() {
         hud.jaws_closed[h] = demonstrated_.isEmpty() ? input_->jaws_closed(static_cast<Hand>(h))
                                                      : world.tools[h].jaw_angle < 0.3;
         hud.has_jaws[h] = spec != nullptr && spec->kind != "probe";
+        if (spec != nullptr && !spec->exchange.empty() && !world.bands.empty()) {
+            hud.tool[h] = tool_words(world.bands[0].tools[h]);
+            hud.tool_active[h] = world.bands[0].tools[h].active;
+        }
     }
     if (health.missed_ticks > 0 || health.lost_samples > 0) {
         hud.health = tr("%1 of %2 ticks missed").arg(health.missed_ticks).arg(health.ticks);

@@ -42,6 +42,9 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
     card_layout(start_card)->addWidget(practice_);
     mode_note_ = make_label({}, "muted");
     card_layout(start_card)->addWidget(mode_note_);
+    tissue_note_ = make_label({});
+    tissue_note_->setObjectName(QStringLiteral("tissue_note"));
+    card_layout(start_card)->addWidget(tissue_note_);
     start_ = make_button({}, "start_attempt", "primary");
     watch_ = make_button(tr("Watch an expert do it"), "watch_demonstration");
     watch_->setToolTip(tr("A synthetic expert performs the task; nothing is stored. Escape ends it."));
@@ -122,6 +125,21 @@ void BriefingPage::fill() {
     mode_note_->setText(
         demo ? tr("The demonstration takes practice only.")
              : tr("You work with mouse and keyboard: force is shown as bars, not felt. F1 shows the keys."));
+    show_tissue_note();
+}
+
+void BriefingPage::show_tissue_note() {
+    SiteTissues site;
+    context().guarded([&] { site = context().services().site_tissues(context().session(), task_id_); });
+    QString note;
+    if (site.differ)
+        note = tr("This site's own tissue (version %1): it is cut otherwise than the scene says.")
+                   .arg(site.version);
+    if (!site.limits_note.empty())
+        note += (note.isEmpty() ? QString() : QStringLiteral(" ")) +
+                tr("Gates that rest on the experts' range are not scored: %1.").arg(text(site.limits_note));
+    tissue_note_->setText(note);
+    tissue_note_->setVisible(!note.isEmpty());
 }
 
 }  // namespace fulcrum::ui

@@ -20,8 +20,9 @@ class BriefingPage : public Page {
 
   private:
     void fill();
+    void show_tissue_note();
     std::string task_id_;
-    QLabel *title_, *briefing_, *mode_note_;
+    QLabel *title_, *briefing_, *mode_note_, *tissue_note_;
     QVBoxLayout *steps_, *judged_;
     QRadioButton *assessed_, *practice_;
     QPushButton *start_, *watch_;

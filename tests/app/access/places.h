@@ -75,6 +75,10 @@ inline std::vector<const char*> window_places(Operation operation) {
             return {"back_up"};
         case Operation::manage_settings:
             return {"sign_in_picker"};
+        case Operation::read_tissues:
+            return {"tissue_table"};
+        case Operation::set_tissues:
+            return {"save_tissues"};
     }
     return {};
 }
@@ -87,6 +91,8 @@ inline const char* window_leaves_out(Operation operation, Role role) {
         return "a trainee's pages are about their own attempts";
     if (role == Role::trainee && operation == Operation::list_people)
         return "of one person there is nothing to choose; their name stands in the title bar";
+    if (role == Role::trainee && operation == Operation::read_tissues)
+        return "a trainee's briefing says that the site has values of its own, not which";
     if (role == Role::educator && operation == Operation::score_interrupted)
         return "scored in the background at the educator's sign-in; home, where it is told, is the trainee's";
     return nullptr;
@@ -116,6 +122,10 @@ inline std::vector<std::string> commands_of(Operation operation) {
             return {"db check"};
         case Operation::backup:
             return {"db backup"};
+        case Operation::read_tissues:
+            return {"tissues"};
+        case Operation::set_tissues:
+            return {"tissues --set"};
         case Operation::read_sign_in_list:
         case Operation::list_people:
         case Operation::manage_people:

@@ -313,7 +313,7 @@ void WindowAccess::look_everywhere(std::set<std::string>& seen) {
     };
     look();
     for (const char* rail : {"rail_home", "rail_people", "rail_station", "rail_audit", "rail_assign",
-                             "rail_cohort", "rail_attempts", "rail_progress"}) {
+                             "rail_cohort", "rail_attempts", "rail_progress", "rail_tissues"}) {
         if (!sees(*window, rail)) continue;
         click(*window, rail);
         if (auto* people = window->current_page()->findChild<QTableWidget*>("people_table"))
@@ -412,7 +412,7 @@ TEST_F(WindowAccess, AdministratorsCheckAndBackUpBesideTheWork) {
     click(*window, "check_store");
     ASSERT_TRUE(wait_for([&] { return sees(*window, "check_verdict"); }, 60000));
     EXPECT_TRUE(find<QLabel>(*window, "check_verdict")->text().contains("sound"));
-    EXPECT_EQ(find<QTableWidget>(*window, "check_items")->rowCount(), 6);
+    EXPECT_EQ(find<QTableWidget>(*window, "check_items")->rowCount(), 7);
     auto* station = static_cast<StationPage*>(window->current_page());
     const QString path = programme.folder.filePath("copy.db");
     station->back_up_to(path);

@@ -162,7 +162,8 @@ void Window::expect_replays(const std::string& attempt_id) {
     EXPECT_EQ(summary.lost_samples, 0U);
     EXPECT_GT(trace.samples.size(), 500U);
     for (std::size_t i = 0; i < trace.samples.size(); ++i) ASSERT_EQ(trace.samples[i].tick, i + 1);
-    const LoadedTask loaded = load_task_and_scene(summary.meta.task_id);
+    EXPECT_FALSE(attempts.scene_text(window.context().session(), attempt_id).empty());
+    const LoadedTask loaded = load_recorded(attempts, window.context().session(), summary);
     AttemptEngine engine(loaded.scene, loaded.task, summary.meta.seed);
     const AttemptRecord record{trace.inputs, trace.samples, trace.steps, trace.events};
     const ReplayOutcome replay = replay_record(engine, record);

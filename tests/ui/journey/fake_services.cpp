@@ -354,16 +354,26 @@ std::unique_ptr<AttemptSession> FakeServices::start_attempt(const AttemptRequest
     throw InputError("attempt", request.task_id, "unknown task", "choose one of the tasks");
 }
 
-std::unique_ptr<AttemptSession> FakeServices::start_demonstration(const std::string& task_id) {
+std::unique_ptr<AttemptSession> FakeServices::start_demonstration(const database::Session&, const std::string& task_id) {
     throw InputError("demonstration", task_id, "no operator without physics", "use the program's own services");
 }
 
-std::unique_ptr<ReplaySource> FakeServices::open_replay(const std::string& task_id, std::uint64_t,
-                                                        std::shared_ptr<const database::Trace> trace) {
+Scene FakeServices::scene_of(const database::Session&, const database::AttemptSummary& attempt) const {
     for (const TaskDefinition& task : tasks_) {
-        if (task.id == task_id) return std::make_unique<FakeReplay>(scene_for(task), std::move(trace));
+        if (task.id == attempt.meta.task_id) return scene_for(task);
     }
-    throw InputError("replay", task_id, "unknown task", "update the program");
+    throw InputError("replay", attempt.meta.task_id, "unknown task", "update the program");
+}
+
+std::unique_ptr<ReplaySource> FakeServices::open_replay(const database::Session& session,
+                                                        const database::AttemptSummary& attempt,
+                                                        std::shared_ptr<const database::Trace> trace) {
+    return std::make_unique<FakeReplay>(scene_of(session, attempt), std::move(trace));
+}
+
+void FakeServices::set_site_tissues(const database::Session&, const std::string& task_id, int,
+                                    const database::TissueValues&, const std::string&) {
+    throw InputError("tissues", task_id, "nothing is cut here", "use the program's own services");
 }
 
 }  // namespace fulcrum::ui::test

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/site_tissues.h"
+
+#include "app/performance.h"
+#include "app/scoring.h"
+#include "database/tissues.h"
+#include "sim_core/scene/cutting_values.h"
+
+namespace fulcrum::app {
+
+ui::SiteTissues site_tissues(const database::Store& store, const database::Session& session,
+                             const std::string& task_id) {
+    const CuttingValues scene = cutting_values(load_task_and_scene(task_id).scene);
+    const LoadedTask here = load_site_task(store, session, task_id);
+    const CuttingValues in_force = cutting_values(here.scene);
+    ui::SiteTissues site;
+    site.version = database::Tissues(store).in_force(session, task_id).version;
+    site.differ = !cutting_difference(in_force, scene).empty();
+    for (const auto& [tissue, values] : scene) {
+        for (const CuttingKey& key : cutting_keys)
+            site.values.push_back({tissue, key.key, key.words, key.unit, cutting_range(key.key).words,
+                                   values.at(key.key), in_force.at(tissue).at(key.key)});
+    }
+    const std::optional<BenchmarkSet> benchmark = benchmark_in_force(task_id);
+    if (benchmark) site.limits_note = why_not_comparable(*benchmark, here.scene, here.task.scene);
+    return site;
+}
+
+int set_site_tissues(const database::Store& store, const database::Session& session,
+                     const std::string& task_id, int seen, const database::TissueValues& values,
+                     const std::string& reason) {
+    store.require(session, database::Operation::set_tissues);
+    const CuttingValues scene = cutting_values(load_task_and_scene(task_id).scene);
+    load_task_and_scene(task_id, {}, values, "tissue values of " + task_id);
+    database::TissueValues kept;
+    for (const auto& [tissue, named] : values) {
+        for (const auto& [key, value] : named) {
+            if (scene.at(tissue).at(key) != value) kept[tissue][key] = value;
+        }
+    }
+    return database::Tissues(store).set(session, task_id, seen, kept, reason);
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_core/scene/cutting_values.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "sim_core/numerics/input_error.h"
+
+namespace fulcrum {
+
+extern const char* const scene_schema_text;  // assets/schemas/scene.schema.json, embedded by the build
+
+namespace {
+
+using nlohmann::json;
+
+std::string in_words(double value) {
+    std::ostringstream words;
+    words << value;
+    return words.str();
+}
+
+const CuttingKey* find_key(const std::string& key) {
+    for (const CuttingKey& known : cutting_keys) {
+        if (key == known.key) return &known;
+    }
+    return nullptr;
+}
+
+void check(const std::string& file, const std::string& tissue, const std::string& key, double value) {
+    const std::string place = "/tissues/" + tissue + "/cutting/" + key;
+    if (find_key(key) == nullptr) {
+        std::string known;
+        for (const CuttingKey& one : cutting_keys)
+            known += (known.empty() ? "" : ", ") + std::string(one.key);
+        throw InputError(file, place, "no such value of a tissue that is cut", "name one of " + known);
+    }
+    const CuttingRange range = cutting_range(key);
+    const bool low = range.above ? !(value > range.minimum) : !(value >= range.minimum);
+    if (!std::isfinite(value) || low || value > range.maximum)
+        throw InputError(file, place, in_words(value) + " is out of range", "give a number " + range.words);
+}
+
+/// The node of a tissue that is cut. Throws InputError listing those there are.
+json& cutting_of(json& scene, const std::string& file, const std::string& label) {
+    std::string known;
+    for (json& tissue : scene.at("tissues")) {
+        if (!tissue.contains("cutting")) continue;
+        if (tissue.at("label") == label) return tissue.at("cutting");
+        known += (known.empty() ? "" : ", ") + tissue.at("label").get<std::string>();
+    }
+    throw InputError(file, "/tissues/" + label, "the scene has no such tissue that is cut",
+                     known.empty() ? "choose a task whose tissue is cut" : "name one of " + known);
+}
+
+}  // namespace
+
+CuttingValues cutting_values(const Scene& scene) {
+    CuttingValues values;
+    for (const TissueSpec& tissue : scene.tissues) {
+        if (!tissue.cutting) continue;
+        for (const CuttingKey& key : cutting_keys)
+            values[tissue.label][key.key] = (*tissue.cutting).*key.value;
+    }
+    return values;
+}
+
+CuttingRange cutting_range(const std::string& key) {
+    static const json schema = json::parse(scene_schema_text);
+    const json& limits =
+        schema.at("definitions").at("tissue").at("properties").at("cutting").at("properties").at(key);
+    CuttingRange range;
+    range.above = limits.contains("exclusiveMinimum");
+    range.minimum = limits.at(range.above ? "exclusiveMinimum" : "minimum").get<double>();
+    range.maximum = limits.at("maximum").get<double>();
+    range.words = (range.above ? "above " : "at least ") + in_words(range.minimum) + ", at most " +
+                  in_words(range.maximum);
+    return range;
+}
+
+std::string with_cutting_values(const std::string& scene_text, const std::string& file,
+                                const CuttingValues& values) {
+    if (values.empty()) return scene_text;
+    parse_scene(scene_text, file);  // what is wrong in the file itself is told with its own line
+    json scene = json::parse(scene_text);
+    for (const auto& [tissue, given] : values) {
+        json& cutting = cutting_of(scene, file, tissue);
+        for (const auto& [key, value] : given) {
+            check(file, tissue, key, value);
+            cutting[key] = value;
+        }
+    }
+    const std::string text = scene.dump(2) + "\n";
+    parse_scene(text, file);  // values that do not go together
+    return text;
+}
+
+std::string cutting_difference(const CuttingValues& here, const CuttingValues& there) {
+    for (const auto& [tissue, values] : here) {
+        const auto other = there.find(tissue);
+        if (other == there.end()) return tissue + ": cut here, not there";
+        for (const auto& [key, value] : values) {
+            const auto found = other->second.find(key);
+            if (found == other->second.end() || found->second != value)
+                return tissue + ": " + key + " " + in_words(value) + ", there " +
+                       (found == other->second.end() ? "none" : in_words(found->second));
+        }
+    }
+    for (const auto& [tissue, values] : there) {
+        if (here.find(tissue) == here.end()) return tissue + ": cut there, not here";
+    }
+    return {};
+}
+
+}  // namespace fulcrum

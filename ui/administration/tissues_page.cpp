@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/administration/tissues_page.h"
+
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QLocale>
+#include <QSignalBlocker>
+
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+
+namespace fulcrum::ui {
+namespace {
+
+enum Column { tissue_column, words_column, scene_column, site_column, range_column };
+
+QString number(double value) {
+    return QString::number(value, 'g', 6);
+}
+
+QString in_words(const database::TissueValues& values) {
+    QStringList parts;
+    for (const auto& [tissue, named] : values) {
+        for (const auto& [key, value] : named)
+            parts << QStringLiteral("%1 %2 = %3").arg(text(tissue), text(key), number(value));
+    }
+    return parts.isEmpty() ? TissuesPage::tr("the scene's own") : parts.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+TissuesPage::TissuesPage(Context& context) : Page(context, "tissues_page") {
+    auto* body = new QWidget;
+    auto* layout = new QVBoxLayout(body);
+    layout->setSpacing(14);
+    layout->addWidget(make_label(tr("Tissue"), "title"));
+    layout->addWidget(
+        make_label(tr("The force at which a blade goes into a tissue and on in it. What you set here counts "
+                      "for attempts that "
+                      "begin afterwards; every attempt keeps the scene that it was performed in."),
+                   "muted"));
+    auto* row = new QHBoxLayout;
+    list_ = new QListWidget;
+    list_->setObjectName(QStringLiteral("tissue_tasks"));
+    list_->setAccessibleName(tr("Tasks"));
+    list_->setFixedWidth(240);
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    row->addWidget(list_, 0, Qt::AlignTop);
+    row->addWidget(build_editor(), 1);
+    layout->addLayout(row);
+    layout->addStretch();
+    connect(list_, &QListWidget::currentRowChanged, this, &TissuesPage::select);
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(scrolled(body));
+}
+
+QWidget* TissuesPage::build_editor() {
+    QFrame* card = make_card(10);
+    state_ = make_label({}, "heading");
+    state_->setObjectName(QStringLiteral("tissue_state"));
+    card_layout(card)->addWidget(state_);
+    table_ = make_table({tr("Tissue"), tr("What"), tr("Scene"), tr("Here"), tr("May be")}, "tissue_table");
+    table_->setSelectionMode(QAbstractItemView::NoSelection);
+    table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    card_layout(card)->addWidget(table_);
+    note_ = make_label({});
+    note_->setObjectName(QStringLiteral("tissue_limits"));
+    card_layout(card)->addWidget(note_);
+    change_ = new QFrame;
+    auto* change = new QHBoxLayout(change_);
+    change->setContentsMargins(0, 0, 0, 0);
+    reason_ = new QLineEdit;
+    reason_->setObjectName(QStringLiteral("tissue_reason"));
+    reason_->setPlaceholderText(tr("why (kept in the audit log)"));
+    reason_->setAccessibleName(tr("Reason"));
+    change->addWidget(reason_, 1);
+    save_ = make_button(tr("Set"), "save_tissues", "primary");
+    change->addWidget(save_);
+    back_ = make_button(tr("Back to the scene's own"), "scene_tissues");
+    change->addWidget(back_);
+    card_layout(card)->addWidget(change_);
+    card_layout(card)->addWidget(make_label(tr("Versions"), "heading"));
+    history_ = make_table({tr("Version"), tr("When"), tr("Who"), tr("Values"), tr("Why")}, "tissue_versions");
+    history_->setMinimumHeight(150);
+    card_layout(card)->addWidget(history_);
+    connect(save_, &QPushButton::clicked, this, &TissuesPage::save);
+    connect(reason_, &QLineEdit::returnPressed, this, &TissuesPage::save);
+    connect(back_, &QPushButton::clicked, this, &TissuesPage::back_to_scene);
+    return card;
+}
+
+void TissuesPage::enter() {
+    fill();
+    list_->setFocus();
+}
+
+std::string TissuesPage::task_id() const {
+    const int row = list_->currentRow();
+    return row < 0 ? std::string() : tasks_[static_cast<std::size_t>(row)];
+}
+
+void TissuesPage::fill() {
+    const std::string kept = task_id();
+    const QSignalBlocker quiet(list_);
+    list_->clear();
+    tasks_.clear();
+    int current = 0;
+    for (const TaskDefinition& task : context().services().tasks()) {
+        bool cut = false;
+        context().guarded([&] {
+            for (const TissueSpec& tissue : context().services().scene_for(task).tissues)
+                cut = cut || tissue.cutting.has_value();
+        });
+        if (!cut) continue;
+        if (task.id == kept) current = list_->count();
+        tasks_.push_back(task.id);
+        list_->addItem(context().task_title(task.id));
+    }
+    list_->setCurrentRow(tasks_.empty() ? -1 : current);
+    list_->setFixedHeight(std::max(1, list_->count()) * std::max(30, list_->sizeHintForRow(0)) + 10);
+    select();
+}
+
+void TissuesPage::select() {
+    reason_->clear();
+    site_ = SiteTissues();
+    const bool known = !tasks_.empty() && context().guarded([&] {
+        site_ = context().services().site_tissues(context().session(), task_id());
+    });
+    const bool may_set = context().allowed(database::Operation::set_tissues);
+    change_->setVisible(known && may_set);
+    back_->setEnabled(site_.differ);
+    show_values();
+    show_history();
+}
+
+void TissuesPage::show_values() {
+    const bool may_set = context().allowed(database::Operation::set_tissues);
+    state_->setText(tasks_.empty() ? tr("No task of this programme has tissue that a blade cuts.")
+                    : site_.differ ? tr("The site's own values, version %1").arg(site_.version)
+                                   : tr("The scene's own values"));
+    note_->setVisible(!site_.limits_note.empty());
+    note_->setText(
+        tr("Attempts are not held against the task's limits, and not scored where a gate rests on them: %1. "
+           "Build a benchmark set in this tissue: fulcrum benchmark build %2 --operators --db %3")
+            .arg(text(site_.limits_note), text(task_id()), text(context().store().path())));
+    edits_.clear();
+    table_->setRowCount(0);
+    for (const SiteTissueValue& one : site_.values) {
+        const int row = table_->rowCount();
+        table_->insertRow(row);
+        table_->setItem(row, tissue_column, make_cell(text(one.tissue)));
+        table_->setItem(row, words_column, make_cell(text(one.words)));
+        const QString unit = QLatin1Char(' ') + text(one.unit);
+        table_->setItem(row, scene_column,
+                        make_cell(number(one.scene) + unit, Qt::AlignRight | Qt::AlignVCenter));
+        auto* edit = new QLineEdit(number(one.value));
+        edit->setObjectName(QStringLiteral("value_%1_%2").arg(text(one.tissue), text(one.key)));
+        edit->setAccessibleName(
+            QStringLiteral("%1, %2 (%3)").arg(text(one.tissue), text(one.words), text(one.unit)));
+        edit->setAlignment(Qt::AlignRight);
+        edit->setReadOnly(!may_set);
+        edit->setFrame(may_set);
+        table_->setItem(row, site_column, make_cell(QString()));
+        table_->setCellWidget(row, site_column, edit);
+        table_->setItem(row, range_column, make_cell(text(one.range) + unit));
+        edits_.push_back(edit);
+        table_->setRowHeight(row, std::max(table_->rowHeight(row), edit->sizeHint().height() + 4));
+    }
+    fit_columns(table_);
+    table_->setColumnWidth(site_column, 110);
+    int height = table_->horizontalHeader()->sizeHint().height() + 8;
+    for (int row = 0; row < table_->rowCount(); ++row) height += table_->rowHeight(row);
+    table_->setFixedHeight(height);
+}
+
+void TissuesPage::show_history() {
+    history_->setRowCount(0);
+    if (tasks_.empty()) return;
+    context().guarded([&] {
+        for (const database::TissueSetting& one :
+             database::Tissues(context().store()).history(context().session(), task_id())) {
+            const int row = history_->rowCount();
+            history_->insertRow(row);
+            history_->setItem(row, 0, make_cell(QString::number(one.version)));
+            history_->setItem(row, 1, make_cell(local_time(one.time)));
+            history_->setItem(row, 2, make_cell(text(one.author_name)));
+            history_->setItem(row, 3, make_cell(in_words(one.values)));
+            history_->item(row, 3)->setToolTip(in_words(one.values));
+            history_->setItem(row, 4, make_cell(text(one.reason)));
+            history_->item(row, 4)->setToolTip(text(one.reason));
+        }
+    });
+    fit_columns(history_);
+}
+
+void TissuesPage::save() {
+    database::TissueValues values;
+    for (std::size_t i = 0; i < edits_.size(); ++i) {
+        const SiteTissueValue& one = site_.values[i];
+        bool is_number = false;
+        // Comma or point: what the person's keyboard writes.
+        QString typed = edits_[i]->text().trimmed();
+        double value = QLocale::c().toDouble(typed.replace(QLatin1Char(','), QLatin1Char('.')), &is_number);
+        if (!is_number) {
+            context().complain(tr("%1, %2: \"%3\" is no number; give a number %4 %5")
+                                   .arg(text(one.tissue), text(one.words), edits_[i]->text(), text(one.range),
+                                        text(one.unit)));
+            edits_[i]->setFocus();
+            return;
+        }
+        if (edits_[i]->text() == number(one.value)) value = one.value;  // not touched: every digit stays
+        values[one.tissue][one.key] = value;
+    }
+    set(values, tr("Set. Attempts that begin from now on use these values."));
+}
+
+void TissuesPage::back_to_scene() {
+    set({}, tr("The scene's own values are in force again."));
+}
+
+void TissuesPage::set(const database::TissueValues& values, const QString& said) {
+    if (!context().guarded([&] {
+            context().services().set_site_tissues(context().session(), task_id(), site_.version, values,
+                                                  plain(reason_->text().trimmed()));
+        }))
+        return;
+    context().say(said);
+    select();
+}
+
+}  // namespace fulcrum::ui
