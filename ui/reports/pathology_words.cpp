@@ -178,9 +178,8 @@ std::vector<PathologyLine> pathology_lines(const PathologyReport& report) {
 }
 
 QStringList pathology_columns() {
-    return {tr("Level"),           tr("Sector"),     tr("Divided (%)"),  tr("Median (mm)"),
-            tr("95th (mm)"),       tr("Worst (mm)"), tr("In plane (%)"), tr("Too deep (%)"),
-            tr("Too shallow (%)"), tr("Defect (mm)")};
+    return {tr("Level"),    tr("Sector"),     tr("Divided %"), tr("Median mm"), tr("95th mm"),
+            tr("Worst mm"), tr("In plane %"), tr("Deep %"),    tr("Shallow %"), tr("Defect mm")};
 }
 
 std::vector<QStringList> pathology_rows(const PathologyReport& report) {

@@ -26,6 +26,7 @@ PathologyCard::PathologyCard(QWidget* parent) : QFrame(parent) {
     layout->addLayout(lines_);
     table_ = make_table(pathology_columns(), "pathology_table");
     table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     table_->setWordWrap(false);
     layout->addWidget(table_);
     legend_ = make_label({}, "muted");
@@ -65,6 +66,11 @@ void PathologyCard::open(const std::optional<PathologyReport>& report, const std
                                                                 : Qt::AlignRight | Qt::AlignVCenter));
     }
     fit_columns(table_);
+    table_->horizontalHeader()->setStretchLastSection(false);
+    table_->horizontalHeader()->setMinimumSectionSize(40);
+    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    table_->clearSelection();
+    table_->setCurrentItem(nullptr);
     table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() +
                            table_->verticalHeader()->length() + 2 * table_->frameWidth());
     legend_->setText(pathology_legend(*report));
