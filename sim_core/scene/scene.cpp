@@ -350,6 +350,7 @@ class SceneReader {
         copy(node, "mass_damping", sheet.mass_damping);
         copy(node, "weight", sheet.weight);
         copy(node, "blade_width", sheet.blade_width);
+        copy(node, "fibres", sheet.fibres);
         check_tissue("/sheet", sheet.tissue);
         for (Vector3* direction : {&sheet.along, &sheet.across}) {
             if (direction->norm() < 1e-6) {

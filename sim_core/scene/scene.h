@@ -161,6 +161,7 @@ struct SheetSpec {
     double mass_damping = 12;                     ///< 1/s
     double weight = 0.3;                          ///< share of its weight that what lies beneath does not carry
     double blade_width = 0.0006;                  ///< m, of the ground that a blade takes
+    std::optional<FibreSpec> fibres;              ///< absent: they part by a blade alone
 };
 
 /// One choice for every row of the speed-accuracy table (theory, section 8).

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "sim_core/numerics/types.h"
+#include "sim_core/scene/fibre_spec.h"
 
 namespace fulcrum::scene_json {
 
@@ -17,6 +19,12 @@ void copy(const nlohmann::json& node, const char* key, T& value) {
 inline void copy(const nlohmann::json& node, const char* key, Vector3& value) {
     if (!node.contains(key)) return;
     for (int i = 0; i < 3; ++i) value[i] = node.at(key).at(static_cast<std::size_t>(i)).get<double>();
+}
+inline void copy(const nlohmann::json& node, const char* key, std::optional<FibreSpec>& value) {
+    if (!node.contains(key)) return;
+    value = FibreSpec();
+    copy(node.at(key), "strength_n_m", value->strength);
+    copy(node.at(key), "speed_m_s", value->speed);
 }
 inline void copy_degrees(const nlohmann::json& node, const char* key, double& radians) {
     if (node.contains(key)) radians = node.at(key).get<double>() * radians_per_degree;

@@ -57,6 +57,7 @@ SeptaSpec read_septa_spec(const JsonDocument& document, const json& node, const 
     copy(node, "mass_damping", septa.mass_damping);
     copy(node, "weight", septa.weight);
     copy(node, "blade_width", septa.blade_width);
+    copy(node, "fibres", septa.fibres);
     septa.fat_height = presacral.gap;
     if (!(septa.plane_height < septa.areolar_height)) {
         document.fail("/septa/plane_height", "the intended plane lies outside the areolar zone",

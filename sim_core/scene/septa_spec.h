@@ -4,9 +4,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "sim_core/numerics/types.h"
+#include "sim_core/scene/fibre_spec.h"
 
 namespace fulcrum {
 
@@ -47,6 +49,7 @@ struct SeptaSpec {
     double mass_damping = 60;      ///< 1/s
     double weight = 0;             ///< share of its weight that what lies beneath does not carry
     double blade_width = 0.0006;   ///< m, of the ground that a blade takes
+    std::optional<FibreSpec> fibres;  ///< of the areolar zone; absent: they part by a blade alone
 };
 
 }  // namespace fulcrum

@@ -54,6 +54,7 @@ const char* event_name(EventKind kind) {
         case EventKind::vessel_injury: return "vessel_injury";
         case EventKind::nerve_injury: return "nerve_injury";
         case EventKind::tool_exchanged: return "tool_exchanged";
+        case EventKind::fibres_parted: return "fibres_parted";
     }
     return "unknown";
 }

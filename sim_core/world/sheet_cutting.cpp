@@ -56,6 +56,7 @@ void SheetPart::follow(int number, const SheetAction& action, std::uint32_t tick
             hand.cut_friction = hand.ease * at_hand->dynamic_friction;
             hand.linked = false;  // the blade is another link
             surface_.begin_stroke();
+            begin_ends(number);
             add_place_event(tick, EventKind::cut_begin, number, hand.way);
             return;
         }
@@ -103,6 +104,7 @@ void SheetPart::advance(int number, const Vector3& excess, std::uint32_t tick) n
     if (report.outcome == CutOutcome::cut) {
         const double length = (reached - hand.way).norm();
         mark_divided(hand.way, reached);
+        move_ends(number, hand.way, reached);
         add_place_event(tick, EventKind::cut_advance, number, reached);
         add_event(tick, EventKind::cut_traction, number, traction, 1e6 * length, in_fat(reached));
     }

@@ -105,6 +105,7 @@ SheetSpec common_spec(const SeptaSpec& spec) {
     sheet.mass_damping = spec.mass_damping;
     sheet.weight = spec.weight;
     sheet.blade_width = spec.blade_width;
+    sheet.fibres = spec.fibres;
     return sheet;
 }
 

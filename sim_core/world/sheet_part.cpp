@@ -173,6 +173,7 @@ std::uint32_t SheetPart::step(const SheetAction* actions, std::uint32_t tick, do
     }
     drop_loose(tick);
     measure_station();
+    part_fibres(tick, dt);
     return faults_;
 }
 
@@ -356,6 +357,7 @@ void SheetPart::hash(StateHash& hash) const noexcept {
         hash.add(static_cast<std::int64_t>(hand.grip_count));
         hash.add(hand.pull);
     }
+    if (spec_.fibres) state_.fibres.hash(hash);
 }
 
 std::size_t SheetPart::bytes() const {

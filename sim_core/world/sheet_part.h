@@ -26,6 +26,7 @@
 #include "sim_core/rod/rod.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/telemetry/event.h"
+#include "sim_core/world/sheet_fibres.h"
 #include "sim_core/world/sheet_layout.h"
 #include "sim_core/world/snapshot.h"
 #include "sim_core/world/state_hash.h"
@@ -98,6 +99,7 @@ class SheetPart {
         std::vector<double> traction;
         std::int32_t next_station = 0;
         std::int32_t any_loose = 0;          ///< fragments
+        SheetFibres fibres;
     };
 
     /// Builds the sheet and lets it come to rest. Throws InputError (place "/sheet" or "/septa").
@@ -167,6 +169,15 @@ class SheetPart {
     void drop_loose(std::uint32_t tick) noexcept;
     void mark_divided(const Vector3& from, const Vector3& to) noexcept;
     void measure_station() noexcept;
+    // sheet_fibres.cpp
+    bool along_line(const SheetPlace& where, Vector3& way, Vector3& normal) const noexcept;
+    void begin_ends(int hand) noexcept;
+    void move_ends(int hand, const Vector3& from, const Vector3& reached) noexcept;
+    SheetFibres::Tip find_end(const Vector3& reached, double direction) const noexcept;
+    void part_fibres(std::uint32_t tick, double dt) noexcept;
+    bool open_fibres(std::int32_t station, std::uint32_t tick) noexcept;
+    bool part(const SheetPlace& here, const Vector3& way, const Vector3& normal, double run, std::uint32_t tick,
+              Vector3& reached) noexcept;
     void update_positions() noexcept;
     void list_visible() noexcept;
     void settle(double dt) noexcept;

@@ -171,6 +171,7 @@ QString event_words(const Event& event, const std::vector<std::string>& tissues)
         case EventKind::cut_advance:
         case EventKind::cut_traction:
         case EventKind::cut_rolled_back:
+        case EventKind::fibres_parted:
         case EventKind::phase_end:
         case EventKind::target_shown:
         case EventKind::over_force_end:

@@ -68,10 +68,14 @@ void expect_whole(const SheetPart& sheet) {
     EXPECT_NEAR(sheet.membrane().mass(sheet.state().membrane), sheet.surface().area_visible() * sheet.membrane().density(), 1e-12);
 }
 
-// Cut, lift, push the lip: nothing that the world swaps jerks the hand. (The scene's slew leaves a tenth of the limit to what
-// the hand's own motion adds.)
-TEST(SheetLips, CutLiftAndPushTheLipWithoutAJerk) {
-    test::SheetRig rig;
+// Cut, lift, push the lip: nothing that the world swaps jerks the hand. (b2_areolar's slew leaves a tenth of the limit to what
+// the hand's own motion adds.) b2_plane is the scene of task B2.
+class SheetLipsOf : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Scenes, SheetLipsOf, testing::Values("b2_areolar", "b2_plane"),
+                         [](const testing::TestParamInfo<const char*>& scene) { return std::string(scene.param); });
+
+TEST_P(SheetLipsOf, CutLiftAndPushTheLipWithoutAJerk) {
+    test::SheetRig rig(load_scene(test::source_path("assets/scenes/" + std::string(GetParam()) + ".json")));
     rig.hold_flap(0, Vector3(0, 0.006, 0.008));
     const double limit = 0.3 * (1 + 1e-9);  // N in a tick of 1 ms
     const auto felt = [&](const char* what) {
@@ -95,6 +99,13 @@ TEST(SheetLips, CutLiftAndPushTheLipWithoutAJerk) {
     rig.largest_force = 0;
     rig.go(0, rig.wish[0].tip + Vector3(0, 0, 0.006), 0.05);  // the flap lifted
     felt("lift the flap");
+    for (int k = 0; k < 2; ++k) {  // back into the slit, between its lips, and out of it
+        rig.go(1, over(rig.scene, 0.005, 0, 0.004), 0.2);
+        rig.go(1, over(rig.scene, 0.0, 0.0004 * (1 - 2 * k), -0.006), 0.06);
+        felt("into the slit again");
+        rig.go(1, over(rig.scene, -0.005, 0, 0.02), 0.06);
+        felt("out of it again");
+    }
     for (const double y : {0.006, -0.006}) {
         rig.largest_force = 0;
         rig.go(1, over(rig.scene, 0.0, y, 0.02), 0.2);
