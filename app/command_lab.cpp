@@ -57,6 +57,11 @@ int cost(const Arguments& arguments) {
     return deliver(arguments, measured.page, measured.document);
 }
 
+int clock(const Arguments& arguments) {
+    const Measured measured = measure_cut_clock();
+    return deliver(arguments, measured.page, measured.document);
+}
+
 int validate(const Arguments& arguments) {
     const std::vector<lab::ValidationCase> cases = lab::validation_cases();
     deliver(arguments, lab::validation_page(cases), lab::to_json(cases));
@@ -113,7 +118,8 @@ int experiment(const Arguments& arguments) {
 int command_lab(const std::vector<std::string>& words) {
     OptionSpec spec;
     spec.usage =
-        "usage: fulcrum lab bench [--only NAME | --sweep] | cost | validate | tradeoff | stability | cut | "
+        "usage: fulcrum lab bench [--only NAME | --sweep] | cost | clock | validate | tradeoff | stability | "
+        "cut | "
         "strokes [N] | experiment "
         "[FILE.json] | run STUDY.json "
         "[--json] "
@@ -141,6 +147,7 @@ int command_lab(const std::vector<std::string>& words) {
         throw UsageError("command line: " + arguments.words()[1] + ": not expected; " + spec.usage);
     if (action == "bench") return bench(arguments);
     if (action == "cost") return cost(arguments);
+    if (action == "clock") return clock(arguments);
     if (action == "validate") return validate(arguments);
     if (action == "cut") return cut(arguments);
     if (action == "tradeoff") return tradeoff(arguments);

@@ -19,6 +19,8 @@ struct Measured {
 
 /// Reference workloads, all or the one named. Throws UsageError for a name there is none of.
 Measured measure_workloads(const std::optional<std::string>& only);
+/// Ticks and steps of B2 in real time, with a blade that cuts and one that does not; a minute or two.
+Measured measure_cut_clock();
 /// Each part's price in each task's scene, under an expert operator at work.
 Measured measure_costs();
 /// Every metric of the same operator on the same task at each fidelity, against "fine".
