@@ -16,11 +16,15 @@ class SuctionTurn {
 
     bool wanted(const Perception& seen, const Limb& limb) const noexcept {
         if (limb.spec().exchange.empty() || limb.time() < over_ + least_pause_s) return false;
-        return seen.smoke > smoke_that_disturbs ||
-               std::any_of(seen.outlets.begin(), seen.outlets.end(),
-                           [](const OutletView& outlet) { return outlet.flow > 0; });
+        if (seen.smoke > smoke_that_disturbs) return true;
+        // What goes on bleeding is not stopped by suction: after some turns the work goes on beside it.
+        return turns_ < most_turns && std::any_of(seen.outlets.begin(), seen.outlets.end(),
+                                                  [](const OutletView& outlet) { return outlet.flow > 0; });
     }
-    void begin() noexcept { wanted_ = ToolKind::suction; }
+    void begin() noexcept {
+        wanted_ = ToolKind::suction;
+        ++turns_;
+    }
     /// The exchange button until the hand holds what it wants, the pedal while that is suction. True when the
     /// blade is back.
     bool update(const HandToolView& tool, Limb& limb) noexcept {
@@ -56,6 +60,8 @@ class SuctionTurn {
     static constexpr double press_s = 0.08;  // a button is pressed that long
     double reaction_s_, over_ = -1e9, until_ = 0;
     ToolKind wanted_ = ToolKind::hook;
+    static constexpr int most_turns = 2;
+    int turns_ = 0;
     bool pressing_ = false, sucking_ = false;
 };
 

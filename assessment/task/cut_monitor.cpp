@@ -21,7 +21,11 @@ CutMonitor::CutMonitor(const TaskDefinition& task, const Scene& scene) {
     cells_.assign(count, 0);
     cell_ = goal_->length_m / static_cast<double>(count);
     of_septa_ = scene.septa.has_value();
-    if (of_septa_) least_open_ = static_cast<std::uint32_t>(std::lround(bridge / cell_));
+    level_cells_ = count;
+    if (of_septa_) {
+        least_open_ = static_cast<std::uint32_t>(std::lround(bridge / cell_));
+        level_cells_ = static_cast<std::size_t>(std::max(1L, std::lround(scene.septa->width / cell_)));
+    }
     for (const InstrumentSpec& spec : scene.instruments)
         has_blade_[static_cast<std::size_t>(spec.hand)] = spec.cuts();
 }
@@ -61,8 +65,10 @@ void CutMonitor::event(const Event& event) noexcept {
 }
 
 bool CutMonitor::open_from(std::size_t from) const noexcept {
+    // A bridge ends where its level does.
+    const std::size_t end = std::min(cells_.size(), (from / level_cells_ + 1) * level_cells_);
     std::size_t open = 0;
-    while (open < least_open_ && from + open < cells_.size() && cells_[from + open] == 0) ++open;
+    while (open < least_open_ && from + open < end && cells_[from + open] == 0) ++open;
     return open >= least_open_;
 }
 

@@ -52,6 +52,7 @@ class CutMonitor {
     };
     std::optional<Goal> goal_;  ///< divide_line
     bool of_septa_ = false;
+    std::size_t level_cells_ = 1;  ///< cells of a septum; of one sheet all
     std::array<bool, hand_count> has_blade_{}, blade_in_{};
     std::array<Blade, hand_count> blades_{};
     std::vector<std::uint8_t> cells_;

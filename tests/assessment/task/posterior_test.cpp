@@ -164,6 +164,16 @@ TEST(Posterior, IsDoneWhenNoLevelHangsOnAnyMore) {
     EXPECT_EQ(s.events.count(EventKind::phase_end), 3);
 }
 
+// What stays at the left rim of a level does not count together with the level below.
+TEST(Posterior, GoesOnAtTheNextLevelPastABridgeAtTheRim) {
+    Steps s;
+    s.steps(220);
+    const double septum = s.scene.septa->width;
+    s.cut(0, septum - 0.0006);
+    EXPECT_NEAR(s.monitor.display().cut_next_m, septum, 0.0006);
+    EXPECT_GE(s.monitor.display().cut_next_m, septum - 1e-9);
+}
+
 TEST(Posterior, ALevelLeftBehindIsNotDone) {
     Steps s;
     s.steps(220);
