@@ -211,6 +211,9 @@ QString tool_words(const HandToolView& tool) {
         case ToolKind::suction:
             words = tr("suction");
             break;
+        case ToolKind::scissors:
+            words = tr("scissors");
+            break;
     }
     if (tool.exchange_left > 0)
         words += tr(", in %1 s").arg(static_cast<double>(tool.exchange_left), 0, 'f', 1);
