@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "database/connection.h"
+#include "database/tissues.h"
 #include "tests/database/access_expectation.h"
 #include "tests/database/programme_fixture.h"
 
@@ -113,6 +114,7 @@ class EveryCell : public ::testing::Test {
         const Attempts attempts(store);
         const Reviews reviews(store);
         const Reports reports(store);
+        const Tissues tissues(store);
         using F = std::function<void()>;
         switch (operation) {
             case Operation::read_sign_in_list:
@@ -200,6 +202,12 @@ class EveryCell : public ::testing::Test {
                 };
             case Operation::manage_settings:
                 return [=] { people.set_sign_in_picker(session, false); };
+            case Operation::read_tissues:
+                return [=] { tissues.in_force(session, "B2"); };
+            case Operation::set_tissues:
+                return [=] {
+                    tissues.set(session, "B2", 0, {{"areolar", {{"penetrate_n", 0.1}}}}, "measured here");
+                };
         }
         return F();
     }
@@ -209,7 +217,8 @@ class EveryCell : public ::testing::Test {
         return operation == Operation::read_sign_in_list || operation == Operation::read_requests ||
                operation == Operation::view_audit || operation == Operation::check_store ||
                operation == Operation::backup || operation == Operation::manage_settings ||
-               operation == Operation::create_synthetic;
+               operation == Operation::create_synthetic || operation == Operation::read_tissues ||
+               operation == Operation::set_tissues;
     }
 
     Programme programme;
