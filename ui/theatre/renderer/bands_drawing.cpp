@@ -2,12 +2,14 @@
 #include "ui/theatre/renderer/bands_drawing.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fulcrum::ui {
 namespace {
 
 constexpr double band_width = 0.006, band_thickness = 0.0016, bed_thickness = 0.002;  // m
 constexpr double vessel_radius = 0.0014, outlet_radius = 0.002, clip_radius = 0.0018;
+constexpr double shown_of_vein = 0.6;   // of its radius: the rest lies beneath
 constexpr double least_blood = 0.0004;  // m, thinner films are not drawn
 constexpr float charred = 0.35F;        // share of its water that a black segment has lost
 constexpr double darkest = 0.75;        // share of the light that smoke can take
@@ -78,6 +80,34 @@ void BandsDrawing::lay_strip(const std::vector<Vector3>& way, double width, Ribb
     }
 }
 
+void BandsDrawing::lay_cord(const std::vector<Vector3>& way, double radius, Ribbon& ribbon) {
+    constexpr int around = 7;  // the last lies on the first: the texture's seam
+    ribbon.positions.clear();
+    ribbon.rest.clear();
+    ribbon.triangles.clear();
+    Vector3 across = Vector3::UnitX();
+    double reached = 0;
+    for (std::size_t i = 0; i < way.size(); ++i) {
+        const Vector3 along = (way[std::min(i + 1, way.size() - 1)] - way[i == 0 ? 0 : i - 1]).normalized();
+        // Carried on from the point before, so that the cord is not twisted.
+        across -= along * along.dot(across);
+        if (across.norm() < 1e-6) across = along.unitOrthogonal();
+        across.normalize();
+        const Vector3 up = along.cross(across);
+        if (i > 0) reached += (way[i] - way[i - 1]).norm();
+        for (int k = 0; k < around; ++k) {
+            const double turn = 2 * 3.14159265358979323846 * k / (around - 1);
+            ribbon.positions.push_back(way[i] + radius * (std::cos(turn) * across + std::sin(turn) * up));
+            ribbon.rest.emplace_back(reached, radius * turn, 0);
+            if (i == 0 || k == 0) continue;
+            const auto d = static_cast<std::int32_t>(ribbon.positions.size()) - 1, c = d - 1, b = d - around,
+                       a = b - 1;
+            ribbon.triangles.push_back({a, d, b});
+            ribbon.triangles.push_back({a, c, d});
+        }
+    }
+}
+
 // The blood's level over the bed; where there is none it dips below the ground, so that the pool's edge lies
 // on it.
 void BandsDrawing::lay_blood(const BandsView& view) {
@@ -106,7 +136,8 @@ void BandsDrawing::add(const BandsView& view, SceneFrame& frame) {
     bands_.resize(view.bands.size());
     strips_used_ = 0;
     // Room for all strips first: what the frame points at must stay where it is.
-    strips_.resize(std::max(strips_.size(), view.bands.size() * strand_segments + view.nerves.size()));
+    strips_.resize(std::max(strips_.size(),
+                            view.bands.size() * strand_segments + view.nerves.size() + view.veins.size()));
     const auto sheet = [&](const Ribbon& ribbon, double thickness, const QVector3D& tint, float share) {
         DrawnSheet drawn;
         drawn.surface = {ribbon.positions.data(), ribbon.rest.data(),      ribbon.positions.size(),
@@ -116,7 +147,13 @@ void BandsDrawing::add(const BandsView& view, SceneFrame& frame) {
         frame.sheets.push_back(drawn);
     };
     const Vector3 above(0, 0, 0.5 * band_thickness);
-    sheet(bed_, bed_thickness, QVector3D(0.55F, 0.20F, 0.16F), 0.45F);
+    // A wall that is drawn already needs no bed; its veins shine through it, blue.
+    if (!frame.enclosed) sheet(bed_, bed_thickness, QVector3D(0.55F, 0.20F, 0.16F), 0.45F);
+    for (const VeinView& vein : view.veins) {
+        Ribbon& blue = strip();
+        lay_cord(vein.line, shown_of_vein * vein.radius, blue);
+        sheet(blue, 0, QVector3D(0.10F, 0.14F, 0.34F), 0.75F);
+    }
     for (std::size_t b = 0; b < view.bands.size(); ++b) {
         const BandView& band = view.bands[b];
         lay_band(band, bands_[b]);
@@ -138,10 +175,9 @@ void BandsDrawing::add(const BandsView& view, SceneFrame& frame) {
                  TargetLook::clip);
     }
     for (const NerveView& seen : view.nerves) {
-        way_.assign(seen.line.begin(), seen.line.end());
         Ribbon& nerve = strip();
-        lay_strip(way_, 2 * view.nerve_radius, nerve);
-        sheet(nerve, 1.6 * view.nerve_radius, QVector3D(0.92F, 0.78F, 0.22F), 0.9F);
+        lay_cord(seen.line, view.nerve_radius, nerve);
+        sheet(nerve, 0, QVector3D(0.92F, 0.78F, 0.22F), 0.9F);
     }
     for (const OutletView& outlet : view.outlets) {
         if (outlet.clipped) {

@@ -24,6 +24,8 @@ class BandsDrawing {
     void lay_band(const BandView& band, Ribbon& ribbon) const;
     /// A strip along a way, flat side up.
     static void lay_strip(const std::vector<Vector3>& way, double width, Ribbon& ribbon);
+    /// A round cord along a way, whichever side is up.
+    static void lay_cord(const std::vector<Vector3>& way, double radius, Ribbon& ribbon);
     void lay_blood(const BandsView& view);
     Ribbon& strip();
     Ribbon bed_, blood_;

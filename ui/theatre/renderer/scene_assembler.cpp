@@ -6,6 +6,7 @@
 #include "sim_core/bowel/display_skin.h"
 #include "sim_core/world/anatomy_binding.h"
 #include "ui/theatre/renderer/bands_drawing.h"
+#include "ui/theatre/renderer/hollow_drawing.h"
 
 namespace fulcrum::ui {
 
@@ -57,6 +58,7 @@ struct SceneAssembler::Impl {
     std::unique_ptr<DisplaySkin> display;
     std::vector<float> ring_floats, positions, normals, sheet_positions, sheet_normals;
     BandsDrawing bands;
+    std::unique_ptr<HollowDrawing> hollow;
     SceneFrame frame;
 };
 
@@ -68,9 +70,12 @@ SceneAssembler::SceneAssembler(const Scene& scene, const WorldSnapshot& first)
     if (scene.cavity) i.cavity = std::make_unique<CavityShape>(make_cavity(pelvis_parameters(*scene.cavity)));
     if (i.cavity)
         i.wall = std::make_shared<TissueTexture>(make_wall_texture(*i.cavity, i.textures.peritoneum));
-    if (scene.sheet) i.areolar = std::make_shared<TissueTexture>(make_areolar_texture(1, 512));
-    if (!scene.bowel || !i.cavity || first.rings.size() < 3) return;
-    i.bowel = std::make_unique<BowelShape>(make_bowel(bowel_parameters(*scene.bowel), *i.cavity));
+    const bool rectum = scene.bowel && scene.bowel->layout == "rectum" && scene.presacral;
+    if (rectum) i.hollow = std::make_unique<HollowDrawing>(scene, first);
+    if (scene.sheet || scene.septa) i.areolar = std::make_shared<TissueTexture>(make_areolar_texture(1, 512));
+    if (!scene.bowel || !(i.cavity || rectum) || first.rings.size() < 3) return;
+    i.bowel = std::make_unique<BowelShape>(rectum ? make_rectum(rectum_parameters(scene))
+                                                  : make_bowel(bowel_parameters(*scene.bowel), *i.cavity));
     // The world's cage: a sphere at every second ring.
     SphereChain spheres;
     for (std::size_t ring = 0; ring < first.ring_arc_lengths.size(); ring += 2) {
@@ -106,7 +111,7 @@ void SceneAssembler::install(SceneRenderer& renderer) const {
     if (impl_->cavity) renderer.set_cavity(*impl_->cavity, impl_->wall);
     if (impl_->bowel) {
         renderer.set_bowel(impl_->bowel->surface, impl_->bowel->taenia);
-        renderer.set_reflection(make_reflection(*impl_->bowel));
+        if (!impl_->hollow) renderer.set_reflection(make_reflection(*impl_->bowel));
     }
     if (impl_->mesentery) renderer.set_mesentery(*impl_->mesentery);
     if (impl_->areolar) renderer.set_sheet_texture(impl_->areolar);
@@ -147,6 +152,8 @@ SceneFrame& SceneAssembler::assemble(const WorldSnapshot& snapshot) {
         }
         i.frame.sheets.push_back(sheet);
     }
+    i.frame.enclosed = false;
+    if (i.hollow) i.hollow->add(snapshot, i.frame);
     if (!snapshot.bands.empty()) i.bands.add(snapshot.bands[0], i.frame);
     i.frame.bowel_positions = i.frame.bowel_normals = nullptr;
     i.frame.mesentery_positions = i.frame.mesentery_normals = nullptr;

@@ -9,7 +9,7 @@ namespace fulcrum::ui {
 namespace {
 
 constexpr int most_tools = 4;
-constexpr float areolar_tile = 0.040F, peritoneum_tile = 0.120F;  // m
+constexpr float areolar_tile = 0.040F, peritoneum_tile = 0.120F, fat_tile = 0.060F;  // m
 
 }  // namespace
 
@@ -155,13 +155,27 @@ void SceneRenderer::Impl::draw_targets(QOpenGLExtraFunctions& gl, const SceneFra
 void SceneRenderer::Impl::draw_sheets(QOpenGLExtraFunctions& gl, const SceneFrame& frame) {
     if (frame.sheets.empty()) return;
     start(*sheet, frame);
-    sheet->setUniformValue("bump", 1.0F);
-    sheet->setUniformValue("tile", areolar.albedo ? areolar_tile : peritoneum_tile);
     sheet->setUniformValue("cut_hue", QVector3D(0.86F, 0.66F, 0.50F));
-    (areolar.albedo ? areolar : peritoneum).bind();
+    sheet->setUniformValue("fat", 2);
+    sheet->setUniformValue("fat_tile", fat_tile);
+    const SheetWear own = areolar.albedo ? SheetWear::own : SheetWear::peritoneum;
+    std::optional<SheetWear> worn;
     while (gl_sheets.size() < frame.sheets.size()) gl_sheets.push_back(std::make_unique<GlSheet>());
     for (std::size_t k = 0; k < frame.sheets.size(); ++k) {
         const DrawnSheet& drawn = frame.sheets[k];
+        const SheetWear wear = drawn.wear == SheetWear::own ? own : drawn.wear;
+        if (worn != wear) {
+            gl.glActiveTexture(GL_TEXTURE2);
+            fat.albedo->bind();
+            (wear == SheetWear::own ? areolar : wear == SheetWear::fat ? fat : peritoneum).bind();
+            sheet->setUniformValue("tile", wear == SheetWear::own   ? areolar_tile
+                                           : wear == SheetWear::fat ? fat_tile
+                                                                    : peritoneum_tile);
+            worn = wear;
+        }
+        sheet->setUniformValue("bump", drawn.relief);
+        sheet->setUniformValue("fibres", drawn.fibres ? 1.0F : 0.0F);
+        sheet->setUniformValue("fat_from", static_cast<float>(drawn.fat_from));
         const QVector3D from = vector(drawn.mark_from), to = vector(drawn.mark_to);
         sheet->setUniformValue("mark_from_to", QVector4D(from.x(), from.y(), to.x(), to.y()));
         sheet->setUniformValue("tint", QVector4D(drawn.tint, drawn.tint_share));
@@ -261,7 +275,7 @@ void SceneRenderer::Impl::draw_scene(QOpenGLExtraFunctions& gl, const SceneFrame
         GlSurface::Sight inside = sight;
         inside.round = coarse_pixels > 0;
         gl_cavity->draw(gl, inside);
-    } else if (studies.empty()) {
+    } else if (studies.empty() && !frame.enclosed) {
         gl.glDisable(GL_CULL_FACE);
         start(*box, frame);
         QMatrix4x4 pose;

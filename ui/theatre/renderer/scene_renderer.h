@@ -55,6 +55,9 @@ struct DrawnMesh {
     QVector3D accent_colour = {0.10F, 0.20F, 0.75F};
 };
 
+/// What a sheet looks like: what set_sheet_texture gave, mesorectal fat, peritoneum.
+enum class SheetWear { own, fat, peritoneum };
+
 /// A sheet that may be cut: its triangles change with its version.
 struct DrawnSheet {
     SheetSurface surface;
@@ -63,6 +66,10 @@ struct DrawnSheet {
     std::uint64_t version = 0;          ///< as SceneFrame::version
     QVector3D tint;                     ///< linear RGB of what is not areolar tissue
     float tint_share = 0;               ///< 0 .. 1: how much of it
+    SheetWear wear = SheetWear::own;
+    float relief = 1;     ///< of the texture: less on a film that is drawn tight
+    bool fibres = false;  ///< angel hair along y at rest: white, thinner and parting where it is stretched
+    double fat_from = 0;  ///< m, y at rest above which a sheet of fibres is fat
 };
 
 /// Everything one picture needs. Pointers are only read during draw().
@@ -83,6 +90,7 @@ struct SceneFrame {
     /// is.
     bool round = true;
     QVector3D background = {0.93F, 0.94F, 0.95F};  ///< sRGB
+    bool enclosed = false;                         ///< the sheets close the room: no training box around them
     QString notice;  ///< not empty: the scene is hidden (pause) behind a black image
 };
 

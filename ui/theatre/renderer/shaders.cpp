@@ -182,8 +182,15 @@ uniform float tile;       // m
 uniform vec4 mark_from_to; // ink line at rest, m: from xy to zw
 uniform vec3 cut_hue;     // linear: what a cut shows
 uniform vec4 tint;        // linear colour and its share: what else than areolar tissue this is
+uniform float fibres;     // 1: angel hair along the height, up to where the fat begins
+uniform float fat_from;   // m
+uniform sampler2D fat;
+uniform float fat_tile;   // m
 out vec4 colour;
 void main() {
+    // A face carries its char, a cut 4 more.
+    float cut = step(2.0, arrived.z);
+    float burnt = arrived.z - 4.0 * cut;
     vec3 n = normalize(facing);
     vec3 to_eye = normalize(0.5 * lamp - place);
     n = dot(n, to_eye) < 0.0 ? -n : n;
@@ -196,20 +203,41 @@ void main() {
     float scale = bump * sign(tx.x * ty.y - tx.y * ty.x) * inversesqrt(max(max(dot(along, along), dot(across, across)), 1e-24));
     vec3 rough = normalize(n + scale * (raised.x * along + raised.y * across));
     vec3 own = texel.rgb * texel.rgb;
+    if (fibres > 0.5) {
+        // How far the height is drawn out: d place / d v.
+        vec2 ux = dFdx(uv), uy = dFdy(uv);
+        float turn = ux.x * uy.y - ux.y * uy.x;
+        float stretch = length(py * ux.x - px * uy.x) / max(abs(turn), 1e-14);
+        // Fibres run along the height, wander, and lie apart.
+        float wander = texture(relief, vec2(uv.x, uv.y) / 0.031).a - 0.5;
+        float coarse = texture(relief, vec2(uv.x / 0.013 + 0.35 * wander, uv.y / 0.15)).a;
+        float fine = texture(relief, vec2(uv.x / 0.0052 - 0.30 * wander, uv.y / 0.09 + 0.37)).a;
+        float strand = 0.55 * coarse + 0.45 * fine;
+        float into_fat = smoothstep(fat_from - 0.0004, fat_from + 0.0006, uv.y);
+        float thin = clamp((stretch - 1.05) * 0.55, 0.0, 1.0) * (1.0 - into_fat);
+        // Between them the film gives way first.
+        if (cut < 0.5 && strand < 0.30 + 0.22 * thin && thin > 0.02) discard;
+        vec3 hair = mix(vec3(0.60, 0.42, 0.36), vec3(0.93, 0.89, 0.84), smoothstep(0.34, 0.62, strand));
+        vec3 lobes = texture(fat, uv / fat_tile).rgb;
+        own = mix(hair, lobes * lobes, into_fat);
+    }
     // Ink, dashed: 6 mm drawn, 3 mm not.
     vec2 run = mark_from_to.zw - mark_from_to.xy;
     float reach = dot(run, run);
     float part = reach > 0.0 ? dot(uv - mark_from_to.xy, run) / reach : 0.0;
     float off = reach > 0.0 ? distance(uv, mark_from_to.xy + clamp(part, 0.0, 1.0) * run) : 1.0;
     float dash = step(fract(part * sqrt(reach) / 0.009), 0.667);
-    float ink = (1.0 - smoothstep(0.0005, 0.0008, off)) * dash * (1.0 - arrived.z);
+    float ink = (1.0 - smoothstep(0.0005, 0.0008, off)) * dash * (1.0 - cut);
     own = mix(own, vec3(0.03, 0.05, 0.30), 0.85 * ink);
     // A cut is paler and duller than the film over it.
-    own = mix(own, cut_hue, arrived.z);
+    own = mix(own, cut_hue, cut);
     own = mix(own, tint.rgb, tint.a);
+    // Char: first brown, then black and dry.
+    own = mix(own, vec3(0.022, 0.016, 0.012), smoothstep(0.05, 0.45, burnt));
     own = mix(own, vec3(0.95, 0.72, 0.62), 0.6 * arrived.y);
     vec3 film = mix(n, rough, 0.62);
-    colour = vec4(wet(own, mix(rough, n, arrived.z), film, to_eye, texel.a * (1.0 - 0.5 * arrived.z), arrived.x), 1.0);
+    float dry = max(0.5 * cut, 0.85 * smoothstep(0.2, 0.6, burnt));
+    colour = vec4(wet(own, mix(rough, n, cut), film, to_eye, texel.a * (1.0 - dry), arrived.x), 1.0);
 }
 )";
 

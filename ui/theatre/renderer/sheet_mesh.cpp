@@ -44,10 +44,15 @@ void SheetMesh::build(const SheetSurface& surface) {
         normal = length > 0 ? Vector3(normal / length) : Vector3(Vector3::UnitZ());
     }
     const double half = 0.5 * surface.thickness;
+    const auto burnt = [&surface](std::size_t v) {
+        return surface.burnt == nullptr ? 0.0F : std::clamp(surface.burnt[v], 0.0F, 1.0F);
+    };
     for (const double side : {1.0, -1.0}) {
+        if (side < 0 && surface.thickness <= 0) break;
         const auto first = static_cast<std::uint32_t>(vertices_.size() / floats);
         for (std::size_t v = 0; v < surface.vertices; ++v)
-            add(surface.positions[v] + side * half * normals_[v], side * normals_[v], surface.rest[v], 0);
+            add(surface.positions[v] + side * half * normals_[v], side * normals_[v], surface.rest[v],
+                burnt(v));
         for (std::size_t t = 0; t < surface.count; ++t) {
             const Triangle& triangle = surface.triangles[t];
             if (!known(triangle)) continue;
@@ -55,6 +60,7 @@ void SheetMesh::build(const SheetSurface& surface) {
                 indices_.push_back(first + static_cast<std::uint32_t>(triangle[side > 0 ? c : 2 - c]));
         }
     }
+    if (surface.thickness <= 0) return;
     // An edge that only one triangle has is a rim: the cut through the sheet shows there.
     std::sort(edges_.begin(), edges_.end(), [](const Edge& a, const Edge& b) { return a.key < b.key; });
     for (std::size_t e = 0; e < edges_.size();) {
@@ -70,7 +76,8 @@ void SheetMesh::build(const SheetSurface& surface) {
             const auto first = static_cast<std::uint32_t>(vertices_.size() / floats);
             for (const std::size_t end : {from, to}) {
                 for (const double side : {1.0, -1.0})
-                    add(surface.positions[end] + side * half * normals_[end], out, surface.rest[end], 1);
+                    add(surface.positions[end] + side * half * normals_[end], out, surface.rest[end],
+                        cut_detail + burnt(end));
             }
             for (const std::uint32_t corner : {0U, 1U, 2U, 2U, 1U, 3U}) indices_.push_back(first + corner);
         }

@@ -16,14 +16,16 @@ struct SheetSurface {
     std::size_t vertices = 0;
     const Triangle* triangles = nullptr;  ///< visible ones, equally oriented where they share an edge
     std::size_t count = 0;
-    double thickness = 0.0012;  ///< m, above 0
+    double thickness = 0.0012;     ///< m; 0: one face without rims, seen from both sides
+    const float* burnt = nullptr;  ///< null, or one a vertex, 0 .. 1: charred
 };
 
-/// Vertices for the pipeline: position 3, normal 3, coordinates 2 (m at rest), detail 1 (0 on the faces, 1 on
-/// a cut).
+/// Vertices for the pipeline: position 3, normal 3, coordinates 2 (m at rest), detail 1 (0 .. 1 on the faces:
+/// how much they are charred; 4 more on a cut).
 class SheetMesh {
   public:
     static constexpr std::size_t floats = 9;
+    static constexpr float cut_detail = 4;
 
     /// Replaces what was there. Normals are smooth over the faces; a rim keeps its crease. Triangles that
     /// name a vertex out of range are left out. Allocates only while it grows.

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/theatre/renderer/hollow_drawing.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "sim_core/world/anatomy_binding.h"
+
+namespace fulcrum::ui {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double side_wall = 0.046,
+                 front_wall = 0.040;  // m from the rectum's centre line: narrow, as the pelvis is
+constexpr double beyond = 0.024,
+                 levator = 0.030;     // m of wall past the rectum's cranial end, and of the floor below
+constexpr double open_from = 0.85;    // of the rectum's length: above it lies the abdomen
+constexpr double behind = 1.0;        // rad either side of straight behind that the fascia covers
+constexpr double step = 0.004;        // m between the walls' vertices
+constexpr double surrounding = 0.15;  // m of what lies round about
+constexpr double wraps = 2.35;        // rad from straight behind that the fat reaches round
+
+/// Surfaces that never change still must not be taken for those of the scene before.
+std::uint64_t fresh_version() {
+    static std::atomic<std::uint64_t> last{1U << 20U};
+    return ++last;
+}
+
+/// From 0 at `from` to 1 at `to`, which may lie below it.
+double smooth(double from, double to, double x) {
+    const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
+
+template <typename Surface>
+void close_grid(Surface& surface, int rows, int columns) {
+    for (int r = 0; r + 1 < rows; ++r) {
+        for (int c = 0; c + 1 < columns; ++c) {
+            const std::int32_t a = r * columns + c, b = a + 1, d = a + columns, e = d + 1;
+            surface.triangles.push_back({a, b, e});
+            surface.triangles.push_back({a, e, d});
+        }
+    }
+}
+
+/// What lies round about a surface's rims, straight away from the rectum's centre line: no one shall see
+/// where the drawn pelvis ends.
+template <typename Surface>
+void surround(Surface& surface, const SacralCurve& curve) {
+    std::map<std::pair<std::int32_t, std::int32_t>, int> sides;
+    for (const Triangle& t : surface.triangles) {
+        for (int c = 0; c < 3; ++c) {
+            const auto a = t[c], b = t[(c + 1) % 3];
+            sides[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : 2;
+        }
+    }
+    std::map<std::int32_t, std::int32_t> outer;
+    const auto out = [&](std::int32_t v) {
+        const auto found = outer.find(v);
+        if (found != outer.end()) return found->second;
+        const Vector3 p = surface.positions[static_cast<std::size_t>(v)];
+        Vector3 from = p - curve.centre;
+        from.x() = 0;
+        const Vector3 way = (p - curve.centre - curve.curve_radius * from.normalized()).normalized();
+        surface.positions.push_back(p + surrounding * way);
+        surface.rest.push_back(surface.rest[static_cast<std::size_t>(v)] + Vector3(surrounding, 0, 0));
+        const auto made = static_cast<std::int32_t>(surface.positions.size()) - 1;
+        outer.emplace(v, made);
+        return made;
+    };
+    for (const auto& [edge, side] : sides) {
+        if (side == 3) continue;
+        const auto a = side == 1 ? edge.first : edge.second, b = side == 1 ? edge.second : edge.first;
+        const std::int32_t far_a = out(a), far_b = out(b);
+        surface.triangles.push_back({b, a, far_a});
+        surface.triangles.push_back({b, far_a, far_b});
+    }
+}
+
+}  // namespace
+
+HollowDrawing::HollowDrawing(const Scene& scene, const WorldSnapshot& first)
+    : skin_radius_(scene.bowel->outer_radius), mesorectum_(scene.presacral->gap) {
+    const RectumParameters rectum = rectum_parameters(scene);
+    if (scene.septa) {
+        mesorectum_ -= scene.septa->areolar_height;
+        const double plane = rectum.curve.fascia_radius() - scene.septa->plane_height;
+        const double turn = scene.septa->spacing / (rectum.curve.curve_radius + plane);
+        for (int k = scene.septa->count - 1; k >= 0; --k)
+            septum_at_.push_back(rectum.curve.arc_length(scene.septa->first_angle - k * turn));
+    }
+    lay_walls(rectum);
+    learn_septa(first.sheet);
+}
+
+// The fascia as instruments feel it; beyond its rims the side walls and what lies in front, drawn only.
+void HollowDrawing::lay_walls(const RectumParameters& rectum) {
+    const SacralCurve& curve = rectum.curve;
+    const TriangleMesh posterior = make_presacral_wall(rectum);
+    fascia_.positions = posterior.vertices;
+    fascia_.triangles = posterior.triangles;
+    for (const Vector3& p : fascia_.positions) {
+        const double y = std::hypot(p.y() - curve.centre.y(), p.z() - curve.centre.z());
+        const double along = std::atan2(p.y() - curve.centre.y(), curve.centre.z() - p.z());
+        fascia_.rest.emplace_back(y * along,
+                                  curve.fascia_radius() * std::atan2(p.x(), y - curve.curve_radius), 0);
+    }
+    surround(fascia_, curve);
+    fascia_.version = fresh_version();
+
+    // Open behind, where the fascia lies, and towards the abdomen, where it widens.
+    const double cranial = open_from * rectum.length, length = cranial + beyond;
+    const int rows = static_cast<int>(std::ceil(length / step)) + 1, floor_rows = 8, around = 60;
+    for (int r = -floor_rows; r < rows; ++r) {
+        const double s = length * std::max(r, 0) / (rows - 1) - beyond;
+        // The floor closes like a dome.
+        const double down = r < 0 ? static_cast<double>(-r) / floor_rows : 0;
+        const double narrow = std::sqrt(std::max(0.0, 1 - down * down));
+        const double wide = 0.05 * smooth(0.45 * cranial, 1.3 * cranial, s);
+        for (int k = 0; k <= around; ++k) {
+            // In the floor all round; above it from one rim of the fascia over the front to the other.
+            const double turn = (r < 0 ? pi : pi - behind) * (2.0 * k / around - 1) + pi;
+            const double from_behind = pi - std::abs(turn - pi);
+            const double front = smooth(1.9, 3.0, from_behind);
+            const double rear = r < 0 ? smooth(1.4, 0.8, from_behind) : 0;
+            double radius = side_wall + front * (front_wall - side_wall) + wide;
+            radius += rear * (curve.fascia_radius() + 0.0006 - side_wall);
+            radius += 0.0016 * std::sin(7 * turn + 90 * s);
+            const Vector3 p = curve.point(s, turn, curve.fascia_radius() - narrow * radius);
+            walls_.positions.push_back(p - down * levator * curve.cranial(s));
+            walls_.rest.emplace_back(s - down * levator, side_wall * turn, 0);
+        }
+    }
+    close_grid(walls_, rows + floor_rows, around + 1);
+    surround(walls_, curve);
+    walls_.version = fresh_version();
+}
+
+// Fat all round but in front, from where the septa's fat begins to the wall of the bowel. Row by row along
+// the rectum's rings; between septa what lies either side is blended in the ring's own frame.
+void HollowDrawing::lay_envelope(const WorldSnapshot& snapshot) {
+    const SheetView& view = snapshot.sheet;
+    const auto columns = static_cast<std::size_t>(view.envelope_columns);
+    const std::size_t septa = columns == 0 ? 0 : view.envelope.size() / columns;
+    const std::size_t rings = std::min(snapshot.rings.size(), snapshot.ring_arc_lengths.size());
+    envelope_.positions.clear();
+    if (septa == 0 || septa != septum_at_.size() || rings < 3 || columns < 2) return;
+    const auto ring_near = [&](double s) {
+        const auto found =
+            std::lower_bound(snapshot.ring_arc_lengths.begin(), snapshot.ring_arc_lengths.end(), s);
+        return std::min(static_cast<std::size_t>(found - snapshot.ring_arc_lengths.begin()), rings - 1);
+    };
+    // Angle about the ring and distance from it, septum by septum, caudal first.
+    std::vector<double> distance(septa * columns), angle(septa * columns);
+    for (std::size_t k = 0; k < septa; ++k) {
+        const RingFrame& ring = snapshot.rings[ring_near(septum_at_[k])];
+        for (std::size_t c = 0; c < columns; ++c) {
+            const Vector3 local =
+                ring.rotation.transpose() * (view.envelope[(septa - 1 - k) * columns + c] - ring.position);
+            distance[k * columns + c] =
+                std::clamp(std::hypot(local.x(), local.y()), skin_radius_, 3 * skin_radius_);
+            double own = std::atan2(local.y(), local.x());
+            if (c > 0) own += 2 * pi * std::round((angle[k * columns + c - 1] - own) / (2 * pi));
+            angle[k * columns + c] = own;
+        }
+        if (k > 0) {  // no turn of a whole circle between one septum and the next
+            const double whole =
+                2 * pi * std::round((angle[(k - 1) * columns] - angle[k * columns]) / (2 * pi));
+            for (std::size_t c = 0; c < columns; ++c) angle[k * columns + c] += whole;
+        }
+    }
+    constexpr int flank = 9;  // columns on either side that lead round to the bowel
+    const std::size_t width = columns + 2 * flank;
+    for (std::size_t r = 0; r < rings; ++r) {
+        const double s = snapshot.ring_arc_lengths[r];
+        const auto above = std::lower_bound(septum_at_.begin(), septum_at_.end(), s);
+        const auto after = std::min(static_cast<std::size_t>(above - septum_at_.begin()), septa - 1);
+        const std::size_t before = after == 0 ? 0 : after - 1;
+        const double run = septum_at_[after] - septum_at_[before];
+        const double share = run > 0 ? smooth(0, 1, (s - septum_at_[before]) / run) : 0;
+        const auto at = [&](const std::vector<double>& values, std::size_t c) {
+            return values[before * columns + c] +
+                   share * (values[after * columns + c] - values[before * columns + c]);
+        };
+        const double first = at(angle, 0), last = at(angle, columns - 1), middle = 0.5 * (first + last);
+        const double sense = last > first ? 1.0 : -1.0;
+        const RingFrame& ring = snapshot.rings[r];
+        const auto add = [&](double about, double away) {
+            // Lobules: what a normal map alone leaves flat.
+            const double lobes = 0.0007 * std::sin(310 * s + 2.3 * about) * std::sin(9 * about - 120 * s);
+            const double far = away > skin_radius_ * 1.05 ? away + lobes : away;
+            envelope_.positions.push_back(
+                ring.position + ring.rotation * Vector3(far * std::cos(about), far * std::sin(about), 0));
+            envelope_.rest.emplace_back(s, (skin_radius_ + mesorectum_) * (about - middle) * sense, 0);
+        };
+        const auto lead = [&](double edge_angle, double edge_distance, double side, int i) {
+            const double t = static_cast<double>(i) / flank;
+            const double end = middle + side * wraps;
+            add(edge_angle + t * (end - edge_angle),
+                edge_distance + smooth(0.1, 1, t) * (0.95 * skin_radius_ - edge_distance));
+        };
+        if (r == 0) envelope_.rest.clear();
+        for (int i = flank; i > 0; --i) lead(first, at(distance, 0), -sense, i);
+        for (std::size_t c = 0; c < columns; ++c) add(at(angle, c), at(distance, c));
+        for (int i = 1; i <= flank; ++i) lead(last, at(distance, columns - 1), sense, i);
+    }
+    if (envelope_.triangles.empty()) close_grid(envelope_, static_cast<int>(rings), static_cast<int>(width));
+}
+
+// The vertices as they were made lie on a grid of rest coordinates; char is kept by triangle as they were
+// made.
+void HollowDrawing::learn_septa(const SheetView& view) {
+    if (view.septum_length <= 0 || view.envelope_columns < 2 || view.triangle_count == 0) return;
+    grid_x_ = view.septum_length / (view.envelope_columns - 1);
+    grid_y_ = 0.001;
+    double highest = -1;
+    lowest_ = 1;
+    for (std::int32_t v = 0; v < view.vertex_count; ++v) {
+        lowest_ = std::min(lowest_, view.rest[static_cast<std::size_t>(v)].y());
+        highest = std::max(highest, view.rest[static_cast<std::size_t>(v)].y());
+    }
+    const auto septa = static_cast<int>(view.envelope.size()) / view.envelope_columns;
+    grid_columns_ = septa * (view.envelope_columns - 1) + 1;
+    grid_rows_ = static_cast<int>(std::ceil((highest - lowest_) / grid_y_)) + 1;
+    triangles_at_.assign(static_cast<std::size_t>(grid_columns_) * static_cast<std::size_t>(grid_rows_), {});
+    for (std::int32_t t = 0; t < view.triangle_count; ++t) {
+        const Triangle& triangle = view.triangles[static_cast<std::size_t>(t)];
+        double low_x = 1e9, high_x = -1e9, low_y = 1e9, high_y = -1e9;
+        for (const std::int32_t v : triangle) {
+            const Vector3& p = view.rest[static_cast<std::size_t>(v)];
+            low_x = std::min(low_x, p.x()), high_x = std::max(high_x, p.x());
+            low_y = std::min(low_y, p.y()), high_y = std::max(high_y, p.y());
+        }
+        const int c0 = std::max(0, static_cast<int>(std::floor(low_x / grid_x_ + 0.01)));
+        const int c1 = std::min(grid_columns_ - 1, static_cast<int>(std::ceil(high_x / grid_x_ - 0.01)));
+        const int r0 = std::max(0, static_cast<int>((low_y - lowest_) / grid_y_));
+        const int r1 = std::min(grid_rows_ - 1, static_cast<int>(std::ceil((high_y - lowest_) / grid_y_)));
+        for (int r = r0; r <= r1; ++r) {
+            for (int c = c0; c <= c1; ++c)
+                triangles_at_[static_cast<std::size_t>(r * grid_columns_ + c)].push_back(t);
+        }
+    }
+}
+
+void HollowDrawing::blacken(const WorldSnapshot& snapshot) {
+    burnt_.clear();
+    if (snapshot.bands.empty() || grid_columns_ == 0) return;
+    const std::vector<float>& by_triangle = snapshot.bands[0].sheet_char;
+    if (std::none_of(by_triangle.begin(), by_triangle.end(), [](float c) { return c > 0; })) return;
+    char_at_.assign(triangles_at_.size(), 0);
+    for (std::size_t place = 0; place < triangles_at_.size(); ++place) {
+        for (const std::int32_t t : triangles_at_[place]) {
+            if (static_cast<std::size_t>(t) < by_triangle.size())
+                char_at_[place] = std::max(char_at_[place], by_triangle[static_cast<std::size_t>(t)]);
+        }
+    }
+    const SheetView& view = snapshot.sheet;
+    burnt_.resize(static_cast<std::size_t>(view.vertex_count));
+    for (std::size_t v = 0; v < burnt_.size(); ++v) {
+        const Vector3& p = view.rest[v];
+        const int c = std::clamp(static_cast<int>(std::lround(p.x() / grid_x_)), 0, grid_columns_ - 1);
+        const int r =
+            std::clamp(static_cast<int>(std::lround((p.y() - lowest_) / grid_y_)), 0, grid_rows_ - 1);
+        burnt_[v] = char_at_[static_cast<std::size_t>(r * grid_columns_ + c)];
+    }
+}
+
+DrawnSheet HollowDrawing::drawn(const Surface& surface, SheetWear wear) {
+    DrawnSheet sheet;
+    sheet.surface = {surface.positions.data(), surface.rest.data(),      surface.positions.size(),
+                     surface.triangles.data(), surface.triangles.size(), 0};
+    sheet.version = surface.version;
+    sheet.wear = wear;
+    return sheet;
+}
+
+void HollowDrawing::add(const WorldSnapshot& snapshot, SceneFrame& frame) {
+    frame.enclosed = true;
+    DrawnSheet fascia = drawn(fascia_, SheetWear::peritoneum);
+    // Greyish white and glossy, what lies beneath shows through.
+    fascia.tint = QVector3D(0.66F, 0.50F, 0.47F);
+    fascia.tint_share = 0.50F;
+    fascia.relief = 0.5F;
+    frame.sheets.push_back(fascia);
+    frame.sheets.push_back(drawn(walls_, SheetWear::peritoneum));
+    lay_envelope(snapshot);
+    if (!envelope_.positions.empty()) {
+        DrawnSheet fat = drawn(envelope_, SheetWear::fat);
+        fat.version = 0;
+        fat.relief = 0.8F;
+        frame.sheets.push_back(fat);
+    }
+    blacken(snapshot);
+    for (DrawnSheet& sheet : frame.sheets) {
+        if (sheet.surface.positions != snapshot.sheet.positions.data()) continue;
+        sheet.fibres = true;
+        sheet.fat_from = snapshot.sheet.fat_from;
+        sheet.surface.burnt = burnt_.empty() ? nullptr : burnt_.data();
+    }
+}
+
+}  // namespace fulcrum::ui
