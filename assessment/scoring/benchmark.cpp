@@ -110,20 +110,20 @@ json benchmark_to_json(const BenchmarkSet& set) {
                           {"experts", level.experts},
                           {"left_out", level.left_out}});
     json document = {{"$comment", "SPDX-License-Identifier: Apache-2.0"},
-            {"version", set.version},
-            {"task", set.task},
-            {"task_version", set.task_version},
-            {"variant_family", set.variant_family},
-            {"device_class", set.device_class},
-            {"fidelity", set.fidelity},
-            {"source", set.source},
-            {"provisional", set.provisional},
-            {"k", set.k},
-            {"p0", set.p0},
-            {"expert_pass_share", set.expert_pass_share},
-            {"experts", people_to_json(set.experts)},
-            {"novices", people_to_json(set.novices)},
-            {"levels", std::move(levels)}};
+                     {"version", set.version},
+                     {"task", set.task},
+                     {"task_version", set.task_version},
+                     {"variant_family", set.variant_family},
+                     {"device_class", set.device_class},
+                     {"fidelity", set.fidelity},
+                     {"source", set.source},
+                     {"provisional", set.provisional},
+                     {"k", set.k},
+                     {"p0", set.p0},
+                     {"expert_pass_share", set.expert_pass_share},
+                     {"experts", people_to_json(set.experts)},
+                     {"novices", people_to_json(set.novices)},
+                     {"levels", std::move(levels)}};
     if (!set.cutting.empty()) document["cutting"] = set.cutting;
     return document;
 }

@@ -61,6 +61,16 @@ std::string keys_of(const json& node) {
     return text;
 }
 
+// A schema names one type or several.
+std::string type_words(const json& node) {
+    if (!node.contains("type")) return "another value";
+    const json& type = node.at("type");
+    if (type.is_string()) return type.get<std::string>();
+    std::string words;
+    for (const json& one : type) words += (words.empty() ? "" : " or ") + one.get<std::string>();
+    return words;
+}
+
 // What a legal value looks like: type, range, choices and the schema's own description.
 std::string legal_value(const json& node) {
     std::string text = "give ";
@@ -69,7 +79,7 @@ std::string legal_value(const json& node) {
     } else if (node.contains("const")) {
         text += plain(node.at("const"));
     } else {
-        const std::string type = node.value("type", std::string("another value"));
+        const std::string type = type_words(node);
         text += (type == "object" || type == "array" || type == "integer" ? "an "
                  : type == "another value"                                ? ""
                                                                           : "a ") +

@@ -43,7 +43,7 @@ TEST(BenchmarkFile, SurvivesWritingAndReading) {
     EXPECT_EQ(back.find("sparc", "left", ""), nullptr);
 }
 
-TEST(BenchmarkFile, BrokenInTenWays) {
+TEST(BenchmarkFile, BrokenInManyWays) {
     const nlohmann::json good = benchmark_to_json(small_set());
     EXPECT_EQ(complaint(good), "");
     const std::vector<std::pair<const char*, nlohmann::json>> cases = {
@@ -62,6 +62,10 @@ TEST(BenchmarkFile, BrokenInTenWays) {
         {"twice", good.patch(R"([{"op": "copy", "from": "/levels/0", "path": "/levels/1"}])"_json)},
         {"unknown key", good.patch(R"([{"op": "add", "path": "/levels/0/sd", "value": 1}])"_json)},
         {"few experts", good.patch(R"([{"op": "replace", "path": "/experts", "value": []}])"_json)},
+        {"a number for what is text or nothing",
+         good.patch(R"([{"op": "replace", "path": "/levels/0/tissue", "value": 7}])"_json)},
+        {"text for what is a number or nothing",
+         good.patch(R"([{"op": "replace", "path": "/levels/0/z_novice", "value": "3"}])"_json)},
         {"device class",
          good.patch(R"([{"op": "replace", "path": "/device_class", "value": "mouse"}])"_json)},
     };
