@@ -12,7 +12,9 @@ namespace {
 
 AllocationCounter allocation_counter = nullptr;
 
-std::uint64_t allocations() { return allocation_counter != nullptr ? allocation_counter() : 0; }
+std::uint64_t allocations() {
+    return allocation_counter != nullptr ? allocation_counter() : 0;
+}
 
 double quantile(std::vector<double> values, double share) {
     std::sort(values.begin(), values.end());
@@ -22,7 +24,9 @@ double quantile(std::vector<double> values, double share) {
 
 }  // namespace
 
-void set_allocation_counter(AllocationCounter counter) { allocation_counter = counter; }
+void set_allocation_counter(AllocationCounter counter) {
+    allocation_counter = counter;
+}
 
 WorkloadResult run_workload(const Workload& workload) {
     using Clock = std::chrono::steady_clock;
@@ -53,8 +57,10 @@ WorkloadResult run_workload(const Workload& workload) {
     result.name = workload.name;
     result.median_us = quantile(times, 0.5);
     result.p99_us = quantile(times, 0.99);
+    result.worst_us = quantile(times, 1);
     result.yardstick_us = quantile(yardsticks, 0.5);
     result.budget_mg = workload.budget_mg;
+    result.worst_budget_mg = workload.worst_budget_mg;
     if (prepared.error) result.error = prepared.error();
     result.error_unit = prepared.error_unit;
     result.bytes = prepared.bytes;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reference workloads of `fulcrum lab bench`: the product's own code, timed beside the yardstick in one process.
+// The reference workloads of `fulcrum lab bench`: the product's own code, timed beside the yardstick in one
+// process.
 #pragma once
 
 #include <cstdint>
@@ -12,25 +13,32 @@ namespace fulcrum::lab {
 
 struct WorkloadResult {
     std::string name;
-    double median_us = 0, p99_us = 0;
-    double yardstick_us = 0;             ///< median of the yardstick runs between this workload's samples
-    double budget_mg = 0;                ///< 0: informative only
-    std::optional<double> error;         ///< against the reference that `error_unit` names
+    double median_us = 0, p99_us = 0, worst_us = 0;
+    double yardstick_us = 0;      ///< median of the yardstick runs between this workload's samples
+    double budget_mg = 0;         ///< of the median; 0: informative only
+    double worst_budget_mg = 0;   ///< of the worst sample; 0: none is set
+    std::optional<double> error;  ///< against the reference that `error_unit` names
     std::string error_unit;
-    std::uint64_t bytes = 0;             ///< state and tables of the workload
-    double allocations_per_step = 0;     ///< after warm-up
+    std::uint64_t bytes = 0;          ///< state and tables of the workload
+    double allocations_per_step = 0;  ///< after warm-up
     double median_mg() const { return 1000.0 * median_us / yardstick_us; }
     double p99_mg() const { return 1000.0 * p99_us / yardstick_us; }
+    double worst_mg() const { return 1000.0 * worst_us / yardstick_us; }
+    bool within() const {
+        return (budget_mg <= 0 || median_mg() <= budget_mg) &&
+               (worst_budget_mg <= 0 || worst_mg() <= worst_budget_mg);
+    }
 };
 
-/// A workload: `prepare` builds it and returns the step to time; the step must do the same work each time it is called.
+/// A workload: `prepare` builds it and returns the step to time; the step must do the same work each time it
+/// is called.
 struct Workload {
     std::string name;
-    double budget_mg = 0;
+    double budget_mg = 0, worst_budget_mg = 0;
     int warm_up = 20, samples = 400;
     struct Prepared {
         std::function<void()> step;
-        std::function<void()> between;         ///< run untimed before each step; may be empty
+        std::function<void()> between;                 ///< run untimed before each step; may be empty
         std::function<std::optional<double>()> error;  ///< may be empty
         std::string error_unit;
         std::uint64_t bytes = 0;
@@ -38,14 +46,16 @@ struct Workload {
     std::function<Prepared()> prepare;
 };
 
-/// Number of heap allocations of this process so far; the program that links a counter registers it here (none: 0 is reported).
+/// Number of heap allocations of this process so far; the program that links a counter registers it here
+/// (none: 0 is reported).
 using AllocationCounter = std::uint64_t (*)();
 void set_allocation_counter(AllocationCounter counter);
 
 /// Times one workload: warm-up, then samples with the yardstick run between groups of them.
 WorkloadResult run_workload(const Workload& workload);
 
-/// Every workload whose part exists, in the order of docs/FORMATS.md; one registration function a room, listed in bench.cpp.
+/// Every workload whose part exists, in the order of docs/FORMATS.md; one registration function a room,
+/// listed in bench.cpp.
 std::vector<Workload> reference_workloads();
 
 void add_rod_workloads(std::vector<Workload>& workloads);

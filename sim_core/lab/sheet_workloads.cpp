@@ -64,6 +64,7 @@ void add_sheet_workloads(std::vector<Workload>& workloads) {
     Workload workload;
     workload.name = "cut_full";
     workload.budget_mg = 100;
+    workload.worst_budget_mg = 700;
     workload.warm_up = 20;
     workload.samples = 700;
     workload.prepare = [] {
