@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What cutting costs on the clock: the same operator on task B2 in real time, with a blade that cuts and with
-// one that does not.
+// What cutting costs on the clock: the same operator in real time, with a blade that cuts and with one that
+// does not, on every task whose surface is cut.
 #include <algorithm>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "app/lab_measure.h"
 #include "app/live_attempt.h"
@@ -18,15 +20,16 @@ constexpr std::uint64_t seed = 2100;  // outside the benchmarks' own
 constexpr double most_seconds = 60;
 
 struct Clocked {
+    std::string task;
+    bool cuts = true;
     LoopStatistics loop;
     double removed_mm2 = 0;
     std::uint32_t topology = 0;
-    std::string ended;
 };
 
-Clocked on_the_clock(bool cuts) {
+Clocked on_the_clock(const std::string& task, bool cuts) {
     LiveRequest request;
-    request.loaded = load_task_and_scene("B2");
+    request.loaded = load_task_and_scene(task);
     if (!cuts)
         for (TissueSpec& tissue : request.loaded.scene.tissues) tissue.cutting.reset();
     request.seed = seed;
@@ -36,6 +39,8 @@ Clocked on_the_clock(bool cuts) {
     attempt.start();
     Signal pace;
     Clocked result;
+    result.task = task;
+    result.cuts = cuts;
     const std::int64_t begin = now_ns();
     while (static_cast<double>(now_ns() - begin) * 1e-9 < most_seconds) {
         pace.wait_for_ms(50);
@@ -57,54 +62,60 @@ Measured measure_cut_clock() {
         {}};
     lab::ResultPage& page = measured.page;
     page.paragraph(
-        "Task B2 by a synthetic expert in real time, haptic and world threads as in the application, once "
-        "with a blade that "
-        "cuts, once with the same operator while the tissue cannot be cut; until the task ended, at most " +
+        "Tasks B2 and C4 by a synthetic expert in real time, haptic and world threads as in the application, "
+        "once "
+        "with a blade that cuts, once with the same operator while the tissue cannot be cut; until the task "
+        "ended, "
+        "at most " +
         lab::short_number(most_seconds) +
         " s. A tick is missed by the program when the one before it took longer than its period, by the "
         "scheduler "
         "when its thread was woken late.");
-    const Clocked with = on_the_clock(true), without = on_the_clock(false);
-    const auto number = [](double value) { return lab::short_number(value, 4); };
+    std::vector<Clocked> runs;
+    for (const char* task : {"B2", "C4"})
+        for (const bool cuts : {true, false}) runs.push_back(on_the_clock(task, cuts));
     lab::ResultTable table;
-    table.columns = {"what", "the blade cuts", "it does not"};
-    nlohmann::json runs = nlohmann::json::array();
-    for (const Clocked* run : {&with, &without}) {
-        const LoopStatistics& s = run->loop;
-        runs.push_back(
-            {{"cuts", run == &with},
+    table.columns = {"what"};
+    nlohmann::json rows = nlohmann::json::array();
+    bool real_time = true;
+    for (const Clocked& run : runs) {
+        const LoopStatistics& s = run.loop;
+        table.columns.push_back(run.task + (run.cuts ? ", the blade cuts" : ", it does not"));
+        real_time = real_time && s.real_time_priority;
+        rows.push_back(
+            {{"task", run.task},
+             {"cuts", run.cuts},
              {"ticks", s.ticks},
              {"missed_by_program", s.missed_by_program},
              {"missed_by_scheduler", s.missed_by_scheduler},
              {"late_steps", s.late_steps},
              {"tick_us", {{"p50", s.tick_p50_us}, {"p99", s.tick_p99_us}, {"worst", s.tick_worst_us}}},
              {"step_us", {{"p50", s.step_p50_us}, {"p99", s.step_p99_us}, {"worst", s.step_worst_us}}},
-             {"topology", run->topology},
-             {"removed_mm2", run->removed_mm2},
+             {"topology", run.topology},
+             {"removed_mm2", run.removed_mm2},
              {"real_time_priority", s.real_time_priority}});
     }
-    const auto row = [&](const char* what, double a, double b) {
-        table.rows.push_back({what, number(a), number(b)});
+    const auto row = [&](const char* what, auto value) {
+        std::vector<std::string> cells{what};
+        for (const Clocked& run : runs)
+            cells.push_back(lab::short_number(static_cast<double>(value(run)), 4));
+        table.rows.push_back(std::move(cells));
     };
-    const LoopStatistics &a = with.loop, &b = without.loop;
-    row("ticks", static_cast<double>(a.ticks), static_cast<double>(b.ticks));
-    row("missed by the program", static_cast<double>(a.missed_by_program),
-        static_cast<double>(b.missed_by_program));
-    row("missed by the scheduler", static_cast<double>(a.missed_by_scheduler),
-        static_cast<double>(b.missed_by_scheduler));
-    row("late world steps", static_cast<double>(a.late_steps), static_cast<double>(b.late_steps));
-    row("tick, us: p50", a.tick_p50_us, b.tick_p50_us);
-    row("tick, us: p99", a.tick_p99_us, b.tick_p99_us);
-    row("tick, us: worst", a.tick_worst_us, b.tick_worst_us);
-    row("world step, us: p50", a.step_p50_us, b.step_p50_us);
-    row("world step, us: p99", a.step_p99_us, b.step_p99_us);
-    row("world step, us: worst", a.step_worst_us, b.step_worst_us);
-    row("changes of topology", with.topology, without.topology);
-    row("ground taken, mm2", with.removed_mm2, without.removed_mm2);
+    row("ticks", [](const Clocked& run) { return run.loop.ticks; });
+    row("missed by the program", [](const Clocked& run) { return run.loop.missed_by_program; });
+    row("missed by the scheduler", [](const Clocked& run) { return run.loop.missed_by_scheduler; });
+    row("late world steps", [](const Clocked& run) { return run.loop.late_steps; });
+    row("tick, us: p50", [](const Clocked& run) { return run.loop.tick_p50_us; });
+    row("tick, us: p99", [](const Clocked& run) { return run.loop.tick_p99_us; });
+    row("tick, us: worst", [](const Clocked& run) { return run.loop.tick_worst_us; });
+    row("world step, us: p50", [](const Clocked& run) { return run.loop.step_p50_us; });
+    row("world step, us: p99", [](const Clocked& run) { return run.loop.step_p99_us; });
+    row("world step, us: worst", [](const Clocked& run) { return run.loop.step_worst_us; });
+    row("changes of topology", [](const Clocked& run) { return run.topology; });
+    row("ground taken, mm2", [](const Clocked& run) { return run.removed_mm2; });
     page.table(table);
-    page.paragraph(std::string("Real-time priority ") +
-                   (a.real_time_priority && b.real_time_priority ? "was" : "was not") + " granted.");
-    measured.document = {{"runs", runs}};
+    page.paragraph(std::string("Real-time priority ") + (real_time ? "was" : "was not") + " granted.");
+    measured.document = {{"runs", rows}};
     page.document(measured.document);
     return measured;
 }
