@@ -133,4 +133,58 @@ std::int32_t CutMesh::find_pieces() {
     return pieces_.size();
 }
 
+std::int32_t CutMesh::find_parted(std::int32_t* firsts, std::int32_t room) {
+    // From every triangle of what the cut touched at once, breadth first: sides that meet are one.
+    sides_met_.clear();
+    queue_.clear();
+    ++mark_;
+    std::int32_t undecided = 0;
+    bool held = false;  // of one side it is known; without, the last undecided one must be
+    const auto take = [&](std::int32_t t, std::int32_t side) {
+        triangle_mark_[t] = mark_;
+        piece_of_[t] = side;
+        queue_.push(t);
+        ++sides_met_[side].open;
+        for (const std::int32_t v : state_.triangles[t].vertices) {
+            if (!state_.vertices[v].fixed || sides_met_[side].fixed) continue;
+            sides_met_[side].fixed = held = true;
+            --undecided;
+        }
+    };
+    for (const std::int32_t r : editor_.touched_roots()) {
+        for (std::int32_t t = state_.roots[r].first_visible; t >= 0; t = state_.triangles[t].next_in_root) {
+            sides_met_.push({t, -1, 0, false});
+            ++undecided;
+            take(t, sides_met_.size() - 1);
+        }
+    }
+    std::int32_t parted = 0;
+    for (std::int32_t head = 0; head < queue_.size(); ++head) {
+        if (undecided == 0 || (undecided == 1 && !held)) break;
+        const std::int32_t t = queue_[head];
+        std::int32_t side = side_of(piece_of_[t]);
+        for (const std::int32_t n : state_.triangles[t].neighbours) {
+            if (n < 0) continue;
+            if (triangle_mark_[n] != mark_) {
+                take(n, side);
+                continue;
+            }
+            const std::int32_t other = side_of(piece_of_[n]);
+            if (other == side) continue;
+            Side &kept = sides_met_[std::min(side, other)], &gone = sides_met_[std::max(side, other)];
+            if (!kept.fixed || !gone.fixed) --undecided;
+            kept.open += gone.open;
+            kept.fixed = kept.fixed || gone.fixed;
+            gone.parent = std::min(side, other);
+            side = std::min(side, other);
+        }
+        Side& here = sides_met_[side];
+        if (--here.open > 0 || here.fixed) continue;
+        --undecided;  // all of it was seen
+        if (parted < room) firsts[parted] = here.first;
+        ++parted;
+    }
+    return parted;
+}
+
 }  // namespace fulcrum

@@ -96,7 +96,8 @@ CutMesh::CutMesh(const TriangleMesh& mesh, const std::vector<std::int32_t>& fixe
       around_(capacity.vertices),
       parts_(capacity.triangles),
       piece_of_(capacity.triangles, -1),
-      pieces_(capacity.triangles) {
+      pieces_(capacity.triangles),
+      sides_met_(capacity.triangles) {
     state_.triangles = CutTable<CutTriangle>(capacity.triangles);
     state_.vertices = CutTable<CutVertex>(capacity.vertices);
     state_.roots = CutTable<CutRoot>(model_->root_count);
@@ -231,7 +232,7 @@ std::uint64_t CutMesh::bytes() const {
            state_.stroke_triangles.bytes() + state_.stroke_place.bytes() + editor_.bytes() + sides_.bytes() +
            root_mark_.bytes() + triangle_mark_.bytes() + vertex_mark_.bytes() + queue_.bytes() +
            met_.bytes() + band_.bytes() + around_.bytes() + parts_.bytes() + piece_of_.bytes() +
-           pieces_.bytes();
+           pieces_.bytes() + sides_met_.bytes();
 }
 
 }  // namespace fulcrum

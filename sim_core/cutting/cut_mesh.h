@@ -133,6 +133,11 @@ class CutMesh {
     std::int32_t find_pieces();
     const CutPiece& piece(std::int32_t p) const { return pieces_[p]; }
     std::int32_t piece_of_triangle(std::int32_t t) const { return piece_of_[t]; }
+    /// Pieces without a fixed vertex that the latest commit parted from the rest: a triangle of each (at most
+    /// `room`) and how many there are. Looks no further than to where the sides of the cut meet again, so a
+    /// cut that parts nothing costs what it touched. The surface must have hung on a fixed vertex before,
+    /// pieces that were loose already are found again when they are cut. find_pieces() is void afterwards.
+    std::int32_t find_parted(std::int32_t* firsts, std::int32_t room);
 
     // -- Saving.
 
@@ -181,6 +186,17 @@ class CutMesh {
     CutList<std::int32_t> queue_, met_, band_, around_, parts_;
     CutTable<std::int32_t> piece_of_;
     CutList<CutPiece> pieces_;
+    /// A side of the latest cut while find_parted() looks how far it reaches.
+    struct Side {
+        std::int32_t first = -1, parent = -1;  ///< parent: that it has met, -1: its own
+        std::int32_t open = 0;                 ///< triangles whose neighbours were not looked at
+        bool fixed = false;
+    };
+    std::int32_t side_of(std::int32_t side) const {
+        while (sides_met_[side].parent >= 0) side = sides_met_[side].parent;
+        return side;
+    }
+    CutList<Side> sides_met_;
 };
 
 /// Everything theory section 5 asks of a surface, checked from scratch over all of it, geometry included.

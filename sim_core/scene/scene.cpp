@@ -268,6 +268,7 @@ class SceneReader {
         copy(node, "floor_friction", bowel.floor_friction);
         copy(node, "layout", bowel.layout);
         copy(node, "weight", bowel.weight);
+        copy(node, "blade_width", bowel.blade_width);
         check_tissue("/bowel", bowel.tissue);
         if (bowel.wall_thickness >= bowel.outer_radius) {
             document_.fail("/bowel/wall_thickness", "the wall is thicker than the bowel's radius",

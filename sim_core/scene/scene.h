@@ -114,6 +114,7 @@ struct BowelSpec {
     double floor_friction = 0.3;
     std::string layout = "colon";                 ///< "colon": the rectosigmoid in a cavity; "rectum": along the sacral hollow, needs presacral
     double weight = 1;                            ///< share of its weight that what lies beneath does not carry
+    double blade_width = 0.0006;                  ///< m, of the ground that a blade takes; its surface can be cut where its tissue has `cutting`
 };
 
 /// The mesentery of B1: tension-only springs from the rod to a line on the wall, through the rod's attachment interface.

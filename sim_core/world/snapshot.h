@@ -3,6 +3,7 @@
 // Vectors have their final size from the start, so copying a snapshot into a slot of the same scene allocates nothing.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -81,6 +82,23 @@ struct SheetView {
     double visible_area = 0, removed_area = 0;  ///< m2 at rest
 };
 
+/// The bowel's surface where it has been cut: what is drawn in place of some of the skin's triangles. Fixed capacity, *_count valid;
+/// all but `fallen` changes with `topology` only. Vertices 0 .. first_vertex - 1 are the skin's own.
+struct BowelCutView {
+    std::int32_t first_vertex = 0;
+    std::int32_t vertex_count = 0, triangle_count = 0;
+    std::vector<std::int32_t> vertex_roots;    ///< of vertex first_vertex + i: the skin's triangle that it lies in
+    std::vector<Vector3> barycentric;          ///< and where in it, of its corners
+    std::vector<Triangle> triangles;           ///< visible, counterclockwise from outside
+    std::vector<std::int32_t> triangle_roots;  ///< of each: the skin's triangle that it is a part of
+    std::vector<std::uint8_t> triangle_loose;  ///< of each: 0 hangs on, else 1 + place in `fallen`
+    std::vector<std::uint8_t> hidden;          ///< by the skin's triangle, 1: it is not drawn itself; empty without
+    std::array<Vector3, 8> fallen{};           ///< m, way that each piece that came free has made
+    std::uint32_t topology = 0;
+    double thickness = 0;                       ///< m, of the wall
+    double visible_area = 0, removed_area = 0;  ///< m2 at rest
+};
+
 struct WorldSnapshot {
     std::uint32_t step = 0;
     std::uint32_t tick = 0;              ///< last input tick the step consumed
@@ -100,6 +118,7 @@ struct WorldSnapshot {
     std::vector<double> tether_arc_lengths;
     std::vector<MembraneView> membranes; ///< Scene::membranes; empty without
     SheetView sheet;                     ///< Scene::sheet; empty without
+    BowelCutView bowel_cut;              ///< empty where the bowel's tissue is not cut
     std::vector<Event> events;           ///< what this step did to tissue, for the monitor to pass on; fixed capacity, event_count valid
     std::int32_t event_count = 0;
     std::vector<BandsView> bands;        ///< one with Scene::bands or Scene::structures; empty without
