@@ -19,9 +19,29 @@ constexpr double wall_shaft =
 constexpr double wall_search = 0.020;     // m around the tip that a lost contact is searched in
 constexpr double wall_curvature = 0.030;  // m
 
-// Share of K and B that two instruments' shafts give each other; steel, softened to what the hand's loop can
-// carry.
-constexpr double shaft_stiffness = 800, shaft_damping = 0.4, shaft_friction = 0.1;
+constexpr double shaft_friction = 0.1;  // of one shaft on another
+
+// How much of the wall there is at a place: 0 on an open rim, 1 from the next row of triangles on, so that a
+// tip that slides over the rim is let go of gradually.
+double solid_share(const CavityModel& wall, std::int32_t triangle, const Vector3& barycentric) {
+    const MeshAdjacency& adjacency = wall.adjacency();
+    const auto on_rim = [&](std::int32_t vertex) {
+        for (const std::int32_t t : adjacency.triangles_of(vertex)) {
+            const Triangle& corner = wall.mesh().triangles[static_cast<std::size_t>(t)];
+            for (std::size_t e = 0; e < 3; ++e) {
+                if (corner[e] != vertex && corner[(e + 1) % 3] != vertex) continue;
+                if (adjacency.triangle_neighbours[3 * static_cast<std::size_t>(t) + e] < 0) return true;
+            }
+        }
+        return false;
+    };
+    const Triangle& corner = wall.mesh().triangles[static_cast<std::size_t>(triangle)];
+    double share = 1;
+    for (int k = 0; k < 3; ++k) {
+        if (on_rim(corner[static_cast<std::size_t>(k)])) share -= barycentric[k];
+    }
+    return std::clamp(share, 0.0, 1.0);
+}
 
 }  // namespace
 
@@ -85,8 +105,10 @@ void touch_wall(const ToolContactModel& model, const LocalModel& local, const To
         walk = walk_from(exact.triangle, Vector3::Constant(1.0 / 3));
         if (walk.at_border && exact.triangle >= 0) {
             walk.at_border = false;
+            const CavityTriangle& corner = model.cavity->triangles()[static_cast<std::size_t>(exact.triangle)];
             walk.triangle = exact.triangle;
-            walk.barycentric = Vector3::Constant(1.0 / 3);
+            walk.barycentric =
+                closest_point_on_triangle(exact.position, corner.a, corner.b, corner.c).barycentric;
             walk.normal = exact.normal;
             walk.distance = exact.distance;
         }
@@ -101,16 +123,18 @@ void touch_wall(const ToolContactModel& model, const LocalModel& local, const To
     const double depth = model.instrument.tip_radius - walk.distance;
     if (!(depth > 0)) return;
     state.touching_wall = true;
+    const double solid = solid_share(*model.cavity, walk.triangle, walk.barycentric);
+    const double stiffness = solid * model.wall.most_stiffness;
     ContactResponse response;
-    response.stiffness = model.wall.most_stiffness;
-    response.damping = model.wall.damping;
+    response.stiffness = stiffness;
+    response.damping = solid * model.wall.damping;
     response.friction = model.wall.friction;
     response.onset_depth = model.onset_depth;
     result.wall_force = response.force_on_tissue(depth, walk.normal, tool.tip_velocity);
     result.torque += (tool.tip - walk.distance * walk.normal - tool.trocar).cross(result.wall_force);
     result.touching_wall = true;
-    result.stiffness += model.wall.most_stiffness * walk.normal * walk.normal.transpose();
-    result.damping = std::max(result.damping, model.wall.damping);
+    result.stiffness += stiffness * walk.normal * walk.normal.transpose();
+    result.damping = std::max(result.damping, response.damping);
 }
 
 void seed_wall(const CavityModel* cavity, const ToolKinematics& tool, double reach, LocalModel& model) {
@@ -130,14 +154,16 @@ SegmentPair fractions_at(const Vector3& point, const ToolKinematics& left, const
 }  // namespace
 
 double collide_tools(const ToolContactModel& left, const ToolKinematics& left_tool,
-                     const ToolContactModel& right, const ToolKinematics& right_tool,
+                     const ToolContactModel& right, const ToolKinematics& right_tool, ToolPairState& state,
                      ToolContactResult& left_result, ToolContactResult& right_result) {
+    const ToolPairState before = state;
+    state = ToolPairState();
     if (!left_tool.inside || !right_tool.inside) return -1.0;
     const SolidContact solid =
         collide_shapes(tool_shape(left.instrument, left_tool), tool_shape(right.instrument, right_tool));
-    const double depth = solid.depth;
+    double depth = solid.depth;
     if (!(depth > 0)) return std::isfinite(depth) ? depth : -1.0;
-    const Vector3& normal = solid.normal;  // out of the right tool
+    Vector3 normal = solid.normal;  // out of the right tool
     const SegmentPair pair = solid.by_jaw ? fractions_at(solid.point, left_tool, right_tool)
                                           : closest_points_of_segments(left_tool.trocar, left_tool.tip,
                                                                        right_tool.trocar, right_tool.tip);
@@ -146,8 +172,17 @@ double collide_tools(const ToolContactModel& left, const ToolKinematics& left_to
     response.damping = shaft_damping;
     response.friction = shaft_friction;
     const Vector3 velocity = left_tool.shaft_velocity(pair.s) - right_tool.shaft_velocity(pair.t);
+    if (before.touching && before.normal.dot(normal) < 0) {
+        // One is more than half way through the other: it is as deep as before and what it went on since.
+        normal = before.normal;
+        depth = before.depth - left.instrument.tick_period * velocity.dot(normal);
+        if (!(depth > 0)) return depth;
+    }
     const Vector3 force = response.force_on_tissue(depth, normal, velocity);
     if (!force.allFinite()) return depth;
+    state.touching = true;
+    state.normal = normal;
+    state.depth = depth;
     const Matrix3 stiffness = shaft_stiffness * normal * normal.transpose();
     left_result.tool_force = force;
     right_result.tool_force = -force;

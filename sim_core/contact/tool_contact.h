@@ -112,10 +112,21 @@ void step_tool_contact(const ToolContactModel& model, const LocalModel& local, c
 /// the tissue: the old force of a bumpless swap, to first order, without keeping the old model.
 Vector3 predict_force(const ToolContactResult& last, const Vector3& motion);
 
-/// Two instruments' shafts as capsules: adds tool_force to both results (opposite). Returns the depth, m; <=
-/// 0 apart.
+/// What two instruments that press on each other remember from tick to tick; copyable.
+struct ToolPairState {
+    bool touching = false;
+    Vector3 normal = Vector3::UnitZ();  ///< unit, out of the right one
+    double depth = 0;                   ///< m along it
+};
+
+/// K and B that two instruments give each other; steel, softened to what the hand's loop can carry.
+inline constexpr double shaft_stiffness = 800, shaft_damping = 0.4;
+
+/// Two instruments' shafts as capsules, jaws as boxes: adds tool_force to both results (opposite). A hand
+/// that is not held back goes on through the other instrument: as long as they overlap they stay on the sides
+/// from which they came. Returns the depth, m; <= 0 apart.
 double collide_tools(const ToolContactModel& left, const ToolKinematics& left_tool,
-                     const ToolContactModel& right, const ToolKinematics& right_tool,
+                     const ToolContactModel& right, const ToolKinematics& right_tool, ToolPairState& state,
                      ToolContactResult& left_result, ToolContactResult& right_result);
 
 /// Force on the tissue of a tool whose contact stiffness is k against tissue of stiffness c

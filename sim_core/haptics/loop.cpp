@@ -11,6 +11,8 @@
 namespace fulcrum {
 namespace {
 
+constexpr double unexplained = 0.02;  // N in a tick that tissue's own motion and a surface's bends may add
+
 std::int32_t counts(double value, double unit) {
     const double scaled = value / unit;
     if (!(scaled > -2.0e9)) return scaled != scaled ? 0 : -2000000000;
@@ -47,6 +49,10 @@ struct HapticLoop::Parts {
     ToolKinematics tool[hand_count];
     ToolContactState state[hand_count];
     ToolContactState state_before[hand_count];  // at the tick before
+    ToolPairState pair;
+    Vector3 tip_before[hand_count] = {Vector3::Zero(), Vector3::Zero()}, velocity_before[hand_count] = {Vector3::Zero(), Vector3::Zero()};
+    double way[hand_count] = {0, 0};           // m, of a tip since the tick before
+    double slope_before[hand_count] = {0, 0};  // N/m, of what a hand touched
     SafetyState safety[hand_count];
     PassivityController passivity[hand_count];
     DeviceSample held[hand_count];   // what the instruments follow: the devices but for pauses and losses
@@ -56,6 +62,19 @@ struct HapticLoop::Parts {
     ToolContactResult result[hand_count], old_result;
     unsigned limited = 0;
     TickOutput output;
+
+    /// N, by which a hand's force can have changed by the hands' motion since the last tick: what it touches gives at most
+    /// its slope, with that of dampers that come in with the depth.
+    double explained(int hand) {
+        const double stiffness = result[hand].stiffness.trace(), damping = result[hand].damping;
+        const Vector3& velocity = tool[hand].tip_velocity;
+        const double slope = stiffness + damping * velocity.norm() / contact[hand].onset_depth;
+        const double other = result[hand].touching_tool ? way[1 - hand] : 0.0;
+        const double by_motion = std::max(slope, slope_before[hand]) * way[hand] + shaft_stiffness * other + damping * (velocity - velocity_before[hand]).norm();
+        slope_before[hand] = slope;
+        velocity_before[hand] = velocity;
+        return by_motion + unexplained;
+    }
 };
 
 HapticLoop::HapticLoop(const Scene& scene, const World& world) : parts_(std::make_unique<Parts>()) {
@@ -133,6 +152,8 @@ const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {
             held.roll = clutched(held.roll, offset.roll);
         }
         parts.tool[hand] = step_instrument(parts.contact[hand].instrument, held, parts.instrument[hand]);
+        parts.way[hand] = (parts.tool[hand].tip - parts.tip_before[hand]).norm();
+        parts.tip_before[hand] = parts.tool[hand].tip;
     }
     parts.was_held = on_hold;
 
@@ -142,7 +163,7 @@ const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {
         if (parts.has_hand[hand]) step_tool_contact(parts.contact[hand], models.hand[hand], parts.tool[hand], input.tick, parts.state[hand], parts.scratch[hand], parts.result[hand]);
     }
     if (parts.has_hand[0] && parts.has_hand[1]) {
-        collide_tools(parts.contact[0], parts.tool[0], parts.contact[1], parts.tool[1], parts.result[0], parts.result[1]);
+        collide_tools(parts.contact[0], parts.tool[0], parts.contact[1], parts.tool[1], parts.pair, parts.result[0], parts.result[1]);
     }
 
     CameraPose camera;
@@ -166,6 +187,7 @@ const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {
         }
         safety.model_age = result.age;
         safety.connected = !on_hold && tool.present;
+        safety.explained = parts.explained(hand);
         const double b = parts.device_damping[hand];
         if (b >= 0 && result.stiffness.trace() > 0) {
             const PassivityCheck check = check_passivity(result.stiffness.diagonal().maxCoeff(), result.damping, b, parts.limits.tick_period);

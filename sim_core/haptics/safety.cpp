@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_core/haptics/safety.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fulcrum {
 namespace {
 
 constexpr double largest_sensible = 1e12;  // N: beyond it squares overflow sooner than they help
+constexpr double least_share = 0.1;        // of the slew that a difference decays by, however fast the hand moves
 
 bool usable(const Vector3& force) {
     return force.allFinite() && force.cwiseAbs().maxCoeff() < largest_sensible;
@@ -65,13 +67,25 @@ SafetyOutput step_safety(const SafetyLimits& limits, const SafetyInput& input, S
     }
     const Vector3 target = live ? clamp_force(gain * input.force, limits.force) : Vector3(Vector3::Zero());
     // A change of what makes the force keeps what is sent and lets the difference decay.
+    const double most = limits.slew * limits.tick_period;
+    double own = 0;  // N, of this tick's change that the hand made
     if (live != state.live) {
         state.difference = state.sent - target;
-    } else if (live && input.model_changed && usable(input.old_force)) {
-        state.difference += clamp_force(gain * input.old_force, limits.force) - target;
+    } else if (live) {
+        Vector3 same = target;  // by the model of the last tick
+        if (input.model_changed && usable(input.old_force)) {
+            same = clamp_force(gain * input.old_force, limits.force);
+            state.difference += same - target;
+        }
+        if (input.explained < limits.force) {
+            Vector3 jump = same - state.target;
+            own = std::min(jump.norm(), std::max(0.0, input.explained));
+            if (shrink(jump, own)) state.difference -= jump;
+        }
     }
+    state.target = target;
     state.live = live;
-    if (shrink(state.difference, limits.slew * limits.tick_period)) output.flags |= safety_slewed;
+    if (shrink(state.difference, std::max(least_share * most, most - own))) output.flags |= safety_slewed;
 
     bool clamped = live && clamp_force(gain * input.force, limits.force) != gain * input.force;
     bool total_clamped = false;

@@ -5,6 +5,10 @@
 //  * Slew (0.3 N/ms): acts on changes of the model, on loss and on resume. Each such change leaves the sent
 //  force where
 //    it was and lets the difference decay at the slew rate; a moving hand's own force is not slowed.
+//  * Jumps: a force that changes by more than the hand's own motion can explain (another facet, another shaft
+//  or the other
+//    side of one) has changed its model too: what is not explained decays like a swap's difference. The own
+//    motion's change counts against the slew first, so that both together stay within it.
 //  * Start ramp: after a start or resume the force grows from 0 over ramp_ticks.
 //  * Watchdog: a model older than age_limit ticks, an absent device, a pause or a force that is not finite
 //  lead to
@@ -14,6 +18,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "sim_core/numerics/types.h"
 
@@ -35,6 +40,8 @@ struct SafetyInput {
     bool model_changed = false;   ///< the force comes from another model than the tick before
     std::uint32_t model_age = 0;  ///< ticks since the pose of the model
     bool connected = true;        ///< the device is there and the attempt is not paused
+    /// N, by which the hands' motion since the last tick can have changed the force; infinity: not known.
+    double explained = std::numeric_limits<double>::infinity();
 };
 
 enum SafetyFlag : std::uint16_t {
@@ -54,6 +61,7 @@ struct SafetyOutput {
 struct SafetyState {
     Vector3 sent = Vector3::Zero();        ///< N, last force sent
     Vector3 difference = Vector3::Zero();  ///< N, decaying
+    Vector3 target = Vector3::Zero();      ///< N, what the model asked for at the last tick
     std::uint32_t ramp = 0;                ///< ticks since the start or resume
     bool live = false;                     ///< the last tick rendered the model
 };

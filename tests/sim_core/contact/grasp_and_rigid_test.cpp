@@ -286,22 +286,107 @@ TEST(Tools, CrossingShaftsPushEachOtherApart) {
     right.trocar = Vector3(0, -0.1, 0.004);
     right.tip = Vector3(0, 0.1, 0.004);
     right.axis = Vector3::UnitY();
+    ToolPairState pair;
     ToolContactResult a, b;
-    EXPECT_NEAR(collide_tools(model, left, model, right, a, b), 0.001, 1e-12);
+    EXPECT_NEAR(collide_tools(model, left, model, right, pair, a, b), 0.001, 1e-12);
     EXPECT_TRUE(a.touching_tool);
     EXPECT_NEAR((a.tool_force + b.tool_force).norm(), 0, 1e-15);
     EXPECT_NEAR(a.tool_force.z(), 0.8, 1e-9);  // on the right tool, upwards
     right.trocar.z() = right.tip.z() = 0.006;
     a = b = ToolContactResult{};
-    EXPECT_LT(collide_tools(model, left, model, right, a, b), 0);
+    EXPECT_LT(collide_tools(model, left, model, right, pair, a, b), 0);
     EXPECT_EQ(a.force, Vector3::Zero());
     right = left;  // one on the other
-    EXPECT_TRUE(std::isfinite(collide_tools(model, left, model, right, a, b)));
+    EXPECT_TRUE(std::isfinite(collide_tools(model, left, model, right, pair, a, b)));
     EXPECT_TRUE(a.force.allFinite());
     left.tip.x() = std::numeric_limits<double>::quiet_NaN();
     a = b = ToolContactResult{};
-    collide_tools(model, left, model, right, a, b);
+    collide_tools(model, left, model, right, pair, a, b);
     EXPECT_TRUE(a.force.allFinite());
+}
+
+// A hand that is not held back goes on through the other shaft: it stays on the side from which it came.
+TEST(Tools, AShaftDrawnThroughAnotherIsPushedBackAllTheWayAndFreeBeyond) {
+    ToolContactModel model;
+    ToolKinematics left, right;
+    left.inside = right.inside = true;
+    left.trocar = Vector3(-0.1, 0, 0);
+    left.tip = Vector3(0.1, 0, 0);
+    left.axis = Vector3::UnitX();
+    right.axis = Vector3::UnitY();
+    ToolPairState pair;
+    const double step = 2e-5;  // m in a tick
+    double last = 0, deepest = 0;
+    for (int i = 0; i < 600; ++i) {
+        const double z = 0.006 - i * step;
+        right.trocar = Vector3(0, -0.1, z);
+        right.tip = Vector3(0, 0.1, z);
+        right.tip_velocity = Vector3(0, 0, -2 * step / model.instrument.tick_period);
+        ToolContactResult a, b;
+        const double depth = collide_tools(model, left, model, right, pair, a, b);
+        EXPECT_EQ(a.tool_force, -b.tool_force);
+        const double push = b.tool_force.z();  // of the right on the left: down while it is above
+        if (std::abs(z) < 0.005 - step) {
+            EXPECT_NEAR(depth, 0.005 - z, 3 * step) << z;
+            EXPECT_LT(push, 0) << z;
+        }
+        if (push != 0) {
+            EXPECT_LE(std::abs(push - last), 3 * step * shaft_stiffness) << z;
+        }
+        if (z < -0.005) {
+            EXPECT_EQ(push, 0) << z;
+        }
+        deepest = std::max(deepest, depth);
+        last = push;
+    }
+    EXPECT_GT(deepest, 0.009);
+}
+
+// The rim of an open wall lets a tip go gradually.
+TEST(Wall, ATipThatSlidesOverAnOpenRimIsLetGoGradually) {
+    TriangleMesh mesh;
+    const double edge = 0.004;
+    for (int r = 0; r <= 6; ++r) {
+        for (int c = 0; c <= 6; ++c) mesh.vertices.emplace_back(edge * c, edge * r, 0);
+    }
+    for (int r = 0; r < 6; ++r) {
+        for (int c = 0; c < 6; ++c) {
+            const int a = 7 * r + c;
+            mesh.triangles.push_back({a, a + 1, a + 8});
+            mesh.triangles.push_back({a, a + 8, a + 7});
+        }
+    }
+    const CavityModel wall(mesh, FreeSide::front);
+    ToolContactModel model;
+    model.cavity = &wall;
+    model.wall.most_stiffness = 500;
+    model.instrument.tip_radius = 0.002;
+    ToolKinematics tool;
+    tool.inside = tool.present = true;
+    tool.axis = -Vector3::UnitZ();
+    tool.insertion = 0.1;
+    LocalModel local;
+    ToolContactState state;
+    ToolContactScratch scratch;
+    ToolContactResult result;
+    double last = 0;
+    for (int i = 0; i <= 1600; ++i) {
+        tool.tip = Vector3(0.012 + 1e-5 * i, 0.011, 0.001);  // 1 mm deep
+        tool.trocar = tool.tip + Vector3(0, 0, 0.1);
+        seed_wall(&wall, tool, 0.02, local);
+        step_tool_contact(model, local, tool, static_cast<std::uint32_t>(i + 1), state, scratch, result);
+        const double push = -result.wall_force.z(), x = tool.tip.x();
+        if (x < 5 * edge - 1e-6) {
+            EXPECT_NEAR(push, 0.5, 1e-9) << x;
+        }
+        if (i > 0) {
+            EXPECT_LE(std::abs(push - last), 0.01) << x;
+        }
+        if (x > 6 * edge) {
+            EXPECT_EQ(push, 0) << x;
+        }
+        last = push;
+    }
 }
 
 TEST(SeriesStiffness, IsBoundedByTheWallWhateverTheTissueSays) {

@@ -105,6 +105,33 @@ TEST(Safety, SwapsOnSwapsStayContinuous) {
     }
 }
 
+// A contact that flips from tick to tick as a hand chatters on an edge; the hand's own motion beside it.
+TEST(Safety, WhatMotionDoesNotExplainDecaysAtTheSlewRateAndTheMotionCountsAgainstIt) {
+    const SafetyLimits limits;
+    SafetyState state = settled(limits, {4, 0, 0});
+    SafetyInput input = force_of({4, 0, 0});
+    input.explained = 0;
+    Vector3 last(4, 0, 0), model(4, 0, 0);
+    Random random(5);
+    for (int tick = 0; tick < 3000; ++tick) {
+        const double own = random.uniform(0, 0.25);
+        if (tick % 3 == 0) model = Vector3(random.uniform(-4, 4), random.uniform(-4, 4), 0);
+        if (tick % 3 != 0) model += own * Vector3(random.normal(0, 1), random.normal(0, 1), 0).normalized();
+        input.force = model;
+        input.explained = own;
+        const SafetyOutput output = step_safety(limits, input, state);
+        ASSERT_LE((output.force - last).norm(), slew_a_tick) << tick;
+        last = output.force;
+    }
+    input.explained = 0;
+    for (int tick = 0; tick < 40; ++tick) last = step_safety(limits, input, state).force;
+    EXPECT_NEAR((last - model).norm(), 0, 1e-12) << "nothing is left";
+    // What motion explains goes through at once.
+    input.force = model + Vector3(0, 0, 2);
+    input.explained = 2 * (1 + 1e-12);
+    EXPECT_NEAR((step_safety(limits, input, state).force - input.force).norm(), 0, 1e-9);
+}
+
 TEST(Safety, LossAgeAndNanLeadToZeroBySlewAndBackByRamp) {
     const SafetyLimits limits;
     for (int cause = 0; cause < 3; ++cause) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tests/sim_core/septa/septa_rig.h"
+#include "tests/sim_core/sheet/drags.h"
 #include "tests/support/allocation_count.h"
 
 namespace fulcrum {
@@ -175,6 +176,26 @@ TEST(SeptaWorld, TheForceToTheHandsChangesByNoMoreThanTheSlewOverGraspLiftCutAnd
     EXPECT_GT(rig.count(EventKind::cut_advance), 10);
     EXPECT_GT(rig.largest_force, 0.1) << "something was felt";
     EXPECT_LE(rig.worst_change, 0.3 + 1e-9) << "N in a ms";
+}
+
+// Tips over the rim of the wall, through septa and their rims, shafts across each other.
+TEST(SeptaWorld, HandsThatDragAnywhereFeelNoJump) {
+    for (const std::uint64_t seed : {1U, 2U}) {
+        test::SeptaRig rig;
+        Random random(seed, 0xD7A6U);
+        const auto somewhere = [&](Random& r) -> Vector3 {
+            if (r.uniform(0, 1) < 0.4) {
+                const Vector3 aside(0, r.uniform(-0.005, 0.01), r.uniform(-0.005, 0.01));
+                return rig.on_line(static_cast<int>(r.uniform(0, 3.999)), r.uniform(0, 1), 0.01) + aside;
+            }
+            return rig.curve.point(r.uniform(-0.02, 0.14), r.uniform(-1.5, 1.5), r.uniform(-0.004, 0.01));
+        };
+        rig.go(0, rig.curve.point(0.10, 0.5, 0.01), 0.3);
+        rig.go(1, rig.curve.point(0.10, -0.5, 0.01), 0.3);
+        EXPECT_LE(test::drag_about(rig, 50, random, somewhere), 0.3 + 1e-9) << "N in a ms, seed " << seed;
+        EXPECT_GT(rig.largest_force, 1) << "something was felt";
+        EXPECT_EQ(rig.record.outcome, 0U);
+    }
 }
 
 TEST(SeptaWorld, NothingCutsTheMuscularis) {

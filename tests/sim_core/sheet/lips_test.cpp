@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "sim_core/numerics/input_error.h"
+#include "tests/sim_core/sheet/drags.h"
 #include "tests/sim_core/sheet/sheet_rig.h"
 
 namespace fulcrum {
@@ -120,6 +121,17 @@ TEST_P(SheetLipsOf, CutLiftAndPushTheLipWithoutAJerk) {
     rig.steps(40);
     felt("let go");
     EXPECT_EQ(rig.sheet().surface().version(), version) << "without the button nothing is cut";
+    expect_whole(rig.sheet());
+}
+
+// Through the sheet and over its rims, shafts across each other.
+TEST_P(SheetLipsOf, HandsThatDragAnywhereFeelNoJump) {
+    test::SheetRig rig(load_scene(test::source_path("assets/scenes/" + std::string(GetParam()) + ".json")));
+    Random random(3, 0xD7A6U);
+    const double x = 0.6 * rig.scene.sheet->length, y = 0.6 * rig.scene.sheet->width;
+    const auto somewhere = [&](Random& r) { return over(rig.scene, r.uniform(-x, x), r.uniform(-y, y), r.uniform(-0.01, 0.01)); };
+    EXPECT_LE(test::drag_about(rig, 60, random, somewhere), 0.3 * (1 + 1e-9)) << "N in a ms";
+    EXPECT_GT(rig.largest_force, 1) << "something was felt";
     expect_whole(rig.sheet());
 }
 
