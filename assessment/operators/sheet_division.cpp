@@ -6,10 +6,10 @@
 #include <cmath>
 #include <vector>
 
-#include "assessment/operators/behaviour.h"
+#include "assessment/operators/blade_pedal.h"
 #include "assessment/operators/bowel_grasp.h"
+#include "assessment/operators/field_turn.h"
 #include "assessment/operators/sheet_sight.h"
-#include "assessment/operators/suction_turn.h"
 #include "sim_core/numerics/functions.h"
 
 namespace fulcrum {
@@ -58,7 +58,8 @@ class SheetDivision : public Behaviour {
           goals_(task.goals),
           hold_reach_(skill),
           blade_reach_(skill),
-          suction_(skill.reaction_s) {
+          field_(skill),
+          pedal_(skill, scene.structures.has_value()) {
         for (const InstrumentSpec& spec : scene.instruments)
             (spec.cuts() ? cutter_ : holder_) = static_cast<int>(spec.hand);
         for (const Goal& goal : goals_)
@@ -281,13 +282,18 @@ class SheetDivision : public Behaviour {
     void divide(const Perception& seen, Body& body, bool allowed) noexcept {
         Limb& limb = *body.limb[cutter_];
         const double next = seen.display.cut_next_m;
+        if (of_septa() && seen.display.force[cutter_] > skill_.comfortable_force &&
+            (blade_ == Blade::cross || blade_ == Blade::travel || blade_ == Blade::stroke)) {
+            lift(seen, body);  // whatever this is, it is not the plane
+            return;
+        }
         switch (blade_) {
             case Blade::wait: {
                 limb.press(false);
                 if (!allowed || (hold_ != Hold::pull && skill_.foresight > limb.random().uniform())) break;
                 if (!taut(seen) && limb.time() - asked_ < skill_.foresight * seconds_to_wait) break;
-                if (suction_.wanted(seen, limb)) {
-                    suction_.begin();
+                if (field_.wanted(seen, limb)) {
+                    field_.begin(seen);
                     blade_ = Blade::suck;
                     break;
                 }
@@ -305,6 +311,7 @@ class SheetDivision : public Behaviour {
                 if (of_septa()) from_ += misses_ * further_on;
                 aside_ = skill_.line_error * limb.random().normal();
                 depth_ = blade_depth;
+                pedal_.plan(limb);
                 const double delay = skill_.choice_s * limb.random().uniform(0.3, 0.7);
                 if (of_septa() && sight_.level != crossed_) {
                     // From one rim to the other along the plane, not through what lies in front of it.
@@ -344,6 +351,8 @@ class SheetDivision : public Behaviour {
                 break;
             }
             case Blade::press:
+                pedal_.press(limb, seen, cutter_,
+                             seen.display.cutting || seen.display.force[cutter_] > blade_felt);
                 if (seen.display.cutting) {
                     misses_ = 0;
                     blade_ = Blade::stroke;
@@ -370,9 +379,10 @@ class SheetDivision : public Behaviour {
                 stroke(seen, body);
                 break;
             case Blade::suck:
-                if (suction_.update(seen.tools[cutter_], limb)) blade_ = Blade::wait;
+                if (field_.update(seen, body, cutter_)) blade_ = Blade::wait;
                 break;
             case Blade::lift:
+                pedal_.lift(limb);
                 if (level(seen, body, limb) > -blade_depth) limb.press(false);
                 if (limb.remaining() <= -skill_.reaction_s) {
                     limb.press(false);
@@ -388,6 +398,7 @@ class SheetDivision : public Behaviour {
         if (seen.display.cutting) cutting_seen_ = limb.time();
         const bool out = limb.time() - cutting_seen_ > skill_.reaction_s + 0.15;
         const double here = place_of(seen, body, seen.tip[cutter_]);
+        pedal_.stroke(limb, seen, cutter_, way_ * (to_ - here));
         const bool slack = !taut(seen) && skill_.foresight > 0.5;
         // Who looks ahead stops when the tissue goes slack; the stroke under way is carried to its end.
         if (out || way_ * (here - to_) > -0.001 || (slack && limb.remaining() <= 0)) {
@@ -410,6 +421,7 @@ class SheetDivision : public Behaviour {
         const Vector3 out = of_septa() ? site_at(seen, body, to_).up
                                        : (limb.trocar().position - limb.destination()).normalized();
         limb.carry((blade_height + depth_) * out, 0.4 * skill_.duration_scale);
+        pedal_.lifted(limb);
         blade_ = Blade::lift;
     }
 
@@ -444,7 +456,8 @@ class SheetDivision : public Behaviour {
     std::vector<Goal> goals_;
     Goal line_;
     Reach hold_reach_, blade_reach_;
-    SuctionTurn suction_;
+    FieldTurn field_;
+    BladePedal pedal_;
     SheetSight sight_;
     int holder_ = 0, cutter_ = 1, attempts_ = 0;
     double friction_ = 0.5;

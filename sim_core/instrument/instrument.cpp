@@ -102,7 +102,10 @@ InstrumentModel make_instrument(const InstrumentSpec& spec, double tick_period) 
     model.jaw_opening = spec.jaw_opening;
     model.grip_limit = 2.0 * spec.grip_force;
     model.tick_period = tick_period;
-    model.has_jaws = spec.kind != "probe" && spec.kind != "hook";
+    // A hand that exchanges its hook for an applier has jaws: what has none pays no heed to them.
+    const auto jawed = [](const std::string& kind) { return kind != "probe" && kind != "hook"; };
+    model.has_jaws =
+        jawed(spec.kind) || std::any_of(spec.exchange.begin(), spec.exchange.end(), [&](const std::string& kind) { return kind != "suction" && jawed(kind); });
     return model;
 }
 

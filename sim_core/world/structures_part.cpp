@@ -256,6 +256,12 @@ Vector3 StructuresPart::root_centre(std::int32_t root) const noexcept {
     return (x[at(t[0])] + x[at(t[1])] + x[at(t[2])]) / 3;
 }
 
+// A hook's current finds its way through water: tissue that has dried takes no more power.
+double StructuresPart::conducting_share(const FieldHand& hand, const EnergyReach& reach) const noexcept {
+    const double whole = field_.model().heat.patches[reach.patch].water;
+    return hand.kind() == ToolKind::hook && whole > 0 ? field_.heat().water[reach.patch] / whole : 1.0;
+}
+
 void StructuresPart::apply_energy(int number, const ToolKinematics& tool, double duty) noexcept {
     FieldHand& hand = field_.hand(number);
     hand.active = true;
@@ -263,7 +269,7 @@ void StructuresPart::apply_energy(int number, const ToolKinematics& tool, double
     const std::int32_t root = root_under(number);
     if (root >= 0) reach.take(0, root_patch(root), EnergyTarget::sheet);
     field_.reach_nerves_and_bed(hand, tool, reach);
-    field_.give(hand, reach, field_.tool_model(hand).tissue_power * duty);
+    field_.give(hand, reach, field_.tool_model(hand).tissue_power * duty * conducting_share(hand, reach));
     field_.spread(hand, tool, duty);
     // The same steam on a sheet, by its area: over a plane it adds up to the power at the blade.
     const double density = spread_power * duty / (turn * spread_length * spread_length);

@@ -85,6 +85,7 @@ class StructuresPart {
     void step_tool(int number, const TickOutput* outputs, std::size_t count, double dt) noexcept;
     void press(const FieldHand& hand, const ToolKinematics& tool, bool energised) noexcept;
     void open_vein(std::int32_t vein, const Vector3& place, double share) noexcept;
+    double conducting_share(const FieldHand& hand, const EnergyReach& reach) const noexcept;
     void apply_energy(int number, const ToolKinematics& tool, double duty) noexcept;
     std::int32_t root_under(int number) const noexcept;
     Vector3 root_centre(std::int32_t root) const noexcept;

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// When the pedal of a blade with energy is down. Who looks ahead presses when the blade is felt on the tissue,
+// in short activations, lets go before the blade comes to the rim, and divides cold beside a nerve; who does
+// not presses on the way there and holds it until the blade is out again.
+#pragma once
+
+#include <algorithm>
+
+#include "assessment/operators/limb.h"
+#include "assessment/operators/perception.h"
+
+namespace fulcrum {
+
+class BladePedal {
+  public:
+    /// `energy`: the blade has any.
+    BladePedal(const Skill& skill, bool energy) : skill_(skill), energy_(energy) {}
+
+    /// A stroke is planned.
+    void plan(Limb& limb) noexcept {
+        if (!energy_) return;
+        waits_ = limb.random().uniform() < skill_.foresight;
+        late_s_ = waits_ ? 0 : late_by_hesitation_s * skill_.hesitation * limb.random().uniform(0.5, 1.5);
+        since_ = -1;
+    }
+    /// The blade is on its way to the tissue, or presses on it.
+    void press(Limb& limb, const Perception& seen, int hand, bool felt) noexcept {
+        if (energy_ && (!waits_ || (felt && clear(seen, hand)))) down(limb);
+    }
+    /// The blade divides; `left` m of the stroke are to go.
+    void stroke(Limb& limb, const Perception& seen, int hand, double left) noexcept {
+        if (!energy_) return;
+        if (!waits_) {
+            down(limb);
+            return;
+        }
+        const double on = limb.time() - since_;
+        if (left < let_go_before || !clear(seen, hand) || (since_ >= 0 && on > burst_s))
+            up(limb);
+        else
+            down(limb);
+        if (since_ >= 0 && on > burst_s + rest_s) since_ = -1;
+    }
+    /// The blade is drawn back.
+    void lift(Limb& limb) noexcept {
+        if (!energy_ || !(waits_ || limb.time() > lifted_ + late_s_)) return;
+        up(limb);
+    }
+    void lifted(const Limb& limb) noexcept { lifted_ = limb.time(); }
+
+  private:
+    static constexpr double burst_s = 0.8, rest_s = 0.2;  // of an activation, and until the next
+    static constexpr double let_go_before = 0.004;        // m of the stroke's end
+    static constexpr double late_by_hesitation_s = 0.2;
+    static constexpr double from_nerve = 0.009;  // m from the tip to a nerve's axis: nearer is too hot for it
+    static bool clear(const Perception& seen, int hand) noexcept {
+        return std::none_of(seen.nerve.begin(), seen.nerve.end(),
+                            [&](const Vector3& point) { return (point - seen.tip[hand]).norm() < from_nerve; });
+    }
+    void down(Limb& limb) noexcept {
+        if (since_ < 0) since_ = limb.time();
+        limb.hold_buttons(button_energy);
+    }
+    static void up(Limb& limb) noexcept { limb.hold_buttons(0); }
+
+    Skill skill_;
+    bool energy_ = false, waits_ = true;
+    double since_ = -1, lifted_ = 0, late_s_ = 0;
+};
+
+}  // namespace fulcrum
