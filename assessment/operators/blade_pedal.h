@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// When the pedal of a blade with energy is down. Who looks ahead presses when the blade is felt on the tissue,
-// in short activations, lets go before the blade comes to the rim, and divides cold beside a nerve; who does
-// not presses on the way there and holds it until the blade is out again.
+// When the pedal of a blade with energy is down. Who looks ahead presses when the blade is felt on the
+// tissue, in short activations, lets go before the blade comes to the rim, and divides cold beside a nerve;
+// who does not presses on the way there and holds it until the blade is out again.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +35,8 @@ class BladePedal {
             return;
         }
         const double on = limb.time() - since_;
-        if (left < let_go_before || !clear(seen, hand) || (since_ >= 0 && on > burst_s))
+        if (left < let_go_before || !seen.display.cutting || !clear(seen, hand) ||
+            (since_ >= 0 && on > burst_s))
             up(limb);
         else
             down(limb);
@@ -52,10 +53,11 @@ class BladePedal {
     static constexpr double burst_s = 0.8, rest_s = 0.2;  // of an activation, and until the next
     static constexpr double let_go_before = 0.004;        // m of the stroke's end
     static constexpr double late_by_hesitation_s = 0.2;
-    static constexpr double from_nerve = 0.009;  // m from the tip to a nerve's axis: nearer is too hot for it
+    static constexpr double from_nerve = 0.012;  // m from the tip to a nerve's axis: nearer is too hot for it
     static bool clear(const Perception& seen, int hand) noexcept {
-        return std::none_of(seen.nerve.begin(), seen.nerve.end(),
-                            [&](const Vector3& point) { return (point - seen.tip[hand]).norm() < from_nerve; });
+        return std::none_of(seen.nerve.begin(), seen.nerve.end(), [&](const Vector3& point) {
+            return (point - seen.tip[hand]).norm() < from_nerve;
+        });
     }
     void down(Limb& limb) noexcept {
         if (since_ < 0) since_ = limb.time();
