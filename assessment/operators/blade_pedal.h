@@ -34,13 +34,12 @@ class BladePedal {
             down(limb);
             return;
         }
-        const double on = limb.time() - since_;
-        if (left < let_go_before || !seen.display.cutting || !clear(seen, hand) ||
-            (since_ >= 0 && on > burst_s))
+        if (since_ >= 0 && limb.time() > since_ + burst_s + rest_s) since_ = -1;
+        const bool rests = since_ >= 0 && limb.time() > since_ + burst_s;
+        if (left < let_go_before || !seen.display.cutting || !clear(seen, hand) || rests)
             up(limb);
         else
             down(limb);
-        if (since_ >= 0 && on > burst_s + rest_s) since_ = -1;
     }
     /// The blade is drawn back.
     void lift(Limb& limb) noexcept {

@@ -170,7 +170,8 @@ TEST(OperatorOnTheWorld, ExpertLiftsTheRectumAndDividesInThePlane) {
     AttemptEngine engine(scene, task, 2500);
     const auto rig = make_operator("expert", task, scene, 2500);
     FullRecord sink;
-    run_headless(engine, *rig, sink, [&](double t) { return t < 20 && engine.display().cut_divided_m < 0.02; });
+    run_headless(engine, *rig, sink,
+                 [&](double t) { return t < 20 && engine.display().cut_divided_m < 0.02; });
     const auto count = [&](EventKind kind) {
         return std::count_if(sink.record.events.begin(), sink.record.events.end(),
                              [&](const Event& event) { return event.kind == kind; });
@@ -178,10 +179,19 @@ TEST(OperatorOnTheWorld, ExpertLiftsTheRectumAndDividesInThePlane) {
     EXPECT_GE(count(EventKind::grasp), 1) << "the rectum is held";
     EXPECT_GE(count(EventKind::phase_end), 1) << "and was put under tension";
     EXPECT_GE(engine.display().cut_divided_m, 0.02);
-    EXPECT_EQ(count(EventKind::perforation) + count(EventKind::vessel_injury) + count(EventKind::nerve_injury), 0);
+    EXPECT_EQ(
+        count(EventKind::perforation) + count(EventKind::vessel_injury) + count(EventKind::nerve_injury), 0);
     EXPECT_EQ(count(EventKind::simulator_fault), 0);
-    const PathologyReport report = pathology_report(
-        cut_strokes(sink.record.events, scene.tick_period(), 20), make_specimen_plan(scene, task).value());
+    // With energy, in the tissue that is divided, and short.
+    const auto on_ticks =
+        std::count_if(sink.record.samples.begin(), sink.record.samples.end(),
+                      [](const TickSample& sample) { return (sample.hand[1].flags & hand_energy) != 0; });
+    EXPECT_GE(count(EventKind::activation_end), 1);
+    const double on = static_cast<double>(on_ticks) * scene.tick_period();
+    EXPECT_GT(on, 0.3);
+    EXPECT_LT(on, 1.5 * static_cast<double>(count(EventKind::activation_begin)));
+    const PathologyReport report = pathology_report(cut_strokes(sink.record.events, scene.tick_period(), 20),
+                                                    make_specimen_plan(scene, task).value());
     EXPECT_EQ(report.grade, 3);
     EXPECT_LT(report.plane.median.value(), 0.0015);
 }

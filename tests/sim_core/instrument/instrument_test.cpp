@@ -5,6 +5,9 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "sim_core/numerics/random.h"
 
@@ -179,6 +182,23 @@ TEST(Scope, ThePointLookedAtIsInViewUntilTheRoundBorder) {
         }
     }
     EXPECT_FALSE(in_view(camera, Vector3::Constant(std::numeric_limits<double>::quiet_NaN())));
+}
+
+TEST(Instrument, AHandHasJawsWhereAnyOfWhatItExchangesHas) {
+    const auto jaws = [](const char* kind, std::vector<std::string> exchange) {
+        InstrumentSpec spec;
+        spec.kind = kind;
+        spec.exchange = std::move(exchange);
+        const InstrumentModel model = make_instrument(spec, 1e-3);
+        const DeviceSample sample = sample_at(Vector3(0, 0, 0.1), 0, 0.5, 2);
+        EXPECT_EQ(tool_pose(model, sample).grip > 0, model.has_jaws) << kind;
+        return model.has_jaws;
+    };
+    EXPECT_TRUE(jaws("grasper", {}));
+    EXPECT_FALSE(jaws("hook", {}));
+    EXPECT_FALSE(jaws("probe", {}));
+    EXPECT_FALSE(jaws("hook", {"hook", "suction"}));
+    EXPECT_TRUE(jaws("hook", {"hook", "suction", "clip_applier"}));
 }
 
 }  // namespace

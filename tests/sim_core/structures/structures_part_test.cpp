@@ -351,6 +351,28 @@ TEST(SheetUnderPower, TheHookNeedsLessForceAndLeavesChar) {
                 1e-9 * heat.given);
 }
 
+TEST(SheetUnderPower, DriedTissueTakesNoMoreCurrent) {
+    StructuresStage stage(tough_scene(), true);
+    const Vector3 middle = sheet_middle(stage);
+    stage.tool[1].tip = middle + Vector3(0, 0, 0.01);
+    stage.step();
+    stage.go(1, middle + Vector3(0, 0, -0.0005), 0.02);
+    stage.press(1, button_energy, true);
+    const HeatState& heat = stage.part.field().heat();
+    double before = 0, first = 0, last = 0;
+    for (int second = 0; second < 6; ++second) {
+        before = heat.given;
+        stage.run(1);
+        (second == 0 ? first : last) = heat.given - before;
+    }
+    EXPECT_EQ(stage.view().tools[1].target, EnergyTarget::sheet);
+    EXPECT_GT(*std::max_element(stage.view().sheet_char.begin(), stage.view().sheet_char.end()), 0.9F);
+    EXPECT_GT(first, 5.0) << "J in the first second, most of them into steam";
+    EXPECT_LT(last, 0.35 * first) << "steam beside it and what still boils";
+    const HeatModel& model = stage.part.field().model().heat;
+    for (const double rise : heat.rise) EXPECT_LT(model.body_temperature + rise, model.boiling_point + 1);
+}
+
 TEST(SheetUnderPower, WhatAHandHoldsDecidesWhetherItIsABlade) {
     StructuresStage stage(structures_scene(), true);
     ToolKinematics tool = stage.tool[1];
