@@ -129,18 +129,11 @@ QString goal_detail(const HudState& state, const Goal& goal) {
                 .arg(display.lift_height_m * 1000, 0, 'f', 0)
                 .arg(goal.height_m * 1000, 0, 'f', 0);
         case GoalKind::take_tension:
-        case GoalKind::divide_line: {
-            const QString divided = goal.kind == GoalKind::take_tension
-                                        ? QString()
-                                        : tr("%1 of %2 mm · ")
-                                              .arg(display.cut_divided_m * 1000, 0, 'f', 0)
-                                              .arg(goal.length_m * 1000, 0, 'f', 0);
-            if (!std::isfinite(display.traction_n_m)) return divided.chopped(std::min(3, divided.size()));
-            return divided + tr("pull %1 of %2–%3 N/m")
-                                 .arg(display.traction_n_m, 0, 'f', 0)
-                                 .arg(goal.traction_low_n_m, 0, 'f', 0)
-                                 .arg(goal.traction_high_n_m, 0, 'f', 0);
-        }
+            return {};
+        case GoalKind::divide_line:
+            return tr("%1 of %2 mm")
+                .arg(display.cut_divided_m * 1000, 0, 'f', 0)
+                .arg(goal.length_m * 1000, 0, 'f', 0);
         case GoalKind::divide_bands:
             return tr("%1 of %2 bands · %3 mL lost")
                 .arg(std::lround(display.goal_progress * goal.count))
@@ -267,9 +260,9 @@ void paint_hud(QPainter& painter, const QRectF& area, const HudState& state) {
             y = used.bottom() + 6;
         }
         painter.setFont(hud_font(12));
-        painter.drawText(QRectF(box.left(), y, box.width(), 22), Qt::AlignRight | Qt::AlignVCenter,
-                         goal_detail(state, goal));
-        y += 26;
+        const QString detail = goal_detail(state, goal);
+        painter.drawText(QRectF(box.left(), y, box.width(), 22), Qt::AlignRight | Qt::AlignVCenter, detail);
+        y += detail.isEmpty() ? 4 : 26;
         const double length = compact ? 110 : 180;
         draw_goal_bar(painter, QRectF(box.right() - length, y, length, 8), state.display.goal_progress,
                       p.good);
@@ -283,7 +276,14 @@ void paint_hud(QPainter& painter, const QRectF& area, const HudState& state) {
         }
         if ((goal.kind == GoalKind::take_tension || goal.kind == GoalKind::divide_line) &&
             std::isfinite(state.display.traction_n_m) && goal.traction_high_n_m > 0) {
-            y += 20;
+            y += 12;
+            painter.setPen(p.text);
+            painter.drawText(QRectF(box.left(), y, box.width(), 22), Qt::AlignRight | Qt::AlignVCenter,
+                             tr("pull %1 of %2–%3 N/m")
+                                 .arg(state.display.traction_n_m, 0, 'f', 0)
+                                 .arg(goal.traction_low_n_m, 0, 'f', 0)
+                                 .arg(goal.traction_high_n_m, 0, 'f', 0));
+            y += 28;
             draw_traction(painter, QRectF(box.right() - length, y, length, 10), state.display, goal);
         }
         const QString wrong = cut_warning(state.display);

@@ -2,35 +2,27 @@
 #include "ui/theatre/theatre_view.h"
 
 #include <QElapsedTimer>
-#include <QOpenGLContext>
 #include <QPainter>
-#include <QSurfaceFormat>
+#include <stdexcept>
 
 #include "ui/shell/background_job.h"
 #include "ui/theatre/realignment.h"
+#include "ui/theatre/renderer/offscreen.h"
 #include "ui/theatre/renderer/scene_assembler.h"
 #include "ui/theatre/renderer/scene_renderer.h"
 
 namespace fulcrum::ui {
 
-TheatreView::TheatreView(QWidget* parent) : QOpenGLWidget(parent) {
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    format.setStencilBufferSize(8);
-    // Waiting for the display belongs to the compositor, not to the thread that also reads the mouse.
-    format.setSwapInterval(0);
-    setFormat(format);
+TheatreView::TheatreView(QWidget* parent) : QWidget(parent) {
+    setAttribute(Qt::WA_OpaquePaintEvent);
     setMinimumSize(320, 240);
     setAccessibleName(tr("View through the laparoscope"));
 }
 
 TheatreView::~TheatreView() {
-    if (context() != nullptr) {
-        makeCurrent();
+    if (stage_) {
+        stage_->make_current();
         renderer_.reset();
-        doneCurrent();
     }
 }
 
@@ -110,65 +102,61 @@ void TheatreView::set_cover(const QString& heading, const QStringList& lines) {
     update();
 }
 
-void TheatreView::release_gl() {
-    makeCurrent();
-    if (renderer_) renderer_->release();
-    installed_ = false;
-    doneCurrent();
+SceneFrame& TheatreView::assemble() {
+    SceneFrame& frame = assembler_->assemble(world_);
+    for (std::size_t i = 0; i < std::min(frame.targets.size(), world_.targets.size()); ++i) {
+        TargetLook look = TargetLook::waiting;
+        if (i < done_.size() && done_[i]) look = TargetLook::done;
+        if (static_cast<int>(i) == active_) look = touched_ ? TargetLook::touched : TargetLook::current;
+        frame.targets[i].look = look;
+    }
+    for (std::size_t h = 0; h < frame.tools.size() && h < hand_count; ++h) {
+        const double limit = hud_.display.force_limit[h];
+        frame.tools[h].strain = limit > 0 ? std::clamp(hud_.display.force[h] / limit, 0.0, 1.0) : 0;
+    }
+    if (realignment_) add_ghosts(frame, scene_, *realignment_);
+    return frame;
 }
 
-void TheatreView::initializeGL() {
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &TheatreView::release_gl,
-            Qt::UniqueConnection);
-    if (!renderer_) renderer_ = std::make_unique<SceneRenderer>();
-    error_.clear();
-    if (!renderer_->initialise()) error_ = renderer_->error();
+bool TheatreView::paint_scene(QPainter& painter) {
+    if (!error_.isEmpty() || !assembler_ || !has_world_ || !notice_.isEmpty()) return false;
+    try {
+        if (!stage_) stage_ = std::make_unique<OffscreenStage>();
+        stage_->make_current();
+        if (!renderer_) renderer_ = std::make_unique<SceneRenderer>();
+        if (!installed_) assembler_->install(*renderer_);
+        installed_ = true;
+        const QImage& picture = stage_->draw(*renderer_, assemble(), size() * devicePixelRatioF());
+        if (picture.isNull()) return false;
+        scope_.paint(painter, rect(), picture);
+    } catch (const std::runtime_error& why) {
+        error_ = QString::fromUtf8(why.what());
+        return false;
+    }
+    ++pictures_;
+    return true;
 }
 
-void TheatreView::paintGL() {
+void TheatreView::paint_words(QPainter& painter) {
+    const QString words = !error_.isEmpty()    ? tr("The picture cannot be drawn: %1").arg(error_)
+                          : !notice_.isEmpty() ? notice_
+                          : job_ != nullptr    ? tr("Preparing the scene …")
+                                               : QString();
+    painter.setPen(QColor(0xE8EDF3));
+    QFont font = painter.font();
+    font.setPointSizeF(14);
+    painter.setFont(font);
+    painter.drawText(rect().adjusted(40, 40, -40, -40), Qt::AlignCenter | Qt::TextWordWrap, words);
+}
+
+void TheatreView::paintEvent(QPaintEvent*) {
     QElapsedTimer timer;
     timer.start();
-    const bool hidden = !notice_.isEmpty();
-    const QSize pixels = size() * devicePixelRatioF();
-    bool drawn = false;
     QPainter painter(this);
-    if (error_.isEmpty() && assembler_ && has_world_ && !hidden) {
-        if (!installed_) {
-            assembler_->install(*renderer_);
-            installed_ = true;
-        }
-        SceneFrame& frame = assembler_->assemble(world_);
-        for (std::size_t i = 0; i < std::min(frame.targets.size(), world_.targets.size()); ++i) {
-            TargetLook look = TargetLook::waiting;
-            if (i < done_.size() && done_[i]) look = TargetLook::done;
-            if (static_cast<int>(i) == active_) look = touched_ ? TargetLook::touched : TargetLook::current;
-            frame.targets[i].look = look;
-        }
-        for (std::size_t h = 0; h < frame.tools.size() && h < hand_count; ++h) {
-            const double limit = hud_.display.force_limit[h];
-            frame.tools[h].strain = limit > 0 ? std::clamp(hud_.display.force[h] / limit, 0.0, 1.0) : 0;
-        }
-        if (realignment_) add_ghosts(frame, scene_, *realignment_);
-        // Between these two the painter expects its own state to be disturbed.
-        painter.beginNativePainting();
-        renderer_->draw(frame, pixels);
-        painter.endNativePainting();
-        drawn = true;
-        ++pictures_;
-    }
+    const bool drawn = paint_scene(painter);
     if (!drawn) painter.fillRect(rect(), Qt::black);
-    if (has_hud_ && !hidden) paint_hud(painter, rect(), hud_);
-    if (!drawn) {
-        const QString words = !error_.isEmpty() ? tr("The picture cannot be drawn: %1").arg(error_)
-                              : hidden          ? notice_
-                              : job_ != nullptr ? tr("Preparing the scene …")
-                                                : QString();
-        painter.setPen(QColor(0xE8EDF3));
-        QFont font = painter.font();
-        font.setPointSizeF(14);
-        painter.setFont(font);
-        painter.drawText(rect().adjusted(40, 40, -40, -40), Qt::AlignCenter | Qt::TextWordWrap, words);
-    }
+    if (has_hud_ && notice_.isEmpty()) paint_hud(painter, rect(), hud_);
+    if (!drawn) paint_words(painter);
     if (drawn && realignment_) paint_realignment(painter, rect(), *realignment_);
     if (!cover_lines_.isEmpty()) paint_cover(painter, rect(), cover_heading_, cover_lines_);
     painter.end();

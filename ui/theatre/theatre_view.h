@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The scope's picture with the HUD over it; serves the running attempt and the replay. Geometry is prepared
-// on a worker thread.
+// on a worker thread. OpenGL draws offscreen, the widget paints the pixels: where a processor does both, a
+// window that OpenGL composes costs as much again.
 #pragma once
 
-#include <QOpenGLWidget>
+#include <QWidget>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -12,14 +13,17 @@
 #include "sim_core/world/snapshot.h"
 #include "ui/application_services.h"
 #include "ui/theatre/hud.h"
+#include "ui/theatre/renderer/scope_picture.h"
 
 namespace fulcrum::ui {
 
 class BackgroundJob;
+class OffscreenStage;
 class SceneAssembler;
 class SceneRenderer;
+struct SceneFrame;
 
-class TheatreView : public QOpenGLWidget {
+class TheatreView : public QWidget {
     Q_OBJECT
   public:
     explicit TheatreView(QWidget* parent = nullptr);
@@ -54,11 +58,14 @@ class TheatreView : public QOpenGLWidget {
     void load_failed(const QString& why);
 
   protected:
-    void initializeGL() override;
-    void paintGL() override;
+    void paintEvent(QPaintEvent* event) override;
 
   private:
-    void release_gl();
+    /// The frame for the world to show, as the attempt stands.
+    SceneFrame& assemble();
+    /// Paints the scene; false where there is none to paint.
+    bool paint_scene(QPainter& painter);
+    void paint_words(QPainter& painter);
     Scene scene_;
     WorldSnapshot world_;
     HudState hud_;
@@ -71,7 +78,9 @@ class TheatreView : public QOpenGLWidget {
     double frame_ms_ = 0;
     int pictures_ = 0;
     std::unique_ptr<SceneAssembler> assembler_;
+    std::unique_ptr<OffscreenStage> stage_;  // made at the first picture
     std::unique_ptr<SceneRenderer> renderer_;
+    ScopePicture scope_;
     BackgroundJob* job_ = nullptr;
 };
 

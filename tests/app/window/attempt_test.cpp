@@ -70,6 +70,11 @@ TEST_F(Window, ASpoiltDeviceLosesItsForceByARampPausesAndGoesOnAsPracticeFromWhe
                        rig.behind(Hand::right, wanted) < 2e-3;
             },
             150000));
+        // At rest to the last of its filters: where the device is put down is measured against it.
+        ASSERT_TRUE(wait_for([&] {
+            const HandTargets& wanted = theatre().input()->targets();
+            return rig.behind(Hand::left, wanted) < 1e-5 && rig.behind(Hand::right, wanted) < 1e-5;
+        }));
         rig.spoil(fault);
         ASSERT_TRUE(wait_for([&] { return theatre().session()->phase() == AttemptPhase::device_lost; }));
         ASSERT_TRUE(wait_for([&] { return rig.sent(Hand::left) == 0; }));

@@ -85,6 +85,7 @@ bool MouseHand::work_until(const std::function<bool()>& done, int milliseconds) 
         if (theatre_.session()->phase() != ui::AttemptPhase::running) continue;
         think();
         jaws();
+        buttons();
         scope();
         steer();
     }
@@ -95,7 +96,50 @@ void MouseHand::think() {
     const ui::AttemptSession& session = *theatre_.session();
     mind_.observe(session.snapshot(), session.display());
     const std::uint32_t now = session.health().ticks;
-    while (tick_ < now) mind_.read(++tick_, wish_);
+    while (tick_ < now) {
+        const RigSample before = wish_;
+        mind_.read(++tick_, wish_);
+        for (int h = 0; h < hand_count; ++h) {  // a press is short, and the screen slow
+            const auto pressed = [h](const RigSample& sample) {
+                return (sample.hand[h].buttons & button_exchange) != 0;
+            };
+            asks_exchange_[h] = asks_exchange_[h] || (pressed(wish_) && !pressed(before));
+        }
+    }
+}
+
+void MouseHand::take(int hand) {
+    if (static_cast<int>(theatre_.input()->active_hand()) == hand) return;
+    QTest::mouseClick(theatre_.view(), Qt::RightButton, {}, theatre_.view()->mapFromGlobal(QCursor::pos()));
+    ++events_;
+}
+
+void MouseHand::buttons() {
+    const auto& bands = theatre_.session()->snapshot().bands;
+    for (int h = 0; h < hand_count; ++h) {
+        const bool pedal = (wish_.hand[h].buttons & button_energy) != 0;
+        if (pedal) take(h);
+        if (pedal != pedal_ && (pedal || static_cast<int>(theatre_.input()->active_hand()) == h)) {
+            pedal ? QTest::keyPress(theatre_.view(), Qt::Key_B)
+                  : QTest::keyRelease(theatre_.view(), Qt::Key_B);
+            pedal_ = pedal;
+            ++events_;
+        }
+        if (!asks_exchange_[h] || bands.empty()) continue;
+        asks_exchange_[h] = false;
+        if (bands[0].tools[h].exchange_left > 0) continue;  // it is coming
+        take(h);
+        QTest::keyPress(theatre_.view(), Qt::Key_T);
+        const bool coming = QTest::qWaitFor(
+            [&] {
+                return theatre_.session() == nullptr || theatre_.session()->snapshot().bands.empty() ||
+                       theatre_.session()->snapshot().bands[0].tools[h].exchange_left > 0;
+            },
+            1000);
+        asks_exchange_[h] = !coming;  // once more, if it was not seen
+        if (theatre_.session() != nullptr) QTest::keyRelease(theatre_.view(), Qt::Key_T);
+        ++events_;
+    }
 }
 
 void MouseHand::jaws() {
@@ -103,7 +147,13 @@ void MouseHand::jaws() {
                                      theatre_.session()->scene().instrument(Hand::right)};
     for (int h = 0; h < hand_count; ++h) {
         if (specs[h] == nullptr || specs[h]->kind == "probe") continue;
-        const bool closed = device_angle_unit * wish_.hand[h].jaw < 0.3 * specs[h]->jaw_opening;
+        // A blade cuts while its button is held: the window's jaws and button are one.
+        const auto& bands = theatre_.session()->snapshot().bands;
+        const bool blade = bands.empty() ? specs[h]->cuts()
+                                         : bands[0].tools[h].kind == ToolKind::scissors ||
+                                               bands[0].tools[h].kind == ToolKind::hook;
+        const bool closed = blade ? (wish_.hand[h].buttons & button_primary) != 0
+                                  : device_angle_unit * wish_.hand[h].jaw < 0.3 * specs[h]->jaw_opening;
         if (closed == theatre_.input()->jaws_closed(static_cast<Hand>(h))) continue;
         QTest::keyClick(theatre_.view(), h == 0 ? Qt::Key_X : Qt::Key_M);
         ++events_;

@@ -31,12 +31,16 @@ class MouseHand {
     void think();
     void steer();
     void jaws();
+    /// Pedal and exchange: of the active hand, by keys.
+    void buttons();
+    void take(int hand);
     void scope();
     ui::TheatrePage& theatre_;
     ObservingRig& mind_;
     RigSample wish_;
     std::uint32_t tick_ = 0;
     int scope_key_ = 0, events_ = 0;
+    bool pedal_ = false, asks_exchange_[hand_count] = {false, false};
 };
 
 }  // namespace fulcrum::app::test

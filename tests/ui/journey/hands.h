@@ -99,7 +99,7 @@ inline void keep_picture(QWidget& window, const QString& name) {
     if (folder.isEmpty()) return;
     QDir().mkpath(QString::fromLocal8Bit(folder));
     QTest::qWait(120);
-    // From the screen: QWidget::grab() would redirect the painter that draws over the OpenGL picture.
+    // From the screen, as a person sees it.
     QPixmap picture = window.screen()->grabWindow(window.winId());
     if (picture.isNull()) picture = window.grab();
     picture.save(QString::fromLocal8Bit(folder) + QLatin1Char('/') + name + QStringLiteral(".png"));

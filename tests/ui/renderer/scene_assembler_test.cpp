@@ -126,12 +126,16 @@ TEST(SceneAssembler, EachKindOfInstrumentHasItsEnd) {
     EXPECT_EQ(tool_end("grasper"), ToolEnd::grasper);
     EXPECT_EQ(tool_end("scissors"), ToolEnd::scissors);
     EXPECT_EQ(tool_end("hook"), ToolEnd::hook);
+    EXPECT_EQ(tool_end("harmonic"), ToolEnd::harmonic);
+    EXPECT_EQ(tool_end("clip_applier"), ToolEnd::clip_applier);
+    EXPECT_EQ(tool_end("suction"), ToolEnd::suction);
     EXPECT_EQ(tool_end("probe"), ToolEnd::probe);
     SceneFrame frame;
     frame.camera.position = Vector3(0, 0, 0.05);
     SceneRenderer renderer;
     std::vector<QImage> seen;
-    for (const ToolEnd end : {ToolEnd::grasper, ToolEnd::scissors, ToolEnd::hook, ToolEnd::probe}) {
+    for (const ToolEnd end : {ToolEnd::grasper, ToolEnd::scissors, ToolEnd::harmonic, ToolEnd::clip_applier,
+                              ToolEnd::hook, ToolEnd::suction, ToolEnd::probe}) {
         DrawnTool tool;
         tool.end = end;
         tool.pose.inside = true;

@@ -116,7 +116,8 @@ TEST(SurfaceMesh, AMeshWithoutRowsOrCoordinatesIsDrawnAsItIs) {
 
 TEST(ToolMesh, NormalsAreUnitAndIndicesValid) {
     for (const RigidMesh& mesh :
-         {make_shaft(), make_clevis(), make_jaw(), make_probe_end(), make_sphere(), make_box(1, 2, 3)}) {
+         {make_shaft(), make_clevis(), make_jaw(), make_blade(), make_rod(), make_tube_end(),
+          make_probe_end(), make_hook(), make_sphere(), make_box(1, 2, 3)}) {
         ASSERT_EQ(mesh.vertices.size() % 8, 0U);
         for (std::size_t v = 0; v < mesh.vertices.size(); v += 8) {
             const float n = std::hypot(mesh.vertices[v + 3], mesh.vertices[v + 4], mesh.vertices[v + 5]);

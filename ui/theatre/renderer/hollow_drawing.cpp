@@ -19,7 +19,7 @@ constexpr double beyond = 0.024,
                  levator = 0.030;     // m of wall past the rectum's cranial end, and of the floor below
 constexpr double open_from = 0.85;    // of the rectum's length: above it lies the abdomen
 constexpr double behind = 1.0;        // rad either side of straight behind that the fascia covers
-constexpr double step = 0.004;        // m between the walls' vertices
+constexpr double step = 0.008;        // m between the walls' vertices
 constexpr double surrounding = 0.15;  // m of what lies round about
 constexpr double wraps = 2.35;        // rad from straight behind that the fat reaches round
 
@@ -47,7 +47,8 @@ void close_grid(Surface& surface, int rows, int columns) {
 }
 
 /// What lies round about a surface's rims, straight away from the rectum's centre line: no one shall see
-/// where the drawn pelvis ends.
+/// where the drawn pelvis ends. It has vertices of its own: a normal blended over so sharp an edge would
+/// shine along all of it.
 template <typename Surface>
 void surround(Surface& surface, const SacralCurve& curve) {
     std::map<std::pair<std::int32_t, std::int32_t>, int> sides;
@@ -57,26 +58,70 @@ void surround(Surface& surface, const SacralCurve& curve) {
             sides[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : 2;
         }
     }
-    std::map<std::int32_t, std::int32_t> outer;
-    const auto out = [&](std::int32_t v) {
-        const auto found = outer.find(v);
-        if (found != outer.end()) return found->second;
-        const Vector3 p = surface.positions[static_cast<std::size_t>(v)];
+    std::map<std::int32_t, std::int32_t> made;  // the rim's copy; what lies far out follows it
+    const auto copy = [&](std::int32_t v) {
+        const auto next = static_cast<std::int32_t>(surface.positions.size());
+        const auto [found, fresh] = made.emplace(v, next);
+        if (!fresh) return found->second;
+        const auto k = static_cast<std::size_t>(v);
+        const Vector3 p = surface.positions[k], rest = surface.rest[k];
         Vector3 from = p - curve.centre;
         from.x() = 0;
         const Vector3 way = (p - curve.centre - curve.curve_radius * from.normalized()).normalized();
+        surface.positions.push_back(p);
+        surface.rest.push_back(rest);
         surface.positions.push_back(p + surrounding * way);
-        surface.rest.push_back(surface.rest[static_cast<std::size_t>(v)] + Vector3(surrounding, 0, 0));
-        const auto made = static_cast<std::int32_t>(surface.positions.size()) - 1;
-        outer.emplace(v, made);
-        return made;
+        surface.rest.push_back(rest + Vector3(surrounding, 0, 0));
+        return next;
     };
     for (const auto& [edge, side] : sides) {
         if (side == 3) continue;
-        const auto a = side == 1 ? edge.first : edge.second, b = side == 1 ? edge.second : edge.first;
-        const std::int32_t far_a = out(a), far_b = out(b);
-        surface.triangles.push_back({b, a, far_a});
-        surface.triangles.push_back({b, far_a, far_b});
+        const std::int32_t a = copy(side == 1 ? edge.first : edge.second),
+                           b = copy(side == 1 ? edge.second : edge.first);
+        surface.triangles.push_back({b, a, a + 1});
+        surface.triangles.push_back({b, a + 1, b + 1});
+    }
+}
+
+/// A grid's rows and columns, of the triangles {a, a + 1, ...} that close_grid lays.
+struct Grid {
+    int rows = 0, columns = 0;
+    std::size_t at(int row, int column) const { return static_cast<std::size_t>(row * columns + column); }
+};
+
+/// Sharp folds of a grid, over a few vertices either side of them: bone under tissue is round, and a fold of
+/// one row shines like a wire. Elsewhere the wall stays as instruments feel it.
+void round_folds(const Grid& grid, std::vector<Vector3>& positions) {
+    constexpr int passes = 40, reach = 6, span = 2;
+    constexpr double sharp = 0.3;  // rad between edges of two steps: more than what is uneven anyway
+    const auto fold = [&](std::size_t before, std::size_t at, std::size_t after) {
+        const Vector3 to = positions[at] - positions[before], from = positions[after] - positions[at];
+        return std::atan2(to.cross(from).norm(), to.dot(from)) > sharp;
+    };
+    std::vector<double> share(positions.size(), 0);
+    const auto near = [&](int row, int column, int rows, int columns) {
+        for (int d = -reach; d <= reach; ++d) {
+            const int r = row + d * rows, c = column + d * columns;
+            if (r < 0 || r >= grid.rows || c < 0 || c >= grid.columns) continue;
+            double& own = share[grid.at(r, c)];
+            own = std::max(own, smooth(1, 0, std::abs(d) / (reach + 1.0)));
+        }
+    };
+    for (int r = span; r + span < grid.rows; ++r) {
+        for (int c = span; c + span < grid.columns; ++c) {
+            if (fold(grid.at(r - span, c), grid.at(r, c), grid.at(r + span, c))) near(r, c, 1, 0);
+            if (fold(grid.at(r, c - span), grid.at(r, c), grid.at(r, c + span))) near(r, c, 0, 1);
+        }
+    }
+    for (int pass = 0; pass < passes; ++pass) {
+        const std::vector<Vector3> before = positions;
+        for (int r = 1; r + 1 < grid.rows; ++r) {
+            for (int c = 1; c + 1 < grid.columns; ++c) {
+                const Vector3 mean = 0.25 * (before[grid.at(r - 1, c)] + before[grid.at(r + 1, c)] +
+                                             before[grid.at(r, c - 1)] + before[grid.at(r, c + 1)]);
+                positions[grid.at(r, c)] += 0.7 * share[grid.at(r, c)] * (mean - before[grid.at(r, c)]);
+            }
+        }
     }
 }
 
@@ -100,20 +145,40 @@ HollowDrawing::HollowDrawing(const Scene& scene, const WorldSnapshot& first)
 void HollowDrawing::lay_walls(const RectumParameters& rectum) {
     const SacralCurve& curve = rectum.curve;
     const TriangleMesh posterior = make_presacral_wall(rectum);
-    fascia_.positions = posterior.vertices;
-    fascia_.triangles = posterior.triangles;
-    for (const Vector3& p : fascia_.positions) {
+    Grid felt;
+    felt.columns = posterior.triangles.empty() ? 1 : posterior.triangles[0][2] - 1;
+    felt.rows = static_cast<int>(posterior.vertices.size()) / felt.columns;
+    std::vector<Vector3> positions = posterior.vertices;
+    round_folds(felt, positions);
+    // It goes on beyond its rims as it ends there: no one shall see where it does.
+    const Grid grid{felt.rows + 2, felt.columns + 2};
+    const auto beyond_rim = [&](const std::vector<Vector3>& of, int r, int c) {
+        const int row = std::clamp(r, 0, felt.rows - 1), column = std::clamp(c, 0, felt.columns - 1);
+        const int inner_row = row + (row - r), inner_column = column + (column - c);
+        const double run =
+            (positions[felt.at(row, column)] - positions[felt.at(inner_row, inner_column)]).norm();
+        const Vector3 edge = of[felt.at(row, column)];
+        if (!(run > 0)) return edge;
+        return Vector3(edge + surrounding / run * (edge - of[felt.at(inner_row, inner_column)]));
+    };
+    std::vector<Vector3> rest;
+    for (const Vector3& p : positions) {
         const double y = std::hypot(p.y() - curve.centre.y(), p.z() - curve.centre.z());
         const double along = std::atan2(p.y() - curve.centre.y(), curve.centre.z() - p.z());
-        fascia_.rest.emplace_back(y * along,
-                                  curve.fascia_radius() * std::atan2(p.x(), y - curve.curve_radius), 0);
+        rest.emplace_back(y * along, curve.fascia_radius() * std::atan2(p.x(), y - curve.curve_radius), 0);
     }
-    surround(fascia_, curve);
+    for (int r = -1; r <= felt.rows; ++r) {
+        for (int c = -1; c <= felt.columns; ++c) {
+            fascia_.positions.push_back(beyond_rim(positions, r, c));
+            fascia_.rest.push_back(beyond_rim(rest, r, c));
+        }
+    }
+    close_grid(fascia_, grid.rows, grid.columns);
     fascia_.version = fresh_version();
 
     // Open behind, where the fascia lies, and towards the abdomen, where it widens.
     const double cranial = open_from * rectum.length, length = cranial + beyond;
-    const int rows = static_cast<int>(std::ceil(length / step)) + 1, floor_rows = 8, around = 60;
+    const int rows = static_cast<int>(std::ceil(length / step)) + 1, floor_rows = 5, around = 40;
     for (int r = -floor_rows; r < rows; ++r) {
         const double s = length * std::max(r, 0) / (rows - 1) - beyond;
         // The floor closes like a dome.
@@ -174,7 +239,10 @@ void HollowDrawing::lay_envelope(const WorldSnapshot& snapshot) {
     }
     constexpr int flank = 9;  // columns on either side that lead round to the bowel
     const std::size_t width = columns + 2 * flank;
-    for (std::size_t r = 0; r < rings; ++r) {
+    constexpr std::size_t closing = 4;  // rows that lead from the cranial rim in to the bowel: solid fat
+    for (std::size_t row = 0; row < rings + closing; ++row) {
+        const std::size_t r = std::min(row, rings - 1);
+        const double inwards = static_cast<double>(row - r) / closing;
         const double s = snapshot.ring_arc_lengths[r];
         const auto above = std::lower_bound(septum_at_.begin(), septum_at_.end(), s);
         const auto after = std::min(static_cast<std::size_t>(above - septum_at_.begin()), septa - 1);
@@ -188,13 +256,15 @@ void HollowDrawing::lay_envelope(const WorldSnapshot& snapshot) {
         const double first = at(angle, 0), last = at(angle, columns - 1), middle = 0.5 * (first + last);
         const double sense = last > first ? 1.0 : -1.0;
         const RingFrame& ring = snapshot.rings[r];
-        const auto add = [&](double about, double away) {
+        const auto add = [&](double about, double rim) {
+            const double away = rim + inwards * (std::min(rim, 0.95 * skin_radius_) - rim);
             // Lobules: what a normal map alone leaves flat.
             const double lobes = 0.0007 * std::sin(310 * s + 2.3 * about) * std::sin(9 * about - 120 * s);
             const double far = away > skin_radius_ * 1.05 ? away + lobes : away;
             envelope_.positions.push_back(
                 ring.position + ring.rotation * Vector3(far * std::cos(about), far * std::sin(about), 0));
-            envelope_.rest.emplace_back(s, (skin_radius_ + mesorectum_) * (about - middle) * sense, 0);
+            envelope_.rest.emplace_back(s + rim - away,
+                                        (skin_radius_ + mesorectum_) * (about - middle) * sense, 0);
         };
         const auto lead = [&](double edge_angle, double edge_distance, double side, int i) {
             const double t = static_cast<double>(i) / flank;
@@ -202,12 +272,13 @@ void HollowDrawing::lay_envelope(const WorldSnapshot& snapshot) {
             add(edge_angle + t * (end - edge_angle),
                 edge_distance + smooth(0.1, 1, t) * (0.95 * skin_radius_ - edge_distance));
         };
-        if (r == 0) envelope_.rest.clear();
+        if (row == 0) envelope_.rest.clear();
         for (int i = flank; i > 0; --i) lead(first, at(distance, 0), -sense, i);
         for (std::size_t c = 0; c < columns; ++c) add(at(angle, c), at(distance, c));
         for (int i = 1; i <= flank; ++i) lead(last, at(distance, columns - 1), sense, i);
     }
-    if (envelope_.triangles.empty()) close_grid(envelope_, static_cast<int>(rings), static_cast<int>(width));
+    if (envelope_.triangles.empty())
+        close_grid(envelope_, static_cast<int>(rings + closing), static_cast<int>(width));
 }
 
 // The vertices as they were made lie on a grid of rest coordinates; char is kept by triangle as they were
@@ -284,8 +355,13 @@ void HollowDrawing::add(const WorldSnapshot& snapshot, SceneFrame& frame) {
     fascia.tint = QVector3D(0.66F, 0.50F, 0.47F);
     fascia.tint_share = 0.50F;
     fascia.relief = 0.5F;
+    fascia.large = true;
+    fascia.order = 2;
     frame.sheets.push_back(fascia);
-    frame.sheets.push_back(drawn(walls_, SheetWear::peritoneum));
+    DrawnSheet walls = drawn(walls_, SheetWear::peritoneum);
+    walls.large = true;
+    walls.order = 3;
+    frame.sheets.push_back(walls);
     lay_envelope(snapshot);
     if (!envelope_.positions.empty()) {
         DrawnSheet fat = drawn(envelope_, SheetWear::fat);
@@ -298,6 +374,7 @@ void HollowDrawing::add(const WorldSnapshot& snapshot, SceneFrame& frame) {
         if (sheet.surface.positions != snapshot.sheet.positions.data()) continue;
         sheet.fibres = true;
         sheet.fat_from = snapshot.sheet.fat_from;
+        sheet.order = 1;
         sheet.surface.burnt = burnt_.empty() ? nullptr : burnt_.data();
     }
 }

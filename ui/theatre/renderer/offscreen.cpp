@@ -3,16 +3,17 @@
 
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
-#include <QOpenGLFramebufferObject>
-#include <QOpenGLFunctions>
+#include <QPainter>
 #include <stdexcept>
+
+#include "ui/theatre/renderer/scope_picture.h"
 
 namespace fulcrum::ui {
 
 struct OffscreenStage::Impl {
     QOffscreenSurface surface;
     QOpenGLContext context;
-    std::unique_ptr<QOpenGLFramebufferObject> buffer;
+    ScopePicture scope;
 };
 
 OffscreenStage::OffscreenStage() : impl_(std::make_unique<Impl>()) {
@@ -30,30 +31,32 @@ OffscreenStage::OffscreenStage() : impl_(std::make_unique<Impl>()) {
             "no offscreen OpenGL surface can be made: run it on a display, or under xvfb-run");
 }
 
-OffscreenStage::~OffscreenStage() {
-    impl_->context.makeCurrent(&impl_->surface);
-    impl_->buffer.reset();
-    impl_->context.doneCurrent();
-}
+OffscreenStage::~OffscreenStage() = default;
 
 void OffscreenStage::make_current() {
     impl_->context.makeCurrent(&impl_->surface);
 }
 
-void OffscreenStage::draw(SceneRenderer& renderer, const SceneFrame& frame, QSize size) {
+const QImage& OffscreenStage::draw(SceneRenderer& renderer, const SceneFrame& frame, QSize size) {
     make_current();
     if (!renderer.initialise())
         throw std::runtime_error("the renderer cannot start: " + renderer.error().toStdString());
-    if (!impl_->buffer || impl_->buffer->size() != size)
-        impl_->buffer = std::make_unique<QOpenGLFramebufferObject>(size, QOpenGLFramebufferObject::Depth);
-    impl_->buffer->bind();
-    renderer.draw(frame, size);
-    impl_->context.functions()->glFinish();
+    return renderer.draw(frame, size);
 }
 
 QImage OffscreenStage::picture(SceneRenderer& renderer, const SceneFrame& frame, QSize size) {
-    draw(renderer, frame, size);
-    return impl_->buffer->toImage().convertToFormat(QImage::Format_RGB32);
+    const QImage& drawn = draw(renderer, frame, size);
+    QImage picture(size, QImage::Format_RGB32);
+    QPainter painter(&picture);
+    if (drawn.isNull()) {
+        painter.fillRect(picture.rect(), Qt::black);
+    } else if (frame.round) {
+        impl_->scope.paint(painter, picture.rect(), drawn);
+    } else {
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.drawImage(picture.rect(), drawn);
+    }
+    return picture;
 }
 
 QImage render_offscreen(SceneRenderer& renderer, const SceneFrame& frame, QSize size) {

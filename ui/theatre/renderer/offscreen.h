@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An OpenGL context without a window, for pictures that nobody watches being made.
+// An OpenGL context without a window: the theatre paints what is drawn in it, and pictures that nobody
+// watches are made in it.
 #pragma once
 
 #include <memory>
@@ -16,8 +17,9 @@ class OffscreenStage {
     OffscreenStage();
     ~OffscreenStage();
     void make_current();
-    /// Draws and waits until it is done.
-    void draw(SceneRenderer& renderer, const SceneFrame& frame, QSize size);
+    /// As SceneRenderer::draw. Throws std::runtime_error where the renderer cannot start.
+    const QImage& draw(SceneRenderer& renderer, const SceneFrame& frame, QSize size);
+    /// As a scope shows it, in its frame; of a figure the whole rectangle.
     QImage picture(SceneRenderer& renderer, const SceneFrame& frame, QSize size);
 
   private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "ui/theatre/renderer/scene_renderer_parts.h"
 #include "ui/theatre/renderer/scene_views.h"
@@ -8,7 +9,7 @@
 namespace fulcrum::ui {
 namespace {
 
-constexpr int most_tools = 4;
+constexpr int most_tools = 2;  // a hand each; ghosts throw no shadow
 constexpr float areolar_tile = 0.040F, peritoneum_tile = 0.120F, fat_tile = 0.060F;  // m
 
 }  // namespace
@@ -54,8 +55,8 @@ void SceneRenderer::Impl::start(QOpenGLShaderProgram& program, const SceneFrame&
     program.setUniformValue("brightness", static_cast<float>(frame.brightness));
     program.setUniformValue("albedo", 0);
     program.setUniformValue("relief", 1);
-    QVector4D from[most_tools], to[most_tools];
-    float strains[most_tools] = {0, 0, 0, 0};
+    QVector4D from[most_tools], to[most_tools] = {{0, 0, 1, 1}, {0, 0, 1, 1}};
+    float strains[most_tools] = {0, 0};
     int count = 0;
     for (const DrawnTool& tool : frame.tools) {
         if (tool.ghost || !tool.pose.inside || count == most_tools) continue;
@@ -71,71 +72,42 @@ void SceneRenderer::Impl::start(QOpenGLShaderProgram& program, const SceneFrame&
     }
     program.setUniformValueArray("shadow_from", from, most_tools);
     program.setUniformValueArray("shadow_to", to, most_tools);
-    program.setUniformValue("strain", QVector4D(strains[0], strains[1], strains[2], strains[3]));
-    program.setUniformValue("shadows", count);
+    program.setUniformValue("strain", QVector2D(strains[0], strains[1]));
 }
 
-void SceneRenderer::Impl::draw_part(QOpenGLExtraFunctions& gl, GlRigid& part, const QMatrix4x4& pose) const {
-    steel->setUniformValue("to_camera", to_camera * pose);
-    part.draw(gl);
-}
-
-void SceneRenderer::Impl::draw_tool(QOpenGLExtraFunctions& gl, const DrawnTool& tool) const {
-    if (!tool.pose.inside) return;
-    const QVector4D tint = tool.ghost ? QVector4D(0.55F, 0.85F, 1.0F, 0.55F) : QVector4D(1, 1, 1, 1);
-    steel->setUniformValue("tint", tint);
-    const auto radius = static_cast<float>(tool.shaft_radius);
-    const auto jaw_length = static_cast<float>(tool.jaws() ? tool.jaw_length : 0);
-    const auto whole = static_cast<float>((tool.pose.tip - tool.pose.trocar).norm());
-    QMatrix4x4 hinge;
-    hinge.translate(vector(tool.pose.tip));
-    hinge.rotate(quaternion(tool.pose.orientation));
-    hinge.translate(0, 0, -jaw_length);
-    // The insulation ends a little before the jaws; the steel shows there.
-    const float bare = tool.jaws() ? 0.012F : 0.020F;
-    QMatrix4x4 black = hinge;
-    black.translate(0, 0, -whole - 0.05F);
-    black.scale(radius, radius, std::max(0.001F, whole + 0.05F - bare));
-    steel->setUniformValue("insulated", 1.0F);
-    draw_part(gl, *shaft, black);
-    steel->setUniformValue("insulated", 0.0F);
-    QMatrix4x4 steel_end = hinge;
-    steel_end.translate(0, 0, -bare - 0.001F);
-    steel_end.scale(0.86F * radius, 0.86F * radius, bare - (tool.jaws() ? radius : 3 * radius) + 0.001F);
-    draw_part(gl, *shaft, steel_end);
-    if (!tool.jaws()) {
-        QMatrix4x4 end = hinge;
-        end.scale(0.86F * radius);
-        draw_part(gl, tool.end == ToolEnd::hook ? *hook : *probe_end, end);
-        return;
-    }
-    QMatrix4x4 fork = hinge;
-    fork.scale(0.9F * radius);
-    draw_part(gl, *clevis, fork);
-    const auto half = static_cast<float>(0.5 * tool.pose.jaw_angle * 180 / 3.14159265358979);
-    for (const float side : {0.0F, 180.0F}) {
-        QMatrix4x4 blade = hinge;
-        blade.rotate(side, 0, 0, 1);
-        blade.rotate(-half, 1, 0, 0);
-        // Scissors' blades are slimmer than jaws.
-        const float slim = tool.end == ToolEnd::scissors ? 0.55F : 1.0F;
-        blade.scale(slim * jaw_length, slim * jaw_length, jaw_length);
-        draw_part(gl, *jaw, blade);
-    }
-}
-
-void SceneRenderer::Impl::draw_tools(QOpenGLExtraFunctions& gl, const SceneFrame& frame, bool ghosts) const {
-    start(*steel, frame);
-    metal.bind();
+void SceneRenderer::Impl::draw_tools(QOpenGLExtraFunctions& gl, const SceneFrame& frame, bool ghosts) {
+    tool_parts.clear();
     for (const DrawnTool& tool : frame.tools) {
-        if (tool.ghost == ghosts) draw_tool(gl, tool);
+        if (tool.ghost == ghosts) add_tool_parts(tool, tool_parts);
     }
+    if (tool_parts.empty()) return;
+    gl.glEnable(GL_CULL_FACE);
+    gl.glCullFace(GL_BACK);
+    const auto draw_with = [&](QOpenGLShaderProgram& program, const auto& chosen) {
+        start(program, frame);
+        for (const ToolPart& part : tool_parts) {
+            if (!chosen(part)) continue;
+            program.setUniformValue("to_camera", to_camera * part.pose);
+            if (&program == steel.get()) program.setUniformValue("hue", part.hue);
+            shapes[static_cast<std::size_t>(part.shape)]->draw(gl);
+        }
+    };
+    if (ghosts) {
+        draw_with(*ghost, [](const ToolPart&) { return true; });
+    } else {
+        draw_with(*insulated, [](const ToolPart& part) { return part.insulated; });
+        metal.bind();
+        draw_with(*steel, [](const ToolPart& part) { return !part.insulated; });
+    }
+    gl.glDisable(GL_CULL_FACE);
 }
 
 void SceneRenderer::Impl::draw_targets(QOpenGLExtraFunctions& gl, const SceneFrame& frame,
                                        bool translucent) const {
     if (frame.targets.empty()) return;
     start(*target, frame);
+    gl.glEnable(GL_CULL_FACE);
+    gl.glCullFace(GL_BACK);
     for (const DrawnTarget& item : frame.targets) {
         const TargetPaint paint = paint_of(item);
         if ((paint.opacity < 1) != translucent) continue;
@@ -148,38 +120,60 @@ void SceneRenderer::Impl::draw_targets(QOpenGLExtraFunctions& gl, const SceneFra
         target->setUniformValue("opacity", paint.opacity);
         const float stripes = item.look > TargetLook::done ? 0.0F : item.hand == Hand::left ? 1.0F : 2.0F;
         target->setUniformValue("bands", stripes);
-        sphere->draw(gl);
+        shapes[static_cast<std::size_t>(ToolShape::ball)]->draw(gl);
     }
+    gl.glDisable(GL_CULL_FACE);
+}
+
+QOpenGLShaderProgram& SceneRenderer::Impl::program_of(const DrawnSheet& drawn) const {
+    if (drawn.fibres) return *fibres;
+    if (drawn.large) return *large_sheet;
+    return drawn.mark_from == drawn.mark_to ? *sheet : *marked_sheet;
 }
 
 void SceneRenderer::Impl::draw_sheets(QOpenGLExtraFunctions& gl, const SceneFrame& frame) {
-    if (frame.sheets.empty()) return;
-    start(*sheet, frame);
-    sheet->setUniformValue("cut_hue", QVector3D(0.86F, 0.66F, 0.50F));
-    sheet->setUniformValue("fat", 2);
-    sheet->setUniformValue("fat_tile", fat_tile);
     const SheetWear own = areolar.albedo ? SheetWear::own : SheetWear::peritoneum;
+    const QOpenGLShaderProgram* used = nullptr;
     std::optional<SheetWear> worn;
     while (gl_sheets.size() < frame.sheets.size()) gl_sheets.push_back(std::make_unique<GlSheet>());
+    // What lies nearest is drawn first: of what it hides nothing is shaded.
+    sheet_order.clear();
     for (std::size_t k = 0; k < frame.sheets.size(); ++k) {
+        gl_sheets[k]->update(frame.sheets[k].surface, frame.sheets[k].version);
+        sheet_order.push_back(k);
+    }
+    std::stable_sort(sheet_order.begin(), sheet_order.end(), [&](std::size_t a, std::size_t b) {
+        return frame.sheets[a].order < frame.sheets[b].order;
+    });
+    for (const std::size_t k : sheet_order) {
         const DrawnSheet& drawn = frame.sheets[k];
+        QOpenGLShaderProgram& program = program_of(drawn);
+        if (used != &program) {
+            start(program, frame);
+            program.setUniformValue("cut_hue", QVector3D(0.86F, 0.66F, 0.50F));
+            used = &program;
+            worn.reset();
+        }
         const SheetWear wear = drawn.wear == SheetWear::own ? own : drawn.wear;
         if (worn != wear) {
-            gl.glActiveTexture(GL_TEXTURE2);
-            fat.albedo->bind();
             (wear == SheetWear::own ? areolar : wear == SheetWear::fat ? fat : peritoneum).bind();
-            sheet->setUniformValue("tile", wear == SheetWear::own   ? areolar_tile
-                                           : wear == SheetWear::fat ? fat_tile
-                                                                    : peritoneum_tile);
+            program.setUniformValue("tile", wear == SheetWear::own   ? areolar_tile
+                                            : wear == SheetWear::fat ? fat_tile
+                                                                     : peritoneum_tile);
             worn = wear;
         }
-        sheet->setUniformValue("bump", drawn.relief);
-        sheet->setUniformValue("fibres", drawn.fibres ? 1.0F : 0.0F);
-        sheet->setUniformValue("fat_from", static_cast<float>(drawn.fat_from));
-        const QVector3D from = vector(drawn.mark_from), to = vector(drawn.mark_to);
-        sheet->setUniformValue("mark_from_to", QVector4D(from.x(), from.y(), to.x(), to.y()));
-        sheet->setUniformValue("tint", QVector4D(drawn.tint, drawn.tint_share));
-        gl_sheets[k]->update(drawn.surface, drawn.version);
+        if (drawn.fibres) {
+            fat.albedo->bind(2);
+            program.setUniformValue("fat", 2);
+            program.setUniformValue("fat_tile", fat_tile);
+            program.setUniformValue("fat_from", static_cast<float>(drawn.fat_from));
+        }
+        program.setUniformValue("bump", drawn.relief);
+        if (&program == marked_sheet.get()) {
+            const QVector3D from = vector(drawn.mark_from), to = vector(drawn.mark_to);
+            program.setUniformValue("mark_from_to", QVector4D(from.x(), from.y(), to.x(), to.y()));
+        }
+        program.setUniformValue("tint", QVector4D(drawn.tint, drawn.tint_share));
         gl_sheets[k]->draw(gl);
     }
 }
@@ -235,7 +229,7 @@ void SceneRenderer::Impl::draw_scene(QOpenGLExtraFunctions& gl, const SceneFrame
     // Nothing outside the round image is worth a fragment.
     gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     if (frame.round) {
-        screen->bind();
+        mask->bind();
         frame_mask->draw(gl);
     }
     gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -308,63 +302,46 @@ void SceneRenderer::Impl::draw_scene(QOpenGLExtraFunctions& gl, const SceneFrame
     gl.glDisable(GL_BLEND);
 }
 
-void SceneRenderer::Impl::prepare_image(QSize pixels) {
-    if (image && image->size() == pixels) return;
+void SceneRenderer::Impl::prepare_image(QSize extent) {
+    if (image && image->size() == extent) return;
     QOpenGLFramebufferObjectFormat format;
     format.setAttachment(QOpenGLFramebufferObject::Depth);
     format.setSamples(smooth ? 4 : 0);
-    image = std::make_unique<QOpenGLFramebufferObject>(pixels, format);
+    image = std::make_unique<QOpenGLFramebufferObject>(extent, format);
     resolved.reset();
-    if (smooth) resolved = std::make_unique<QOpenGLFramebufferObject>(pixels);
+    if (smooth) resolved = std::make_unique<QOpenGLFramebufferObject>(extent);
 }
 
-void SceneRenderer::Impl::draw(const SceneFrame& frame, QSize size) {
+const QImage& SceneRenderer::Impl::draw(const SceneFrame& frame, QSize size) {
     QOpenGLExtraFunctions& gl = *QOpenGLContext::currentContext()->extraFunctions();
-    GLint target_buffer = 0;
-    gl.glGetIntegerv(GL_FRAMEBUFFER_BINDING, &target_buffer);
+    upload_changes();
     const int shorter = std::max(16, std::min(size.width(), size.height()));
-    const bool hidden = !frame.notice.isEmpty();
-    if (!hidden) {
-        upload_changes();
-        const double share = std::clamp(share_of_resolution, 0.25, 1.0);
-        const auto pixels = [share](int length) {
-            return std::max(16, static_cast<int>(std::lround(length * share)));
-        };
-        const QSize shown = frame.round ? QSize(shorter, shorter) : size;
-        prepare_image(QSize(pixels(shown.width()), pixels(shown.height())));
-        to_camera = camera_matrix(frame.camera);
-        projection = projection_matrix(frame, shown);
-        image->bind();
-        gl.glViewport(0, 0, image->width(), image->height());
-        draw_scene(gl, frame);
-        if (resolved) QOpenGLFramebufferObject::blitFramebuffer(resolved.get(), image.get());
-    }
-    gl.glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(target_buffer));
-    gl.glViewport(0, 0, size.width(), size.height());
-    gl.glDisable(GL_DEPTH_TEST);
-    gl.glDisable(GL_CULL_FACE);
-    gl.glClearColor(0, 0, 0, 1);
-    gl.glClear(GL_COLOR_BUFFER_BIT);
-    if (hidden) return;
-    if (!frame.round) {
-        gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved ? resolved->handle() : image->handle());
-        gl.glBlitFramebuffer(0, 0, image->width(), image->height(), 0, 0, size.width(), size.height(),
-                             GL_COLOR_BUFFER_BIT, GL_LINEAR);
-        gl.glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(target_buffer));
-        return;
-    }
-    gl.glViewport((size.width() - shorter) / 2, (size.height() - shorter) / 2, shorter, shorter);
-    screen->bind();
-    screen->setUniformValue("pixel", 2.0F / static_cast<float>(shorter));
-    screen->setUniformValue("image", 0);
-    gl.glActiveTexture(GL_TEXTURE0);
-    gl.glBindTexture(GL_TEXTURE_2D, resolved ? resolved->texture() : image->texture());
-    gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    disc->draw(gl);
-    gl.glViewport(0, 0, size.width(), size.height());
-    gl.glBindTexture(GL_TEXTURE_2D, 0);
-    screen->release();
+    const double share = std::clamp(share_of_resolution, 0.25, 1.0);
+    const auto scaled = [share](int length) {
+        return std::max(16, static_cast<int>(std::lround(length * share)));
+    };
+    const QSize shown = frame.round ? QSize(shorter, shorter) : size;
+    prepare_image(QSize(scaled(shown.width()), scaled(shown.height())));
+    to_camera = camera_matrix(frame.camera);
+    projection = projection_matrix(frame, shown);
+    image->bind();
+    gl.glViewport(0, 0, image->width(), image->height());
+    draw_scene(gl, frame);
+    if (resolved) QOpenGLFramebufferObject::blitFramebuffer(resolved.get(), image.get());
+    read_pixels(gl);
+    return pixels;
+}
+
+void SceneRenderer::Impl::read_pixels(QOpenGLExtraFunctions& gl) {
+    const QSize extent = image->size();
+    if (upside_down.size() != extent) upside_down = QImage(extent, QImage::Format_RGB32);
+    pixels = QImage(extent, QImage::Format_RGB32);
+    gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved ? resolved->handle() : image->handle());
+    gl.glReadPixels(0, 0, extent.width(), extent.height(), GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV,
+                    upside_down.bits());
+    for (int row = 0; row < extent.height(); ++row)
+        std::memcpy(pixels.scanLine(extent.height() - 1 - row), upside_down.constScanLine(row),
+                    4 * static_cast<std::size_t>(extent.width()));
 }
 
 }  // namespace fulcrum::ui

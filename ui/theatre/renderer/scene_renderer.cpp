@@ -119,17 +119,31 @@ bool SceneRenderer::initialise() {
         return false;
     }
     namespace s = shaders;
-    i.tissue = compile({s::light, s::surface_vertex}, {s::wet, s::tissue_fragment}, i.error);
-    if (i.tissue) i.sheet = compile({s::light, s::surface_vertex}, {s::wet, s::sheet_fragment}, i.error);
-    if (i.sheet)
-        i.wall = compile({s::light_each_fragment, s::light, s::surface_vertex},
-                         {s::light, s::wet, s::wall_fragment}, i.error);
-    if (i.wall) i.plain = compile({s::light, s::surface_vertex}, {s::wet, s::plain_fragment}, i.error);
-    if (i.plain) i.box = compile({s::rigid_vertex}, {s::light, s::wet, s::box_fragment}, i.error);
-    if (i.box) i.steel = compile({s::rigid_vertex}, {s::light, s::wet, s::steel_fragment}, i.error);
-    if (i.steel) i.target = compile({s::rigid_vertex}, {s::light, s::wet, s::target_fragment}, i.error);
-    if (i.target) i.screen = compile({s::screen_vertex}, {s::screen_fragment}, i.error);
-    if (!i.screen) return false;
+    struct Recipe {
+        Impl::Program& program;
+        std::initializer_list<const char*> vertex, fragment;
+    };
+    const Recipe recipes[] = {
+        {i.tissue, {s::light, s::surface_vertex}, {s::wet, s::tissue_fragment}},
+        {i.sheet, {s::light, s::surface_vertex}, {s::wet, s::sheet_fragment}},
+        {i.marked_sheet, {s::light, s::surface_vertex}, {s::with_ink, s::wet, s::sheet_fragment}},
+        {i.fibres, {s::light, s::surface_vertex}, {s::with_fibres, s::wet, s::sheet_fragment}},
+        {i.large_sheet,
+         {s::shade_each_fragment, s::light, s::surface_vertex},
+         {s::shade_each_fragment, s::light, s::wet, s::sheet_fragment}},
+        {i.wall, {s::light_each_fragment, s::light, s::surface_vertex}, {s::light, s::wet, s::wall_fragment}},
+        {i.plain, {s::light, s::surface_vertex}, {s::wet, s::plain_fragment}},
+        {i.box, {s::rigid_vertex}, {s::light, s::wet, s::box_fragment}},
+        {i.steel, {s::rigid_vertex}, {s::light, s::wet, s::steel_fragment}},
+        {i.insulated, {s::rigid_vertex}, {s::light, s::wet, s::insulated_fragment}},
+        {i.ghost, {s::rigid_vertex}, {s::ghost_fragment}},
+        {i.target, {s::rigid_vertex}, {s::light, s::wet, s::target_fragment}},
+        {i.mask, {s::mask_vertex}, {s::mask_fragment}},
+    };
+    for (const Recipe& recipe : recipes) {
+        recipe.program = compile(recipe.vertex, recipe.fragment, i.error);
+        if (!recipe.program) return false;
+    }
     QOpenGLFunctions& gl = *QOpenGLContext::currentContext()->functions();
     const QByteArray device(reinterpret_cast<const char*>(gl.glGetString(GL_RENDERER)));
     const bool software =
@@ -138,14 +152,10 @@ bool SceneRenderer::initialise() {
     i.coarse_pixels = software ? software_coarse_pixels : 0;
     i.share_of_resolution =
         i.options.resolution > 0 ? i.options.resolution : (software ? software_resolution : 1.0);
-    i.shaft = std::make_unique<GlRigid>(make_shaft());
-    i.clevis = std::make_unique<GlRigid>(make_clevis());
-    i.jaw = std::make_unique<GlRigid>(make_jaw());
-    i.probe_end = std::make_unique<GlRigid>(make_probe_end());
-    i.hook = std::make_unique<GlRigid>(make_hook());
-    i.sphere = std::make_unique<GlRigid>(make_sphere());
+    i.shapes.clear();
+    for (int shape = 0; shape < static_cast<int>(ToolShape::count); ++shape)
+        i.shapes.push_back(std::make_unique<GlRigid>(make_shape(static_cast<ToolShape>(shape))));
     i.room = std::make_unique<GlRigid>(make_box(0.30F, 0.34F, 0.24F));
-    i.disc = std::make_unique<GlRigid>(make_screen_disc());
     i.frame_mask = std::make_unique<GlRigid>(make_frame_mask());
     i.textures_changed = true;
     for (Impl::Geometry* geometry : {&i.cavity, &i.bowel, &i.mesentery, &i.mesentery_rim, &i.reflection})
@@ -158,23 +168,24 @@ const QString& SceneRenderer::error() const {
     return impl_->error;
 }
 
-void SceneRenderer::draw(const SceneFrame& frame, QSize size) {
-    if (!impl_->ready && !initialise()) return;
-    impl_->draw(frame, size);
+const QImage& SceneRenderer::draw(const SceneFrame& frame, QSize size) {
+    impl_->pixels = {};
+    if (!frame.notice.isEmpty() || (!impl_->ready && !initialise())) return impl_->pixels;
+    return impl_->draw(frame, size);
 }
 
 void SceneRenderer::release() {
     Impl& i = *impl_;
-    for (Impl::Program* program :
-         {&i.tissue, &i.sheet, &i.wall, &i.plain, &i.box, &i.steel, &i.target, &i.screen})
+    for (Impl::Program* program : {&i.tissue, &i.sheet, &i.marked_sheet, &i.fibres, &i.large_sheet, &i.wall,
+                                   &i.plain, &i.box, &i.steel, &i.insulated, &i.ghost, &i.target, &i.mask})
         program->reset();
     for (GlTissue* tissue : {&i.serosa, &i.fat, &i.peritoneum, &i.areolar, &i.wall_skin, &i.metal})
         *tissue = {};
     for (auto* surface : {&i.gl_cavity, &i.gl_bowel, &i.gl_mesentery, &i.gl_mesentery_rim, &i.gl_reflection})
         surface->reset();
-    for (auto* part :
-         {&i.shaft, &i.clevis, &i.jaw, &i.probe_end, &i.hook, &i.sphere, &i.room, &i.frame_mask, &i.disc})
-        part->reset();
+    i.shapes.clear();
+    i.room.reset();
+    i.frame_mask.reset();
     for (Impl::Study& study : i.studies) {
         study.surface.reset();
         study.lines.reset();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Draws what the laparoscope sees: a round image in a black frame, lit from the scope alone (product, Look).
 //
-// OpenGL 3.3 core. Every call but the constructor needs the same current context; one thread. Draws into the
-// framebuffer that is bound when draw() is called, so it serves a QOpenGLWidget and an offscreen picture
-// alike. Lengths in m, patient frame; angles in rad; colours are sRGB.
+// OpenGL 3.3 core. Every call but the constructor needs the same current context; one thread. Draws into a
+// framebuffer of its own and hands the pixels out, which scope_picture.h puts into the round frame. Lengths
+// in m, patient frame; angles in rad; colours are sRGB.
 #pragma once
 
 #include <QImage>
@@ -31,14 +31,14 @@ struct DrawnTarget {
 };
 
 /// What an instrument ends in.
-enum class ToolEnd { grasper, scissors, hook, probe };
+enum class ToolEnd { grasper, scissors, harmonic, clip_applier, hook, suction, probe };
 /// Of an InstrumentSpec::kind.
 ToolEnd tool_end(const std::string& kind);
 
 struct DrawnTool {
     ToolPose pose;  ///< shaft from the trocar to the jaws; tip = end of the jaws
     ToolEnd end = ToolEnd::grasper;
-    bool jaws() const { return end == ToolEnd::grasper || end == ToolEnd::scissors; }
+    bool jaws() const { return end <= ToolEnd::clip_applier; }
     double jaw_length = 0.020;     ///< m
     double shaft_radius = 0.0025;  ///< m
     double strain = 0;             ///< 0 .. 1: share of the force limit; colours the tip's contact
@@ -70,6 +70,8 @@ struct DrawnSheet {
     float relief = 1;     ///< of the texture: less on a film that is drawn tight
     bool fibres = false;  ///< angel hair along y at rest: white, thinner and parting where it is stretched
     double fat_from = 0;  ///< m, y at rest above which a sheet of fibres is fat
+    bool large = false;   ///< its triangles are larger than shadows: light for each fragment
+    int order = 0;        ///< lower ones are drawn first: what mostly hides others
 };
 
 /// Everything one picture needs. Pointers are only read during draw().
@@ -126,9 +128,11 @@ class SceneRenderer {
     bool initialise();
     const QString& error() const;
 
-    /// Draws into the bound framebuffer's rectangle (0, 0, size), size in device pixels. The round image is
-    /// centred and as high as the rectangle.
-    void draw(const SceneFrame& frame, QSize size);
+    /// Draws for a rectangle of that size in device pixels and waits until it is done. The pixels as drawn,
+    /// at the share of the resolution that the options say: of the round image the square around it, which is
+    /// as high as the rectangle; else the whole rectangle. Null where the notice hides the scene or nothing
+    /// can be drawn. Valid until the next call.
+    const QImage& draw(const SceneFrame& frame, QSize size);
     /// Where a point of the patient frame appears, in pixels from the top left; z < 0: behind the camera.
     static QVector3D project(const CameraPose& camera, const Vector3& point, QSize size);
 

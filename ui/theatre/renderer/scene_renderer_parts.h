@@ -13,6 +13,7 @@
 #include "ui/theatre/renderer/gl_objects.h"
 #include "ui/theatre/renderer/scene_renderer.h"
 #include "ui/theatre/renderer/shaders.h"
+#include "ui/theatre/renderer/tool_parts.h"
 
 namespace fulcrum::ui {
 
@@ -41,7 +42,8 @@ struct SceneRenderer::Impl {
     bool smooth = false;       // four samples a pixel
     double coarse_pixels = 0;  // coarse triangles with shorter edges than that are good enough; 0: none are
     using Program = std::unique_ptr<QOpenGLShaderProgram>;
-    Program tissue, sheet, wall, plain, box, steel, target, screen;
+    Program tissue, sheet, marked_sheet, fibres, large_sheet, wall, plain, box, steel, insulated, ghost,
+        target, mask;
     struct Study {
         DrawnMesh look;
         std::unique_ptr<GlSurface> surface;  // null: to be uploaded
@@ -51,8 +53,12 @@ struct SceneRenderer::Impl {
     GlTissue serosa, fat, peritoneum, areolar, wall_skin, metal;
     std::unique_ptr<GlSurface> gl_cavity, gl_bowel, gl_mesentery, gl_mesentery_rim, gl_reflection;
     std::vector<std::unique_ptr<GlSheet>> gl_sheets;
-    std::unique_ptr<GlRigid> shaft, clevis, jaw, probe_end, hook, sphere, room, frame_mask, disc;
+    std::vector<std::unique_ptr<GlRigid>> shapes;  // one a ToolShape
+    std::unique_ptr<GlRigid> room, frame_mask;
+    std::vector<ToolPart> tool_parts;
+    std::vector<std::size_t> sheet_order;
     std::unique_ptr<QOpenGLFramebufferObject> image, resolved;
+    QImage upside_down, pixels;
 
     QMatrix4x4 to_camera, projection;
 
@@ -62,13 +68,11 @@ struct SceneRenderer::Impl {
 
     void start(QOpenGLShaderProgram& program, const SceneFrame& frame) const;
 
-    void draw_part(QOpenGLExtraFunctions& gl, GlRigid& part, const QMatrix4x4& pose) const;
-
-    void draw_tool(QOpenGLExtraFunctions& gl, const DrawnTool& tool) const;
-
-    void draw_tools(QOpenGLExtraFunctions& gl, const SceneFrame& frame, bool ghosts) const;
+    void draw_tools(QOpenGLExtraFunctions& gl, const SceneFrame& frame, bool ghosts);
 
     void draw_targets(QOpenGLExtraFunctions& gl, const SceneFrame& frame, bool translucent) const;
+
+    QOpenGLShaderProgram& program_of(const DrawnSheet& drawn) const;
 
     void draw_sheets(QOpenGLExtraFunctions& gl, const SceneFrame& frame);
 
@@ -76,9 +80,12 @@ struct SceneRenderer::Impl {
 
     void draw_scene(QOpenGLExtraFunctions& gl, const SceneFrame& frame);
 
-    void prepare_image(QSize pixels);
+    void prepare_image(QSize extent);
 
-    void draw(const SceneFrame& frame, QSize size);
+    const QImage& draw(const SceneFrame& frame, QSize size);
+
+    /// OpenGL's first row is the lowest.
+    void read_pixels(QOpenGLExtraFunctions& gl);
 };
 
 }  // namespace fulcrum::ui

@@ -59,8 +59,11 @@ TargetPaint paint_of(const DrawnTarget& target) {
 
 ToolEnd tool_end(const std::string& kind) {
     if (kind == "scissors") return ToolEnd::scissors;
+    if (kind == "harmonic") return ToolEnd::harmonic;
+    if (kind == "clip_applier") return ToolEnd::clip_applier;
     if (kind == "hook") return ToolEnd::hook;
-    return kind == "probe" || kind == "suction" ? ToolEnd::probe : ToolEnd::grasper;
+    if (kind == "suction") return ToolEnd::suction;
+    return kind == "probe" ? ToolEnd::probe : ToolEnd::grasper;
 }
 
 QVector3D SceneRenderer::project(const CameraPose& camera, const Vector3& point, QSize size) {

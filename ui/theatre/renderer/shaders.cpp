@@ -8,14 +8,16 @@ namespace fulcrum::ui::shaders {
 const char* const head = "#version 330 core\n";
 
 const char* const light_each_fragment = "#define LIGHT_EACH_FRAGMENT\n";
+const char* const shade_each_fragment = "#define SHADE_EACH_FRAGMENT\n";
+const char* const with_ink = "#define INK\n";
+const char* const with_fibres = "#define FIBRES\n";
 
 const char* const light = R"(
 uniform vec3 lamp;            // camera space
 uniform float brightness;
-uniform vec4 shadow_from[4];  // camera space; w: strength of the shadow
-uniform vec4 shadow_to[4];    // w: radius
-uniform vec4 strain;          // per tool
-uniform int shadows;
+uniform vec4 shadow_from[2];  // camera space, one a tool; w: strength of the shadow, 0 none
+uniform vec4 shadow_to[2];    // w: radius
+uniform vec2 strain;          // per tool
 
 // Squared distance from p to the segment ab.
 float segment_distance(vec3 p, vec3 a, vec3 b) {
@@ -24,29 +26,32 @@ float segment_distance(vec3 p, vec3 a, vec3 b) {
     return dot(off, off);
 }
 
+// One tool's share; ray: from the shadows' lamp to p, which is `far` away.
+vec2 shade_of(vec4 heel, vec4 end, float strained, vec3 p, vec3 from, vec3 ray, float far) {
+    float r2 = end.w * end.w;
+    // Contact: what lies close to the jaws is closed in by them.
+    float d2 = segment_distance(p, heel.xyz, end.xyz);
+    float near_tip = exp2(-1.2 * d2 / r2);
+    // Shadow: the jaws thrown onto the tissue along the rays of a lamp that sits a little higher than it does.
+    vec3 tip = end.xyz - from;
+    float along = dot(tip, ray);
+    vec3 off = tip - along * ray;
+    float gap = max(far - along, 0.0);
+    float width = 0.8 * end.w + 0.12 * gap;
+    float thrown = exp2(-1.4 * dot(off, off) / (width * width) - gap * 22.0);
+    return vec2(1.0 - heel.w * (0.78 * near_tip + 0.60 * thrown * (1.0 - near_tip)),
+                strained * exp2(d2 * (-1.0 / (0.006 * 0.006))));
+}
+
 // What instruments take away: x the share of light that arrives, y how much tissue is squeezed pale.
 vec2 shade(vec3 p) {
-    float lit = 1.0;
-    float pale = 0.0;
-    for (int i = 0; i < shadows; ++i) {
-        vec3 a = shadow_from[i].xyz, b = shadow_to[i].xyz;
-        float r = shadow_to[i].w;
-        // Contact: what lies close to the jaws is closed in by them.
-        float d2 = segment_distance(p, a, b);
-        float near_tip = exp2(-1.2 * d2 / (r * r));
-        // Shadow: the jaws thrown onto the tissue along the rays of a lamp that sits a little higher than it does.
-        vec3 from = lamp + vec3(0.0, 0.016, 0.0);
-        vec3 ray = normalize(p - from);
-        vec3 tip = b - from;
-        float along = dot(tip, ray);
-        vec3 off = tip - along * ray;
-        float gap = max(distance(p, from) - along, 0.0);
-        float width = 0.8 * r + 0.12 * gap;
-        float thrown = exp2(-1.4 * dot(off, off) / (width * width)) * exp2(-gap * 22.0);
-        lit *= 1.0 - shadow_from[i].w * (0.78 * near_tip + 0.60 * thrown * (1.0 - near_tip));
-        pale += strain[i] * exp2(-d2 / (0.006 * 0.006));
-    }
-    return vec2(lit, min(pale, 1.0));
+    vec3 from = lamp + vec3(0.0, 0.016, 0.0);
+    vec3 way = p - from;
+    float far = length(way);
+    vec3 ray = way / far;
+    vec2 one = shade_of(shadow_from[0], shadow_to[0], strain.x, p, from, ray, far);
+    vec2 two = shade_of(shadow_from[1], shadow_to[1], strain.y, p, from, ray, far);
+    return vec2(one.x * two.x, min(one.y + two.y, 1.0));
 }
 
 // Light that arrives at p: bright centre, fall-off with distance.
@@ -77,9 +82,13 @@ void main() {
     facing = mat3(to_camera) * normal;
     uv = coordinates;
     // Shadow changes slowly over a few millimetres, and light where triangles are small: once a vertex is enough.
+#ifndef SHADE_EACH_FRAGMENT
     vec2 shaded = shade(p.xyz);
+#endif
 #ifdef LIGHT_EACH_FRAGMENT
     arrived = vec3(shaded, detail);
+#elif defined(SHADE_EACH_FRAGMENT)
+    arrived = vec3(1.0, 0.0, detail);
 #else
     arrived = vec3(arriving(p.xyz) * shaded.x, shaded.y, detail);
 #endif
@@ -174,20 +183,33 @@ in vec3 place;
 in vec3 facing;
 in vec2 uv;               // m at rest
 in vec3 arrived;
+#ifndef SHADE_EACH_FRAGMENT
 uniform vec3 lamp;
+#endif
 uniform sampler2D albedo;
 uniform sampler2D relief;
 uniform float bump;
 uniform float tile;       // m
-uniform vec4 mark_from_to; // ink line at rest, m: from xy to zw
+const float relief_height = 0.0009;  // m
 uniform vec3 cut_hue;     // linear: what a cut shows
 uniform vec4 tint;        // linear colour and its share: what else than areolar tissue this is
-uniform float fibres;     // 1: angel hair along the height, up to where the fat begins
+#ifdef FIBRES
+// Angel hair along the height, up to where the fat begins.
 uniform float fat_from;   // m
 uniform sampler2D fat;
 uniform float fat_tile;   // m
+#endif
+#ifdef INK
+uniform vec4 mark_from_to; // line at rest, m: from xy to zw
+#endif
 out vec4 colour;
 void main() {
+#ifdef SHADE_EACH_FRAGMENT
+    vec2 light = shade(place);
+    light.x *= arriving(place);
+#else
+    vec2 light = arrived.xy;
+#endif
     // A face carries its char, a cut 4 more.
     float cut = step(2.0, arrived.z);
     float burnt = arrived.z - 4.0 * cut;
@@ -196,14 +218,23 @@ void main() {
     n = dot(n, to_eye) < 0.0 ? -n : n;
     vec2 st = uv / tile;
     vec4 texel = texture(albedo, st);
-    vec2 raised = texture(relief, st).xy * 2.0 - 1.0;
     vec3 px = dFdx(place), py = dFdy(place);
+#ifdef SHADE_EACH_FRAGMENT
+    // What is so large takes its relief from its own brightness: a texture less to read.
+    vec3 over = cross(py, n), aside = cross(n, px);
+    float area = dot(px, over), turned = area < 0.0 ? -1.0 : 1.0;
+    float height = relief_height * bump * (texel.r + texel.g);
+    vec3 rough = normalize(abs(area) * n - turned * (dFdx(height) * over + dFdy(height) * aside));
+#else
+    vec2 raised = texture(relief, st).xy * 2.0 - 1.0;
     vec2 tx = dFdx(st), ty = dFdy(st);
     vec3 along = px * ty.y - py * tx.y, across = py * tx.x - px * ty.x;
     float scale = bump * sign(tx.x * ty.y - tx.y * ty.x) * inversesqrt(max(max(dot(along, along), dot(across, across)), 1e-24));
     vec3 rough = normalize(n + scale * (raised.x * along + raised.y * across));
+#endif
     vec3 own = texel.rgb * texel.rgb;
-    if (fibres > 0.5) {
+#ifdef FIBRES
+    {
         // How far the height is drawn out: d place / d v.
         vec2 ux = dFdx(uv), uy = dFdy(uv);
         float turn = ux.x * uy.y - ux.y * uy.x;
@@ -221,23 +252,26 @@ void main() {
         vec3 lobes = texture(fat, uv / fat_tile).rgb;
         own = mix(hair, lobes * lobes, into_fat);
     }
+#endif
+#ifdef INK
     // Ink, dashed: 6 mm drawn, 3 mm not.
     vec2 run = mark_from_to.zw - mark_from_to.xy;
     float reach = dot(run, run);
-    float part = reach > 0.0 ? dot(uv - mark_from_to.xy, run) / reach : 0.0;
-    float off = reach > 0.0 ? distance(uv, mark_from_to.xy + clamp(part, 0.0, 1.0) * run) : 1.0;
+    float part = dot(uv - mark_from_to.xy, run) / reach;
+    float off = distance(uv, mark_from_to.xy + clamp(part, 0.0, 1.0) * run);
     float dash = step(fract(part * sqrt(reach) / 0.009), 0.667);
     float ink = (1.0 - smoothstep(0.0005, 0.0008, off)) * dash * (1.0 - cut);
     own = mix(own, vec3(0.03, 0.05, 0.30), 0.85 * ink);
+#endif
     // A cut is paler and duller than the film over it.
     own = mix(own, cut_hue, cut);
     own = mix(own, tint.rgb, tint.a);
     // Char: first brown, then black and dry.
     own = mix(own, vec3(0.022, 0.016, 0.012), smoothstep(0.05, 0.45, burnt));
-    own = mix(own, vec3(0.95, 0.72, 0.62), 0.6 * arrived.y);
+    own = mix(own, vec3(0.95, 0.72, 0.62), 0.6 * light.y);
     vec3 film = mix(n, rough, 0.62);
     float dry = max(0.5 * cut, 0.85 * smoothstep(0.2, 0.6, burnt));
-    colour = vec4(wet(own, mix(rough, n, cut), film, to_eye, texel.a * (1.0 - dry), arrived.x), 1.0);
+    colour = vec4(wet(own, mix(rough, n, cut), film, to_eye, texel.a * (1.0 - dry), light.x), 1.0);
 }
 )";
 
@@ -300,54 +334,68 @@ void main() {
 }
 )";
 
+const char* const ghost_fragment = R"(
+in vec3 place;
+in vec3 facing;
+uniform vec4 tint;         // colour and opacity
+out vec4 colour;
+void main() {
+    float rim = 1.0 - abs(dot(normalize(facing), normalize(place)));
+    colour = vec4(tint.rgb * (0.5 + 0.5 * rim), tint.a * (0.35 + 0.65 * rim));
+}
+)";
+
+const char* const insulated_fragment = R"(
+in vec3 place;
+in vec3 facing;
+out vec4 colour;
+void main() {
+    // Black plastic.
+    vec3 n = normalize(facing);
+    vec3 l = normalize(lamp - place);
+    vec3 v = normalize(-place);
+    float light = 0.40 * arriving(place);
+    float across = max(dot(n, normalize(l + v)), 0.0);
+    float a2 = across * across, a4 = a2 * a2, a8 = a4 * a4, a16 = a8 * a8;
+    float rim = 1.0 - max(dot(n, v), 0.0);
+    vec3 linear = light * (vec3(0.055, 0.056, 0.060) * max(dot(n, l), 0.0) * 3.0 +
+                           vec3(0.75, 0.78, 0.82) * (a16 * a16 * a16) +
+                           vec3(0.20, 0.12, 0.10) * rim * rim * rim * 0.25);
+    colour = vec4(expose(linear + 0.003), 1.0);
+}
+)";
+
 const char* const steel_fragment = R"(
 in vec3 place;
 in vec3 facing;
 in vec2 uv;
-in vec3 own;
 uniform sampler2D albedo;
 uniform sampler2D relief;
-uniform float insulated;   // 1: black plastic, 0: steel
-uniform vec4 tint;         // ghost: colour and opacity
+uniform vec3 hue;          // linear, of what the steel is coated with: 1 nothing
 out vec4 colour;
 void main() {
     vec3 n = normalize(facing);
-    if (tint.a < 1.0) {
-        float rim = 1.0 - abs(dot(n, normalize(place)));
-        colour = vec4(tint.rgb * (0.5 + 0.5 * rim), tint.a * (0.35 + 0.65 * rim));
-        return;
-    }
     vec3 l = normalize(lamp - place);
     vec3 v = normalize(-place);
     float light = 0.40 * arriving(place);
     vec3 h = normalize(l + v);
-    float lambert = max(dot(n, l), 0.0);
-    vec3 linear;
-    if (insulated > 0.5) {
-        float across = max(dot(n, h), 0.0);
-        float gloss = pow(across, 48.0);
-        float rim = 1.0 - max(dot(n, v), 0.0);
-        linear = light * (vec3(0.055, 0.056, 0.060) * lambert * 3.0 + vec3(0.75, 0.78, 0.82) * gloss +
-                          vec3(0.20, 0.12, 0.10) * rim * rim * rim * 0.25);
-    } else {
-        vec4 texel = texture(albedo, uv);
-        vec2 raised = texture(relief, uv).xy * 2.0 - 1.0;
-        vec3 px = dFdx(place), py = dFdy(place);
-        vec2 tx = dFdx(uv), ty = dFdy(uv);
-        vec3 along = px * ty.y - py * tx.y, around = py * tx.x - px * ty.x;
-        float scale = 0.35 * inversesqrt(max(dot(along, along), 1e-24));
-        vec3 rough = normalize(n + scale * (raised.x * along + raised.y * around));
-        vec3 steel = texel.rgb * texel.rgb;
-        // Brushed along the shaft: highlights drawn out across the strokes.
-        float across = max(dot(rough, h), 0.0);
-        float broad = pow(across, 14.0);
-        float sharp = pow(across, 160.0);
-        // The tissue all round mirrors in it.
-        float up = n.y * 0.5 + 0.5;
-        vec3 mirrored = mix(vec3(0.30, 0.11, 0.08), vec3(0.42, 0.25, 0.20), up);
-        float facing_ratio = max(dot(n, v), 0.0);
-        linear = light * steel * (vec3(1.1) * lambert + 1.9 * broad + 6.0 * sharp + 1.5 * mirrored * (1.15 - facing_ratio));
-    }
+    vec4 texel = texture(albedo, uv);
+    vec2 raised = texture(relief, uv).xy * 2.0 - 1.0;
+    vec3 px = dFdx(place), py = dFdy(place);
+    vec2 tx = dFdx(uv), ty = dFdy(uv);
+    vec3 along = px * ty.y - py * tx.y, around = py * tx.x - px * ty.x;
+    float scale = 0.35 * inversesqrt(max(dot(along, along), 1e-24));
+    vec3 rough = normalize(n + scale * (raised.x * along + raised.y * around));
+    vec3 steel = texel.rgb * texel.rgb * hue;
+    // Brushed along the shaft: highlights drawn out across the strokes.
+    float across = max(dot(rough, h), 0.0);
+    float broad = pow(across, 14.0);
+    float sharp = pow(across, 160.0);
+    // The tissue all round mirrors in it.
+    vec3 mirrored = mix(vec3(0.30, 0.11, 0.08), vec3(0.42, 0.25, 0.20), n.y * 0.5 + 0.5);
+    float facing_ratio = max(dot(n, v), 0.0);
+    vec3 linear = light * steel * (vec3(1.1) * max(dot(n, l), 0.0) + 1.9 * broad + 6.0 * sharp +
+                                   1.5 * mirrored * (1.15 - facing_ratio));
     colour = vec4(expose(linear + 0.003), 1.0);
 }
 )";
@@ -375,27 +423,17 @@ void main() {
 }
 )";
 
-const char* const screen_vertex = R"(
+const char* const mask_vertex = R"(
 layout(location = 0) in vec3 position;
-out vec2 at;
 void main() {
-    at = position.xy;
     gl_Position = vec4(position.xy, -1.0, 1.0);   // at the near plane: the mask hides everything behind it
 }
 )";
 
-const char* const screen_fragment = R"(
-in vec2 at;
-uniform sampler2D image;
-uniform float pixel;      // of the frame, in units of the image's radius
+const char* const mask_fragment = R"(
 out vec4 colour;
 void main() {
-    // The lens's own vignette, then the black frame with a soft rim and a small notch that marks up.
-    float r2 = dot(at, at);
-    float inside = clamp((0.985 * 0.985 - r2) / (2.0 * pixel), 0.0, 1.0);
-    float beyond = clamp((r2 - 0.36) / 0.64, 0.0, 1.0);
-    float notch = clamp((abs(at.x) + abs(at.y - 0.985) - 0.022) / pixel, 0.0, 1.0);
-    colour = vec4(texture(image, at * 0.5 + 0.5).rgb * ((1.0 - 0.5 * beyond * beyond) * inside * notch), 1.0);
+    colour = vec4(0.0, 0.0, 0.0, 1.0);
 }
 )";
 

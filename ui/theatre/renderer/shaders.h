@@ -6,18 +6,25 @@ namespace fulcrum::ui::shaders {
 
 extern const char* const head;                 ///< version line
 extern const char* const light_each_fragment;  ///< before surface_vertex: large triangles
-extern const char* const surface_vertex;       ///< tissue, wall
-extern const char* const rigid_vertex;         ///< instruments, targets
-extern const char* const light;                ///< light and shadow at a point
-extern const char* const wet;                  ///< reflection of a wet surface
-extern const char* const tissue_fragment;      ///< textured by coordinates: bowel, mesentery
-extern const char* const sheet_fragment;       ///< a sheet that is cut: film, fibres, ink line, cut faces
-extern const char* const wall_fragment;        ///< cavity, with a texture of its own
-extern const char* const plain_fragment;       ///< meshes of a study
-extern const char* const box_fragment;         ///< training box
-extern const char* const steel_fragment;       ///< instruments
-extern const char* const target_fragment;      ///< target spheres
-extern const char* const screen_vertex;
-extern const char* const screen_fragment;  ///< round image in a black frame
+extern const char* const shade_each_fragment;  ///< before both: triangles larger than shadows
+// Before sheet_fragment. A processor takes both sides of a condition, so what few sheets show is a program of
+// its own.
+extern const char* const with_ink;
+extern const char* const with_fibres;
+extern const char* const surface_vertex;      ///< tissue, wall
+extern const char* const rigid_vertex;        ///< instruments, targets
+extern const char* const light;               ///< light and shadow at a point
+extern const char* const wet;                 ///< reflection of a wet surface
+extern const char* const tissue_fragment;     ///< textured by coordinates: bowel, mesentery
+extern const char* const sheet_fragment;      ///< a sheet that is cut: film, fibres, ink line, cut faces
+extern const char* const wall_fragment;       ///< cavity, with a texture of its own
+extern const char* const plain_fragment;      ///< meshes of a study
+extern const char* const box_fragment;        ///< training box
+extern const char* const steel_fragment;      ///< instruments: bare steel
+extern const char* const insulated_fragment;  ///< their insulation
+extern const char* const ghost_fragment;      ///< instruments of a demonstration or of before
+extern const char* const target_fragment;     ///< target spheres
+extern const char* const mask_vertex;
+extern const char* const mask_fragment;  ///< hides what lies outside the round image
 
 }  // namespace fulcrum::ui::shaders

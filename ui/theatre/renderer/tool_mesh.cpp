@@ -50,7 +50,7 @@ Point ring(int k, int columns, float radius, float z) {
 }  // namespace
 
 RigidMesh make_shaft() {
-    return sweep(2, 24, true, 1, 1, [](int i, int k) { return ring(k, 24, 1, static_cast<float>(i)); });
+    return sweep(2, 18, true, 1, 1, [](int i, int k) { return ring(k, 18, 1, static_cast<float>(i)); });
 }
 
 RigidMesh make_clevis() {
@@ -58,8 +58,8 @@ RigidMesh make_clevis() {
     static constexpr float z[] = {-1.9F, -1.85F, -1.2F, -0.9F, -0.3F, 0.7F, 1.2F, 1.35F, 1.35F};
     static constexpr float x[] = {0.0F, 1.03F, 1.03F, 0.95F, 0.92F, 0.92F, 0.75F, 0.4F, 0.0F};
     static constexpr float y[] = {0.0F, 1.03F, 1.03F, 0.90F, 0.66F, 0.60F, 0.50F, 0.3F, 0.0F};
-    return sweep(9, 20, true, 1, 0.3F, [](int i, int k) {
-        Point p = ring(k, 20, 1, z[i]);
+    return sweep(9, 14, true, 1, 0.3F, [](int i, int k) {
+        Point p = ring(k, 14, 1, z[i]);
         p.x() *= x[i];
         p.y() *= y[i];
         return p;
@@ -67,7 +67,7 @@ RigidMesh make_clevis() {
 }
 
 RigidMesh make_jaw() {
-    constexpr int rows = 42, columns = 16;
+    constexpr int rows = 36, columns = 12;
     return sweep(rows, columns, true, 0.4F, 1, [](int i, int k) {
         const float t =
             std::min(1.0F, std::max(0.0F, static_cast<float>(i - 1) / static_cast<float>(rows - 3)));
@@ -81,7 +81,7 @@ RigidMesh make_jaw() {
         float px = half * std::cos(angle), py = thick * (0.5F + 0.5F * std::sin(angle));
         // Flat below, with teeth; a groove along the back.
         if (std::sin(angle) < -0.3F) {
-            const float tooth = std::abs(std::fmod(t * 16.0F, 1.0F) - 0.5F) * 2;
+            const float tooth = std::abs(std::fmod(t * 11.0F, 1.0F) - 0.5F) * 2;
             py = cap * 0.016F * tooth * (t > 0.12F ? 1.0F : 0.0F);
             px *= 1.06F;
         } else if (std::sin(angle) > 0.9F && t > 0.2F && t < 0.85F) {
@@ -91,11 +91,44 @@ RigidMesh make_jaw() {
     });
 }
 
+RigidMesh make_blade() {
+    constexpr int rows = 14, columns = 10;
+    return sweep(rows, columns, true, 0.4F, 1, [](int i, int k) {
+        const float t =
+            std::min(1.0F, std::max(0.0F, static_cast<float>(i - 1) / static_cast<float>(rows - 3)));
+        const float cap = i == 0 || i == rows - 1 ? 0.0F : 1.0F;
+        const float angle = 2 * pi * static_cast<float>(k) / columns;
+        const float point = std::sqrt(1 - 0.96F * t * t);
+        const float px = cap * 0.040F * (0.4F + 0.6F * point) * std::cos(angle);
+        const float py = cap * (0.105F - 0.030F * t) * point * (0.5F + 0.5F * std::sin(angle));
+        return Point(px + 0.10F * t * t, py, t);
+    });
+}
+
+RigidMesh make_rod() {
+    constexpr int rows = 12, columns = 10;
+    return sweep(rows, columns, true, 0.4F, 1, [](int i, int k) {
+        const float t =
+            std::min(1.0F, std::max(0.0F, static_cast<float>(i - 1) / static_cast<float>(rows - 3)));
+        const float cap = i == 0 || i == rows - 1 ? 0.0F : 1.0F;
+        const float end = std::sqrt(std::max(0.0F, 1 - std::pow(std::max(0.0F, (t - 0.93F) / 0.07F), 2.0F)));
+        const float thick = cap * (0.062F - 0.016F * t) * (0.3F + 0.7F * end);
+        const float angle = 2 * pi * static_cast<float>(k) / columns;
+        return Point(thick * std::cos(angle), thick * (1 + std::sin(angle)), t);
+    });
+}
+
+RigidMesh make_tube_end() {
+    static constexpr float z[] = {-4.0F, -0.5F, -0.5F, -0.10F, 0.0F, 0.0F, -0.15F, -0.9F, -0.9F};
+    static constexpr float wide[] = {1.0F, 1.0F, 1.10F, 1.10F, 1.02F, 0.78F, 0.72F, 0.70F, 0.0F};
+    return sweep(9, 16, true, 1, 0.5F, [](int i, int k) { return ring(k, 16, wide[i], z[i]); });
+}
+
 RigidMesh make_probe_end() {
-    return sweep(10, 20, true, 1, 0.5F, [](int i, int k) {
-        if (i == 0) return ring(k, 20, 1, -4);
+    return sweep(10, 16, true, 1, 0.5F, [](int i, int k) {
+        if (i == 0) return ring(k, 16, 1, -4);
         const float angle = 0.5F * pi * static_cast<float>(i - 1) / 8;
-        return ring(k, 20, std::cos(angle), -1 + std::sin(angle));
+        return ring(k, 16, std::cos(angle), -1 + std::sin(angle));
     });
 }
 
@@ -115,7 +148,7 @@ RigidMesh make_hook() {
 }
 
 RigidMesh make_sphere() {
-    constexpr int rows = 17, columns = 28;
+    constexpr int rows = 13, columns = 20;
     RigidMesh mesh = sweep(rows, columns, true, 1, 1, [](int i, int k) {
         const float angle = pi * static_cast<float>(i) / (rows - 1);
         return ring(k, columns, std::sin(angle), -std::cos(angle));
@@ -144,19 +177,6 @@ RigidMesh make_box(float width, float depth, float height) {
             }
             for (const std::uint32_t index : {0U, 1U, 2U, 0U, 2U, 3U}) mesh.indices.push_back(first + index);
         }
-    }
-    return mesh;
-}
-
-RigidMesh make_screen_disc() {
-    RigidMesh mesh;
-    constexpr std::uint32_t steps = 64;
-    for (std::uint32_t k = 0; k < steps; ++k) {
-        const float angle = 2 * pi * static_cast<float>(k) / steps;
-        for (const float value :
-             {1.002F * std::cos(angle), 1.002F * std::sin(angle), 0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F})
-            mesh.vertices.push_back(value);
-        if (k >= 2) mesh.indices.insert(mesh.indices.end(), {0U, k - 1, k});
     }
     return mesh;
 }

@@ -21,17 +21,22 @@ RigidMesh make_clevis();
 /// One jaw, length 1 along +z from the hinge, closing towards -y; its half width is 0.11. Toothed below,
 /// fenestrated in look by a groove above.
 RigidMesh make_jaw();
+/// One scissors' blade, laid out like a jaw: slim, pointed, smooth, a little bent sideways.
+RigidMesh make_blade();
+/// A bar of length 1 along +z, laid out like a jaw: round, tapering.
+RigidMesh make_rod();
+/// Open tube: radius 1, z from -4 to 0, one looks a little way into it.
+RigidMesh make_tube_end();
 /// Rod with a round end: radius 1, z from -4 to 0.
 RigidMesh make_probe_end();
-/// L-hook of a rod, in units of the shaft's radius: comes along the axis, dips to -y and ends in its tip at the origin.
+/// L-hook of a rod, in units of the shaft's radius: comes along the axis, dips to -y and ends in its tip at
+/// the origin.
 RigidMesh make_hook();
 /// Sphere of radius 1.
 RigidMesh make_sphere();
 /// Inside of a box from (0, 0, 0) to size; coordinates in m.
 RigidMesh make_box(float width, float depth, float height);
 
-/// The round image over clip space.
-RigidMesh make_screen_disc();
 /// What lies between the round image and its square, over clip space.
 RigidMesh make_frame_mask();
 
