@@ -37,6 +37,7 @@ void clear(SurfacePatch& patch) {
     patch.ring_count = patch.vertex_count = patch.triangle_count = patch.first_ring = 0;
     patch.seed_triangle = -1;
     patch.overflow = false;
+    patch.cover = 1;
 }
 
 }  // namespace

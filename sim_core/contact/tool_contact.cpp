@@ -195,7 +195,7 @@ void touch_surface(const ToolContactModel& model, const LocalModel& local, const
     state.held = false;
     state.left_in =
         std::clamp(state.left_in - model.let_out_speed * instrument.tick_period, 0.0, std::max(0.0, depth));
-    if (!(depth > 0)) {
+    if (!(depth > 0) || !(patch.cover > 0)) {
         state.touching = false;
         state.stiffness = 0;
         return;
@@ -206,7 +206,9 @@ void touch_surface(const ToolContactModel& model, const LocalModel& local, const
     walk.barycentric.maxCoeff(&largest);
     filter_at(model, patch, tool, surface, corner[static_cast<std::size_t>(largest)], walk.normal, result);
     const double pressed = depth - state.left_in;
-    const SecantStiffness wall = wall_stiffness(patch, corner, walk.barycentric, pressed, result);
+    SecantStiffness wall = wall_stiffness(patch, corner, walk.barycentric, pressed, result);
+    wall.secant *= patch.cover;
+    wall.tangent *= patch.cover;
     number_by_surface(patch, result.filtered);
     // K follows its footprint with a delay, so that a step to another vertex is no step of the force.
     const double period = instrument.tick_period;
@@ -225,7 +227,7 @@ void touch_surface(const ToolContactModel& model, const LocalModel& local, const
     const Vector3 tool_velocity = sliding * tool.axis + walk.shaft * across;
     ContactResponse response;
     response.stiffness = state.stiffness;
-    response.damping = patch.contact.damping;
+    response.damping = patch.cover * patch.contact.damping;
     response.friction = patch.contact.friction;
     response.onset_depth = model.onset_depth;
     result.surface_force = response.force_on_tissue(pressed, walk.normal, tool_velocity - tissue_velocity);

@@ -22,7 +22,7 @@ std::int32_t BowelPart::nearest_to(const Vector3& jaws, double& least) const noe
         for (std::size_t k = first; k < last; ++k) {
             const std::int32_t vertex = skin_->by_ring()[k];
             const double distance = (skin_vertex(skin_->rows()[static_cast<std::size_t>(vertex)], ring_frames_) - jaws).squaredNorm();
-            if (distance < least) {
+            if (distance < least && (!cut_ || cut_->vertex_share(vertex) > 0)) {
                 least = distance;
                 nearest = vertex;
             }
@@ -59,8 +59,12 @@ void BowelPart::begin_grasp(int hand, const ToolAction& action) noexcept {
     grasp.slip_time = 0;
     grasp.ready = false;
     grasp.stiffness = rod_->stiffness_at(state_, grasp.state.arc_length, grasp.state.offset, scratch_);
+    spread_pull(grasp, action);
+}
 
-    // Shares of a pull at the grasp (paper, Fig. 5): two rings around the vertex, skinned where they are read.
+// Shares of a pull at the grasp (paper, Fig. 5): two rings around the vertex, skinned where they are read; of what blades left.
+void BowelPart::spread_pull(HandGrasp& grasp, const ToolAction& action) noexcept {
+    const std::int32_t nearest = grasp.vertex;
     const MeshAdjacency& adjacency = skin_->adjacency();
     const auto place = [&](std::int32_t vertex) { surface_[static_cast<std::size_t>(vertex)] = skin_vertex(skin_->rows()[static_cast<std::size_t>(vertex)], ring_frames_); };
     place(nearest);
@@ -79,6 +83,33 @@ void BowelPart::begin_grasp(int hand, const ToolAction& action) noexcept {
     FilterOptions options;
     options.mode = filter_;
     filter_force(view_of(skin_->rest(), adjacency, surface_.data()), nearest, box, options, grasp.filtered);
+    if (!cut_ || cut_->skin().whole()) return;
+    FilteredForce& shares = grasp.filtered;
+    double sum = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(shares.count); ++i) sum += shares.weight[i] *= cut_->vertex_share(shares.vertex[i]);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(shares.count); ++i) shares.weight[i] = sum > 0 ? shares.weight[i] / sum : 0.0;
+    if (!(sum > 0)) shares.count = 0;
+}
+
+// After a cut. The hold is a point of the wall in the rod's frame, which stays: what changes is what the jaws have between them. They
+// keep what is left within their reach and bear on that, and let go where nothing is.
+void BowelPart::keep_hold(const ToolAction* actions) noexcept {
+    for (int hand = 0; hand < hand_count; ++hand) {
+        HandGrasp& grasp = grasps_[hand];
+        if (!grasp.state.held || actions[hand].instrument == nullptr) continue;
+        const std::int32_t start = *skin_->adjacency().triangles_of(grasp.vertex).begin();
+        const std::int32_t left = cut_->nearest_left(grasp.state.point, start, grasp_reach, ring_frames_.data());
+        if (left < 0) {
+            grasp.state.held = false;
+            grasp.state.slipped = true;
+            grasp.state.reaction.setZero();
+            grasp.filtered.count = 0;
+            continue;
+        }
+        grasp.vertex = left;
+        grasp.state.patch = patches_->tissue_patches()[static_cast<std::size_t>(left)];
+        spread_pull(grasp, actions[hand]);
+    }
 }
 
 bool BowelPart::begin_sheet_grasp(int hand, const ToolAction& action, const Vector3& jaws, double nearest_bowel) noexcept {
@@ -226,6 +257,7 @@ void BowelPart::size_snapshot(WorldSnapshot& snapshot) const {
         snapshot.tether_anchors.push_back(tether.anchor);
         snapshot.tether_arc_lengths.push_back(tether.s);
     }
+    if (cut_) cut_->size_snapshot(snapshot);
     snapshot.membranes.resize(membranes_.size());
     for (std::size_t i = 0; i < membranes_.size(); ++i) membranes_[i].size_snapshot(snapshot.membranes[i]);
 }
@@ -249,6 +281,7 @@ void BowelPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
     }
     snapshot.residual_penetration = contacts_.deepest_cavity;
     snapshot.floor_load = report_.contact_sum;
+    if (cut_) cut_->fill_snapshot(snapshot);
     for (std::size_t i = 0; i < membranes_.size(); ++i) membranes_[i].fill_snapshot(snapshot.membranes[i]);
 }
 

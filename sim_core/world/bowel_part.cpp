@@ -162,6 +162,7 @@ BowelPart::BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel
     }
     update_rings(0.0);
     lay_down();
+    if (scene.tissues[static_cast<std::size_t>(scene.tissue_index(spec.tissue))].cutting) make_cut();
 }
 
 void BowelPart::lay_down() {
@@ -184,7 +185,7 @@ void BowelPart::stop() noexcept {
 
 double BowelPart::weight() const { return scene_.gravity.norm() * scene_.bowel->linear_density * rod_->length(); }
 
-std::uint32_t BowelPart::step(const ToolAction* actions, double dt, const std::vector<RodLoad>* more) noexcept {
+std::uint32_t BowelPart::step(const ToolAction* actions, double dt, const std::vector<RodLoad>* more, std::uint32_t tick) noexcept {
     {
         Stopwatch watch(measuring_, costs_.grasps);
         update_grasps(actions, dt);
@@ -193,6 +194,7 @@ std::uint32_t BowelPart::step(const ToolAction* actions, double dt, const std::v
         Stopwatch watch(measuring_, costs_.loads);
         gather_loads(actions, dt);
         if (with_jaws_) press_jaws(actions);
+        if (cut_) press_blades(actions, tick, dt);
         for (std::size_t i = 0; more != nullptr && i < std::min(more->size(), extra_loads); ++i) {
             if (inputs_.loads.size() < inputs_.loads.capacity()) inputs_.loads.push_back((*more)[i]);
         }
@@ -263,6 +265,7 @@ std::uint32_t BowelPart::step(const ToolAction* actions, double dt, const std::v
         Stopwatch watch(measuring_, costs_.dents);
         update_dents(actions, dt);
     }
+    if (cut_ && cut_->follow(actions, ring_frames_.data(), tick, dt)) keep_hold(actions);
     return outcome;
 }
 
@@ -428,6 +431,7 @@ void BowelPart::hash(StateHash& hash) const noexcept {
     }
     for (const float damage : patch_damage_) hash.add(static_cast<double>(damage));
     for (const MembranePart& membrane : membranes_) membrane.hash(hash);
+    if (cut_) cut_->hash(hash);
 }
 
 std::size_t BowelPart::bytes_rod() const { return rod_->bytes() + scratch_.bytes(); }
@@ -438,7 +442,7 @@ std::size_t BowelPart::bytes_membranes() const {
 }
 std::size_t BowelPart::bytes_collision() const { return collision_->bytes(); }
 std::size_t BowelPart::bytes_surface() const {
-    return skin_->bytes() + (wide_skin_ ? wide_skin_->bytes() : 0) + surface_.capacity() * sizeof(Vector3) + rings_.capacity() * sizeof(RingMotion);
+    return skin_->bytes() + (wide_skin_ ? wide_skin_->bytes() : 0) + (cut_ ? cut_->bytes() : 0) + surface_.capacity() * sizeof(Vector3) + rings_.capacity() * sizeof(RingMotion);
 }
 
 }  // namespace fulcrum

@@ -17,6 +17,7 @@
 #include "sim_core/haptics/tick_output.h"
 #include "sim_core/rod/rod.h"
 #include "sim_core/scene/scene.h"
+#include "sim_core/world/bowel_cut.h"
 #include "sim_core/world/membrane_part.h"
 #include "sim_core/world/snapshot.h"
 #include "sim_core/world/state_hash.h"
@@ -40,6 +41,7 @@ struct ToolAction {
     const InstrumentSpec* instrument = nullptr;  ///< null: no such hand
     ToolKinematics tool;                         ///< at the step's last tick
     const ToolContactResult* contact = nullptr;  ///< with the surface as it would be at the step's end; null: none
+    const ToolContactResult* near = nullptr;     ///< the same without contact too; null: the surface is out of reach
     bool slipping = false;
     bool busy = false;                           ///< its jaws hold something else
 };
@@ -55,8 +57,8 @@ class BowelPart {
     BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel* cavity);
 
     /// One step of dt seconds: grasps, loads, rod, collision, rings, dents. Returns StepRecord::outcome.
-    /// more: what else acts on the rod in this step, up to extra_loads; null: nothing.
-    std::uint32_t step(const ToolAction* actions, double dt, const std::vector<RodLoad>* more = nullptr) noexcept;
+    /// more: what else acts on the rod in this step, up to extra_loads; null: nothing. tick: that it ends with.
+    std::uint32_t step(const ToolAction* actions, double dt, const std::vector<RodLoad>* more = nullptr, std::uint32_t tick = 0) noexcept;
     static constexpr std::size_t extra_loads = 64;
     /// m, from the middle of a hand's jaws to the wall; the jaws' reach where it is further.
     double distance_to_jaws(const ToolAction& action) const noexcept;
@@ -64,6 +66,10 @@ class BowelPart {
     void stop() noexcept;
     /// Hand's patch and grasp for the tick; leaves step, tick and targets alone.
     void fill_local_model(Hand hand, const PatchRequest& request, LocalModel& model) noexcept;
+    /// What holds its tool along the wall: a blade in it, lips about it. After fill_local_model.
+    void fill_blade(Hand hand, LocalModel& model) const noexcept {
+        if (cut_) cut_->fill_local_model(static_cast<int>(hand), model);
+    }
     void fill_snapshot(WorldSnapshot& snapshot) const noexcept;
     void size_snapshot(WorldSnapshot& snapshot) const;
     void hash(StateHash& hash) const noexcept;
@@ -86,6 +92,14 @@ class BowelPart {
     /// Length over rest length at each ring.
     const std::vector<double>& ring_stretch() const { return ring_stretch_; }
     const SphereChain& spheres() const { return spheres_; }
+    /// Null where the bowel's tissue is not cut.
+    const BowelCut* cut() const { return cut_.get(); }
+    BowelCut* cut() { return cut_.get(); }
+    const RingFrame* ring_frames() const { return ring_frames_.data(); }
+    /// A step that advances nothing makes no events.
+    void forget_events() noexcept {
+        if (cut_) cut_->forget_events();
+    }
     const std::vector<MembranePart>& membranes() const { return membranes_; }
     double weight() const;  ///< N
     /// N, of a hand's jaws on the bowel in the last step; zero but at the level "jaws" of tool_contact.
@@ -127,6 +141,10 @@ class BowelPart {
     void fill_sheet_model(const SheetGrasp& grasp, int hand, LocalModel& model) const noexcept;
     void gather_loads(const ToolAction* actions, double dt) noexcept;
     void press_jaws(const ToolAction* actions) noexcept;
+    void press_blades(const ToolAction* actions, std::uint32_t tick, double dt) noexcept;
+    void spread_pull(HandGrasp& grasp, const ToolAction& action) noexcept;
+    void keep_hold(const ToolAction* actions) noexcept;
+    void make_cut();
     void find_contacts() noexcept;
     void update_rings(double dt) noexcept;
     void update_dents(const ToolAction* actions, double dt) noexcept;
@@ -143,6 +161,7 @@ class BowelPart {
     std::unique_ptr<WideSkin> wide_skin_;        ///< with a scope beyond local
     std::unique_ptr<LayeredWall> wall_;          ///< with layers
     std::unique_ptr<LuminalVolume> lumen_;       ///< with contents
+    std::unique_ptr<BowelCut> cut_;              ///< with a tissue that blades cut
     WinklerBed bed_;
     RodSolve solve_;
     FilterMode filter_ = FilterMode::adaptive;

@@ -27,6 +27,7 @@ struct BowelPart::Saved {
     std::vector<double> remembered_lambda;
     std::vector<Vector3> remembered_normal;
     std::uint32_t frozen_steps = 0;
+    std::optional<BowelCut::State> cut;
 };
 
 std::shared_ptr<const BowelPart::Saved> BowelPart::save() const {
@@ -54,6 +55,7 @@ std::shared_ptr<const BowelPart::Saved> BowelPart::save() const {
     saved->remembered_lambda = remembered_lambda_;
     saved->remembered_normal = remembered_normal_;
     saved->frozen_steps = frozen_steps_;
+    if (cut_) saved->cut = cut_->save();
     return saved;
 }
 
@@ -80,6 +82,7 @@ void BowelPart::restore(const Saved& saved) {
     remembered_lambda_ = saved.remembered_lambda;
     remembered_normal_ = saved.remembered_normal;
     frozen_steps_ = saved.frozen_steps;
+    if (saved.cut) cut_->restore(*saved.cut);
 }
 
 }  // namespace fulcrum

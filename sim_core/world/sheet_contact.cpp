@@ -10,16 +10,13 @@
 
 namespace fulcrum {
 
+using namespace blade_rules;
 using namespace jaw_rules;
 
 namespace {
 
 constexpr double reach = 0.020;         // m from the sheet within which the hand's model knows of it
-constexpr double cover_time = 0.015;    // s in which a contact comes and goes with the tissue that is there for it
-constexpr double least_cover = 0.02;    // below it there is no contact
-constexpr double no_cover = 0.30, full_cover = 0.60;  // share of the tool's width with tissue: a straight rim has half
 constexpr double slide_friction = 0.2;  // of a tool that does not bite
-constexpr double clear_by = 0.0005;     // m beyond the tip's radius
 constexpr double shaft_seen = 0.05;      // m of the shaft that may be in a slit
 constexpr double sheet_springs = 4;     // springs whose stiffness a place of the sheet answers with
 constexpr double jaw_span = 0.3;        // of the jaw's length, between places that it holds
@@ -27,17 +24,6 @@ constexpr double jaw_span = 0.3;        // of the jaw's length, between places t
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 double series(double a, double b) { return a > 0 && b > 0 ? a * b / (a + b) : 0.0; }
-
-// Squared distance of a point from the box about a triangle.
-double box_distance(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c) {
-    const Vector3 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
-    return (low - p).cwiseMax(p - high).cwiseMax(Vector3::Zero()).squaredNorm();
-}
-
-bool covers(const Vector3& p, const Vector3& n, const Vector3& a, const Vector3& b, const Vector3& c) {
-    const double u = (b - a).cross(p - a).dot(n), v = (c - b).cross(p - b).dot(n), w = (a - c).cross(p - c).dot(n);
-    return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
-}
 
 }  // namespace
 
@@ -115,23 +101,13 @@ SheetPart::Near SheetPart::find_near(const Vector3& tip, double radius) noexcept
     }
     near.normal = normal.norm() > 1e-18 ? Vector3(normal.normalized()) : Vector3(Vector3::UnitZ());
     near.gap = (tip - near.point).dot(near.normal);
-    // How much of the tool's width has tissue under it: a lip thinner than the tool carries nothing.
-    const Vector3 foot = tip - near.gap * near.normal;
-    const Vector3 x = near.normal.unitOrthogonal(), y = near.normal.cross(x);
-    static constexpr double ring[6][2] = {{1, 0}, {0.5, 0.866}, {-0.5, 0.866}, {-1, 0}, {-0.5, -0.866}, {0.5, -0.866}};
-    int covered = 0;
-    for (int k = 0; k < 13; ++k) {
-        const double size = k == 0 ? 0.0 : (k <= 6 ? 0.5 : 0.95) * radius;
-        const double* way = ring[k % 6];
-        const Vector3 sample = foot + size * (way[0] * x + way[1] * y);
+    near.cover = cover_under(tip - near.gap * near.normal, near.normal, radius, [&](const Vector3& sample) {
         for (const std::int32_t t : near_) {
             const Triangle& v = surface_.triangle(t).vertices;
-            if (!covers(sample, near.normal, state_.positions[at(v[0])], state_.positions[at(v[1])], state_.positions[at(v[2])])) continue;
-            ++covered;
-            break;
+            if (covers(sample, near.normal, state_.positions[at(v[0])], state_.positions[at(v[1])], state_.positions[at(v[2])])) return true;
         }
-    }
-    near.cover = std::clamp((covered / 13.0 - no_cover) / (full_cover - no_cover), 0.0, 1.0);
+        return false;
+    });
     return near;
 }
 
@@ -158,14 +134,14 @@ void SheetPart::approach(int number, const SheetAction& action, std::uint32_t ti
     const ToolKinematics& tool = action.tool;
     const double radius = action.instrument->tip_radius;
     if (!tool.inside || !tool.present || !tool.tip.allFinite() || hand.held || action.busy) {
-        if (hand.touch == SheetTouch::cutting) leave(number, tick);
-        hand.touch = SheetTouch::away;
+        if (hand.touch == BladeTouch::cutting) leave(number, tick);
+        hand.touch = BladeTouch::away;
         hand.known = hand.linked = hand.over = false;
         hand.cover = 0;
         hand.reaction.setZero();
         return;
     }
-    if (hand.touch == SheetTouch::cutting) {
+    if (hand.touch == BladeTouch::cutting) {
         hand.normal = find_near(place(hand.place), radius).normal;
         return;
     }
@@ -174,7 +150,7 @@ void SheetPart::approach(int number, const SheetAction& action, std::uint32_t ti
     if (const std::int32_t septum = septum_of(near.place); septum != hand.septum) {
         // Another one is nearer now: what side of the last one it was on says nothing of this one.
         hand.septum = septum;
-        hand.touch = SheetTouch::away;
+        hand.touch = BladeTouch::away;
         hand.known = hand.linked = hand.over = false;
         hand.cover = 0;
         hand.reaction.setZero();
@@ -182,9 +158,9 @@ void SheetPart::approach(int number, const SheetAction& action, std::uint32_t ti
     if (!within) {
         // Which side it is on now shows where it comes back from, unless it went through tissue meanwhile.
         if (hand.known && near.place.fragment >= 0 && crosses(hand.tip, tool.tip)) {
-            hand.touch = SheetTouch::touching;  // held on its side below
+            hand.touch = BladeTouch::touching;  // held on its side below
         } else {
-            hand.touch = SheetTouch::away;
+            hand.touch = BladeTouch::away;
             hand.known = hand.linked = hand.over = false;
             hand.cover = 0;
             hand.reaction.setZero();
@@ -198,28 +174,28 @@ void SheetPart::approach(int number, const SheetAction& action, std::uint32_t ti
         hand.side = now;
         hand.tip = tool.tip;
     }
-    if (hand.touch == SheetTouch::clearing) {
+    if (hand.touch == BladeTouch::clearing) {
         // The shaft is still in the slit: the tip comes out by it, or has found a way on which nothing crosses the shaft.
         const bool out = hand.side * near.gap > radius + clear_by;
         const bool beyond = hand.side * near.gap < -radius - clear_by && !crosses(tool.tip - shaft_seen * tool.axis, tool.tip);
         if (out || beyond) {
-            hand.touch = SheetTouch::away;
+            hand.touch = BladeTouch::away;
             hand.side = now;
         }
     }
     // A tip that is on the other side went round a rim or through a slit; over tissue before and now, it or the sheet was
     // too fast for one step.
     const bool through = (near.cover > 0 && hand.over) || crosses(hand.tip, tool.tip);
-    if (hand.touch == SheetTouch::away && hand.side != now && !through) hand.side = now;
+    if (hand.touch == BladeTouch::away && hand.side != now && !through) hand.side = now;
     hand.over = near.cover > 0;
     hand.cover += (near.cover - hand.cover) * dt / (cover_time + dt);
     hand.gap = hand.side * near.gap;
     const bool pressed = hand.gap < radius && hand.cover > least_cover;
-    if (hand.touch == SheetTouch::away && pressed) {
-        hand.touch = SheetTouch::touching;
+    if (hand.touch == BladeTouch::away && pressed) {
+        hand.touch = BladeTouch::touching;
         hand.place = near.place;
-    } else if (hand.touch == SheetTouch::touching && !pressed) {
-        hand.touch = SheetTouch::away;
+    } else if (hand.touch == BladeTouch::touching && !pressed) {
+        hand.touch = BladeTouch::away;
         hand.linked = false;
         hand.reaction.setZero();
     }
@@ -312,11 +288,11 @@ void SheetPart::add_links(const SheetAction* actions) noexcept {
             }
             continue;
         }
-        if (hand.touch != SheetTouch::touching && hand.touch != SheetTouch::cutting) continue;
+        if (hand.touch != BladeTouch::touching && hand.touch != BladeTouch::cutting) continue;
         CutMembraneLink link;
         link.piece = hand.place.fragment;
         link.barycentric = hand.place.barycentric;
-        if (hand.touch == SheetTouch::touching) {
+        if (hand.touch == BladeTouch::touching) {
             link.normal = hand.side * hand.normal;
             link.stiffness = tissue_.stiffness * hand.cover;
             link.target = tool.tip - instrument.tip_radius * link.normal;
@@ -350,7 +326,7 @@ void SheetPart::read_links() noexcept {
 }
 
 void SheetPart::fill_touch(const HandState& hand, SheetContactModel& model) const noexcept {
-    const double k = tissue_.stiffness * (hand.touch == SheetTouch::cutting ? 1.0 : hand.cover);
+    const double k = tissue_.stiffness * (hand.touch == BladeTouch::cutting ? 1.0 : hand.cover);
     const double slope = series(k, sheet_springs * spec_.structural_stiffness);
     model.tissue = tissue_index_;
     model.tip = hand.tip;
@@ -358,7 +334,7 @@ void SheetPart::fill_touch(const HandState& hand, SheetContactModel& model) cons
     model.stiffness = model.drag_stiffness = slope;
     model.damping = tissue_.damping * std::min(1.0, hand.cover);
     const Vector3 way = hand.linked ? Vector3(hand.target - place(hand.place)) : Vector3(Vector3::Zero());
-    if (hand.touch == SheetTouch::cutting) {
+    if (hand.touch == BladeTouch::cutting) {
         model.normal = hand.normal;
         model.cutting = true;
         model.grip = hand.cut_friction;
@@ -369,7 +345,7 @@ void SheetPart::fill_touch(const HandState& hand, SheetContactModel& model) cons
     }
     model.normal = hand.side * hand.normal;
     model.pushes = true;
-    if (hand.touch == SheetTouch::touching && hand.linked) {
+    if (hand.touch == BladeTouch::touching && hand.linked) {
         const double depth = -way.dot(model.normal);
         model.friction = hand.friction;
         model.push = depth > 0 ? k * depth : slope * depth;
@@ -404,8 +380,8 @@ void SheetPart::fill_local_model(int number, LocalModel& model) const noexcept {
         fill_grasp(hand, model);
         return;
     }
-    const bool near = hand.touch == SheetTouch::away && hand.known && hand.cover > least_cover;
-    if (hand.touch == SheetTouch::touching || hand.touch == SheetTouch::cutting || near) fill_touch(hand, model.sheet);
+    const bool near = hand.touch == BladeTouch::away && hand.known && hand.cover > least_cover;
+    if (hand.touch == BladeTouch::touching || hand.touch == BladeTouch::cutting || near) fill_touch(hand, model.sheet);
 }
 
 }  // namespace fulcrum

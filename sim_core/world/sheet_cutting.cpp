@@ -6,15 +6,11 @@
 #include "sim_core/world/sheet_part.h"
 
 namespace fulcrum {
+
+using namespace blade_rules;
+
 namespace {
 
-constexpr double least_advance = 0.00035;   // m that a blade's way gathers before it is cut
-constexpr double longest_advance = 0.005;   // m in one step of the world
-constexpr double overlap = 0.0003;          // m by which a step begins in the cut of the one before
-constexpr double ahead = 0.0002;            // m before the blade, where the tissue is that it is in
-constexpr double blade_reach = 0.003;       // m along the normal to either side
-constexpr double out_by = 0.001;            // m beyond the tip's radius: the blade is out of the tissue
-constexpr double off_by = 0.002;            // m from the nearest tissue: it has run over the rim
 constexpr double line_reach = 0.012;        // m beside the marked line within which a cut divides the sheet across it
 constexpr double off_wall = 0.0005;         // m at rest from the muscularis that a blade keeps
 constexpr double off_rim = 1e-6;            // m: places are told as being this far from the rim of a septum at least
@@ -27,7 +23,7 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 void SheetPart::leave(int number, std::uint32_t tick) noexcept {
     HandState& hand = state_.hands[static_cast<std::size_t>(number)];
     add_place_event(tick, EventKind::cut_end, number, hand.way);
-    hand.touch = SheetTouch::clearing;
+    hand.touch = BladeTouch::clearing;
     hand.linked = false;
     hand.cover = 0;
     hand.reaction.setZero();
@@ -39,19 +35,16 @@ void SheetPart::follow(int number, const SheetAction& action, std::uint32_t tick
     hand.radius = action.instrument->tip_radius;
     const CuttingSpec* at_hand = hand.place.fragment >= 0 ? cutting_at(hand.place) : nullptr;
     hand.ease = action.energised && at_hand != nullptr ? at_hand->energy_factor : 1.0;
-    if (!hand.linked || (hand.touch != SheetTouch::touching && hand.touch != SheetTouch::cutting)) return;
-    const bool button = (action.tool.buttons & button_primary) != 0;
-    const Vector3 n = hand.touch == SheetTouch::touching ? Vector3(hand.side * hand.normal) : hand.normal;
+    if (!hand.linked || (hand.touch != BladeTouch::touching && hand.touch != BladeTouch::cutting)) return;
+    const Vector3 n = hand.touch == BladeTouch::touching ? Vector3(hand.side * hand.normal) : hand.normal;
     const Vector3 here = place(hand.place);
     Vector3 way = hand.target - here;
     way -= way.dot(n) * n;
-    if (hand.touch == SheetTouch::touching) {
-        // Eq. 6: the force on the contact plane, and Eq. 7.
-        const double across = std::max(0.0, -hand.reaction.dot(n));
-        const double along = (hand.reaction - hand.reaction.dot(n) * n).norm();
-        if (button && action.instrument->cuts() && at_hand != nullptr && across > hand.ease * at_hand->penetrate &&
-            along > hand.ease * at_hand->static_friction) {
-            hand.touch = SheetTouch::cutting;
+    if (hand.touch == BladeTouch::touching) {
+        const double pull = tissue_.stiffness * hand.cover * way.norm();
+        const TouchMove move = next_touch(n, hand.reaction, button(action.tool) && action.instrument->cuts(), at_hand, hand.ease, hand.friction, pull);
+        if (move.enters) {
+            hand.touch = BladeTouch::cutting;
             hand.way = on_septum(hand.place, rest(hand.place));
             hand.cut_friction = hand.ease * at_hand->dynamic_friction;
             hand.linked = false;  // the blade is another link
@@ -61,25 +54,22 @@ void SheetPart::follow(int number, const SheetAction& action, std::uint32_t tick
             return;
         }
         // Where the tip slides the contact goes with it.
-        const double most = hand.friction * across, pull = tissue_.stiffness * hand.cover * way.norm();
-        if (pull > most && pull > 0) {
-            const SheetPlace next = closest(here + (1 - most / pull) * way);
+        if (move.slides > 0) {
+            const SheetPlace next = closest(here + move.slides * way);
             if (next.fragment >= 0) hand.place = next;
         }
         return;
     }
     const Vector3 out = hand.side * n;
-    if (!button || (action.tool.tip - here).dot(out) > action.instrument->tip_radius + out_by) {
+    if (!button(action.tool) || (action.tool.tip - here).dot(out) > action.instrument->tip_radius + out_by) {
         leave(number, tick);
         return;
     }
     if (at_hand != nullptr) hand.cut_friction = hand.ease * at_hand->dynamic_friction;
-    const double pull = tissue_.stiffness * way.norm(), most = hand.cut_friction;
-    if (!(pull > most)) return;
-    Vector3 excess = keep_off_wall(hand.place, (1 - most / pull) * way);
-    const double size = excess.norm();
-    if (size < least_advance) return;
-    if (size > longest_advance) excess *= longest_advance / size;
+    const double share = advance_share(tissue_.stiffness * way.norm(), hand.cut_friction);
+    if (!(share > 0)) return;
+    Vector3 excess = keep_off_wall(hand.place, share * way);
+    if (!clip_advance(excess)) return;
     advance(number, excess, tick);
 }
 
@@ -87,13 +77,7 @@ void SheetPart::advance(int number, const Vector3& excess, std::uint32_t tick) n
     HandState& hand = state_.hands[static_cast<std::size_t>(number)];
     const Vector3 here = place(hand.place), way = excess.normalized();
     const double traction = traction_at(here, way, hand.normal);
-    BladeStep blade;
-    blade.from = here - overlap * way;
-    blade.to = here + excess;
-    blade.normal = hand.normal;
-    blade.width = spec_.blade_width;
-    blade.depth = blade_reach;
-    blade.root = surface_.fragment(hand.place.fragment).root;
+    const BladeStep blade = make_step(here, excess, hand.normal, spec_.blade_width, surface_.fragment(hand.place.fragment).root);
     const CutReport report = cut(blade);
     if (report.roll_backs > 0) add_event(tick, EventKind::cut_rolled_back, number, 0, report.roll_backs);
     if (report.outcome == CutOutcome::full || report.outcome == CutOutcome::invalid) faults_ = std::max(faults_, 1U);

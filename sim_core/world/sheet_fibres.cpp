@@ -98,7 +98,7 @@ void SheetPart::part_fibres(std::uint32_t tick, double dt) noexcept {
         const std::int32_t i = (fibres.looked + k) % SheetFibres::capacity;
         bool blade = false;
         for (std::size_t h = 0; h < hand_count; ++h)
-            blade = blade || (state_.hands[h].touch == SheetTouch::cutting && fibres.front[h] == i);
+            blade = blade || (state_.hands[h].touch == BladeTouch::cutting && fibres.front[h] == i);
         if (fibres.tips[at(i)].root < 0 || blade) continue;
         ++ends;
         if (chosen < 0) chosen = i;

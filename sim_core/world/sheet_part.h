@@ -7,10 +7,7 @@
 // Each step: tools find their contact, jaws and tips enter the membrane's own solve as links, the membrane is stepped,
 // blades advance, and what they cut becomes fragments, nodes and springs before the step ends. The hand gets the
 // solution to first order (SheetContactModel) and never waits.
-//
-// A blade: touching -> in the tissue when its force across the sheet is above `penetrate` and that along it above
-// `static_friction` while its button is held -> advances while the force along it is above `dynamic_friction` -> out
-// when it leaves the sheet or the button opens; then it does not touch again until it has come clear.
+// Blades: blade_rules.h.
 #pragma once
 
 #include <array>
@@ -26,6 +23,7 @@
 #include "sim_core/rod/rod.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/telemetry/event.h"
+#include "sim_core/world/blade_rules.h"
 #include "sim_core/world/sheet_fibres.h"
 #include "sim_core/world/sheet_layout.h"
 #include "sim_core/world/snapshot.h"
@@ -49,8 +47,6 @@ struct SheetPlace {
     std::int32_t triangle = -1;             ///< visible one that it lies in
 };
 
-enum class SheetTouch : std::uint8_t { away, touching, cutting, clearing };
-
 class SheetPart {
   public:
     static constexpr int event_capacity = 32;
@@ -58,7 +54,7 @@ class SheetPart {
 
     /// What a hand does to the sheet, remembered from step to step.
     struct HandState {
-        SheetTouch touch = SheetTouch::away;
+        BladeTouch touch = BladeTouch::away;
         SheetPlace place;                     ///< under the tip; the blade's while it cuts
         double side = 1;                      ///< of the sheet that the tip is on, by the sheet's outward normal
         Vector3 normal = Vector3::UnitZ();    ///< outward, blended over the tool's width

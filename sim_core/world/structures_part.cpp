@@ -246,7 +246,7 @@ void StructuresPart::open_vein(std::int32_t vein, const Vector3& place, double s
 std::int32_t StructuresPart::root_under(int number) const noexcept {
     if (sheet_ == nullptr) return -1;
     const SheetPart::HandState& hand = sheet_->state().hands[static_cast<std::size_t>(number)];
-    const bool on = hand.touch == SheetTouch::touching || hand.touch == SheetTouch::cutting;
+    const bool on = hand.touch == BladeTouch::touching || hand.touch == BladeTouch::cutting;
     return on && hand.place.fragment >= 0 ? sheet_->surface().fragment(hand.place.fragment).root : -1;
 }
 

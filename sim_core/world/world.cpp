@@ -123,6 +123,7 @@ StepRecord World::step(const TickOutput* outputs, std::size_t count) noexcept {
 
     const bool paused = (last.sample.rig_flags & (rig_paused | rig_device_lost)) != 0U;
     SheetAction on_sheet[hand_count];
+    if (bowel_) bowel_->forget_events();
     if (sheet_) {
         Stopwatch watch(measuring_, sheet_us_);
         sheet_->forget_events();
@@ -160,7 +161,7 @@ StepRecord World::step(const TickOutput* outputs, std::size_t count) noexcept {
         }
         find_contacts(last, actions);
         const std::vector<RodLoad>* pulls = sheet_ ? &sheet_->pulls() : nullptr;
-        record.outcome = std::max(record.outcome, bowel_->step(actions, scene_.step_period(), pulls));
+        record.outcome = std::max(record.outcome, bowel_->step(actions, scene_.step_period(), pulls, record.last_tick));
     }
     if (bands_ && !paused) {
         Stopwatch watch(measuring_, bands_us_);
@@ -194,6 +195,7 @@ void World::find_contacts(const TickOutput& last, ToolAction* actions) noexcept 
         step_tool_contact(contacts_->model[hand], local, last.contact[hand].tool, local.tick + 1, contacts_->state[hand],
                           contacts_->scratch[hand], result);
         if (result.touching_surface) actions[hand].contact = &result;
+        if (local.mode == LocalMode::surface) actions[hand].near = &result;
     }
 }
 
@@ -212,7 +214,12 @@ void World::fill_models(const TickOutput& last) noexcept {
             request.horizon = 2 * scene_.step_period();  // until the next model is there, were it a whole step late
             bowel_->fill_local_model(static_cast<Hand>(hand), request, model);
         }
-        if (sheet_) sheet_->fill_local_model(hand, model);
+        if (sheet_) {
+            sheet_->fill_local_model(hand, model);
+        } else {
+            model.sheet = SheetContactModel();
+        }
+        if (bowel_) bowel_->fill_blade(static_cast<Hand>(hand), model);
         if (bands_) bands_->fill_local_model(static_cast<Hand>(hand), model);
         if (structures_) structures_->fill_local_model(hand, model);
         model.target_count = static_cast<std::int32_t>(targets_.size());

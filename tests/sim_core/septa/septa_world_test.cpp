@@ -304,7 +304,7 @@ TEST(SeptaWorld, ASaveInTheMiddleOfADissectionRestores) {
     rig.take_rectum();
     rig.lift(0.008);
     rig.divide(0, 0.05, 0.3);
-    ASSERT_EQ(rig.hand(1).touch, SheetTouch::cutting);
+    ASSERT_EQ(rig.hand(1).touch, BladeTouch::cutting);
     const std::shared_ptr<const World::Saved> saved = rig.world.save();
     ASSERT_NE(saved, nullptr);
     const std::uint64_t version = rig.sheet().surface().version();

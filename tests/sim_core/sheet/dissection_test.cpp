@@ -40,7 +40,7 @@ TEST(SheetWorld, ABladeDividesItAlongTheLineUnderTraction) {
     EXPECT_TRUE(rig.world.snapshot().grasps[0].held);
     EXPECT_GT(rig.sheet().state().traction[10], 1.5 * slack) << "traction opens the plane";
     divide(rig, 0.02, 0.075);
-    EXPECT_EQ(rig.hand(1).touch, SheetTouch::cutting);
+    EXPECT_EQ(rig.hand(1).touch, BladeTouch::cutting);
     bool flagged = false;
     for (const TickOutput& output : rig.outputs) flagged = flagged || (output.sample.hand[1].flags & hand_cutting) != 0;
     EXPECT_TRUE(flagged);

@@ -88,7 +88,7 @@ TEST_P(SheetLipsOf, CutLiftAndPushTheLipWithoutAJerk) {
     rig.wish[1].button = true;
     rig.go(1, over(rig.scene, -0.015, 0, -0.006), 0.05);
     rig.go(1, over(rig.scene, 0.02, 0, -0.006), 0.04);
-    ASSERT_EQ(rig.hand(1).touch, SheetTouch::cutting);
+    ASSERT_EQ(rig.hand(1).touch, BladeTouch::cutting);
     EXPECT_GT(rig.largest_force, 0.02);
     felt("cut");
     const std::uint64_t version = rig.sheet().surface().version();
@@ -96,7 +96,7 @@ TEST_P(SheetLipsOf, CutLiftAndPushTheLipWithoutAJerk) {
     rig.wish[1].button = false;
     rig.go(1, over(rig.scene, 0.02, 0, 0.03), 0.1);  // out of the slit
     felt("lift");
-    EXPECT_EQ(rig.hand(1).touch, SheetTouch::away);
+    EXPECT_EQ(rig.hand(1).touch, BladeTouch::away);
     rig.largest_force = 0;
     rig.go(0, rig.wish[0].tip + Vector3(0, 0, 0.006), 0.05);  // the flap lifted
     felt("lift the flap");
@@ -142,7 +142,7 @@ TEST(SheetLips, ATipKeepsItsSideHoweverFast) {
         rig.steps(10);
         rig.go(1, over(rig.scene, 0.0, 0, -0.012), speed);
         rig.steps(20);
-        EXPECT_EQ(rig.hand(1).touch, SheetTouch::touching) << speed;
+        EXPECT_EQ(rig.hand(1).touch, BladeTouch::touching) << speed;
         EXPECT_EQ(rig.hand(1).side, 1);
         EXPECT_LT(rig.hand(1).reaction.z(), -0.05);
         EXPECT_GT(rig.hand(1).gap, 0) << "the sheet is below the tip";
