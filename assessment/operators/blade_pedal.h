@@ -19,19 +19,22 @@ class BladePedal {
     /// A stroke is planned.
     void plan(Limb& limb) noexcept {
         if (!energy_) return;
-        waits_ = limb.random().uniform() < skill_.foresight;
+        // Whoever looks ahead at all thinks of the nerves first, and of the tissue beside them next.
+        const double careless = (1 - skill_.foresight) * (1 - skill_.foresight);
+        waits_ = limb.random().uniform() >= careless;
+        spares_ = limb.random().uniform() >= careless * careless;
         late_s_ = waits_ ? 0 : late_by_hesitation_s * skill_.hesitation * limb.random().uniform(0.5, 1.5);
         since_ = -1;
     }
     /// The blade is on its way to the tissue, or presses on it.
     void press(Limb& limb, const Perception& seen, int hand, bool felt) noexcept {
-        if (energy_ && (!waits_ || (felt && clear(seen, hand)))) down(limb);
+        if (energy_ && (felt || !waits_) && clear(seen, hand)) down(limb);
     }
     /// The blade divides; `left` m of the stroke are to go.
     void stroke(Limb& limb, const Perception& seen, int hand, double left) noexcept {
         if (!energy_) return;
         if (!waits_) {
-            down(limb);
+            clear(seen, hand) ? down(limb) : up(limb);
             return;
         }
         if (since_ >= 0 && limb.time() > since_ + burst_s + rest_s) since_ = -1;
@@ -53,8 +56,8 @@ class BladePedal {
     static constexpr double let_go_before = 0.004;        // m of the stroke's end
     static constexpr double late_by_hesitation_s = 0.2;
     static constexpr double from_nerve = 0.012;  // m from the tip to a nerve's axis: nearer is too hot for it
-    static bool clear(const Perception& seen, int hand) noexcept {
-        return std::none_of(seen.nerve.begin(), seen.nerve.end(), [&](const Vector3& point) {
+    bool clear(const Perception& seen, int hand) const noexcept {
+        return !spares_ || std::none_of(seen.nerve.begin(), seen.nerve.end(), [&](const Vector3& point) {
             return (point - seen.tip[hand]).norm() < from_nerve;
         });
     }
@@ -65,7 +68,7 @@ class BladePedal {
     static void up(Limb& limb) noexcept { limb.hold_buttons(0); }
 
     Skill skill_;
-    bool energy_ = false, waits_ = true;
+    bool energy_ = false, waits_ = true, spares_ = true;
     double since_ = -1, lifted_ = 0, late_s_ = 0;
 };
 
