@@ -454,16 +454,19 @@ void BowelCut::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
             view.barycentric[at(v)] = vertex.barycentric;
         }
         view.triangle_count = 0;
-        for (std::int32_t t = 0; t < surface.triangle_count(); ++t) {
-            const bool visible = surface.visible(t);
-            const int loose = visible ? skin_.loose_of_triangle(t) : 0;
-            const bool own = t < surface.root_count() && visible && loose == 0;
-            if (t < surface.root_count()) view.hidden[at(t)] = own ? 0 : 1;
-            if (!visible || own) continue;
-            const std::size_t k = at(view.triangle_count++);
-            view.triangles[k] = surface.triangle(t).vertices;
-            view.triangle_roots[k] = surface.triangle(t).root;
-            view.triangle_loose[k] = static_cast<std::uint8_t>(loose);
+        const bool falls = std::any_of(skin_.loose().begin(), skin_.loose().end(), [](const CutSkin::Loose& one) { return one.falls; });
+        for (std::int32_t r = 0; r < surface.root_count(); ++r) {
+            // By the roots' own short rows: most were never touched.
+            const CutRoot& root = surface.root(r);
+            const bool whole = root.visible_count == 1 && root.first_visible == r;
+            const bool own = whole && (!falls || skin_.loose_of_triangle(r) == 0);
+            view.hidden[at(r)] = own ? 0 : 1;
+            for (std::int32_t t = own ? -1 : root.first_visible; t >= 0; t = surface.triangle(t).next_in_root) {
+                const std::size_t k = at(view.triangle_count++);
+                view.triangles[k] = surface.triangle(t).vertices;
+                view.triangle_roots[k] = r;
+                view.triangle_loose[k] = static_cast<std::uint8_t>(skin_.loose_of_triangle(t));
+            }
         }
         view.visible_area = surface.area_visible();
         view.removed_area = surface.area_removed();
