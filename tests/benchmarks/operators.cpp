@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Experts, intermediates and novices on a task over 20 seeds outside the benchmarks' own: medians with 95 %
 // intervals by order statistics, points against the task's set, and whether every attempt replays bit for
-// bit. Prints the page, or writes it into a folder.   usage: benchmark_operators A2|B1|B2 [seeds] [FOLDER]
-// [seeds replayed]
+// bit. Prints the page, or writes it into a folder.   usage: benchmark_operators
+// A2|B1|B2|B3|C4 [seeds] [FOLDER] [seeds replayed]
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -66,7 +66,11 @@ Outcome attempt(const TaskDefinition& task, const Scene& scene, const BenchmarkS
         const bool cut =
             context.cut && (row.id == "traction_eff" || row.id == "cut_dev" || row.id == "plane_dev" ||
                             row.id == "plane_dev_p95" || row.id == "area_developed");
-        if (!cut && row.id != "time" && row.id != "path_len" && row.id != "f_max" && row.id != "sparc")
+        const bool field = scene.field() != nullptr &&
+                           (row.id == "energy_safe" || row.id == "lateral_heat" || row.id == "bleed_ml" ||
+                            (row.id == "energy_time" && row.value && *row.value > 0));
+        if (!cut && !field && row.id != "time" && row.id != "path_len" && row.id != "f_max" &&
+            row.id != "sparc")
             continue;
         if (row.tissue.empty() && row.value)
             outcome.values[row.id + (row.hand.empty() ? "" : " " + row.hand)] = *row.value;
@@ -80,14 +84,15 @@ Outcome attempt(const TaskDefinition& task, const Scene& scene, const BenchmarkS
 
 /// Standard deviation over the magnitude of the mean: how different the individuals are.
 double relative_spread(const std::vector<double>& values) {
-    return sample_deviation(values) / std::abs(mean_of(values));
+    const double deviation = sample_deviation(values);
+    return deviation > 0 ? deviation / std::abs(mean_of(values)) : 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
     if (argc < 2) {
-        std::fprintf(stderr, "usage: benchmark_operators A2|B1|B2 [seeds] [FOLDER]\n");
+        std::fprintf(stderr, "usage: benchmark_operators A2|B1|B2|B3|C4 [seeds] [FOLDER]\n");
         return 2;
     }
     const TaskDefinition task =
