@@ -65,10 +65,11 @@ void head(Sheet& sheet, const AttemptPaper& paper) {
     if (attempt.points && attempt.passed) result += tr(" · %1 points").arg(figure(*attempt.points));
     sheet.paragraph(result);
     sheet.font(9);
-    if (!attempt.passed && !attempt.not_scored_because.empty())
+    const std::string advice = paper.report.score ? paper.report.score->advice : std::string();
+    // Where nothing was scored the advice says why.
+    if (!attempt.passed && advice.find(attempt.not_scored_because) == std::string::npos)
         sheet.paragraph(tr("Not scored: %1").arg(text(attempt.not_scored_because)));
-    if (paper.report.score && !paper.report.score->advice.empty())
-        sheet.paragraph(text(paper.report.score->advice));
+    if (!advice.empty()) sheet.paragraph(text(advice));
     sheet.skip(2);
 }
 

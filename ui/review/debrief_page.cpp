@@ -6,6 +6,7 @@
 #include <QHeaderView>
 #include <QListWidget>
 #include <QTableWidget>
+#include <map>
 
 #include "assessment/metrics/registry.h"
 #include "ui/charts/time_chart.h"
@@ -178,9 +179,8 @@ void DebriefPage::open(const std::string& attempt_id, double time_s) {
     wanted_time_ = time_s;
     std::optional<Scene> scene;
     database::AttemptSummary attempt;
-    if (!context().guarded([&] {
-            attempt = database::Attempts(context().store()).read(context().session(), attempt_id);
-        })) {
+    if (!context().guarded(
+            [&] { attempt = database::Attempts(context().store()).read(context().session(), attempt_id); })) {
         return;
     }
     if (context().task(attempt.meta.task_id) != nullptr) {
@@ -422,9 +422,11 @@ void DebriefPage::fill_charts() {
     force_->clear();
     force_->add_series(tr("left hand"), colours().left_hand, Qt::SolidLine, model_->force[0]);
     force_->add_series(tr("right hand"), colours().right_hand, Qt::DashLine, model_->force[1]);
-    for (const auto& [tissue, limit] : model_->force_limits) {
-        force_->add_limit(tr("limit, %1").arg(text(tissue)), limit);
-    }
+    // Tissues that bear the same share a line, and its name.
+    std::map<double, QStringList> limits;
+    for (const auto& [tissue, limit] : model_->force_limits) limits[limit] << text(tissue);
+    for (const auto& [limit, tissues] : limits)
+        force_->add_limit(tr("limit, %1").arg(tissues.join(QStringLiteral(", "))), limit);
     std::vector<ChartMark> marks;
     for (const EventLine& line : model_->events) {
         marks.push_back({line.time, line.words,

@@ -22,10 +22,10 @@ GatesCard::GatesCard(QWidget* parent) : QFrame(parent) {
     table_ = make_table(
         {tr("Gate"), tr("Hand"), tr("Value"), tr("Limit"), tr("z"), tr("Result"), tr("Source of the limit")},
         "gates_table");
-    // As high as its rows and as wide as the page: the last column's words are read whole as a tip.
+    // As high as its rows and as wide as the page: the last column's words take the lines they need.
     table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    table_->setWordWrap(false);
+    table_->setWordWrap(true);
     table_->viewport()->installEventFilter(this);
     layout->addWidget(table_);
     layout->addWidget(
@@ -104,6 +104,7 @@ void GatesCard::fit() {
     int others = 0;
     for (int column = 0; column < last; ++column) others += header->sectionSize(column);
     header->resizeSection(last, std::max(120, table_->viewport()->width() - others));
+    table_->resizeRowsToContents();
     table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() +
                            table_->verticalHeader()->length() + 2 * table_->frameWidth());
 }

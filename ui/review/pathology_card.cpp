@@ -24,7 +24,13 @@ PathologyCard::PathologyCard(QWidget* parent) : QFrame(parent) {
     lines_->setVerticalSpacing(4);
     lines_->setColumnStretch(1, 1);
     layout->addLayout(lines_);
-    table_ = make_table(pathology_columns(), "pathology_table");
+    // Ten columns beside each other: the unit stands below the name.
+    QStringList heads = pathology_columns();
+    for (QString& head : heads) {
+        const int gap = head.lastIndexOf(QLatin1Char(' '));
+        if (gap > 0) head[gap] = QLatin1Char('\n');
+    }
+    table_ = make_table(heads, "pathology_table");
     table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     table_->setWordWrap(false);

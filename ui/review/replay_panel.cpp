@@ -161,7 +161,7 @@ void ReplayPanel::tick() {
                "recorded ones")
                 .arg(*source_->differs_from_s(), 0, 'f', 1));
     } else if (source_->ready() < 1) {
-        state_->setText(tr("preparing %1 %").arg(static_cast<int>(source_->ready() * 100)));
+        state_->setText(tr("preparing %1\u00a0%").arg(static_cast<int>(source_->ready() * 100)));
     } else {
         state_->clear();
     }

@@ -86,7 +86,7 @@ void draw_force(QPainter& painter, const QRectF& box, const HudState& state, int
         painter.setFont(hud_font(13, true));
         painter.setPen(state.tool_active[h] ? p.warning : p.text);
         const QRectF line(h == 0 ? box.left() - 4 : box.left() - 100, box.top() - 50,
-                          h == 0 ? 240 : box.width() + 84, 24);
+                          h == 0 ? 240 : box.width() + (compact ? 44 : 84), 24);
         const int side = (h == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter;
         painter.drawText(line, side,
                          (state.tool_active[h] ? QStringLiteral("⚡ ") : QString()) + state.tool[h]);

@@ -10,7 +10,7 @@ namespace {
 constexpr double band_width = 0.006, band_thickness = 0.0016, bed_thickness = 0.002;  // m
 constexpr double vessel_radius = 0.0014, outlet_radius = 0.002, clip_radius = 0.0018;
 constexpr double shown_of_vein = 0.6;   // of its radius: the rest lies beneath
-constexpr double least_blood = 0.0004;  // m, thinner films are not drawn
+constexpr double least_blood = 0.0002;  // m, thinner films are not drawn
 constexpr float charred = 0.35F;        // share of its water that a black segment has lost
 constexpr double darkest = 0.75;        // share of the light that smoke can take
 
@@ -108,18 +108,33 @@ void BandsDrawing::lay_cord(const std::vector<Vector3>& way, double radius, Ribb
     }
 }
 
-// The blood's level over the bed; where there is none it dips below the ground, so that the pool's edge lies
-// on it.
+// The blood's level over the bed, evened out between neighbours: a pool's edge is round. Where there is none
+// it dips below the ground, so that the edge lies on it.
 void BandsDrawing::lay_blood(const BandsView& view) {
     blood_.positions = bed_.positions;
     blood_.rest = bed_.rest;
     blood_.triangles.clear();
+    constexpr double steep = 4;  // of the pool's edge
     wet_.assign(blood_.positions.size(), 0);
+    depth_.assign(view.blood.begin(), view.blood.end());
+    for (int pass = 0; pass < 2; ++pass) {
+        before_ = depth_;
+        for (int row = 0; row < view.rows; ++row) {
+            for (int column = 0; column < view.columns; ++column) {
+                const auto at = [&](int r, int c) {
+                    return before_[static_cast<std::size_t>(std::clamp(r, 0, view.rows - 1) * view.columns +
+                                                            std::clamp(c, 0, view.columns - 1))];
+                };
+                depth_[static_cast<std::size_t>(row * view.columns + column)] =
+                    0.4 * at(row, column) + 0.15 * (at(row - 1, column) + at(row + 1, column) +
+                                                    at(row, column - 1) + at(row, column + 1));
+            }
+        }
+    }
     for (std::size_t i = 0; i < wet_.size(); ++i) {
-        const auto depth = static_cast<double>(view.blood[i]);
-        wet_[i] = depth >= least_blood ? 1 : 0;
+        wet_[i] = depth_[i] >= least_blood ? 1 : 0;
         blood_.positions[i].z() =
-            static_cast<double>(view.ground[i]) + (wet_[i] != 0 ? depth : -0.5 * bed_thickness);
+            static_cast<double>(view.ground[i]) + std::min(depth_[i], steep * (depth_[i] - least_blood));
     }
     const auto wet = [this](std::int32_t v) { return wet_[static_cast<std::size_t>(v)] != 0; };
     for (const Triangle& triangle : bed_.triangles) {
@@ -187,7 +202,7 @@ void BandsDrawing::add(const BandsView& view, SceneFrame& frame) {
         }
     }
     lay_blood(view);
-    if (!blood_.triangles.empty()) sheet(blood_, 0.0002, QVector3D(0.17F, 0.004F, 0.008F), 1.0F);
+    if (!blood_.triangles.empty()) sheet(blood_, 0, QVector3D(0.17F, 0.004F, 0.008F), 1.0F);
     frame.brightness = 1 - darkest * view.smoke;
 }
 

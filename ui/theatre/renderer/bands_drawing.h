@@ -33,6 +33,7 @@ class BandsDrawing {
     std::size_t strips_used_ = 0;
     std::vector<Vector3> way_;
     std::vector<char> wet_;
+    std::vector<double> depth_, before_;  // m of blood, evened out
 };
 
 }  // namespace fulcrum::ui

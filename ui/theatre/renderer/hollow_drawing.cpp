@@ -174,6 +174,8 @@ void HollowDrawing::lay_walls(const RectumParameters& rectum) {
         }
     }
     close_grid(fascia_, grid.rows, grid.columns);
+    // The scope looks from the cranial end: what lies there is drawn first and hides the rest.
+    std::reverse(fascia_.triangles.begin(), fascia_.triangles.end());
     fascia_.version = fresh_version();
 
     // Open behind, where the fascia lies, and towards the abdomen, where it widens.
@@ -201,6 +203,7 @@ void HollowDrawing::lay_walls(const RectumParameters& rectum) {
     }
     close_grid(walls_, rows + floor_rows, around + 1);
     surround(walls_, curve);
+    std::reverse(walls_.triangles.begin(), walls_.triangles.end());
     walls_.version = fresh_version();
 }
 

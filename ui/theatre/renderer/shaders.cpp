@@ -8,7 +8,6 @@ namespace fulcrum::ui::shaders {
 const char* const head = "#version 330 core\n";
 
 const char* const light_each_fragment = "#define LIGHT_EACH_FRAGMENT\n";
-const char* const shade_each_fragment = "#define SHADE_EACH_FRAGMENT\n";
 const char* const with_ink = "#define INK\n";
 const char* const with_fibres = "#define FIBRES\n";
 
@@ -82,13 +81,10 @@ void main() {
     facing = mat3(to_camera) * normal;
     uv = coordinates;
     // Shadow changes slowly over a few millimetres, and light where triangles are small: once a vertex is enough.
-#ifndef SHADE_EACH_FRAGMENT
     vec2 shaded = shade(p.xyz);
-#endif
 #ifdef LIGHT_EACH_FRAGMENT
     arrived = vec3(shaded, detail);
-#elif defined(SHADE_EACH_FRAGMENT)
-    arrived = vec3(1.0, 0.0, detail);
+
 #else
     arrived = vec3(arriving(p.xyz) * shaded.x, shaded.y, detail);
 #endif
@@ -183,7 +179,7 @@ in vec3 place;
 in vec3 facing;
 in vec2 uv;               // m at rest
 in vec3 arrived;
-#ifndef SHADE_EACH_FRAGMENT
+#ifndef LIGHT_EACH_FRAGMENT
 uniform vec3 lamp;
 #endif
 uniform sampler2D albedo;
@@ -204,22 +200,22 @@ uniform vec4 mark_from_to; // line at rest, m: from xy to zw
 #endif
 out vec4 colour;
 void main() {
-#ifdef SHADE_EACH_FRAGMENT
-    vec2 light = shade(place);
-    light.x *= arriving(place);
-#else
     vec2 light = arrived.xy;
+#ifdef LIGHT_EACH_FRAGMENT
+    light.x *= arriving(place);
 #endif
-    // A face carries its char, a cut 4 more.
+#ifndef LIGHT_EACH_FRAGMENT
+    // A face carries its char, a cut 4 more. What is large is never cut.
     float cut = step(2.0, arrived.z);
     float burnt = arrived.z - 4.0 * cut;
+#endif
     vec3 n = normalize(facing);
     vec3 to_eye = normalize(0.5 * lamp - place);
     n = dot(n, to_eye) < 0.0 ? -n : n;
     vec2 st = uv / tile;
     vec4 texel = texture(albedo, st);
     vec3 px = dFdx(place), py = dFdy(place);
-#ifdef SHADE_EACH_FRAGMENT
+#ifdef LIGHT_EACH_FRAGMENT
     // What is so large takes its relief from its own brightness: a texture less to read.
     vec3 over = cross(py, n), aside = cross(n, px);
     float area = dot(px, over), turned = area < 0.0 ? -1.0 : 1.0;
@@ -263,15 +259,21 @@ void main() {
     float ink = (1.0 - smoothstep(0.0005, 0.0008, off)) * dash * (1.0 - cut);
     own = mix(own, vec3(0.03, 0.05, 0.30), 0.85 * ink);
 #endif
+    vec3 film = mix(n, rough, 0.62);
+    float wetness = texel.a;
+#ifdef LIGHT_EACH_FRAGMENT
+    own = mix(own, tint.rgb, tint.a);
+#else
     // A cut is paler and duller than the film over it.
     own = mix(own, cut_hue, cut);
     own = mix(own, tint.rgb, tint.a);
     // Char: first brown, then black and dry.
     own = mix(own, vec3(0.022, 0.016, 0.012), smoothstep(0.05, 0.45, burnt));
+    rough = mix(rough, n, cut);
+    wetness *= 1.0 - max(0.5 * cut, 0.85 * smoothstep(0.2, 0.6, burnt));
+#endif
     own = mix(own, vec3(0.95, 0.72, 0.62), 0.6 * light.y);
-    vec3 film = mix(n, rough, 0.62);
-    float dry = max(0.5 * cut, 0.85 * smoothstep(0.2, 0.6, burnt));
-    colour = vec4(wet(own, mix(rough, n, cut), film, to_eye, texel.a * (1.0 - dry), light.x), 1.0);
+    colour = vec4(wet(own, rough, film, to_eye, wetness, light.x), 1.0);
 }
 )";
 

@@ -5,8 +5,7 @@
 namespace fulcrum::ui::shaders {
 
 extern const char* const head;                 ///< version line
-extern const char* const light_each_fragment;  ///< before surface_vertex: large triangles
-extern const char* const shade_each_fragment;  ///< before both: triangles larger than shadows
+extern const char* const light_each_fragment;  ///< before surface_vertex and sheet_fragment: large triangles
 // Before sheet_fragment. A processor takes both sides of a condition, so what few sheets show is a program of
 // its own.
 extern const char* const with_ink;
