@@ -9,6 +9,7 @@ namespace fulcrum {
 namespace {
 
 constexpr double same_defect = 0.001;  // m between two stretches that are one defect
+constexpr double at_rim = 3e-6;        // m from the end of a level's line: its rim
 
 double height_of(const SpecimenPlan& plan, double distance) {
     return plan.plane - distance;
@@ -20,6 +21,18 @@ double depth_of(const SpecimenPlan& plan, double distance) {
 bool usable(const CutElement& e) {
     return std::isfinite(e.from) && std::isfinite(e.to) && std::isfinite(e.from_distance) &&
            std::isfinite(e.distance) && std::isfinite(e.length) && e.length > 0;
+}
+
+/// Whether an element lies on one level. A blade that runs over a rim is told as at the rim: a way along it,
+/// or from one level to the next, is no surface of the specimen.
+bool on_one_level(const CutElement& e, const SpecimenPlan& plan) {
+    const double low = std::min(e.from, e.to), high = std::max(e.from, e.to);
+    const double rim = plan.line * std::round(0.5 * (low + high) / plan.line);
+    if (std::abs(low - rim) <= at_rim && std::abs(high - rim) <= at_rim) return false;
+    for (int k = 1; k < plan.levels; ++k) {
+        if (low < k * plan.line - at_rim && high > k * plan.line + at_rim) return false;
+    }
+    return true;
 }
 
 CutElement part_of(const CutElement& whole, double first, double last) {
@@ -39,7 +52,7 @@ class Specimen {
         : cells_(static_cast<std::size_t>(plan.levels * sector_count)), width_(plan.line / sector_count) {
         for (const CutStroke& stroke : strokes)
             for (const CutElement& element : stroke.elements)
-                if (usable(element)) add(element);
+                if (usable(element) && on_one_level(element, plan)) add(element);
     }
     std::size_t cells() const { return cells_.size(); }
     const CutStroke& cell(int level, int sector) const {

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "sim_core/numerics/input_error.h"
 
@@ -244,6 +246,37 @@ TEST(Pathology, LeavesOutWhatIsNoNumber) {
     EXPECT_EQ(pathology_json(pathology_report(strokes, plan())), pathology_json(clean));
 }
 
+// A blade that slides over the rim of a level may be told further along it, or on the next level: neither was
+// cut.
+TEST(Pathology, LeavesOutWhatIsNoSurfaceOfTheSpecimen) {
+    const double rim = 1e-6;
+    std::vector<CutStroke> strokes = all_levels([](int, double) { return 1 * mm; });
+    const PathologyReport clean = pathology_report(strokes, plan());
+    EXPECT_EQ(clean.grade, 3);
+    const auto way = [&](double from, double from_distance, double to, double distance) {
+        CutElement e = strokes[0].elements[0];
+        e.from = from;
+        e.to = to;
+        e.from_distance = from_distance;
+        e.distance = distance;
+        e.length = std::hypot(to - from, distance - from_distance);
+        return e;
+    };
+    std::vector<CutStroke> slid = strokes;
+    for (const double from : {60 * mm - rim, 60 * mm + rim, rim, 240 * mm - rim})
+        slid[0].elements.push_back(way(from, 1 * mm, from, -7.9 * mm));  // 4.9 mm into the fat
+    slid[0].elements.push_back(way(58 * mm, 1 * mm, 62 * mm, -7.9 * mm));
+    slid[0].elements.push_back(way(130 * mm, -7.9 * mm, 20 * mm, 1 * mm));
+    EXPECT_EQ(pathology_json(pathology_report(slid, plan())), pathology_json(clean));
+    // To the rim and inside of it the same depths count.
+    for (const auto& [from, to] : {std::pair(58 * mm, 60 * mm - rim), std::pair(60 * mm + rim, 62 * mm),
+                                   std::pair(rim, 2 * mm), std::pair(30 * mm, 30 * mm)}) {
+        std::vector<CutStroke> deep = strokes;
+        deep[0].elements.push_back(way(from, 1 * mm, to, -7.9 * mm));
+        EXPECT_NEAR(pathology_report(deep, plan()).deepest_defect, 4.9 * mm, 1e-9) << from;
+    }
+}
+
 TEST(Pathology, SurvivesJson) {
     const PathologyReport report = pathology_report(
         all_levels([](int level, double x) { return -3 * mm * level + 2 * mm * std::sin(100 * x); }), plan());
@@ -294,12 +327,24 @@ std::vector<CutStroke> any_cut() {
     return strokes;
 }
 
+/// Whether a way on a grid of 0.1 mm is a surface of the specimen: not from one level to another, nor along a
+/// rim.
+bool on_specimen(const CutElement& e) {
+    for (int k = -20; k <= 20; ++k) {
+        const double a = e.from - k * 60 * mm, b = e.to - k * 60 * mm, least = 1e-5;
+        if (std::abs(a) < least && std::abs(b) < least) return false;
+        if (k > 0 && k < 4 && std::min(a, b) < -least && std::max(a, b) > least) return false;
+    }
+    return true;
+}
+
 RC_GTEST_PROP(PathologyProperties, LengthIsKeptAndSharesAreShares, ()) {
     const std::vector<CutStroke> strokes = any_cut();
     const PathologyReport report = pathology_report(strokes, plan());
     double length = 0, parts = 0;
     for (const CutStroke& stroke : strokes)
-        for (const CutElement& element : stroke.elements) length += element.length;
+        for (const CutElement& element : stroke.elements)
+            if (on_specimen(element)) length += element.length;
     for (const SectorFinding& finding : report.findings) {
         parts += finding.plane.length;
         RC_ASSERT(finding.divided >= 0 && finding.divided <= 1 + 1e-9);

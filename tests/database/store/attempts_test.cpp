@@ -53,7 +53,8 @@ TEST(Attempt, ComesBackAsItWasRecorded) {
 TEST(Attempt, KeepsThePathologyReportWithItsScore) {
     SpecimenPlan plan{4, 0.06, 0.02, 0.003, 0.006, 0.018, 0.002, 0.01, Tumour{1, Sector::mid, 0.008, 0.012}};
     CutStroke stroke;
-    stroke.elements.push_back({1, 2, 0, 0.24, 0.0005, 0.0005, 0.24, {}});
+    for (const int level : {0, 1, 2, 3})
+        stroke.elements.push_back({1, 2, 0.06 * level, 0.06 * (level + 1), 0.0005, 0.0005, 0.06, {}});
     const std::string report = pathology_json(pathology_report({stroke}, plan));
     Programme programme;
     Recorder recorder(programme.path, programme.session("ann"), example_meta(programme.id("ann")),
