@@ -89,6 +89,9 @@ void GatesCard::open(const AttemptModel& model) {
         table_->setItem(row, 6, source_cell);
     }
     fit_columns(table_);
+    // Words need the room more than figures.
+    for (int column = 0; column + 1 < table_->columnCount(); ++column)
+        table_->setColumnWidth(column, table_->columnWidth(column) - 14);
     fit();
 }
 
