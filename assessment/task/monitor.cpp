@@ -188,10 +188,15 @@ void TaskMonitor::on_step(const TickSample* ticks, std::size_t count, const Worl
             } else {
                 state.run_ticks[h] = 0;
             }
-            if (!display.moving_seen && state.run_ticks[h] * state.tick_period >= moving_duration) {
+            // Who holds, cuts or burns tissue is at work, however haltingly the hand came there.
+            const std::uint16_t flags = sample.hand[h].flags;
+            const bool at_work =
+                (flags & hand_inside) != 0 && (flags & (hand_grasping | hand_cutting | hand_energy)) != 0;
+            if (!display.moving_seen &&
+                (at_work || state.run_ticks[h] * state.tick_period >= moving_duration)) {
                 display.moving_seen = true;
                 // The run began when it began; that it was a run is known only now.
-                const std::uint32_t age = state.run_ticks[h] - 1;
+                const std::uint32_t age = state.run_ticks[h] > 0 ? state.run_ticks[h] - 1 : 0;
                 state.elapsed_ticks = age;
                 events.emit(tick - age, EventKind::first_movement, 0, 0, static_cast<int>(h));
             }

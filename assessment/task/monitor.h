@@ -27,7 +27,7 @@ struct TaskDisplay {
     std::int32_t active_target = -1;  ///< index into WorldSnapshot::targets to touch now
     double goal_progress = 0;         ///< 0..1
     double hold_progress = 0;         ///< 0..1 of the current hold
-    double elapsed_s = 0;             ///< attempt clock, pauses excluded, from the first movement
+    double elapsed_s = 0;             ///< attempt clock, pauses excluded, from the first movement or work on tissue
     double remaining_s = 0;
     double run_covered_m = 0;                ///< run_bowel: arc length covered so far
     double run_next_m = 0;                   ///< run_bowel: arc length where the next grasp should be
@@ -46,7 +46,7 @@ struct TaskDisplay {
     float force[hand_count] = {0, 0};        ///< N, this step's largest
     float force_limit[hand_count] = {0, 0};  ///< N, of the tissue in contact or grasped; 0 none
     bool warning[hand_count] = {false, false};
-    bool moving_seen = false;  ///< first active movement happened: an assessed attempt counts
+    bool moving_seen = false;  ///< first movement or work on tissue happened: an assessed attempt counts
     bool ended = false;
     EventKind end = EventKind::attempt_begin;  ///< completed, timed_out, abandoned or interrupted once ended
     bool critical = false;                     ///< a critical error happened

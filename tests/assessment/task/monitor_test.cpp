@@ -143,6 +143,29 @@ TEST(Monitor, ClockStartsWhereTheFirstMovementBegan) {
     EXPECT_NEAR(bench.monitor.display().remaining_s, bench.task.time_limit_s - 0.5, 0.02);
 }
 
+TEST(Monitor, WhoWorksOnTissueHasBegunHoweverHaltingly) {
+    for (const unsigned flag : {hand_grasping, hand_cutting, hand_energy}) {
+        Bench bench("A2.json");
+        // Jerks of 20 mm/s for 0.1 s between rests of 0.1 s: no movement by its definition.
+        for (int jerk = 0; jerk < 20; ++jerk) {
+            const Vector3 from(0, 0, 0.002 * (jerk % 2)), to(0, 0, 0.002 * (1 - jerk % 2));
+            bench.move(Hand::right, from, to, 100);
+            bench.ticks(100);
+        }
+        ASSERT_FALSE(bench.monitor.display().moving_seen);
+        const std::uint32_t begin = bench.sample.tick;
+        bench.sample.hand[1].flags = static_cast<decltype(bench.sample.hand[1].flags)>(flag);
+        bench.ticks(10);
+        EXPECT_FALSE(bench.monitor.display().moving_seen) << "outside the body";
+        bench.sample.hand[1].flags =
+            static_cast<decltype(bench.sample.hand[1].flags)>(hand_inside | hand_in_view | flag);
+        bench.ticks(1000);
+        ASSERT_TRUE(bench.monitor.display().moving_seen) << flag;
+        EXPECT_NEAR(bench.monitor.display().elapsed_s, 1.0, 0.02);
+        EXPECT_NEAR(bench.events.first(EventKind::first_movement).tick, begin + 10, 2);
+    }
+}
+
 TEST(Monitor, MovementOutsideTheBodyDoesNotStartTheClock) {
     Bench bench("A2.json");
     bench.sample.hand[1].flags = 0;
