@@ -316,7 +316,7 @@ const QImage& SceneRenderer::Impl::draw(const SceneFrame& frame, QSize size) {
     QOpenGLExtraFunctions& gl = *QOpenGLContext::currentContext()->extraFunctions();
     upload_changes();
     const int shorter = std::max(16, std::min(size.width(), size.height()));
-    const double share = std::clamp(share_of_resolution, 0.25, 1.0);
+    const double share = std::clamp(frame.enclosed ? share_in_hollow : share_of_resolution, 0.25, 1.0);
     const auto scaled = [share](int length) {
         return std::max(16, static_cast<int>(std::lround(length * share)));
     };

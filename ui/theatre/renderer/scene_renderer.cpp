@@ -16,6 +16,8 @@ namespace {
 // A processor draws a scene of 500 x 500 within its budget and scales it up; what is lost is less than a lens
 // loses.
 constexpr double software_resolution = 0.7;
+// In a hollow no pixel is left to a plain room: every one of them is tissue.
+constexpr double software_hollow_resolution = 0.64;
 // A processor shades blocks of 4 x 4 pixels: of triangles much smaller than that most of the work is lost.
 constexpr double software_coarse_pixels = 24;
 
@@ -152,6 +154,8 @@ bool SceneRenderer::initialise() {
     i.coarse_pixels = software ? software_coarse_pixels : 0;
     i.share_of_resolution =
         i.options.resolution > 0 ? i.options.resolution : (software ? software_resolution : 1.0);
+    i.share_in_hollow = i.options.resolution > 0 ? i.options.resolution
+                                                 : (software ? software_hollow_resolution : 1.0);
     i.shapes.clear();
     for (int shape = 0; shape < static_cast<int>(ToolShape::count); ++shape)
         i.shapes.push_back(std::make_unique<GlRigid>(make_shape(static_cast<ToolShape>(shape))));
