@@ -17,7 +17,7 @@ namespace {
 // loses.
 constexpr double software_resolution = 0.7;
 // In a hollow no pixel is left to a plain room: every one of them is tissue.
-constexpr double software_hollow_resolution = 0.64;
+constexpr double software_hollow_resolution = 0.58;
 // A processor shades blocks of 4 x 4 pixels: of triangles much smaller than that most of the work is lost.
 constexpr double software_coarse_pixels = 24;
 
