@@ -41,7 +41,10 @@ BandMonitor::BandMonitor(const Scene& scene)
     nerve_tissue_ = tissue(spec.nerve_tissue);
     vessel_tissue_ = tissue(spec.vessel_tissue);
     if (scene.sheet) sheet_tissue_ = tissue(scene.sheet->tissue);
-    if (scene.septa) sheet_tissue_ = tissue(scene.septa->tissue);
+    if (scene.septa) {
+        sheet_tissue_ = tissue(scene.septa->tissue);
+        fat_tissue_ = tissue(scene.septa->fat_tissue);
+    }
     std::size_t outlets = field_outlet_capacity;
     if (scene.bands) {
         band_tissue_ = tissue(scene.bands->tissue);
@@ -70,6 +73,8 @@ std::int8_t BandMonitor::tissue_of(EnergyTarget target) const noexcept {
             return nerve_tissue_;
         case EnergyTarget::sheet:
             return sheet_tissue_;
+        case EnergyTarget::fat:
+            return fat_tissue_;
     }
     return -1;
 }
@@ -101,6 +106,7 @@ void BandMonitor::step(const WorldSnapshot& world, std::uint32_t tick, EventSink
         dose_ = view.lateral_dose;
         dose_tissue_ = view.worst_nerve_dose >= view.lateral_dose ? nerve_tissue_
                        : view.worst_bed_dose >= view.lateral_dose ? bed_tissue_
+                       : fat_tissue_ >= 0                         ? fat_tissue_
                                                                   : sheet_tissue_;
     }
     if ((tick - told_dose_tick_) * tick_period_ >= dose_pause) tell_dose(tick, sink);

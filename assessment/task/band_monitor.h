@@ -46,7 +46,7 @@ class BandMonitor {
     bool present_ = false;
     double tick_period_ = 1e-3, safe_distance_ = 0.002, nerve_limit_ = 60;
     std::int8_t band_tissue_ = -1, bed_tissue_ = -1, nerve_tissue_ = -1, vessel_tissue_ = -1,
-                sheet_tissue_ = -1;
+                sheet_tissue_ = -1, fat_tissue_ = -1;
     std::array<Activation, hand_count> activations_;
     std::array<std::int32_t, hand_count> clips_fired_{}, tool_index_{};
     std::vector<std::uint8_t> band_divided_, bleeding_, injured_, nerve_heated_, nerve_divided_;

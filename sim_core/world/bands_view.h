@@ -21,8 +21,9 @@ constexpr bool gives_energy(ToolKind kind) {
     return kind == ToolKind::harmonic || kind == ToolKind::hook;
 }
 
-/// What the power of an activation reaches.
-enum class EnergyTarget : std::uint8_t { nothing, band, vessel, bed, nerve, sheet };
+/// What the power of an activation reaches; `fat`: of a sheet, what lies beyond the tissue that is to be
+/// divided.
+enum class EnergyTarget : std::uint8_t { nothing, band, vessel, bed, nerve, sheet, fat };
 
 struct BandView {
     std::array<Vector3, strand_nodes> position;       ///< m

@@ -137,6 +137,8 @@ class SheetPart {
     std::size_t bytes() const;
     Vector3 place(const SheetPlace& at) const noexcept;  ///< m
     Vector3 rest(const SheetPlace& at) const noexcept;   ///< m, in the sheet's frame as SheetView::rest
+    /// Whether a place at rest lies beyond the areolar tissue, in the mesorectum.
+    bool in_fat(const Vector3& rest) const noexcept { return septa_ && rest.y() >= septa_->areolar_height - septa_->plane_height; }
 
     /// A cut along a blade's step, with all that follows from it; for studies and tests as for the hands.
     CutReport cut(const BladeStep& blade) noexcept;
@@ -179,7 +181,6 @@ class SheetPart {
     void settle(double dt) noexcept;
     void mark_line(const SacralCurve& curve);
     void sum_pulls() noexcept;
-    bool in_fat(const Vector3& rest) const noexcept { return septa_ && rest.y() >= septa_->areolar_height - septa_->plane_height; }
     const CuttingSpec* cutting_at(const SheetPlace& where) const noexcept;
     std::int32_t septum_of(const SheetPlace& where) const noexcept {
         return where.fragment < 0 ? 0 : surface_.fragment(where.fragment).root / (surface_.root_count() / layout_.pieces);

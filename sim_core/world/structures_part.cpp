@@ -112,9 +112,8 @@ StructuresPart::StructuresPart(const Scene& scene, const FieldWall& wall, const 
         }
         // Energy is for the areolar tissue; the mesorectum beyond it is to stay whole.
         for (std::int32_t root = 0; root < patches_.root_count; ++root) {
-            const double height = sheet_->rest({root, Vector3::Constant(1.0 / 3), root}).y() +
-                                  (scene.septa ? scene.septa->plane_height : 0.0);
-            root_is_target_.push_back(!scene.septa || height < scene.septa->areolar_height ? 1 : 0);
+            root_is_target_.push_back(
+                sheet_->in_fat(sheet_->rest({root, Vector3::Constant(1.0 / 3), root})) ? 0 : 1);
         }
     }
     const TissueSpec& fascia = scene.tissues[at(scene.tissue_index(spec_.bed_tissue))];
@@ -267,7 +266,11 @@ void StructuresPart::apply_energy(int number, const ToolKinematics& tool, double
     hand.active = true;
     EnergyReach reach = field_.reach_outlets(hand, tool);
     const std::int32_t root = root_under(number);
-    if (root >= 0) reach.take(0, root_patch(root), EnergyTarget::sheet);
+    if (root >= 0) {
+        const bool beyond =
+            sheet_->in_fat(sheet_->rest(sheet_->state().hands[static_cast<std::size_t>(number)].place));
+        reach.take(0, root_patch(root), beyond ? EnergyTarget::fat : EnergyTarget::sheet);
+    }
     field_.reach_nerves_and_bed(hand, tool, reach);
     field_.give(hand, reach, field_.tool_model(hand).tissue_power * duty * conducting_share(hand, reach));
     field_.spread(hand, tool, duty);

@@ -231,6 +231,23 @@ TEST(BandMonitor, AWallWithVeinsTellsTheSameEvents) {
     EXPECT_EQ(sink.of(EventKind::activation_begin)[0].tissue, scene.tissue_index("areolar"));
     EXPECT_EQ(sink.of(EventKind::activation_end)[0].detail, activation_in_view | activation_on_target);
 
+    // In the mesorectum it is not, from the first moment or later on.
+    for (const bool later : {false, true}) {
+        sink.events.clear();
+        view.tools[1].active = true;
+        view.tools[1].nerve_distance = 0.006F;
+        view.tools[1].target = later ? EnergyTarget::sheet : EnergyTarget::fat;
+        step();
+        view.tools[1].target = EnergyTarget::fat;
+        step();
+        view.tools[1].active = false;
+        step();
+        ASSERT_EQ(sink.of(EventKind::activation_end).size(), 1U);
+        EXPECT_EQ(sink.of(EventKind::activation_end)[0].detail, activation_in_view | activation_clear);
+        EXPECT_EQ(sink.of(EventKind::activation_begin)[0].tissue,
+                  scene.tissue_index(later ? "areolar" : "fat"));
+    }
+
     // The sixteenth place bleeds, is clipped and dries.
     OutletView& outlet = view.outlets[field_outlet_capacity - 1];
     outlet.opened = outlet.injured = true;
@@ -264,7 +281,7 @@ TEST(BandMonitor, AWallWithVeinsTellsTheSameEvents) {
     step();
     step();
     ASSERT_EQ(sink.of(EventKind::heat_dose).size(), 1U);
-    EXPECT_EQ(sink.of(EventKind::heat_dose)[0].tissue, scene.tissue_index("areolar"));
+    EXPECT_EQ(sink.of(EventKind::heat_dose)[0].tissue, scene.tissue_index("fat"));
     ASSERT_EQ(sink.of(EventKind::nerve_injury).size(), 1U);
     EXPECT_EQ(sink.of(EventKind::nerve_injury)[0].detail, nerve_was_divided);
 }

@@ -334,5 +334,38 @@ TEST(SeptaWorld, ASaveInTheMiddleOfADissectionRestores) {
     }
 }
 
+// metrics.md, energy_safe: an activation in the mesorectum is not on the tissue that is to be divided, whether the
+// blade came there at once or was drawn out of the plane.
+TEST(SeptaEnergy, PowerOnTheFatOfTheMesorectumIsNotOnTarget) {
+    test::SeptaRig rig;
+    rig.take_rectum();
+    rig.lift(0.008);
+    const double fat = rig.scene.septa->areolar_height - rig.scene.septa->plane_height;
+    int on_plane = 0, on_fat = 0;
+    const auto watch = [&] {
+        const BandsView& field = rig.world.snapshot().bands[0];
+        const SheetPart::HandState& hand = rig.hand(1);
+        if (!field.tools[1].active || hand.touch != BladeTouch::cutting) return;
+        const double height = rig.sheet().rest(hand.place).y();
+        if (field.tools[1].target == EnergyTarget::sheet) {
+            ++on_plane;
+            EXPECT_LT(height, fat);
+        } else if (field.tools[1].target == EnergyTarget::fat) {
+            ++on_fat;
+            EXPECT_GE(height, fat);
+        }
+    };
+    rig.set_on(0, 0.3);
+    rig.wish[1].energy = true;
+    for (int i = 0; i < 300; ++i) {
+        const Vector3 up = -0.00005 * std::max(0, i - 100) * rig.curve.posterior(rig.arc_length(0));
+        rig.wish[1].tip = rig.on_line(0, 0.3 + 0.001 * i, 0.003 - std::min(0.009, 0.0003 * i)) + up;
+        rig.step();
+        watch();
+    }
+    EXPECT_GT(on_plane, 30);
+    EXPECT_GT(on_fat, 30);
+}
+
 }  // namespace
 }  // namespace fulcrum

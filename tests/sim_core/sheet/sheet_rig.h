@@ -20,7 +20,7 @@ inline Scene sheet_scene() {
 /// One hand's wish.
 struct Wish {
     Vector3 tip = Vector3::Zero();  ///< m, patient frame
-    bool closed = false, button = false;
+    bool closed = false, button = false, energy = false;
 };
 
 struct SheetRig {
@@ -64,7 +64,8 @@ struct SheetRig {
                 squeeze[h] = std::clamp(squeeze[h] + (wish[h].closed ? 0.025 : -0.025), 0.0, 1.0);
                 reading.jaw = 1 - squeeze[h];
                 reading.grip = 8 * squeeze[h];
-                reading.buttons = wish[h].button ? button_primary : button_none;
+                reading.buttons = static_cast<std::uint16_t>((wish[h].button ? button_primary : button_none) |
+                                                             (wish[h].energy ? button_energy : button_none));
                 input.hand[h] = last[h] = quantise(reading, last[h]);
             }
             if (scene.camera) input.camera = start_sample(scene.camera->trocar, scene.camera->start_insertion);
