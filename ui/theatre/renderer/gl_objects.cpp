@@ -132,6 +132,27 @@ void GlSurface::update(const float* positions, const float* normals, std::uint64
     bound(positions);
 }
 
+void GlSurface::hide(const std::uint8_t* hidden) {
+    const std::size_t last = mesh_.bands.empty() ? 0 : mesh_.bands.back().fine.last / 3;
+    if (hidden_.empty()) {
+        if (hidden == nullptr) return;
+        whole_ = mesh_.indices;
+        hidden_.assign(last, 0);
+        divided_.resize(mesh_.bands.size());
+    }
+    if (hidden != nullptr && std::equal(hidden_.begin(), hidden_.end(), hidden)) return;
+    for (std::size_t b = 0; b < mesh_.bands.size(); ++b) {
+        divided_[b] = 0;
+        for (std::size_t t = mesh_.bands[b].fine.first / 3; t < mesh_.bands[b].fine.last / 3; ++t) {
+            hidden_[t] = hidden == nullptr ? 0 : hidden[t];
+            if (hidden_[t] != 0) divided_[b] = 1;
+            // One corner three times is nothing to draw.
+            for (std::size_t c = 0; c < 3; ++c)
+                mesh_.indices[3 * t + c] = whole_[3 * t + (hidden_[t] != 0 ? 0 : c)];
+        }
+    }
+}
+
 void GlSurface::draw(QOpenGLExtraFunctions& gl, const Sight& sight) {
     const double sine = std::sin(sight.half_angle), cosine = std::cos(sight.half_angle);
     order_.clear();
@@ -143,7 +164,8 @@ void GlSurface::draw(QOpenGLExtraFunctions& gl, const Sight& sight) {
         const double aside = (to_centre - ahead * sight.forward).norm();
         distances_[b] = std::max(0.0, to_centre.norm() - ball.radius);
         const bool near = mesh_.coarse_edge > sight.coarse_edge_at_1m * distances_[b] && !sight.round;
-        fine_[b] = near || is_touched(b, sight) ? 1 : 0;
+        const bool divided = !divided_.empty() && divided_[b] != 0;
+        fine_[b] = near || divided || is_touched(b, sight) ? 1 : 0;
         if (aside * cosine - ahead * sine <= ball.radius && ahead >= -ball.radius) order_.push_back(b);
     }
     std::sort(order_.begin(), order_.end(), [this](std::size_t a, std::size_t b) {

@@ -25,6 +25,8 @@ class GlSurface {
               const std::vector<float>& detail);
     /// version: of the positions; the same number as last time, not 0: nothing is to be done.
     void update(const float* positions, const float* normals, std::uint64_t version);
+    /// Leaves out the mesh's triangles that have a 1 here; null: none.
+    void hide(const std::uint8_t* hidden);
     /// What of the surface may be seen, a cone from the eye, and how finely it is worth drawing. Patient
     /// frame.
     struct Sight {
@@ -56,6 +58,9 @@ class GlSurface {
     std::vector<Ball> balls_;
     std::vector<double> distances_;
     std::vector<std::size_t> order_;
+    std::vector<std::uint8_t> hidden_;  // empty: nothing was ever hidden
+    std::vector<std::uint32_t> whole_;  // the mesh's indices with nothing hidden
+    std::vector<char> divided_;         // by band: some of it is hidden; as fine as it is made
     std::vector<char> fine_;
     std::vector<std::uint32_t> chosen_;
     std::vector<float> copies_;

@@ -6,6 +6,7 @@
 #include "sim_core/bowel/display_skin.h"
 #include "sim_core/world/anatomy_binding.h"
 #include "ui/theatre/renderer/bands_drawing.h"
+#include "ui/theatre/renderer/bowel_cut_drawing.h"
 #include "ui/theatre/renderer/hollow_drawing.h"
 
 namespace fulcrum::ui {
@@ -56,6 +57,7 @@ struct SceneAssembler::Impl {
     std::unique_ptr<MesenteryShape> mesentery;
     std::unique_ptr<BowelSkin> skin;
     std::unique_ptr<DisplaySkin> display;
+    std::unique_ptr<BowelCutDrawing> bowel_cut;  // where its tissue can be cut
     std::vector<float> ring_floats, positions, normals, sheet_positions, sheet_normals;
     BandsDrawing bands;
     std::unique_ptr<HollowDrawing> hollow;
@@ -85,6 +87,7 @@ SceneAssembler::SceneAssembler(const Scene& scene, const WorldSnapshot& first)
     i.skin =
         std::make_unique<BowelSkin>(i.bowel->surface, build_cage(i.bowel->surface, i.bowel->length, spheres));
     i.display = std::make_unique<DisplaySkin>(*i.skin);
+    if (!first.bowel_cut.hidden.empty()) i.bowel_cut = std::make_unique<BowelCutDrawing>(*i.skin);
     i.ring_floats.resize(12 * static_cast<std::size_t>(i.skin->rings()));
     i.positions.resize(3 * static_cast<std::size_t>(i.display->vertices()));
     i.normals.resize(i.positions.size());
@@ -156,6 +159,7 @@ SceneFrame& SceneAssembler::assemble(const WorldSnapshot& snapshot) {
     if (i.hollow) i.hollow->add(snapshot, i.frame);
     if (!snapshot.bands.empty()) i.bands.add(snapshot.bands[0], i.frame);
     i.frame.bowel_positions = i.frame.bowel_normals = nullptr;
+    i.frame.bowel_hidden = nullptr;
     i.frame.mesentery_positions = i.frame.mesentery_normals = nullptr;
     if (!i.display || static_cast<int>(snapshot.rings.size()) != i.skin->rings()) return i.frame;
     i.display->evaluate(snapshot.rings.data(), i.ring_floats.data(), i.positions.data(), i.normals.data());
@@ -164,6 +168,7 @@ SceneFrame& SceneAssembler::assemble(const WorldSnapshot& snapshot) {
                              i.normals.data());
     i.frame.bowel_positions = i.positions.data();
     i.frame.bowel_normals = i.normals.data();
+    if (i.bowel_cut) i.bowel_cut->add(snapshot.bowel_cut, i.frame);
     if (i.mesentery) {
         if (i.scene.tethers) {
             evaluate_mesentery(*i.mesentery, snapshot.rings.data(), snapshot.ring_arc_lengths.data(),

@@ -127,8 +127,51 @@ void SceneRenderer::Impl::draw_targets(QOpenGLExtraFunctions& gl, const SceneFra
 
 QOpenGLShaderProgram& SceneRenderer::Impl::program_of(const DrawnSheet& drawn) const {
     if (drawn.fibres) return *fibres;
+    if (drawn.wear == SheetWear::bowel) return *bowel_wall;
     if (drawn.large) return *large_sheet;
     return drawn.mark_from == drawn.mark_to ? *sheet : *marked_sheet;
+}
+
+void SceneRenderer::Impl::wear_tissue(QOpenGLShaderProgram& program, SheetWear wear) const {
+    switch (wear) {
+        case SheetWear::own:
+            areolar.bind();
+            program.setUniformValue("tile", areolar_tile);
+            break;
+        case SheetWear::fat:
+            fat.bind();
+            program.setUniformValue("tile", fat_tile);
+            break;
+        case SheetWear::peritoneum:
+            peritoneum.bind();
+            program.setUniformValue("tile", peritoneum_tile);
+            break;
+        case SheetWear::bowel:
+            serosa.bind();
+            program.setUniformValue("tile", 1.0F);
+            break;
+    }
+}
+
+void SceneRenderer::Impl::draw_bowel(QOpenGLExtraFunctions& gl, const SceneFrame& frame,
+                                     const GlSurface::Sight& sight) {
+    gl_bowel->update(frame.bowel_positions, frame.bowel_normals, frame.version);
+    gl_bowel->hide(frame.bowel_hidden);
+    start(*tissue, frame);
+    tissue->setUniformValue("bump", 1.0F);
+    tissue->setUniformValue("rim_fade", 0.0F);
+    tissue->setUniformValue("two_sided", 0);
+    serosa.bind();
+    gl.glCullFace(GL_BACK);
+    gl_bowel->draw(gl, sight);
+    if (frame.bowel_hidden == nullptr) return;
+    // Through an opening its inner face is seen.
+    start(*lumen, frame);
+    lumen->setUniformValue("bump", 1.0F);
+    lumen->setUniformValue("thickness", static_cast<float>(frame.bowel_thickness));
+    wear_tissue(*lumen, SheetWear::bowel);
+    gl.glCullFace(GL_FRONT);
+    gl_bowel->draw(gl, sight);
 }
 
 void SceneRenderer::Impl::draw_sheets(QOpenGLExtraFunctions& gl, const SceneFrame& frame) {
@@ -156,10 +199,7 @@ void SceneRenderer::Impl::draw_sheets(QOpenGLExtraFunctions& gl, const SceneFram
         }
         const SheetWear wear = drawn.wear == SheetWear::own ? own : drawn.wear;
         if (worn != wear) {
-            (wear == SheetWear::own ? areolar : wear == SheetWear::fat ? fat : peritoneum).bind();
-            program.setUniformValue("tile", wear == SheetWear::own   ? areolar_tile
-                                            : wear == SheetWear::fat ? fat_tile
-                                                                     : peritoneum_tile);
+            wear_tissue(program, wear);
             worn = wear;
         }
         if (drawn.fibres) {
@@ -239,16 +279,8 @@ void SceneRenderer::Impl::draw_scene(QOpenGLExtraFunctions& gl, const SceneFrame
     draw_studies(gl, frame, sight);
     draw_sheets(gl, frame);
     gl.glEnable(GL_CULL_FACE);
-    if (gl_bowel && frame.bowel_positions != nullptr && frame.bowel_normals != nullptr) {
-        gl_bowel->update(frame.bowel_positions, frame.bowel_normals, frame.version);
-        start(*tissue, frame);
-        tissue->setUniformValue("bump", 1.0F);
-        tissue->setUniformValue("rim_fade", 0.0F);
-        tissue->setUniformValue("two_sided", 0);
-        serosa.bind();
-        gl.glCullFace(GL_BACK);
-        gl_bowel->draw(gl, sight);
-    }
+    if (gl_bowel && frame.bowel_positions != nullptr && frame.bowel_normals != nullptr)
+        draw_bowel(gl, frame, sight);
     if (gl_mesentery && frame.mesentery_positions != nullptr && frame.mesentery_normals != nullptr) {
         // What of it lets nothing through hides the wall behind it.
         gl.glDisable(GL_CULL_FACE);

@@ -43,10 +43,7 @@ void SceneRenderer::set_cavity(const CavityShape& cavity, std::shared_ptr<const 
 }
 
 void SceneRenderer::set_bowel(const TriangleMesh& rest_surface, const std::vector<float>& taenia) {
-    impl_->bowel = {make_surface(rest_surface), {}, {}, taenia, true, true};
-    // The serosa's tile is two circumferences long.
-    std::vector<float>& coordinates = impl_->bowel.mesh.coordinates;
-    for (std::size_t i = 1; i < coordinates.size(); i += 2) coordinates[i] *= 0.5F;
+    impl_->bowel = {make_bowel_surface(rest_surface), {}, {}, taenia, true, true};
 }
 
 void SceneRenderer::set_mesentery(const MesenteryShape& mesentery) {
@@ -130,14 +127,16 @@ bool SceneRenderer::initialise() {
         {i.sheet, {s::light, s::surface_vertex}, {s::wet, s::sheet_fragment}},
         {i.marked_sheet, {s::light, s::surface_vertex}, {s::with_ink, s::wet, s::sheet_fragment}},
         {i.fibres, {s::light, s::surface_vertex}, {s::with_fibres, s::wet, s::sheet_fragment}},
+        {i.bowel_wall, {s::light, s::surface_vertex}, {s::with_layers, s::wet, s::sheet_fragment}},
+        {i.lumen, {s::within, s::light, s::surface_vertex}, {s::with_layers, s::wet, s::sheet_fragment}},
         {i.large_sheet,
          {s::light_each_fragment, s::light, s::surface_vertex},
          {s::light_each_fragment, s::light, s::wet, s::sheet_fragment}},
         {i.wall, {s::light_each_fragment, s::light, s::surface_vertex}, {s::light, s::wet, s::wall_fragment}},
         {i.plain, {s::light, s::surface_vertex}, {s::wet, s::plain_fragment}},
         {i.box, {s::rigid_vertex}, {s::light, s::wet, s::box_fragment}},
-        {i.steel, {s::rigid_vertex}, {s::light, s::wet, s::steel_fragment}},
-        {i.insulated, {s::rigid_vertex}, {s::light, s::wet, s::insulated_fragment}},
+        {i.steel, {s::rigid_vertex}, {s::light, s::wet, s::hard, s::steel_fragment}},
+        {i.insulated, {s::rigid_vertex}, {s::light, s::wet, s::hard, s::insulated_fragment}},
         {i.ghost, {s::rigid_vertex}, {s::ghost_fragment}},
         {i.target, {s::rigid_vertex}, {s::light, s::wet, s::target_fragment}},
         {i.mask, {s::mask_vertex}, {s::mask_fragment}},
@@ -154,8 +153,8 @@ bool SceneRenderer::initialise() {
     i.coarse_pixels = software ? software_coarse_pixels : 0;
     i.share_of_resolution =
         i.options.resolution > 0 ? i.options.resolution : (software ? software_resolution : 1.0);
-    i.share_in_hollow = i.options.resolution > 0 ? i.options.resolution
-                                                 : (software ? software_hollow_resolution : 1.0);
+    i.share_in_hollow =
+        i.options.resolution > 0 ? i.options.resolution : (software ? software_hollow_resolution : 1.0);
     i.shapes.clear();
     for (int shape = 0; shape < static_cast<int>(ToolShape::count); ++shape)
         i.shapes.push_back(std::make_unique<GlRigid>(make_shape(static_cast<ToolShape>(shape))));
@@ -180,8 +179,9 @@ const QImage& SceneRenderer::draw(const SceneFrame& frame, QSize size) {
 
 void SceneRenderer::release() {
     Impl& i = *impl_;
-    for (Impl::Program* program : {&i.tissue, &i.sheet, &i.marked_sheet, &i.fibres, &i.large_sheet, &i.wall,
-                                   &i.plain, &i.box, &i.steel, &i.insulated, &i.ghost, &i.target, &i.mask})
+    for (Impl::Program* program :
+         {&i.tissue, &i.sheet, &i.marked_sheet, &i.fibres, &i.bowel_wall, &i.lumen, &i.large_sheet, &i.wall,
+          &i.plain, &i.box, &i.steel, &i.insulated, &i.ghost, &i.target, &i.mask})
         program->reset();
     for (GlTissue* tissue : {&i.serosa, &i.fat, &i.peritoneum, &i.areolar, &i.wall_skin, &i.metal})
         *tissue = {};

@@ -55,8 +55,9 @@ struct DrawnMesh {
     QVector3D accent_colour = {0.10F, 0.20F, 0.75F};
 };
 
-/// What a sheet looks like: what set_sheet_texture gave, mesorectal fat, peritoneum.
-enum class SheetWear { own, fat, peritoneum };
+/// What a sheet looks like: what set_sheet_texture gave, mesorectal fat, peritoneum, the bowel's serosa with
+/// its coordinates and within it the wall's layers.
+enum class SheetWear { own, fat, peritoneum, bowel };
 
 /// A sheet that may be cut: its triangles change with its version.
 struct DrawnSheet {
@@ -79,10 +80,13 @@ struct SceneFrame {
     CameraPose camera;
     const float* bowel_positions = nullptr;  ///< three floats a vertex of set_bowel's mesh; null: not drawn
     const float* bowel_normals = nullptr;
+    const std::uint8_t* bowel_hidden =
+        nullptr;                 ///< one a triangle of set_bowel's mesh, 1: not drawn; null: it is whole
+    double bowel_thickness = 0;  ///< m, of its wall, where it is not whole: one sees in
     const float* mesentery_positions = nullptr;  ///< as evaluate_mesentery gives them; null: not drawn
     const float* mesentery_normals = nullptr;
     std::uint64_t version =
-        0;  ///< of these four: equal and not 0, they have not changed since the last picture
+        0;  ///< of the positions and normals: equal and not 0, they have not changed since the last picture
     std::vector<DrawnSheet> sheets;
     std::vector<DrawnTarget> targets;
     std::vector<DrawnTool> tools;

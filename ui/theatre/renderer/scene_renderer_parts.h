@@ -42,8 +42,8 @@ struct SceneRenderer::Impl {
     bool smooth = false;       // four samples a pixel
     double coarse_pixels = 0;  // coarse triangles with shorter edges than that are good enough; 0: none are
     using Program = std::unique_ptr<QOpenGLShaderProgram>;
-    Program tissue, sheet, marked_sheet, fibres, large_sheet, wall, plain, box, steel, insulated, ghost,
-        target, mask;
+    Program tissue, sheet, marked_sheet, fibres, bowel_wall, lumen, large_sheet, wall, plain, box, steel,
+        insulated, ghost, target, mask;
     struct Study {
         DrawnMesh look;
         std::unique_ptr<GlSurface> surface;  // null: to be uploaded
@@ -73,6 +73,10 @@ struct SceneRenderer::Impl {
     void draw_targets(QOpenGLExtraFunctions& gl, const SceneFrame& frame, bool translucent) const;
 
     QOpenGLShaderProgram& program_of(const DrawnSheet& drawn) const;
+
+    void wear_tissue(QOpenGLShaderProgram& program, SheetWear wear) const;
+
+    void draw_bowel(QOpenGLExtraFunctions& gl, const SceneFrame& frame, const GlSurface::Sight& sight);
 
     void draw_sheets(QOpenGLExtraFunctions& gl, const SceneFrame& frame);
 

@@ -9,6 +9,8 @@ const char* const head = "#version 330 core\n";
 
 const char* const light_each_fragment = "#define LIGHT_EACH_FRAGMENT\n";
 const char* const with_ink = "#define INK\n";
+const char* const within = "#define WITHIN\n";
+const char* const with_layers = "#define LAYERS\n";
 const char* const with_fibres = "#define FIBRES\n";
 
 const char* const light = R"(
@@ -75,18 +77,27 @@ out vec3 place;      // camera space
 out vec3 facing;     // camera space
 out vec2 uv;
 out vec3 arrived;    // light, squeezed pale, and what the vertex knows: fraction along the mesentery
+#ifdef WITHIN
+uniform float thickness;  // m, of the wall
+#endif
 void main() {
+#ifdef WITHIN
+    vec4 p = to_camera * vec4(position - thickness * normal, 1.0);
+    float known = 1.0;
+#else
     vec4 p = to_camera * vec4(position, 1.0);
+    float known = detail;
+#endif
     place = p.xyz;
     facing = mat3(to_camera) * normal;
     uv = coordinates;
     // Shadow changes slowly over a few millimetres, and light where triangles are small: once a vertex is enough.
     vec2 shaded = shade(p.xyz);
 #ifdef LIGHT_EACH_FRAGMENT
-    arrived = vec3(shaded, detail);
+    arrived = vec3(shaded, known);
 
 #else
-    arrived = vec3(arriving(p.xyz) * shaded.x, shaded.y, detail);
+    arrived = vec3(arriving(p.xyz) * shaded.x, shaded.y, known);
 #endif
     gl_Position = projection * p;
 }
@@ -140,6 +151,16 @@ vec3 wet(vec3 colour, vec3 n, vec3 film, vec3 to_eye, float wetness, float light
     vec3 body = colour * vec3(diffuse * 0.72 + 0.28 * max(raw * 0.8 + 0.2, 0.0), diffuse, diffuse);
     return expose(light * (2.35 * body + (wetness * fresnel) * (0.42 * sheen + 20.0 * glint)) + 0.004 * colour);
 }
+
+// A normal with the relief of a texture. Tangents from the derivatives of the coordinates: the mesh bends, they bend
+// along.
+vec3 roughened(vec3 n, vec3 place, vec2 st, vec2 raised, float bump) {
+    vec3 px = dFdx(place), py = dFdy(place);
+    vec2 tx = dFdx(st), ty = dFdy(st);
+    vec3 along = px * ty.y - py * tx.y, across = py * tx.x - px * ty.x;
+    float scale = bump * sign(tx.x * ty.y - tx.y * ty.x) * inversesqrt(max(max(dot(along, along), dot(across, across)), 1e-24));
+    return normalize(n + scale * (raised.x * along + raised.y * across));
+}
 )";
 
 const char* const tissue_fragment = R"(
@@ -160,12 +181,7 @@ void main() {
     n = dot(n, to_eye) < 0.0 && two_sided != 0 ? -n : n;
     vec4 texel = texture(albedo, uv);
     vec2 raised = texture(relief, uv).xy * 2.0 - 1.0;
-    // Tangents from the derivatives of the coordinates: the mesh bends, they bend along.
-    vec3 px = dFdx(place), py = dFdy(place);
-    vec2 tx = dFdx(uv), ty = dFdy(uv);
-    vec3 along = px * ty.y - py * tx.y, across = py * tx.x - px * ty.x;
-    float scale = bump * sign(tx.x * ty.y - tx.y * ty.x) * inversesqrt(max(max(dot(along, along), dot(across, across)), 1e-24));
-    vec3 rough = normalize(n + scale * (raised.x * along + raised.y * across));
+    vec3 rough = roughened(n, place, uv, raised, bump);
     vec3 film = mix(n, rough, 0.62);
     vec3 own = texel.rgb * texel.rgb;
     own = mix(own, vec3(0.95, 0.72, 0.62), 0.75 * arrived.y);
@@ -187,7 +203,9 @@ uniform sampler2D relief;
 uniform float bump;
 uniform float tile;       // m
 const float relief_height = 0.0009;  // m
+#ifndef LAYERS
 uniform vec3 cut_hue;     // linear: what a cut shows
+#endif
 uniform vec4 tint;        // linear colour and its share: what else than areolar tissue this is
 #ifdef FIBRES
 // Angel hair along the height, up to where the fat begins.
@@ -205,7 +223,7 @@ void main() {
     light.x *= arriving(place);
 #endif
 #ifndef LIGHT_EACH_FRAGMENT
-    // A face carries its char, a cut 4 more. What is large is never cut.
+    // A face carries its char (its depth in a wall), a cut 4 more. What is large is never cut.
     float cut = step(2.0, arrived.z);
     float burnt = arrived.z - 4.0 * cut;
 #endif
@@ -223,10 +241,7 @@ void main() {
     vec3 rough = normalize(abs(area) * n - turned * (dFdx(height) * over + dFdy(height) * aside));
 #else
     vec2 raised = texture(relief, st).xy * 2.0 - 1.0;
-    vec2 tx = dFdx(st), ty = dFdy(st);
-    vec3 along = px * ty.y - py * tx.y, across = py * tx.x - px * ty.x;
-    float scale = bump * sign(tx.x * ty.y - tx.y * ty.x) * inversesqrt(max(max(dot(along, along), dot(across, across)), 1e-24));
-    vec3 rough = normalize(n + scale * (raised.x * along + raised.y * across));
+    vec3 rough = roughened(n, place, st, raised, bump);
 #endif
     vec3 own = texel.rgb * texel.rgb;
 #ifdef FIBRES
@@ -263,6 +278,20 @@ void main() {
     float wetness = texel.a;
 #ifdef LIGHT_EACH_FRAGMENT
     own = mix(own, tint.rgb, tint.a);
+#elif defined(LAYERS)
+    {
+        // By depth: serosa, pale muscle, a whitish layer, mucosa in folds across the bowel. Little light gets in.
+        float depth = burnt;
+        float wander = texture(relief, vec2(1.0, 2.0) * uv).a - 0.5;
+        float fold = 0.5 + 0.5 * sin(6.2832 * (34.0 * uv.y + 0.5 * wander));
+        vec3 mucosa = vec3(0.58, 0.15, 0.12) * (0.45 + 0.70 * sqrt(fold));
+        vec3 layers = mix(vec3(0.70, 0.29, 0.22), vec3(0.86, 0.53, 0.42), smoothstep(0.48, 0.60, depth));
+        layers = mix(layers, vec3(0.52, 0.12, 0.10), smoothstep(0.66, 0.82, depth));
+        own = mix(mix(own, mucosa, depth), layers, cut);
+        rough = mix(rough, n, cut);
+        wetness *= 1.0 - 0.5 * cut;
+        light.x *= 1.0 - (0.45 + 0.20 * cut) * depth;
+    }
 #else
     // A cut is paler and duller than the film over it.
     own = mix(own, cut_hue, cut);
@@ -272,7 +301,7 @@ void main() {
     rough = mix(rough, n, cut);
     wetness *= 1.0 - max(0.5 * cut, 0.85 * smoothstep(0.2, 0.6, burnt));
 #endif
-    own = mix(own, vec3(0.95, 0.72, 0.62), 0.6 * light.y);
+    own = mix(own, vec3(0.95, 0.72, 0.62), 0.75 * light.y);
     colour = vec4(wet(own, rough, film, to_eye, wetness, light.x), 1.0);
 }
 )";
@@ -347,40 +376,44 @@ void main() {
 }
 )";
 
-const char* const insulated_fragment = R"(
+const char* const hard = R"(
+// What is hard and dry: how the lamp strikes it.
 in vec3 place;
 in vec3 facing;
 out vec4 colour;
-void main() {
-    // Black plastic.
-    vec3 n = normalize(facing);
-    vec3 l = normalize(lamp - place);
-    vec3 v = normalize(-place);
-    float light = 0.40 * arriving(place);
-    float across = max(dot(n, normalize(l + v)), 0.0);
-    float a2 = across * across, a4 = a2 * a2, a8 = a4 * a4, a16 = a8 * a8;
-    float rim = 1.0 - max(dot(n, v), 0.0);
-    vec3 linear = light * (vec3(0.055, 0.056, 0.060) * max(dot(n, l), 0.0) * 3.0 +
-                           vec3(0.75, 0.78, 0.82) * (a16 * a16 * a16) +
-                           vec3(0.20, 0.12, 0.10) * rim * rim * rim * 0.25);
+struct Struck {
+    vec3 n, to_lamp, to_eye;
+    float light;    // that arrives
+    float across;   // cosine of the normal to the way half between lamp and eye
+};
+Struck struck(vec3 n) {
+    vec3 to_lamp = normalize(lamp - place), to_eye = normalize(-place);
+    return Struck(n, to_lamp, to_eye, 0.40 * arriving(place), max(dot(n, normalize(to_lamp + to_eye)), 0.0));
+}
+void show(vec3 linear) {
     colour = vec4(expose(linear + 0.003), 1.0);
 }
 )";
 
+const char* const insulated_fragment = R"(
+void main() {
+    // Black plastic.
+    Struck at = struck(normalize(facing));
+    float a2 = at.across * at.across, a4 = a2 * a2, a8 = a4 * a4, a16 = a8 * a8;
+    float rim = 1.0 - max(dot(at.n, at.to_eye), 0.0);
+    show(at.light * (vec3(0.055, 0.056, 0.060) * max(dot(at.n, at.to_lamp), 0.0) * 3.0 +
+                     vec3(0.75, 0.78, 0.82) * (a16 * a16 * a16) +
+                     vec3(0.20, 0.12, 0.10) * rim * rim * rim * 0.25));
+}
+)";
+
 const char* const steel_fragment = R"(
-in vec3 place;
-in vec3 facing;
 in vec2 uv;
 uniform sampler2D albedo;
 uniform sampler2D relief;
 uniform vec3 hue;          // linear, of what the steel is coated with: 1 nothing
-out vec4 colour;
 void main() {
     vec3 n = normalize(facing);
-    vec3 l = normalize(lamp - place);
-    vec3 v = normalize(-place);
-    float light = 0.40 * arriving(place);
-    vec3 h = normalize(l + v);
     vec4 texel = texture(albedo, uv);
     vec2 raised = texture(relief, uv).xy * 2.0 - 1.0;
     vec3 px = dFdx(place), py = dFdy(place);
@@ -390,15 +423,14 @@ void main() {
     vec3 rough = normalize(n + scale * (raised.x * along + raised.y * around));
     vec3 steel = texel.rgb * texel.rgb * hue;
     // Brushed along the shaft: highlights drawn out across the strokes.
-    float across = max(dot(rough, h), 0.0);
-    float broad = pow(across, 14.0);
-    float sharp = pow(across, 160.0);
+    Struck at = struck(rough);
+    float broad = pow(at.across, 14.0);
+    float sharp = pow(at.across, 160.0);
     // The tissue all round mirrors in it.
     vec3 mirrored = mix(vec3(0.30, 0.11, 0.08), vec3(0.42, 0.25, 0.20), n.y * 0.5 + 0.5);
-    float facing_ratio = max(dot(n, v), 0.0);
-    vec3 linear = light * steel * (vec3(1.1) * max(dot(n, l), 0.0) + 1.9 * broad + 6.0 * sharp +
-                                   1.5 * mirrored * (1.15 - facing_ratio));
-    colour = vec4(expose(linear + 0.003), 1.0);
+    float facing_ratio = max(dot(n, at.to_eye), 0.0);
+    show(at.light * steel * (vec3(1.1) * max(dot(n, at.to_lamp), 0.0) + 1.9 * broad + 6.0 * sharp +
+                             1.5 * mirrored * (1.15 - facing_ratio)));
 }
 )";
 

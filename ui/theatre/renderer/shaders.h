@@ -6,10 +6,12 @@ namespace fulcrum::ui::shaders {
 
 extern const char* const head;                 ///< version line
 extern const char* const light_each_fragment;  ///< before surface_vertex and sheet_fragment: large triangles
+extern const char* const within;               ///< before surface_vertex: the inner face of the bowel's wall
 // Before sheet_fragment. A processor takes both sides of a condition, so what few sheets show is a program of
 // its own.
 extern const char* const with_ink;
 extern const char* const with_fibres;
+extern const char* const with_layers;
 extern const char* const surface_vertex;      ///< tissue, wall
 extern const char* const rigid_vertex;        ///< instruments, targets
 extern const char* const light;               ///< light and shadow at a point
@@ -19,6 +21,7 @@ extern const char* const sheet_fragment;      ///< a sheet that is cut: film, fi
 extern const char* const wall_fragment;       ///< cavity, with a texture of its own
 extern const char* const plain_fragment;      ///< meshes of a study
 extern const char* const box_fragment;        ///< training box
+extern const char* const hard;                ///< before the two of instruments
 extern const char* const steel_fragment;      ///< instruments: bare steel
 extern const char* const insulated_fragment;  ///< their insulation
 extern const char* const ghost_fragment;      ///< instruments of a demonstration or of before

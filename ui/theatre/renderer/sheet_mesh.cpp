@@ -13,6 +13,14 @@ void SheetMesh::add(const Vector3& position, const Vector3& normal, const Vector
     vertices_.push_back(detail);
 }
 
+void SheetMesh::add_edge(const SheetSurface& surface, std::int32_t from, std::int32_t to) {
+    const auto place = [&surface](std::int32_t v) {
+        return static_cast<std::uint64_t>(surface.places == nullptr ? v : surface.places[v]);
+    };
+    const std::uint64_t a = place(from), b = place(to);
+    edges_.push_back({(std::min(a, b) << 32U) | std::max(a, b), from, to});
+}
+
 void SheetMesh::build(const SheetSurface& surface) {
     vertices_.clear();
     indices_.clear();
@@ -33,26 +41,30 @@ void SheetMesh::build(const SheetSurface& surface) {
             (surface.positions[at(triangle[1])] - p).cross(surface.positions[at(triangle[2])] - p);
         for (std::size_t c = 0; c < 3; ++c) {
             normals_[at(triangle[c])] += area;
-            const std::int32_t from = triangle[c], to = triangle[(c + 1) % 3];
-            const auto low = static_cast<std::uint64_t>(std::min(from, to)),
-                       high = static_cast<std::uint64_t>(std::max(from, to));
-            edges_.push_back({(low << 32U) | high, from, to});
+            add_edge(surface, triangle[c], triangle[(c + 1) % 3]);
         }
     }
+    for (std::size_t e = 0; e < surface.beside_count; ++e)
+        add_edge(surface, surface.beside[e][0], surface.beside[e][1]);
     for (Vector3& normal : normals_) {
         const double length = normal.norm();
         normal = length > 0 ? Vector3(normal / length) : Vector3(Vector3::UnitZ());
     }
-    const double half = 0.5 * surface.thickness;
-    const auto burnt = [&surface](std::size_t v) {
+    if (surface.normals != nullptr) normals_.assign(surface.normals, surface.normals + surface.vertices);
+    // m before the positions that a face lies, and what its vertices know.
+    const auto before = [&surface](double side) {
+        return surface.wall ? std::min(0.0, side) * surface.thickness : 0.5 * side * surface.thickness;
+    };
+    const auto detail = [&surface](std::size_t v, double side) {
+        if (surface.wall) return side > 0 ? 0.0F : 1.0F;
         return surface.burnt == nullptr ? 0.0F : std::clamp(surface.burnt[v], 0.0F, 1.0F);
     };
     for (const double side : {1.0, -1.0}) {
         if (side < 0 && surface.thickness <= 0) break;
         const auto first = static_cast<std::uint32_t>(vertices_.size() / floats);
         for (std::size_t v = 0; v < surface.vertices; ++v)
-            add(surface.positions[v] + side * half * normals_[v], side * normals_[v], surface.rest[v],
-                burnt(v));
+            add(surface.positions[v] + before(side) * normals_[v], side * normals_[v], surface.rest[v],
+                detail(v, side));
         for (std::size_t t = 0; t < surface.count; ++t) {
             const Triangle& triangle = surface.triangles[t];
             if (!known(triangle)) continue;
@@ -76,8 +88,8 @@ void SheetMesh::build(const SheetSurface& surface) {
             const auto first = static_cast<std::uint32_t>(vertices_.size() / floats);
             for (const std::size_t end : {from, to}) {
                 for (const double side : {1.0, -1.0})
-                    add(surface.positions[end] + side * half * normals_[end], out, surface.rest[end],
-                        cut_detail + burnt(end));
+                    add(surface.positions[end] + before(side) * normals_[end], out, surface.rest[end],
+                        cut_detail + detail(end, side));
             }
             for (const std::uint32_t corner : {0U, 1U, 2U, 2U, 1U, 3U}) indices_.push_back(first + corner);
         }

@@ -224,6 +224,12 @@ SurfaceMesh make_surface(const TriangleMesh& mesh) {
     return surface;
 }
 
+SurfaceMesh make_bowel_surface(const TriangleMesh& mesh) {
+    SurfaceMesh surface = make_surface(mesh);
+    for (std::size_t i = 1; i < surface.coordinates.size(); i += 2) surface.coordinates[i] *= 0.5F;
+    return surface;
+}
+
 void choose_triangles(const SurfaceMesh& surface, const std::vector<std::size_t>& order,
                       const std::vector<char>& fine, std::vector<std::uint32_t>& chosen) {
     const auto is_fine = [&](std::size_t band) {

@@ -39,6 +39,9 @@ struct SurfaceMesh {
 /// (as make_cavity and make_bowel lay them out) also gets its coarse triangles.
 SurfaceMesh make_surface(const TriangleMesh& mesh);
 
+/// The bowel's: the serosa's tile is two circumferences long.
+SurfaceMesh make_bowel_surface(const TriangleMesh& mesh);
+
 /// Adds to `chosen` what is to be drawn when fine[band] says which bands are fine and seen[band] which show
 /// at all; bands in that order.
 void choose_triangles(const SurfaceMesh& surface, const std::vector<std::size_t>& order,
