@@ -39,7 +39,11 @@ nlohmann::json statistics_json(const LoopStatistics& s) {
               {"p99", s.wake_p99_us},
               {"p99.9", s.wake_p999_us},
               {"worst", s.wake_worst_us}}},
+            {"waits_in_ticks", s.waits_in_ticks},
+            {"preemptions_in_ticks", s.preemptions_in_ticks},
+            {"page_faults_in_ticks", s.page_faults_in_ticks},
             {"tick_us", {{"p50", s.tick_p50_us}, {"p99", s.tick_p99_us}, {"worst", s.tick_worst_us}}},
+            {"tick_own_us", {{"p50", s.own_p50_us}, {"p99", s.own_p99_us}, {"worst", s.own_worst_us}}},
             {"step_us", {{"p50", s.step_p50_us}, {"p99", s.step_p99_us}, {"worst", s.step_worst_us}}}};
 }
 
@@ -171,7 +175,8 @@ int command_perform(const std::vector<std::string>& words) {
         throw UsageError("command line: --input: not together with --operator; " + spec.usage);
 
     const std::string fidelity = arguments.value_or("--fidelity", "");
-    LoadedTask loaded = load_task_and_scene(arguments.words()[0], fidelity);  // what is wrong is told before a store is made
+    LoadedTask loaded =
+        load_task_and_scene(arguments.words()[0], fidelity);  // what is wrong is told before a store is made
     const auto seed = static_cast<std::uint64_t>(arguments.integer("--seed", 1, 0, 4'000'000'000LL));
     const std::string operator_name =
         arguments.has("--input") ? "" : arguments.value_or("--operator", "expert");

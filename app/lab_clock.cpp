@@ -63,14 +63,13 @@ Measured measure_cut_clock() {
     lab::ResultPage& page = measured.page;
     page.paragraph(
         "Tasks B2 and C4 by a synthetic expert in real time, haptic and world threads as in the application, "
-        "once "
-        "with a blade that cuts, once with the same operator while the tissue cannot be cut; until the task "
-        "ended, "
-        "at most " +
+        "once with a blade that cuts, once with the same operator while the tissue cannot be cut; until the "
+        "task ended, at most " +
         lab::short_number(most_seconds) +
-        " s. A tick is missed by the program when the one before it took longer than its period, by the "
-        "scheduler "
-        "when its thread was woken late.");
+        " s. A tick that begins a period late is missed by the program when the tick before, with what was "
+        "still behind by such work, filled the period with its thread's own processor time, or with time on "
+        "the wall if the thread waited for something in it; by the scheduler when the thread was ready and "
+        "had no processor, which another thread (a preemption) or the machine's host had.");
     std::vector<Clocked> runs;
     for (const char* task : {"B2", "C4"})
         for (const bool cuts : {true, false}) runs.push_back(on_the_clock(task, cuts));
@@ -89,7 +88,11 @@ Measured measure_cut_clock() {
              {"missed_by_program", s.missed_by_program},
              {"missed_by_scheduler", s.missed_by_scheduler},
              {"late_steps", s.late_steps},
+             {"waits_in_ticks", s.waits_in_ticks},
+             {"preemptions_in_ticks", s.preemptions_in_ticks},
+             {"page_faults_in_ticks", s.page_faults_in_ticks},
              {"tick_us", {{"p50", s.tick_p50_us}, {"p99", s.tick_p99_us}, {"worst", s.tick_worst_us}}},
+             {"tick_own_us", {{"p50", s.own_p50_us}, {"p99", s.own_p99_us}, {"worst", s.own_worst_us}}},
              {"step_us", {{"p50", s.step_p50_us}, {"p99", s.step_p99_us}, {"worst", s.step_worst_us}}},
              {"topology", run.topology},
              {"removed_mm2", run.removed_mm2},
@@ -104,10 +107,16 @@ Measured measure_cut_clock() {
     row("ticks", [](const Clocked& run) { return run.loop.ticks; });
     row("missed by the program", [](const Clocked& run) { return run.loop.missed_by_program; });
     row("missed by the scheduler", [](const Clocked& run) { return run.loop.missed_by_scheduler; });
+    row("waits within ticks", [](const Clocked& run) { return run.loop.waits_in_ticks; });
+    row("preemptions within ticks", [](const Clocked& run) { return run.loop.preemptions_in_ticks; });
+    row("page faults within ticks", [](const Clocked& run) { return run.loop.page_faults_in_ticks; });
     row("late world steps", [](const Clocked& run) { return run.loop.late_steps; });
     row("tick, us: p50", [](const Clocked& run) { return run.loop.tick_p50_us; });
     row("tick, us: p99", [](const Clocked& run) { return run.loop.tick_p99_us; });
     row("tick, us: worst", [](const Clocked& run) { return run.loop.tick_worst_us; });
+    row("tick, own processor time, us: p50", [](const Clocked& run) { return run.loop.own_p50_us; });
+    row("tick, own processor time, us: p99", [](const Clocked& run) { return run.loop.own_p99_us; });
+    row("tick, own processor time, us: worst", [](const Clocked& run) { return run.loop.own_worst_us; });
     row("world step, us: p50", [](const Clocked& run) { return run.loop.step_p50_us; });
     row("world step, us: p99", [](const Clocked& run) { return run.loop.step_p99_us; });
     row("world step, us: worst", [](const Clocked& run) { return run.loop.step_worst_us; });

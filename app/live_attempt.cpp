@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One class with three threads: over 500 lines, because what they share is easier to check in one place.
 #include "app/live_attempt.h"
 
 #include <mutex>
 #include <thread>
 
 #include "app/device_watch.h"
-#include "app/histogram.h"
 #include "app/real_time.h"
 #include "database/attempts.h"
 #include "sim_core/telemetry/ring.h"
@@ -68,9 +66,8 @@ struct LiveAttempt::State : public AttemptSink {
     std::atomic<bool> built{false}, begun{false}, running{false};
     std::atomic<bool> paused{false}, abandon{false}, stop{false}, haptic_stopped{false}, world_stopped{false};
     std::atomic<bool> device_lost{false}, resume_asked{false}, became_practice{false};
-    std::atomic<std::uint32_t> tick_count{0}, missed_program{0}, missed_scheduler{0}, late_steps{0};
+    std::atomic<std::uint32_t> tick_count{0};
     std::atomic<bool> ended{false}, finished{false}, failed{false};
-    std::atomic<bool> real_time_priority{false};
 
     mutable std::mutex end_mutex;  // guards what the recorder thread leaves for the owner: message and result
     std::string trouble;
@@ -78,7 +75,7 @@ struct LiveAttempt::State : public AttemptSink {
     std::optional<ui::AttemptOutcome> result;
     std::optional<ScoredAttempt> scored;
 
-    DurationHistogram wake, tick_time, step_time;
+    LoopCounters counters;
     std::thread haptic_thread, world_thread, recorder_thread;
     bool relabel_wanted = false;  // recorder thread
     std::uint32_t flushed_tick = 0;
@@ -133,14 +130,16 @@ std::uint32_t LiveAttempt::State::device_flags(const RigSample& sample) noexcept
 }
 
 void LiveAttempt::State::run_haptic() noexcept {
-    real_time_priority.store(raise_priority(80), std::memory_order_relaxed);
+    counters.real_time_priority(raise_priority(80));
     Rig& rig = *request.rig;
     auto* observer = dynamic_cast<ObservingRig*>(&rig);
     const auto ticks_per_step = static_cast<std::uint32_t>(engine->scene().ticks_per_step);
     const auto period = static_cast<std::int64_t>(1e9 / engine->scene().tick_rate);
     if (observer != nullptr) observer->observe(rig_view.value().snapshot, rig_view.value().display);
     std::int64_t deadline = now_ns() + period;
+    TickAccount account(period);
     std::int64_t last_duration = 0;
+    ThreadUse last_use;
     for (std::uint32_t tick = 1; !stop.load(std::memory_order_relaxed); ++tick) {
         std::int64_t begin = now_ns();
         if (begin < deadline) {
@@ -148,11 +147,11 @@ void LiveAttempt::State::run_haptic() noexcept {
             begin = now_ns();
         }
         const std::int64_t late = begin - deadline;
-        wake.add(static_cast<double>(late) * 1e-3);
-        if (late >= period) {
-            (last_duration >= period ? missed_program : missed_scheduler)
-                .fetch_add(1, std::memory_order_relaxed);
-            if (late >= catch_up_ticks * period) deadline = begin;
+        const ThreadUse at_begin = use_of_this_thread();
+        counters.tick_begins(late, account.begin(late, last_duration, last_use));
+        if (late >= catch_up_ticks * period) {
+            deadline = begin;
+            account.clock_moved();
         }
         deadline += period;
 
@@ -169,8 +168,7 @@ void LiveAttempt::State::run_haptic() noexcept {
         if (abandon.load(std::memory_order_relaxed)) input.flags |= rig_abandon;
         input.flags |= device_flags(input);
         TickOutput output = engine->tick(input);
-        output.sample.missed =
-            missed_program.load(std::memory_order_relaxed) + missed_scheduler.load(std::memory_order_relaxed);
+        output.sample.missed = counters.missed();
         rig.write_force(Hand::left, output.device_force[0]);
         rig.write_force(Hand::right, output.device_force[1]);
         world_ring.push(output);
@@ -178,7 +176,8 @@ void LiveAttempt::State::run_haptic() noexcept {
         tick_count.store(tick, std::memory_order_relaxed);
         if (tick % ticks_per_step == 0) ticks_ready.post();
         last_duration = now_ns() - begin;
-        tick_time.add(static_cast<double>(last_duration) * 1e-3);
+        last_use = use_of_this_thread() - at_begin;
+        counters.tick_ends(last_duration, last_use);
     }
     rig.write_force(Hand::left, Vector3::Zero());
     rig.write_force(Hand::right, Vector3::Zero());
@@ -203,7 +202,7 @@ void LiveAttempt::State::run_world() noexcept {
         if (count > 0 && !ended.load(std::memory_order_relaxed)) {
             const std::int64_t begin = now_ns();
             if (count > ticks_per_step) {
-                late_steps.fetch_add(1, std::memory_order_relaxed);
+                counters.step_is_late();
                 Event late;
                 late.tick = outputs[count - 1].sample.tick;
                 late.kind = EventKind::world_late;
@@ -219,7 +218,7 @@ void LiveAttempt::State::run_world() noexcept {
                 slot.display = *products.display;
                 buffer->publish();
             }
-            step_time.add(static_cast<double>(now_ns() - begin) * 1e-3);
+            counters.step_ends(now_ns() - begin);
             outputs.erase(outputs.begin(), outputs.begin() + static_cast<std::ptrdiff_t>(count));
             if (engine->ended()) {
                 ended.store(true);
@@ -334,7 +333,7 @@ void LiveAttempt::State::finish() {
                                        trace.events, request.benchmark ? &*request.benchmark : nullptr);
     RunOutcome outcome;
     outcome.state_hash = engine->state_hash();
-    const std::uint32_t missed = missed_program.load() + missed_scheduler.load();
+    const std::uint32_t missed = counters.missed();
     const database::AttemptResult stored = attempt_result(
         score, outcome, tick_count.load() * engine->scene().tick_period(), missed, lost, request.meta.limits);
     recorder->finish(stored);
@@ -404,8 +403,8 @@ ui::LoopHealth LiveAttempt::health() const {
     const State& state = *state_;
     ui::LoopHealth health;
     health.ticks = state.tick_count.load();
-    health.missed_ticks = state.missed_program.load() + state.missed_scheduler.load();
-    health.late_steps = state.late_steps.load();
+    health.missed_ticks = state.counters.missed();
+    health.late_steps = state.counters.late_steps();
     health.lost_samples = state.world_ring.lost() + state.record_ring.lost() + state.record_world_ring.lost();
     for (int hand = 0; hand < hand_count; ++hand)
         health.force_felt[hand] = state.request.rig->has_force(static_cast<Hand>(hand));
@@ -489,24 +488,10 @@ std::uint64_t LiveAttempt::state_hash() const {
 
 LoopStatistics LiveAttempt::statistics() const {
     const State& state = *state_;
-    LoopStatistics statistics;
+    LoopStatistics statistics = state.counters.read();
     statistics.ticks = state.tick_count.load();
-    statistics.missed_by_program = state.missed_program.load();
-    statistics.missed_by_scheduler = state.missed_scheduler.load();
-    statistics.late_steps = state.late_steps.load();
     statistics.lost_samples =
         state.world_ring.lost() + state.record_ring.lost() + state.record_world_ring.lost();
-    statistics.wake_p50_us = state.wake.quantile(0.5);
-    statistics.wake_p99_us = state.wake.quantile(0.99);
-    statistics.wake_p999_us = state.wake.quantile(0.999);
-    statistics.wake_worst_us = state.wake.worst();
-    statistics.tick_p50_us = state.tick_time.quantile(0.5);
-    statistics.tick_p99_us = state.tick_time.quantile(0.99);
-    statistics.tick_worst_us = state.tick_time.worst();
-    statistics.step_p50_us = state.step_time.quantile(0.5);
-    statistics.step_p99_us = state.step_time.quantile(0.99);
-    statistics.step_worst_us = state.step_time.worst();
-    statistics.real_time_priority = state.real_time_priority.load();
     return statistics;
 }
 

@@ -18,24 +18,12 @@
 #include <memory>
 #include <string>
 
+#include "app/loop_statistics.h"
 #include "app/performance.h"
 #include "database/recorder.h"
 #include "ui/application_services.h"
 
 namespace fulcrum::app {
-
-/// How the loop kept its clock.
-struct LoopStatistics {
-    std::uint64_t ticks = 0;
-    std::uint64_t missed_by_program = 0;  ///< a tick began a period late because the one before took too long
-    std::uint64_t missed_by_scheduler = 0;  ///< a tick began a period late because the thread was woken late
-    std::uint64_t late_steps = 0;
-    std::uint64_t lost_samples = 0;
-    double wake_p50_us = 0, wake_p99_us = 0, wake_p999_us = 0, wake_worst_us = 0;  ///< lateness of waking
-    double tick_p50_us = 0, tick_p99_us = 0, tick_worst_us = 0;                    ///< duration of a tick
-    double step_p50_us = 0, step_p99_us = 0, step_worst_us = 0;  ///< duration of a world step
-    bool real_time_priority = false;
-};
 
 struct LiveRequest {
     LoadedTask loaded;

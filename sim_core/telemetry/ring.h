@@ -23,7 +23,14 @@ namespace fulcrum {
 template <typename T>
 class Ring {
   public:
-    explicit Ring(std::size_t capacity) : queue_(capacity) {}
+    /// Touches all its memory: no push() meets a page that is not there yet.
+    explicit Ring(std::size_t capacity) : queue_(capacity) {
+        T value{};
+        while (queue_.try_enqueue(value)) {
+        }
+        while (queue_.try_dequeue(value)) {
+        }
+    }
     /// Producer. False (and counted) when full.
     bool push(const T& value) noexcept {
         observe(&popped_);

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A late tick is the program's or the scheduler's by what its thread did, not by what the wall clock says.
+#include "app/tick_account.h"
+
+#include <gtest/gtest.h>
+
+#include <ctime>
+
+namespace fulcrum::app {
+namespace {
+
+constexpr std::int64_t us = 1000;
+constexpr std::int64_t period = 1000 * us;
+
+/// Counts as the haptic thread does, from durations that the test gives.
+struct Clock {
+    TickAccount account{period};
+    std::int64_t late = 0;
+    int program = 0, scheduler = 0;
+
+    /// A tick whose work took `wall`, of it `processor` on the processor, and after which the thread was
+    /// woken `woken` late where it slept.
+    Lateness tick(std::int64_t wall, std::int64_t processor, std::int64_t waits = 0, std::int64_t woken = 0) {
+        late += wall - period;
+        if (late < 0) late = woken;
+        const Lateness lateness = account.begin(late, wall, {processor, waits});
+        program += lateness == Lateness::by_program ? 1 : 0;
+        scheduler += lateness == Lateness::by_scheduler ? 1 : 0;
+        return lateness;
+    }
+    void quick_ticks(int count) {
+        for (int i = 0; i < count; ++i) tick(20 * us, 20 * us);
+    }
+};
+
+TEST(TickAccount, LongOnTheWallAndShortOnTheProcessorIsTheSchedulers) {
+    Clock clock;
+    EXPECT_EQ(clock.tick(2500 * us, 20 * us), Lateness::by_scheduler);
+}
+
+TEST(TickAccount, LongOnTheProcessorIsThePrograms) {
+    Clock clock;
+    EXPECT_EQ(clock.tick(2500 * us, 2500 * us), Lateness::by_program);
+    // Taken away for half of it: what the thread did itself still fills the period.
+    Clock halved;
+    EXPECT_EQ(halved.tick(2500 * us, 1000 * us), Lateness::by_program);
+}
+
+TEST(TickAccount, JustBelowThePeriodOfOwnWorkIsNotThePrograms) {
+    Clock clock;
+    EXPECT_EQ(clock.tick(2500 * us, 1000 * us - 1), Lateness::by_scheduler);
+}
+
+TEST(TickAccount, LateByLessThanAPeriodIsNotMissed) {
+    Clock clock;
+    EXPECT_EQ(clock.tick(1999 * us, 1999 * us), Lateness::in_time);
+    EXPECT_EQ(clock.program + clock.scheduler, 0);
+}
+
+TEST(TickAccount, WokenLateIsTheSchedulers) {
+    Clock clock;
+    EXPECT_EQ(clock.tick(20 * us, 25 * us, 0, 3000 * us), Lateness::by_scheduler);
+}
+
+TEST(TickAccount, ATickThatWaitsByItselfIsChargedWithTheWall) {
+    Clock clock;
+    EXPECT_EQ(clock.tick(2500 * us, 20 * us, 1), Lateness::by_program);
+    Clock quick;  // a wait that costs no period is nobody's miss
+    EXPECT_EQ(quick.tick(400 * us, 20 * us, 1), Lateness::in_time);
+    // It waited shortly, and was then woken late by the system.
+    EXPECT_EQ(quick.tick(20 * us, 20 * us, 1, 2000 * us), Lateness::by_scheduler);
+}
+
+TEST(TickAccount, TicksThatCatchUpBelongToWhoeverMadeThemLate) {
+    Clock own;
+    own.tick(5200 * us, 5200 * us);  // 4.2 ms behind; each quick tick makes good 0.98
+    own.quick_ticks(10);
+    EXPECT_EQ(own.program, 4);
+    EXPECT_EQ(own.scheduler, 0);
+    Clock stolen;
+    stolen.tick(5200 * us, 20 * us);
+    stolen.quick_ticks(10);
+    EXPECT_EQ(stolen.program, 0);
+    EXPECT_EQ(stolen.scheduler, 4);
+}
+
+TEST(TickAccount, ManyTicksAlittleTooLongAddUp) {
+    Clock clock;
+    for (int i = 0; i < 30; ++i) clock.tick(1100 * us, 1100 * us);
+    EXPECT_EQ(clock.program, 21);  // from the tenth on a period behind
+    EXPECT_EQ(clock.scheduler, 0);
+}
+
+TEST(TickAccount, OwnDelayIsForgottenOnceCaughtUp) {
+    Clock clock;
+    clock.tick(2500 * us, 2500 * us);
+    clock.quick_ticks(5);
+    EXPECT_EQ(clock.tick(2500 * us, 20 * us), Lateness::by_scheduler);
+    EXPECT_EQ(clock.program, 1);
+}
+
+TEST(TickAccount, NothingIsOwedWhenTheClockWasMoved) {
+    Clock clock;
+    clock.tick(30000 * us, 30000 * us);
+    clock.account.clock_moved();
+    clock.late = 0;
+    EXPECT_EQ(clock.tick(2500 * us, 20 * us), Lateness::by_scheduler);
+}
+
+TEST(ThreadUse, ProcessorTimeGrowsWithWorkAndWaitsWithSleep) {
+    const ThreadUse before = use_of_this_thread();
+    ThreadUse after = before;
+    while (after.processor_ns < before.processor_ns + 1000000) after = use_of_this_thread();
+    EXPECT_GE(after.waits, before.waits);
+    // One nap is enough unless the machine stood still until its end.
+    const timespec nap{0, 1000000};
+    for (int i = 0; i < 100 && use_of_this_thread().waits == after.waits; ++i) nanosleep(&nap, nullptr);
+    EXPECT_GT(use_of_this_thread().waits, after.waits);
+}
+
+}  // namespace
+}  // namespace fulcrum::app
