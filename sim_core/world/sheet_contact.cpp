@@ -111,7 +111,8 @@ SheetPart::Near SheetPart::find_near(const Vector3& tip, double radius) noexcept
     return near;
 }
 
-bool SheetPart::crosses(const Vector3& from, const Vector3& to) const noexcept {
+template <typename Visit>
+bool SheetPart::visit_crossings(const Vector3& from, const Vector3& to, Visit&& visit) const noexcept {
     const Vector3 way = to - from;
     for (const std::int32_t t : visible_) {
         const Triangle& v = surface_.triangle(t).vertices;
@@ -119,9 +120,33 @@ bool SheetPart::crosses(const Vector3& from, const Vector3& to) const noexcept {
         const Vector3 n = (b - a).cross(c - a);
         const double before = (from - a).dot(n), after = (to - a).dot(n);
         if (before * after > 0 || before == after) continue;
-        if (covers(from + before / (before - after) * way, n, a, b, c)) return true;
+        const double share = before / (before - after);
+        if (covers(from + share * way, n, a, b, c) && visit(t, share)) return true;
     }
     return false;
+}
+
+bool SheetPart::crosses(const Vector3& from, const Vector3& to) const noexcept {
+    return visit_crossings(from, to, [](std::int32_t, double) { return true; });
+}
+
+SheetPlace SheetPart::under(const Vector3& point, const Vector3& normal, double reach) const noexcept {
+    const Vector3 from = point - reach * normal, to = point + reach * normal;
+    double least = 1;
+    std::int32_t nearest = -1;
+    Vector3 where = point;
+    visit_crossings(from, to, [&](std::int32_t t, double share) {
+        const double away = std::abs(share - 0.5);
+        if (away < least) {
+            least = away;
+            nearest = t;
+            where = from + share * (to - from);
+        }
+        return false;
+    });
+    if (nearest < 0) return SheetPlace();
+    const Triangle& v = surface_.triangle(nearest).vertices;
+    return place_in(nearest, closest_point_on_triangle(where, state_.positions[at(v[0])], state_.positions[at(v[1])], state_.positions[at(v[2])]).barycentric);
 }
 
 double SheetPart::friction(const SheetAction& action) const noexcept {

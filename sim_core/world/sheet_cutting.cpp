@@ -14,6 +14,8 @@ namespace {
 constexpr double line_reach = 0.012;        // m beside the marked line within which a cut divides the sheet across it
 constexpr double off_wall = 0.0005;         // m at rest from the muscularis that a blade keeps
 constexpr double off_rim = 1e-6;            // m: places are told as being this far from the rim of a septum at least
+constexpr double sample_spacing = 0.00015;  // m along a blade's step, where the tissue under it is looked for
+constexpr double slit = 0.0006;             // m at rest across what one blade's way leaves open, at most
 constexpr double kept_slack = 1e-6;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
@@ -45,7 +47,7 @@ void SheetPart::follow(int number, const SheetAction& action, std::uint32_t tick
         const TouchMove move = next_touch(n, hand.reaction, button(action.tool) && action.instrument->cuts(), at_hand, hand.ease, hand.friction, pull);
         if (move.enters) {
             hand.touch = BladeTouch::cutting;
-            hand.way = on_septum(hand.place, rest(hand.place));
+            hand.way = begin_of_way(hand.place, here - overlap * way.normalized(), n);
             hand.cut_friction = hand.ease * at_hand->dynamic_friction;
             hand.linked = false;  // the blade is another link
             surface_.begin_stroke();
@@ -78,27 +80,109 @@ void SheetPart::advance(int number, const Vector3& excess, std::uint32_t tick) n
     const Vector3 here = place(hand.place), way = excess.normalized();
     const double traction = traction_at(here, way, hand.normal);
     const BladeStep blade = make_step(here, excess, hand.normal, spec_.blade_width, surface_.fragment(hand.place.fragment).root);
+    BladeTrack track;
+    if (septa_) follow_track(blade, track);
     const CutReport report = cut(blade);
     if (report.roll_backs > 0) add_event(tick, EventKind::cut_rolled_back, number, 0, report.roll_backs);
     if (report.outcome == CutOutcome::full || report.outcome == CutOutcome::invalid) faults_ = std::max(faults_, 1U);
     if (report.outcome != CutOutcome::cut && report.outcome != CutOutcome::nothing) return;
     const SheetPlace next = closest(blade.to + ahead * way);
     const bool gone = next.fragment < 0 || (place(next) - blade.to).norm() > off_by;
-    const Vector3 reached = on_septum(hand.place, gone ? Vector3(hand.way + excess.norm() * (rest(next) - hand.way).normalized()) : rest(next));
-    if (report.outcome == CutOutcome::cut) {
-        const double length = (reached - hand.way).norm();
-        mark_divided(hand.way, reached);
-        move_ends(number, hand.way, reached);
-        add_place_event(tick, EventKind::cut_advance, number, reached);
-        add_event(tick, EventKind::cut_traction, number, traction, 1e6 * length, in_fat(reached));
+    if (septa_) {
+        if (report.outcome == CutOutcome::cut) tell_track(number, track, traction, tick);
+    } else {
+        const Vector3 reached = gone ? Vector3(hand.way + excess.norm() * (rest(next) - hand.way).normalized()) : rest(next);
+        if (report.outcome == CutOutcome::cut) tell_cut(number, reached, traction, tick);
+        hand.way = reached;
     }
-    hand.way = reached;
     if (gone) {
         leave(number, tick);
     } else {
         hand.place = next;
         if (const CuttingSpec* cutting = cutting_at(next)) hand.cut_friction = hand.ease * cutting->dynamic_friction;
     }
+}
+
+void SheetPart::tell_cut(int number, const Vector3& reached, double traction, std::uint32_t tick) noexcept {
+    HandState& hand = state_.hands[static_cast<std::size_t>(number)];
+    const double length = (reached - hand.way).norm();
+    mark_divided(hand.way, reached);
+    move_ends(number, hand.way, reached);
+    add_place_event(tick, EventKind::cut_advance, number, reached);
+    add_event(tick, EventKind::cut_traction, number, traction, 1e6 * length, in_fat(reached));
+    hand.way = reached;
+}
+
+// A blade's first step begins a little behind the place where it has entered.
+Vector3 SheetPart::begin_of_way(const SheetPlace& where, const Vector3& behind, const Vector3& normal) const noexcept {
+    const Vector3 entered = on_septum(where, rest(where));
+    if (!septa_ || !behind.allFinite()) return entered;
+    const SheetPlace there = under(behind, normal, blade_reach);
+    if (there.fragment < 0 || septum_of(there) != septum_of(where)) return entered;
+    const Vector3 first = on_septum(there, rest(there));
+    return (first - entered).norm() <= slit ? first : entered;
+}
+
+// What lies under a blade before it is divided. Afterwards the nearest tissue may be the other lip, the rim that the
+// blade has left, or the next septum.
+void SheetPart::follow_track(const BladeStep& blade, BladeTrack& track) const noexcept {
+    const Vector3 way = blade.to - blade.from;
+    const auto steps = static_cast<std::size_t>(std::clamp(std::ceil(way.norm() / sample_spacing), 1.0, double(BladeTrack::capacity - 1)));
+    track.count = steps + 1;
+    for (std::size_t i = 0; i <= steps; ++i) {
+        const Vector3 point = blade.from + static_cast<double>(i) / static_cast<double>(steps) * way;
+        BladeTrack::Sample& sample = track.samples[i];
+        SheetPlace there = under(point, blade.normal, blade.depth);
+        sample.covered = there.fragment >= 0;
+        if (!sample.covered) {
+            // Tissue that lies along the normal has none over the point, but is in the blade's band.
+            there = closest(point);
+            if (there.fragment < 0) continue;
+            const Vector3 off = place(there) - point;
+            const double along = off.dot(blade.normal);
+            sample.covered = std::abs(along) <= blade.depth && (off - along * blade.normal).norm() <= 0.5 * blade.width;
+        }
+        sample.rest = on_septum(there, rest(there));
+        sample.root = surface_.fragment(there.fragment).root;
+    }
+}
+
+// Whether what lies between two samples of a track is the tissue between them: of one triangle as it was made or of two
+// that touch, or no farther than a slit is wide.
+bool SheetPart::joined(const BladeTrack::Sample& a, const BladeTrack::Sample& b) const noexcept {
+    if (septum_at(a.rest) != septum_at(b.rest)) return false;
+    if ((a.rest - b.rest).norm() <= slit) return true;
+    if (!a.covered || !b.covered) return false;
+    const Triangle &first = layout_.mesh.triangles[at(a.root)], &second = layout_.mesh.triangles[at(b.root)];
+    return std::find_first_of(first.begin(), first.end(), second.begin(), second.end()) != first.end();
+}
+
+// A cut is told where tissue was under the blade without a break; between two such ways it ends and begins.
+void SheetPart::tell_track(int number, const BladeTrack& track, double traction, std::uint32_t tick) noexcept {
+    HandState& hand = state_.hands[static_cast<std::size_t>(number)];
+    const auto tell_to = [&](std::size_t i) {
+        if (track.samples[i].rest != hand.way) tell_cut(number, track.samples[i].rest, traction, tick);
+    };
+    bool open = false;
+    for (std::size_t i = 0; i < track.count; ++i) {
+        const BladeTrack::Sample& sample = track.samples[i];
+        if (open && !joined(track.samples[i - 1], sample)) {
+            tell_to(i - 1);
+            open = false;
+        } else if (open && !sample.covered) {
+            tell_to(i);  // the rim itself
+        }
+        if (sample.covered && !open) {
+            // What was left between here and the end of the way before is the slit that the blade came in.
+            if (septum_at(hand.way) != septum_at(sample.rest) || (sample.rest - hand.way).norm() > slit) {
+                add_place_event(tick, EventKind::cut_end, number, hand.way);
+                hand.way = sample.rest;
+                add_place_event(tick, EventKind::cut_begin, number, hand.way);
+            }
+        }
+        open = sample.covered;
+    }
+    if (open) tell_to(track.count - 1);
 }
 
 const CuttingSpec* SheetPart::cutting_at(const SheetPlace& where) const noexcept {

@@ -144,6 +144,17 @@ class SheetPart {
     CutReport cut(const BladeStep& blade) noexcept;
 
   private:
+    /// The tissue under a blade along its step.
+    struct BladeTrack {
+        struct Sample {
+            Vector3 rest = Vector3::Zero();  ///< of the tissue there, else of the nearest
+            std::int32_t root = -1;
+            bool covered = false;  ///< there is tissue under it
+        };
+        static constexpr std::size_t capacity = 38;
+        std::size_t count = 0;
+        std::array<Sample, capacity> samples;
+    };
     struct Near {
         SheetPlace place;
         Vector3 point = Vector3::Zero(), normal = Vector3::UnitZ();
@@ -153,7 +164,12 @@ class SheetPart {
     SheetPlace closest(const Vector3& point) const noexcept;
     SheetPlace find_in_root(std::int32_t root, const Vector3& barycentric, double slack) const noexcept;
     SheetPlace place_in(std::int32_t triangle, const Vector3& weights) const noexcept;
+    /// Of the triangles that a segment crosses, in no order, until visit(triangle, share of the way) is true.
+    template <typename Visit>
+    bool visit_crossings(const Vector3& from, const Vector3& to, Visit&& visit) const noexcept;
     bool crosses(const Vector3& from, const Vector3& to) const noexcept;
+    /// The nearest within reach along a normal, either side; none is a place without a fragment.
+    SheetPlace under(const Vector3& point, const Vector3& normal, double reach) const noexcept;
     void approach(int hand, const SheetAction& action, std::uint32_t tick, double dt) noexcept;
     void update_jaws(int hand, const SheetAction& action, double dt) noexcept;
     void take(int hand, const SheetAction& action) noexcept;
@@ -185,7 +201,13 @@ class SheetPart {
     std::int32_t septum_of(const SheetPlace& where) const noexcept {
         return where.fragment < 0 ? 0 : surface_.fragment(where.fragment).root / (surface_.root_count() / layout_.pieces);
     }
+    std::int32_t septum_at(const Vector3& rest) const noexcept { return static_cast<std::int32_t>(rest.x() / septa_->width); }
     Vector3 on_septum(const SheetPlace& where, Vector3 rest) const noexcept;
+    Vector3 begin_of_way(const SheetPlace& where, const Vector3& behind, const Vector3& normal) const noexcept;
+    void tell_cut(int hand, const Vector3& reached, double traction, std::uint32_t tick) noexcept;
+    void follow_track(const BladeStep& blade, BladeTrack& track) const noexcept;
+    bool joined(const BladeTrack::Sample& a, const BladeTrack::Sample& b) const noexcept;
+    void tell_track(int hand, const BladeTrack& track, double traction, std::uint32_t tick) noexcept;
     Vector3 keep_off_wall(const SheetPlace& where, const Vector3& way) const noexcept;
     void remake_pieces() noexcept;
     bool jaws_hold(std::int32_t piece) const noexcept;

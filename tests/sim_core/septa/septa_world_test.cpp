@@ -101,8 +101,12 @@ TEST(SeptaWorld, AHookDividesThePlaneOfTheFirstSeptumAndTheRectumComesFreeOfIt) 
     rig.divide(0, 0.02, 1.2);
     rig.withdraw();
     rig.steps(60);
-    EXPECT_EQ(rig.count(EventKind::cut_begin), 1);
-    EXPECT_EQ(rig.count(EventKind::cut_end), 1);
+    // One way from rim to rim; at the rim, where the last fibres give way before the blade, it may be told in
+    // parts.
+    EXPECT_EQ(rig.count(EventKind::cut_begin), rig.count(EventKind::cut_end));
+    EXPECT_LE(rig.count(EventKind::cut_begin), 3);
+    for (const Event& event : rig.events)
+        if (event.kind == EventKind::cut_end) EXPECT_GT(event.value, rig.scene.septa->width - 0.002);
     EXPECT_GT(rig.count(EventKind::cut_advance), 40);
     int divided = 0;
     for (std::size_t i = 0; i < 12; ++i) divided += rig.view().line_divided[i];
@@ -334,8 +338,8 @@ TEST(SeptaWorld, ASaveInTheMiddleOfADissectionRestores) {
     }
 }
 
-// metrics.md, energy_safe: an activation in the mesorectum is not on the tissue that is to be divided, whether the
-// blade came there at once or was drawn out of the plane.
+// metrics.md, energy_safe: an activation in the mesorectum is not on the tissue that is to be divided,
+// whether the blade came there at once or was drawn out of the plane.
 TEST(SeptaEnergy, PowerOnTheFatOfTheMesorectumIsNotOnTarget) {
     test::SeptaRig rig;
     rig.take_rectum();

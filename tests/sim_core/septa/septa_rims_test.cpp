@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is told of cuts along and over the rims of septa is the surface that was cut.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "sim_core/numerics/random.h"
+#include "tests/sim_core/septa/septa_rig.h"
+
+namespace fulcrum {
+namespace {
+
+/// Whether there is tissue at a place at rest.
+bool covered(const SheetView& sheet, double x, double y) {
+    for (std::size_t t = 0; t < static_cast<std::size_t>(sheet.triangle_count); ++t) {
+        std::array<Eigen::Vector2d, 3> p;
+        for (std::size_t c = 0; c < 3; ++c)
+            p[c] =
+                sheet.rest[static_cast<std::size_t>(sheet.triangles[t][c])].head<2>() - Eigen::Vector2d(x, y);
+        const auto turn_of = [&](std::size_t a, std::size_t b) {
+            return p[a].x() * p[b].y() - p[a].y() * p[b].x();
+        };
+        const double u = turn_of(0, 1), v = turn_of(1, 2), w = turn_of(2, 0);
+        if ((u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0)) return true;
+    }
+    return false;
+}
+
+/// Whether tissue is left all around a place at rest: no blade has been there.
+bool whole_around(const SheetView& sheet, const Vector3& place, double radius) {
+    for (int k = 0; k < 17; ++k) {
+        const double turn = 0.785398163397448 * k, size = k == 0 ? 0 : k < 9 ? 0.5 * radius : radius;
+        const double x = place.x() + size * std::cos(turn), y = place.y() + size * std::sin(turn);
+        if (!covered(sheet, x, y)) return false;
+    }
+    return true;
+}
+
+// Issue 4: what is said of the plane is measured on the cut surface alone; no way leads from one septum to
+// the next.
+TEST(SeptaRims, CutsAlongAndOverRimsAreToldWhereTheyAre) {
+    test::SeptaRig rig;
+    const double width = rig.scene.septa->width;
+    rig.take_rectum();
+    rig.lift(0.008);
+    Random random(6, 0x51DEU);
+    int told = 0;
+    std::vector<std::array<double, 2>> all;
+    for (int stroke = 0; stroke < 8; ++stroke) {
+        const int septum = stroke / 4;
+        const double side = random.uniform(0, 1) < 0.5 ? 0 : 1, inwards = side > 0 ? -1 : 1;
+        const auto by_rim = [&](double inside, double outside) {
+            return side + inwards * random.uniform(-outside, inside);
+        };
+        const auto behind = [&](double share) -> Vector3 {
+            const double up = random.uniform(-0.006, 0.012);
+            return rig.on_line(septum, share, -0.006) - up * rig.curve.posterior(rig.arc_length(septum));
+        };
+        rig.events.clear();
+        const double from = by_rim(0.15, 0), speed = random.uniform(0.02, 0.15);
+        rig.set_on(septum, from);
+        rig.wish[1].button = true;
+        rig.go(1, behind(from + 0.02 * inwards), 0.03);
+        rig.go(1, behind(by_rim(0.2, 0.12)), speed);
+        rig.go(1, behind(by_rim(0.2, 0.10)), speed);
+        rig.wish[1].button = false;
+        rig.steps(3);
+        rig.go(1, rig.wish[1].tip + 0.07 * (rig.trocar[1].position - rig.wish[1].tip).normalized(), 0.3);
+
+        Vector3 last = Vector3::Zero();
+        std::vector<std::array<double, 2>> ways;
+        for (const Event& event : rig.events) {
+            if (event.kind != EventKind::cut_begin && event.kind != EventKind::cut_advance) continue;
+            const Vector3 here(event.value, -1e-6 * event.detail, 0), way = here - last;
+            if (event.kind == EventKind::cut_advance) {
+                ++told;
+                ways.push_back({std::min(last.x(), here.x()), std::max(last.x(), here.x())});
+                EXPECT_EQ(std::floor(here.x() / width), std::floor(last.x() / width)) << "stroke " << stroke;
+                const int samples = std::max(1, static_cast<int>(way.norm() / 0.0003));
+                for (int i = 0; i < samples; ++i) {
+                    const Vector3 place = last + (i + 0.5) / samples * way;
+                    EXPECT_FALSE(whole_around(rig.view(), place, 0.0008))
+                        << "stroke " << stroke << " of " << way.norm() << " m at " << place.transpose();
+                }
+            }
+            last = here;
+        }
+        all.insert(all.end(), ways.begin(), ways.end());
+    }
+    // And all that was parted was told, but for the ends of strokes: a blade's cap and what falls at a
+    // corner.
+    const double fat = rig.scene.septa->fat_height - rig.scene.septa->plane_height, column = 0.0004;
+    for (int septum = 0; septum < 2; ++septum) {
+        int missing = 0;
+        for (double x = 0.5 * column; x < width; x += column) {
+            const double here = septum * width + x;
+            bool parted = false, said = false;
+            for (double y = -rig.scene.septa->plane_height + 0.0001; y < fat && !parted; y += 0.0001)
+                parted = !covered(rig.view(), here, y);
+            for (const auto& way : all) said = said || (way[0] <= here && way[1] >= here);
+            missing = parted && !said ? missing + 1 : 0;
+            EXPECT_LE(missing, 2) << "septum " << septum << " at " << x;
+        }
+    }
+    EXPECT_GT(told, 20);
+}
+
+}  // namespace
+}  // namespace fulcrum
