@@ -105,8 +105,11 @@ TEST(SeptaWorld, AHookDividesThePlaneOfTheFirstSeptumAndTheRectumComesFreeOfIt) 
     // parts.
     EXPECT_EQ(rig.count(EventKind::cut_begin), rig.count(EventKind::cut_end));
     EXPECT_LE(rig.count(EventKind::cut_begin), 3);
-    for (const Event& event : rig.events)
-        if (event.kind == EventKind::cut_end) EXPECT_GT(event.value, rig.scene.septa->width - 0.002);
+    for (const Event& event : rig.events) {
+        if (event.kind == EventKind::cut_end) {
+            EXPECT_GT(event.value, rig.scene.septa->width - 0.002);
+        }
+    }
     EXPECT_GT(rig.count(EventKind::cut_advance), 40);
     int divided = 0;
     for (std::size_t i = 0; i < 12; ++i) divided += rig.view().line_divided[i];
