@@ -7,14 +7,18 @@
 //                          expert operator on the haptic thread's clock, the world's thread, the recorder's
 //   theatre/pictures/TASK  the same pictures without window and threads; one thread's instruction counts
 //                          compare (LP_NUM_THREADS=0 valgrind --tool=callgrind)
+//   theatre/pictures/cut_bowel  a bowel with a slit and a disc that falls, and with the openings they leave;
+//                          two of them stand in the page
 //
 // drawing: from asking for the picture until it is on the screen, wall time; cpu: what this thread and the
 // software renderer's spent on it. FULCRUM_PICTURES names a folder for what theatre/pictures drew.
 #include <benchmark/benchmark.h>
 
 #include <QApplication>
+#include <QBuffer>
 #include <QDir>
 #include <QElapsedTimer>
+#include <QPainter>
 #include <QTemporaryDir>
 #include <algorithm>
 #include <fstream>
@@ -26,7 +30,9 @@
 #include "database/people.h"
 #include "sim_core/lab/result_page.h"
 #include "sim_core/lab/yardstick.h"
+#include "tests/sim_core/bowel_cut/bowel_cut_rig.h"
 #include "ui/theatre/renderer/offscreen.h"
+#include "ui/theatre/renderer/picture.h"
 #include "ui/theatre/renderer/scene_assembler.h"
 #include "ui/theatre/theatre_view.h"
 
@@ -161,12 +167,31 @@ std::vector<WorldSnapshot> recorded_worlds(const LoadedTask& loaded) {
     return worlds;
 }
 
-void pictures(benchmark::State& state, const char* task) {
-    const LoadedTask loaded = load_task_and_scene(task);
-    const std::vector<WorldSnapshot> worlds = recorded_worlds(loaded);
+/// A slit in the bowel's wall and beside it a disc: just cut, falling, and gone.
+std::vector<WorldSnapshot> cut_bowel_worlds(test::BowelCutRig& rig) {
+    const Vector3 middle = rig.top_now();
+    rig.cut_slit(rig.vertex_at(rig.top, -0.016, 0.004), 0.022);
+    rig.cut_round(rig.vertex_at(rig.top, 0.010, 0.002), 0.007);
+    std::vector<WorldSnapshot> worlds;
+    for (int step = 1; step <= 210; ++step) {
+        rig.step();
+        if (step <= 10 || step % 20 == 0) worlds.push_back(rig.world.snapshot());
+    }
+    for (WorldSnapshot& world : worlds)
+        world.camera =
+            ui::camera_towards(middle + Vector3(0.004, 0.050, 0.062), middle, Vector3::UnitZ(), 0.8);
+    return worlds;
+}
+
+std::vector<QImage> cut_bowel_kept;
+
+/// Draws each world in turn, over and over. Returns the pictures of those in `keep`.
+std::vector<QImage> draw_worlds(benchmark::State& state, const Scene& scene,
+                                const std::vector<WorldSnapshot>& worlds,
+                                const std::vector<std::size_t>& keep, QSize kept_size) {
     ui::OffscreenStage stage;
     ui::SceneRenderer renderer;
-    ui::SceneAssembler assembler(loaded.scene, worlds[0]);
+    ui::SceneAssembler assembler(scene, worlds[0]);
     assembler.install(renderer);
     stage.draw(renderer, assembler.assemble(worlds[0]), window_size);
     std::vector<double> drawing, cpu, assembling;
@@ -184,16 +209,45 @@ void pictures(benchmark::State& state, const char* task) {
     }
     report(state, drawing, cpu);
     state.counters["assembling_ms"] = share(assembling, 0.5);
-    const QString folder = qEnvironmentVariable("FULCRUM_PICTURES");
-    if (!folder.isEmpty()) {
-        for (const std::size_t w : {std::size_t{1}, std::size_t{12}, std::size_t{24}, std::size_t{36}}) {
-            if (w >= worlds.size()) break;
-            const QImage image = stage.picture(renderer, assembler.assemble(worlds[w]), window_size);
-            image.save(QStringLiteral("%1/%2-%3.png").arg(folder, QLatin1String(task)).arg(w));
-        }
+    std::vector<QImage> kept;
+    for (const std::size_t w : keep) {
+        if (w < worlds.size())
+            kept.push_back(stage.picture(renderer, assembler.assemble(worlds[w]), kept_size));
     }
     stage.make_current();
     renderer.release();
+    return kept;
+}
+
+void pictures(benchmark::State& state, const char* task) {
+    const LoadedTask loaded = load_task_and_scene(task);
+    const QString folder = qEnvironmentVariable("FULCRUM_PICTURES");
+    const std::vector<std::size_t> keep =
+        folder.isEmpty() ? std::vector<std::size_t>() : std::vector<std::size_t>{1, 12, 24, 36};
+    const std::vector<QImage> kept =
+        draw_worlds(state, loaded.scene, recorded_worlds(loaded), keep, window_size);
+    for (std::size_t k = 0; k < kept.size(); ++k)
+        kept[k].save(QStringLiteral("%1/%2-%3.png").arg(folder, QLatin1String(task)).arg(keep[k]));
+}
+
+constexpr const char* cut_bowel = "cut_bowel";
+
+void cut_bowel_pictures(benchmark::State& state) {
+    test::BowelCutRig rig;
+    cut_bowel_kept = draw_worlds(state, rig.scene, cut_bowel_worlds(rig), {6, 19}, QSize(480, 480));
+}
+
+/// Side by side.
+lab::ResultFile cut_bowel_picture() {
+    QImage both(static_cast<int>(cut_bowel_kept.size()) * 480, 480, QImage::Format_RGB32);
+    QPainter painter(&both);
+    for (std::size_t k = 0; k < cut_bowel_kept.size(); ++k)
+        painter.drawImage(static_cast<int>(k) * 480, 0, cut_bowel_kept[k]);
+    painter.end();
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    both.save(&buffer, "PNG");
+    return {"theatre_cut_bowel.png", bytes.toStdString()};
 }
 
 constexpr const char* tasks[] = {"A2", "B1", "B2", "B3", "C4"};
@@ -225,15 +279,19 @@ class Keeper : public benchmark::ConsoleReporter {
                 std::snprintf(text, sizeof text, "%.1f", run.counters.at(counter).value);
                 return std::string(text);
             };
+            const auto add_pictures = [&](const char* what) {
+                if (run.benchmark_name().rfind(std::string("theatre/pictures/") + what, 0) == 0)
+                    pictures.rows.push_back({what, of("cpu_ms"), of("cpu_p5_ms"), of("cpu_p99_ms"),
+                                             of("assembling_ms"), of("G_ms")});
+            };
+            add_pictures(cut_bowel);
             for (const char* task : tasks) {
                 if (run.benchmark_name().rfind(std::string("theatre/window/") + task, 0) == 0) {
                     window.rows.push_back({task, of("drawing_ms"), of("drawing_p99_ms"), of("cpu_ms"),
                                            of("cpu_p5_ms"), of("frame_ms"), of("frame_p99_ms"),
                                            of("missed_by_program"), of("G_ms")});
-                } else if (run.benchmark_name().rfind(std::string("theatre/pictures/") + task, 0) == 0) {
-                    pictures.rows.push_back({task, of("cpu_ms"), of("cpu_p5_ms"), of("cpu_p99_ms"),
-                                             of("assembling_ms"), of("G_ms")});
                 }
+                add_pictures(task);
             }
         }
     }
@@ -261,6 +319,12 @@ void write_page(const std::string& folder, const Keeper& keeper, double load) {
     page.table(keeper.window);
     page.paragraph("The scene alone, drawn offscreen, over the first 40 s of the same expert.");
     page.table(keeper.pictures);
+    if (!cut_bowel_kept.empty()) {
+        page.paragraph(
+            "cut_bowel: the wall cut in the world of scene bowel_enterotomy, a slit along the bowel and a "
+            "disc. Left while the disc falls into the lumen, right when it is gone.");
+        page.file(cut_bowel_picture(), "A slit in the wall of a bowel and a round opening into it.");
+    }
     page.write(folder, lab::this_machine(lab::build_info()));
 }
 
@@ -284,6 +348,11 @@ int main(int argc, char** argv) {
             ->Unit(benchmark::kMillisecond)
             ->Iterations(120);
     }
+    benchmark::RegisterBenchmark((std::string("theatre/pictures/") + fulcrum::app::cut_bowel).c_str(),
+                                 fulcrum::app::cut_bowel_pictures)
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond)
+        ->Iterations(120);
     fulcrum::app::Keeper keeper;
     benchmark::RunSpecifiedBenchmarks(&keeper);
     if (argc > 1) fulcrum::app::write_page(argv[1], keeper, load);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "database/connection.h"
 #include "database/people.h"
@@ -17,9 +18,10 @@ struct LargeProgramme {
     std::string cohort;
 };
 
-/// `metrics` rows a score; attempts are spread over A2 and B1 and four weeks.
+/// `metrics` rows a score; attempts are spread over the tasks and four weeks.
 inline LargeProgramme make_large_programme(const Store& store, int trainees, int attempts_each, int metrics,
-                                           std::uint64_t seed) {
+                                           std::uint64_t seed,
+                                           const std::vector<const char*>& tasks = {"A2", "B1"}) {
     const char* const password = "correct horse battery";
     const People people(store);
     const Session administrator =
@@ -51,7 +53,7 @@ inline LargeProgramme make_large_programme(const Store& store, int trainees, int
         const double talent = random.uniform(0, 20);
         for (int a = 0; a < attempts_each; ++a) {
             const std::string attempt = id + "-" + std::to_string(a);
-            const char* const task = a % 2 == 0 ? "A2" : "B1";
+            const char* const task = tasks[static_cast<std::size_t>(a) % tasks.size()];
             const double points = std::min(100.0, 30 + talent + 4 * a + random.uniform(0, 15));
             Query(connection,
                   "INSERT INTO attempt (id, person_id, station_id, task_id, task_version, mode, "

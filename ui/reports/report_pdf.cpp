@@ -51,6 +51,31 @@ AttemptChartData chart_of(const database::PersonProgress& progress) {
     return data;
 }
 
+// Parts joined again as long as they fit into a line.
+QStringList wrapped(Sheet& sheet, const QString& whole, const QString& between, double width) {
+    const QFontMetricsF measure(sheet.painter().font(), sheet.painter().device());
+    QStringList lines;
+    for (const QString& part : whole.split(between)) {
+        const QString longer = lines.isEmpty() ? part : lines.back() + between + part;
+        if (!lines.isEmpty() && measure.horizontalAdvance(longer) <= width) {
+            lines.back() = longer;
+        } else {
+            lines << part;
+        }
+    }
+    return lines;
+}
+
+// One below the other; the sheet stays where it is.
+void cell_lines(Sheet& sheet, double x, double width, const QStringList& lines) {
+    const double top = sheet.y();
+    for (int line = 0; line < lines.size(); ++line) {
+        sheet.to(top + line * sheet.line_height());
+        sheet.cell(x, width, lines[line]);
+    }
+    sheet.to(top);
+}
+
 void person_page(Sheet& sheet, const PersonReport& report) {
     sheet.new_page();
     if (report.provenance.demo) sheet.watermark(tr("DEMONSTRATION"));
@@ -89,9 +114,11 @@ void person_page(Sheet& sheet, const PersonReport& report) {
         sheet.font(8.5);
         QString title = text(row.task_id);
         for (const ReportTask& task : report.tasks) {
-            if (task.id == row.task_id) title += QStringLiteral("  ") + text(task.title);
+            if (task.id == row.task_id) title += QStringLiteral(" ") + text(task.title);
         }
-        cell(0, title);
+        const double title_width = columns[1] * sheet.width();
+        const QStringList lines = wrapped(sheet, title, QStringLiteral(" "), title_width - Sheet::mm(3));
+        cell_lines(sheet, 0, title_width, lines);
         cell(1, row.device_class.empty() ? QStringLiteral("–") : device_class_text(row.device_class));
         cell(2, state_text(row));
         cell(3, QString::number(row.attempts));
@@ -99,6 +126,7 @@ void person_page(Sheet& sheet, const PersonReport& report) {
         cell(5, QString::number(row.not_counting));
         cell(6, figure(row.best_points));
         n += row.attempts;
+        sheet.to(sheet.y() + (lines.size() - 1) * sheet.line_height());
         sheet.skip(5);
     }
     sheet.skip(4);
@@ -109,7 +137,10 @@ void person_page(Sheet& sheet, const PersonReport& report) {
     const double bottom = sheet.height() - Sheet::mm(24);
     const double room = bottom - sheet.y();
     if (!drawn.empty()) {
-        const std::size_t per_row = drawn.size() > 3 ? 2 : 1;
+        const bool landscape = sheet.width() > sheet.height();
+        const std::size_t per_row = landscape          ? std::min<std::size_t>(drawn.size(), 3)
+                                    : drawn.size() > 3 ? 2
+                                                       : 1;
         const std::size_t chart_rows = (drawn.size() + per_row - 1) / per_row;
         const double each = std::min(room / static_cast<double>(chart_rows), Sheet::mm(72));
         const double top = sheet.y();
@@ -121,9 +152,10 @@ void person_page(Sheet& sheet, const PersonReport& report) {
             sheet.cell(x, width, text(drawn[i]->task_id));
             sheet.font(7);
             const double heading = Sheet::mm(6);
-            paint_attempt_chart(sheet.painter(),
-                                QRectF(x, sheet.y() + heading, width, each - heading - Sheet::mm(3)),
-                                chart_of(*drawn[i]), paper_palette(), dots_per_inch / 120.0);
+            paint_attempt_chart(
+                sheet.painter(),
+                QRectF(x, sheet.y() + heading, width - Sheet::mm(4), each - heading - Sheet::mm(3)),
+                chart_of(*drawn[i]), paper_palette(), dots_per_inch / 120.0);
         }
     } else {
         sheet.font(9, false, paper_palette().muted);
@@ -148,21 +180,6 @@ QString cohort_cell(const std::vector<database::CohortRow>& rows, const std::str
         lines << device_class_text(row.device_class);
     }
     return lines.join(QLatin1Char('\n'));
-}
-
-// Parts joined again as long as they fit into a line.
-QStringList wrapped(Sheet& sheet, const QString& whole, const QString& between, double width) {
-    const QFontMetricsF measure(sheet.painter().font(), sheet.painter().device());
-    QStringList lines;
-    for (const QString& part : whole.split(between)) {
-        const QString longer = lines.isEmpty() ? part : lines.back() + between + part;
-        if (!lines.isEmpty() && measure.horizontalAdvance(longer) <= width) {
-            lines.back() = longer;
-        } else {
-            lines << part;
-        }
-    }
-    return lines;
 }
 
 void cohort_pages(Sheet& sheet, const CohortReport& report) {
@@ -203,10 +220,7 @@ void cohort_pages(Sheet& sheet, const CohortReport& report) {
         for (std::size_t t = 0; t < report.tasks.size(); ++t) {
             const QStringList words = wrapped(sheet, text(report.tasks[t].id + " " + report.tasks[t].title),
                                               QStringLiteral(" "), task_width - Sheet::mm(3));
-            for (int k = 0; k < words.size(); ++k) {
-                sheet.to(first_line + k * sheet.line_height());
-                sheet.cell(name_width + static_cast<double>(t) * task_width, task_width, words[k]);
-            }
+            cell_lines(sheet, name_width + static_cast<double>(t) * task_width, task_width, words);
             head_lines = std::max(head_lines, static_cast<int>(words.size()));
         }
         sheet.to(first_line + (head_lines - 1) * sheet.line_height());
@@ -234,12 +248,8 @@ void cohort_pages(Sheet& sheet, const CohortReport& report) {
         }
         const double top = sheet.y();
         sheet.cell(0, name_width, text(name));
-        for (std::size_t t = 0; t < cells.size(); ++t) {
-            for (int line = 0; line < cells[t].size(); ++line) {
-                sheet.to(top + line * sheet.line_height());
-                sheet.cell(name_width + static_cast<double>(t) * task_width, task_width, cells[t][line]);
-            }
-        }
+        for (std::size_t t = 0; t < cells.size(); ++t)
+            cell_lines(sheet, name_width + static_cast<double>(t) * task_width, task_width, cells[t]);
         sheet.to(top + height);
     }
     footer(sheet, report.provenance, n);

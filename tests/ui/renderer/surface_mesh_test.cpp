@@ -4,12 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
 
 #include "sim_core/anatomy/anatomy.h"
+#include "sim_core/anatomy/rectum.h"
 #include "ui/theatre/renderer/tool_mesh.h"
 
 namespace fulcrum::ui {
@@ -125,6 +127,45 @@ TEST(ToolMesh, NormalsAreUnitAndIndicesValid) {
         }
         for (const std::uint32_t index : mesh.indices) EXPECT_LT(index, mesh.vertices.size() / 8);
     }
+}
+
+// A dome that goes round and round its pole draws the texture out into a star.
+TEST(SurfaceMesh, DomesWearTheTextureUndrawn) {
+    RectumParameters rectum;
+    rectum.curve.centre = Vector3(0, 0, 0.1);
+    rectum.curve.curve_radius = 0.1;
+    rectum.curve.rectum_radius = 0.016;
+    rectum.curve.gap = 0.02;
+    const BowelShape shape = make_rectum(rectum);
+    // Widest against narrowest scale of the tile (one circumference by two) in a triangle near a pole.
+    const auto drawn_out = [&shape](bool domes) {
+        const SurfaceMesh surface = make_bowel_surface(shape.surface, domes);
+        double worst = 1;
+        for (std::size_t i = 0; i + 2 < surface.indices.size(); i += 3) {
+            Eigen::Matrix<double, 3, 2> place;
+            Eigen::Matrix2d tile;
+            bool near = true;
+            Vector3 corner[3];
+            Eigen::Vector2d at[3];
+            for (std::size_t c = 0; c < 3; ++c) {
+                const std::uint32_t index = surface.indices[i + c];
+                corner[c] = shape.surface.vertices[own(surface, index)];
+                near = near && std::hypot(corner[c].y(), corner[c].z()) < 0.6 * 0.016;
+                at[c] = {surface.coordinates[2 * index], 2.0 * surface.coordinates[2 * index + 1]};
+            }
+            if (!near) continue;
+            for (int side = 0; side < 2; ++side) {
+                place.col(side) = corner[side + 1] - corner[0];
+                tile.col(side) = at[side + 1] - at[0];
+            }
+            const Eigen::Matrix<double, 3, 2> scale = place * tile.inverse();
+            const Eigen::JacobiSVD<Eigen::Matrix<double, 3, 2>> parts(scale);
+            worst = std::max(worst, parts.singularValues()[0] / std::max(1e-12, parts.singularValues()[1]));
+        }
+        return worst;
+    };
+    EXPECT_LT(drawn_out(true), 2.0);
+    EXPECT_GT(drawn_out(false), 4.0);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double band_width = 0.006, band_thickness = 0.0016, bed_thickness = 0.002;  // m
 constexpr double vessel_radius = 0.0014, outlet_radius = 0.002, clip_radius = 0.0018;
-constexpr double shown_of_vein = 0.6;   // of its radius: the rest lies beneath
+constexpr double shown_of_vein = 0.85;  // of its radius: the rest lies beneath
 constexpr double least_blood = 0.0002;  // m, thinner films are not drawn
 constexpr float charred = 0.35F;        // share of its water that a black segment has lost
 constexpr double darkest = 0.75;        // share of the light that smoke can take
@@ -167,7 +167,7 @@ void BandsDrawing::add(const BandsView& view, SceneFrame& frame) {
     for (const VeinView& vein : view.veins) {
         Ribbon& blue = strip();
         lay_cord(vein.line, shown_of_vein * vein.radius, blue);
-        sheet(blue, 0, QVector3D(0.10F, 0.14F, 0.34F), 0.75F);
+        sheet(blue, 0, QVector3D(0.07F, 0.12F, 0.40F), 0.85F);
     }
     for (std::size_t b = 0; b < view.bands.size(); ++b) {
         const BandView& band = view.bands[b];

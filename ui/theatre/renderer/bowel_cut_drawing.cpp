@@ -22,8 +22,8 @@ std::size_t corner_at(const Triangle& triangle, std::int32_t vertex) {
 
 }  // namespace
 
-BowelCutDrawing::BowelCutDrawing(const BowelSkin& skin)
-    : skin_(skin), surface_(make_bowel_surface(skin.rest())) {}
+BowelCutDrawing::BowelCutDrawing(const BowelSkin& skin, bool domes)
+    : skin_(skin), surface_(make_bowel_surface(skin.rest(), domes)) {}
 
 BowelCutDrawing::Corner BowelCutDrawing::corner_of_root(const SceneFrame& frame, std::int32_t root,
                                                         std::size_t corner) const {

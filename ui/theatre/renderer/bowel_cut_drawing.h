@@ -15,8 +15,8 @@ namespace fulcrum::ui {
 
 class BowelCutDrawing {
   public:
-    /// The skin must outlive this.
-    explicit BowelCutDrawing(const BowelSkin& skin);
+    /// The skin must outlive this. domes: as make_bowel_surface.
+    BowelCutDrawing(const BowelSkin& skin, bool domes);
     /// Adds to a frame that has the bowel's positions and normals; nothing where all of the skin is whole.
     /// What it adds points into this object and the view until the next call.
     void add(const BowelCutView& view, SceneFrame& frame);

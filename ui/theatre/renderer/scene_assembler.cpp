@@ -87,7 +87,7 @@ SceneAssembler::SceneAssembler(const Scene& scene, const WorldSnapshot& first)
     i.skin =
         std::make_unique<BowelSkin>(i.bowel->surface, build_cage(i.bowel->surface, i.bowel->length, spheres));
     i.display = std::make_unique<DisplaySkin>(*i.skin);
-    if (!first.bowel_cut.hidden.empty()) i.bowel_cut = std::make_unique<BowelCutDrawing>(*i.skin);
+    if (!first.bowel_cut.hidden.empty()) i.bowel_cut = std::make_unique<BowelCutDrawing>(*i.skin, rectum);
     i.ring_floats.resize(12 * static_cast<std::size_t>(i.skin->rings()));
     i.positions.resize(3 * static_cast<std::size_t>(i.display->vertices()));
     i.normals.resize(i.positions.size());
@@ -113,7 +113,7 @@ void SceneAssembler::install(SceneRenderer& renderer) const {
     renderer.set_textures(impl_->textures);
     if (impl_->cavity) renderer.set_cavity(*impl_->cavity, impl_->wall);
     if (impl_->bowel) {
-        renderer.set_bowel(impl_->bowel->surface, impl_->bowel->taenia);
+        renderer.set_bowel(impl_->bowel->surface, impl_->bowel->taenia, impl_->hollow != nullptr);
         if (!impl_->hollow) renderer.set_reflection(make_reflection(*impl_->bowel));
     }
     if (impl_->mesentery) renderer.set_mesentery(*impl_->mesentery);

@@ -10,6 +10,8 @@ namespace fulcrum::ui {
 namespace {
 
 constexpr int most_tools = 2;  // a hand each; ghosts throw no shadow
+constexpr double folds =
+    0.0015;  // m that the mucosa's folds stand off the wall: they hide where the mesentery reaches into it
 constexpr float areolar_tile = 0.040F, peritoneum_tile = 0.120F, fat_tile = 0.060F;  // m
 
 }  // namespace
@@ -168,7 +170,7 @@ void SceneRenderer::Impl::draw_bowel(QOpenGLExtraFunctions& gl, const SceneFrame
     // Through an opening its inner face is seen.
     start(*lumen, frame);
     lumen->setUniformValue("bump", 1.0F);
-    lumen->setUniformValue("thickness", static_cast<float>(frame.bowel_thickness));
+    lumen->setUniformValue("thickness", static_cast<float>(frame.bowel_thickness + folds));
     wear_tissue(*lumen, SheetWear::bowel);
     gl.glCullFace(GL_FRONT);
     gl_bowel->draw(gl, sight);

@@ -42,8 +42,9 @@ void SceneRenderer::set_cavity(const CavityShape& cavity, std::shared_ptr<const 
     for (float& value : impl_->cavity.normals) value = -value;
 }
 
-void SceneRenderer::set_bowel(const TriangleMesh& rest_surface, const std::vector<float>& taenia) {
-    impl_->bowel = {make_bowel_surface(rest_surface), {}, {}, taenia, true, true};
+void SceneRenderer::set_bowel(const TriangleMesh& rest_surface, const std::vector<float>& taenia,
+                              bool domes) {
+    impl_->bowel = {make_bowel_surface(rest_surface, domes), {}, {}, taenia, true, true};
 }
 
 void SceneRenderer::set_mesentery(const MesenteryShape& mesentery) {

@@ -118,7 +118,8 @@ class SceneRenderer {
     void set_textures(const AnatomyTextures& textures);
     /// wall: what make_wall_texture gives for it; without it the renderer makes its own at the next picture.
     void set_cavity(const CavityShape& cavity, std::shared_ptr<const TissueTexture> wall = nullptr);
-    void set_bowel(const TriangleMesh& rest_surface, const std::vector<float>& taenia);
+    /// domes: its rounded ends are seen (make_bowel_surface).
+    void set_bowel(const TriangleMesh& rest_surface, const std::vector<float>& taenia, bool domes = false);
     void set_mesentery(const MesenteryShape& mesentery);
     void set_reflection(const ReflectionShape& reflection);
     /// What the frame's sheets wear; without it they wear the peritoneum.

@@ -191,6 +191,40 @@ void append(const SurfaceMesh& surface, const IndexRange& range, std::vector<std
                   surface.indices.begin() + static_cast<std::ptrdiff_t>(range.last));
 }
 
+/// What lies nearer to the tube's axis than most of it gets copies with coordinates across the axis, from the
+/// middle between two taeniae.
+void flatten_domes(const TriangleMesh& mesh, SurfaceMesh& surface) {
+    constexpr double dome = 0.92;                      // of the tube's radius
+    constexpr double middle = 1.0 / 3, reach = 0.115;  // of the tile's width
+    const auto axial = [&mesh](std::uint32_t vertex) {
+        const Vector3& p = mesh.vertices[vertex];
+        return std::hypot(p.y(), p.z());
+    };
+    double radius = 0;
+    for (std::uint32_t v = 0; v < surface.base; ++v) radius = std::max(radius, axial(v));
+    std::map<std::uint32_t, std::uint32_t> copies;
+    for (std::size_t i = 0; i + 2 < surface.indices.size(); i += 3) {
+        std::uint32_t vertex[3];
+        bool within = true;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::uint32_t index = surface.indices[i + c];
+            vertex[c] = index < surface.base ? index : surface.source[index - surface.base];
+            within = within && axial(vertex[c]) < dome * radius;
+        }
+        for (std::size_t c = 0; within && c < 3; ++c) {
+            const auto [known, fresh] =
+                copies.emplace(vertex[c], static_cast<std::uint32_t>(surface.vertices()));
+            if (fresh) {
+                const Vector3& p = mesh.vertices[vertex[c]];
+                surface.source.push_back(vertex[c]);
+                surface.coordinates.push_back(static_cast<float>(middle + reach * p.y() / radius));
+                surface.coordinates.push_back(static_cast<float>(0.5 * reach * p.z() / radius));
+            }
+            surface.indices[i + c] = known->second;
+        }
+    }
+}
+
 }  // namespace
 
 SurfaceMesh make_surface(const TriangleMesh& mesh) {
@@ -224,9 +258,10 @@ SurfaceMesh make_surface(const TriangleMesh& mesh) {
     return surface;
 }
 
-SurfaceMesh make_bowel_surface(const TriangleMesh& mesh) {
+SurfaceMesh make_bowel_surface(const TriangleMesh& mesh, bool domes) {
     SurfaceMesh surface = make_surface(mesh);
     for (std::size_t i = 1; i < surface.coordinates.size(); i += 2) surface.coordinates[i] *= 0.5F;
+    if (domes) flatten_domes(mesh, surface);
     return surface;
 }
 

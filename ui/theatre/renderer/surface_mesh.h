@@ -39,8 +39,9 @@ struct SurfaceMesh {
 /// (as make_cavity and make_bowel lay them out) also gets its coarse triangles.
 SurfaceMesh make_surface(const TriangleMesh& mesh);
 
-/// The bowel's: the serosa's tile is two circumferences long.
-SurfaceMesh make_bowel_surface(const TriangleMesh& mesh);
+/// The bowel's: the serosa's tile is two circumferences long. domes: of a tube along x at rest; its ends wear
+/// the tile flat, which going round would draw together in a point.
+SurfaceMesh make_bowel_surface(const TriangleMesh& mesh, bool domes);
 
 /// Adds to `chosen` what is to be drawn when fine[band] says which bands are fine and seen[band] which show
 /// at all; bands in that order.
