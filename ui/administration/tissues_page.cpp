@@ -40,15 +40,12 @@ TissuesPage::TissuesPage(Context& context) : Page(context, "tissues_page") {
                       "for attempts that "
                       "begin afterwards; every attempt keeps the scene that it was performed in."),
                    "muted"));
-    auto* row = new QHBoxLayout;
     list_ = new QListWidget;
     list_->setObjectName(QStringLiteral("tissue_tasks"));
     list_->setAccessibleName(tr("Tasks"));
-    list_->setFixedWidth(240);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    row->addWidget(list_, 0, Qt::AlignTop);
-    row->addWidget(build_editor(), 1);
-    layout->addLayout(row);
+    layout->addWidget(list_);
+    layout->addWidget(build_editor());
     layout->addStretch();
     connect(list_, &QListWidget::currentRowChanged, this, &TissuesPage::select);
     auto* outer = new QVBoxLayout(this);

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <QFile>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QTableWidget>
 #include <iostream>
 #include <sstream>
@@ -27,6 +29,14 @@ using namespace fulcrum::ui;
 using namespace fulcrum::ui::test;
 
 constexpr Role people_roles[] = {Role::trainee, Role::educator, Role::director, Role::administrator};
+/// Nothing of a table is cut off at its right.
+bool shown_whole(const QTableWidget& table) {
+    const QAbstractItemView& view = table;
+    const int last = table.columnCount() - 1;
+    return table.horizontalHeader()->length() <= table.viewport()->width() &&
+           view.sizeHintForColumn(last) <= table.columnWidth(last);
+}
+
 const TissueValues tough{{"areolar", {{"penetrate_n", 0.11}}}};
 
 class SiteTissue : public ::testing::Test {
@@ -115,6 +125,9 @@ TEST_F(SiteTissue, EducatorsSetThemOnTheirPageAndTheBriefingSaysSo) {
     EXPECT_TRUE(state->text().contains("scene's own"));
     auto* table = find<QTableWidget>(window, "tissue_table");
     ASSERT_GE(table->rowCount(), 3);
+    const auto* tasks = find<QListWidget>(window, "tissue_tasks");
+    EXPECT_LE(tasks->sizeHintForColumn(0), tasks->viewport()->width()) << "titles are shown whole";
+    EXPECT_TRUE(shown_whole(*table));
 
     type(window, "value_areolar_penetrate_n", "much");
     click(window, "save_tissues");
@@ -136,6 +149,7 @@ TEST_F(SiteTissue, EducatorsSetThemOnTheirPageAndTheBriefingSaysSo) {
     EXPECT_TRUE(state->text().contains("version 1")) << state->text().toStdString();
     EXPECT_TRUE(find<QLabel>(window, "tissue_limits")->text().contains("there 0.04"));
     EXPECT_EQ(find<QTableWidget>(window, "tissue_versions")->rowCount(), 1);
+    EXPECT_TRUE(shown_whole(*find<QTableWidget>(window, "tissue_versions")));
     keep_picture(window, "tissues");
     EXPECT_EQ(Tissues(*services->store()).in_force(*programme.educator, "B2").values, tough)
         << "what equals the scene's own is left to the scene";
