@@ -130,23 +130,25 @@ bool SheetPart::crosses(const Vector3& from, const Vector3& to) const noexcept {
     return visit_crossings(from, to, [](std::int32_t, double) { return true; });
 }
 
-SheetPlace SheetPart::under(const Vector3& point, const Vector3& normal, double reach) const noexcept {
+void SheetPart::find_under(const Vector3& point, const Vector3& normal, double reach, UnderBlade& found) const noexcept {
     const Vector3 from = point - reach * normal, to = point + reach * normal;
-    double least = 1;
-    std::int32_t nearest = -1;
-    Vector3 where = point;
     visit_crossings(from, to, [&](std::int32_t t, double share) {
-        const double away = std::abs(share - 0.5);
-        if (away < least) {
-            least = away;
-            nearest = t;
-            where = from + share * (to - from);
-        }
+        const Vector3 where = from + share * (to - from);
+        const Triangle& v = surface_.triangle(t).vertices;
+        const Vector3 &a = state_.positions[at(v[0])], &b = state_.positions[at(v[1])], &c = state_.positions[at(v[2])];
+        add_under(place_in(t, closest_point_on_triangle(where, a, b, c).barycentric), std::abs(share - 0.5), found);
         return false;
     });
-    if (nearest < 0) return SheetPlace();
-    const Triangle& v = surface_.triangle(nearest).vertices;
-    return place_in(nearest, closest_point_on_triangle(where, state_.positions[at(v[0])], state_.positions[at(v[1])], state_.positions[at(v[2])]).barycentric);
+}
+
+void SheetPart::add_under(const SheetPlace& where, double away, UnderBlade& found) const noexcept {
+    if (where.fragment < 0) return;
+    std::size_t i = std::min(found.count, UnderBlade::capacity);
+    if (i == UnderBlade::capacity && away >= found.layers[i - 1].away) return;
+    if (i == UnderBlade::capacity) --i;
+    for (; i > 0 && found.layers[i - 1].away > away; --i) found.layers[i] = found.layers[i - 1];
+    found.layers[i] = {on_septum(where, rest(where)), surface_.fragment(where.fragment).root, away};
+    found.count = std::min(found.count + 1, UnderBlade::capacity);
 }
 
 double SheetPart::friction(const SheetAction& action) const noexcept {

@@ -117,10 +117,13 @@ void SheetPart::tell_cut(int number, const Vector3& reached, double traction, st
 Vector3 SheetPart::begin_of_way(const SheetPlace& where, const Vector3& behind, const Vector3& normal) const noexcept {
     const Vector3 entered = on_septum(where, rest(where));
     if (!septa_ || !behind.allFinite()) return entered;
-    const SheetPlace there = under(behind, normal, blade_reach);
-    if (there.fragment < 0 || septum_of(there) != septum_of(where)) return entered;
-    const Vector3 first = on_septum(there, rest(there));
-    return (first - entered).norm() <= slit ? first : entered;
+    UnderBlade under;
+    find_under(behind, normal, blade_reach, under);
+    for (std::size_t k = 0; k < under.count; ++k) {
+        const Vector3& first = under.layers[k].rest;
+        if (septum_at(first) == septum_at(entered) && (first - entered).norm() <= slit) return first;
+    }
+    return entered;
 }
 
 // What lies under a blade before it is divided. Afterwards the nearest tissue may be the other lip, the rim that the
@@ -131,28 +134,32 @@ void SheetPart::follow_track(const BladeStep& blade, BladeTrack& track) const no
     track.count = steps + 1;
     for (std::size_t i = 0; i <= steps; ++i) {
         const Vector3 point = blade.from + static_cast<double>(i) / static_cast<double>(steps) * way;
-        BladeTrack::Sample& sample = track.samples[i];
-        SheetPlace there = under(point, blade.normal, blade.depth);
-        sample.covered = there.fragment >= 0;
-        if (!sample.covered) {
-            // Tissue that lies along the normal has none over the point, but is in the blade's band.
-            there = closest(point);
-            if (there.fragment < 0) continue;
-            const Vector3 off = place(there) - point;
-            const double along = off.dot(blade.normal);
-            sample.covered = std::abs(along) <= blade.depth && (off - along * blade.normal).norm() <= 0.5 * blade.width;
-        }
-        sample.rest = on_septum(there, rest(there));
-        sample.root = surface_.fragment(there.fragment).root;
+        find_under(point, blade.normal, blade.depth, track.samples[i]);
+        if (track.samples[i].count > 0) continue;
+        // Tissue that lies along the normal has none over the point, but is in the blade's band.
+        const SheetPlace there = closest(point);
+        if (there.fragment < 0) continue;
+        const Vector3 off = place(there) - point;
+        const double along = std::abs(off.dot(blade.normal));
+        if (along <= blade.depth && off.squaredNorm() - along * along <= 0.25 * blade.width * blade.width)
+            add_under(there, 0.5 * along / blade.depth, track.samples[i]);
     }
+}
+
+// Of the layers under the blade the nearest that lost ground; none where there was none.
+const SheetPart::UnderBlade::Layer* SheetPart::divided_of(const UnderBlade& sample) const noexcept {
+    const auto& roots = surface_.touched_roots();
+    for (std::size_t k = 0; k < sample.count; ++k) {
+        if (std::find(roots.begin(), roots.end(), sample.layers[k].root) != roots.end()) return &sample.layers[k];
+    }
+    return nullptr;
 }
 
 // Whether what lies between two samples of a track is the tissue between them: of one triangle as it was made or of two
 // that touch, or no farther than a slit is wide.
-bool SheetPart::joined(const BladeTrack::Sample& a, const BladeTrack::Sample& b) const noexcept {
+bool SheetPart::joined(const UnderBlade::Layer& a, const UnderBlade::Layer& b) const noexcept {
     if (septum_at(a.rest) != septum_at(b.rest)) return false;
     if ((a.rest - b.rest).norm() <= slit) return true;
-    if (!a.covered || !b.covered) return false;
     const Triangle &first = layout_.mesh.triangles[at(a.root)], &second = layout_.mesh.triangles[at(b.root)];
     return std::find_first_of(first.begin(), first.end(), second.begin(), second.end()) != first.end();
 }
@@ -160,29 +167,23 @@ bool SheetPart::joined(const BladeTrack::Sample& a, const BladeTrack::Sample& b)
 // A cut is told where tissue was under the blade without a break; between two such ways it ends and begins.
 void SheetPart::tell_track(int number, const BladeTrack& track, double traction, std::uint32_t tick) noexcept {
     HandState& hand = state_.hands[static_cast<std::size_t>(number)];
-    const auto tell_to = [&](std::size_t i) {
-        if (track.samples[i].rest != hand.way) tell_cut(number, track.samples[i].rest, traction, tick);
-    };
-    bool open = false;
+    const UnderBlade::Layer* last = nullptr;  // of the way that is open
     for (std::size_t i = 0; i < track.count; ++i) {
-        const BladeTrack::Sample& sample = track.samples[i];
-        if (open && !joined(track.samples[i - 1], sample)) {
-            tell_to(i - 1);
-            open = false;
-        } else if (open && !sample.covered) {
-            tell_to(i);  // the rim itself
+        const UnderBlade::Layer* here = divided_of(track.samples[i]);
+        if (last != nullptr && (here == nullptr || !joined(*last, *here))) {
+            if (last->rest != hand.way) tell_cut(number, last->rest, traction, tick);
+            last = nullptr;
         }
-        if (sample.covered && !open) {
-            // What was left between here and the end of the way before is the slit that the blade came in.
-            if (septum_at(hand.way) != septum_at(sample.rest) || (sample.rest - hand.way).norm() > slit) {
-                add_place_event(tick, EventKind::cut_end, number, hand.way);
-                hand.way = sample.rest;
-                add_place_event(tick, EventKind::cut_begin, number, hand.way);
-            }
+        if (here == nullptr) continue;
+        // What was left between here and the end of the way before is the slit that the blade came in.
+        if (last == nullptr && (septum_at(hand.way) != septum_at(here->rest) || (here->rest - hand.way).norm() > slit)) {
+            add_place_event(tick, EventKind::cut_end, number, hand.way);
+            hand.way = here->rest;
+            add_place_event(tick, EventKind::cut_begin, number, hand.way);
         }
-        open = sample.covered;
+        last = here;
     }
-    if (open) tell_to(track.count - 1);
+    if (last != nullptr && last->rest != hand.way) tell_cut(number, last->rest, traction, tick);
 }
 
 const CuttingSpec* SheetPart::cutting_at(const SheetPlace& where) const noexcept {

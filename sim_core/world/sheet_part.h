@@ -144,16 +144,22 @@ class SheetPart {
     CutReport cut(const BladeStep& blade) noexcept;
 
   private:
-    /// The tissue under a blade along its step.
-    struct BladeTrack {
-        struct Sample {
-            Vector3 rest = Vector3::Zero();  ///< of the tissue there, else of the nearest
+    /// Tissue under a point of a blade, nearest first: a sheet may lie in folds, of which the blade divides one.
+    struct UnderBlade {
+        struct Layer {
+            Vector3 rest = Vector3::Zero();
             std::int32_t root = -1;
-            bool covered = false;  ///< there is tissue under it
+            double away = 0;  ///< along the normal, of twice the blade's reach
         };
+        static constexpr std::size_t capacity = 3;
+        std::size_t count = 0;
+        std::array<Layer, capacity> layers;
+    };
+    /// A blade's step before it divides anything.
+    struct BladeTrack {
         static constexpr std::size_t capacity = 38;
         std::size_t count = 0;
-        std::array<Sample, capacity> samples;
+        std::array<UnderBlade, capacity> samples;
     };
     struct Near {
         SheetPlace place;
@@ -168,8 +174,9 @@ class SheetPart {
     template <typename Visit>
     bool visit_crossings(const Vector3& from, const Vector3& to, Visit&& visit) const noexcept;
     bool crosses(const Vector3& from, const Vector3& to) const noexcept;
-    /// The nearest within reach along a normal, either side; none is a place without a fragment.
-    SheetPlace under(const Vector3& point, const Vector3& normal, double reach) const noexcept;
+    /// What lies within reach along a normal, either side.
+    void find_under(const Vector3& point, const Vector3& normal, double reach, UnderBlade& found) const noexcept;
+    void add_under(const SheetPlace& where, double away, UnderBlade& found) const noexcept;
     void approach(int hand, const SheetAction& action, std::uint32_t tick, double dt) noexcept;
     void update_jaws(int hand, const SheetAction& action, double dt) noexcept;
     void take(int hand, const SheetAction& action) noexcept;
@@ -206,7 +213,8 @@ class SheetPart {
     Vector3 begin_of_way(const SheetPlace& where, const Vector3& behind, const Vector3& normal) const noexcept;
     void tell_cut(int hand, const Vector3& reached, double traction, std::uint32_t tick) noexcept;
     void follow_track(const BladeStep& blade, BladeTrack& track) const noexcept;
-    bool joined(const BladeTrack::Sample& a, const BladeTrack::Sample& b) const noexcept;
+    bool joined(const UnderBlade::Layer& a, const UnderBlade::Layer& b) const noexcept;
+    const UnderBlade::Layer* divided_of(const UnderBlade& sample) const noexcept;
     void tell_track(int hand, const BladeTrack& track, double traction, std::uint32_t tick) noexcept;
     Vector3 keep_off_wall(const SheetPlace& where, const Vector3& way) const noexcept;
     void remake_pieces() noexcept;
