@@ -10,8 +10,8 @@ namespace fulcrum::ui {
 namespace {
 
 constexpr int most_tools = 2;  // a hand each; ghosts throw no shadow
-constexpr double folds =
-    0.0015;  // m that the mucosa's folds stand off the wall: they hide where the mesentery reaches into it
+// m that the mucosa's folds stand off the wall: they hide where the mesentery reaches into it.
+constexpr double folds = 0.0015;
 constexpr float areolar_tile = 0.040F, peritoneum_tile = 0.120F, fat_tile = 0.060F;  // m
 
 }  // namespace
