@@ -48,11 +48,6 @@ LoadedTask load_recorded(const database::Attempts& attempts, const database::Ses
     return load(load_task(task_file(summary.meta.task_id)), text, "scene of attempt " + summary.meta.id, fidelity);
 }
 
-void MemorySink::on_tick(const RigSample& input, const TickSample& sample) noexcept {
-    record.inputs.push_back(input);
-    record.samples.push_back(sample);
-}
-
 template <typename Action>
 void RecordingSink::guarded(Action&& action) noexcept {
     if (trouble_) return;

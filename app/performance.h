@@ -9,7 +9,7 @@
 #include <string>
 
 #include "app/scoring.h"
-#include "assessment/attempt/engine.h"
+#include "assessment/attempt/memory_sink.h"
 #include "database/attempts.h"
 #include "database/recorder.h"
 #include "database/store.h"
@@ -33,15 +33,6 @@ LoadedTask load_site_task(const database::Store& store, const database::Session&
 /// As a stored attempt used it: the scene from its record; from the assets for attempts of before scenes were kept.
 /// Throws InputError (the task is not known here), AccessDenied, StoreError.
 LoadedTask load_recorded(const database::Attempts& attempts, const database::Session& session, const database::AttemptSummary& summary);
-
-/// Record kept in memory, for scoring and for studies that store nothing.
-class MemorySink : public AttemptSink {
-  public:
-    void on_event(const Event& event) noexcept override { record.events.push_back(event); }
-    void on_tick(const RigSample& input, const TickSample& sample) noexcept override;
-    void on_step(const StepRecord& step) noexcept override { record.steps.push_back(step); }
-    AttemptRecord record;
-};
 
 /// Memory and store at once; store trouble is kept and rethrown by rethrow() on the caller's side.
 class RecordingSink : public MemorySink {

@@ -129,17 +129,6 @@ class BandHandling : public Behaviour {
     }
 
   private:
-    static int worst_outlet(const Perception& seen) noexcept {
-        int worst = -1;
-        double flow = 0;
-        for (std::size_t i = 0; i < seen.outlets.size(); ++i) {
-            if (seen.outlets[i].flow <= flow) continue;
-            flow = seen.outlets[i].flow;
-            worst = static_cast<int>(i);
-        }
-        return worst;
-    }
-
     /// What is worked on, m.
     Vector3 place(const Perception& seen) const noexcept {
         if (outlet_ >= 0) return seen.outlets[static_cast<std::size_t>(outlet_)].position;

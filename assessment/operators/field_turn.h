@@ -65,16 +65,6 @@ class FieldTurn {
     static constexpr double open_share = 0.8, closed_share = 0.05, clip_grip = 4;  // jaws; N
     static constexpr int most_turns = 4, most_clips = 3;
 
-    static int worst_outlet(const Perception& seen) noexcept {
-        int worst = -1;
-        double flow = 0;
-        for (std::size_t i = 0; i < seen.outlets.size(); ++i) {
-            if (seen.outlets[i].flow <= flow) continue;
-            flow = seen.outlets[i].flow;
-            worst = static_cast<int>(i);
-        }
-        return worst;
-    }
     /// The exchange button, one press at a time, until the hand holds what it wants.
     bool exchanged(const HandToolView& tool, Limb& limb) noexcept {
         if (limb.time() < until_) return false;

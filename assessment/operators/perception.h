@@ -29,6 +29,18 @@ struct Perception {
     std::vector<Vector3> nodes;  ///< bowel centre line; arc lengths do not change and stand beside the line
 };
 
+/// The outlet that bleeds most; -1: none bleeds.
+inline int worst_outlet(const Perception& seen) noexcept {
+    int worst = -1;
+    double flow = 0;
+    for (std::size_t i = 0; i < seen.outlets.size(); ++i) {
+        if (seen.outlets[i].flow <= flow) continue;
+        flow = seen.outlets[i].flow;
+        worst = static_cast<int>(i);
+    }
+    return worst;
+}
+
 /// Keeps the last looks; memory is taken when the scene is known, never later.
 class DelayLine {
   public:

@@ -10,6 +10,10 @@ namespace fulcrum {
 /// rectosigmoid narrow.
 double bowel_width(double share);
 
+/// The triangles of a closed tube, facing outwards: its first pole is vertex 0, ring i's vertices are
+/// 1 + i around + k, k = 0 .. around - 1, its other pole is the vertex after the last ring's.
+void add_capped_tube(int rings, int around, TriangleMesh& mesh);
+
 /// Fills surface, taenia and radius.
 void make_bowel_surface(const BowelParameters& parameters, BowelShape& bowel);
 

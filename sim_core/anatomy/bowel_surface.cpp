@@ -75,6 +75,25 @@ double bowel_width(double share) {
            0.04 * bell(share - 0.95, 0.15);
 }
 
+void add_capped_tube(int rings, int around, TriangleMesh& mesh) {
+    const int last = 1 + rings * around;
+    const auto at = [around](int ring, int k) { return 1 + ring * around + k % around; };
+    for (int k = 0; k < around; ++k) mesh.triangles.push_back({0, at(0, k + 1), at(0, k)});
+    for (int i = 0; i + 1 < rings; ++i) {
+        for (int k = 0; k < around; ++k) {
+            const int a = at(i, k), b = at(i, k + 1), c = at(i + 1, k + 1), d = at(i + 1, k);
+            if ((i + k) % 2 == 0) {
+                mesh.triangles.push_back({a, b, c});
+                mesh.triangles.push_back({a, c, d});
+            } else {
+                mesh.triangles.push_back({a, b, d});
+                mesh.triangles.push_back({b, c, d});
+            }
+        }
+    }
+    for (int k = 0; k < around; ++k) mesh.triangles.push_back({last, at(rings - 1, k), at(rings - 1, k + 1)});
+}
+
 void make_bowel_surface(const BowelParameters& p, BowelShape& bowel) {
     check(p);
     bowel.length = p.length;
@@ -132,22 +151,7 @@ void make_bowel_surface(const BowelParameters& p, BowelShape& bowel) {
     }
     add(p.length, 0, 0.5, 0);
 
-    const int last = static_cast<int>(mesh.vertices.size()) - 1;
-    const auto at = [around](int ring, int k) { return 1 + ring * around + k % around; };
-    for (int k = 0; k < around; ++k) mesh.triangles.push_back({0, at(0, k + 1), at(0, k)});
-    for (int i = 0; i + 1 < rings; ++i) {
-        for (int k = 0; k < around; ++k) {
-            const int a = at(i, k), b = at(i, k + 1), c = at(i + 1, k + 1), d = at(i + 1, k);
-            if ((i + k) % 2 == 0) {
-                mesh.triangles.push_back({a, b, c});
-                mesh.triangles.push_back({a, c, d});
-            } else {
-                mesh.triangles.push_back({a, b, d});
-                mesh.triangles.push_back({b, c, d});
-            }
-        }
-    }
-    for (int k = 0; k < around; ++k) mesh.triangles.push_back({last, at(rings - 1, k), at(rings - 1, k + 1)});
+    add_capped_tube(rings, around, mesh);
 
     const BowelParameters copy = p;
     bowel.radius = [copy](double s) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim_core/anatomy/bowel_parts.h"
 #include "sim_core/anatomy/noise.h"
 #include "sim_core/numerics/functions.h"
 #include "sim_core/numerics/input_error.h"
@@ -89,22 +90,7 @@ BowelShape make_rectum(const RectumParameters& p) {
         for (int k = 0; k < around; ++k) add(s, radius * rounded, static_cast<double>(k) / around);
     }
     add(p.length, 0, 0.5);
-    const int last = static_cast<int>(mesh.vertices.size()) - 1;
-    const auto at = [around](int ring, int k) { return 1 + ring * around + k % around; };
-    for (int k = 0; k < around; ++k) mesh.triangles.push_back({0, at(0, k + 1), at(0, k)});
-    for (int i = 0; i + 1 < rings; ++i) {
-        for (int k = 0; k < around; ++k) {
-            const int a = at(i, k), b = at(i, k + 1), c = at(i + 1, k + 1), d = at(i + 1, k);
-            if ((i + k) % 2 == 0) {
-                mesh.triangles.push_back({a, b, c});
-                mesh.triangles.push_back({a, c, d});
-            } else {
-                mesh.triangles.push_back({a, b, d});
-                mesh.triangles.push_back({b, c, d});
-            }
-        }
-    }
-    for (int k = 0; k < around; ++k) mesh.triangles.push_back({last, at(rings - 1, k), at(rings - 1, k + 1)});
+    add_capped_tube(rings, around, mesh);
     shape.radius = [radius](double) { return radius; };
     for (int i = 0; i < line_points; ++i)
         shape.centre_line.push_back(p.curve.centre_line(p.length * i / (line_points - 1)));

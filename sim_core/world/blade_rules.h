@@ -37,6 +37,16 @@ inline bool button(const ToolKinematics& tool) {
     return (tool.buttons & button_primary) != 0;
 }
 
+/// What of a way lies along a surface whose normal n is.
+inline Vector3 along_surface(const Vector3& way, const Vector3& n) {
+    return way - way.dot(n) * n;
+}
+
+/// Whether a blade at work in the tissue has left it: its button is open, or its tip is too far out.
+inline bool drawn_out(const ToolKinematics& tool, double tip_radius, const Vector3& here, const Vector3& out) {
+    return !button(tool) || (tool.tip - here).dot(out) > tip_radius + out_by;
+}
+
 /// What a touching tool does next.
 struct TouchMove {
     bool enters = false;

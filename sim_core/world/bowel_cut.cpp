@@ -301,8 +301,7 @@ void BowelCut::between_lips(HandState& hand, const ToolKinematics& tool, const R
 Vector3 BowelCut::wanted(int number, const RingFrame* frames) const noexcept {
     const HandState& hand = hands_[static_cast<std::size_t>(number)];
     if (!hand.linked) return Vector3::Zero();
-    Vector3 way = hand.target - where(hand.place, frames);
-    way -= way.dot(hand.normal) * hand.normal;
+    const Vector3 way = along_surface(hand.target - where(hand.place, frames), hand.normal);
     Vector3 force = hand.slope * way;
     const double size = force.norm();
     if (size > hand.grip) force *= hand.grip / size;
@@ -328,8 +327,7 @@ bool BowelCut::follow(const ToolAction* actions, const RingFrame* frames, std::u
         const ToolAction& action = actions[number];
         if (action.instrument == nullptr || !hand.linked || hand.touch == BladeTouch::clearing) continue;
         const Vector3 here = where(hand.place, frames);
-        Vector3 way = hand.target - here;
-        way -= way.dot(hand.normal) * hand.normal;
+        const Vector3 way = along_surface(hand.target - here, hand.normal);
         if (hand.touch == BladeTouch::touching) {
             const double pull = tissue_.stiffness * hand.cover * way.norm();
             const TouchMove move = next_touch(hand.normal, hand.reaction + hand.drag, true, &*tissue_.cutting, 1.0, tissue_.friction, pull);
@@ -351,7 +349,7 @@ bool BowelCut::follow(const ToolAction* actions, const RingFrame* frames, std::u
             }
             continue;
         }
-        if (!button(action.tool) || (action.tool.tip - here).dot(hand.normal) > action.instrument->tip_radius + out_by) {
+        if (drawn_out(action.tool, action.instrument->tip_radius, here, hand.normal)) {
             leave(number, tick);
             continue;
         }
@@ -405,15 +403,7 @@ void BowelCut::fill_local_model(int number, LocalModel& model) const noexcept {
 }
 
 void BowelCut::add_event(std::uint32_t tick, EventKind kind, int hand, double value, double detail) noexcept {
-    if (event_count_ == event_capacity) return;
-    Event& event = events_[static_cast<std::size_t>(event_count_++)];
-    event = Event();
-    event.tick = tick;
-    event.kind = kind;
-    event.hand = hand < 0 ? std::uint8_t{255} : static_cast<std::uint8_t>(hand);
-    event.tissue = static_cast<std::int8_t>(tissue_index_);
-    event.value = static_cast<float>(value);
-    event.detail = static_cast<std::int32_t>(std::lround(std::clamp(detail, -2.0e9, 2.0e9)));
+    events_.add(tick, kind, hand, tissue_index_, value, detail);
 }
 
 // Along the bowel, and around it from d1 towards d2.
@@ -437,7 +427,7 @@ void BowelCut::size_snapshot(WorldSnapshot& snapshot) const {
     view.hidden.resize(at(skin_.surface().root_count()), 0);
     view.thickness = thickness_;
     view.topology = 0xFFFFFFFFU;  // filled with the first picture
-    snapshot.events.resize(snapshot.events.size() + event_capacity);
+    events_.size(snapshot);
 }
 
 void BowelCut::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
@@ -471,8 +461,7 @@ void BowelCut::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
         view.visible_area = surface.area_visible();
         view.removed_area = surface.area_removed();
     }
-    std::copy_n(events_.begin(), event_count_, snapshot.events.begin() + snapshot.event_count);
-    snapshot.event_count += event_count_;
+    events_.append_to(snapshot);
 }
 
 void BowelCut::hash(StateHash& hash) const noexcept {

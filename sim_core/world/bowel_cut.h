@@ -18,10 +18,10 @@
 
 #include "sim_core/bowel/cut_skin.h"
 #include "sim_core/contact/tool_contact.h"
-#include "sim_core/telemetry/event.h"
 #include "sim_core/world/blade_rules.h"
 #include "sim_core/world/snapshot.h"
 #include "sim_core/world/state_hash.h"
+#include "sim_core/world/step_events.h"
 
 namespace fulcrum {
 
@@ -35,7 +35,6 @@ struct SkinPlace {
 
 class BowelCut {
   public:
-    static constexpr int event_capacity = 24;
 
     struct HandState {
         BladeTouch touch = BladeTouch::away;
@@ -83,7 +82,7 @@ class BowelCut {
     CutSkin::Report cut(const BladeStep& blade, const RingFrame* frames, std::uint32_t tick, int hand) noexcept;
 
     void fill_local_model(int hand, LocalModel& model) const noexcept;
-    void forget_events() noexcept { event_count_ = 0; }
+    void forget_events() noexcept { events_.clear(); }
     void size_snapshot(WorldSnapshot& snapshot) const;
     void fill_snapshot(WorldSnapshot& snapshot) const noexcept;
     void hash(StateHash& hash) const noexcept;
@@ -129,8 +128,7 @@ class BowelCut {
     std::vector<std::uint32_t> root_mark_;
     std::uint32_t mark_ = 0;
     bool near_cut_ = false;  // ground was taken from one of them
-    std::array<Event, event_capacity> events_;
-    int event_count_ = 0;
+    StepEvents<24> events_;
 };
 
 }  // namespace fulcrum

@@ -40,8 +40,7 @@ void SheetPart::follow(int number, const SheetAction& action, std::uint32_t tick
     if (!hand.linked || (hand.touch != BladeTouch::touching && hand.touch != BladeTouch::cutting)) return;
     const Vector3 n = hand.touch == BladeTouch::touching ? Vector3(hand.side * hand.normal) : hand.normal;
     const Vector3 here = place(hand.place);
-    Vector3 way = hand.target - here;
-    way -= way.dot(n) * n;
+    const Vector3 way = along_surface(hand.target - here, n);
     if (hand.touch == BladeTouch::touching) {
         const double pull = tissue_.stiffness * hand.cover * way.norm();
         const TouchMove move = next_touch(n, hand.reaction, button(action.tool) && action.instrument->cuts(), at_hand, hand.ease, hand.friction, pull);
@@ -62,8 +61,7 @@ void SheetPart::follow(int number, const SheetAction& action, std::uint32_t tick
         }
         return;
     }
-    const Vector3 out = hand.side * n;
-    if (!button(action.tool) || (action.tool.tip - here).dot(out) > action.instrument->tip_radius + out_by) {
+    if (drawn_out(action.tool, action.instrument->tip_radius, here, hand.side * n)) {
         leave(number, tick);
         return;
     }

@@ -152,7 +152,7 @@ void SheetPart::update_positions() noexcept {
 }
 
 std::uint32_t SheetPart::step(const SheetAction* actions, std::uint32_t tick, double dt) noexcept {
-    event_count_ = 0;
+    events_.clear();
     faults_ = 0;
     tick_ = tick;
     for (int hand = 0; hand < hand_count; ++hand) {
@@ -241,15 +241,7 @@ void SheetPart::measure_station() noexcept {
 }
 
 void SheetPart::add_event(std::uint32_t tick, EventKind kind, int hand, double value, double detail, bool fat) noexcept {
-    if (event_count_ == event_capacity) return;
-    Event& event = events_[static_cast<std::size_t>(event_count_++)];
-    event = Event();
-    event.tick = tick;
-    event.kind = kind;
-    event.hand = hand < 0 ? std::uint8_t{255} : static_cast<std::uint8_t>(hand);
-    event.tissue = static_cast<std::int8_t>(fat ? fat_index_ : tissue_index_);
-    event.value = static_cast<float>(value);
-    event.detail = static_cast<std::int32_t>(std::lround(std::clamp(detail, -2.0e9, 2.0e9)));
+    events_.add(tick, kind, hand, fat ? fat_index_ : tissue_index_, value, detail);
 }
 
 void SheetPart::add_place_event(std::uint32_t tick, EventKind kind, int hand, const Vector3& where) noexcept {
@@ -260,7 +252,7 @@ void SheetPart::restore(const State& state, const CutState& surface) {
     state_ = state;
     surface_.restore(surface);
     list_visible();
-    event_count_ = 0;
+    events_.clear();
 }
 
 void SheetPart::size_snapshot(WorldSnapshot& snapshot) const {
@@ -282,7 +274,7 @@ void SheetPart::size_snapshot(WorldSnapshot& snapshot) const {
         view.envelope.resize(at(layout_.pieces * layout_.columns), Vector3::Zero());
     }
     view.topology = 0xFFFFFFFFU;  // filled with the first picture
-    snapshot.events.resize(snapshot.events.size() + event_capacity);
+    events_.size(snapshot);
 }
 
 void SheetPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
@@ -317,8 +309,7 @@ void SheetPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
         view.visible_area = surface_.area_visible();
         view.removed_area = surface_.area_removed();
     }
-    std::copy_n(events_.begin(), event_count_, snapshot.events.begin() + snapshot.event_count);
-    snapshot.event_count += event_count_;
+    events_.append_to(snapshot);
     for (std::size_t h = 0; h < hand_count; ++h) {
         const HandState& hand = state_.hands[h];
         GraspState& grasp = snapshot.grasps[h];

@@ -22,12 +22,12 @@
 #include "sim_core/membrane/cut_membrane.h"
 #include "sim_core/rod/rod.h"
 #include "sim_core/scene/scene.h"
-#include "sim_core/telemetry/event.h"
 #include "sim_core/world/blade_rules.h"
 #include "sim_core/world/sheet_fibres.h"
 #include "sim_core/world/sheet_layout.h"
 #include "sim_core/world/snapshot.h"
 #include "sim_core/world/state_hash.h"
+#include "sim_core/world/step_events.h"
 
 namespace fulcrum {
 
@@ -49,7 +49,6 @@ struct SheetPlace {
 
 class SheetPart {
   public:
-    static constexpr int event_capacity = 32;
     static constexpr int grip_points = 3;
 
     /// What a hand does to the sheet, remembered from step to step.
@@ -131,9 +130,9 @@ class SheetPart {
     /// State and surface of a part made for the same scene.
     void restore(const State& state, const CutState& surface);
     const Event* events() const { return events_.data(); }
-    int event_count() const { return event_count_; }
+    int event_count() const { return events_.count(); }
     /// A step that advances nothing makes no events.
-    void forget_events() noexcept { event_count_ = 0; }
+    void forget_events() noexcept { events_.clear(); }
     std::size_t bytes() const;
     Vector3 place(const SheetPlace& at) const noexcept;  ///< m
     Vector3 rest(const SheetPlace& at) const noexcept;   ///< m, in the sheet's frame as SheetView::rest
@@ -250,8 +249,7 @@ class SheetPart {
     std::vector<std::int32_t> visible_, near_;
     std::vector<std::uint8_t> touched_;  ///< by root
     std::uint32_t faults_ = 0, tick_ = 0;
-    std::array<Event, event_capacity> events_;
-    int event_count_ = 0;
+    StepEvents<32> events_;
 };
 
 }  // namespace fulcrum

@@ -13,7 +13,7 @@
 #include <mutex>
 #include <thread>
 
-#include "assessment/attempt/engine.h"
+#include "assessment/attempt/memory_sink.h"
 #include "assessment/learning/statistics.h"
 #include "assessment/metrics/metrics_json.h"
 #include "assessment/operators/operator.h"
@@ -26,17 +26,6 @@ namespace {
 
 using namespace fulcrum;
 
-class Memory : public AttemptSink {
-  public:
-    void on_event(const Event& event) noexcept override { record.events.push_back(event); }
-    void on_tick(const RigSample& input, const TickSample& sample) noexcept override {
-        record.inputs.push_back(input);
-        record.samples.push_back(sample);
-    }
-    void on_step(const StepRecord& step) noexcept override { record.steps.push_back(step); }
-    AttemptRecord record;
-};
-
 struct Outcome {
     bool completed = false, identical = false, passed = false;
     double simulated_s = 0, wall_s = 0;
@@ -48,7 +37,7 @@ Outcome attempt(const TaskDefinition& task, const Scene& scene, const BenchmarkS
     const auto begin = std::chrono::steady_clock::now();
     AttemptEngine engine(scene, task, seed);
     const auto rig = make_operator(preset, task, scene, seed);
-    Memory sink;
+    MemorySink sink;
     const RunOutcome run = run_headless(engine, *rig, sink);
     Outcome outcome;
     outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

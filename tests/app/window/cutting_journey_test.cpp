@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/assets.h"
+#include "journey_page.h"
 #include "mouse_hand.h"
-#include "sim_core/lab/result_page.h"
 #include "ui/reports/report.h"
 #include "ui/style/text.h"
 #include "window_fixture.h"
@@ -21,16 +21,11 @@ using namespace fulcrum::ui::test;
 
 class CuttingJourney : public Window {
   protected:
-    void step(const std::string& picture, const std::string& what) {
-        const QString name = next_name(picture);
-        keep_picture(window, name);
-        list(name, what);
-    }
     void brief(const char* task) {
         home();
         click(window, qPrintable(QStringLiteral("briefing_") + QLatin1String(task)));
         expect_page("briefing_page");
-        step(std::string(task) + "-briefing", std::string("The briefing of ") + task);
+        page.step(std::string(task) + "-briefing", std::string("The briefing of ") + task);
         home();
     }
     const WorldSnapshot& world() { return theatre().session()->snapshot(); }
@@ -52,7 +47,7 @@ class CuttingJourney : public Window {
     std::vector<Event> perform(const char* task, int milliseconds, const std::vector<Moment>& moments) {
         brief(task);
         start(task, false);
-        step(std::string(task) + "-theatre", std::string(task) + " at the start");
+        page.step(std::string(task) + "-theatre", std::string(task) + " at the start");
         const auto mind =
             make_operator("expert", theatre().session()->task(), theatre().session()->scene(), 7);
         MouseHand hand(theatre(), *mind);
@@ -61,7 +56,7 @@ class CuttingJourney : public Window {
         const auto left = [&] { return milliseconds - static_cast<int>(timer.elapsed()); };
         for (const Moment& moment : moments) {
             if (left() <= 0 || !hand.work_until(moment.reached, left()) || !in_theatre()) break;
-            step(std::string(task) + "-work", moment.what);
+            page.step(std::string(task) + "-work", moment.what);
         }
         if (left() > 0 && in_theatre()) hand.work_until([] { return false; }, left());
         const bool over = !in_theatre();
@@ -74,24 +69,25 @@ class CuttingJourney : public Window {
         std::vector<Event> events = database::Attempts(*services.store())
                                         .read_trace(window.context().session(), attempt.meta.id)
                                         .events;
-        say(std::string(task) + ": mouse and key events", std::to_string(hand.events()));
-        say(std::string(task) + ": how it ended, time",
-            attempt.state + ", " + plain(clock_text(attempt.duration_s)));
-        say(std::string(task) + ": advances of a cut", std::to_string(count(events, EventKind::cut_advance)));
-        say(std::string(task) + ": activations of energy",
-            std::to_string(count(events, EventKind::activation_begin)));
-        say(std::string(task) + ": instruments exchanged",
-            std::to_string(count(events, EventKind::tool_exchanged)));
+        page.say(std::string(task) + ": mouse and key events", std::to_string(hand.events()));
+        page.say(std::string(task) + ": how it ended, time",
+                 attempt.state + ", " + plain(clock_text(attempt.duration_s)));
+        page.say(std::string(task) + ": advances of a cut",
+                 std::to_string(count(events, EventKind::cut_advance)));
+        page.say(std::string(task) + ": activations of energy",
+                 std::to_string(count(events, EventKind::activation_begin)));
+        page.say(std::string(task) + ": instruments exchanged",
+                 std::to_string(count(events, EventKind::tool_exchanged)));
         look_back(task, attempt.meta.id);
         return events;
     }
     /// Debrief, whole; its replay at an event; the reports.
     void look_back(const char* task, const std::string& id) {
-        DebriefPage& page = wait_for_debrief();
-        step(std::string(task) + "-debrief", std::string("The debrief of ") + task);
-        const QString body = next_name(std::string(task) + "-debrief-whole");
-        keep_body(window, page, body);
-        list(body, std::string("All of the debrief of ") + task);
+        DebriefPage& debrief = wait_for_debrief();
+        page.step(std::string(task) + "-debrief", std::string("The debrief of ") + task);
+        const QString body = page.next_name(std::string(task) + "-debrief-whole");
+        keep_body(window, debrief, body);
+        page.list(body, std::string("All of the debrief of ") + task);
         auto* events = find<QListWidget>(window, "event_list");
         bring(*events);
         if (events->count() > 0) {
@@ -99,9 +95,9 @@ class CuttingJourney : public Window {
             events->scrollToItem(item);
             QTest::mouseClick(events->viewport(), Qt::LeftButton, {}, events->visualItemRect(item).center());
         }
-        auto* picture = page.findChild<TheatreView*>();
+        auto* picture = debrief.findChild<TheatreView*>();
         EXPECT_TRUE(wait_for([&] { return picture->pictures() > 0; }, 120000));
-        step(std::string(task) + "-replay", "Its replay, at an event");
+        page.step(std::string(task) + "-replay", "Its replay, at an event");
         expect_replays(id);
         for (const auto& [format, ending] :
              {std::pair(ReportFormat::pdf, ".pdf"), std::pair(ReportFormat::csv, ".csv")}) {
@@ -118,13 +114,13 @@ class CuttingJourney : public Window {
     void pages_of(const QString& pdf, const std::string& what) {
         const QString pictures = qEnvironmentVariable("FULCRUM_PICTURES");
         if (pictures.isEmpty()) return;
-        const QString name = next_name(QFileInfo(pdf).baseName().toStdString() + "-report");
+        const QString name = page.next_name(QFileInfo(pdf).baseName().toStdString() + "-report");
         QProcess process;
         process.start(QStringLiteral("pdftoppm"),
                       {QStringLiteral("-png"), QStringLiteral("-r"), QStringLiteral("60"),
                        QStringLiteral("-singlefile"), pdf, pictures + '/' + name});
         EXPECT_TRUE(process.waitForFinished(60000)) << "pdftoppm (poppler-utils) is needed";
-        list(name, what);
+        page.list(name, what);
     }
 
     /// B2, B3 and C4 to their end: minutes.
@@ -149,44 +145,10 @@ class CuttingJourney : public Window {
                      {"C4: further down", [&] { return display().cut_divided_m > 0.03; }}});
         EXPECT_GT(count(posterior, EventKind::cut_advance), 0);
         click(window, "rail_progress");
-        step("progress", "The trainee's progress in the three");
+        page.step("progress", "The trainee's progress in the three");
     }
 
-    void write_page(const char* page_folder) {
-        lab::ResultPage page("journey_cutting", "Dividing tissue through the window",
-                             std::string("FULCRUM_PICTURES=docs/images FULCRUM_JOURNEY_PAGE=") + page_folder +
-                                 " xvfb-run -a -s '-screen 0 1280x800x24' test_app_window "
-                                 "--gtest_filter=CuttingJourney.*");
-        page.paragraph(
-            "The program's window under Xvfb (software rendering) over its own services, threads, world, "
-            "recorder and store. Mouse moves, wheel turns, clicks and keys lead the instruments; where they "
-            "go, "
-            "a synthetic expert says. Each is worked at for at most three minutes, in practice, and "
-            "abandoned "
-            "if it is not over then. Each record is replayed bit for bit.");
-        lab::ResultTable table;
-        table.columns = {"what", "figure"};
-        table.rows = figures;
-        page.table(table);
-        for (const auto& [what, picture] : steps) {
-            page.paragraph(what);
-            page.paragraph(picture);
-        }
-        if (!HasFailure()) page.write(page_folder, lab::this_machine(lab::build_info()));
-    }
-
-  private:
-    QString next_name(const std::string& picture) {
-        return QStringLiteral("cutting-%1-%2")
-            .arg(static_cast<int>(steps.size()) + 1, 2, 10, QLatin1Char('0'))
-            .arg(text(picture));
-    }
-    void list(const QString& name, const std::string& what) {
-        steps.push_back({what, "![" + what + "](../images/" + name.toStdString() + ".png)"});
-    }
-    void say(const std::string& what, const std::string& figure) { figures.push_back({what, figure}); }
-    std::vector<std::pair<std::string, std::string>> steps;
-    std::vector<std::vector<std::string>> figures;
+    JourneyPage page{window, "cutting"};
 };
 
 TEST_F(CuttingJourney, PedalAndExchangeAnswerToKeys) {
@@ -208,7 +170,13 @@ TEST_F(CuttingJourney, PedalAndExchangeAnswerToKeys) {
     abandon();
     if (const char* page_folder = std::getenv("FULCRUM_JOURNEY_PAGE")) {
         divide_tissue();
-        write_page(page_folder);
+        if (!HasFailure())
+            page.write(
+                page_folder, "journey_cutting", "Dividing tissue through the window", "CuttingJourney.*",
+                "The program's window under Xvfb (software rendering) over its own services, threads, world, "
+                "recorder and store. Mouse moves, wheel turns, clicks and keys lead the instruments; where "
+                "they go, a synthetic expert says. Each is worked at for at most three minutes, in practice, "
+                "and abandoned if it is not over then. Each record is replayed bit for bit.");
     }
 }
 

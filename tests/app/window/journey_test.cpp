@@ -5,12 +5,12 @@
 // their page; FULCRUM_PICTURES keeps the screens.
 #include <QComboBox>
 #include <QPlainTextEdit>
-#include <QProcess>
 #include <QSlider>
 #include <nlohmann/json.hpp>
 
+#include "journey_page.h"
 #include "mouse_hand.h"
-#include "sim_core/lab/result_page.h"
+#include "tests/ui/journey/files.h"
 #include "ui/reports/report.h"
 #include "ui/review/replay_panel.h"
 #include "ui/style/text.h"
@@ -21,19 +21,6 @@ namespace {
 
 using namespace fulcrum::ui;
 using namespace fulcrum::ui::test;
-
-std::string read_text(const QString& path) {
-    QFile file(path);
-    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path.toStdString();
-    return file.readAll().toStdString();
-}
-
-std::string pdf_text(const QString& path) {
-    QProcess process;
-    process.start(QStringLiteral("pdftotext"), {QStringLiteral("-layout"), path, QStringLiteral("-")});
-    EXPECT_TRUE(process.waitForFinished(60000)) << "pdftotext (poppler-utils) is needed";
-    return process.readAllStandardOutput().toStdString();
-}
 
 using Cells = std::vector<std::string>;
 
@@ -66,14 +53,6 @@ std::string cell_of(const std::vector<Cells>& rows, std::size_t row, const std::
 
 class Journey : public Window {
   protected:
-    void step(const char* picture, const char* what) {
-        const QString name = QStringLiteral("journey-%1-%2")
-                                 .arg(static_cast<int>(steps.size()) + 1, 2, 10, QLatin1Char('0'))
-                                 .arg(QLatin1String(picture));
-        keep_picture(window, name);
-        steps.push_back({what, "![" + std::string(what) + "](../images/" + name.toStdString() + ".png)"});
-    }
-    void say(const std::string& what, const std::string& figure) { figures.push_back({what, figure}); }
     void find_row(QTableWidget& table, std::initializer_list<QString> wanted) {
         for (int row = 0; row < table.rowCount(); ++row) {
             bool has_all = true;
@@ -95,11 +74,11 @@ class Journey : public Window {
         const double share = to_its_end ? 0.45 : 0.05;
         ASSERT_TRUE(
             hand.work_until([&] { return theatre().session()->display().goal_progress > share; }, 240000));
-        step("A2", "A2 by mouse: the lit sphere is touched and held");
+        page.step("A2", "A2 by mouse: the lit sphere is touched and held");
         if (to_its_end) {
             ASSERT_TRUE(hand.work_until([] { return false; }, 600000));
         }
-        say("mouse and key events of A2", std::to_string(hand.events()));
+        page.say("mouse and key events of A2", std::to_string(hand.events()));
     }
     /// The replay by its own controls: an event, a step, played slowly, scrubbed, a penalty.
     void replay(DebriefPage& debrief) {
@@ -170,30 +149,10 @@ class Journey : public Window {
             values += number ? 1 : 0;
         }
         EXPECT_GT(values, 20);
-        say("figures of the attempt that are the same in debrief and CSV", std::to_string(values));
-    }
-    void write_page(const char* page_folder) {
-        lab::ResultPage page("journey", "The main job, end to end",
-                             std::string("FULCRUM_PICTURES=docs/images FULCRUM_JOURNEY_PAGE=") + page_folder +
-                                 " xvfb-run -a -s '-screen 0 1280x800x24' test_app_window "
-                                 "--gtest_filter=Journey.*");
-        page.paragraph(
-            "One run of the program's window under Xvfb (software rendering) over its own services, threads, "
-            "world, recorder and store, with mouse and key events: programme, people, attempts, debrief, "
-            "replay, comment, void, the director's files.");
-        lab::ResultTable table;
-        table.columns = {"what", "figure"};
-        table.rows = figures;
-        page.table(table);
-        for (const auto& [what, picture] : steps) {
-            page.paragraph(what);
-            page.paragraph(picture);
-        }
-        page.write(page_folder, lab::this_machine(lab::build_info()));
+        page.say("figures of the attempt that are the same in debrief and CSV", std::to_string(values));
     }
 
-    std::vector<std::pair<std::string, std::string>> steps;  ///< what is seen, its picture
-    std::vector<std::vector<std::string>> figures;
+    JourneyPage page{window, "journey"};
 };
 
 TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
@@ -201,12 +160,12 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     const bool whole = page_folder != nullptr;
     services.spoils_devices = true;
     expect_page("first_start_page");
-    step("first-start", "First start");
+    page.step("first-start", "First start");
     create_programme();
     const QString tara_once = add_person("Tara Trainee", "tara", "trainee");
     const QString ed_once = add_person("Ed Educator", "ed", "educator");
     const QString dora_once = add_person("Dora Director", "dora", "director");
-    step("people", "The administrator adds people; each gets a one-time password");
+    page.step("people", "The administrator adds people; each gets a one-time password");
     switch_user();
     first_sign_in("dora", dora_once, "dora's password");
     click(window, "rail_assign");
@@ -215,15 +174,15 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     check_item(*find<QListWidget>(window, "cohort_members"), 0);
     check_item(*find<QListWidget>(window, "cohort_educators"), 0);
     click(window, "save_cohort");
-    step("cohort-made", "The director makes a cohort");
+    page.step("cohort-made", "The director makes a cohort");
     switch_user();
 
     first_sign_in("tara", tara_once, "tara's password");
     expect_page("home_page");
-    step("home", "The trainee's home: the next thing to do");
+    page.step("home", "The trainee's home: the next thing to do");
     click(window, "briefing_A2");
     expect_page("briefing_page");
-    step("briefing-A2", "The briefing of A2");
+    page.step("briefing-A2", "The briefing of A2");
     home();
     start("A2", true);
     work_at_a2(whole);
@@ -235,14 +194,14 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     const QString first_state = attempt_state(first.state), first_points = figure(first.points);
     const QString first_time = shown("headline_0");
     EXPECT_EQ(shown("debrief_about").contains(" · " + first_points + " points"), first.points.has_value());
-    step("A2-debrief", "The debrief of A2");
+    page.step("A2-debrief", "The debrief of A2");
     replay(debrief);
     bring(*find<QWidget>(window, "event_list"));
-    step("A2-replay", "Its replay, at an event");
+    page.step("A2-replay", "Its replay, at an event");
     expect_replays(first.meta.id);
     const QString by_trainee = folder.filePath("tara.csv");
     click(window, "rail_progress");
-    step("progress", "The trainee's progress");
+    page.step("progress", "The trainee's progress");
     save_report("export_person", by_trainee);
     find_row(*find<QTableWidget>(window, "progress_table"), {first_state, first_time, first_points});
     auto* attempts = find<QTableWidget>(window, "progress_table");
@@ -254,12 +213,12 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     start("B1", true);
     move_hands(10);
     ASSERT_TRUE(wait_for([&] { return theatre().session()->display().elapsed_s > 1.5; }, 60000));
-    step("B1-begun", "B1");
+    page.step("B1-begun", "B1");
     abandon();
     const database::AttemptSummary abandoned = newest_attempt();
     EXPECT_EQ(abandoned.state, "abandoned");
     EXPECT_TRUE(shown("advice").contains("abandoned")) << shown("advice").toStdString();
-    step("B1-abandoned", "B1, abandoned");
+    page.step("B1-abandoned", "B1, abandoned");
     replay(wait_for_debrief());
     expect_replays(abandoned.meta.id);
     home();
@@ -268,14 +227,14 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     ASSERT_TRUE(wait_for([&] { return theatre().session()->display().elapsed_s > 1.5; }, 60000));
     services.rig->spoil(SpoiltRig::Fault::silence);
     ASSERT_TRUE(wait_for([&] { return sees(window, "theatre_panel"); }));
-    step("device-gone", "The device is gone: the force is zero, the clock stands");
+    page.step("device-gone", "The device is gone: the force is zero, the clock stands");
     if (!whole) click(window, "panel_abandon");
     // Left alone it is closed when its minute is over.
     ASSERT_TRUE(wait_for([&] { return window.current_page()->objectName() == "debrief_page"; }, 240000));
     DebriefPage& of_lost = wait_for_debrief();
     const database::AttemptSummary lost = newest_attempt();
     EXPECT_EQ(lost.state, whole ? "interrupted" : "abandoned");
-    step("device-gone-debrief", "Its debrief");
+    page.step("device-gone-debrief", "Its debrief");
     replay(of_lost);
     expect_replays(lost.meta.id);
     home();
@@ -287,7 +246,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     attempts = find<QTableWidget>(window, "attempts_table");
     EXPECT_EQ(attempts->rowCount(), 3);
     find_row(*attempts, {"A2", first_state, first_points});
-    step("educator", "The educator's list of the cohort's attempts");
+    page.step("educator", "The educator's list of the cohort's attempts");
     click(window, "open_attempt");
     DebriefPage& review = wait_for_debrief();
     replay(review);
@@ -295,7 +254,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     auto* comment = find<QPlainTextEdit>(window, "comment_text");
     bring(*comment);
     QTest::keyClicks(comment, "Slow down before you touch.");
-    step("educator-comment", "The educator comments at a moment");
+    page.step("educator-comment", "The educator comments at a moment");
     click(window, "comment_send");
     click(window, "rail_attempts");
     find_row(*find<QTableWidget>(window, "attempts_table"), {"B1", "abandoned"});
@@ -306,22 +265,22 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     click(window, "void_attempt");
     ASSERT_TRUE(wait_for([&] { return sees(window, "verdict") && shown("verdict") == "voided"; }, 60000));
     wait_for_debrief();
-    step("educator-void", "The educator voids the attempt that was abandoned, with a reason");
+    page.step("educator-void", "The educator voids the attempt that was abandoned, with a reason");
     switch_user();
 
     sign_in("tara", "tara's password");
     expect_page("home_page");
-    step("home-comment", "The trainee finds an unread comment");
+    page.step("home-comment", "The trainee finds an unread comment");
     click(window, "unread_comment");
     EXPECT_NEAR(wait_for_debrief().moment(), moment, 1e-9);
     EXPECT_EQ(shown("comment_words"), "Slow down before you touch.");
     bring(*find<QWidget>(window, "comment_words"));
-    step("comment-read", "and reads it where it was made");
+    page.step("comment-read", "and reads it where it was made");
     home();
     EXPECT_FALSE(sees(window, "unread_comment"));
     click(window, "rail_attempts");
     find_row(*find<QTableWidget>(window, "attempts_table"), {"B1", "voided"});
-    step("attempts-voided", "The voided attempt stays visible, struck through");
+    page.step("attempts-voided", "The voided attempt stays visible, struck through");
     click(window, "open_attempt");
     wait_for_debrief();
     EXPECT_TRUE(shown("debrief_notes").contains("started by mistake"));
@@ -336,7 +295,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     EXPECT_EQ(shown_cell.contains("best " + first_points), first.points.has_value());
     for (const char* name : {"cohort.pdf", "cohort.csv", "cohort.json"})
         save_report("export_cohort", folder.filePath(name));
-    step("director", "The director's cohort table, saved as PDF, CSV and JSON");
+    page.step("director", "The director's cohort table, saved as PDF, CSV and JSON");
     const std::vector<Cells> csv = csv_rows(read_text(folder.filePath("cohort.csv")));
     const nlohmann::json json = nlohmann::json::parse(read_text(folder.filePath("cohort.json")));
     std::size_t row = 2;
@@ -358,9 +317,15 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     const std::string pdf = pdf_text(folder.filePath("cohort.pdf"));
     EXPECT_NE(pdf.find("best " + plain(first_points)), std::string::npos) << pdf;
     EXPECT_NE(pdf.find("Spring"), std::string::npos);
-    say("points of the first A2 in debrief, progress, list, table, PDF, CSV and JSON", plain(first_points));
-    say("its time in debrief and progress", plain(first_time));
-    if (whole && !HasFailure()) write_page(page_folder);
+    page.say("points of the first A2 in debrief, progress, list, table, PDF, CSV and JSON",
+             plain(first_points));
+    page.say("its time in debrief and progress", plain(first_time));
+    if (whole && !HasFailure())
+        page.write(
+            page_folder, "journey", "The main job, end to end", "Journey.*",
+            "One run of the program's window under Xvfb (software rendering) over its own services, "
+            "threads, world, recorder and store, with mouse and key events: programme, people, attempts, "
+            "debrief, replay, comment, void, the director's files.");
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // Operators at B3: they complete it, the record replays bit for bit, and skill shows where it should.
 #include <gtest/gtest.h>
 
-#include "assessment/attempt/engine.h"
+#include "assessment/attempt/memory_sink.h"
 #include "assessment/metrics/metric.h"
 #include "assessment/trace/trace.h"
 #include "sim_core/numerics/input_error.h"
@@ -11,19 +11,8 @@
 namespace fulcrum {
 namespace {
 
-class Kept : public AttemptSink {
-  public:
-    void on_event(const Event& event) noexcept override { record.events.push_back(event); }
-    void on_tick(const RigSample& input, const TickSample& sample) noexcept override {
-        record.inputs.push_back(input);
-        record.samples.push_back(sample);
-    }
-    void on_step(const StepRecord& step) noexcept override { record.steps.push_back(step); }
-    AttemptRecord record;
-};
-
 struct Performed {
-    Kept sink;
+    MemorySink sink;
     RunOutcome outcome;
     std::vector<MetricResult> metrics;
     double value(const char* id, const char* hand = "") const {

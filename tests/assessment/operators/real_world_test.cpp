@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "assessment/attempt/engine.h"
+#include "assessment/attempt/memory_sink.h"
 #include "assessment/learning/statistics.h"
 #include "assessment/metrics/metrics_json.h"
 #include "assessment/operators/operator.h"
@@ -124,24 +124,12 @@ TEST(OperatorOnTheWorld, ExpertRunsTheBowelAtTheFastFidelity) {
     EXPECT_LT(events.worst(), 3U);
 }
 
-/// Everything that a replay needs.
-class FullRecord : public AttemptSink {
-  public:
-    void on_tick(const RigSample& input, const TickSample& sample) noexcept override {
-        record.inputs.push_back(input);
-        record.samples.push_back(sample);
-    }
-    void on_step(const StepRecord& step) noexcept override { record.steps.push_back(step); }
-    void on_event(const Event& event) noexcept override { record.events.push_back(event); }
-    AttemptRecord record;
-};
-
 TEST(OperatorOnTheWorld, ExpertPullsAndCutsTheSheetAndTheCutReplaysBitForBit) {
     const TaskDefinition task = load_task(test::source_path("assets/tasks/B2.json"));
     const Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
     AttemptEngine engine(scene, task, 2500);
     const auto rig = make_operator("expert", task, scene, 2500);
-    FullRecord sink;
+    MemorySink sink;
     const RunOutcome run = run_headless(engine, *rig, sink, [](double t) { return t < 12; });
     const auto count = [&](EventKind kind) {
         return std::count_if(sink.record.events.begin(), sink.record.events.end(),
@@ -169,7 +157,7 @@ TEST(OperatorOnTheWorld, ExpertLiftsTheRectumAndDividesInThePlane) {
     const Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
     AttemptEngine engine(scene, task, 2500);
     const auto rig = make_operator("expert", task, scene, 2500);
-    FullRecord sink;
+    MemorySink sink;
     run_headless(engine, *rig, sink,
                  [&](double t) { return t < 20 && engine.display().cut_divided_m < 0.02; });
     const auto count = [&](EventKind kind) {

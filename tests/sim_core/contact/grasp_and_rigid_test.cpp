@@ -276,23 +276,36 @@ TEST(Wall, DepthsAgreeWithTheCavitysClosestPoint) {
 
 // ---- tool against tool ----
 
-TEST(Tools, CrossingShaftsPushEachOtherApart) {
+/// The left one's shaft lies along x at z = 0, the right one's along y where a test says.
+struct Crossing {
     ToolContactModel model;
     ToolKinematics left, right;
-    left.inside = right.inside = true;
-    left.trocar = Vector3(-0.1, 0, 0);
-    left.tip = Vector3(0.1, 0, 0);
-    left.axis = Vector3::UnitX();
-    right.trocar = Vector3(0, -0.1, 0.004);
-    right.tip = Vector3(0, 0.1, 0.004);
-    right.axis = Vector3::UnitY();
+    Crossing() {
+        left.inside = right.inside = true;
+        left.trocar = Vector3(-0.1, 0, 0);
+        left.tip = Vector3(0.1, 0, 0);
+        left.axis = Vector3::UnitX();
+        right.axis = Vector3::UnitY();
+        raise(0);
+    }
+    /// z of the right one.
+    void raise(double z) {
+        right.trocar = Vector3(0, -0.1, z);
+        right.tip = Vector3(0, 0.1, z);
+    }
+};
+
+TEST(Tools, CrossingShaftsPushEachOtherApart) {
+    Crossing tools;
+    auto& [model, left, right] = tools;
+    tools.raise(0.004);
     ToolPairState pair;
     ToolContactResult a, b;
     EXPECT_NEAR(collide_tools(model, left, model, right, pair, a, b), 0.001, 1e-12);
     EXPECT_TRUE(a.touching_tool);
     EXPECT_NEAR((a.tool_force + b.tool_force).norm(), 0, 1e-15);
     EXPECT_NEAR(a.tool_force.z(), 0.8, 1e-9);  // on the right tool, upwards
-    right.trocar.z() = right.tip.z() = 0.006;
+    tools.raise(0.006);
     a = b = ToolContactResult{};
     EXPECT_LT(collide_tools(model, left, model, right, pair, a, b), 0);
     EXPECT_EQ(a.force, Vector3::Zero());
@@ -307,20 +320,14 @@ TEST(Tools, CrossingShaftsPushEachOtherApart) {
 
 // A hand that is not held back goes on through the other shaft: it stays on the side from which it came.
 TEST(Tools, AShaftDrawnThroughAnotherIsPushedBackAllTheWayAndFreeBeyond) {
-    ToolContactModel model;
-    ToolKinematics left, right;
-    left.inside = right.inside = true;
-    left.trocar = Vector3(-0.1, 0, 0);
-    left.tip = Vector3(0.1, 0, 0);
-    left.axis = Vector3::UnitX();
-    right.axis = Vector3::UnitY();
+    Crossing tools;
+    auto& [model, left, right] = tools;
     ToolPairState pair;
     const double step = 2e-5;  // m in a tick
     double last = 0, deepest = 0;
     for (int i = 0; i < 600; ++i) {
         const double z = 0.006 - i * step;
-        right.trocar = Vector3(0, -0.1, z);
-        right.tip = Vector3(0, 0.1, z);
+        tools.raise(z);
         right.tip_velocity = Vector3(0, 0, -2 * step / model.instrument.tick_period);
         ToolContactResult a, b;
         const double depth = collide_tools(model, left, model, right, pair, a, b);

@@ -7,7 +7,6 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPlainTextEdit>
-#include <QProcess>
 #include <QRadioButton>
 #include <QTableWidget>
 #include <nlohmann/json.hpp>
@@ -15,6 +14,7 @@
 #include "database/attempts.h"
 #include "database/people.h"
 #include "fake_services.h"
+#include "files.h"
 #include "hands.h"
 #include "ui/charts/time_chart.h"
 #include "ui/dashboards/cohort_page.h"
@@ -124,19 +124,6 @@ class Journey : public ::testing::Test {
     FakeServices services;
     MainWindow window;
 };
-
-std::string read_text(const QString& path) {
-    QFile file(path);
-    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path.toStdString();
-    return file.readAll().toStdString();
-}
-
-std::string pdf_text(const QString& path) {
-    QProcess process;
-    process.start(QStringLiteral("pdftotext"), {QStringLiteral("-layout"), path, QStringLiteral("-")});
-    EXPECT_TRUE(process.waitForFinished(20000)) << "pdftotext (poppler-utils) is needed";
-    return process.readAllStandardOutput().toStdString();
-}
 
 TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     expect_page("first_start_page");
