@@ -8,35 +8,10 @@
 
 #include "sim_core/numerics/random.h"
 #include "tests/sim_core/septa/septa_rig.h"
+#include "tests/sim_core/sheet/cut_truth.h"
 
 namespace fulcrum {
 namespace {
-
-/// Whether there is tissue at a place at rest.
-bool covered(const SheetView& sheet, double x, double y) {
-    for (std::size_t t = 0; t < static_cast<std::size_t>(sheet.triangle_count); ++t) {
-        std::array<Eigen::Vector2d, 3> p;
-        for (std::size_t c = 0; c < 3; ++c)
-            p[c] =
-                sheet.rest[static_cast<std::size_t>(sheet.triangles[t][c])].head<2>() - Eigen::Vector2d(x, y);
-        const auto turn_of = [&](std::size_t a, std::size_t b) {
-            return p[a].x() * p[b].y() - p[a].y() * p[b].x();
-        };
-        const double u = turn_of(0, 1), v = turn_of(1, 2), w = turn_of(2, 0);
-        if ((u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0)) return true;
-    }
-    return false;
-}
-
-/// Whether tissue is left all around a place at rest: no blade has been there.
-bool whole_around(const SheetView& sheet, const Vector3& place, double radius) {
-    for (int k = 0; k < 17; ++k) {
-        const double turn = 0.785398163397448 * k, size = k == 0 ? 0 : k < 9 ? 0.5 * radius : radius;
-        const double x = place.x() + size * std::cos(turn), y = place.y() + size * std::sin(turn);
-        if (!covered(sheet, x, y)) return false;
-    }
-    return true;
-}
 
 // Issue 4: what is said of the plane is measured on the cut surface alone; no way leads from one septum to
 // the next.
@@ -81,7 +56,7 @@ TEST(SeptaRims, CutsAlongAndOverRimsAreToldWhereTheyAre) {
                 const int samples = std::max(1, static_cast<int>(way.norm() / 0.0003));
                 for (int i = 0; i < samples; ++i) {
                     const Vector3 place = last + (i + 0.5) / samples * way;
-                    EXPECT_FALSE(whole_around(rig.view(), place, 0.0008))
+                    EXPECT_FALSE(test::whole_around(rig.view(), place, 0.0008))
                         << "stroke " << stroke << " of " << way.norm() << " m at " << place.transpose();
                 }
             }
@@ -98,7 +73,7 @@ TEST(SeptaRims, CutsAlongAndOverRimsAreToldWhereTheyAre) {
             const double here = septum * width + x;
             bool parted = false, said = false;
             for (double y = -rig.scene.septa->plane_height + 0.0001; y < fat && !parted; y += 0.0001)
-                parted = !covered(rig.view(), here, y);
+                parted = !test::covered(rig.view(), here, y);
             for (const auto& way : all) said = said || (way[0] <= here && way[1] >= here);
             missing = parted && !said ? missing + 1 : 0;
             EXPECT_LE(missing, 2) << "septum " << septum << " at " << x;
