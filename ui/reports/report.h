@@ -40,7 +40,7 @@ struct CohortReport {
     ReportProvenance provenance;
     std::vector<ReportTask> tasks;
     database::CohortTable table;
-    std::vector<PersonReport> people;  ///< one page each
+    std::vector<PersonReport> people;  ///< pages of their own
 };
 
 /// One attempt.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reports on A4 by QPainter: a person on one page, a cohort as a table of people and tasks with a page for
-// each person behind it.
+// Reports on A4 by QPainter: a person as a table with charts behind it, a cohort as a table of people and
+// tasks with each person's pages behind it. A table goes on over as many pages as its rows need.
 #include <QCoreApplication>
 #include <QPainter>
 #include <algorithm>
+#include <functional>
 
 #include "ui/charts/attempt_chart.h"
 #include "ui/reports/paper.h"
@@ -76,41 +77,91 @@ void cell_lines(Sheet& sheet, double x, double width, const QStringList& lines) 
     sheet.to(top);
 }
 
-void person_page(Sheet& sheet, const PersonReport& report) {
+// Where the foot of a page begins.
+double bottom_of(const Sheet& sheet) {
+    return sheet.height() - Sheet::mm(24);
+}
+
+// A new page down to where its table begins.
+void page_head(Sheet& sheet, const ReportProvenance& provenance, const QString& kind,
+               const std::string& title, const QString& line, bool synthetic, bool provisional) {
     sheet.new_page();
-    if (report.provenance.demo) sheet.watermark(tr("DEMONSTRATION"));
+    if (provenance.demo) sheet.watermark(tr("DEMONSTRATION"));
     sheet.font(9, false, paper_palette().muted);
-    sheet.paragraph(tr("%1 · progress report").arg(text(report.provenance.programme)));
+    sheet.paragraph(QStringLiteral("%1 · %2").arg(text(provenance.programme), kind));
     sheet.font(17, true);
-    sheet.paragraph(text(report.name));
+    sheet.paragraph(text(title));
     sheet.font(9, false, paper_palette().muted);
-    sheet.paragraph(tr("login %1 · as of %2").arg(text(report.login), local_time(report.provenance.as_of)));
-    if (report.synthetic || report.provenance.demo) {
-        sheet.font(9, true, paper_palette().bad);
-        sheet.paragraph(tr("Synthetic: made by a simulated operator, not by a person."));
-    }
-    if (any_provisional(report.rows)) {
-        sheet.font(9, true, paper_palette().bad);
+    sheet.paragraph(line);
+    sheet.font(9, true, paper_palette().bad);
+    if (synthetic) sheet.paragraph(tr("Synthetic: made by a simulated operator, not by a person."));
+    if (provisional) {
         sheet.paragraph(
             tr("Provisional limits (synthetic operators): they allow \"passed (provisional)\", never "
-               "proficiency "
-               "or a certificate."));
+               "proficiency or a certificate."));
     }
     sheet.skip(2);
-    const double columns[] = {0, 0.30, 0.47, 0.66, 0.76, 0.84, 0.92, 1.0};
+}
+
+// Charts in rows from where the sheet is; on pages of their own where they would be too low to read there.
+void person_charts(Sheet& sheet, const std::vector<const database::PersonProgress*>& drawn,
+                   const std::function<void()>& turn) {
+    constexpr double lowest_mm = 40, highest_mm = 72;
+    const bool landscape = sheet.width() > sheet.height();
+    const std::size_t per_row = landscape ? std::min<std::size_t>(drawn.size(), 3) : drawn.size() > 3 ? 2 : 1;
+    std::size_t chart_rows = (drawn.size() + per_row - 1) / per_row;
+    if (bottom_of(sheet) - sheet.y() < static_cast<double>(chart_rows) * Sheet::mm(lowest_mm)) {
+        turn();
+        const double fitting = std::max(1.0, (bottom_of(sheet) - sheet.y()) / Sheet::mm(lowest_mm));
+        chart_rows = std::min(chart_rows, static_cast<std::size_t>(fitting));
+    }
+    double top = sheet.y();
+    const double each =
+        std::min((bottom_of(sheet) - top) / static_cast<double>(chart_rows), Sheet::mm(highest_mm));
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        if (i > 0 && i % (per_row * chart_rows) == 0) {
+            turn();
+            top = sheet.y();
+        }
+        const double width = sheet.width() / static_cast<double>(per_row);
+        const double x = static_cast<double>(i % per_row) * width;
+        sheet.to(top + static_cast<double>(i / per_row % chart_rows) * each);
+        sheet.font(9, true);
+        sheet.cell(x, width, text(drawn[i]->task_id));
+        sheet.font(7);
+        const double heading = Sheet::mm(6);
+        paint_attempt_chart(
+            sheet.painter(),
+            QRectF(x, sheet.y() + heading, width - Sheet::mm(4), each - heading - Sheet::mm(3)),
+            chart_of(*drawn[i]), paper_palette(), dots_per_inch / 120.0);
+    }
+}
+
+void person_pages(Sheet& sheet, const PersonReport& report) {
+    int counting = 0;
+    for (const database::CohortRow& row : report.rows) counting += row.attempts;
+    const QString n = tr("n = %1 counting attempts").arg(counting);
+    const auto head = [&] {
+        page_head(sheet, report.provenance, tr("progress report"), report.name,
+                  tr("login %1 · as of %2").arg(text(report.login), local_time(report.provenance.as_of)),
+                  report.synthetic || report.provenance.demo, any_provisional(report.rows));
+    };
+    const double columns[] = {0, 0.29, 0.49, 0.67, 0.77, 0.85, 0.92, 1.0};
     const QString titles[] = {tr("task"),   tr("device"), tr("state"), tr("attempts"),
                               tr("passed"), tr("other"),  tr("best")};
-    sheet.font(8, true, paper_palette().muted);
     const auto cell = [&](int column, const QString& shown) {
         sheet.cell(columns[column] * sheet.width(), (columns[column + 1] - columns[column]) * sheet.width(),
                    shown, column >= 3 ? Qt::AlignRight : Qt::AlignLeft);
     };
-    for (int column = 0; column < 7; ++column) cell(column, titles[column]);
-    sheet.skip(5);
-    sheet.rule();
-    int n = 0;
+    const auto table_head = [&] {
+        head();
+        sheet.font(8, true, paper_palette().muted);
+        for (int column = 0; column < 7; ++column) cell(column, titles[column]);
+        sheet.skip(5);
+        sheet.rule();
+    };
+    table_head();
     for (const database::CohortRow& row : report.rows) {
-        if (sheet.y() > sheet.height() * 0.45) break;
         sheet.font(8.5);
         QString title = text(row.task_id);
         for (const ReportTask& task : report.tasks) {
@@ -118,6 +169,13 @@ void person_page(Sheet& sheet, const PersonReport& report) {
         }
         const double title_width = columns[1] * sheet.width();
         const QStringList lines = wrapped(sheet, title, QStringLiteral(" "), title_width - Sheet::mm(3));
+        const double height = (lines.size() - 1) * sheet.line_height() + Sheet::mm(5);
+        if (sheet.y() + height > bottom_of(sheet)) {
+            footer(sheet, report.provenance, n);
+            table_head();
+            sheet.font(8.5);
+        }
+        const double top = sheet.y();
         cell_lines(sheet, 0, title_width, lines);
         cell(1, row.device_class.empty() ? QStringLiteral("–") : device_class_text(row.device_class));
         cell(2, state_text(row));
@@ -125,43 +183,26 @@ void person_page(Sheet& sheet, const PersonReport& report) {
         cell(4, QString::number(row.passes));
         cell(5, QString::number(row.not_counting));
         cell(6, figure(row.best_points));
-        n += row.attempts;
-        sheet.to(sheet.y() + (lines.size() - 1) * sheet.line_height());
-        sheet.skip(5);
+        sheet.to(top + height);
     }
     sheet.skip(4);
+    const auto turn = [&] {
+        footer(sheet, report.provenance, n);
+        head();
+    };
     std::vector<const database::PersonProgress*> drawn;
     for (const database::PersonProgress& progress : report.progress) {
         if (!progress.series.empty()) drawn.push_back(&progress);
     }
-    const double bottom = sheet.height() - Sheet::mm(24);
-    const double room = bottom - sheet.y();
     if (!drawn.empty()) {
-        const bool landscape = sheet.width() > sheet.height();
-        const std::size_t per_row = landscape          ? std::min<std::size_t>(drawn.size(), 3)
-                                    : drawn.size() > 3 ? 2
-                                                       : 1;
-        const std::size_t chart_rows = (drawn.size() + per_row - 1) / per_row;
-        const double each = std::min(room / static_cast<double>(chart_rows), Sheet::mm(72));
-        const double top = sheet.y();
-        for (std::size_t i = 0; i < drawn.size(); ++i) {
-            const double width = sheet.width() / static_cast<double>(per_row);
-            const double x = static_cast<double>(i % per_row) * width;
-            sheet.to(top + static_cast<double>(i / per_row) * each);
-            sheet.font(9, true);
-            sheet.cell(x, width, text(drawn[i]->task_id));
-            sheet.font(7);
-            const double heading = Sheet::mm(6);
-            paint_attempt_chart(
-                sheet.painter(),
-                QRectF(x, sheet.y() + heading, width - Sheet::mm(4), each - heading - Sheet::mm(3)),
-                chart_of(*drawn[i]), paper_palette(), dots_per_inch / 120.0);
-        }
+        person_charts(sheet, drawn, turn);
     } else {
+        sheet.font(9, false, paper_palette().muted);
+        if (sheet.y() + sheet.line_height() > bottom_of(sheet)) turn();
         sheet.font(9, false, paper_palette().muted);
         sheet.paragraph(tr("No attempts yet."));
     }
-    footer(sheet, report.provenance, tr("n = %1 counting attempts").arg(n));
+    footer(sheet, report.provenance, n);
 }
 
 QString cohort_cell(const std::vector<database::CohortRow>& rows, const std::string& person,
@@ -191,28 +232,13 @@ void cohort_pages(Sheet& sheet, const CohortReport& report) {
     const double name_width = sheet.width() * 0.22;
     const double task_width =
         (sheet.width() - name_width) / static_cast<double>(std::max<std::size_t>(report.tasks.size(), 1));
-    const double bottom = sheet.height() - Sheet::mm(24);
     const QString n = tr("people: n = %1").arg(report.table.people);
+    QString line = tr("as of %1 · %2").arg(local_time(report.provenance.as_of), n);
+    if (report.table.left_out_synthetic > 0)
+        line += tr(" · %1 synthetic people left out").arg(report.table.left_out_synthetic);
     const auto head = [&] {
-        sheet.new_page();
-        if (report.provenance.demo) sheet.watermark(tr("DEMONSTRATION"));
-        sheet.font(9, false, paper_palette().muted);
-        sheet.paragraph(tr("%1 · cohort report").arg(text(report.provenance.programme)));
-        sheet.font(17, true);
-        sheet.paragraph(text(report.table.cohort_name));
-        sheet.font(9, false, paper_palette().muted);
-        QString line = tr("as of %1 · %2").arg(local_time(report.provenance.as_of), n);
-        if (report.table.left_out_synthetic > 0) {
-            line += tr(" · %1 synthetic people left out").arg(report.table.left_out_synthetic);
-        }
-        sheet.paragraph(line);
-        if (any_provisional(report.table.rows)) {
-            sheet.font(9, true, paper_palette().bad);
-            sheet.paragraph(
-                tr("Provisional limits (synthetic operators): they allow \"passed (provisional)\", never "
-                   "proficiency or a certificate."));
-        }
-        sheet.skip(2);
+        page_head(sheet, report.provenance, tr("cohort report"), report.table.cohort_name, line, false,
+                  any_provisional(report.table.rows));
         sheet.font(8.5, true, paper_palette().muted);
         sheet.cell(0, name_width, tr("person"));
         const double first_line = sheet.y();
@@ -241,7 +267,7 @@ void cohort_pages(Sheet& sheet, const CohortReport& report) {
             cells.push_back(cell);
         }
         const double height = sheet.line_height() * lines + Sheet::mm(1.5);
-        if (sheet.y() + height > bottom) {
+        if (sheet.y() + height > bottom_of(sheet)) {
             footer(sheet, report.provenance, n);
             head();
             sheet.font(8.5);
@@ -259,7 +285,7 @@ void cohort_pages(Sheet& sheet, const CohortReport& report) {
 
 void write_person_pdf(const PersonReport& report, const std::string& path) {
     Sheet sheet(path, false, tr("Progress of %1").arg(text(report.name)));
-    person_page(sheet, report);
+    person_pages(sheet, report);
     sheet.finish();
 }
 
@@ -269,7 +295,7 @@ bool write_cohort_pdf(const CohortReport& report, const std::string& path, const
     for (std::size_t i = 0; i < report.people.size(); ++i) {
         const double done = static_cast<double>(i) / static_cast<double>(report.people.size());
         if (progress && !progress(0.5 + 0.5 * done, report.people[i].name)) return false;
-        person_page(sheet, report.people[i]);
+        person_pages(sheet, report.people[i]);
     }
     sheet.finish();
     return true;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A cohort of two hundred on paper: everybody has a page. How long it takes is measured by benchmark_review.
+// Much on paper: of a cohort of two hundred everybody has a page, a person's table goes on over as many pages
+// as it needs. How long it takes is measured by benchmark_review.
 #include <gtest/gtest.h>
 
 #include <QDir>
@@ -10,6 +11,7 @@
 #include "tests/database/large_programme.h"
 #include "tests/support/support.h"
 #include "ui/reports/report.h"
+#include "ui/style/text.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -59,6 +61,92 @@ TEST(LargeReport, FiveTasksStandOnItWithTheirWholeTitles) {
             for (const QByteArray& word : QByteArray::fromStdString(task.title).split(' '))
                 EXPECT_TRUE(page.contains(word)) << word.toStdString();
         }
+    }
+}
+
+// Forty rows, each with a number of its own in every column of figures.
+PersonReport person_of_forty_rows() {
+    PersonReport report;
+    report.provenance.programme = "Surgery";
+    report.provenance.metric_versions = {"path_len@1", "time@1"};
+    report.provenance.benchmark_sets = {"A2-operators@1"};
+    report.login = "ada";
+    report.name = "Ada Lovelace";
+    for (int i = 0; i < 20; ++i) {
+        const std::string number = std::to_string(100 + i), id = "T" + number;
+        report.tasks.push_back({id, "Title" + number + " of an exercise that takes two lines", "A"});
+        database::PersonProgress progress;
+        progress.task_id = id;
+        for (const char* device : {"haptic", "mouse-keyboard"}) {
+            database::CohortRow row;
+            row.task_id = id;
+            row.device_class = device;
+            row.state = database::TaskState::passed;
+            row.provisional = true;
+            row.attempts = 2000 + static_cast<int>(report.rows.size());
+            row.passes = row.attempts - 1000;
+            row.not_counting = row.attempts + 1000;
+            row.best_points = 50 + static_cast<double>(report.rows.size()) / 10;
+            report.rows.push_back(row);
+            database::ProgressPoint first, second;
+            first.number = 1;
+            second.number = 2;
+            first.counting = second.counting = true;
+            first.points = 40.0;
+            second.points = row.best_points;
+            progress.series.push_back({device, {first, second}});
+        }
+        report.progress.push_back(std::move(progress));
+    }
+    return report;
+}
+
+TEST(LargeReport, APersonsFortyRowsAllStandOnItAndAreCounted) {
+    const QTemporaryDir folder;
+    const PersonReport report = person_of_forty_rows();
+    const QString path = folder.filePath("forty.pdf");
+    write_person_pdf(report, path.toStdString());
+    const QString kept = qEnvironmentVariable("FULCRUM_PICTURES");
+    if (!kept.isEmpty()) QFile::copy(path, QDir(kept).filePath(QStringLiteral("forty.pdf")));
+    const QList<QByteArray> pages = pages_of(path.toStdString());
+    EXPECT_GE(pages.size(), 3);
+    QList<QByteArray> lines;
+    int attempts = 0, heads = 0;
+    for (const database::CohortRow& row : report.rows) attempts += row.attempts;
+    for (const QByteArray& page : pages) {
+        EXPECT_FALSE(page.contains("\xE2\x80\xA6")) << "nothing is cut off: " << page.toStdString();
+        EXPECT_TRUE(page.contains("Ada Lovelace"));
+        EXPECT_TRUE(page.contains("n = " + QByteArray::number(attempts))) << page.toStdString();
+        const bool has_rows = page.contains("Title1");
+        EXPECT_EQ(page.simplified().contains("task device state attempts passed other best"), has_rows)
+            << page.toStdString();
+        heads += has_rows ? 1 : 0;
+        for (const QByteArray& line : page.split('\n')) lines << line.simplified();
+    }
+    EXPECT_GE(heads, 2) << "the table goes on over further pages";
+    for (std::size_t i = 0; i < report.rows.size(); ++i) {
+        const database::CohortRow& row = report.rows[i];
+        const QByteArray device = i % 2 == 0 ? "haptic device" : "mouse and keyboard";
+        const QByteArray figures = device + " passed (provisional) " + QByteArray::number(row.attempts) +
+                                   ' ' + QByteArray::number(row.passes) + ' ' +
+                                   QByteArray::number(row.not_counting) + ' ' +
+                                   figure(row.best_points).toUtf8();
+        int found = 0;
+        for (const QByteArray& line : lines) {
+            found += line.startsWith(QByteArray::fromStdString(row.task_id) + " Title" +
+                                     QByteArray::fromStdString(row.task_id).mid(1)) &&
+                             line.endsWith(figures)
+                         ? 1
+                         : 0;
+        }
+        EXPECT_EQ(found, 1) << row.task_id << ": " << figures.toStdString();
+    }
+    // Every task has its chart: its name stands alone above it, beside that of another one.
+    for (const ReportTask& task : report.tasks) {
+        const QByteArray id = QByteArray::fromStdString(task.id);
+        int charts = 0;
+        for (const QByteArray& line : lines) charts += line.contains(id) && !line.contains("Title") ? 1 : 0;
+        EXPECT_EQ(charts, 1) << task.id;
     }
 }
 
