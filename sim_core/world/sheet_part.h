@@ -249,7 +249,8 @@ class SheetPart {
     std::vector<std::int32_t> visible_, near_;
     std::vector<std::uint8_t> touched_;  ///< by root
     std::uint32_t faults_ = 0, tick_ = 0;
-    StepEvents<32> events_;
+    // Both blades' tracks in the most parts that they can be told in, four events each, and what else happens in a step.
+    StepEvents<static_cast<int>(hand_count * 4 * ((BladeTrack::capacity + 1) / 2)) + 32> events_;
 };
 
 }  // namespace fulcrum
