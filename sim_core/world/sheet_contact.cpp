@@ -130,8 +130,8 @@ bool SheetPart::crosses(const Vector3& from, const Vector3& to) const noexcept {
     return visit_crossings(from, to, [](std::int32_t, double) { return true; });
 }
 
-void SheetPart::find_under(const Vector3& point, const Vector3& normal, double reach, UnderBlade& found) const noexcept {
-    const Vector3 from = point - reach * normal, to = point + reach * normal;
+void SheetPart::find_under(const Vector3& point, const Vector3& normal, double depth, UnderBlade& found) const noexcept {
+    const Vector3 from = point - depth * normal, to = point + depth * normal;
     visit_crossings(from, to, [&](std::int32_t t, double share) {
         const Vector3 where = from + share * (to - from);
         const Triangle& v = surface_.triangle(t).vertices;

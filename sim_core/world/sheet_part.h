@@ -173,8 +173,8 @@ class SheetPart {
     template <typename Visit>
     bool visit_crossings(const Vector3& from, const Vector3& to, Visit&& visit) const noexcept;
     bool crosses(const Vector3& from, const Vector3& to) const noexcept;
-    /// What lies within reach along a normal, either side.
-    void find_under(const Vector3& point, const Vector3& normal, double reach, UnderBlade& found) const noexcept;
+    /// What lies within a depth (m) along a normal, either side.
+    void find_under(const Vector3& point, const Vector3& normal, double depth, UnderBlade& found) const noexcept;
     void add_under(const SheetPlace& where, double away, UnderBlade& found) const noexcept;
     void approach(int hand, const SheetAction& action, std::uint32_t tick, double dt) noexcept;
     void update_jaws(int hand, const SheetAction& action, double dt) noexcept;
