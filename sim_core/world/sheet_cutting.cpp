@@ -113,7 +113,7 @@ void SheetPart::tell_cut(int number, const Vector3& reached, double traction, st
 
 // A blade's first step begins a little behind the place where it has entered.
 Vector3 SheetPart::begin_of_way(const SheetPlace& where, const Vector3& behind, const Vector3& normal) const noexcept {
-    const Vector3 entered = on_septum(where, rest(where));
+    Vector3 entered = on_septum(where, rest(where));
     if (!septa_ || !behind.allFinite()) return entered;
     UnderBlade under;
     find_under(behind, normal, blade_reach, under);

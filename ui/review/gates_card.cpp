@@ -3,6 +3,8 @@
 
 #include <QEvent>
 #include <QHeaderView>
+#include <QStyle>
+#include <QStyledItemDelegate>
 #include <QTableWidget>
 
 #include "assessment/metrics/registry.h"
@@ -12,6 +14,30 @@
 #include "ui/style/widgets.h"
 
 namespace fulcrum::ui {
+namespace {
+
+/// Qt reckons a wrapped cell's height from the whole column's width, the style sheet's padding included,
+/// where no word can stand; the last line was then cut off.
+class WrappedCell : public QStyledItemDelegate {
+  public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        QStyleOptionViewItem cell = option;
+        initStyleOption(&cell, index);
+        const QWidget* table = option.widget;
+        const QStyle* style = table->style();
+        constexpr int height = 1000;
+        cell.rect = QRect(0, 0, option.rect.width(), height);
+        const QRect room = style->subElementRect(QStyle::SE_ItemViewItemText, &cell, table);
+        const int margin = style->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, table) + 1;
+        // A pixel at either side for rounding.
+        const QRect words(0, 0, std::max(1, room.width() - 2 * margin - 2), height);
+        const int lines = cell.fontMetrics.boundingRect(words, Qt::TextWordWrap, cell.text).height();
+        return {option.rect.width(), lines + height - room.height() + 4};
+    }
+};
+
+}  // namespace
 
 GatesCard::GatesCard(QWidget* parent) : QFrame(parent) {
     setProperty("role", "card");
@@ -26,6 +52,7 @@ GatesCard::GatesCard(QWidget* parent) : QFrame(parent) {
     table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     table_->setWordWrap(true);
+    table_->setItemDelegateForColumn(table_->columnCount() - 1, new WrappedCell(table_));
     table_->viewport()->installEventFilter(this);
     layout->addWidget(table_);
     layout->addWidget(

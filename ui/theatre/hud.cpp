@@ -82,10 +82,12 @@ void draw_force(QPainter& painter, const QRectF& box, const HudState& state, int
                                  : (state.jaws_closed[h] ? tr("jaws closed") : tr("jaws open")));
     }
     if (!state.tool[h].isEmpty()) {
-        // Above the hand's name, where nothing else is written.
+        // Above the hand's name; in a small view, where the goal and the mode reach down to it, under its
+        // force.
         painter.setFont(hud_font(13, true));
         painter.setPen(state.tool_active[h] ? p.warning : p.text);
-        const QRectF line(h == 0 ? box.left() - 4 : box.left() - 100, box.top() - 50,
+        const QRectF line(h == 0 ? box.left() - 4 : box.left() - 100,
+                          compact ? box.bottom() - 18 : box.top() - 50,
                           h == 0 ? 240 : box.width() + (compact ? 44 : 84), 24);
         const int side = (h == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter;
         painter.drawText(line, side,
@@ -219,7 +221,7 @@ void paint_hud(QPainter& painter, const QRectF& area, const HudState& state) {
     painter.setRenderHint(QPainter::Antialiasing);
     // What the round picture leaves free at its sides; a small view has room for the figures alone.
     const double side = 0.5 * (area.width() - std::min(area.width(), area.height()));
-    const bool compact = side < 150;
+    const bool compact = side < 150 || area.height() < 560;
     const double margin = compact ? 10 : 18, column = compact ? 120 : 190;
 
     // Top left: the clock and the mode.
@@ -240,7 +242,9 @@ void paint_hud(QPainter& painter, const QRectF& area, const HudState& state) {
     painter.drawText(QRectF(area.left() + margin, area.top() + 76, column, 48),
                      Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, mode);
 
-    // Top right: the goal.
+    // Top right: the goal, line under line. The forces begin below all that it may say, said now or not, so
+    // that they do not jump when a warning comes.
+    double goal_bottom = area.top() + 124;  // of the mode
     if (state.task != nullptr && !state.task->goals.empty()) {
         const auto index =
             std::min(static_cast<std::size_t>(std::max(state.display.goal, 0)), state.task->goals.size() - 1);
@@ -266,39 +270,43 @@ void paint_hud(QPainter& painter, const QRectF& area, const HudState& state) {
         const double length = compact ? 110 : 180;
         draw_goal_bar(painter, QRectF(box.right() - length, y, length, 8), state.display.goal_progress,
                       p.good);
+        y += 12;
         if (state.display.hold_progress > 0) {
-            y += 14;
             painter.setPen(p.text);
             painter.drawText(QRectF(box.left(), y, box.width() - 110, 22), Qt::AlignRight | Qt::AlignVCenter,
                              tr("hold"));
             draw_goal_bar(painter, QRectF(box.right() - 100, y + 7, 100, 8), state.display.hold_progress,
                           p.warning);
         }
-        if ((goal.kind == GoalKind::take_tension || goal.kind == GoalKind::divide_line) &&
-            std::isfinite(state.display.traction_n_m) && goal.traction_high_n_m > 0) {
-            y += 12;
+        if (state.display.hold_progress > 0 || goal.kind == GoalKind::take_tension) y += 22;
+        const bool pulls = (goal.kind == GoalKind::take_tension || goal.kind == GoalKind::divide_line) &&
+                           goal.traction_high_n_m > 0;
+        if (pulls && std::isfinite(state.display.traction_n_m)) {
             painter.setPen(p.text);
             painter.drawText(QRectF(box.left(), y, box.width(), 22), Qt::AlignRight | Qt::AlignVCenter,
                              tr("pull %1 of %2–%3 N/m")
                                  .arg(state.display.traction_n_m, 0, 'f', 0)
                                  .arg(goal.traction_low_n_m, 0, 'f', 0)
                                  .arg(goal.traction_high_n_m, 0, 'f', 0));
-            y += 28;
-            draw_traction(painter, QRectF(box.right() - length, y, length, 10), state.display, goal);
+            draw_traction(painter, QRectF(box.right() - length, y + 26, length, 10), state.display, goal);
         }
+        if (pulls) y += 42;
         const QString wrong = cut_warning(state.display);
         if (!wrong.isEmpty()) {
-            y += 18;
             painter.setFont(hud_font(13, true));
             painter.setPen(p.warning);
             painter.drawText(QRectF(box.left(), y, box.width(), 26), Qt::AlignRight | Qt::AlignVCenter,
                              wrong);
         }
+        if (pulls) y += 26;
+        goal_bottom = std::max(goal_bottom, y);
     }
 
     // Both sides: force.
-    const double bars_height = std::min(area.height() * 0.55, 360.0);
-    const double bars_top = area.bottom() - bars_height - 40;
+    const double foot_of_bars = area.bottom() - 40;
+    const double bars_top =
+        std::max(foot_of_bars - std::min(area.height() * 0.55, 360.0), goal_bottom + (compact ? 0 : 50));
+    const double bars_height = foot_of_bars - bars_top;
     draw_force(painter, QRectF(area.left() + margin + 4, bars_top, 130, bars_height), state, 0, compact);
     draw_force(painter, QRectF(area.right() - margin - (compact ? 74 : 112), bars_top, 130, bars_height),
                state, 1, compact);
@@ -317,8 +325,8 @@ void paint_hud(QPainter& painter, const QRectF& area, const HudState& state) {
     if (state.display.critical) {
         painter.setFont(hud_font(15, true));
         painter.setPen(p.bad);
-        painter.drawText(QRectF(area.left(), area.top() + 12, area.width(), 30), Qt::AlignCenter,
-                         tr("✕ critical error"));
+        painter.drawText(QRectF(area.left(), area.top() + (compact ? 4 : 12), area.width(), 30),
+                         Qt::AlignCenter, tr("✕ critical error"));
     }
     painter.restore();
 }
