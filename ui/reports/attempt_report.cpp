@@ -42,14 +42,13 @@ void head(Sheet& sheet, const AttemptPaper& paper) {
     sheet.new_page();
     if (paper.provenance.demo) sheet.watermark(tr("DEMONSTRATION"));
     sheet.font(9, false, paper_palette().muted);
-    sheet.paragraph(tr("%1 · attempt report").arg(text(paper.provenance.programme)));
+    sheet.paragraph(beside({text(paper.provenance.programme), tr("attempt report")}));
     sheet.font(17, true);
     sheet.paragraph(text(attempt.meta.task_id + "  " + paper.task.title));
     sheet.font(9, false, paper_palette().muted);
-    sheet.paragraph(tr("%1 · %2 · %3 · %4 · %5")
-                        .arg(text(attempt.person_name), local_time(attempt.meta.started),
-                             attempt.meta.mode == "assessed" ? tr("assessed") : tr("practice"),
-                             device_class_text(attempt.meta.device_class), attempt_state(attempt.state)));
+    sheet.paragraph(beside({text(attempt.person_name), local_time(attempt.meta.started),
+                            attempt.meta.mode == "assessed" ? tr("assessed") : tr("practice"),
+                            device_class_text(attempt.meta.device_class), attempt_state(attempt.state)}));
     if (attempt.synthetic || attempt.meta.device_class == "synthetic" || paper.provenance.demo) {
         sheet.font(9, true, paper_palette().bad);
         sheet.paragraph(tr("Synthetic: made by a simulated operator, not by a person."));
@@ -61,9 +60,9 @@ void head(Sheet& sheet, const AttemptPaper& paper) {
                "proficiency or a certificate."));
     }
     sheet.font(11, true);
-    QString result = verdict(attempt.passed, attempt.provisional);
-    if (attempt.points && attempt.passed) result += tr(" · %1 points").arg(figure(*attempt.points));
-    sheet.paragraph(result);
+    sheet.paragraph(beside(
+        {verdict(attempt.passed, attempt.provisional),
+         attempt.points && attempt.passed ? tr("%1 points").arg(figure(*attempt.points)) : QString()}));
     sheet.font(9);
     const std::string advice = paper.report.score ? paper.report.score->advice : std::string();
     // Where nothing was scored the advice says why.

@@ -91,12 +91,14 @@ void footer(Sheet& sheet, const ReportProvenance& provenance, const QString& n) 
     sheet.rule();
     sheet.font(7, false, paper_palette().muted);
     sheet.paragraph(tr("Metrics: %1").arg(versions_in_short(provenance.metric_versions)));
-    sheet.paragraph(tr("Benchmark sets: %1 · %2 · program %3")
-                        .arg(joined(provenance.benchmark_sets), n, text(provenance.program_version)));
-    sheet.paragraph(tr("%1 · made %2 by %3 (%4) · audit %5")
-                        .arg(text(provenance.programme), local_time(provenance.as_of),
-                             text(provenance.made_by), role_text(provenance.made_as),
-                             text(provenance.audit_head.substr(0, 16))));
+    sheet.paragraph(beside({tr("Benchmark sets: %1").arg(joined(provenance.benchmark_sets)), n,
+                            tr("program %1").arg(text(provenance.program_version))}));
+    const QString audit = text(provenance.audit_head.substr(0, 16));
+    sheet.paragraph(beside(
+        {text(provenance.programme),
+         tr("made %1 by %2 (%3)")
+             .arg(local_time(provenance.as_of), text(provenance.made_by), role_text(provenance.made_as)),
+         audit.isEmpty() ? audit : tr("audit %1").arg(audit)}));
 }
 
 }  // namespace fulcrum::ui

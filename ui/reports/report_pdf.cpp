@@ -88,7 +88,7 @@ void page_head(Sheet& sheet, const ReportProvenance& provenance, const QString& 
     sheet.new_page();
     if (provenance.demo) sheet.watermark(tr("DEMONSTRATION"));
     sheet.font(9, false, paper_palette().muted);
-    sheet.paragraph(QStringLiteral("%1 · %2").arg(text(provenance.programme), kind));
+    sheet.paragraph(beside({text(provenance.programme), kind}));
     sheet.font(17, true);
     sheet.paragraph(text(title));
     sheet.font(9, false, paper_palette().muted);
@@ -143,7 +143,8 @@ void person_pages(Sheet& sheet, const PersonReport& report) {
     const QString n = tr("n = %1 counting attempts").arg(counting);
     const auto head = [&] {
         page_head(sheet, report.provenance, tr("progress report"), report.name,
-                  tr("login %1 · as of %2").arg(text(report.login), local_time(report.provenance.as_of)),
+                  beside({report.login.empty() ? QString() : tr("login %1").arg(text(report.login)),
+                          tr("as of %1").arg(local_time(report.provenance.as_of))}),
                   report.synthetic || report.provenance.demo, any_provisional(report.rows));
     };
     const double columns[] = {0, 0.29, 0.49, 0.67, 0.77, 0.85, 0.92, 1.0};
@@ -233,9 +234,10 @@ void cohort_pages(Sheet& sheet, const CohortReport& report) {
     const double task_width =
         (sheet.width() - name_width) / static_cast<double>(std::max<std::size_t>(report.tasks.size(), 1));
     const QString n = tr("people: n = %1").arg(report.table.people);
-    QString line = tr("as of %1 · %2").arg(local_time(report.provenance.as_of), n);
-    if (report.table.left_out_synthetic > 0)
-        line += tr(" · %1 synthetic people left out").arg(report.table.left_out_synthetic);
+    const int left_out = report.table.left_out_synthetic;
+    const QString line =
+        beside({tr("as of %1").arg(local_time(report.provenance.as_of)), n,
+                left_out > 0 ? tr("%1 synthetic people left out").arg(left_out) : QString()});
     const auto head = [&] {
         page_head(sheet, report.provenance, tr("cohort report"), report.table.cohort_name, line, false,
                   any_provisional(report.table.rows));

@@ -294,14 +294,12 @@ void DebriefPage::fill_head() {
     QColor colour = colours().neutral;
     if (!voided && passed) colour = *passed ? colours().good : colours().bad;
     verdict_->setStyleSheet(QStringLiteral("color: %1").arg(colour.name()));
-    QString about = tr("%1 · %2 · %3 · %4 · %5")
-                        .arg(text(attempt.person_name), local_time(attempt.meta.started),
-                             attempt.meta.mode == "assessed" ? tr("assessed") : tr("practice"),
-                             device_class_text(attempt.meta.device_class),
-                             attempt_state(voided ? attempt.recorded_state : attempt.state));
     const std::optional<double> points = model_->score ? model_->score->points : attempt.points;
-    if (points && passed) about += tr(" · %1 points").arg(figure(*points));
-    about_->setText(about);
+    about_->setText(beside({text(attempt.person_name), local_time(attempt.meta.started),
+                            attempt.meta.mode == "assessed" ? tr("assessed") : tr("practice"),
+                            device_class_text(attempt.meta.device_class),
+                            attempt_state(voided ? attempt.recorded_state : attempt.state),
+                            points && passed ? tr("%1 points").arg(figure(*points)) : QString()}));
     QStringList notes;
     if (voided) {
         notes << tr("Voided by %1 on %2: %3. It counts nowhere.")

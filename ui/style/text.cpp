@@ -15,6 +15,11 @@ QString words(const char* source) {
 
 }  // namespace
 
+QString beside(QStringList parts) {
+    parts.removeAll(QString());
+    return parts.join(QStringLiteral(" · "));
+}
+
 QString figure(double value) {
     if (!std::isfinite(value)) return QStringLiteral("–");
     const double size = std::abs(value);

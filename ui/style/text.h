@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -15,6 +16,8 @@ inline QString text(const std::string& utf8) {
 inline std::string plain(const QString& shown) {
     return shown.toStdString();
 }
+/// What stands beside each other in a line, "Surgery · attempt report"; a part that is empty takes no place.
+QString beside(QStringList parts);
 
 /// A metric's value as it is shown: 3 significant digits below 100, whole numbers above, "–" when absent. No
 /// unit.

@@ -5,27 +5,16 @@
 
 #include <QDir>
 #include <QFile>
-#include <QProcess>
 #include <QTemporaryDir>
 
 #include "tests/database/large_programme.h"
 #include "tests/support/support.h"
+#include "tests/ui/reports/pdf_pages.h"
 #include "ui/reports/report.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
 namespace {
-
-/// The pages of a PDF as they are laid out.
-QList<QByteArray> pages_of(const std::string& path) {
-    QProcess process;
-    process.start(QStringLiteral("pdftotext"),
-                  {QStringLiteral("-layout"), QString::fromStdString(path), QStringLiteral("-")});
-    EXPECT_TRUE(process.waitForFinished(20000)) << "pdftotext (poppler-utils) is needed";
-    QList<QByteArray> pages = process.readAllStandardOutput().split('\f');
-    if (!pages.isEmpty() && pages.back().trimmed().isEmpty()) pages.pop_back();
-    return pages;
-}
 
 // FULCRUM_PICTURES keeps the paper.
 TEST(LargeReport, FiveTasksStandOnItWithTheirWholeTitles) {

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <QTemporaryDir>
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "tests/ui/reports/pdf_pages.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
@@ -174,6 +176,49 @@ TEST(Figures, AreWrittenOneWay) {
     EXPECT_EQ(clock_text(125.37).toStdString(), "2:05.4");
     EXPECT_EQ(clock_text(59.96).toStdString(), "1:00.0");
     EXPECT_EQ(figure_with_unit(3.0, "count").toStdString(), "3");
+}
+
+TEST(Figures, StandBesideEachOtherWhereTheyAreThere) {
+    EXPECT_EQ(beside({"Surgery", "attempt report"}).toStdString(), "Surgery · attempt report");
+    EXPECT_EQ(beside({"", "attempt report"}).toStdString(), "attempt report");
+    EXPECT_EQ(beside({"a", QString(), "b", ""}).toStdString(), "a · b");
+    EXPECT_TRUE(beside({"", QString()}).isEmpty());
+}
+
+/// No line of the paper begins or ends with what separates two parts, and none has a part missing inside.
+void expect_no_part_missing(const QByteArray& page) {
+    for (const QByteArray& one : page.split('\n')) {
+        const QString line = QString::fromUtf8(one.simplified());
+        EXPECT_FALSE(line.startsWith(QStringLiteral("·")) || line.endsWith(QStringLiteral("·")) ||
+                     line.contains(QStringLiteral("· ·")))
+            << line.toStdString();
+    }
+}
+
+// A store that nobody founded a programme in, as the one of a demonstration, and a person without a name.
+TEST(Report, LinesOnPaperBeginWithWhatIsThere) {
+    const QTemporaryDir folder;
+    const std::string path = plain(folder.filePath("a.pdf"));
+    CohortReport of_many = cohort();
+    of_many.provenance.programme.clear();
+    write_cohort_pdf(of_many, path, {});
+    QList<QByteArray> pages = pages_of(path);
+    PersonReport of_one;
+    of_one.provenance = of_many.provenance;
+    of_one.rows = of_many.table.rows;
+    write_person_pdf(of_one, path);
+    pages += pages_of(path);
+    AttemptPaper attempt;
+    attempt.provenance = of_many.provenance;
+    attempt.task = {"A2", "Fulcrum targeting", "A"};
+    attempt.report.attempt.state = "completed";
+    write_attempt_pdf(attempt, path);
+    pages += pages_of(path);
+    ASSERT_EQ(pages.size(), 3);
+    for (const QByteArray& page : pages) expect_no_part_missing(page);
+    EXPECT_TRUE(pages[0].startsWith("cohort report\n")) << pages[0].toStdString();
+    EXPECT_TRUE(pages[1].startsWith("progress report\n")) << pages[1].toStdString();
+    EXPECT_TRUE(pages[2].startsWith("attempt report\n")) << pages[2].toStdString();
 }
 
 }  // namespace
