@@ -3,6 +3,7 @@
 // exchange of B3 are tried and abandoned; FULCRUM_JOURNEY_PAGE=docs/results works at B2, B3 and C4 behind the
 // mouse, with an expert's mind, from briefing to debrief, replay and reports, and writes their page;
 // FULCRUM_PICTURES keeps the screens.
+#include <QComboBox>
 #include <QProcess>
 #include <nlohmann/json.hpp>
 
@@ -145,7 +146,18 @@ class CuttingJourney : public Window {
                      {"C4: further down", [&] { return display().cut_divided_m > 0.03; }}});
         EXPECT_GT(count(posterior, EventKind::cut_advance), 0);
         click(window, "rail_progress");
-        page.step("progress", "The trainee's progress in the three");
+        choose_progress_of("C4");
+        page.step("progress", "The trainee's progress, at C4");
+    }
+    /// In the list of tasks, by keys; its attempts stand in the table.
+    void choose_progress_of(const char* task) {
+        auto* tasks = find<QComboBox>(window, "progress_task");
+        const int wanted = tasks->findData(QString::fromLatin1(task));
+        ASSERT_GE(wanted, 0) << task;
+        QTest::keyClick(tasks, Qt::Key_Home);
+        for (int i = 0; i < wanted; ++i) QTest::keyClick(tasks, Qt::Key_Down);
+        EXPECT_EQ(tasks->currentIndex(), wanted);
+        EXPECT_GT(find<QTableWidget>(window, "progress_table")->rowCount(), 0) << task;
     }
 
     JourneyPage page{window, "cutting"};
@@ -168,6 +180,8 @@ TEST_F(CuttingJourney, PedalAndExchangeAnswerToKeys) {
         << "the next instrument";
     QTest::keyRelease(theatre().view(), Qt::Key_T);
     abandon();
+    click(window, "rail_progress");
+    choose_progress_of("B3");
     if (const char* page_folder = std::getenv("FULCRUM_JOURNEY_PAGE")) {
         divide_tissue();
         if (!HasFailure())
