@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "painted_words.h"
+#include "tests/support/support.h"
 #include "ui/theatre/hud.h"
 
 namespace fulcrum::ui::test {
@@ -18,29 +19,20 @@ struct Shown {
     HudState hud;
 };
 
-Shown everything(GoalKind kind) {
-    Shown shown;
-    Goal goal;
-    goal.kind = kind;
-    goal.text = "Divide the plane level by level down to the levator, taut";
-    goal.count = 6;
-    goal.length_m = 0.224;
-    goal.height_m = 0.03;
-    goal.hold_s = 3;
-    goal.traction_low_n_m = 8;
-    goal.traction_high_n_m = 18;
-    shown.task.goals = {goal, goal, goal};
-    HudState& hud = shown.hud;
+/// What is said at once, beside the goal.
+void say_all(HudState& hud) {
     hud.place = QStringLiteral("replay ×0.5");
     hud.shows_active_hand = true;
     hud.force_felt = false;
     hud.tool[0] = QStringLiteral("grasper");
     hud.tool[1] = QStringLiteral("hook, in 1.2 s");
     hud.tool_active[1] = true;
-    hud.display.goal = 1;
     hud.display.goal_progress = 0.6;
-    hud.display.hold_progress = kind == GoalKind::divide_line ? 0 : 0.4;
+    hud.display.hold_progress = 0.4;
+    hud.display.run_covered_m = 0.142;
+    hud.display.lift_height_m = 0.016;
     hud.display.cut_divided_m = 0.142;
+    hud.display.blood_ml = 20.5F;
     hud.display.traction_n_m = 1;
     hud.display.traction_warning = -1;
     hud.display.critical = true;
@@ -51,13 +43,32 @@ Shown everything(GoalKind kind) {
         hud.display.force_limit[h] = 3;
         hud.display.warning[h] = true;
     }
+}
+
+Shown everything(GoalKind kind) {
+    Shown shown;
+    Goal goal;
+    goal.kind = kind;
+    goal.text = "Divide the plane level by level down to the levator, taut";
+    goal.count = 10;
+    goal.length_m = 0.224;
+    goal.height_m = 0.03;
+    goal.hold_s = 3;
+    goal.traction_low_n_m = 8;
+    goal.traction_high_n_m = 18;
+    shown.task.goals = {goal, goal, goal};
+    shown.hud.display.goal = 1;
+    say_all(shown.hud);
+    if (kind == GoalKind::divide_line) shown.hud.display.hold_progress = 0;
+    if (kind != GoalKind::divide_line && kind != GoalKind::take_tension)
+        shown.hud.display.traction_warning = 0;
     return shown;
 }
 
 /// px: lines of one paragraph stand closer by what ascent and descent are rounded up.
 constexpr double rounding = 1;
 
-void expect_apart(Shown& shown, QSize size) {
+void expect_apart(Shown& shown, QSize size, const std::string& what) {
     shown.hud.task = &shown.task;
     WordsDevice device(size);
     QPainter painter(&device);
@@ -69,39 +80,88 @@ void expect_apart(Shown& shown, QSize size) {
         QPainter brush(&picture);
         paint_hud(brush, picture.rect(), shown.hud);
         brush.end();
-        picture.save(folder + QStringLiteral("/hud-%1-%2.png")
-                                  .arg(size.width())
-                                  .arg(static_cast<int>(shown.task.goals[0].kind)));
+        picture.save(
+            QStringLiteral("%1/hud-%2-%3.png").arg(folder, QString::fromStdString(what)).arg(size.width()));
     }
+    const std::string where =
+        what + ", " + std::to_string(size.width()) + " x " + std::to_string(size.height()) + ": ";
     const auto& words = device.words();
-    ASSERT_GT(words.size(), 10U);
+    ASSERT_GT(words.size(), 8U) << where;
     const QRectF whole(QPointF(0, 0), QSizeF(size));
     for (std::size_t i = 0; i < words.size(); ++i) {
-        EXPECT_TRUE(whole.contains(words[i].place)) << words[i].words.toStdString();
+        EXPECT_TRUE(whole.contains(words[i].place)) << where << words[i].words.toStdString();
         for (std::size_t j = i + 1; j < words.size(); ++j) {
             const QRectF both = words[i].place & words[j].place;
             EXPECT_LE(std::min(both.width(), both.height()), rounding)
-                << size.width() << " x " << size.height() << ": '" << words[i].words.toStdString()
-                << "' and '" << words[j].words.toStdString() << "'";
+                << where << "'" << words[i].words.toStdString() << "' and '" << words[j].words.toStdString()
+                << "'";
         }
         for (const QRectF& shape : device.shapes()) {
             const QRectF both = words[i].place & shape;
             EXPECT_LE(std::min(both.width(), both.height()), rounding)
-                << size.width() << " x " << size.height() << ": '" << words[i].words.toStdString()
-                << "' on a bar at " << shape.top();
+                << where << "'" << words[i].words.toStdString() << "' on a bar at " << shape.top();
         }
     }
 }
 
-TEST(HudLayout, NothingLiesOverAnythingInTheReplaysPictureAndInTheTheatre) {
-    for (const GoalKind kind : {GoalKind::divide_line, GoalKind::take_tension}) {
-        // The debrief's picture at the smallest window, a wider one, the theatre's sizes.
-        for (const QSize size : {QSize(557, 360), QSize(700, 400), QSize(800, 480), QSize(1000, 600),
-                                 QSize(1280, 800), QSize(1920, 1080)}) {
-            Shown shown = everything(kind);
-            expect_apart(shown, size);
+/// The debrief's picture at the smallest window, a wider one, the theatre's sizes.
+const QSize sizes[] = {QSize(557, 360),  QSize(700, 400),  QSize(800, 480),  QSize(1000, 600),
+                       QSize(1280, 720), QSize(1280, 800), QSize(1920, 1080)};
+
+const GoalKind goal_kinds[] = {GoalKind::touch_targets, GoalKind::run_bowel,    GoalKind::lift_and_hold,
+                               GoalKind::take_tension,  GoalKind::divide_line,  GoalKind::let_go,
+                               GoalKind::divide_bands,  GoalKind::stop_bleeding};
+
+TEST(HudLayout, NothingLiesOverAnythingWhateverIsToBeDone) {
+    for (const GoalKind kind : goal_kinds) {
+        Shown shown = everything(kind);
+        for (const QSize size : sizes)
+            expect_apart(shown, size, "goal-" + std::to_string(static_cast<int>(kind)));
+    }
+}
+
+// Each goal of each task in its own words, with its own instruments, warnings and modes.
+TEST(HudLayout, NothingLiesOverAnythingInAnyTask) {
+    const QString places[] = {QString(), QStringLiteral("demonstration: synthetic expert"),
+                              QStringLiteral("replay ×0.25")};
+    int goals = 0;
+    for (const char* id : {"A2", "B1", "B2", "B3", "C4"}) {
+        const TaskDefinition task =
+            load_task(fulcrum::test::source_path(std::string("assets/tasks/") + id + ".json"));
+        for (std::size_t g = 0; g < task.goals.size(); ++g, ++goals) {
+            for (const QString& place : places) {
+                for (int warning = -1; warning <= 1; ++warning) {
+                    Shown shown;
+                    shown.task = task;
+                    say_all(shown.hud);
+                    HudState& hud = shown.hud;
+                    hud.place = place;
+                    hud.became_practice = warning == 0;
+                    hud.assessed = warning == 1;
+                    hud.shows_active_hand = place.isEmpty();
+                    hud.active_hand = warning == 0 ? Hand::left : Hand::right;
+                    const bool replay = place.startsWith(QLatin1String("replay"));
+                    if (!replay) hud.health = QStringLiteral("12345 of 234567 ticks missed");
+                    hud.display.goal = static_cast<std::int32_t>(g);
+                    hud.display.traction_warning = static_cast<std::int8_t>(warning);
+                    hud.display.distance_warning = warning == 0;
+                    hud.display.cut_distance_m = 0.0123;
+                    hud.display.traction_n_m = 123;
+                    HandToolView tool;
+                    tool.kind = warning < 0 ? ToolKind::scissors : ToolKind::clip_applier;
+                    tool.clips_left = 10;
+                    tool.exchange_left = 1.5F;
+                    hud.tool[0] = hud.tool[1] = tool_words(tool);
+                    for (const QSize size : {QSize(1280, 720), QSize(557, 360)})
+                        if (replay || size.width() > 1000)
+                            expect_apart(shown, size,
+                                         id + ("-" + std::to_string(g)) + "-" + std::to_string(warning) +
+                                             (place.isEmpty() ? "" : "-" + place.left(4).toStdString()));
+                }
+            }
         }
     }
+    EXPECT_GE(goals, 12);
 }
 
 TEST(HudLayout, ForcesStandStillWhenAWarningComes) {
