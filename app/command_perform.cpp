@@ -27,26 +27,6 @@ nlohmann::json value_or_null(const std::optional<T>& value) {
     return value ? nlohmann::json(*value) : nlohmann::json();
 }
 
-nlohmann::json statistics_json(const LoopStatistics& s) {
-    return {{"ticks", s.ticks},
-            {"missed_by_program", s.missed_by_program},
-            {"missed_by_scheduler", s.missed_by_scheduler},
-            {"late_steps", s.late_steps},
-            {"lost_samples", s.lost_samples},
-            {"real_time_priority", s.real_time_priority},
-            {"wake_us",
-             {{"p50", s.wake_p50_us},
-              {"p99", s.wake_p99_us},
-              {"p99.9", s.wake_p999_us},
-              {"worst", s.wake_worst_us}}},
-            {"waits_in_ticks", s.waits_in_ticks},
-            {"preemptions_in_ticks", s.preemptions_in_ticks},
-            {"page_faults_in_ticks", s.page_faults_in_ticks},
-            {"tick_us", {{"p50", s.tick_p50_us}, {"p99", s.tick_p99_us}, {"worst", s.tick_worst_us}}},
-            {"tick_own_us", {{"p50", s.own_p50_us}, {"p99", s.own_p99_us}, {"worst", s.own_worst_us}}},
-            {"step_us", {{"p50", s.step_p50_us}, {"p99", s.step_p99_us}, {"worst", s.step_worst_us}}}};
-}
-
 struct Result {
     ScoredAttempt scored;
     std::uint64_t state_hash = 0;

@@ -8,6 +8,11 @@
 
 namespace fulcrum::app {
 
+/// What is said of many durations.
+struct Durations {
+    double p50_us = 0, p99_us = 0, p999_us = 0, worst_us = 0;
+};
+
 /// Counts durations of 0 .. 65 ms in steps of 1 us up to 4 ms and 64 us beyond. One writer;
 /// any thread may read meanwhile: every number is whole, only the sum may be a few counts behind.
 class DurationHistogram {
@@ -30,6 +35,7 @@ class DurationHistogram {
         }
         return worst();
     }
+    Durations read() const noexcept { return {quantile(0.5), quantile(0.99), quantile(0.999), worst()}; }
     double worst() const noexcept { return worst_.load(std::memory_order_relaxed); }
     std::uint32_t count() const noexcept { return count_.load(std::memory_order_relaxed); }
 

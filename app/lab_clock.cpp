@@ -81,24 +81,14 @@ Measured measure_cut_clock() {
         const LoopStatistics& s = run.loop;
         table.columns.push_back(run.task + (run.cuts ? ", the blade cuts" : ", it does not"));
         real_time = real_time && s.real_time_priority;
-        rows.push_back(
-            {{"task", run.task},
-             {"cuts", run.cuts},
-             {"ticks", s.ticks},
-             {"missed_by_program", s.missed_by_program},
-             {"missed_by_scheduler", s.missed_by_scheduler},
-             {"late_steps", s.late_steps},
-             {"waits_in_ticks", s.waits_in_ticks},
-             {"preemptions_in_ticks", s.preemptions_in_ticks},
-             {"page_faults_in_ticks", s.page_faults_in_ticks},
-             {"tick_us", {{"p50", s.tick_p50_us}, {"p99", s.tick_p99_us}, {"worst", s.tick_worst_us}}},
-             {"tick_own_us", {{"p50", s.own_p50_us}, {"p99", s.own_p99_us}, {"worst", s.own_worst_us}}},
-             {"step_us", {{"p50", s.step_p50_us}, {"p99", s.step_p99_us}, {"worst", s.step_worst_us}}},
-             {"topology", run.topology},
-             {"removed_mm2", run.removed_mm2},
-             {"real_time_priority", s.real_time_priority}});
+        nlohmann::json one = statistics_json(s);
+        one.update({{"task", run.task},
+                    {"cuts", run.cuts},
+                    {"topology", run.topology},
+                    {"removed_mm2", run.removed_mm2}});
+        rows.push_back(std::move(one));
     }
-    const auto row = [&](const char* what, auto value) {
+    const auto row = [&](const std::string& what, auto value) {
         std::vector<std::string> cells{what};
         for (const Clocked& run : runs)
             cells.push_back(lab::short_number(static_cast<double>(value(run)), 4));
@@ -111,15 +101,15 @@ Measured measure_cut_clock() {
     row("preemptions within ticks", [](const Clocked& run) { return run.loop.preemptions_in_ticks; });
     row("page faults within ticks", [](const Clocked& run) { return run.loop.page_faults_in_ticks; });
     row("late world steps", [](const Clocked& run) { return run.loop.late_steps; });
-    row("tick, us: p50", [](const Clocked& run) { return run.loop.tick_p50_us; });
-    row("tick, us: p99", [](const Clocked& run) { return run.loop.tick_p99_us; });
-    row("tick, us: worst", [](const Clocked& run) { return run.loop.tick_worst_us; });
-    row("tick, own processor time, us: p50", [](const Clocked& run) { return run.loop.own_p50_us; });
-    row("tick, own processor time, us: p99", [](const Clocked& run) { return run.loop.own_p99_us; });
-    row("tick, own processor time, us: worst", [](const Clocked& run) { return run.loop.own_worst_us; });
-    row("world step, us: p50", [](const Clocked& run) { return run.loop.step_p50_us; });
-    row("world step, us: p99", [](const Clocked& run) { return run.loop.step_p99_us; });
-    row("world step, us: worst", [](const Clocked& run) { return run.loop.step_worst_us; });
+    const auto durations_rows = [&](const std::string& what, Durations LoopStatistics::*which) {
+        for (const auto& [name, figure] :
+             {std::pair("p50", &Durations::p50_us), std::pair("p99", &Durations::p99_us),
+              std::pair("worst", &Durations::worst_us)})
+            row(what + ", us: " + name, [&](const Clocked& run) { return run.loop.*which.*figure; });
+    };
+    durations_rows("tick", &LoopStatistics::tick);
+    durations_rows("tick, own processor time", &LoopStatistics::own);
+    durations_rows("world step", &LoopStatistics::step);
     row("changes of topology", [](const Clocked& run) { return run.topology; });
     row("ground taken, mm2", [](const Clocked& run) { return run.removed_mm2; });
     page.table(table);

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 
 #include "app/histogram.h"
 #include "app/tick_account.h"
@@ -20,12 +21,15 @@ struct LoopStatistics {
     std::uint64_t page_faults_in_ticks = 0;
     std::uint64_t late_steps = 0;
     std::uint64_t lost_samples = 0;
-    double wake_p50_us = 0, wake_p99_us = 0, wake_p999_us = 0, wake_worst_us = 0;  ///< lateness of waking
-    double tick_p50_us = 0, tick_p99_us = 0, tick_worst_us = 0;                    ///< duration of a tick
-    double own_p50_us = 0, own_p99_us = 0, own_worst_us = 0;     ///< of it the thread's own processor time
-    double step_p50_us = 0, step_p99_us = 0, step_worst_us = 0;  ///< duration of a world step
+    Durations wake;  ///< lateness of waking
+    Durations tick;  ///< of a tick
+    Durations own;   ///< of it the thread's own processor time
+    Durations step;  ///< of a world step
     bool real_time_priority = false;
 };
+
+/// As `perform --realtime --json` and `lab clock` write it.
+nlohmann::json statistics_json(const LoopStatistics& statistics);
 
 /// One writer a counter: the haptic thread, but for the steps, which are the world thread's.
 class LoopCounters {
@@ -62,19 +66,10 @@ class LoopCounters {
         read.preemptions_in_ticks = preemptions_.load();
         read.page_faults_in_ticks = page_faults_.load();
         read.late_steps = late_steps_.load();
-        read.wake_p50_us = wake_.quantile(0.5);
-        read.wake_p99_us = wake_.quantile(0.99);
-        read.wake_p999_us = wake_.quantile(0.999);
-        read.wake_worst_us = wake_.worst();
-        read.tick_p50_us = tick_.quantile(0.5);
-        read.tick_p99_us = tick_.quantile(0.99);
-        read.tick_worst_us = tick_.worst();
-        read.own_p50_us = own_.quantile(0.5);
-        read.own_p99_us = own_.quantile(0.99);
-        read.own_worst_us = own_.worst();
-        read.step_p50_us = step_.quantile(0.5);
-        read.step_p99_us = step_.quantile(0.99);
-        read.step_worst_us = step_.worst();
+        read.wake = wake_.read();
+        read.tick = tick_.read();
+        read.own = own_.read();
+        read.step = step_.read();
         read.real_time_priority = real_time_priority_.load();
         return read;
     }

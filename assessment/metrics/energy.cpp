@@ -140,16 +140,6 @@ Figure bleed_ml(const Analysis& analysis, const Selection& /*row*/) {
     return figure;
 }
 
-Figure vessel_injury(const Analysis& analysis, const Selection& row) {
-    return count_events(analysis, row, EventKind::vessel_injury);
-}
-Figure nerve_injury(const Analysis& analysis, const Selection& row) {
-    return count_events(analysis, row, EventKind::nerve_injury);
-}
-Figure tear(const Analysis& analysis, const Selection& row) {
-    return count_events(analysis, row, EventKind::tear);
-}
-
 }  // namespace
 
 std::vector<Metric> energy_metrics() {
@@ -204,17 +194,17 @@ std::vector<Metric> energy_metrics() {
               {"Number of vessels torn or divided before they were sealed or clipped.",
                "{value} vessels were torn or divided open where {limit} are allowed",
                "clip or seal a vessel before it is divided, and pull less"},
-              vessel_injury);
+              counted<EventKind::vessel_injury>);
     add_count({"nerve_injury", "Nerve injured", "-", 1},
               "event, critical: thermal dose of the marked nerve above its limit",
               {"Number of injuries of the marked nerve by heat.",
                "the nerve was injured {value} times where {limit} are allowed",
                "divide on the side away from the nerve and let the blade cool"},
-              nerve_injury);
+              counted<EventKind::nerve_injury>);
     add_count({"tear", "Tears", "-", 1}, "event: tissue gave way to traction",
               {"Number of times tissue tore under traction.",
                "tissue tore {value} times where {limit} are allowed", "lift only until the tissue is taut"},
-              tear);
+              counted<EventKind::tear>);
     return metrics;
 }
 

@@ -212,21 +212,13 @@ Over over_limit(const Analysis& analysis, const Selection& row) {
     return over;
 }
 
-Figure over_time(const Analysis& analysis, const Selection& row) {
+template <double Over::*figure_of>
+Figure over(const Analysis& analysis, const Selection& row) {
     if (const auto missing = no_limit(analysis, row)) return *missing;
-    Over over = over_limit(analysis, row);
+    Over above = over_limit(analysis, row);
     Figure figure;
-    figure.value = over.time;
-    figure.evidence = worst_first(std::move(over.where));
-    return figure;
-}
-
-Figure over_impulse(const Analysis& analysis, const Selection& row) {
-    if (const auto missing = no_limit(analysis, row)) return *missing;
-    Over over = over_limit(analysis, row);
-    Figure figure;
-    figure.value = over.impulse;
-    figure.evidence = worst_first(std::move(over.where));
+    figure.value = above.*figure_of;
+    figure.evidence = worst_first(std::move(above.where));
     return figure;
 }
 
@@ -293,13 +285,13 @@ std::vector<Metric> force_metrics() {
                  {"How long the force was above the tissue's limit.",
                   "the force was above the tissue's limit for {value} where {limit} is allowed",
                   "ease off as soon as the force bar turns"}),
-        {Channel::tissue}, over_time);
+        {Channel::tissue}, over<&Over::time>);
     add(describe({"over_impulse", "Force-time product above the limit", "N·s", 0.01}, D::lower, Scale::raw,
                  A::total, E::expert, "limit of the tissue, see its source",
                  {"The part of the force above the tissue's limit, added up over time.",
                   "the force above the limit came to {value} where {limit} is allowed",
                   "ease off as soon as the force bar turns"}),
-        {Channel::tissue}, over_impulse);
+        {Channel::tissue}, over<&Over::impulse>);
     return metrics;
 }
 

@@ -107,19 +107,6 @@ Figure grasp_ftp_patch(const Analysis& analysis, const Selection& row) {
     return figure;
 }
 
-Figure slip(const Analysis& analysis, const Selection& row) {
-    return count_events(analysis, row, EventKind::slip);
-}
-Figure regrasp(const Analysis& analysis, const Selection& row) {
-    return count_events(analysis, row, EventKind::regrasp);
-}
-Figure drop(const Analysis& analysis, const Selection& row) {
-    return count_events(analysis, row, EventKind::drop);
-}
-Figure perforation(const Analysis& analysis, const Selection& row) {
-    return count_events(analysis, row, EventKind::perforation);
-}
-
 }  // namespace
 
 std::vector<Metric> grasp_metrics() {
@@ -174,20 +161,20 @@ std::vector<Metric> grasp_metrics() {
     add_count({"slip", "Slips", "-", 1}, true, "event: tissue left the jaws against the operator's will",
               {"Number of times tissue slipped out of the jaws.",
                "tissue slipped {value} times where {limit} are allowed", "take a larger bite before pulling"},
-              slip);
+              counted<EventKind::slip>);
     add_count({"regrasp", "Repeated grasps", "-", 1}, true, "event: the same patch grasped again within 2 s",
               {"Number of times the same patch was grasped again within 2 s of letting go.",
                "the same place was grasped again {value} times where {limit} are allowed",
                "place the jaws where the pull will be, then close once"},
-              regrasp);
+              counted<EventKind::regrasp>);
     add_count({"drop", "Drops", "-", 1}, false, "event: a held object fell",
               {"Number of objects dropped.", "{value} objects were dropped where {limit} are allowed",
                "let go only when the object rests"},
-              drop);
+              counted<EventKind::drop>);
     add_count({"perforation", "Perforations", "-", 1}, true, "event, critical",
               {"Number of perforations.", "the bowel was perforated {value} times where {limit} are allowed",
                "keep the tips in view and never push against resistance"},
-              perforation);
+              counted<EventKind::perforation>);
     return metrics;
 }
 

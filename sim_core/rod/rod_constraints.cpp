@@ -29,6 +29,19 @@ inline Block4& block(BlockBand& matrix, std::size_t base, std::size_t r, std::si
                   : (r == c + 1 ? matrix.first[base + c] : matrix.second[base + c]);
 }
 
+// A stiffness (symmetric) against the point's own motion, shared among its three nodes by their weights.
+inline void add_stiffness(BlockBand& matrix, const RodPoint& point, const Matrix3& stiffness) {
+    const auto base = static_cast<std::size_t>(point.joint) - 1;
+    for (std::size_t c = 0; c < 3; ++c) {
+        for (std::size_t r = c; r < 3; ++r) {
+            const double w = point.node_weight[r] * point.node_weight[c];
+            Block4& b = block(matrix, base, r, c);
+            for (int q = 0; q < 3; ++q)
+                b.column[q] += Lanes{stiffness(0, q), stiffness(1, q), stiffness(2, q), 0} * w;
+        }
+    }
+}
+
 // gradient += J^T force
 void add_gradient(const RodJacobian& j, std::size_t base, const Vector3& force,
                   std::vector<double>& gradient) {
@@ -313,15 +326,7 @@ void add_constraints(const Rod::Tables& tables, const RodShape& shape, RodInputs
             g[1] += w * force.y();
             g[2] += w * force.z();
         }
-        if (!hessian) continue;
-        for (std::size_t c = 0; c < 3; ++c) {
-            for (std::size_t r = c; r < 3; ++r) {
-                const double w = point.node_weight[r] * point.node_weight[c];
-                Block4& b = block(data.matrix, base, r, c);
-                for (int q = 0; q < 3; ++q)
-                    b.column[q] += Lanes{stiffness(0, q), stiffness(1, q), stiffness(2, q), 0} * w;
-            }
-        }
+        if (hessian) add_stiffness(data.matrix, point, stiffness);
     }
     data.gradient_noise = 4e-16 * (tables.grasp_penalty * largest_position);
     add_self_contacts(tables, shape, inputs, hessian, data);
@@ -354,15 +359,7 @@ void add_self_contacts(const Rod::Tables& tables, const RodShape& shape, RodInpu
                 }
             }
             if (!hessian) continue;
-            const Matrix3 stiffness = 2 * penalty * contact.normal * contact.normal.transpose();
-            for (std::size_t c = 0; c < 3; ++c) {
-                for (std::size_t r = c; r < 3; ++r) {
-                    const double w = point.node_weight[r] * point.node_weight[c];
-                    Block4& b = block(data.matrix, base, r, c);
-                    for (int q = 0; q < 3; ++q)
-                        b.column[q] += Lanes{stiffness(0, q), stiffness(1, q), stiffness(2, q), 0} * w;
-                }
-            }
+            add_stiffness(data.matrix, point, 2 * penalty * contact.normal * contact.normal.transpose());
         }
     }
 }

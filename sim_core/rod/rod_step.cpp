@@ -265,6 +265,15 @@ void write_outputs(const Rod& rod, RodInputs& inputs, RodScratch::Data& d, RodRe
     }
 }
 
+// Back to where it was, at rest: what came out is not to be used.
+void freeze_shape(RodState& state, const RodState& saved, RodReport& report) {
+    state = saved;
+    Rod::stop(state);
+    report.converged = false;
+    report.fault = RodFault::frozen;
+    if (!std::isfinite(report.residual + report.force_residual)) report.residual = report.force_residual = 1;
+}
+
 }  // namespace
 
 RodReport Rod::step(RodState& state, RodInputs& inputs, double dt, RodScratch& scratch,
@@ -274,12 +283,7 @@ RodReport Rod::step(RodState& state, RodInputs& inputs, double dt, RodScratch& s
     d.saved = state;
     d.saved_grasps.assign(inputs.grasps.begin(), inputs.grasps.end());
     const auto freeze = [&] {
-        state = d.saved;
-        stop(state);
-        report.converged = false;
-        report.fault = RodFault::frozen;
-        if (!std::isfinite(report.residual + report.force_residual))
-            report.residual = report.force_residual = 1;
+        freeze_shape(state, d.saved, report);
         for (std::size_t i = 0; i < inputs.grasps.size(); ++i) {
             inputs.grasps[i].reaction = d.saved_grasps[i].reaction;
             inputs.grasps[i].moment = d.saved_grasps[i].moment;
@@ -416,12 +420,7 @@ RodReport Rod::solve(RodState& state, RodInputs& inputs, RodScratch& scratch, co
     if (result.finite) state_from_shape(d.shape, state);
     report.finite = result.finite && finite(state);
     if (!report.finite) {
-        state = d.saved;
-        stop(state);
-        report.converged = false;
-        report.fault = RodFault::frozen;
-        if (!std::isfinite(report.residual + report.force_residual))
-            report.residual = report.force_residual = 1;
+        freeze_shape(state, d.saved, report);
         return report;
     }
     state.ends[0] = inputs.ends[0];

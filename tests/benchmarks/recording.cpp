@@ -100,30 +100,32 @@ void report(benchmark::State& state, double bytes, double recorded_s) {
         benchmark::Counter(recorded_s * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
 }
 
-void encode_samples(benchmark::State& state) {
+/// Ten seconds of hands, a second at a time; what a second's first tick is encoded by.
+template <typename Encode>
+void encode(benchmark::State& state, Encode&& second_from) {
     const Recording recording = hands(10000);
-    TraceCodec codec;
     double bytes = 0;
     for (auto _ : state) {
         bytes = 0;
         for (std::size_t begin = 0; begin < 10000; begin += 1000)
-            bytes += static_cast<double>(
-                codec.encode(&recording.samples[begin], 1000, &recording.inputs[begin]).data.size());
+            bytes += static_cast<double>(second_from(recording, begin).data.size());
     }
     report(state, bytes, 10);
+}
+
+void encode_samples(benchmark::State& state) {
+    TraceCodec codec;
+    encode(state, [&](const Recording& recording, std::size_t begin) {
+        return codec.encode(&recording.samples[begin], 1000, &recording.inputs[begin]);
+    });
 }
 BENCHMARK(encode_samples)->Unit(benchmark::kMillisecond);
 
 void encode_inputs(benchmark::State& state) {
-    const Recording recording = hands(10000);
     TraceCodec codec;
-    double bytes = 0;
-    for (auto _ : state) {
-        bytes = 0;
-        for (std::size_t begin = 0; begin < 10000; begin += 1000)
-            bytes += static_cast<double>(codec.encode(&recording.inputs[begin], 1000).data.size());
-    }
-    report(state, bytes, 10);
+    encode(state, [&](const Recording& recording, std::size_t begin) {
+        return codec.encode(&recording.inputs[begin], 1000);
+    });
 }
 BENCHMARK(encode_inputs)->Unit(benchmark::kMillisecond);
 

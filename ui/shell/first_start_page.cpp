@@ -10,6 +10,7 @@
 
 #include "database/people.h"
 #include "ui/shell/background_job.h"
+#include "ui/shell/fields.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -85,12 +86,7 @@ QWidget* FirstStartPage::build_form() {
     auto* form = new QFormLayout;
     form->setSpacing(10);
     const auto field = [form](const QString& label, const char* name, bool secret) {
-        auto* edit = new QLineEdit;
-        edit->setObjectName(QString::fromLatin1(name));
-        edit->setAccessibleName(label);
-        if (secret) edit->setEchoMode(QLineEdit::Password);
-        form->addRow(label, edit);
-        return edit;
+        return make_field(form, label, name, secret);
     };
     programme_ = field(tr("Programme"), "programme_name", false);
     programme_->setPlaceholderText(tr("for example: Department of Surgery"));

@@ -6,6 +6,7 @@
 
 #include "database/people.h"
 #include "ui/shell/background_job.h"
+#include "ui/shell/fields.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -23,12 +24,7 @@ PasswordPage::PasswordPage(Context& context) : Page(context, "password_page") {
     auto* form = new QFormLayout;
     form->setSpacing(10);
     const auto field = [form](const QString& label, const char* name) {
-        auto* edit = new QLineEdit;
-        edit->setObjectName(QString::fromLatin1(name));
-        edit->setAccessibleName(label);
-        edit->setEchoMode(QLineEdit::Password);
-        form->addRow(label, edit);
-        return edit;
+        return make_field(form, label, name, true);
     };
     old_ = field(tr("Password now"), "old_password");
     new_ = field(tr("New password"), "new_password");

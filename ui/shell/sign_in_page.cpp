@@ -6,22 +6,11 @@
 
 #include "database/people.h"
 #include "ui/shell/background_job.h"
+#include "ui/shell/fields.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
 namespace fulcrum::ui {
-namespace {
-
-QLineEdit* make_field(QFormLayout* form, const QString& label, const char* name, bool secret) {
-    auto* edit = new QLineEdit;
-    edit->setObjectName(QString::fromLatin1(name));
-    edit->setAccessibleName(label);
-    if (secret) edit->setEchoMode(QLineEdit::Password);
-    form->addRow(label, edit);
-    return edit;
-}
-
-}  // namespace
 
 BackgroundJob* sign_in_job(QObject* parent, const std::string& store_path, const std::string& login,
                            const std::string& password, std::optional<database::Role> role,

@@ -57,11 +57,7 @@ void Window::expect_page(const char* name) {
 void Window::create_programme() {
     expect_page("first_start_page");
     click(window, "create_programme");
-    type(window, "programme_name", "Department of Surgery");
-    type(window, "administrator_name", "Alma Admin");
-    type(window, "administrator_login", "alma");
-    type(window, "administrator_password", "correct horse");
-    type(window, "administrator_password_again", "correct horse");
+    type_programme(window);
     click(window, "create_confirm");
     ASSERT_TRUE(wait_for([&] { return sees(window, "recovery_code"); }));
     check(window, "code_noted");

@@ -144,14 +144,21 @@ TYPED_TEST(EveryStream, RandomBytesNeverDecodeBeyondTheirBounds) {
     }
 }
 
+/// Any samples with any inputs at the same ticks, drawn inside a property.
+std::pair<std::vector<TickSample>, std::vector<RigSample>> any_record() {
+    std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
+    const auto count = *rc::gen::inRange<std::size_t>(1, 700);
+    auto samples = random_records<TickSample>(random, count, *rc::gen::inRange<unsigned>(0, 9));
+    auto inputs = random_records<RigSample>(random, count, *rc::gen::inRange<unsigned>(0, 9));
+    for (std::size_t i = 0; i < count; ++i)
+        samples[i].tick = inputs[i].tick = static_cast<std::uint32_t>(i) + 7;
+    return {std::move(samples), std::move(inputs)};
+}
+
 TEST(TraceCodec, SamplesComeBackByTheirInputsWhateverTheyAre) {
     rc::check([] {
-        std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
-        const auto count = *rc::gen::inRange<std::size_t>(1, 700);
-        auto samples = random_records<TickSample>(random, count, *rc::gen::inRange<unsigned>(0, 9));
-        auto inputs = random_records<RigSample>(random, count, *rc::gen::inRange<unsigned>(0, 9));
-        for (std::size_t i = 0; i < count; ++i)
-            samples[i].tick = inputs[i].tick = static_cast<std::uint32_t>(i) + 7;
+        auto [samples, inputs] = any_record();
+        const std::size_t count = samples.size();
         TraceCodec codec;
         const TraceChunk chunk = codec.encode(samples.data(), count, inputs.data());
         std::vector<TickSample> back;
@@ -163,12 +170,8 @@ TEST(TraceCodec, SamplesComeBackByTheirInputsWhateverTheyAre) {
 
 TEST(TraceCodec, AnOverviewHoldsTheSameColumnsAsTheWhole) {
     rc::check([] {
-        std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
-        const auto count = *rc::gen::inRange<std::size_t>(1, 700);
-        auto samples = random_records<TickSample>(random, count, *rc::gen::inRange<unsigned>(0, 9));
-        auto inputs = random_records<RigSample>(random, count, *rc::gen::inRange<unsigned>(0, 9));
-        for (std::size_t i = 0; i < count; ++i)
-            samples[i].tick = inputs[i].tick = static_cast<std::uint32_t>(i) + 7;
+        auto [samples, inputs] = any_record();
+        const std::size_t count = samples.size();
         const bool with_inputs = *rc::gen::arbitrary<bool>();
         TraceCodec codec;
         const TraceChunk of_inputs = codec.encode(inputs.data(), count);
@@ -261,8 +264,10 @@ TEST(TraceCodec, NotANumberInAnEventKeepsItsBits) {
 TEST(TraceCodec, AChunkFromBeforeTorquesWereRecordedIsStillRead) {
     // Six samples, written when a sample had 51 columns.
     const std::string hex =
-        "28b52ffd20869d0300a246192590398d018bff818c1bc10ee8fc57fd33772441ce2455dffd0648d4709f65b3e21c0c223b05cdc9"
-        "19d6cf63aadf4191d6b5f5403da8ec8a1613f537d0095710182acc3a76a48d1c702d11d45ff186ac6b4ee2f4b0f65f09d204ab87"
+        "28b52ffd20869d0300a246192590398d018bff818c1bc10ee8fc57fd33772441ce2455dffd0648d4709f65b3e21c0c223b05"
+        "cdc9"
+        "19d6cf63aadf4191d6b5f5403da8ec8a1613f537d0095710182acc3a76a48d1c702d11d45ff186ac6b4ee2f4b0f65f09d204"
+        "ab87"
         "24a93fc887b839300b0300c5f56faa2e60813a03";
     TraceChunk chunk;
     chunk.first_tick = 100;

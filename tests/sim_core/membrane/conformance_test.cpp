@@ -12,19 +12,14 @@
 namespace fulcrum {
 namespace {
 
+using test::momentum;
+
 MembraneMaterial only(SpringKind kind) {
     MembraneMaterial material;
     material.structural_stiffness = kind == SpringKind::structural ? 40 : 0;
     material.shear_stiffness = kind == SpringKind::shear ? 25 : 0;
     material.bend_stiffness = kind == SpringKind::bend ? 3 : 0;
     return material;
-}
-
-Vector3 momentum(const Membrane& membrane, const MembraneState& state) {
-    Vector3 sum = Vector3::Zero();
-    for (std::size_t v = 0; v < state.velocities.size(); ++v)
-        sum += membrane.masses()[v] * state.velocities[v];
-    return sum;
 }
 
 Vector3 angular_momentum(const Membrane& membrane, const MembraneState& state) {

@@ -11,6 +11,8 @@
 namespace fulcrum {
 namespace {
 
+using test::momentum;
+
 constexpr double dt = 0.005;
 
 MembraneMaterial tissue(double pre_strain = 0) {
@@ -21,13 +23,6 @@ MembraneMaterial tissue(double pre_strain = 0) {
     material.mass = 0.01;
     material.pre_strain = pre_strain;
     return material;
-}
-
-Vector3 momentum(const Membrane& membrane, const MembraneState& state) {
-    Vector3 sum = Vector3::Zero();
-    for (std::size_t v = 0; v < state.velocities.size(); ++v)
-        sum += membrane.masses()[v] * state.velocities[v];
-    return sum;
 }
 
 class HeldByJaws : public testing::TestWithParam<MembraneIntegrator> {

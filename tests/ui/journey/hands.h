@@ -66,6 +66,14 @@ inline void type(QWidget& window, const char* name, const QString& words) {
     edit->selectAll();
     QTest::keyClicks(edit, words);
 }
+/// The whole form of *Create programme*: the department's and its administrator's, Alma.
+inline void type_programme(QWidget& window) {
+    type(window, "programme_name", "Department of Surgery");
+    type(window, "administrator_name", "Alma Admin");
+    type(window, "administrator_login", "alma");
+    type(window, "administrator_password", "correct horse");
+    type(window, "administrator_password_again", "correct horse");
+}
 
 /// A check box or radio button, by a click on its mark, if it is not as wished already.
 inline void check(QWidget& window, const char* name, bool on = true) {

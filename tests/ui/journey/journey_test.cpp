@@ -44,11 +44,7 @@ class Journey : public ::testing::Test {
     }
     void create_programme() {
         click(window, "create_programme");
-        type(window, "programme_name", "Department of Surgery");
-        type(window, "administrator_name", "Alma Admin");
-        type(window, "administrator_login", "alma");
-        type(window, "administrator_password", "correct horse");
-        type(window, "administrator_password_again", "correct horse");
+        type_programme(window);
         keep_picture(window, "02-create-programme");
         click(window, "create_confirm");
         ASSERT_TRUE(wait_for([&] { return sees(window, "recovery_code"); }));
