@@ -21,6 +21,7 @@
 #include <QPainter>
 #include <QTemporaryDir>
 #include <algorithm>
+#include <ctime>
 #include <fstream>
 #include <thread>
 
@@ -51,14 +52,16 @@ double share(std::vector<double> values, double quantile) {
 
 /// CPU time of the calling thread and of the software renderer's own, ms.
 double drawing_cpu_ms() {
-    double sum = 0;
+    // Its own exactly; of the renderer's threads, which have gone to sleep by now, what is booked.
+    timespec spent{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
+    double sum = 1e3 * static_cast<double>(spent.tv_sec) + 1e-6 * static_cast<double>(spent.tv_nsec);
     const QString tasks = QStringLiteral("/proc/self/task/");
-    const QString own = QString::number(QCoreApplication::applicationPid());
     for (const QString& thread : QDir(tasks).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
         std::ifstream comm((tasks + thread + "/comm").toStdString());
         std::string name;
         std::getline(comm, name);
-        if (thread != own && name.rfind("llvmpipe", 0) != 0) continue;
+        if (name.rfind("llvmpipe", 0) != 0) continue;
         std::ifstream schedule((tasks + thread + "/schedstat").toStdString());
         double ns = 0;
         schedule >> ns;
@@ -105,6 +108,7 @@ void window(benchmark::State& state, const char* task) {
     const LoadedTask loaded = load_task_and_scene(task);
     ui::TheatreView view;
     view.resize(window_size);
+    view.set_paced(true);
     view.show();
     std::unique_ptr<LiveAttempt> attempt = start_attempt(store, loaded);
     while (attempt->phase() == ui::AttemptPhase::starting)
@@ -113,7 +117,7 @@ void window(benchmark::State& state, const char* task) {
     view.load(attempt->scene(), attempt->snapshot());
     while (!view.is_loaded()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
     attempt->start();
-    std::vector<double> drawing, cpu, interval;
+    std::vector<double> drawing, cpu, interval, resolution;
     QElapsedTimer clock;
     clock.start();
     double next = 0, before = -1;
@@ -137,6 +141,7 @@ void window(benchmark::State& state, const char* task) {
         QGuiApplication::sync();
         drawing.push_back(now_ms() - from);
         cpu.push_back(drawing_cpu_ms() - cpu_from);
+        resolution.push_back(100 * view.resolution());
         if (before >= 0) interval.push_back(from - before);
         before = from;
         state.SetIterationTime(1e-3 * drawing.back());
@@ -147,6 +152,8 @@ void window(benchmark::State& state, const char* task) {
     report(state, drawing, cpu);
     state.counters["frame_ms"] = share(interval, 0.5);
     state.counters["frame_p99_ms"] = share(interval, 0.99);
+    state.counters["resolution_percent"] = share(resolution, 0.5);
+    state.counters["resolution_least_percent"] = share(resolution, 0);
     state.counters["missed_by_program"] = static_cast<double>(kept.missed_by_program);
     state.counters["missed_by_scheduler"] = static_cast<double>(kept.missed_by_scheduler);
     state.counters["late_steps"] = static_cast<double>(kept.late_steps);
@@ -264,6 +271,8 @@ class Keeper : public benchmark::ConsoleReporter {
                           "least disturbed 5 %",
                           "frame to frame: median, ms",
                           "p99",
+                          "resolution: median, %",
+                          "least",
                           "ticks missed by the program",
                           "G, ms"};
         pictures.name = "theatre_pictures";
@@ -289,6 +298,7 @@ class Keeper : public benchmark::ConsoleReporter {
                 if (run.benchmark_name().rfind(std::string("theatre/window/") + task, 0) == 0) {
                     window.rows.push_back({task, of("drawing_ms"), of("drawing_p99_ms"), of("cpu_ms"),
                                            of("cpu_p5_ms"), of("frame_ms"), of("frame_p99_ms"),
+                                           of("resolution_percent"), of("resolution_least_percent"),
                                            of("missed_by_program"), of("G_ms")});
                 }
                 add_pictures(task);
@@ -315,7 +325,10 @@ void write_page(const std::string& folder, const Keeper& keeper, double load) {
         "world, "
         "recorder. Drawing lasts from asking for the picture until it is on the screen; its processor time "
         "is "
-        "this thread's and the software renderer's.");
+        "this thread's and the software renderer's. Resolution is the share of the window's own, along each "
+        "side, that the scene is drawn in; at most 70 %, in a hollow 58 %, and less where pictures take "
+        "long. "
+        "Words stand in the window's own.");
     page.table(keeper.window);
     page.paragraph("The scene alone, drawn offscreen, over the first 40 s of the same expert.");
     page.table(keeper.pictures);

@@ -15,6 +15,7 @@ namespace fulcrum::ui {
 
 TheatrePage::TheatrePage(Context& context) : Page(context, "theatre_page"), view_(new TheatreView) {
     view_->setObjectName(QStringLiteral("theatre_view"));
+    view_->set_paced(true);
     view_->setFocusPolicy(Qt::StrongFocus);
     view_->setMouseTracking(true);
     view_->installEventFilter(this);

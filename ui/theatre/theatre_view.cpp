@@ -59,6 +59,7 @@ void TheatreView::unload() {
     assembler_.reset();
     has_world_ = has_hud_ = installed_ = false;
     pictures_ = 0;
+    pace_.restart();
     realignment_.reset();
     done_.clear();
     active_ = -1;
@@ -102,6 +103,11 @@ void TheatreView::set_cover(const QString& heading, const QStringList& lines) {
     update();
 }
 
+void TheatreView::set_paced(bool paced) {
+    paced_ = paced;
+    pace_.restart();
+}
+
 SceneFrame& TheatreView::assemble() {
     SceneFrame& frame = assembler_->assemble(world_);
     for (std::size_t i = 0; i < std::min(frame.targets.size(), world_.targets.size()); ++i) {
@@ -126,8 +132,11 @@ bool TheatreView::paint_scene(QPainter& painter) {
         if (!renderer_) renderer_ = std::make_unique<SceneRenderer>();
         if (!installed_) assembler_->install(*renderer_);
         installed_ = true;
-        const QImage& picture = stage_->draw(*renderer_, assemble(), size() * devicePixelRatioF());
+        renderer_->set_share(paced_ ? pace_.share() : 1.0);
+        const QSize pixels = size() * devicePixelRatioF();
+        const QImage& picture = stage_->draw(*renderer_, assemble(), pixels);
         if (picture.isNull()) return false;
+        resolution_ = static_cast<double>(picture.height()) / std::min(pixels.width(), pixels.height());
         scope_.paint(painter, rect(), picture);
     } catch (const std::runtime_error& why) {
         error_ = QString::fromUtf8(why.what());
@@ -161,6 +170,7 @@ void TheatreView::paintEvent(QPaintEvent*) {
     if (!cover_lines_.isEmpty()) paint_cover(painter, rect(), cover_heading_, cover_lines_);
     painter.end();
     frame_ms_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+    if (drawn && paced_) pace_.drawn(frame_ms_);
 }
 
 }  // namespace fulcrum::ui

@@ -13,6 +13,7 @@
 #include "sim_core/world/snapshot.h"
 #include "ui/application_services.h"
 #include "ui/theatre/hud.h"
+#include "ui/theatre/renderer/drawing_pace.h"
 #include "ui/theatre/renderer/scope_picture.h"
 
 namespace fulcrum::ui {
@@ -48,6 +49,12 @@ class TheatreView : public QWidget {
     void set_cover(const QString& heading, const QStringList& lines);
     /// Why nothing can be drawn here, "" if it can.
     const QString& drawing_error() const { return error_; }
+    /// Live: where pictures take too long the scene is drawn coarser, words never (DrawingPace). Else the
+    /// resolution is the renderer's own, as at first.
+    void set_paced(bool paced);
+    DrawingPace& pace() { return pace_; }
+    /// Of the view's own pixels along each side: what the last picture of the scene was drawn in.
+    double resolution() const { return resolution_; }
     /// Pictures of the scene that were drawn since load().
     int pictures() const { return pictures_; }
     /// Duration of the last picture, ms: all of it, on this thread.
@@ -75,7 +82,9 @@ class TheatreView : public QWidget {
     QString notice_, cover_heading_, error_;
     QStringList cover_lines_;
     std::optional<Realignment> realignment_;
-    double frame_ms_ = 0;
+    double frame_ms_ = 0, resolution_ = 0;
+    DrawingPace pace_;
+    bool paced_ = false;
     int pictures_ = 0;
     std::unique_ptr<SceneAssembler> assembler_;
     std::unique_ptr<OffscreenStage> stage_;  // made at the first picture

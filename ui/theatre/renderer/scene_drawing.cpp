@@ -350,9 +350,10 @@ const QImage& SceneRenderer::Impl::draw(const SceneFrame& frame, QSize size) {
     QOpenGLExtraFunctions& gl = *QOpenGLContext::currentContext()->extraFunctions();
     upload_changes();
     const int shorter = std::max(16, std::min(size.width(), size.height()));
-    const double share = std::clamp(frame.enclosed ? share_in_hollow : share_of_resolution, 0.25, 1.0);
-    const auto scaled = [share](int length) {
-        return std::max(16, static_cast<int>(std::lround(length * share)));
+    const double full = frame.enclosed ? share_in_hollow : share_of_resolution;
+    const double drawn = std::clamp(share * full, 0.25, 1.0);
+    const auto scaled = [drawn](int length) {
+        return std::max(16, static_cast<int>(std::lround(length * drawn)));
     };
     const QSize shown = frame.round ? QSize(shorter, shorter) : size;
     prepare_image(QSize(scaled(shown.width()), scaled(shown.height())));

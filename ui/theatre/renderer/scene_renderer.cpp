@@ -168,6 +168,10 @@ bool SceneRenderer::initialise() {
     return true;
 }
 
+void SceneRenderer::set_share(double share) {
+    impl_->share = share;
+}
+
 const QString& SceneRenderer::error() const {
     return impl_->error;
 }

@@ -133,10 +133,13 @@ class SceneRenderer {
     bool initialise();
     const QString& error() const;
 
+    /// Share of the resolution that the options say, from the next picture on; 1 at first.
+    void set_share(double share);
+
     /// Draws for a rectangle of that size in device pixels and waits until it is done. The pixels as drawn,
-    /// at the share of the resolution that the options say: of the round image the square around it, which is
-    /// as high as the rectangle; else the whole rectangle. Null where the notice hides the scene or nothing
-    /// can be drawn. Valid until the next call.
+    /// at the share of the resolution that the options and set_share say: of the round image the square
+    /// around it, which is as high as the rectangle; else the whole rectangle. Null where the notice hides
+    /// the scene or nothing can be drawn. Valid until the next call.
     const QImage& draw(const SceneFrame& frame, QSize size);
     /// Where a point of the patient frame appears, in pixels from the top left; z < 0: behind the camera.
     static QVector3D project(const CameraPose& camera, const Vector3& point, QSize size);

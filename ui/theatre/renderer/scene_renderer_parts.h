@@ -39,6 +39,7 @@ struct SceneRenderer::Impl {
 
     bool ready = false;
     double share_of_resolution = 1, share_in_hollow = 1;
+    double share = 1;  // of these
     bool smooth = false;       // four samples a pixel
     double coarse_pixels = 0;  // coarse triangles with shorter edges than that are good enough; 0: none are
     using Program = std::unique_ptr<QOpenGLShaderProgram>;
