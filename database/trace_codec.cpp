@@ -5,7 +5,6 @@
 // functions of the handle, and most of what is left of them after differencing is the handle's own
 // quantisation seen through a lever. Residuals become Rice codes; zstd removes what repeats.
 #include "database/trace_codec.h"
-// Over 500 lines: encoder, decoder and the overview that skips columns walk one layout and must change together.
 
 #include <zstd.h>
 
@@ -17,55 +16,21 @@
 
 #include "database/crypto.h"
 #include "database/errors.h"
-#include "database/trace_bits.h"
+#include "database/trace_columns.h"
 #include "database/trace_layout.h"
 
 namespace fulcrum::database {
+
+using namespace trace_columns;
+
 namespace {
 
 constexpr std::uint8_t layout_version = 1;
 constexpr std::size_t column_count_byte = 4;  // of the header
 constexpr std::size_t checksum_size = 16;
-constexpr unsigned highest_order = 3;
 constexpr int compression_level = 3;
 constexpr std::size_t header_size = 6;
-constexpr std::size_t segment = 256;        // ticks that share coefficients
-constexpr unsigned coefficient_bits = 20;   // two's complement
-constexpr unsigned coefficient_shift = 10;  // value = coefficient / 1024, so |value| < 512
-constexpr std::int64_t coefficient_limit = (std::int64_t{1} << (coefficient_bits - 1U)) - 1;
-
-using Column = std::vector<std::uint32_t>;
-using Coefficients = std::array<std::int64_t, 3>;
-enum Share : unsigned { share_none = 0, share_less = 1, share_plus = 2, share_guided = 3 };
-
-/// Pass 0, 1, 2 of differences in place. Pass p leaves the first p + 1 values alone, so that only the first
-/// of a column is large.
-void difference(Column& column, std::size_t pass) {
-    for (std::size_t i = column.size(); i-- > pass + 1;) column[i] -= column[i - 1];
-}
-void restore(Column& column, std::size_t pass) {
-    for (std::size_t i = pass + 1; i < column.size(); ++i) column[i] += column[i - 1];
-}
-
-/// Sum of bit lengths: what choosing a prediction goes by.
-std::uint64_t roughness(const Column& column) {
-    std::uint64_t bits = 0;
-    for (const std::uint32_t value : column) bits += bit_length(zigzag(value));
-    return bits;
-}
-
-std::int64_t signed_value(std::uint32_t value) {
-    return static_cast<std::int32_t>(value);
-}
-
-/// What the guides' residuals say of a column's, rounded; the same integers on both sides.
-std::uint32_t guided(const Coefficients& coefficients, const std::array<const Column*, 3>& guides,
-                     std::size_t i) {
-    std::int64_t sum = std::int64_t{1} << (coefficient_shift - 1U);
-    for (std::size_t g = 0; g < 3; ++g) sum += coefficients[g] * signed_value((*guides[g])[i]);
-    return static_cast<std::uint32_t>(sum >> coefficient_shift);
-}
-
+constexpr std::size_t segment = 256;  // ticks that share coefficients
 void put_header(std::vector<std::uint8_t>& bytes, TraceStream stream, std::size_t count, std::size_t columns,
                 bool with_inputs) {
     bytes.push_back(layout_version);
@@ -90,14 +55,6 @@ bool same_ticks(const Record* records, const RigSample* inputs, std::size_t coun
         static_cast<void>(count);
         return false;
     }
-}
-
-template <typename Columns>
-bool is_partner(std::size_t column) {
-    for (std::size_t other = column + 1; other < Columns::columns; ++other) {
-        if (Columns::partner(other) == static_cast<int>(column)) return true;
-    }
-    return false;
 }
 
 }  // namespace

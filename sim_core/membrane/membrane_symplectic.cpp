@@ -6,14 +6,6 @@
 #include "sim_core/membrane/membrane_system.h"
 
 namespace fulcrum {
-namespace {
-
-std::size_t at(std::int32_t i) {
-    return static_cast<std::size_t>(i);
-}
-
-}  // namespace
-
 namespace membrane_detail {
 
 double bounding_eigenvalue(const Membrane::Tables& tables, const double* stiffness, Data& data) {

@@ -77,6 +77,10 @@ struct MembraneScratch::Data {
 
 namespace membrane_detail {
 
+inline std::size_t at(std::int32_t i) {
+    return static_cast<std::size_t>(i);
+}
+
 using Data = MembraneScratch::Data;
 
 double dot(const Lanes* a, const Lanes* b, std::size_t count);

@@ -1,103 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every cell that has a place in the window, through the program's own services: what is denied is not shown,
 // and is refused where it is asked for all the same; what is allowed is there and works.
-// Over 500 lines: one walk over the whole table of roles and operations, page by page.
-#include <gtest/gtest.h>
-
 #include <QCheckBox>
-#include <QComboBox>
-#include <QDateEdit>
-#include <QLabel>
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTableWidget>
 #include <algorithm>
-#include <set>
 
-#include "app/application.h"
-#include "database/connection.h"
-#include "tests/app/access/access_programme.h"
 #include "tests/app/access/places.h"
-#include "tests/ui/journey/hands.h"
-#include "ui/administration/station_page.h"
+#include "tests/app/access/window_access.h"
 #include "ui/dashboards/cohort_page.h"
 #include "ui/review/debrief_page.h"
-#include "ui/shell/main_window.h"
 #include "ui/style/text.h"
 #include "ui/theatre/theatre_page.h"
 #include "ui/trainee/progress_page.h"
 
 namespace fulcrum::app::test {
-namespace {
-
-using namespace fulcrum::ui;
-using namespace fulcrum::ui::test;
-
-constexpr Role people_roles[] = {Role::trainee, Role::educator, Role::director, Role::administrator};
-
-class WindowAccess : public ::testing::Test {
-  protected:
-    WindowAccess() {
-        programme.store.reset();
-        services = make_services(programme.folder.path().toStdString());
-        window = std::make_unique<MainWindow>(*services);
-        window->resize(1280, 800);
-        window->show();
-        EXPECT_TRUE(QTest::qWaitForWindowExposed(window.get()));
-        window->start();
-    }
-    ~WindowAccess() override {
-        if (window->context().signed_in()) window->context().sign_out();
-    }
-    /// What is new is shown, and what is old goes, with the next turn of the event loop.
-    static void settle() {
-        QCoreApplication::processEvents();
-        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-    }
-    void act_as(const Session& session) {
-        window->context().set_session(session);
-        settle();
-    }
-    bool allowed(Operation operation, const Target& target) const {
-        return expected_allowed(operation, role(), programme.relation(role(), target));
-    }
-    bool cohort_allowed(Operation operation, const Target& target) const {
-        return expected_allowed(operation, role(), AccessProgramme::cohort_relation(role(), target));
-    }
-    bool allowed_at_all(Operation operation) const {
-        return expected_scope(operation, role()) != Scope::none;
-    }
-    Role role() const { return window->context().session().role(); }
-    QString complaint() { return find<QLabel>(*window, "message_text")->text(); }
-    bool refused() { return sees(*window, "message_text") && complaint().contains("not allowed"); }
-    static bool offers(const QComboBox* box, const std::string& id) {
-        return box->findData(QString::fromStdString(id)) >= 0;
-    }
-    template <typename P>
-    P* page(const char* button) {
-        click(*window, button);
-        return static_cast<P*>(window->current_page());
-    }
-    void look_everywhere(std::set<std::string>& seen);
-    /// An attempt of Ann's that lost its program; found by the store that the window opens next.
-    void record_interrupted() {
-        {
-            Recorder recorder(programme.path, programme.session("ann"), example_meta(programme.id("ann")),
-                              programme.clock.options());
-            Programme::append_second(recorder);
-            recorder.flush();
-        }
-        window->start();
-        settle();
-    }
-    void expect_debrief(const Target& target, const std::string& cell);
-    void expect_progress(const Target& target, const std::string& cell, const QString& folder);
-
-    AccessProgramme programme;
-    std::unique_ptr<ApplicationServices> services;
-    std::unique_ptr<MainWindow> window;
-};
 
 void WindowAccess::expect_debrief(const Target& target, const std::string& cell) {
     if (sees(*window, "close_message")) click(*window, "close_message");
@@ -406,112 +325,4 @@ TEST_F(WindowAccess, EducatorsRecomputeTheScoresOfTheirCohorts) {
     EXPECT_TRUE(find<QLabel>(*window, "debrief_notes")->text().contains("Recomputed"));
 }
 
-TEST_F(WindowAccess, AdministratorsCheckAndBackUpBesideTheWork) {
-    act_as(programme.asker(Role::administrator));
-    click(*window, "rail_station");
-    click(*window, "check_store");
-    ASSERT_TRUE(wait_for([&] { return sees(*window, "check_verdict"); }, 60000));
-    EXPECT_TRUE(find<QLabel>(*window, "check_verdict")->text().contains("sound"));
-    EXPECT_EQ(find<QTableWidget>(*window, "check_items")->rowCount(), 7);
-    auto* station = static_cast<StationPage*>(window->current_page());
-    const QString path = programme.folder.filePath("copy.db");
-    station->back_up_to(path);
-    ASSERT_TRUE(
-        wait_for([&] { return sees(*window, "message_text") && complaint().contains("Backed up"); }, 60000));
-    EXPECT_TRUE(Store::open(path.toStdString()).check(services->store()->station_session()).ok);
-    keep_picture(*window, "station");
-    // A file that is there already is never written over.
-    station->back_up_to(path);
-    ASSERT_TRUE(wait_for([&] { return complaint().contains("already there"); }, 60000));
-    ASSERT_TRUE(wait_for([&] { return find<QPushButton>(*window, "back_up")->isEnabled(); }));
-    // A folder that is not there.
-    station->back_up_to(programme.folder.filePath("copy.db/below.db"));
-    ASSERT_TRUE(wait_for([&] { return !complaint().contains("already there"); }, 60000));
-    EXPECT_TRUE(QFile::exists(path));
-}
-
-TEST_F(WindowAccess, AdministratorsReadTheAuditLogByPersonKindAndPeriod) {
-    act_as(programme.asker(Role::administrator));
-    click(*window, "rail_audit");
-    auto* table = find<QTableWidget>(*window, "audit_table");
-    auto* person = find<QComboBox>(*window, "audit_person");
-    auto* kind = find<QComboBox>(*window, "audit_kind");
-    auto* period = find<QComboBox>(*window, "audit_period");
-    const auto choose = [&](QComboBox* box, const QVariant& value) {
-        const int index = box->findData(value);
-        ASSERT_GE(index, 0) << value.toString().toStdString();
-        box->setCurrentIndex(index);
-        emit box->activated(index);
-    };
-    EXPECT_EQ(table->rowCount(), Audit(*services->store()).count());
-    ASSERT_TRUE(
-        wait_for([&] { return find<QLabel>(*window, "audit_chain")->text().contains("holds"); }, 60000));
-    keep_picture(*window, "audit-log");
-    choose(kind, "attempt.request_correction");
-    ASSERT_EQ(table->rowCount(), 2) << "Ann's and Eve's";
-    choose(person, QString::fromStdString(programme.id("eve")));
-    ASSERT_EQ(table->rowCount(), 1);
-    EXPECT_EQ(table->item(0, 1)->text(), "Eve Elsewhere");
-    EXPECT_EQ(table->item(0, 2)->text(), "trainee");
-    EXPECT_EQ(table->item(0, 4)->text(), "Eve Elsewhere");
-    EXPECT_TRUE(table->item(0, 5)->text().contains("withheld"));
-    EXPECT_FALSE(table->item(0, 5)->text().contains("this was not me"));
-    choose(kind, "comment");
-    ASSERT_EQ(table->rowCount(), 1);
-    EXPECT_EQ(table->item(0, 1)->text(), "Otto Cator");
-    EXPECT_EQ(table->item(0, 2)->text(), "educator");
-    EXPECT_EQ(table->item(0, 4)->text(), "Eve Elsewhere") << "whose attempt it is about";
-    choose(period, -2);
-    find<QDateEdit>(*window, "audit_from")->setDate(QDate(2001, 1, 1));
-    find<QDateEdit>(*window, "audit_until")->setDate(QDate(2001, 1, 2));
-    EXPECT_EQ(table->rowCount(), 0);
-    find<QDateEdit>(*window, "audit_until")->setDate(QDate(2000, 1, 2));  // ends before it begins
-    EXPECT_EQ(table->rowCount(), 0);
-}
-
-TEST_F(WindowAccess, ABrokenChainIsNamedWhereAdministratorsLook) {
-    Connection& connection = services->store()->connection();
-    connection.execute("DROP TRIGGER audit_entry_is_fixed");
-    connection.execute("UPDATE audit_entry SET time = time + 1 WHERE sequence = 4");
-    act_as(programme.asker(Role::administrator));
-    click(*window, "rail_audit");
-    ASSERT_TRUE(
-        wait_for([&] { return find<QLabel>(*window, "audit_chain")->text().contains("broken"); }, 60000));
-    EXPECT_TRUE(find<QLabel>(*window, "audit_chain")->text().contains("audit row 4"));
-    click(*window, "rail_station");
-    click(*window, "check_store");
-    ASSERT_TRUE(wait_for([&] { return sees(*window, "check_verdict"); }, 60000));
-    EXPECT_TRUE(find<QLabel>(*window, "check_verdict")->text().contains("damaged"));
-    auto* items = find<QTableWidget>(*window, "check_items");
-    for (int row = 0; row < items->rowCount(); ++row)
-        EXPECT_EQ(items->item(row, 3)->text().isEmpty(), items->item(row, 0)->text() != "audit chain") << row;
-}
-
-TEST_F(WindowAccess, EverybodyChangesTheirOwnPassword) {
-    for (const Role asked : people_roles) {
-        act_as(programme.asker(asked));
-        click(*window, "rail_password");
-        type(*window, "old_password", database::test::password);
-        type(*window, "new_password", "another horse battery");
-        type(*window, "new_password_again", "another horse battery");
-        click(*window, "password_change");
-        ASSERT_TRUE(
-            wait_for([&] { return sees(*window, "message_text") && complaint().contains("changed"); }, 60000))
-            << role_name(asked);
-        click(*window, "close_message");
-    }
-}
-
-TEST_F(WindowAccess, TheStationSeesWhoSignedInAndNothingElse) {
-    People(*services->store()).sign_in("ann", database::test::password);
-    window->start();
-    settle();
-    ASSERT_EQ(window->current_page()->objectName(), "sign_in_page");
-    EXPECT_TRUE(sees(*window, "pick_person")) << "read_sign_in_list is everybody's";
-    for (const char* rail :
-         {"rail_people", "rail_assign", "rail_cohort", "rail_attempts", "rail_progress", "rail_home"})
-        EXPECT_FALSE(sees(*window, rail)) << rail;
-}
-
-}  // namespace
 }  // namespace fulcrum::app::test
