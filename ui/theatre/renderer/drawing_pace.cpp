@@ -7,7 +7,7 @@
 namespace fulcrum::ui {
 namespace {
 
-constexpr double shares[DrawingPace::levels] = {1.0, 0.91, 0.83, 0.76, 0.69};
+constexpr double shares[DrawingPace::levels] = {1.0, 0.91, 0.83, 0.76, 0.69, 0.63};
 // Of the goal that one level finer may take, if all of a picture's time goes with its pixels: some of it does
 // not, so that a step up under an even load is never taken back.
 constexpr double spare = 0.92;

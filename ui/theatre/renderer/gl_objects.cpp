@@ -203,6 +203,8 @@ void GlSheet::update(const SheetSurface& surface, std::uint64_t version) {
     if (version != 0 && version == version_) return;
     version_ = version;
     mesh_.build(surface);
+    first_apart_ = mesh_.indices().size();
+    balls_.clear();
     vertices_.bind();
     vertices_.allocate(mesh_.vertices().data(), bytes(mesh_.vertices().size(), sizeof(float)));
     vertices_.release();
@@ -212,10 +214,41 @@ void GlSheet::update(const SheetSurface& surface, std::uint64_t version) {
     array_.release();
 }
 
-void GlSheet::draw(QOpenGLExtraFunctions& gl) {
-    if (mesh_.indices().empty()) return;
+void GlSheet::set_apart(const std::function<bool(const QVector3D&, float)>& chosen) {
+    const std::vector<std::uint32_t>& indices = mesh_.indices();
+    if (balls_.empty()) {
+        const auto place = [this](std::uint32_t vertex) {
+            const float* p = mesh_.vertices().data() + vertex * SheetMesh::floats;
+            return QVector3D(p[0], p[1], p[2]);
+        };
+        for (std::size_t t = 0; t + 2 < indices.size(); t += 3) {
+            const QVector3D a = place(indices[t]), b = place(indices[t + 1]), c = place(indices[t + 2]);
+            const QVector3D centre = (a + b + c) / 3;
+            balls_.push_back({centre, std::max({a.distanceToPoint(centre), b.distanceToPoint(centre),
+                                                c.distanceToPoint(centre)})});
+        }
+    }
+    apart_.clear();
+    ordered_.clear();
+    for (std::size_t t = 0; t < balls_.size(); ++t) {
+        std::vector<std::uint32_t>& kept = chosen(balls_[t].centre, balls_[t].radius) ? apart_ : ordered_;
+        for (std::size_t corner = 3 * t; corner < 3 * t + 3; ++corner) kept.push_back(indices[corner]);
+    }
+    first_apart_ = ordered_.size();
+    ordered_.insert(ordered_.end(), apart_.begin(), apart_.end());
     array_.bind();
-    gl.glDrawElements(GL_TRIANGLES, static_cast<int>(mesh_.indices().size()), GL_UNSIGNED_INT, nullptr);
+    indices_.bind();
+    indices_.allocate(ordered_.data(), bytes(ordered_.size(), sizeof(std::uint32_t)));
+    array_.release();
+}
+
+void GlSheet::draw(QOpenGLExtraFunctions& gl, bool apart) {
+    const std::size_t first = apart ? first_apart_ : 0;
+    const std::size_t last = apart ? mesh_.indices().size() : first_apart_;
+    if (first == last) return;
+    array_.bind();
+    gl.glDrawElements(GL_TRIANGLES, static_cast<int>(last - first), GL_UNSIGNED_INT,
+                      reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
     array_.release();
 }
 

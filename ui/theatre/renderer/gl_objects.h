@@ -7,6 +7,7 @@
 #include <QOpenGLShaderProgram>
 #include <QOpenGLTexture>
 #include <QOpenGLVertexArrayObject>
+#include <functional>
 #include <memory>
 
 #include "sim_core/anatomy/anatomy.h"
@@ -77,10 +78,19 @@ class GlSheet {
     GlSheet();
     /// version: as GlSurface::update.
     void update(const SheetSurface& surface, std::uint64_t version);
-    void draw(QOpenGLExtraFunctions& gl);
+    /// Triangles whose ball (m, patient frame) is chosen are drawn apart, until the next update or call.
+    void set_apart(const std::function<bool(const QVector3D& centre, float radius)>& chosen);
+    void draw(QOpenGLExtraFunctions& gl, bool apart = false);
 
   private:
     SheetMesh mesh_;
+    struct Ball {
+        QVector3D centre;
+        float radius;  // m
+    };
+    std::vector<Ball> balls_;  // one a triangle; empty: not asked for since the last update
+    std::vector<std::uint32_t> ordered_, apart_;  // indices, those set apart last
+    std::size_t first_apart_ = 0;
     std::uint64_t version_ = 0;
     QOpenGLVertexArrayObject array_;
     QOpenGLBuffer vertices_{QOpenGLBuffer::VertexBuffer}, indices_{QOpenGLBuffer::IndexBuffer};

@@ -125,6 +125,35 @@ void round_folds(const Grid& grid, std::vector<Vector3>& positions) {
     }
 }
 
+/// Of so many rows or columns both rims with their neighbours, and between them about every third: as many
+/// on one side of the middle as on the other.
+std::vector<int> thinned(int count) {
+    constexpr int stride = 3;
+    const int last = count - 1, steps = std::max(1, (count - 3 + stride) / (2 * stride));
+    std::vector<int> kept = {0};
+    const auto keep = [&kept](int k) {
+        if (k > kept.back()) kept.push_back(k);
+    };
+    for (int i = 0; i <= steps; ++i) keep(1 + i * (last / 2 - 1) / steps);
+    for (std::size_t k = kept.size(); k-- > 0;) keep(last - kept[k]);
+    return kept;
+}
+
+/// Leaves some of a grid's rows and columns: as the wall is felt it is finer than eyes need, and a picture
+/// that a processor draws costs what its triangles touch.
+template <typename Surface>
+Grid thin(const Grid& grid, Surface& surface) {
+    const std::vector<int> rows = thinned(grid.rows), columns = thinned(grid.columns);
+    for (std::vector<Vector3>* values : {&surface.positions, &surface.rest}) {
+        std::vector<Vector3> kept;
+        for (const int r : rows) {
+            for (const int c : columns) kept.push_back((*values)[grid.at(r, c)]);
+        }
+        values->swap(kept);
+    }
+    return {static_cast<int>(rows.size()), static_cast<int>(columns.size())};
+}
+
 }  // namespace
 
 HollowDrawing::HollowDrawing(const Scene& scene, const WorldSnapshot& first)
@@ -173,7 +202,8 @@ void HollowDrawing::lay_walls(const RectumParameters& rectum) {
             fascia_.rest.push_back(beyond_rim(rest, r, c));
         }
     }
-    close_grid(fascia_, grid.rows, grid.columns);
+    const Grid shown = thin(grid, fascia_);
+    close_grid(fascia_, shown.rows, shown.columns);
     // The scope looks from the cranial end: what lies there is drawn first and hides the rest.
     std::reverse(fascia_.triangles.begin(), fascia_.triangles.end());
     fascia_.version = fresh_version();

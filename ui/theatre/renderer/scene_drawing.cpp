@@ -9,7 +9,6 @@
 namespace fulcrum::ui {
 namespace {
 
-constexpr int most_tools = 2;  // a hand each; ghosts throw no shadow
 // m that the mucosa's folds stand off the wall: they hide where the mesentery reaches into it.
 constexpr double folds = 0.0015;
 constexpr float areolar_tile = 0.040F, peritoneum_tile = 0.120F, fat_tile = 0.060F;  // m
@@ -57,24 +56,9 @@ void SceneRenderer::Impl::start(QOpenGLShaderProgram& program, const SceneFrame&
     program.setUniformValue("brightness", static_cast<float>(frame.brightness));
     program.setUniformValue("albedo", 0);
     program.setUniformValue("relief", 1);
-    QVector4D from[most_tools], to[most_tools] = {{0, 0, 1, 1}, {0, 0, 1, 1}};
-    float strains[most_tools] = {0, 0};
-    int count = 0;
-    for (const DrawnTool& tool : frame.tools) {
-        if (tool.ghost || !tool.pose.inside || count == most_tools) continue;
-        const double length = tool.jaws() ? tool.jaw_length : 4 * tool.shaft_radius;
-        const QVector3D tip = to_camera.map(vector(tool.pose.tip));
-        const QVector3D heel = to_camera.map(vector(tool.pose.tip - 1.6 * length * tool.pose.axis));
-        // Open jaws shade less of what lies between them.
-        from[count] = QVector4D(heel, 1.0F);
-        to[count] = QVector4D(
-            tip, static_cast<float>(2.1 * tool.shaft_radius + 0.15 * tool.jaw_length * tool.pose.jaw_angle));
-        strains[count] = static_cast<float>(std::clamp(tool.strain, 0.0, 1.0));
-        ++count;
-    }
-    program.setUniformValueArray("shadow_from", from, most_tools);
-    program.setUniformValueArray("shadow_to", to, most_tools);
-    program.setUniformValue("strain", QVector2D(strains[0], strains[1]));
+    program.setUniformValueArray("shadow_from", shadows.from, ToolShadows::most);
+    program.setUniformValueArray("shadow_to", shadows.to, ToolShadows::most);
+    program.setUniformValue("strain", shadows.strain);
 }
 
 void SceneRenderer::Impl::draw_tools(QOpenGLExtraFunctions& gl, const SceneFrame& frame, bool ghosts) {
@@ -127,7 +111,8 @@ void SceneRenderer::Impl::draw_targets(QOpenGLExtraFunctions& gl, const SceneFra
     gl.glDisable(GL_CULL_FACE);
 }
 
-QOpenGLShaderProgram& SceneRenderer::Impl::program_of(const DrawnSheet& drawn) const {
+QOpenGLShaderProgram& SceneRenderer::Impl::program_of(const DrawnSheet& drawn, bool shaded) const {
+    if (shaded) return *shaded_sheet;
     if (drawn.fibres) return *fibres;
     if (drawn.wear == SheetWear::bowel) return *bowel_wall;
     if (drawn.large) return *large_sheet;
@@ -185,14 +170,20 @@ void SceneRenderer::Impl::draw_sheets(QOpenGLExtraFunctions& gl, const SceneFram
     sheet_order.clear();
     for (std::size_t k = 0; k < frame.sheets.size(); ++k) {
         gl_sheets[k]->update(frame.sheets[k].surface, frame.sheets[k].version);
-        sheet_order.push_back(k);
+        if (frame.sheets[k].large) {
+            gl_sheets[k]->set_apart([this](const QVector3D& centre, float radius) {
+                return shadows.may_vary_in(centre, radius);
+            });
+            sheet_order.push_back({k, true});
+        }
+        sheet_order.push_back({k, false});
     }
-    std::stable_sort(sheet_order.begin(), sheet_order.end(), [&](std::size_t a, std::size_t b) {
-        return frame.sheets[a].order < frame.sheets[b].order;
+    std::stable_sort(sheet_order.begin(), sheet_order.end(), [&](const SheetPart& a, const SheetPart& b) {
+        return frame.sheets[a.sheet].order < frame.sheets[b.sheet].order;
     });
-    for (const std::size_t k : sheet_order) {
+    for (const auto& [k, shaded] : sheet_order) {
         const DrawnSheet& drawn = frame.sheets[k];
-        QOpenGLShaderProgram& program = program_of(drawn);
+        QOpenGLShaderProgram& program = program_of(drawn, shaded);
         if (used != &program) {
             start(program, frame);
             program.setUniformValue("cut_hue", QVector3D(0.86F, 0.66F, 0.50F));
@@ -216,7 +207,7 @@ void SceneRenderer::Impl::draw_sheets(QOpenGLExtraFunctions& gl, const SceneFram
             program.setUniformValue("mark_from_to", QVector4D(from.x(), from.y(), to.x(), to.y()));
         }
         program.setUniformValue("tint", QVector4D(drawn.tint, drawn.tint_share));
-        gl_sheets[k]->draw(gl);
+        gl_sheets[k]->draw(gl, shaded);
     }
 }
 
@@ -358,6 +349,7 @@ const QImage& SceneRenderer::Impl::draw(const SceneFrame& frame, QSize size) {
     const QSize shown = frame.round ? QSize(shorter, shorter) : size;
     prepare_image(QSize(scaled(shown.width()), scaled(shown.height())));
     to_camera = camera_matrix(frame.camera);
+    shadows = tool_shadows(frame, to_camera);
     projection = projection_matrix(frame, shown);
     image->bind();
     gl.glViewport(0, 0, image->width(), image->height());

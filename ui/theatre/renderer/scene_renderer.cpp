@@ -133,6 +133,9 @@ bool SceneRenderer::initialise() {
         {i.large_sheet,
          {s::light_each_fragment, s::light, s::surface_vertex},
          {s::light_each_fragment, s::light, s::wet, s::sheet_fragment}},
+        {i.shaded_sheet,
+         {s::light_each_fragment, s::light, s::surface_vertex},
+         {s::light_each_fragment, s::shade_each_fragment, s::light, s::wet, s::sheet_fragment}},
         {i.wall, {s::light_each_fragment, s::light, s::surface_vertex}, {s::light, s::wet, s::wall_fragment}},
         {i.plain, {s::light, s::surface_vertex}, {s::wet, s::plain_fragment}},
         {i.box, {s::rigid_vertex}, {s::light, s::wet, s::box_fragment}},
@@ -185,8 +188,8 @@ const QImage& SceneRenderer::draw(const SceneFrame& frame, QSize size) {
 void SceneRenderer::release() {
     Impl& i = *impl_;
     for (Impl::Program* program :
-         {&i.tissue, &i.sheet, &i.marked_sheet, &i.fibres, &i.bowel_wall, &i.lumen, &i.large_sheet, &i.wall,
-          &i.plain, &i.box, &i.steel, &i.insulated, &i.ghost, &i.target, &i.mask})
+         {&i.tissue, &i.sheet, &i.marked_sheet, &i.fibres, &i.bowel_wall, &i.lumen, &i.large_sheet,
+          &i.shaded_sheet, &i.wall, &i.plain, &i.box, &i.steel, &i.insulated, &i.ghost, &i.target, &i.mask})
         program->reset();
     for (GlTissue* tissue : {&i.serosa, &i.fat, &i.peritoneum, &i.areolar, &i.wall_skin, &i.metal})
         *tissue = {};

@@ -14,6 +14,7 @@
 #include "ui/theatre/renderer/scene_renderer.h"
 #include "ui/theatre/renderer/shaders.h"
 #include "ui/theatre/renderer/tool_parts.h"
+#include "ui/theatre/renderer/tool_shadows.h"
 
 namespace fulcrum::ui {
 
@@ -39,12 +40,12 @@ struct SceneRenderer::Impl {
 
     bool ready = false;
     double share_of_resolution = 1, share_in_hollow = 1;
-    double share = 1;  // of these
+    double share = 1;          // of these
     bool smooth = false;       // four samples a pixel
     double coarse_pixels = 0;  // coarse triangles with shorter edges than that are good enough; 0: none are
     using Program = std::unique_ptr<QOpenGLShaderProgram>;
-    Program tissue, sheet, marked_sheet, fibres, bowel_wall, lumen, large_sheet, wall, plain, box, steel,
-        insulated, ghost, target, mask;
+    Program tissue, sheet, marked_sheet, fibres, bowel_wall, lumen, large_sheet, shaded_sheet, wall, plain,
+        box, steel, insulated, ghost, target, mask;
     struct Study {
         DrawnMesh look;
         std::unique_ptr<GlSurface> surface;  // null: to be uploaded
@@ -57,11 +58,16 @@ struct SceneRenderer::Impl {
     std::vector<std::unique_ptr<GlRigid>> shapes;  // one a ToolShape
     std::unique_ptr<GlRigid> room, frame_mask;
     std::vector<ToolPart> tool_parts;
-    std::vector<std::size_t> sheet_order;
+    struct SheetPart {
+        std::size_t sheet;
+        bool shaded;  // of a large one the part where instruments throw shadows
+    };
+    std::vector<SheetPart> sheet_order;
     std::unique_ptr<QOpenGLFramebufferObject> image, resolved;
     QImage upside_down, pixels;
 
     QMatrix4x4 to_camera, projection;
+    ToolShadows shadows;
 
     void take(Geometry& geometry, std::unique_ptr<GlSurface>& surface) const;
 
@@ -73,7 +79,7 @@ struct SceneRenderer::Impl {
 
     void draw_targets(QOpenGLExtraFunctions& gl, const SceneFrame& frame, bool translucent) const;
 
-    QOpenGLShaderProgram& program_of(const DrawnSheet& drawn) const;
+    QOpenGLShaderProgram& program_of(const DrawnSheet& drawn, bool shaded) const;
 
     void wear_tissue(QOpenGLShaderProgram& program, SheetWear wear) const;
 

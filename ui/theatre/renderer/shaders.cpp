@@ -8,6 +8,7 @@ namespace fulcrum::ui::shaders {
 const char* const head = "#version 330 core\n";
 
 const char* const light_each_fragment = "#define LIGHT_EACH_FRAGMENT\n";
+const char* const shade_each_fragment = "#define SHADE_EACH_FRAGMENT\n";
 const char* const with_ink = "#define INK\n";
 const char* const within = "#define WITHIN\n";
 const char* const with_layers = "#define LAYERS\n";
@@ -218,7 +219,11 @@ uniform vec4 mark_from_to; // line at rest, m: from xy to zw
 #endif
 out vec4 colour;
 void main() {
+#ifdef SHADE_EACH_FRAGMENT
+    vec2 light = shade(place);
+#else
     vec2 light = arrived.xy;
+#endif
 #ifdef LIGHT_EACH_FRAGMENT
     light.x *= arriving(place);
 #endif

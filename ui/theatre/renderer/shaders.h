@@ -6,6 +6,7 @@ namespace fulcrum::ui::shaders {
 
 extern const char* const head;                 ///< version line
 extern const char* const light_each_fragment;  ///< before surface_vertex and sheet_fragment: large triangles
+extern const char* const shade_each_fragment;  ///< after that before sheet_fragment: where shadows fall
 extern const char* const within;               ///< before surface_vertex: the inner face of the bowel's wall
 // Before sheet_fragment. A processor takes both sides of a condition, so what few sheets show is a program of
 // its own.
