@@ -11,8 +11,9 @@ namespace fulcrum::ui {
 
 class DrawingPace {
   public:
-    static constexpr double goal_ms = 16;  ///< half of the pictures may take longer; the budget is 20 ms
-    static constexpr int levels = 6;       ///< 0: full resolution
+    static constexpr double goal_ms =
+        15;  ///< half of the pictures may take longer; the budget is 20 ms, handing over included
+    static constexpr int levels = 6;  ///< 0: full resolution
     /// Share of the full resolution, along each side, that a level draws in. Each shades 0.83 of the pixels
     /// of the one before.
     static double share_at(int level);

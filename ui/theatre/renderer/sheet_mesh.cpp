@@ -41,7 +41,7 @@ void SheetMesh::build(const SheetSurface& surface) {
             (surface.positions[at(triangle[1])] - p).cross(surface.positions[at(triangle[2])] - p);
         for (std::size_t c = 0; c < 3; ++c) {
             normals_[at(triangle[c])] += area;
-            add_edge(surface, triangle[c], triangle[(c + 1) % 3]);
+            if (surface.thickness > 0) add_edge(surface, triangle[c], triangle[(c + 1) % 3]);
         }
     }
     for (std::size_t e = 0; e < surface.beside_count; ++e)
