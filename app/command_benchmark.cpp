@@ -2,6 +2,7 @@
 // fulcrum benchmark build: a benchmark set from operator individuals or from named experts' attempts.
 #include <algorithm>
 #include <atomic>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <mutex>
@@ -145,6 +146,14 @@ int command_benchmark(const std::vector<std::string>& words) {
         loaded = load_site_task(*store, *session, loaded.task.id);
     }
 
+    const std::optional<std::string> output = arguments.value("--output");
+    const auto unwritable = [&] { return InputError(*output, "", "cannot be written", "name a writable file with -o"); };
+    if (output) {  // before minutes of work, not after them
+        const bool there = std::filesystem::exists(*output);
+        if (!std::ofstream(*output, std::ios::app)) throw unwritable();
+        if (!there) std::filesystem::remove(*output);
+    }
+
     BenchmarkRequest request;
     request.cutting = cutting_values(loaded.scene);
     request.variant_family = loaded.scene.variant;
@@ -167,10 +176,10 @@ int command_benchmark(const std::vector<std::string>& words) {
     nlohmann::json document = {{"task", loaded.task.id}, {"usable", build.set.has_value()}, {"refusal", build.refusal.empty() ? nlohmann::json() : nlohmann::json(build.refusal)},
                                {"trials", trials}, {"log", build.log}, {"set", build.set ? benchmark_to_json(*build.set) : nlohmann::json()}};
     if (build.set) {
-        if (const auto path = arguments.value("--output")) {
-            std::ofstream file(*path);
+        if (output) {
+            std::ofstream file(*output);
             file << benchmark_to_json(*build.set).dump(2) << '\n';
-            if (!file) throw InputError(*path, "", "cannot be written", "name a writable file with -o");
+            if (!file) throw unwritable();
         }
     }
     if (arguments.has("--json")) {
@@ -179,7 +188,7 @@ int command_benchmark(const std::vector<std::string>& words) {
         for (const std::string& line : build.log) std::cout << line << '\n';
         for (const BenchmarkTrial& trial : build.trials) std::cout << "k " << trial.k << ": " << 100 * trial.pass_share << " % of the experts' own attempts pass\n";
         std::cout << (build.set ? "usable at k " + std::to_string(build.set->k) : "refused: " + build.refusal) << '\n';
-        if (build.set && !arguments.has("--output")) std::cout << benchmark_to_json(*build.set).dump(2) << '\n';
+        if (build.set && !output) std::cout << benchmark_to_json(*build.set).dump(2) << '\n';
     }
     return build.set ? 0 : 1;
 }

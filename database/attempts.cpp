@@ -47,11 +47,11 @@ TraceChunk chunk_of_row(Query& rows) {
     return chunk;
 }
 
-[[noreturn]] void throw_damaged(const std::string& attempt_id, TraceStream stream, const std::string& number,
-                                const StoreError& error) {
+[[noreturn]] void throw_damaged(const Store& store, const std::string& attempt_id, TraceStream stream,
+                                const std::string& number, const StoreError& error) {
     throw StoreError(StoreErrorKind::corrupt,
-                     std::string(stream_name(stream)) + " chunk " + number + " of attempt " + attempt_id +
-                         ": " + error.wrong(),
+                     store.path() + ": " + stream_name(stream) + " chunk " + number + " of attempt " +
+                         attempt_id + ": " + error.wrong(),
                      error.way_on());
 }
 
@@ -59,7 +59,21 @@ StoreError missing_chunk() {
     return {StoreErrorKind::corrupt, "the chunk before it is missing", "restore the newest backup"};
 }
 
-Trace read_chunks(Connection& connection, const std::string& attempt_id, bool events_only) {
+/// What an attempt has of events when it has ended is written beside it: a record that lost its end is not
+/// read as a shorter one.
+void require_end(const Store& store, const std::string& attempt_id, std::size_t events) {
+    Query row(store.connection(), "SELECT events FROM attempt WHERE id = ? AND state <> 'running'");
+    row.bind(attempt_id);
+    if (!row.next() || row.integer(0) == static_cast<std::int64_t>(events)) return;
+    throw StoreError(StoreErrorKind::corrupt,
+                     store.path() + ": the record of attempt " + attempt_id + " has " +
+                         std::to_string(events) + " of its " + row.text(0) +
+                         " events: a part of it is missing",
+                     "restore the newest backup");
+}
+
+Trace read_chunks(const Store& store, const std::string& attempt_id, bool events_only) {
+    Connection& connection = store.connection();
     Query rows(connection, QString("SELECT stream, number, first_tick, last_tick, records, checksum, data "
                                    "FROM trace_chunk WHERE attempt_id = ? ") +
                                (events_only ? "AND stream = 3 " : "") +
@@ -103,9 +117,10 @@ Trace read_chunks(Connection& connection, const std::string& attempt_id, bool ev
                     break;
             }
         } catch (const StoreError& error) {
-            throw_damaged(attempt_id, static_cast<TraceStream>(stream), rows.text(1), error);
+            throw_damaged(store, attempt_id, static_cast<TraceStream>(stream), rows.text(1), error);
         }
     }
+    require_end(store, attempt_id, trace.events.size());
     return trace;
 }
 
@@ -200,7 +215,7 @@ std::optional<ScoreRow> Attempts::score(const Session& session, const std::strin
 
 Trace Attempts::read_trace(const Session& session, const std::string& attempt_id) const {
     require_attempt(store_, session, Operation::read_trace, attempt_id);
-    return read_chunks(store_.connection(), attempt_id, false);
+    return read_chunks(store_, attempt_id, false);
 }
 
 void Attempts::read_overview(const Session& session, const std::string& attempt_id,
@@ -216,8 +231,9 @@ void Attempts::read_overview(const Session& session, const std::string& attempt_
         while (rows.next()) {
             std::vector<TraceChunk>& chunks = rows.integer(0) == 0 ? samples : inputs;
             if (rows.integer(1) != static_cast<std::int64_t>(chunks.size()))
-                throw_damaged(attempt_id, rows.integer(0) == 0 ? TraceStream::samples : TraceStream::inputs,
-                              rows.text(1), missing_chunk());
+                throw_damaged(store_, attempt_id,
+                              rows.integer(0) == 0 ? TraceStream::samples : TraceStream::inputs, rows.text(1),
+                              missing_chunk());
             chunks.push_back(chunk_of_row(rows));
         }
     }
@@ -251,24 +267,26 @@ void Attempts::read_overview(const Session& session, const std::string& attempt_
     try {
         if (trouble) std::rethrow_exception(trouble);
     } catch (const StoreError& error) {
-        throw_damaged(attempt_id, TraceStream::samples, std::to_string(trouble_at), error);
+        throw_damaged(store_, attempt_id, TraceStream::samples, std::to_string(trouble_at), error);
     }
 }
 
 std::vector<Event> Attempts::read_events(const Session& session, const std::string& attempt_id) const {
     require_attempt(store_, session, Operation::read_trace, attempt_id);
-    return read_chunks(store_.connection(), attempt_id, true).events;
+    return read_chunks(store_, attempt_id, true).events;
 }
 
 std::string Attempts::scene_text(const Session& session, const std::string& attempt_id) const {
     require_attempt(store_, session, Operation::read_attempt, attempt_id);
-    Query row(store_.connection(),
-              "SELECT a.scene_digest, s.text FROM attempt a LEFT JOIN scene_text s ON s.digest = a.scene_digest "
-              "WHERE a.id = ?");
+    Query row(
+        store_.connection(),
+        "SELECT a.scene_digest, s.text FROM attempt a LEFT JOIN scene_text s ON s.digest = a.scene_digest "
+        "WHERE a.id = ?");
     row.bind(attempt_id);
     if (!row.next() || row.text(0).empty()) return {};
     if (row.is_null(1) || text_digest(row.text(1)) != row.text(0))
-        throw StoreError(StoreErrorKind::corrupt, "the scene of attempt " + attempt_id + " is damaged",
+        throw StoreError(StoreErrorKind::corrupt,
+                         store_.path() + ": the scene of attempt " + attempt_id + " is damaged",
                          "restore the newest backup");
     return row.text(1);
 }
@@ -282,9 +300,10 @@ std::vector<ProductBlob> Attempts::products(const Session& session, const std::s
     while (rows.next()) {
         ProductBlob product{rows.text(0), rows.bytes(2)};
         if (blake2b(product.data, 16) != rows.bytes(1)) {
-            throw StoreError(StoreErrorKind::corrupt,
-                             "product " + product.kind + " of attempt " + attempt_id + " is damaged",
-                             "restore the newest backup");
+            throw StoreError(
+                StoreErrorKind::corrupt,
+                store_.path() + ": product " + product.kind + " of attempt " + attempt_id + " is damaged",
+                "restore the newest backup");
         }
         products.push_back(std::move(product));
     }

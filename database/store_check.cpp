@@ -97,6 +97,14 @@ void check_traces(const Store& store, CheckItem& item, Watch& watch) {
         if (blake2b(rows.bytes(4), 16) != rows.bytes(3))
             item.problems.push_back(place + ": chunk " + rows.text(2) + " is damaged");
     }
+    Query ends(store.connection(),
+               "SELECT id, events, COALESCE((SELECT SUM(records) FROM trace_chunk c WHERE c.attempt_id = "
+               "attempt.id AND c.stream = 3), 0) FROM attempt WHERE state <> 'running'");
+    while (ends.next()) {
+        if (ends.integer(1) != ends.integer(2))
+            item.problems.push_back("attempt " + ends.text(0) + ": " + ends.text(2) + " of its " +
+                                    ends.text(1) + " events are there, a part of the record is missing");
+    }
     Query products(store.connection(), "SELECT attempt_id, kind, checksum, data FROM attempt_product");
     while (products.next()) {
         ++item.count;

@@ -50,6 +50,33 @@ TEST(Attempt, ComesBackAsItWasRecorded) {
               (std::vector<std::uint8_t>{1, 2, 3, 0, 255}));
 }
 
+// Chunks of its end, or all: what is left reads well by itself, but is not the attempt.
+TEST(Attempt, IsNotReadAsAShorterOneWhereItsRecordLostItsEnd) {
+    for (const char* lost : {"stream = 3", "1"}) {
+        Programme programme;
+        Recorder recorder(programme.path, programme.session("ann"), example_meta(programme.id("ann")),
+                          programme.clock.options());
+        Programme::append_second(recorder);
+        recorder.finish(example_result(true, 60));
+        const Session& ann = programme.session("ann");
+        const std::string id = recorder.attempt_id();
+        EXPECT_EQ(programme.attempts().read_trace(ann, id).events.size(), 4U);
+        EXPECT_TRUE(programme.store->check(programme.store->station_session()).ok);
+        programme.store->connection().execute(QString("DELETE FROM trace_chunk WHERE ") + lost);
+        try {
+            programme.attempts().read_trace(ann, id);
+            ADD_FAILURE() << lost;
+        } catch (const StoreError& error) {
+            EXPECT_EQ(error.kind(), StoreErrorKind::corrupt);
+            EXPECT_NE(error.wrong().find(id + " has 0 of its 4 events"), std::string::npos) << error.wrong();
+            EXPECT_EQ(error.way_on(), "restore the newest backup");
+        }
+        EXPECT_EQ(error_kind([&] { programme.attempts().read_events(ann, id); }), StoreErrorKind::corrupt);
+        const auto report = programme.store->check(programme.store->station_session());
+        EXPECT_FALSE(report.ok);
+    }
+}
+
 TEST(Attempt, KeepsThePathologyReportWithItsScore) {
     SpecimenPlan plan{4, 0.06, 0.02, 0.003, 0.006, 0.018, 0.002, 0.01, Tumour{1, Sector::mid, 0.008, 0.012}};
     CutStroke stroke;

@@ -128,6 +128,29 @@ TEST_F(Studies, AreFoundByTheirModelsName) {
     EXPECT_THROW(lab::run_study((folder_ / "none.json").string()), InputError);
 }
 
+TEST_F(Studies, RefuseKeysThatTheirModelDoesNotKnow) {
+    write("tube.obj", lab::make_tube(0.1, 40, 32, lab::plain_radius(0.016)));
+    nlohmann::json keys = {{"$comment", "free"},
+                           {"model", "cut"},
+                           {"mesh", "tube.obj"},
+                           {"width_m", 0.001},
+                           {"strokes", {{{0, 0, 0}, {0.01, 0, 0}}}}};
+    const auto run = [&] {
+        std::ofstream(folder_ / "cut.json") << keys.dump(1);
+        return lab::run_study((folder_ / "cut.json").string());
+    };
+    EXPECT_NO_THROW(run());
+    keys["fixd"] = {1};
+    try {
+        run();
+        FAIL() << "a misspelt key";
+    } catch (const InputError& error) {
+        const std::string said = error.what();
+        for (const char* part : {"cut.json:", "/fixd", "unknown key", "fixed"})
+            EXPECT_NE(said.find(part), std::string::npos) << said;
+    }
+}
+
 TEST_F(Studies, RefuseBrokenKeysWithPlaceAndMend) {
     const TriangleMesh tube = lab::make_tube(0.1, 40, 32, lab::plain_radius(0.016));
     write("tube.obj", tube);
