@@ -156,6 +156,13 @@ double SheetPart::friction(const SheetAction& action) const noexcept {
     return bites ? tissue_.friction : std::min(slide_friction, tissue_.friction);
 }
 
+// What came free falls off the tool that was in it or on it, or is gone with the place.
+bool SheetPart::has_lost(const HandState& hand) const noexcept {
+    if (hand.touch != BladeTouch::touching && hand.touch != BladeTouch::cutting) return false;
+    if (hand.place.fragment < 0) return true;
+    return state_.loose[at(hand.place.fragment)] != 0 && (place(hand.place) - hand.target).norm() > off_by;
+}
+
 void SheetPart::approach(int number, const SheetAction& action, std::uint32_t tick, double dt) noexcept {
     HandState& hand = state_.hands[static_cast<std::size_t>(number)];
     const ToolKinematics& tool = action.tool;
@@ -168,9 +175,13 @@ void SheetPart::approach(int number, const SheetAction& action, std::uint32_t ti
         hand.reaction.setZero();
         return;
     }
+    const bool lost = has_lost(hand);
     if (hand.touch == BladeTouch::cutting) {
-        hand.normal = find_near(place(hand.place), radius).normal;
-        return;
+        if (!lost) {
+            hand.normal = find_near(place(hand.place), radius).normal;
+            return;
+        }
+        leave(number, tick);
     }
     const Near near = find_near(tool.tip, radius);
     const bool within = near.distance <= reach;
@@ -218,9 +229,10 @@ void SheetPart::approach(int number, const SheetAction& action, std::uint32_t ti
     hand.cover += (near.cover - hand.cover) * dt / (cover_time + dt);
     hand.gap = hand.side * near.gap;
     const bool pressed = hand.gap < radius && hand.cover > least_cover;
-    if (hand.touch == BladeTouch::away && pressed) {
+    if (pressed && (hand.touch == BladeTouch::away || (hand.touch == BladeTouch::touching && lost))) {
         hand.touch = BladeTouch::touching;
         hand.place = near.place;
+        hand.linked = false;
     } else if (hand.touch == BladeTouch::touching && !pressed) {
         hand.touch = BladeTouch::away;
         hand.linked = false;

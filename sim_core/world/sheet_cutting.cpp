@@ -79,20 +79,14 @@ void SheetPart::advance(int number, const Vector3& excess, std::uint32_t tick) n
     const double traction = traction_at(here, way, hand.normal);
     const BladeStep blade = make_step(here, excess, hand.normal, spec_.blade_width, surface_.fragment(hand.place.fragment).root);
     BladeTrack track;
-    if (septa_) follow_track(blade, track);
+    follow_track(blade, track);
     const CutReport report = cut(blade);
     if (report.roll_backs > 0) add_event(tick, EventKind::cut_rolled_back, number, 0, report.roll_backs);
     if (report.outcome == CutOutcome::full || report.outcome == CutOutcome::invalid) faults_ = std::max(faults_, 1U);
     if (report.outcome != CutOutcome::cut && report.outcome != CutOutcome::nothing) return;
     const SheetPlace next = closest(blade.to + ahead * way);
     const bool gone = next.fragment < 0 || (place(next) - blade.to).norm() > off_by;
-    if (septa_) {
-        if (report.outcome == CutOutcome::cut) tell_track(number, track, traction, tick);
-    } else {
-        const Vector3 reached = gone ? Vector3(hand.way + excess.norm() * (rest(next) - hand.way).normalized()) : rest(next);
-        if (report.outcome == CutOutcome::cut) tell_cut(number, reached, traction, tick);
-        hand.way = reached;
-    }
+    if (report.outcome == CutOutcome::cut) tell_track(number, track, traction, tick);
     if (gone) {
         leave(number, tick);
     } else {
@@ -114,7 +108,7 @@ void SheetPart::tell_cut(int number, const Vector3& reached, double traction, st
 // A blade's first step begins a little behind the place where it has entered.
 Vector3 SheetPart::begin_of_way(const SheetPlace& where, const Vector3& behind, const Vector3& normal) const noexcept {
     Vector3 entered = on_septum(where, rest(where));
-    if (!septa_ || !behind.allFinite()) return entered;
+    if (!behind.allFinite()) return entered;
     UnderBlade under;
     find_under(behind, normal, blade_reach, under);
     for (std::size_t k = 0; k < under.count; ++k) {
@@ -294,7 +288,11 @@ void SheetPart::take_over() noexcept {
     const auto changed = [&](const SheetPlace& where) { return where.fragment >= 0 && touched_[at(surface_.fragment(where.fragment).root)] != 0; };
     for (std::size_t h = 0; h < hand_count; ++h) {
         HandState& hand = state_.hands[h];
-        if (changed(hand.place)) hand.place = closest(tips[h]);
+        if (changed(hand.place)) {
+            hand.place = closest(tips[h]);
+            if ((place(hand.place) - tips[h]).norm() > off_by) hand.place = SheetPlace();
+            hand.linked = hand.linked && hand.place.fragment >= 0;
+        }
         // Jaws keep what is still between them.
         int kept = 0;
         for (int g = 0; g < hand.grip_count; ++g) {

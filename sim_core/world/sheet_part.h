@@ -177,6 +177,7 @@ class SheetPart {
     void find_under(const Vector3& point, const Vector3& normal, double depth, UnderBlade& found) const noexcept;
     void add_under(const SheetPlace& where, double away, UnderBlade& found) const noexcept;
     void approach(int hand, const SheetAction& action, std::uint32_t tick, double dt) noexcept;
+    bool has_lost(const HandState& hand) const noexcept;
     void update_jaws(int hand, const SheetAction& action, double dt) noexcept;
     void take(int hand, const SheetAction& action) noexcept;
     void add_links(const SheetAction* actions) noexcept;
@@ -207,7 +208,9 @@ class SheetPart {
     std::int32_t septum_of(const SheetPlace& where) const noexcept {
         return where.fragment < 0 ? 0 : surface_.fragment(where.fragment).root / (surface_.root_count() / layout_.pieces);
     }
-    std::int32_t septum_at(const Vector3& rest) const noexcept { return static_cast<std::int32_t>(rest.x() / septa_->width); }
+    std::int32_t septum_at(const Vector3& rest) const noexcept {
+        return septa_ ? static_cast<std::int32_t>(rest.x() / septa_->width) : 0;
+    }
     Vector3 on_septum(const SheetPlace& where, Vector3 rest) const noexcept;
     Vector3 begin_of_way(const SheetPlace& where, const Vector3& behind, const Vector3& normal) const noexcept;
     void tell_cut(int hand, const Vector3& reached, double traction, std::uint32_t tick) noexcept;
