@@ -308,7 +308,7 @@ class SheetDivision : public Behaviour {
                     to_ = start - over_rim();
                     way_ = -1;
                 }
-                if (of_septa()) from_ += misses_ * further_on;
+                from_ += misses_ * further_on;
                 aside_ = skill_.line_error * limb.random().normal();
                 depth_ = blade_depth;
                 pedal_.plan(limb);

@@ -8,7 +8,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr double bridge = 0.003;     // m of a septum, at its rim or between two strokes
+constexpr double bridge = 0.003;      // m at a rim or between two strokes
 constexpr double blade_reach = 0.02;  // m, a blade further from the line is not about to cut it
 
 }  // namespace
@@ -20,12 +20,10 @@ CutMonitor::CutMonitor(const TaskDefinition& task, const Scene& scene) {
     const auto count = static_cast<std::size_t>(std::max(1.0, std::round(goal_->length_m / cell)));
     cells_.assign(count, 0);
     cell_ = goal_->length_m / static_cast<double>(count);
-    of_septa_ = scene.septa.has_value();
     level_cells_ = count;
-    if (of_septa_) {
-        least_open_ = static_cast<std::uint32_t>(std::lround(bridge / cell_));
+    least_open_ = static_cast<std::uint32_t>(std::max(1L, std::lround(bridge / cell_)));
+    if (scene.septa)
         level_cells_ = static_cast<std::size_t>(std::max(1L, std::lround(scene.septa->width / cell_)));
-    }
     for (const InstrumentSpec& spec : scene.instruments)
         has_blade_[static_cast<std::size_t>(spec.hand)] = spec.cuts();
 }

@@ -32,12 +32,9 @@ class CutMonitor {
     bool line() const noexcept { return goal_.has_value(); }                ///< the task marks one
     double length() const noexcept { return goal_ ? goal_->length_m : 0; }  ///< m
     double divided() const noexcept { return cells_divided_ * cell_; }      ///< m of the line
-    /// First place that is not divided, m along the line; its length where all is. Of septa, bridges too narrow
-    /// to be cut are passed over.
+    /// First place that is not divided, m along the line; its length where all is. Bridges too narrow to be
+    /// cut are passed over. What lies before it counts towards the goal, so that nothing is left behind.
     double next() const noexcept { return first_open_ * cell_; }
-    /// How much counts towards the goal: of one sheet what is divided, of septa what lies before next(), so that no
-    /// level is left behind.
-    double reached() const noexcept { return of_septa_ ? next() : divided(); }
     double traction() const noexcept { return traction_; }  ///< N/m
     double distance() const noexcept { return distance_; }  ///< m, signed, of the last advance
     bool cutting() const noexcept { return blade_in_[0] || blade_in_[1]; }
@@ -50,13 +47,13 @@ class CutMonitor {
         double position = 0, distance = 0;
         bool placed = false;
     };
-    std::optional<Goal> goal_;  ///< divide_line
-    bool of_septa_ = false;
+    std::optional<Goal> goal_;     ///< divide_line
     std::size_t level_cells_ = 1;  ///< cells of a septum; of one sheet all
     std::array<bool, hand_count> has_blade_{}, blade_in_{};
     std::array<Blade, hand_count> blades_{};
     std::vector<std::uint8_t> cells_;
-    std::uint32_t cells_divided_ = 0, first_open_ = 0, least_open_ = 1;  ///< cells of the shortest bridge that counts
+    std::uint32_t cells_divided_ = 0, first_open_ = 0,
+                  least_open_ = 1;  ///< cells of the shortest bridge that counts
     double cell_ = cell, traction_ = 0, distance_ = 0;
 };
 

@@ -225,7 +225,7 @@ void GoalMonitor::step_tension(const WorldSnapshot& world, std::uint32_t tick, s
     const bool taut = holding && cut_.fault(goal(), 0) == TractionFault::none;
     hold_ticks_ = taut ? hold_ticks_ + ticks : 0;
     // Who has divided everything has nothing left to put under tension.
-    const bool divided = cut_.line() && cut_.reached() + line_end_slack >= cut_.length();
+    const bool divided = cut_.line() && cut_.next() + line_end_slack >= cut_.length();
     if (hold_ticks_ * tick_period_ >= goal().hold_s || divided) end_goal(world, tick, sink);
 }
 
@@ -233,7 +233,7 @@ void GoalMonitor::step_divide(const WorldSnapshot& world, std::uint32_t tick, Ev
     const auto millimetres = static_cast<int>(cut_.divided() * 1e3 + 1e-9);
     if (millimetres > millimetres_) progress(cut_.divided(), tick, sink);
     millimetres_ = std::max(millimetres, millimetres_);
-    if (cut_.reached() + line_end_slack >= goal().length_m) end_goal(world, tick, sink);
+    if (cut_.next() + line_end_slack >= goal().length_m) end_goal(world, tick, sink);
 }
 
 void GoalMonitor::step_let_go(const WorldSnapshot& world, std::uint32_t tick, std::uint32_t ticks,

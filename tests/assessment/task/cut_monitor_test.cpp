@@ -177,6 +177,21 @@ TEST(CutMonitor, ACutOutsideTheCorridorDividesNothing) {
     EXPECT_EQ(cut.display().goal, 2);
 }
 
+TEST(CutMonitor, ABridgeTooNarrowForABladeIsPassedOverAWiderOneIsNot) {
+    for (const int bridge : {2, 4}) {
+        Dissection cut;
+        cut.pulled();
+        cut.cut(0, 40);
+        cut.cut(40 + bridge, 100);
+        EXPECT_NEAR(cut.display().cut_divided_m, 0.1 - 1e-3 * bridge, 6e-4) << "what is told is what was cut";
+        EXPECT_EQ(cut.display().goal, bridge < 3 ? 2 : 1) << bridge;
+        if (bridge < 3) continue;
+        EXPECT_NEAR(cut.display().cut_next_m, 0.04, 6e-4);
+        cut.cut(41, 44);
+        EXPECT_EQ(cut.display().goal, 2);
+    }
+}
+
 TEST(CutMonitor, WarnsBeyondTheMarginOnly) {
     Dissection cut;
     cut.pulled();
