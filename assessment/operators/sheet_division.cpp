@@ -278,6 +278,9 @@ class SheetDivision : public Behaviour {
     // ---- the hand that cuts ----
     // Beside a septum's rims run the nerves.
     double over_rim() const noexcept { return of_septa() ? over_septum : run_over; }
+    // A stroke begins a little before the end of the last: lips of a sheet gape, and a blade set on them
+    // takes crumbs.
+    double behind() const noexcept { return of_septa() ? 0.001 : 0.0005; }
     double beyond() const noexcept { return of_septa() ? 0.0004 : 0.002; }
     void divide(const Perception& seen, Body& body, bool allowed) noexcept {
         Limb& limb = *body.limb[cutter_];
@@ -298,7 +301,7 @@ class SheetDivision : public Behaviour {
                     break;
                 }
                 const double start = sight_.level * sight_.septum;
-                from_ = next < start + 1e-6 ? start - over_rim() : next - 0.001;
+                from_ = next < start + 1e-6 ? start - over_rim() : next - behind();
                 way_ = 1;
                 to_ = std::min(next + skill_.stroke * limb.random().uniform(0.8, 1.2),
                                (of_septa() ? start + sight_.septum : line_.length_m) + over_rim());
