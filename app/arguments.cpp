@@ -2,6 +2,8 @@
 #include "app/arguments.h"
 
 #include <charconv>
+#include <filesystem>
+#include <fstream>
 
 namespace fulcrum::app {
 
@@ -53,6 +55,16 @@ long long Arguments::integer(const std::string& option, long long fallback, long
                          "; " + usage_);
     }
     return number;
+}
+
+std::string Arguments::folder(const std::string& option, const std::string& fallback) const {
+    const std::filesystem::path folder = value_or(option, fallback);
+    std::error_code failed;
+    std::filesystem::create_directories(folder, failed);
+    const std::filesystem::path trial = folder / ".fulcrum-writes-here";
+    if (!std::ofstream(trial)) throw UsageError("command line: " + option + ": cannot write in " + folder.string() + "; name a folder that can be written");
+    std::filesystem::remove(trial, failed);
+    return folder.string();
 }
 
 }  // namespace fulcrum::app

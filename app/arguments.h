@@ -34,6 +34,9 @@ class Arguments {
     std::string value_or(const std::string& option, const std::string& fallback) const;
     /// Throws UsageError where the value is no whole number in [low, high].
     long long integer(const std::string& option, long long fallback, long long low, long long high) const;
+    /// The folder that an option names, or the fallback, made where it is not there. Throws UsageError where nothing
+    /// can be written in it: before the work whose results go there, not after it.
+    std::string folder(const std::string& option, const std::string& fallback) const;
     const std::string& usage() const { return usage_; }
 
   private:

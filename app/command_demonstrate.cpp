@@ -37,13 +37,12 @@ int command_demonstrate(const std::vector<std::string>& words) {
     spec.maximum_words = 1;
     const Arguments arguments(words, spec);
     const std::string task = arguments.words().empty() ? "B1" : arguments.words()[0];
-    const std::filesystem::path folder = arguments.value_or("--output", "out");
-    std::filesystem::create_directories(folder);
     const auto seed = static_cast<std::uint64_t>(arguments.integer("--seed", 1, 0, 4'000'000'000LL));
+    const LoadedTask loaded = load_task_and_scene(task);
+    const std::filesystem::path folder = arguments.folder("--output", "out");
     const std::string store_path = (folder / "demonstration.db").string();
     for (const char* suffix : {"", "-wal", "-shm"}) std::filesystem::remove(store_path + suffix);
 
-    const LoadedTask loaded = load_task_and_scene(task);
     const std::optional<BenchmarkSet> benchmark = benchmark_in_force(task);
     double duration = 0;
     {

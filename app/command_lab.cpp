@@ -131,6 +131,7 @@ int command_lab(const std::vector<std::string>& words) {
     spec.maximum_words = 2;
     const Arguments arguments(words, spec);
     const std::string& action = arguments.words()[0];
+    if (arguments.has("--output") && action != "run") arguments.folder("--output", "");
     if (arguments.has("--sweep") && action != "bench")
         throw UsageError("command line: --sweep: only with lab bench; " + spec.usage);
     if (action == "run") {

@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <array>
 #include <cstdio>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/support.h"
@@ -70,7 +71,13 @@ TEST_F(Program, PerformsStoresAndReplaysA2) {
 }
 
 TEST_F(Program, RefusesBadCommandLinesWithTwo) {
+    // Below a file nothing can be written: said before the work, which is why this test is quick.
+    std::ofstream(path("file").toStdString()) << "a file";
+    const QString below = path("file") + "/below";
     const QStringList lines[] = {
+        {"demonstrate", "C4", "--output", below},
+        {"lab", "strokes", "10000000", "--output", below},
+        {"benchmark", "build", "C4", "--operators", "-o", below},
         {"dance"},
         {"perform"},
         {"perform", "A9"},
