@@ -20,11 +20,24 @@ const Palette& dark() {
     return palette_of(Theme::dark);
 }
 
+/// In pixels of the layout: points at 96 to the inch.
 QFont hud_font(double points, bool bold = false) {
     QFont font(QStringLiteral("DejaVu Sans"));
-    font.setPointSizeF(points);
+    font.setPixelSize(static_cast<int>(std::lround(points * 96 / 72)));
     font.setBold(bold);
     return font;
+}
+
+/// The layout is made for text at 96 dots per inch in a picture of at least this size; the painter's scale
+/// makes both follow the desktop's text size, as far as the picture has room. What is to be painted on, in
+/// its units.
+QRectF scaled(QPainter& painter, const QRectF& area, QSizeF smallest) {
+    const double asked = painter.device()->logicalDpiY() / 96.0;
+    const double room = std::min(area.width() / smallest.width(), area.height() / smallest.height());
+    const double scale = std::min(asked, std::max(room, 1.0));
+    painter.translate(area.topLeft());
+    painter.scale(scale, scale);
+    return {QPointF(0, 0), area.size() / scale};
 }
 
 void draw_goal_bar(QPainter& painter, const QRectF& bar, double share, const QColor& colour) {
@@ -86,9 +99,9 @@ void draw_force(QPainter& painter, const QRectF& box, const HudState& state, int
         // force.
         painter.setFont(hud_font(13, true));
         painter.setPen(state.tool_active[h] ? p.warning : p.text);
-        const QRectF line(h == 0 ? box.left() - 4 : box.left() - 100,
+        const QRectF line(h == 0 ? box.left() - 4 : box.left() - (compact ? 150 : 100),
                           compact ? box.bottom() - 18 : box.top() - 50,
-                          h == 0 ? 240 : box.width() + (compact ? 44 : 84), 24);
+                          h == 0 ? 240 : box.width() + (compact ? 94 : 84), 24);
         const int side = (h == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter;
         painter.drawText(line, side,
                          (state.tool_active[h] ? QStringLiteral("⚡ ") : QString()) + state.tool[h]);
@@ -215,14 +228,15 @@ QString tool_words(const HandToolView& tool) {
     return words;
 }
 
-void paint_hud(QPainter& painter, const QRectF& area, const HudState& state) {
+void paint_hud(QPainter& painter, const QRectF& whole, const HudState& state) {
     const Palette& p = dark();
     painter.save();
+    const QRectF area = scaled(painter, whole, {557, 360});
     painter.setRenderHint(QPainter::Antialiasing);
     // What the round picture leaves free at its sides; a small view has room for the figures alone.
     const double side = 0.5 * (area.width() - std::min(area.width(), area.height()));
     const bool compact = side < 150 || area.height() < 560;
-    const double margin = compact ? 10 : 18, column = compact ? 120 : 190;
+    const double margin = compact ? 10 : 18, column = compact ? 150 : 190;
 
     // Top left: the clock and the mode.
     painter.setPen(p.text);
@@ -265,7 +279,8 @@ void paint_hud(QPainter& painter, const QRectF& area, const HudState& state) {
         }
         painter.setFont(hud_font(12));
         const QString detail = goal_detail(state, goal);
-        painter.drawText(QRectF(box.left(), y, box.width(), 22), Qt::AlignRight | Qt::AlignVCenter, detail);
+        painter.drawText(QRectF(box.left(), y, box.width(), 22),
+                         Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip, detail);
         y += detail.isEmpty() ? 4 : 26;
         const double length = compact ? 110 : 180;
         draw_goal_bar(painter, QRectF(box.right() - length, y, length, 8), state.display.goal_progress,
@@ -298,7 +313,7 @@ void paint_hud(QPainter& painter, const QRectF& area, const HudState& state) {
             painter.drawText(QRectF(box.left(), y, box.width(), 26), Qt::AlignRight | Qt::AlignVCenter,
                              wrong);
         }
-        if (pulls) y += 26;
+        if (pulls || !wrong.isEmpty()) y += 26;
         goal_bottom = std::max(goal_bottom, y);
     }
 
@@ -331,9 +346,10 @@ void paint_hud(QPainter& painter, const QRectF& area, const HudState& state) {
     painter.restore();
 }
 
-void paint_cover(QPainter& painter, const QRectF& area, const QString& heading, const QStringList& lines) {
+void paint_cover(QPainter& painter, const QRectF& whole, const QString& heading, const QStringList& lines) {
     const Palette& p = dark();
     painter.save();
+    const QRectF area = scaled(painter, whole, {1000, 600});
     painter.setRenderHint(QPainter::Antialiasing);
     const double line_height = 30, width = std::min(area.width() - 60, 940.0);
     const double height = 90 + line_height * lines.size();

@@ -32,7 +32,7 @@ void say_all(HudState& hud) {
     hud.display.run_covered_m = 0.142;
     hud.display.lift_height_m = 0.016;
     hud.display.cut_divided_m = 0.142;
-    hud.display.blood_ml = 20.5F;
+    hud.display.blood_ml = 120.5F;
     hud.display.traction_n_m = 1;
     hud.display.traction_warning = -1;
     hud.display.critical = true;
@@ -60,36 +60,44 @@ Shown everything(GoalKind kind) {
     shown.hud.display.goal = 1;
     say_all(shown.hud);
     if (kind == GoalKind::divide_line) shown.hud.display.hold_progress = 0;
-    if (kind != GoalKind::divide_line && kind != GoalKind::take_tension)
-        shown.hud.display.traction_warning = 0;
     return shown;
 }
 
-/// px: lines of one paragraph stand closer by what ascent and descent are rounded up.
-constexpr double rounding = 1;
+/// px: lines of one paragraph stand closer by what ascent and descent are rounded up, in pixels of the
+/// layout.
+double rounding_at(int dots_per_inch) {
+    return std::max(1.0, dots_per_inch / 96.0);
+}
 
-void expect_apart(Shown& shown, QSize size, const std::string& what) {
+/// Nothing lies over anything, nothing is cut off.
+void expect_apart(Shown& shown, QSize size, int dots_per_inch, const std::string& what) {
     shown.hud.task = &shown.task;
-    WordsDevice device(size);
+    WordsDevice device(size, dots_per_inch);
     QPainter painter(&device);
     paint_hud(painter, QRectF(QPointF(0, 0), QSizeF(size)), shown.hud);
     painter.end();
     if (const QString folder = qEnvironmentVariable("FULCRUM_PICTURES"); !folder.isEmpty()) {
         QImage picture(size, QImage::Format_RGB32);
+        picture.setDotsPerMeterX(qRound(dots_per_inch / 0.0254));
+        picture.setDotsPerMeterY(qRound(dots_per_inch / 0.0254));
         picture.fill(Qt::black);
         QPainter brush(&picture);
         paint_hud(brush, picture.rect(), shown.hud);
         brush.end();
-        picture.save(
-            QStringLiteral("%1/hud-%2-%3.png").arg(folder, QString::fromStdString(what)).arg(size.width()));
+        picture.save(QStringLiteral("%1/hud-%2-%3-%4.png")
+                         .arg(folder, QString::fromStdString(what))
+                         .arg(size.width())
+                         .arg(dots_per_inch));
     }
-    const std::string where =
-        what + ", " + std::to_string(size.width()) + " x " + std::to_string(size.height()) + ": ";
+    const std::string where = what + ", " + std::to_string(size.width()) + " x " +
+                              std::to_string(size.height()) + " at " + std::to_string(dots_per_inch) + ": ";
     const auto& words = device.words();
     ASSERT_GT(words.size(), 8U) << where;
+    const double rounding = rounding_at(dots_per_inch);
     const QRectF whole(QPointF(0, 0), QSizeF(size));
     for (std::size_t i = 0; i < words.size(); ++i) {
         EXPECT_TRUE(whole.contains(words[i].place)) << where << words[i].words.toStdString();
+        EXPECT_TRUE(words[i].whole) << where << "cut off: " << words[i].words.toStdString();
         for (std::size_t j = i + 1; j < words.size(); ++j) {
             const QRectF both = words[i].place & words[j].place;
             EXPECT_LE(std::min(both.width(), both.height()), rounding)
@@ -107,6 +115,8 @@ void expect_apart(Shown& shown, QSize size, const std::string& what) {
 /// The debrief's picture at the smallest window, a wider one, the theatre's sizes.
 const QSize sizes[] = {QSize(557, 360),  QSize(700, 400),  QSize(800, 480),  QSize(1000, 600),
                        QSize(1280, 720), QSize(1280, 800), QSize(1920, 1080)};
+/// Text at 75, 100, 125 and 150 % of the desktop's usual size.
+const int text_scales[] = {72, 96, 120, 144};
 
 const GoalKind goal_kinds[] = {GoalKind::touch_targets, GoalKind::run_bowel,    GoalKind::lift_and_hold,
                                GoalKind::take_tension,  GoalKind::divide_line,  GoalKind::let_go,
@@ -116,7 +126,8 @@ TEST(HudLayout, NothingLiesOverAnythingWhateverIsToBeDone) {
     for (const GoalKind kind : goal_kinds) {
         Shown shown = everything(kind);
         for (const QSize size : sizes)
-            expect_apart(shown, size, "goal-" + std::to_string(static_cast<int>(kind)));
+            for (const int scale : text_scales)
+                expect_apart(shown, size, scale, "goal-" + std::to_string(static_cast<int>(kind)));
     }
 }
 
@@ -152,11 +163,12 @@ TEST(HudLayout, NothingLiesOverAnythingInAnyTask) {
                     tool.clips_left = 10;
                     tool.exchange_left = 1.5F;
                     hud.tool[0] = hud.tool[1] = tool_words(tool);
-                    for (const QSize size : {QSize(1280, 720), QSize(557, 360)})
-                        if (replay || size.width() > 1000)
-                            expect_apart(shown, size,
-                                         id + ("-" + std::to_string(g)) + "-" + std::to_string(warning) +
-                                             (place.isEmpty() ? "" : "-" + place.left(4).toStdString()));
+                    for (const int scale : {text_scales[0], text_scales[3]})
+                        for (const QSize size : {QSize(1280, 720), QSize(557, 360)})
+                            if (replay || size.width() > 1000)
+                                expect_apart(shown, size, scale,
+                                             id + ("-" + std::to_string(g)) + "-" + std::to_string(warning) +
+                                                 (place.isEmpty() ? "" : "-" + place.left(4).toStdString()));
                 }
             }
         }

@@ -14,6 +14,7 @@ namespace fulcrum::ui::test {
 struct PaintedWords {
     QString words;
     QRectF place;
+    bool whole = true;  ///< not cut off by the box it is written into
 };
 
 class WordsEngine : public QPaintEngine {
@@ -23,6 +24,12 @@ class WordsEngine : public QPaintEngine {
     bool end() override { return true; }
     void updateState(const QPaintEngineState& now) override {
         if (now.state() & DirtyTransform) transform_ = now.transform();
+        if (now.state() & (DirtyClipRegion | DirtyClipPath | DirtyClipEnabled)) {
+            clip_ = QRectF();
+            if (now.isClipEnabled())
+                clip_ = now.state() & DirtyClipPath ? now.clipPath().boundingRect()
+                                                    : QRectF(now.clipRegion().boundingRect());
+        }
     }
     void drawPixmap(const QRectF&, const QPixmap&, const QRectF&) override {}
     void drawPath(const QPainterPath& path) override { keep_shape(path.boundingRect()); }
@@ -38,7 +45,10 @@ class WordsEngine : public QPaintEngine {
     void drawTextItem(const QPointF& point, const QTextItem& item) override {
         const QRectF place(point.x(), point.y() - item.ascent(), item.width(),
                            item.ascent() + item.descent());
-        if (!item.text().trimmed().isEmpty()) words.push_back({item.text(), transform_.mapRect(place)});
+        if (item.text().trimmed().isEmpty()) return;
+        // px: a region is of whole pixels, a letter may lean over its advance by one.
+        const bool whole = clip_.isNull() || clip_.adjusted(-1, -1, 1, 1).contains(place);
+        words.push_back({item.text(), transform_.mapRect(place), whole});
     }
     Type type() const override { return User; }
 
@@ -48,11 +58,13 @@ class WordsEngine : public QPaintEngine {
   private:
     void keep_shape(const QRectF& shape) { shapes.push_back(transform_.mapRect(shape)); }
     QTransform transform_;
+    QRectF clip_;
 };
 
 class WordsDevice : public QPaintDevice {
   public:
-    explicit WordsDevice(QSize size) : size_(size) {}
+    /// dots_per_inch as a desktop's text scale sets it: 96 at 100 %.
+    explicit WordsDevice(QSize size, int dots_per_inch = 96) : size_(size), dots_per_inch_(dots_per_inch) {}
     QPaintEngine* paintEngine() const override { return &engine_; }
     const std::vector<PaintedWords>& words() const { return engine_.words; }
     const std::vector<QRectF>& shapes() const { return engine_.shapes; }
@@ -68,7 +80,7 @@ class WordsDevice : public QPaintDevice {
             case PdmDpiY:
             case PdmPhysicalDpiX:
             case PdmPhysicalDpiY:
-                return 96;
+                return dots_per_inch_;
             case PdmDepth:
                 return 32;
             case PdmDevicePixelRatio:
@@ -80,6 +92,7 @@ class WordsDevice : public QPaintDevice {
 
   private:
     QSize size_;
+    int dots_per_inch_;
     mutable WordsEngine engine_;
 };
 
