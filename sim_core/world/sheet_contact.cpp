@@ -346,6 +346,12 @@ void SheetPart::add_links(const SheetAction* actions) noexcept {
             const double back = std::clamp((tool.tip - here).dot(tool.axis), 0.0, instrument.jaw_length);
             link.target = tool.tip - back * tool.axis;
             link.start = hand.linked ? hand.target : link.target;
+            if (hand.adrift) {  // nothing holds it
+                hand.target = link.target;
+                hand.linked = false;
+                hand.reaction.setZero();
+                continue;
+            }
         }
         hand.target = link.target;
         hand.linked = true;
@@ -376,7 +382,7 @@ void SheetPart::fill_touch(const HandState& hand, SheetContactModel& model) cons
     if (hand.touch == BladeTouch::cutting) {
         model.normal = hand.normal;
         model.cutting = true;
-        model.grip = hand.cut_friction;
+        model.grip = hand.adrift ? 0.0 : hand.cut_friction;
         model.drag = k * (way - way.dot(model.normal) * model.normal);
         const double size = model.drag.norm();
         if (size > model.grip) model.drag *= model.grip / size;

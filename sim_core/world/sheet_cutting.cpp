@@ -16,6 +16,7 @@ constexpr double off_wall = 0.0005;         // m at rest from the muscularis tha
 constexpr double off_rim = 1e-6;            // m: places are told as being this far from the rim of a septum at least
 constexpr double sample_spacing = 0.00015;  // m along a blade's step, where the tissue under it is looked for
 constexpr double slit = 0.0006;             // m at rest across what one blade's way leaves open, at most
+constexpr double fresh = 0.0001;            // m from where a blade is: ground that it has not been on
 constexpr double kept_slack = 1e-6;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
@@ -26,7 +27,7 @@ void SheetPart::leave(int number, std::uint32_t tick) noexcept {
     HandState& hand = state_.hands[static_cast<std::size_t>(number)];
     add_place_event(tick, EventKind::cut_end, number, hand.way);
     hand.touch = BladeTouch::clearing;
-    hand.linked = false;
+    hand.linked = hand.adrift = false;
     hand.cover = 0;
     hand.reaction.setZero();
 }
@@ -37,6 +38,15 @@ void SheetPart::follow(int number, const SheetAction& action, std::uint32_t tick
     hand.radius = action.instrument->tip_radius;
     const CuttingSpec* at_hand = hand.place.fragment >= 0 ? cutting_at(hand.place) : nullptr;
     hand.ease = action.energised && at_hand != nullptr ? at_hand->energy_factor : 1.0;
+    if (hand.touch == BladeTouch::cutting && hand.adrift) {
+        const bool lost = hand.place.fragment < 0;
+        if (lost || drawn_out(action.tool, action.instrument->tip_radius, place(hand.place), hand.side * hand.normal)) {
+            leave(number, tick);
+        } else {
+            drift(number, tick);
+        }
+        return;
+    }
     if (!hand.linked || (hand.touch != BladeTouch::touching && hand.touch != BladeTouch::cutting)) return;
     const Vector3 n = hand.touch == BladeTouch::touching ? Vector3(hand.side * hand.normal) : hand.normal;
     const Vector3 here = place(hand.place);
@@ -80,6 +90,13 @@ void SheetPart::advance(int number, const Vector3& excess, std::uint32_t tick) n
     const BladeStep blade = make_step(here, excess, hand.normal, spec_.blade_width, surface_.fragment(hand.place.fragment).root);
     BladeTrack track;
     follow_track(blade, track);
+    if (!meets_tissue(hand.place, track)) {
+        hand.adrift = true;
+        hand.drifted = blade.to;
+        hand.linked = false;
+        drift(number, tick);
+        return;
+    }
     const CutReport report = cut(blade);
     if (report.roll_backs > 0) add_event(tick, EventKind::cut_rolled_back, number, 0, report.roll_backs);
     if (report.outcome == CutOutcome::full || report.outcome == CutOutcome::invalid) faults_ = std::max(faults_, 1U);
@@ -93,6 +110,31 @@ void SheetPart::advance(int number, const Vector3& excess, std::uint32_t tick) n
         hand.place = next;
         if (const CuttingSpec* cutting = cutting_at(next)) hand.cut_friction = hand.ease * cutting->dynamic_friction;
     }
+}
+
+// Between lips a blade is where the tool is, until its way comes upon tissue or leaves the slit.
+void SheetPart::drift(int number, std::uint32_t tick) noexcept {
+    HandState& hand = state_.hands[static_cast<std::size_t>(number)];
+    BladeStep blade;
+    blade.from = hand.drifted;
+    blade.to = hand.target;
+    blade.normal = hand.normal;
+    blade.width = spec_.blade_width;
+    blade.depth = blade_reach;
+    BladeTrack track;
+    follow_track(blade, track);
+    std::size_t met = 1;
+    while (met < track.count && !over_tissue(track.samples[met])) ++met;
+    hand.adrift = met == track.count;
+    const double share = hand.adrift ? 1.0 : static_cast<double>(met) / static_cast<double>(track.count - 1);
+    hand.drifted = blade.from + share * (blade.to - blade.from);
+    const SheetPlace next = closest(hand.drifted);
+    if (next.fragment < 0 || (place(next) - hand.drifted).norm() > off_by) {
+        leave(number, tick);
+        return;
+    }
+    hand.place = next;
+    if (const CuttingSpec* cutting = cutting_at(next)) hand.cut_friction = hand.ease * cutting->dynamic_friction;
 }
 
 void SheetPart::tell_cut(int number, const Vector3& reached, double traction, std::uint32_t tick) noexcept {
@@ -124,6 +166,7 @@ void SheetPart::follow_track(const BladeStep& blade, BladeTrack& track) const no
     const Vector3 way = blade.to - blade.from;
     const auto steps = static_cast<std::size_t>(std::clamp(std::ceil(way.norm() / sample_spacing), 1.0, double(BladeTrack::capacity - 1)));
     track.count = steps + 1;
+    track.spacing = way.norm() / static_cast<double>(steps);
     for (std::size_t i = 0; i <= steps; ++i) {
         const Vector3 point = blade.from + static_cast<double>(i) / static_cast<double>(steps) * way;
         find_under(point, blade.normal, blade.depth, track.samples[i]);
@@ -133,9 +176,28 @@ void SheetPart::follow_track(const BladeStep& blade, BladeTrack& track) const no
         if (there.fragment < 0) continue;
         const Vector3 off = place(there) - point;
         const double along = std::abs(off.dot(blade.normal));
-        if (along <= blade.depth && off.squaredNorm() - along * along <= 0.25 * blade.width * blade.width)
-            add_under(there, 0.5 * along / blade.depth, track.samples[i]);
+        const double beside = std::sqrt(std::max(0.0, off.squaredNorm() - along * along));
+        if (along > blade.depth || beside > 0.5 * blade.width) continue;
+        add_under(there, 0.5 * along / blade.depth, track.samples[i]);
+        track.samples[i].beside = beside;
     }
+}
+
+// Not beside it, where a lip is.
+bool SheetPart::over_tissue(const UnderBlade& sample) noexcept { return sample.count > 0 && sample.beside <= fresh; }
+
+// Whether a blade comes upon tissue before it. Its step begins a little behind it: where nothing is before it, only lips
+// of its own cut would lose ground.
+bool SheetPart::meets_tissue(const SheetPlace& from, const BladeTrack& track) const noexcept {
+    const Vector3 here = rest(from);
+    for (std::size_t i = 0; i < track.count; ++i) {
+        const UnderBlade& sample = track.samples[i];
+        if (static_cast<double>(i) * track.spacing <= overlap || !over_tissue(sample)) continue;
+        for (std::size_t k = 0; k < sample.count; ++k) {
+            if ((sample.layers[k].rest - here).norm() > fresh) return true;
+        }
+    }
+    return false;
 }
 
 // Of the layers under the blade the nearest that lost ground; none where there was none.

@@ -345,6 +345,7 @@ void SheetPart::hash(StateHash& hash) const noexcept {
         hash.add(hand.cover);
         hash.add(hand.target);
         hash.add(hand.reaction);
+        hash.add(hand.adrift ? hand.drifted : Vector3(Vector3::Zero()));
         hash.add(static_cast<std::int64_t>(hand.grip_count));
         hash.add(hand.pull);
     }

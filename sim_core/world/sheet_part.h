@@ -70,6 +70,8 @@ class SheetPart {
         Vector3 way = Vector3::Zero();        ///< m at rest: where the blade was last
         double cut_friction = 0;              ///< N, dynamic friction of the tissue that the blade is in
         double ease = 1;                      ///< share of a tissue's forces that its blade needs: less under power
+        bool adrift = false;                  ///< the blade is between lips, in no tissue
+        Vector3 drifted = Vector3::Zero();    ///< m: where it was then at the last step's end
         // Jaws.
         bool held = false, ready = true, slipped = false;
         struct Grip {
@@ -152,12 +154,14 @@ class SheetPart {
         };
         static constexpr std::size_t capacity = 3;
         std::size_t count = 0;
+        double beside = 0;  ///< m along the surface, from the point to what the blade's width alone reaches
         std::array<Layer, capacity> layers;
     };
     /// A blade's step before it divides anything.
     struct BladeTrack {
         static constexpr std::size_t capacity = 38;
         std::size_t count = 0;
+        double spacing = 0;  ///< m between its samples; the first lies where the step begins
         std::array<UnderBlade, capacity> samples;
     };
     struct Near {
@@ -184,6 +188,7 @@ class SheetPart {
     void read_links() noexcept;
     void follow(int hand, const SheetAction& action, std::uint32_t tick) noexcept;
     void advance(int hand, const Vector3& way, std::uint32_t tick) noexcept;
+    void drift(int hand, std::uint32_t tick) noexcept;
     void leave(int hand, std::uint32_t tick) noexcept;
     void take_over() noexcept;
     void note_loose(std::uint32_t tick) noexcept;
@@ -215,6 +220,8 @@ class SheetPart {
     Vector3 begin_of_way(const SheetPlace& where, const Vector3& behind, const Vector3& normal) const noexcept;
     void tell_cut(int hand, const Vector3& reached, double traction, std::uint32_t tick) noexcept;
     void follow_track(const BladeStep& blade, BladeTrack& track) const noexcept;
+    static bool over_tissue(const UnderBlade& sample) noexcept;
+    bool meets_tissue(const SheetPlace& from, const BladeTrack& track) const noexcept;
     bool joined(const UnderBlade::Layer& a, const UnderBlade::Layer& b) const noexcept;
     const UnderBlade::Layer* divided_of(const UnderBlade& sample) const noexcept;
     void tell_track(int hand, const BladeTrack& track, double traction, std::uint32_t tick) noexcept;
