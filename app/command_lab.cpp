@@ -33,9 +33,15 @@ int deliver(const Arguments& arguments, const lab::ResultPage& page, nlohmann::j
     return 0;
 }
 
+/// Called before the work, and after all that may be wrong with the command: a wrong one leaves no folder.
+void make_output(const Arguments& arguments) {
+    if (arguments.has("--output")) arguments.folder("--output", "");
+}
+
 int size_sweep(const Arguments& arguments) {
     if (arguments.has("--only"))
         throw UsageError("command line: --only: --sweep runs every model; leave --only or --sweep out");
+    make_output(arguments);
     std::vector<lab::SizeSweep> sweeps;
     for (const lab::SweepCase& sweep : lab::size_sweeps()) {
         std::cerr << sweep.model << '\n';
@@ -48,21 +54,25 @@ int bench(const Arguments& arguments) {
     if (arguments.has("--sweep")) return size_sweep(arguments);
     if (arguments.has("--only") && arguments.has("--output"))
         throw UsageError("command line: --only: a page holds every workload; leave --only or --output out");
+    make_output(arguments);
     const Measured measured = measure_workloads(arguments.value("--only"));
     return deliver(arguments, measured.page, measured.document);
 }
 
 int cost(const Arguments& arguments) {
+    make_output(arguments);
     const Measured measured = measure_costs();
     return deliver(arguments, measured.page, measured.document);
 }
 
 int clock(const Arguments& arguments) {
+    make_output(arguments);
     const Measured measured = measure_cut_clock();
     return deliver(arguments, measured.page, measured.document);
 }
 
 int validate(const Arguments& arguments) {
+    make_output(arguments);
     const std::vector<lab::ValidationCase> cases = lab::validation_cases();
     deliver(arguments, lab::validation_page(cases), lab::to_json(cases));
     return std::all_of(cases.begin(), cases.end(), [](const lab::ValidationCase& c) { return c.passed; }) ? 0
@@ -70,17 +80,20 @@ int validate(const Arguments& arguments) {
 }
 
 int stability(const Arguments& arguments) {
+    make_output(arguments);
     const std::vector<lab::StabilityMap> maps = lab::stability_maps();
     return deliver(arguments, lab::stability_page(maps), lab::to_json(maps));
 }
 
 int tradeoff(const Arguments& arguments) {
+    make_output(arguments);
     const std::vector<lab::TradeoffStudy> studies = lab::tradeoff_studies();
     const std::vector<lab::ScoreSensitivity> sensitivity = measure_score_sensitivity();
     return deliver(arguments, lab::tradeoff_page(studies, sensitivity), lab::to_json(studies, sensitivity));
 }
 
 int cut(const Arguments& arguments) {
+    make_output(arguments);
     const lab::ResultPage page = lab::cut_figures_page();
     return deliver(arguments, page, page.document());
 }
@@ -94,6 +107,7 @@ int strokes(const Arguments& arguments) {
         if (error != std::errc() || end != word.data() + word.size() || count < 1 || count > 10000000)
             throw UsageError("command line: lab strokes: " + word + ": give a number from 1 to 10000000");
     }
+    make_output(arguments);
     const lab::ResultPage page = lab::cut_strokes_page(count);
     return deliver(arguments, page, page.document());
 }
@@ -109,6 +123,7 @@ int experiment(const Arguments& arguments) {
             "command line: --json: lab experiment writes its JSON beside the picture; leave it out");
     const std::vector<std::string> files =
         arguments.words().size() > 1 ? std::vector<std::string>{arguments.words()[1]} : experiment_files();
+    make_output(arguments);
     for (const std::string& file : files) deliver(arguments, experiment_page(file), {});
     return 0;
 }
@@ -131,7 +146,6 @@ int command_lab(const std::vector<std::string>& words) {
     spec.maximum_words = 2;
     const Arguments arguments(words, spec);
     const std::string& action = arguments.words()[0];
-    if (arguments.has("--output") && action != "run") arguments.folder("--output", "");
     if (arguments.has("--sweep") && action != "bench")
         throw UsageError("command line: --sweep: only with lab bench; " + spec.usage);
     if (action == "run") {

@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 #include <QFile>
+#include <QFileInfo>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <array>
@@ -103,6 +104,21 @@ TEST_F(Program, RefusesBadCommandLinesWithTwo) {
         EXPECT_EQ(outcome.errors.find("fulcrum: "), outcome.errors.rfind("fulcrum: "))
             << "one line: " << outcome.errors;
         EXPECT_NE(outcome.errors.find(';'), std::string::npos) << "no mend: " << outcome.errors;
+    }
+}
+
+TEST_F(Program, LeavesNoFolderForAWrongCommand) {
+    const QString folder = path("pages");
+    const QStringList lines[] = {{"lab", "dance"},
+                                 {"lab", "cut", "twice"},
+                                 {"lab", "strokes", "none"},
+                                 {"lab", "cost", "--sweep"},
+                                 {"lab", "bench", "--sweep", "--only", "tick"},
+                                 {"lab", "experiment", "--json"}};
+    for (const QStringList& line : lines) {
+        const Outcome outcome = run(line + QStringList{"--output", folder});
+        EXPECT_EQ(outcome.status, 2) << line.join(' ').toStdString() << ": " << outcome.errors;
+        EXPECT_FALSE(QFileInfo::exists(folder)) << line.join(' ').toStdString();
     }
 }
 
