@@ -108,7 +108,7 @@ TEST_F(Program, RefusesBadCommandLinesWithTwo) {
 }
 
 TEST_F(Program, LeavesNoFolderForAWrongCommand) {
-    const QString folder = path("pages");
+    const QString output = path("pages");
     const QStringList lines[] = {{"lab", "dance"},
                                  {"lab", "cut", "twice"},
                                  {"lab", "strokes", "none"},
@@ -116,9 +116,9 @@ TEST_F(Program, LeavesNoFolderForAWrongCommand) {
                                  {"lab", "bench", "--sweep", "--only", "tick"},
                                  {"lab", "experiment", "--json"}};
     for (const QStringList& line : lines) {
-        const Outcome outcome = run(line + QStringList{"--output", folder});
+        const Outcome outcome = run(line + QStringList{"--output", output});
         EXPECT_EQ(outcome.status, 2) << line.join(' ').toStdString() << ": " << outcome.errors;
-        EXPECT_FALSE(QFileInfo::exists(folder)) << line.join(' ').toStdString();
+        EXPECT_FALSE(QFileInfo::exists(output)) << line.join(' ').toStdString();
     }
 }
 
