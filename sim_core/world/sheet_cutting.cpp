@@ -16,7 +16,7 @@ constexpr double off_wall = 0.0005;         // m at rest from the muscularis tha
 constexpr double off_rim = 1e-6;            // m: places are told as being this far from the rim of a septum at least
 constexpr double sample_spacing = 0.00015;  // m along a blade's step, where the tissue under it is looked for
 constexpr double slit = 0.0006;             // m at rest across what one blade's way leaves open, at most
-constexpr double fresh = 0.0001;            // m from where a blade is: ground that it has not been on
+constexpr double fresh_by = 0.0001;         // m from where a blade is: ground that it has not been on
 constexpr double kept_slack = 1e-6;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
@@ -184,7 +184,7 @@ void SheetPart::follow_track(const BladeStep& blade, BladeTrack& track) const no
 }
 
 // Not beside it, where a lip is.
-bool SheetPart::over_tissue(const UnderBlade& sample) noexcept { return sample.count > 0 && sample.beside <= fresh; }
+bool SheetPart::over_tissue(const UnderBlade& sample) noexcept { return sample.count > 0 && sample.beside <= fresh_by; }
 
 // Whether a blade comes upon tissue before it. Its step begins a little behind it: where nothing is before it, only lips
 // of its own cut would lose ground.
@@ -194,7 +194,7 @@ bool SheetPart::meets_tissue(const SheetPlace& from, const BladeTrack& track) co
         const UnderBlade& sample = track.samples[i];
         if (static_cast<double>(i) * track.spacing <= overlap || !over_tissue(sample)) continue;
         for (std::size_t k = 0; k < sample.count; ++k) {
-            if ((sample.layers[k].rest - here).norm() > fresh) return true;
+            if ((sample.layers[k].rest - here).norm() > fresh_by) return true;
         }
     }
     return false;
