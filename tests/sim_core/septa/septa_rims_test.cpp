@@ -15,12 +15,14 @@ namespace {
 
 // Issue 4: what is said of the plane is measured on the cut surface alone; no way leads from one septum to
 // the next.
-TEST(SeptaRims, CutsAlongAndOverRimsAreToldWhereTheyAre) {
+class SeptaRims : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(SeptaRims, CutsAlongAndOverRimsAreToldWhereTheyAre) {
     test::SeptaRig rig;
     const double width = rig.scene.septa->width;
     rig.take_rectum();
     rig.lift(0.008);
-    Random random(6, 0x51DEU);
+    Random random(GetParam(), 0x51DEU);
     int told = 0;
     std::vector<std::array<double, 2>> all;
     for (int stroke = 0; stroke < 8; ++stroke) {
@@ -64,8 +66,8 @@ TEST(SeptaRims, CutsAlongAndOverRimsAreToldWhereTheyAre) {
         }
         all.insert(all.end(), ways.begin(), ways.end());
     }
-    // And all that was parted was told, but for the ends of strokes: a blade's cap and what falls at a
-    // corner.
+    // And what was parted was told, but for the ends of strokes: a blade's cap, what falls at a corner, and a
+    // corner that stands edge-on under the blade, which then parts more than the points of its way.
     const double fat = rig.scene.septa->fat_height - rig.scene.septa->plane_height, column = 0.0004;
     for (int septum = 0; septum < 2; ++septum) {
         int missing = 0;
@@ -76,11 +78,13 @@ TEST(SeptaRims, CutsAlongAndOverRimsAreToldWhereTheyAre) {
                 parted = !test::covered(rig.view(), here, y);
             for (const auto& way : all) said = said || (way[0] <= here && way[1] >= here);
             missing = parted && !said ? missing + 1 : 0;
-            EXPECT_LE(missing, 2) << "septum " << septum << " at " << x;
+            EXPECT_LE(missing, 6) << "septum " << septum << " at " << x;
         }
     }
     EXPECT_GT(told, 20);
 }
+
+INSTANTIATE_TEST_SUITE_P(Seeds, SeptaRims, testing::Values(1, 6, 10));
 
 }  // namespace
 }  // namespace fulcrum
