@@ -2,6 +2,8 @@
 // Transaction, journal and the records' bookkeeping; the operations are in cut_operations.cpp.
 #include "sim_core/cutting/cut_editor.h"
 
+#include <algorithm>
+
 namespace fulcrum {
 
 bool barycentric_in_other(const CutModel& model, const CutVertex& vertex, std::int32_t root,
@@ -294,39 +296,39 @@ const CutList<std::int32_t>& CutEditor::fan(std::int32_t vertex, bool& closed) {
     closed = false;
     const std::int32_t seed = state_->vertices[vertex].triangle;
     if (seed < 0) return fan_;
+    const auto no_fan = [&]() -> const CutList<std::int32_t>& {
+        fan_.clear();
+        closed = false;
+        return fan_;
+    };
     // Clockwise to the rim, or once around; each neighbour must name the triangle it is reached from.
-    std::int32_t t = seed, first = seed;
+    std::int32_t t = seed;
     const std::int32_t most = state_->visible_count + 1;
-    for (std::int32_t turns = 0; turns <= most; ++turns) {
+    for (std::int32_t turns = 0;; ++turns) {
         const CutTriangle& row = state_->triangles[t];
         const int i = corner_of(row, vertex);
-        if (i < 0 || turns == most) return fan_;
+        if (i < 0 || turns >= most || !fan_.push(t)) return no_fan();
         const std::int32_t next = neighbour_at(row, i);
-        first = t;
         if (next < 0) break;
         const int j = corner_of(state_->triangles[next], vertex);
-        if (j < 0 || neighbour_at(state_->triangles[next], j + 2) != t) return fan_;
+        if (j < 0 || neighbour_at(state_->triangles[next], j + 2) != t) return no_fan();
         t = next;
-        if (t == seed) {
-            closed = true;
-            first = seed;
-            break;
-        }
+        closed = t == seed;
+        if (closed) break;
     }
-    t = first;
-    do {
+    // The seed is the first of a fan that closes, the last found of one that ends at a rim.
+    std::reverse(&fan_[closed ? 1 : 0], &fan_[0] + fan_.size());
+    if (closed) return fan_;
+    // From the seed on to the other rim.
+    t = seed;
+    for (;;) {
         const CutTriangle& row = state_->triangles[t];
-        const int i = corner_of(row, vertex);
-        const std::int32_t next = i < 0 ? -1 : neighbour_at(row, i + 2);
-        const int j = next < 0 ? -1 : corner_of(state_->triangles[next], vertex);
-        const bool back = next < 0 || (j >= 0 && neighbour_at(state_->triangles[next], j) == t);
-        if (i < 0 || !back || !fan_.push(t)) {
-            fan_.clear();
-            return fan_;
-        }
+        const std::int32_t next = neighbour_at(row, corner_of(row, vertex) + 2);
+        if (next < 0) return fan_;
+        const int j = corner_of(state_->triangles[next], vertex);
+        if (j < 0 || neighbour_at(state_->triangles[next], j) != t || !fan_.push(next)) return no_fan();
         t = next;
-    } while (t >= 0 && t != first);
-    return fan_;
+    }
 }
 
 }  // namespace fulcrum
