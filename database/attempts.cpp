@@ -72,6 +72,16 @@ void require_end(const Store& store, const std::string& attempt_id, std::size_t 
                      "restore the newest backup");
 }
 
+/// Inputs and samples are written in pairs: where one of the two is longer, the other lost its end.
+void require_pairs(const Store& store, const std::string& attempt_id, const Trace& trace) {
+    if (trace.samples.size() == trace.inputs.size()) return;
+    throw StoreError(StoreErrorKind::corrupt,
+                     store.path() + ": the record of attempt " + attempt_id + " has " +
+                         std::to_string(trace.samples.size()) + " samples for " +
+                         std::to_string(trace.inputs.size()) + " inputs: a part of it is missing",
+                     "restore the newest backup");
+}
+
 Trace read_chunks(const Store& store, const std::string& attempt_id, bool events_only) {
     Connection& connection = store.connection();
     Query rows(connection, QString("SELECT stream, number, first_tick, last_tick, records, checksum, data "
@@ -121,6 +131,7 @@ Trace read_chunks(const Store& store, const std::string& attempt_id, bool events
         }
     }
     require_end(store, attempt_id, trace.events.size());
+    if (!events_only) require_pairs(store, attempt_id, trace);
     return trace;
 }
 
@@ -237,6 +248,12 @@ void Attempts::read_overview(const Session& session, const std::string& attempt_
             chunks.push_back(chunk_of_row(rows));
         }
     }
+    if (samples.size() != inputs.size()) {
+        const bool of_samples = samples.size() < inputs.size();
+        throw_damaged(store_, attempt_id, of_samples ? TraceStream::samples : TraceStream::inputs,
+                      std::to_string(std::min(samples.size(), inputs.size())),
+                      {StoreErrorKind::corrupt, "it is missing", "restore the newest backup"});
+    }
     prepare(samples.size());
     std::atomic<std::size_t> next{0};
     std::exception_ptr trouble;
@@ -248,8 +265,7 @@ void Attempts::read_overview(const Session& session, const std::string& attempt_
         for (std::size_t i = next++; i < samples.size(); i = next++) {
             try {
                 // Written together, the two streams have the same chunks.
-                const TraceChunk* of_same_ticks = i < inputs.size() ? &inputs[i] : nullptr;
-                codec.decode_overview(samples[i], of_same_ticks, overview);
+                codec.decode_overview(samples[i], &inputs[i], overview);
                 visit(i, overview);
             } catch (...) {
                 const std::lock_guard<std::mutex> lock(trouble_lock);

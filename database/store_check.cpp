@@ -105,6 +105,15 @@ void check_traces(const Store& store, CheckItem& item, Watch& watch) {
             item.problems.push_back("attempt " + ends.text(0) + ": " + ends.text(2) + " of its " +
                                     ends.text(1) + " events are there, a part of the record is missing");
     }
+    Query pairs(
+        store.connection(),
+        "SELECT attempt_id, SUM(records * (stream = 0)), SUM(records * (stream = 1)) FROM trace_chunk "
+        "WHERE stream IN (0, 1) GROUP BY attempt_id");
+    while (pairs.next()) {
+        if (pairs.integer(1) != pairs.integer(2))
+            item.problems.push_back("attempt " + pairs.text(0) + ": " + pairs.text(1) + " samples for " +
+                                    pairs.text(2) + " inputs are there, a part of the record is missing");
+    }
     Query products(store.connection(), "SELECT attempt_id, kind, checksum, data FROM attempt_product");
     while (products.next()) {
         ++item.count;

@@ -77,6 +77,39 @@ TEST(Attempt, IsNotReadAsAShorterOneWhereItsRecordLostItsEnd) {
     }
 }
 
+// The events are whole, but of what was written in pairs one side ends early.
+TEST(Attempt, IsNotReadWhereItsSamplesOrInputsLostTheirEnd) {
+    const std::pair<const char*, const char*> cases[] = {
+        {"stream = 0", " has 1000 samples for 2000 inputs: a part of it is missing"},
+        {"stream = 1", ": a trace chunk is damaged (the inputs that it was made with are missing)"}};
+    for (const auto& [lost, told] : cases) {
+        Programme programme;
+        Recorder recorder(programme.path, programme.session("ann"), example_meta(programme.id("ann")),
+                          programme.clock.options());
+        Programme::append_second(recorder);
+        Programme::append_second(recorder, 1000);
+        recorder.finish(example_result(true, 60));
+        const Session& ann = programme.session("ann");
+        const std::string id = recorder.attempt_id();
+        EXPECT_EQ(programme.attempts().read_trace(ann, id).samples.size(), 2000U);
+        programme.store->connection().execute(QString("DELETE FROM trace_chunk WHERE number = 1 AND ") +
+                                              lost);
+        try {
+            programme.attempts().read_trace(ann, id);
+            ADD_FAILURE() << lost;
+        } catch (const StoreError& error) {
+            EXPECT_EQ(error.kind(), StoreErrorKind::corrupt);
+            EXPECT_NE(error.wrong().find(id + told), std::string::npos) << error.wrong();
+        }
+        EXPECT_EQ(error_kind([&] {
+                      programme.attempts().read_overview(
+                          ann, id, [](std::size_t) {}, [](std::size_t, const TraceOverview&) {});
+                  }),
+                  StoreErrorKind::corrupt);
+        EXPECT_FALSE(programme.store->check(programme.store->station_session()).ok);
+    }
+}
+
 TEST(Attempt, KeepsThePathologyReportWithItsScore) {
     SpecimenPlan plan{4, 0.06, 0.02, 0.003, 0.006, 0.018, 0.002, 0.01, Tumour{1, Sector::mid, 0.008, 0.012}};
     CutStroke stroke;
@@ -106,9 +139,10 @@ TEST(Attempt, KeepsThePathologyReportWithItsScore) {
     score.pathology = pathology_json(pathology_report({}, plan));
     EXPECT_NE(score_digest(recorder.attempt_id(), score), digest);
     // Somebody else's attempt is not exported.
-    EXPECT_THROW(Reports(*programme.store)
-                     .attempt_report(programme.session("eve"), recorder.attempt_id(), ReportPurpose::exported),
-                 AccessDenied);
+    EXPECT_THROW(
+        Reports(*programme.store)
+            .attempt_report(programme.session("eve"), recorder.attempt_id(), ReportPurpose::exported),
+        AccessDenied);
     score.pathology.clear();
     EXPECT_NE(score_digest(recorder.attempt_id(), score), digest);
     EXPECT_FALSE(pathology_of(score).has_value());
