@@ -74,6 +74,8 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
                          tr("Result"), tr("Points")},
                         "progress_table");
     table_->setMinimumHeight(220);
+    // What came of an attempt is seen without scrolling; the device stands last.
+    table_->horizontalHeader()->moveSection(2, table_->columnCount() - 1);
     layout->addWidget(table_);
     connect(chart_, &AttemptChart::attempt_chosen, this,
             [this](const QString& id) { emit this->context().debrief_wanted(id, -1); });
