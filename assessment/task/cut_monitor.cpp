@@ -29,21 +29,24 @@ CutMonitor::CutMonitor(const TaskDefinition& task, const Scene& scene) {
 }
 
 void CutMonitor::event(const Event& event) noexcept {
-    if (!goal_ || event.hand >= hand_count) return;
-    Blade& blade = blades_[event.hand];
+    if (!goal_) return;
+    const bool of_hand = event.hand < hand_count;
+    Blade& blade = blades_[of_hand ? event.hand : hand_count];
     if (event.kind == EventKind::cut_end) {
-        blade_in_[event.hand] = blade.placed = false;
+        if (of_hand) blade_in_[event.hand] = false;
+        blade.placed = false;
         return;
     }
-    if (event.kind != EventKind::cut_begin && event.kind != EventKind::cut_advance) return;
-    blade_in_[event.hand] = true;
+    const bool begins = event.kind == EventKind::cut_begin || event.kind == EventKind::fibres_parted;
+    if (!begins && event.kind != EventKind::cut_advance) return;
+    if (of_hand) blade_in_[event.hand] = true;
     CutElement element;
     element.from = blade.position;
     element.from_distance = blade.distance;
     element.to = blade.position = static_cast<double>(event.value);
     element.distance = blade.distance = event.detail * 1e-6;
-    distance_ = blade.distance;
-    const bool went_on = blade.placed && event.kind == EventKind::cut_advance;
+    if (of_hand) distance_ = blade.distance;
+    const bool went_on = blade.placed && !begins;
     blade.placed = true;
     if (!went_on) return;
     const auto [first, last] = part_within(element, goal_->corridor_m);

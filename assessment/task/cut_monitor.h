@@ -50,7 +50,7 @@ class CutMonitor {
     std::optional<Goal> goal_;     ///< divide_line
     std::size_t level_cells_ = 1;  ///< cells of a septum; of one sheet all
     std::array<bool, hand_count> has_blade_{}, blade_in_{};
-    std::array<Blade, hand_count> blades_{};
+    std::array<Blade, hand_count + 1> blades_{};  ///< the last: fibres that part by no hand
     std::vector<std::uint8_t> cells_;
     std::uint32_t cells_divided_ = 0, first_open_ = 0,
                   least_open_ = 1;  ///< cells of the shortest bridge that counts

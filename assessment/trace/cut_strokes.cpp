@@ -12,7 +12,7 @@ namespace {
 constexpr double micrometre = 1e-6;
 constexpr int pieces_per_element = 8;
 
-/// One hand while its events are read.
+/// One hand, or what parts by none, while its events are read.
 struct Reading {
     std::optional<std::size_t> stroke;  ///< the open one
     double time = 0, position = 0, distance = 0;
@@ -48,18 +48,23 @@ std::pair<double, double> part_within(const CutElement& element, double corridor
 
 std::vector<CutStroke> cut_strokes(const std::vector<Event>& events, double tick_period, double end) {
     std::vector<CutStroke> strokes;
-    std::array<Reading, hand_count> readings;
+    std::array<Reading, hand_count + 1> readings;
     for (const Event& event : events) {
-        if (event.hand >= hand_count) continue;
         const double time = event.tick * tick_period;
-        Reading& reading = readings[event.hand];
+        const bool of_hand = event.hand < hand_count;
+        Reading& reading = readings[of_hand ? event.hand : hand_count];
         switch (event.kind) {
+            case EventKind::fibres_parted:
+                open(reading, strokes, -1, time, time);
+                place(reading, time, event);
+                break;
             case EventKind::cut_begin:
                 if (reading.stroke) strokes[*reading.stroke].end = time;
                 open(reading, strokes, event.hand, time, end);
                 place(reading, time, event);
                 break;
             case EventKind::cut_advance: {
+                if (!reading.stroke && !of_hand) break;
                 if (!reading.stroke) open(reading, strokes, event.hand, time, end);
                 if (reading.placed) {
                     CutElement element;

@@ -21,14 +21,15 @@ struct CutElement {
     std::optional<double> traction;  ///< across the cut while it was made; absent where nothing says it
 };
 
-/// One blade from breaking through to leaving the tissue.
+/// One blade from breaking through to leaving the tissue, or fibres that parted under tension.
 struct CutStroke {
-    int hand = 0;
+    int hand = 0;               ///< -1: fibres parted
     double begin = 0, end = 0;  ///< s; a stroke that nothing ends lasts to the attempt's end
     std::vector<CutElement> elements;
 };
 
-/// The strokes of both hands in the order they began. A report outside any stroke begins one. Pure.
+/// The strokes of both hands, and what parted by none, in the order they began. A report outside any stroke
+/// begins one. Pure.
 std::vector<CutStroke> cut_strokes(const std::vector<Event>& events, double tick_period, double end);
 
 /// The part of an element, as shares of its way, that lies within `corridor` of the line; empty where first

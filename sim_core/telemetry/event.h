@@ -57,7 +57,7 @@ enum class EventKind : std::uint16_t {
     vessel_injury = 46,    ///< critical: torn, or divided before it was closed; detail: outlet
     nerve_injury = 47,     ///< critical; value: CEM43 (min); detail: nerve, + nerve_was_divided where a blade did it
     tool_exchanged = 48,   ///< detail: index in the hand's list of instruments
-    fibres_parted = 49,    ///< under tension, by no hand; value: length (m); detail: signed distance from the plane (um)
+    fibres_parted = 49,    ///< under tension, by no hand, from here to the cut_advance that follows; value, detail: as cut_begin
 };
 /// What an activation was like.
 enum ActivationBit : std::int32_t { activation_in_view = 1, activation_on_target = 2, activation_clear = 4 };

@@ -115,7 +115,8 @@ void SheetPart::part_fibres(std::uint32_t tick, double dt) noexcept {
     if (!along_line(here, way, normal)) return;
     way *= tip.direction;
     const Vector3 from = place(here);
-    const double excess = traction_at(from + probe * way, way, normal) / spec_.fibres->strength - 1;
+    const double traction = traction_at(from + probe * way, way, normal);
+    const double excess = traction / spec_.fibres->strength - 1;
     if (!(excess > 0)) {
         tip.gathered = 0;
         return;
@@ -125,12 +126,14 @@ void SheetPart::part_fibres(std::uint32_t tick, double dt) noexcept {
     const double run = tip.gathered, direction = tip.direction;
     tip = SheetFibres::Tip();
     Vector3 reached;
-    if (part(here, way, normal, run, tick, reached)) tip = find_end(reached, direction);
+    const Vector3 begin = rest(here) - direction * beyond * Vector3::UnitX();  // the end itself
+    if (part(here, begin, way, normal, run, traction, tick, reached)) tip = find_end(reached, direction);
 }
 
-bool SheetPart::part(const SheetPlace& here, const Vector3& way, const Vector3& normal, double run, std::uint32_t tick,
-                     Vector3& reached) noexcept {
-    const Vector3 from = place(here), before = rest(here);
+// begin: at rest, from where on the ground is told as parted.
+bool SheetPart::part(const SheetPlace& here, const Vector3& begin, const Vector3& way, const Vector3& normal, double run,
+                     double traction, std::uint32_t tick, Vector3& reached) noexcept {
+    const Vector3 from = place(here);
     BladeStep blade;
     blade.from = from - overlap * way;
     blade.to = from + run * way;
@@ -145,21 +148,24 @@ bool SheetPart::part(const SheetPlace& here, const Vector3& way, const Vector3& 
     if (report.roll_backs > 0) add_event(tick, EventKind::cut_rolled_back, -1, 0, report.roll_backs);
     if (report.outcome == CutOutcome::full || report.outcome == CutOutcome::invalid) faults_ = std::max(faults_, 1U);
     if (report.outcome != CutOutcome::cut) return false;
-    mark_divided(before, reached);
-    add_event(tick, EventKind::fibres_parted, -1, (reached - before).norm(), -1e6 * reached.y());
+    mark_divided(begin, reached);
+    add_place_event(tick, EventKind::fibres_parted, -1, begin);
+    add_place_event(tick, EventKind::cut_advance, -1, reached);
+    add_event(tick, EventKind::cut_traction, -1, traction, 1e6 * (reached - begin).norm(), in_fat(reached));
     return !gone;
 }
 
 bool SheetPart::open_fibres(std::int32_t station, std::uint32_t tick) noexcept {
     // Away from every cut: a slit opens whose two ends then run.
-    if (!(state_.traction[at(station)] > spec_.fibres->strength)) return false;
+    const double traction = state_.traction[at(station)];
+    if (!(traction > spec_.fibres->strength)) return false;
     const SheetPlace here = state_.line[at(station)];
     Vector3 way, normal, reached;
     if (!along_line(here, way, normal)) return false;
-    const Vector3 before = rest(here);
-    const bool goes_on = part(here, way, normal, least_run, tick, reached);
+    const Vector3 begin = rest(here) - overlap * Vector3::UnitX();
+    const bool goes_on = part(here, begin, way, normal, least_run, traction, tick, reached);
     if (goes_on) state_.fibres.add(find_end(reached, 1));
-    if (goes_on) state_.fibres.add(find_end(before - overlap * Vector3::UnitX(), -1));
+    if (goes_on) state_.fibres.add(find_end(begin, -1));
     state_.traction[at(station)] = 0;
     return true;
 }

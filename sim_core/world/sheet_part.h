@@ -202,8 +202,8 @@ class SheetPart {
     SheetFibres::Tip find_end(const Vector3& reached, double direction) const noexcept;
     void part_fibres(std::uint32_t tick, double dt) noexcept;
     bool open_fibres(std::int32_t station, std::uint32_t tick) noexcept;
-    bool part(const SheetPlace& here, const Vector3& way, const Vector3& normal, double run, std::uint32_t tick,
-              Vector3& reached) noexcept;
+    bool part(const SheetPlace& here, const Vector3& begin, const Vector3& way, const Vector3& normal, double run,
+              double traction, std::uint32_t tick, Vector3& reached) noexcept;
     void update_positions() noexcept;
     void list_visible() noexcept;
     void settle(double dt) noexcept;

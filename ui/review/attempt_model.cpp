@@ -4,11 +4,14 @@
 #include <QCoreApplication>
 #include <cmath>
 #include <thread>
+#include <utility>
 
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
 namespace {
+
+constexpr double fibres_line_s = 1;
 
 QString tr(const char* source) {
     return QCoreApplication::translate("fulcrum::ui::debrief", source);
@@ -42,6 +45,7 @@ bool is_penalty(EventKind kind) {
         case EventKind::vessel_injury:
         case EventKind::nerve_injury:
         case EventKind::bleed_begin:
+        case EventKind::fibres_parted:
             return true;
         default:
             return false;
@@ -134,19 +138,25 @@ QString event_words(const Event& event, const std::vector<std::string>& tissues)
         case EventKind::cut_end:
             words = tr("Cut ends");
             break;
+        case EventKind::fibres_parted:
+            words = tr("Fibres part under too much tension");
+            break;
         case EventKind::piece_fallen:
             words = tr("A piece of %1 mm² came free").arg(figure(static_cast<double>(event.value) * 1e6));
             break;
         case EventKind::activation_begin:
             words = (event.detail & activation_clear) != 0
                         ? tr("Energy on")
-                        : tr("Energy on %1 mm from the nerve").arg(figure(static_cast<double>(event.value) * 1e3));
+                        : tr("Energy on %1 mm from the nerve")
+                              .arg(figure(static_cast<double>(event.value) * 1e3));
             break;
         case EventKind::activation_end:
             words = tr("Energy off");
             break;
         case EventKind::band_divided:
-            words = tr("Band %1 divided at %2 N").arg(event.detail + 1).arg(figure(static_cast<double>(event.value)));
+            words = tr("Band %1 divided at %2 N")
+                        .arg(event.detail + 1)
+                        .arg(figure(static_cast<double>(event.value)));
             break;
         case EventKind::bleed_begin:
             words = tr("Bleeding, %1 mL/min").arg(figure(static_cast<double>(event.value)));
@@ -171,7 +181,6 @@ QString event_words(const Event& event, const std::vector<std::string>& tissues)
         case EventKind::cut_advance:
         case EventKind::cut_traction:
         case EventKind::cut_rolled_back:
-        case EventKind::fibres_parted:
         case EventKind::phase_end:
         case EventKind::target_shown:
         case EventKind::over_force_end:
@@ -296,7 +305,13 @@ std::optional<AttemptModel> load_attempt(const database::Store& store, const dat
         });
     if (progress && !progress(0.7, {})) return std::nullopt;
     join(parts, model);
+    double parted = -fibres_line_s;
     for (const Event& event : attempts.read_events(session, attempt_id)) {
+        if (event.kind == EventKind::fibres_parted) {
+            // They part bit by bit, many times a second: one line until they have held for a while.
+            const double last = std::exchange(parted, event.tick * model.tick);
+            if (parted - last < fibres_line_s) continue;
+        }
         EventLine line{event.tick * model.tick, event, event_words(event, model.tissues),
                        is_penalty(event.kind), is_critical(event.kind)};
         if (!line.words.isEmpty()) model.events.push_back(std::move(line));

@@ -212,7 +212,7 @@ void ReplayPanel::fill_hud() {
             hud.display.goal_progress = hud.display.run_covered_m = 0;
         }
         if (event.kind == EventKind::blood_loss) hud.display.blood_ml = event.value;
-        if (event.kind == EventKind::cut_traction)
+        if (event.kind == EventKind::cut_traction && event.hand < hand_count)
             hud.display.traction_n_m = static_cast<double>(event.value);
         if (event.kind == EventKind::cut_end)
             hud.display.traction_n_m = std::numeric_limits<double>::quiet_NaN();

@@ -64,6 +64,31 @@ double value_of(const std::vector<Event>& events, const std::string& id,
 
 const auto taut = [](double) { return 6.0; };
 
+// Half is cut in the band on the line, half parts beyond the band and 2 mm beside it.
+TEST(Cutting, WhereFibresPartedTheGroundIsDividedButNotByABladeInTheBand) {
+    std::vector<Event> events;
+    stroke(
+        events, 1, 11, 0, 0.05, 100, [](double) { return 0.0; }, taut);
+    for (int i = 0; i < 100; ++i) {
+        const double from = 0.05 + 0.0005 * i, t = 12 + 0.05 * i;
+        events.push_back(cut_event(t, EventKind::fibres_parted, from, 2000, 255));
+        events.push_back(cut_event(t, EventKind::cut_advance, from + 0.0005, 2000, 255));
+        events.push_back(cut_event(t, EventKind::cut_traction, 12, 500, 255));
+    }
+    EXPECT_NEAR(value_of(events, "area_developed"), 100, 1e-4);
+    EXPECT_NEAR(value_of(events, "traction_eff"), 100, 1e-9) << "time of a blade";
+    EXPECT_NEAR(value_of(events, "traction_eff_len"), 50, 1e-4);
+    EXPECT_NEAR(value_of(events, "plane_deep"), 50, 1e-4);
+    EXPECT_NEAR(value_of(events, "cut_dev"), 100, 1e-3) << "mm2";
+    EXPECT_NEAR(value_of(events, "cut_dev_max"), 2, 1e-6);
+    const std::vector<CutStroke> strokes = cut_strokes(events, 1e-3, 30);
+    ASSERT_EQ(strokes.size(), 101U);
+    EXPECT_EQ(strokes[0].hand, 1);
+    EXPECT_EQ(strokes[100].hand, -1);
+    // Of no hand an advance alone begins nowhere: it is left out.
+    EXPECT_TRUE(cut_strokes({cut_event(1, EventKind::cut_advance, 0.01, 0, 255)}, 1e-3, 30).empty());
+}
+
 TEST(Cutting, OnTheLineUnderTensionIsFlawless) {
     std::vector<Event> events;
     stroke(

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "assessment/metrics/metrics_json.h"
+#include "assessment/task/cut_monitor.h"
 #include "assessment/task/monitor.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/support/allocation_count.h"
@@ -106,6 +107,40 @@ struct Dissection {
     }
     const TaskDisplay& display() const { return monitor.display(); }
 };
+
+// Traction has opened the plane: nothing is left there for a blade.
+TEST(CutMonitor, WhereFibresPartedTheLineIsDividedThoughNoBladeCuts) {
+    CutMonitor cut(parse_task(task_text, "cut.json"), Dissection::blades());
+    const auto happen = [&](EventKind kind, double place, int distance, int hand) {
+        Event event;
+        event.kind = kind;
+        event.hand = static_cast<std::uint8_t>(hand);
+        event.value = static_cast<float>(place);
+        event.detail = distance;
+        cut.event(event);
+    };
+    happen(EventKind::cut_begin, 0, 0, 1);
+    happen(EventKind::cut_advance, 0.02, 500, 1);
+    happen(EventKind::cut_end, 0.02, 500, 1);
+    EXPECT_NEAR(cut.divided(), 0.02, 1e-9);
+    for (int mm = 20; mm < 60; ++mm) {
+        happen(EventKind::fibres_parted, mm * 1e-3, 900, 255);
+        happen(EventKind::cut_advance, (mm + 1) * 1e-3, 900, 255);
+        happen(EventKind::cut_traction, 12, 1000, 255);
+        EXPECT_FALSE(cut.cutting());
+        EXPECT_NEAR(cut.distance(), 0.0005, 1e-9) << "of the blade";
+    }
+    EXPECT_NEAR(cut.divided(), 0.06, 1e-9);
+    EXPECT_NEAR(cut.next(), 0.06, 1e-9);
+    // Each has a beginning of its own: what lies between two is not divided.
+    happen(EventKind::fibres_parted, 0.09, 0, 255);
+    happen(EventKind::cut_advance, 0.092, 0, 255);
+    EXPECT_NEAR(cut.divided(), 0.062, 1e-9);
+    // Far beside the line it is not the line that parted.
+    happen(EventKind::fibres_parted, 0.07, 12000, 255);
+    happen(EventKind::cut_advance, 0.08, 12000, 255);
+    EXPECT_NEAR(cut.divided(), 0.062, 1e-9);
+}
 
 TEST(CutMonitor, TensionCountsOnlyInTheBandWithAHoldAndUnbroken) {
     Dissection cut;

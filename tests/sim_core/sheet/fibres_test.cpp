@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "sim_core/numerics/input_error.h"
+#include "tests/sim_core/sheet/cut_truth.h"
 #include "tests/sim_core/sheet/sheet_rig.h"
 #include "tests/support/allocation_count.h"
 
@@ -35,10 +38,34 @@ void cut_a_little(test::SheetRig& rig) {
     rig.go(1, on_line(rig.scene, 0.055, 0.03), 0.1);
 }
 
+/// One parting as its three events tell it.
+struct Parting {
+    Vector3 from, to;  ///< along the line and across it, m
+    double traction, length;
+};
+std::vector<Parting> partings(const test::SheetRig& rig) {
+    std::vector<Parting> told;
+    for (std::size_t i = 0; i < rig.events.size(); ++i) {
+        if (rig.events[i].kind != EventKind::fibres_parted) continue;
+        if (i + 2 >= rig.events.size()) {
+            ADD_FAILURE() << "where it ended is not told";
+            break;
+        }
+        const Event &begin = rig.events[i], &end = rig.events[i + 1], &pull = rig.events[i + 2];
+        EXPECT_EQ(end.kind, EventKind::cut_advance);
+        EXPECT_EQ(pull.kind, EventKind::cut_traction);
+        for (const Event* event : {&begin, &end, &pull}) EXPECT_EQ(event->hand, 255);
+        const auto place = [](const Event& event) {
+            return Vector3(static_cast<double>(event.value), -1e-6 * event.detail, 0);
+        };
+        told.push_back({place(begin), place(end), static_cast<double>(pull.value), 1e-6 * pull.detail});
+    }
+    return told;
+}
+
 double parted(const test::SheetRig& rig) {
     double length = 0;
-    for (const Event& event : rig.events)
-        if (event.kind == EventKind::fibres_parted) length += static_cast<double>(event.value);
+    for (const Parting& one : partings(rig)) length += one.length;
     return length;
 }
 
@@ -98,12 +125,12 @@ TEST(SheetFibres, ACutRunsOnUnderTensionAndStopsWhenItIsSlack) {
     EXPECT_GT(rig.count(EventKind::fibres_parted), stands + 10);
     EXPECT_GT(divided(), first + 1);
     EXPECT_LE(rig.worst_change, 0.3 * (1 + 1e-9)) << "N in a ms, to the hand that holds";
-    for (const Event& event : rig.events) {
-        if (event.kind != EventKind::fibres_parted) continue;
-        EXPECT_EQ(event.hand, 255);
-        EXPECT_GT(event.value, 0.0001F);
-        EXPECT_LT(event.value, 0.002F);
-        EXPECT_LT(std::abs(event.detail), 9000);
+    for (const Parting& one : partings(rig)) {
+        EXPECT_GT(one.length, 0.0001);
+        EXPECT_LT(one.length, 0.002);
+        EXPECT_NEAR(one.length, (one.to - one.from).norm(), 2e-6);
+        EXPECT_LT(std::abs(one.to.y()), 0.009);
+        EXPECT_GT(one.traction, 4.5);
     }
     // The flap given back: the tension falls, the ends stand; drawn again, they run on.
     rig.go(0, rig.wish[0].tip - back, 0.05);
@@ -130,6 +157,52 @@ TEST(SheetFibres, PulledHardTheyPartWithoutABlade) {
     EXPECT_EQ(rig.count(EventKind::cut_begin), 0);
     EXPECT_LT(rig.hand(0).pull.norm(), 0.9 * held) << "the traction drops";
     EXPECT_LE(rig.worst_change, 0.3 * (1 + 1e-9));
+    expect_whole(rig.sheet());
+}
+
+// The scene of task B2: its band of traction ends at 18 N/m. What is told is what parted, and all of it.
+TEST(SheetFibres, OfTheTaskPartAboveItsBandAloneAndAreTold) {
+    test::SheetRig rig(load_scene(test::source_path("assets/scenes/b2_plane.json")));
+    ASSERT_TRUE(rig.scene.sheet->fibres.has_value());
+    const auto most = [&] {
+        double traction = 0;
+        for (const double at : rig.world.snapshot().sheet.line_traction) traction = std::max(traction, at);
+        return traction;
+    };
+    rig.hold_flap(0, Vector3(0, 0.001, 0.001));
+    for (int i = 0; i < 200 && most() < 17; ++i) rig.go(0, rig.wish[0].tip + Vector3(0, 0.0001, 0.0001), 0.02);
+    rig.steps(100);
+    EXPECT_GT(most(), 15);
+    EXPECT_LT(most(), 18);
+    EXPECT_EQ(rig.count(EventKind::fibres_parted), 0);
+    rig.worst_change = 0;
+    for (int i = 0; i < 40; ++i) {
+        rig.go(0, rig.wish[0].tip + Vector3(0, 0.0005, 0.0005), 0.02);
+        rig.steps(4);
+    }
+    EXPECT_LE(rig.worst_change, 0.3 * (1 + 1e-9));
+    const std::vector<Parting> told = partings(rig);
+    ASSERT_GT(told.size(), 20U);
+    const SheetView& sheet = rig.world.snapshot().sheet;
+    for (const Parting& one : told) {
+        EXPECT_GT(one.traction, rig.scene.sheet->fibres->strength);
+        for (const double share : {0.25, 0.5, 0.75}) {
+            const Vector3 place = one.from + share * (one.to - one.from);
+            EXPECT_FALSE(test::whole_around(sheet, place, 0.0008)) << place.transpose();
+        }
+    }
+    const double low = 0.5 * (rig.scene.sheet->line_length - rig.scene.sheet->length), column = 0.0004;
+    int missing = 0, gone = 0;
+    for (double x = low + 0.5 * column; x < low + rig.scene.sheet->length; x += column) {
+        bool open = false, said = false;
+        for (double y = -0.01; y < 0.01 && !open; y += 0.0001) open = !test::covered(sheet, x, y);
+        for (const Parting& one : told)
+            said = said || (std::min(one.from.x(), one.to.x()) <= x && std::max(one.from.x(), one.to.x()) >= x);
+        gone += open ? 1 : 0;
+        missing = open && !said ? missing + 1 : 0;
+        EXPECT_LE(missing, 2) << "at " << x;
+    }
+    EXPECT_GT(gone * column, 0.01);
     expect_whole(rig.sheet());
 }
 

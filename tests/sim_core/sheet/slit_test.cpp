@@ -16,7 +16,9 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SheetSlitOf, testing::Values("b2_areolar", "b2_
                          });
 
 TEST_P(SheetSlitOf, ABladeThatComesUponNoTissueTakesNothingOffTheLips) {
-    test::SheetRig rig(load_scene(test::source_path("assets/scenes/" + std::string(GetParam()) + ".json")));
+    Scene scene = load_scene(test::source_path("assets/scenes/" + std::string(GetParam()) + ".json"));
+    scene.sheet->fibres.reset();  // the lips lose ground to a blade or not at all
+    test::SheetRig rig(scene);
     const SheetSpec& sheet = *rig.scene.sheet;
     const auto on = [&](double x, double off, double up) -> Vector3 {
         return sheet.centre + x * sheet.along + off * sheet.across + Vector3(0, 0, up);
