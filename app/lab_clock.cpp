@@ -30,8 +30,12 @@ struct Clocked {
 Clocked on_the_clock(const std::string& task, bool cuts) {
     LiveRequest request;
     request.loaded = load_task_and_scene(task);
-    if (!cuts)
-        for (TissueSpec& tissue : request.loaded.scene.tissues) tissue.cutting.reset();
+    if (!cuts) {
+        Scene& scene = request.loaded.scene;
+        for (TissueSpec& tissue : scene.tissues) tissue.cutting.reset();
+        if (scene.sheet) scene.sheet->fibres.reset();
+        if (scene.septa) scene.septa->fibres.reset();
+    }
     request.seed = seed;
     request.rig = make_operator("expert", request.loaded.task, request.loaded.scene, seed);
     request.assessed = false;
