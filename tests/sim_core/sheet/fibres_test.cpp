@@ -170,7 +170,8 @@ TEST(SheetFibres, OfTheTaskPartAboveItsBandAloneAndAreTold) {
         return traction;
     };
     rig.hold_flap(0, Vector3(0, 0.001, 0.001));
-    for (int i = 0; i < 200 && most() < 17; ++i) rig.go(0, rig.wish[0].tip + Vector3(0, 0.0001, 0.0001), 0.02);
+    for (int i = 0; i < 200 && most() < 17; ++i)
+        rig.go(0, rig.wish[0].tip + Vector3(0, 0.0001, 0.0001), 0.02);
     rig.steps(100);
     EXPECT_GT(most(), 15);
     EXPECT_LT(most(), 18);
@@ -197,7 +198,8 @@ TEST(SheetFibres, OfTheTaskPartAboveItsBandAloneAndAreTold) {
         bool open = false, said = false;
         for (double y = -0.01; y < 0.01 && !open; y += 0.0001) open = !test::covered(sheet, x, y);
         for (const Parting& one : told)
-            said = said || (std::min(one.from.x(), one.to.x()) <= x && std::max(one.from.x(), one.to.x()) >= x);
+            said =
+                said || (std::min(one.from.x(), one.to.x()) <= x && std::max(one.from.x(), one.to.x()) >= x);
         gone += open ? 1 : 0;
         missing = open && !said ? missing + 1 : 0;
         EXPECT_LE(missing, 2) << "at " << x;
