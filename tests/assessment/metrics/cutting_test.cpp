@@ -85,6 +85,11 @@ TEST(Cutting, WhereFibresPartedTheGroundIsDividedButNotByABladeInTheBand) {
     ASSERT_EQ(strokes.size(), 101U);
     EXPECT_EQ(strokes[0].hand, 1);
     EXPECT_EQ(strokes[100].hand, -1);
+    // Who only pulls has not cut under tension.
+    const std::vector<Event> torn(events.end() - 300, events.end());
+    EXPECT_NEAR(value_of(torn, "area_developed"), 50, 1e-4);
+    EXPECT_NEAR(value_of(torn, "traction_eff_len"), 0, 1e-9);
+    EXPECT_FALSE(measure(make_trace(30.0), "traction_eff", "", torn, plan_context()).value.has_value());
     // Of no hand an advance alone begins nowhere: it is left out.
     EXPECT_TRUE(cut_strokes({cut_event(1, EventKind::cut_advance, 0.01, 0, 255)}, 1e-3, 30).empty());
 }

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What of an attempt's events is worth a line in its debrief.
+#include <gtest/gtest.h>
+
+#include <QTemporaryDir>
+
+#include "database/people.h"
+#include "database/recorder.h"
+#include "ui/review/attempt_model.h"
+
+namespace fulcrum::ui {
+namespace {
+
+// Fibres part many times a second: a line where they begin to, and again after they have held for a while.
+TEST(EventLines, FibresThatPartInARowAreOneLine) {
+    const QTemporaryDir folder;
+    const database::Store store = database::Store::create(folder.filePath("fibres.db").toStdString());
+    const database::Session station = store.station_session();
+    database::AttemptMeta meta;
+    meta.person_id = database::People(store).ensure_synthetic(station, "fibres", "Fibres (synthetic)").id;
+    meta.task_id = "B2";
+    meta.device_class = "synthetic";
+    database::Recorder recorder(store.path(), station, meta);
+    const auto happen = [&](std::uint32_t tick, EventKind kind, float value) {
+        Event event;
+        event.tick = tick;
+        event.kind = kind;
+        event.value = value;
+        recorder.append(event);
+    };
+    for (std::uint32_t tick = 1; tick <= 6000; ++tick) {
+        RigSample input;
+        TickSample sample;
+        input.tick = sample.tick = tick;
+        recorder.append(input);
+        recorder.append(sample);
+        const bool parts = (tick >= 1000 && tick <= 2500) || (tick >= 4000 && tick < 4100);
+        if (!parts || tick % 20 != 0) continue;
+        happen(tick, EventKind::fibres_parted, 0.02F);
+        happen(tick, EventKind::cut_advance, 0.0205F);
+        happen(tick, EventKind::cut_traction, 26.0F);
+    }
+    database::AttemptResult result;
+    result.state = "completed";
+    result.duration_s = 6;
+    recorder.finish(result);
+    const auto model = load_attempt(store, station, recorder.attempt_id(), std::nullopt, {});
+    ASSERT_TRUE(model.has_value());
+    ASSERT_EQ(model->events.size(), 2U);
+    EXPECT_DOUBLE_EQ(model->events[0].time, 1.0);
+    EXPECT_DOUBLE_EQ(model->events[1].time, 4.0);
+    for (const EventLine& line : model->events) {
+        EXPECT_TRUE(line.severe);
+        EXPECT_FALSE(line.critical);
+        EXPECT_EQ(line.words, "Fibres part under too much tension");
+    }
+}
+
+}  // namespace
+}  // namespace fulcrum::ui
