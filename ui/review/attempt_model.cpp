@@ -12,6 +12,7 @@ namespace fulcrum::ui {
 namespace {
 
 constexpr double fibres_line_s = 1;
+constexpr double crumb_m2 = 1e-6;  // nobody sees smaller pieces come free
 
 QString tr(const char* source) {
     return QCoreApplication::translate("fulcrum::ui::debrief", source);
@@ -142,6 +143,7 @@ QString event_words(const Event& event, const std::vector<std::string>& tissues)
             words = tr("Fibres part under too much tension");
             break;
         case EventKind::piece_fallen:
+            if (static_cast<double>(event.value) < crumb_m2) return {};
             words = tr("A piece of %1 mm² came free").arg(figure(static_cast<double>(event.value) * 1e6));
             break;
         case EventKind::activation_begin:

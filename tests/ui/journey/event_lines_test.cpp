@@ -56,5 +56,14 @@ TEST(EventLines, FibresThatPartInARowAreOneLine) {
     }
 }
 
+TEST(EventLines, CrumbsThatNobodySeesAreNone) {
+    Event event;
+    event.kind = EventKind::piece_fallen;
+    event.value = 5e-9F;
+    EXPECT_TRUE(event_words(event, {}).isEmpty());
+    event.value = 3e-6F;
+    EXPECT_EQ(event_words(event, {}), "A piece of 3 mm² came free");
+}
+
 }  // namespace
 }  // namespace fulcrum::ui
