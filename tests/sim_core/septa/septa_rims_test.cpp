@@ -68,18 +68,11 @@ TEST_P(SeptaRims, CutsAlongAndOverRimsAreToldWhereTheyAre) {
     }
     // And what was parted was told, but for the ends of strokes: a blade's cap, what falls at a corner, and a
     // corner that stands edge-on under the blade, which then parts more than the points of its way.
-    const double fat = rig.scene.septa->fat_height - rig.scene.septa->plane_height, column = 0.0004;
+    const double plane = rig.scene.septa->plane_height, fat = rig.scene.septa->fat_height - plane;
     for (int septum = 0; septum < 2; ++septum) {
-        int missing = 0;
-        for (double x = 0.5 * column; x < width; x += column) {
-            const double here = septum * width + x;
-            bool parted = false, said = false;
-            for (double y = -rig.scene.septa->plane_height + 0.0001; y < fat && !parted; y += 0.0001)
-                parted = !test::covered(rig.view(), here, y);
-            for (const auto& way : all) said = said || (way[0] <= here && way[1] >= here);
-            missing = parted && !said ? missing + 1 : 0;
-            EXPECT_LE(missing, 6) << "septum " << septum << " at " << x;
-        }
+        const test::PartedLine line = test::parted_line(rig.view(), {septum * width, (septum + 1) * width},
+                                                        {-plane + 0.0001, fat}, all);
+        EXPECT_LE(line.longest_untold, 0.0024 + 1e-9) << "septum " << septum << " at " << line.untold_at;
     }
     EXPECT_GT(told, 20);
 }

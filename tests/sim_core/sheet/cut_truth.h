@@ -3,8 +3,10 @@
 // against it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "sim_core/world/snapshot.h"
 
@@ -34,6 +36,33 @@ inline bool whole_around(const SheetView& sheet, const Vector3& place, double ra
         if (!covered(sheet, x, y)) return false;
     }
     return true;
+}
+
+/// Across the marked line of a sheet, column by column, between two places along it and two across: how much
+/// of it is parted, and the longest stretch that is parted though no way (from, to along the line, m) leads
+/// over it.
+struct PartedLine {
+    double parted = 0, longest_untold = 0;  ///< m
+    double untold_at = 0;                   ///< m along the line, the end of that stretch
+};
+inline PartedLine parted_line(const SheetView& sheet, std::array<double, 2> along,
+                              std::array<double, 2> across, const std::vector<std::array<double, 2>>& ways) {
+    constexpr double column_width = 0.0004, spacing = 0.0001;
+    PartedLine line;
+    double untold = 0;
+    for (double x = along[0] + 0.5 * column_width; x < along[1]; x += column_width) {
+        bool parted = false;
+        for (double y = across[0]; y < across[1] && !parted; y += spacing) parted = !covered(sheet, x, y);
+        const bool told = std::any_of(ways.begin(), ways.end(), [&](const std::array<double, 2>& way) {
+            return std::min(way[0], way[1]) <= x && std::max(way[0], way[1]) >= x;
+        });
+        line.parted += parted ? column_width : 0;
+        untold = parted && !told ? untold + column_width : 0;
+        if (untold <= line.longest_untold) continue;
+        line.longest_untold = untold;
+        line.untold_at = x;
+    }
+    return line;
 }
 
 }  // namespace fulcrum::test

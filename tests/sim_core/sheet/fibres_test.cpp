@@ -192,19 +192,13 @@ TEST(SheetFibres, OfTheTaskPartAboveItsBandAloneAndAreTold) {
             EXPECT_FALSE(test::whole_around(sheet, place, 0.0008)) << place.transpose();
         }
     }
-    const double low = 0.5 * (rig.scene.sheet->line_length - rig.scene.sheet->length), column = 0.0004;
-    int missing = 0, gone = 0;
-    for (double x = low + 0.5 * column; x < low + rig.scene.sheet->length; x += column) {
-        bool open = false, said = false;
-        for (double y = -0.01; y < 0.01 && !open; y += 0.0001) open = !test::covered(sheet, x, y);
-        for (const Parting& one : told)
-            said =
-                said || (std::min(one.from.x(), one.to.x()) <= x && std::max(one.from.x(), one.to.x()) >= x);
-        gone += open ? 1 : 0;
-        missing = open && !said ? missing + 1 : 0;
-        EXPECT_LE(missing, 2) << "at " << x;
-    }
-    EXPECT_GT(gone * column, 0.01);
+    std::vector<std::array<double, 2>> ways;
+    for (const Parting& one : told) ways.push_back({one.from.x(), one.to.x()});
+    const double low = 0.5 * (rig.scene.sheet->line_length - rig.scene.sheet->length);
+    const test::PartedLine line =
+        test::parted_line(sheet, {low, low + rig.scene.sheet->length}, {-0.01, 0.01}, ways);
+    EXPECT_LE(line.longest_untold, 0.0008 + 1e-9) << "at " << line.untold_at;
+    EXPECT_GT(line.parted, 0.01);
     expect_whole(rig.sheet());
 }
 
