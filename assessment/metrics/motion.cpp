@@ -12,7 +12,7 @@ namespace fulcrum {
 
 namespace {
 
-constexpr double mm = 1e3;        // mm in a metre
+constexpr double mm = 1e3;  // mm in a metre
 constexpr double degrees = 180.0 / 3.14159265358979323846;
 
 /// The 5 s of a block in which a per-sample amount adds up to most: where a person should look.
@@ -55,6 +55,13 @@ Figure time(const Analysis& analysis, const Selection&) {
     for (int h = 0; h < hand_count; ++h) {
         const std::optional<double> first = analysis.first_movement(h);
         if (first && (!begin || *first < *begin)) begin = first;
+    }
+    // Work done haltingly has no run that is long enough: the monitor saw it begin, and its clock ran.
+    for (const Event& event : analysis.events()) {
+        if (event.kind != EventKind::first_movement) continue;
+        const double seen = analysis.trace().time_of(event);
+        if (!begin || seen < *begin - rest_time) begin = seen;
+        break;
     }
     if (!begin) return absent(Absence::not_done, "no instrument moved inside the body");
     const double end = std::max(*begin, analysis.trace().end);
@@ -363,13 +370,14 @@ std::vector<Metric> motion_metrics() {
         return d;
     };
 
-    MetricDescriptor d =
-        motion({"time", "Time", "s", 0.1}, D::lower, Scale::ln, A::total, E::strong,
-               "van Hove 2010; Fundamentals of Laparoscopic Surgery",
-               {"Time from the first movement of either instrument to the end of the task, pauses left out. "
-                "In a trace file without events the last sample is the end.",
-                "the task took {value} where {limit} is enough",
-                "look at the next goal while finishing this one, and keep both hands at work"});
+    MetricDescriptor d = motion(
+        {"time", "Time", "s", 0.1}, D::lower, Scale::ln, A::total, E::strong,
+        "van Hove 2010; Fundamentals of Laparoscopic Surgery",
+        {"Time from the first movement or work of either instrument to the end of the task, pauses left out. "
+         "In a trace file without events the last sample is the end.",
+         "the task took {value} where {limit} is enough",
+         "look at the next goal while finishing this one, and keep both hands at work"});
+    d.version = 2;  // 2: who works before the first movement, haltingly, has begun
     d.hands = Hands::either;
     d.absent_means = AbsentMeans::failed;
     add(d, time);

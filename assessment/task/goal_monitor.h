@@ -32,6 +32,10 @@ class GoalMonitor {
         bands_divided_ = bands.divided();
         vessels_dry_ = bands.dry();
     }
+    /// The hand holds the lit target, as of the last tick.
+    bool at_target(Hand hand) const noexcept {
+        return hold_ticks_ > 0 && !done() && goal().kind == GoalKind::touch_targets && goal().hand == hand;
+    }
     bool done() const noexcept { return goal_ >= static_cast<int>(goals_.size()); }
     /// Writes the goal part of the display.
     void show(TaskDisplay& display) const noexcept;

@@ -188,10 +188,12 @@ void TaskMonitor::on_step(const TickSample* ticks, std::size_t count, const Worl
             } else {
                 state.run_ticks[h] = 0;
             }
-            // Who holds, cuts or burns tissue is at work, however haltingly the hand came there.
+            // Who holds, cuts or burns tissue, or is where the task wants the hand, is at work, however
+            // haltingly the hand came there.
             const std::uint16_t flags = sample.hand[h].flags;
             const bool at_work =
-                (flags & hand_inside) != 0 && (flags & (hand_grasping | hand_cutting | hand_energy)) != 0;
+                state.goals.at_target(static_cast<Hand>(h)) ||
+                ((flags & hand_inside) != 0 && (flags & (hand_grasping | hand_cutting | hand_energy)) != 0);
             if (!display.moving_seen &&
                 (at_work || state.run_ticks[h] * state.tick_period >= moving_duration)) {
                 display.moving_seen = true;

@@ -190,7 +190,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     DebriefPage& debrief = wait_for_debrief();
     const database::AttemptSummary first = newest_attempt();
     EXPECT_EQ(first.state, whole ? "completed" : "abandoned");
-    EXPECT_TRUE(first.counting);
+    EXPECT_TRUE(first.counting) << first.meta.mode << ", " << first.not_scored_because;
     const QString first_state = attempt_state(first.state), first_points = figure(first.points);
     const QString first_time = shown("headline_0");
     EXPECT_EQ(shown("debrief_about").contains(" · " + first_points + " points"), first.points.has_value());

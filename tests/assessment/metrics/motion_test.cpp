@@ -122,6 +122,31 @@ TEST(Time, RunsFromTheFirstMovementToTheEndEventWithoutPauses) {
     EXPECT_EQ(measure(still, "time", "").absence, Absence::not_done);
 }
 
+TEST(Time, RunsFromWorkThatWasBegunHaltingly) {
+    // Jerks of 20 mm/s for 0.1 s, twice a second, from the beginning; one smooth reach from 8 s on.
+    Trace trace = make_trace(12.0);
+    set_position(trace, Hand::right, [](double t) {
+        const double jerks = std::min(std::floor(2 * t), 15.0), part = std::min(2 * t - jerks, 1.0);
+        return Vector3(0.002 * (jerks + test::minimum_jerk(part, 0.2)) + 0.1 * test::minimum_jerk(t - 8, 2),
+                       0, 0);
+    });
+    set_position(trace, Hand::left, [](double) { return Vector3::Zero(); });
+    const MetricResult unseen = measure(trace, "time", "");
+    ASSERT_TRUE(unseen.value);
+    EXPECT_NEAR(*unseen.value, trace.end - 8.12, 0.03);
+    const MetricResult seen = measure(trace, "time", "", {make_event(2.5, EventKind::first_movement)});
+    ASSERT_TRUE(seen.value);
+    EXPECT_NEAR(*seen.value, trace.end - 2.5, 1e-3);
+    // The live monitor's begin and the filtered one differ a little: the filtered one stays.
+    const MetricResult same = measure(trace, "time", "", {make_event(8.05, EventKind::first_movement)});
+    EXPECT_EQ(same.value, unseen.value);
+    Trace jerks_alone = make_trace(4.0);
+    set_position(jerks_alone, Hand::left, [](double) { return Vector3::Zero(); });
+    const MetricResult worked = measure(jerks_alone, "time", "", {make_event(1, EventKind::first_movement)});
+    ASSERT_TRUE(worked.value);
+    EXPECT_NEAR(*worked.value, jerks_alone.end - 1, 1e-3);
+}
+
 TEST(Economy, IsOneForStraightLegsAndLeavesHoldsOut) {
     Trace trace = make_trace(14.0);
     set_position(trace, Hand::left, reaches(4, 0.1, 1.5, 1.0));

@@ -166,6 +166,35 @@ TEST(Monitor, WhoWorksOnTissueHasBegunHoweverHaltingly) {
     }
 }
 
+TEST(Monitor, WhoRestsOnTheLitTargetHasBegunHoweverHaltingly) {
+    TargetBench bench;
+    // By jerks of 20 mm/s for 0.1 s between rests of 0.1 s to the left hand's first target.
+    const Vector3 target = bench.world.targets[1].centre;
+    for (int jerk = 0; jerk < 10; ++jerk) {
+        const double away = 0.002 * (10 - jerk);
+        ASSERT_FALSE(bench.monitor.display().moving_seen);
+        bench.move(Hand::left, target + Vector3(0.008 + away, 0, 0), target + Vector3(0.006 + away, 0, 0),
+                   100);
+        bench.ticks(100);
+    }
+    bench.ticks(1000);
+    ASSERT_TRUE(bench.monitor.display().moving_seen);
+    const Event& begin = bench.events.first(EventKind::first_movement);
+    const Event& reached = bench.events.first(EventKind::target_reached);
+    EXPECT_EQ(begin.hand, 0);
+    // Where the hold began, or the jerk that led to it.
+    const double before = (reached.tick - begin.tick) * 1e-3;
+    EXPECT_GE(before, bench.task.goals[0].hold_s - 2e-3);
+    EXPECT_LE(before, bench.task.goals[0].hold_s + 0.1);
+}
+
+TEST(Monitor, WhoRestsOnATargetThatIsNotLitHasNotBegun) {
+    TargetBench bench;
+    bench.move(Hand::left, bench.world.targets[2].centre, bench.world.targets[2].centre, 1000);
+    bench.move(Hand::right, bench.world.targets[0].centre, bench.world.targets[0].centre, 1000);
+    EXPECT_FALSE(bench.monitor.display().moving_seen);
+}
+
 TEST(Monitor, MovementOutsideTheBodyDoesNotStartTheClock) {
     Bench bench("A2.json");
     bench.sample.hand[1].flags = 0;
