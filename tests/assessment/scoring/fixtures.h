@@ -77,6 +77,7 @@ inline BenchmarkSet small_set() {
     sparc.scale = Scale::raw;
     sparc.mean = -1.5;
     sparc.deviation = 0.1;
+    for (BenchmarkLevel* level : {&time, &sparc}) level->metric_version = find_metric(level->metric)->version;
     set.levels = {time, sparc};
     return set;
 }
