@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Keeps its clock and loses nothing while it draws and both hands grasp and drag bowel. Eight seconds in the
 // suite; FULCRUM_SOAK_S=600 for the ten minutes, FULCRUM_SOAK_PAGE=docs/results to write their page.
+#include <atomic>
+#include <chrono>
 #include <cstdio>
 #include <fstream>
+#include <thread>
 
 #include "app/live_attempt.h"
 #include "assessment/task/bowel_line.h"
@@ -84,6 +87,38 @@ class DraggingMind : public ObservingRig {
     bool grasp_ = false;
 };
 
+/// Reads the clock a thousand times a second and does nothing else: what is withheld from it is withheld from
+/// the program, too, and not the program's doing.
+class ClockWitness {
+  public:
+    ClockWitness() : thread_([this] { watch(); }) {}
+    ~ClockWitness() {
+        stop_.store(true);
+        thread_.join();
+    }
+    /// s, of gaps that the program's clock is moved over.
+    double withheld() const { return 1e-9 * static_cast<double>(withheld_ns_.load()); }
+
+  private:
+    void watch() {
+        using namespace std::chrono;
+        constexpr auto period = milliseconds(1), longest = milliseconds(20);
+        auto deadline = steady_clock::now() + period;
+        while (!stop_.load()) {
+            std::this_thread::sleep_until(deadline);
+            const auto late = steady_clock::now() - deadline;
+            if (late >= longest) {
+                withheld_ns_ += duration_cast<nanoseconds>(late).count();
+                deadline += late;
+            }
+            deadline += period;
+        }
+    }
+    std::atomic<bool> stop_{false};
+    std::atomic<std::int64_t> withheld_ns_{0};
+    std::thread thread_;
+};
+
 /// Resident memory of this process, bytes.
 double resident_bytes() {
     std::ifstream file("/proc/self/statm");
@@ -114,6 +149,7 @@ TEST_F(Window, KeepsItsClockAndLosesNothingWhileItDrawsAndTheHandsDragBowel) {
     ASSERT_NE(live, nullptr);
     DraggingMind mind(live->scene());
     MouseHand hand(theatre(), mind);
+    const ClockWitness witness;
     QElapsedTimer clock;
     clock.start();
     double settled = 0, resident = 0;
@@ -134,7 +170,7 @@ TEST_F(Window, KeepsItsClockAndLosesNothingWhileItDrawsAndTheHandsDragBowel) {
             return clock.elapsed() >= seconds * 1000LL;
         },
         seconds * 1000 + 60000);
-    const double grown = resident - settled;
+    const double grown = resident - settled, withheld = witness.withheld();
     if (theatre().session() != nullptr && theatre().session()->phase() == AttemptPhase::running) {
         abandon();
     } else {
@@ -165,6 +201,7 @@ TEST_F(Window, KeepsItsClockAndLosesNothingWhileItDrawsAndTheHandsDragBowel) {
          list({statistics.tick.p50_us, statistics.tick.p99_us, statistics.tick.worst_us})},
         {"world step, us: p50, p99, worst",
          list({statistics.step.p50_us, statistics.step.p99_us, statistics.step.worst_us})},
+        {"withheld from a thread that only reads the clock, s", number(withheld, "%.2f")},
         {"late world steps", number(static_cast<double>(statistics.late_steps))},
         {"samples lost", number(static_cast<double>(attempt.lost_samples))},
         {"ticks in the record", number(static_cast<double>(trace.samples.size()))},
@@ -193,8 +230,9 @@ TEST_F(Window, KeepsItsClockAndLosesNothingWhileItDrawsAndTheHandsDragBowel) {
     }
     EXPECT_EQ(attempt.lost_samples, 0U);
     // A machine that is shared withholds its processors and with them periods of the clock, a quarter was
-    // seen: what is asked is that it goes on, and below that no tick is left out.
-    ASSERT_GT(trace.samples.size(), static_cast<std::size_t>(seconds) * 500U);
+    // seen, and now and then the whole machine stands still: what is asked is that it goes on, and below that
+    // no tick is left out.
+    ASSERT_GT(static_cast<double>(trace.samples.size()), 500.0 * (seconds - withheld));
     for (std::size_t i = 0; i < trace.samples.size(); ++i) ASSERT_EQ(trace.samples[i].tick, i + 1);
     EXPECT_LT(grown, 64.0 * 1048576.0);
     EXPECT_GE(grasps, seconds / 30);
