@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QHeaderView>
 #include <QTableWidget>
+#include <algorithm>
 
 #include "database/people.h"
 #include "ui/reports/export_row.h"
@@ -57,6 +58,10 @@ CohortPage::CohortPage(Context& context) : Page(context, "cohort_page") {
     table_->setSelectionBehavior(QAbstractItemView::SelectItems);
     table_->setMinimumHeight(380);
     table_->setWordWrap(true);
+    QHeaderView* heads = table_->horizontalHeader();
+    heads->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter |
+                               static_cast<Qt::Alignment>(Qt::TextWordWrap));
+    connect(heads, &QHeaderView::sectionResized, this, &CohortPage::fit_rows);
     layout->addWidget(table_, 1);
     foot_ = make_label({}, "muted");
     layout->addWidget(foot_);
@@ -138,19 +143,42 @@ void CohortPage::load() {
         }
     }
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    table_->resizeRowsToContents();
+    fit_rows();
     QString line_text = tr("people: n = %1").arg(data_->people);
     if (data_->left_out_synthetic > 0) {
         line_text += tr(" · synthetic left out: %1").arg(data_->left_out_synthetic);
     }
     line_text += tr(" · counting attempts only; device classes are never pooled");
     summary_->setText(line_text);
-    QStringList sets, metrics;
+    QStringList sets;
     for (const std::string& set : data_->benchmark_sets) sets << text(set);
-    for (const std::string& metric : data_->metric_versions) metrics << text(metric);
     foot_->setText(tr("Benchmark sets: %1\nMetrics: %2")
                        .arg(sets.isEmpty() ? QStringLiteral("–") : sets.join(QStringLiteral(", ")),
-                            metrics.isEmpty() ? QStringLiteral("–") : metrics.join(QStringLiteral(", "))));
+                            versions_in_short(data_->metric_versions)));
+}
+
+// Five tasks or more leave a column narrower than its words: heads and cells are as high as they need. The
+// table's own measure of a row takes no account of what the style leaves free beside the words.
+void CohortPage::fit_rows() {
+    QFont bold = table_->font();
+    bold.setBold(true);
+    const auto height_of = [&](const QTableWidgetItem* item, int column, const QFont& font) {
+        if (item == nullptr) return 0;  // columns are there before their words
+        constexpr int beside = 24, above_and_below = 16;
+        const QRect room(0, 0, std::max(1, table_->columnWidth(column) - beside), 10000);
+        return QFontMetrics(font).boundingRect(room, Qt::TextWordWrap, item->text()).height() +
+               above_and_below;
+    };
+    int heads = 0;
+    for (int column = 0; column < table_->columnCount(); ++column)
+        heads = std::max(heads, height_of(table_->horizontalHeaderItem(column), column, bold));
+    table_->horizontalHeader()->setMinimumHeight(heads);
+    for (int row = 0; row < table_->rowCount(); ++row) {
+        int height = table_->verticalHeader()->defaultSectionSize();
+        for (int column = 0; column < table_->columnCount(); ++column)
+            height = std::max(height, height_of(table_->item(row, column), column, table_->font()));
+        table_->setRowHeight(row, height);
+    }
 }
 
 void CohortPage::export_to(const QString& path, ReportFormat format) {

@@ -31,6 +31,7 @@ class CohortPage : public Page {
 
   private:
     void load();
+    void fit_rows();
 
     std::optional<database::CohortTable> data_;
     QComboBox* cohort_;

@@ -4,8 +4,6 @@
 #include <QCoreApplication>
 #include <QFile>
 #include <QPageSize>
-#include <algorithm>
-#include <map>
 
 #include "ui/style/text.h"
 
@@ -20,24 +18,6 @@ QString joined(const std::vector<std::string>& parts) {
     QStringList list;
     for (const std::string& part : parts) list << text(part);
     return list.isEmpty() ? QStringLiteral("–") : list.join(QStringLiteral(", "));
-}
-
-/// "all 64 at version 1" or "61 at version 1; sparc@2, tremor@3": every one of them, in a line.
-QString versions_in_short(const std::vector<std::string>& versions) {
-    const auto version_of = [](const std::string& one) { return one.substr(one.rfind('@') + 1); };
-    std::map<std::string, int> counts;
-    for (const std::string& one : versions) ++counts[version_of(one)];
-    if (counts.empty()) return QStringLiteral("–");
-    const auto most = std::max_element(counts.begin(), counts.end(),
-                                       [](const auto& a, const auto& b) { return a.second < b.second; });
-    if (counts.size() == 1) return tr("all %1 at version %2").arg(most->second).arg(text(most->first));
-    QStringList others;
-    for (const std::string& one : versions) {
-        if (version_of(one) != most->first) others << text(one);
-    }
-    return tr("%1 at version %2; %3")
-        .arg(most->second)
-        .arg(text(most->first), others.join(QStringLiteral(", ")));
 }
 
 }  // namespace

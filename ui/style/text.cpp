@@ -4,7 +4,9 @@
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QLocale>
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace fulcrum::ui {
 namespace {
@@ -122,6 +124,27 @@ QString role_text(const std::string& role) {
     if (role == "director") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "director"));
     if (role == "administrator") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "administrator"));
     return text(role);
+}
+
+QString versions_in_short(const std::vector<std::string>& versions) {
+    const auto version_of = [](const std::string& one) { return one.substr(one.rfind('@') + 1); };
+    std::map<std::string, int> counts;
+    for (const std::string& one : versions) ++counts[version_of(one)];
+    if (counts.empty()) return QStringLiteral("–");
+    const auto most = std::max_element(counts.begin(), counts.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (counts.size() == 1) {
+        return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "all %1 at version %2"))
+            .arg(most->second)
+            .arg(text(most->first));
+    }
+    QStringList others;
+    for (const std::string& one : versions) {
+        if (version_of(one) != most->first) others << text(one);
+    }
+    return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "%1 at version %2; %3"))
+        .arg(most->second)
+        .arg(text(most->first), others.join(QStringLiteral(", ")));
 }
 
 }  // namespace fulcrum::ui

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace fulcrum::ui {
 
@@ -40,5 +41,8 @@ QString hand_text(const std::string& hand);
 /// "mouse and keyboard" for "mouse-keyboard" ...
 QString device_class_text(const std::string& device_class);
 QString role_text(const std::string& role);
+/// Of "path_len@1", "sparc@2" ...: "all 64 at version 1" or "61 at version 1; sparc@2, tremor@3", every one
+/// of them, in a line; "–" for none.
+QString versions_in_short(const std::vector<std::string>& versions);
 
 }  // namespace fulcrum::ui

@@ -5,6 +5,7 @@
 #include <QKeyEvent>
 #include <QScrollArea>
 #include <QStyle>
+#include <algorithm>
 
 namespace fulcrum::ui {
 
@@ -82,8 +83,11 @@ void fit_columns(QTableWidget* table) {
     QHeaderView* header = table->horizontalHeader();
     header->setStretchLastSection(false);
     table->resizeColumnsToContents();
+    // Air between the columns, as far as there is room for it.
+    const int columns = std::max(1, table->columnCount());
+    const int air = std::clamp((table->viewport()->width() - header->length()) / columns, 4, 16);
     for (int column = 0; column < table->columnCount(); ++column) {
-        header->resizeSection(column, header->sectionSize(column) + 16);
+        header->resizeSection(column, header->sectionSize(column) + air);
         if (table->rowCount() > 0 && table->item(0, column) != nullptr) {
             table->horizontalHeaderItem(column)->setTextAlignment(table->item(0, column)->textAlignment());
         }

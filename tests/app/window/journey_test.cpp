@@ -4,6 +4,7 @@
 // FULCRUM_JOURNEY_PAGE=docs/results completes it, waits until a lost device's minute is over, and writes
 // their page; FULCRUM_PICTURES keeps the screens.
 #include <QComboBox>
+#include <QHeaderView>
 #include <QPlainTextEdit>
 #include <QSlider>
 #include <nlohmann/json.hpp>
@@ -116,6 +117,23 @@ class Journey : public Window {
         auto* panel = debrief.findChild<ReplayPanel*>();
         EXPECT_TRUE(wait_for([&] { return std::abs(panel->shown_time() - debrief.moment()) < 0.02; }, 120000))
             << panel->shown_time() << " shown, asked for " << debrief.moment();
+    }
+    /// Neither a head nor a cell of the table is cut off.
+    void expect_whole(QTableWidget& table) {
+        const auto expect_room = [&](int column, int height, const QString& words, int weight) {
+            QFont font = table.font();
+            font.setWeight(weight);
+            const QRect room(0, 0, table.columnWidth(column) - 22, 1000);
+            const QRect needed = QFontMetrics(font).boundingRect(room, Qt::TextWordWrap, words);
+            EXPECT_LE(needed.width(), room.width()) << plain(words);
+            EXPECT_LE(needed.height() + 10, height) << plain(words);
+        };
+        for (int column = 0; column < table.columnCount(); ++column) {
+            expect_room(column, table.horizontalHeader()->height(),
+                        table.horizontalHeaderItem(column)->text(), QFont::DemiBold);
+            for (int row = 0; row < table.rowCount(); ++row)
+                expect_room(column, table.rowHeight(row), table.item(row, column)->text(), QFont::Normal);
+        }
     }
     void save_report(const char* button, const QString& path) {
         bring(*find<QWidget>(window, "export_path"));
@@ -292,6 +310,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     auto* table = find<QTableWidget>(window, "cohort_table");
     ASSERT_EQ(table->rowCount(), 1);
     const QString shown_cell = table->item(0, 1)->text();
+    expect_whole(*table);
     EXPECT_EQ(shown_cell.contains("best " + first_points), first.points.has_value());
     for (const char* name : {"cohort.pdf", "cohort.csv", "cohort.json"})
         save_report("export_cohort", folder.filePath(name));
