@@ -61,7 +61,7 @@ CohortPage::CohortPage(Context& context) : Page(context, "cohort_page") {
     QHeaderView* heads = table_->horizontalHeader();
     heads->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter |
                                static_cast<Qt::Alignment>(Qt::TextWordWrap));
-    connect(heads, &QHeaderView::sectionResized, this, &CohortPage::fit_rows);
+    connect(heads, &QHeaderView::sectionResized, this, &CohortPage::fit);
     layout->addWidget(table_, 1);
     foot_ = make_label({}, "muted");
     layout->addWidget(foot_);
@@ -143,7 +143,7 @@ void CohortPage::load() {
         }
     }
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    fit_rows();
+    fit();
     QString line_text = tr("people: n = %1").arg(data_->people);
     if (data_->left_out_synthetic > 0) {
         line_text += tr(" · synthetic left out: %1").arg(data_->left_out_synthetic);
@@ -157,28 +157,10 @@ void CohortPage::load() {
                             versions_in_short(data_->metric_versions)));
 }
 
-// Five tasks or more leave a column narrower than its words: heads and cells are as high as they need. The
-// table's own measure of a row takes no account of what the style leaves free beside the words.
-void CohortPage::fit_rows() {
-    QFont bold = table_->font();
-    bold.setBold(true);
-    const auto height_of = [&](const QTableWidgetItem* item, int column, const QFont& font) {
-        if (item == nullptr) return 0;  // columns are there before their words
-        constexpr int beside = 24, above_and_below = 16;
-        const QRect room(0, 0, std::max(1, table_->columnWidth(column) - beside), 10000);
-        return QFontMetrics(font).boundingRect(room, Qt::TextWordWrap, item->text()).height() +
-               above_and_below;
-    };
-    int heads = 0;
-    for (int column = 0; column < table_->columnCount(); ++column)
-        heads = std::max(heads, height_of(table_->horizontalHeaderItem(column), column, bold));
-    table_->horizontalHeader()->setMinimumHeight(heads);
-    for (int row = 0; row < table_->rowCount(); ++row) {
-        int height = table_->verticalHeader()->defaultSectionSize();
-        for (int column = 0; column < table_->columnCount(); ++column)
-            height = std::max(height, height_of(table_->item(row, column), column, table_->font()));
-        table_->setRowHeight(row, height);
-    }
+// Five tasks or more leave a column narrower than its words.
+void CohortPage::fit() {
+    fit_heads(table_);
+    fit_rows(table_);
 }
 
 void CohortPage::export_to(const QString& path, ReportFormat format) {

@@ -31,7 +31,7 @@ class CohortPage : public Page {
 
   private:
     void load();
-    void fit_rows();
+    void fit();
 
     std::optional<database::CohortTable> data_;
     QComboBox* cohort_;

@@ -115,10 +115,7 @@ void GatesCard::open(const AttemptModel& model) {
         source_cell->setToolTip(source);
         table_->setItem(row, 6, source_cell);
     }
-    fit_columns(table_);
-    // Words need the room more than figures.
-    for (int column = 0; column + 1 < table_->columnCount(); ++column)
-        table_->setColumnWidth(column, table_->columnWidth(column) - 14);
+    fit_columns(table_, 2);  // words need the room more than figures
     fit();
 }
 
@@ -134,7 +131,7 @@ void GatesCard::fit() {
     int others = 0;
     for (int column = 0; column < last; ++column) others += header->sectionSize(column);
     header->resizeSection(last, std::max(120, table_->viewport()->width() - others));
-    table_->resizeRowsToContents();
+    fit_rows(table_);
     table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() +
                            table_->verticalHeader()->length() + 2 * table_->frameWidth());
 }

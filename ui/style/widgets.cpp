@@ -79,13 +79,12 @@ QTableWidgetItem* make_cell(const QString& shown, Qt::Alignment alignment) {
     return item;
 }
 
-void fit_columns(QTableWidget* table) {
+void fit_columns(QTableWidget* table, int air) {
     QHeaderView* header = table->horizontalHeader();
     header->setStretchLastSection(false);
     table->resizeColumnsToContents();
-    // Air between the columns, as far as there is room for it.
-    const int columns = std::max(1, table->columnCount());
-    const int air = std::clamp((table->viewport()->width() - header->length()) / columns, 4, 16);
+    const int room = (table->viewport()->width() - header->length()) / std::max(1, table->columnCount());
+    air = std::clamp(room, std::min(4, air), air);
     for (int column = 0; column < table->columnCount(); ++column) {
         header->resizeSection(column, header->sectionSize(column) + air);
         if (table->rowCount() > 0 && table->item(0, column) != nullptr) {
@@ -93,6 +92,37 @@ void fit_columns(QTableWidget* table) {
         }
     }
     header->setStretchLastSection(true);
+}
+
+namespace {
+
+int height_of(const QTableWidgetItem* item, int width, const QFont& font) {
+    if (item == nullptr) return 0;
+    constexpr int beside = 24, above_and_below = 16;
+    const QRect room(0, 0, std::max(1, width - beside), 10000);
+    return QFontMetrics(font).boundingRect(room, Qt::TextWordWrap, item->text()).height() + above_and_below;
+}
+
+}  // namespace
+
+void fit_rows(QTableWidget* table) {
+    for (int row = 0; row < table->rowCount(); ++row) {
+        int height = table->verticalHeader()->defaultSectionSize();
+        for (int column = 0; column < table->columnCount(); ++column)
+            height = std::max(height,
+                              height_of(table->item(row, column), table->columnWidth(column), table->font()));
+        table->setRowHeight(row, height);
+    }
+}
+
+void fit_heads(QTableWidget* table) {
+    QFont bold = table->font();
+    bold.setBold(true);
+    int height = 0;
+    for (int column = 0; column < table->columnCount(); ++column)
+        height = std::max(height,
+                          height_of(table->horizontalHeaderItem(column), table->columnWidth(column), bold));
+    table->horizontalHeader()->setMinimumHeight(height);
 }
 
 void set_role(QWidget* widget, const char* role) {

@@ -22,9 +22,13 @@ inline QVBoxLayout* card_layout(QFrame* card) {
 /// A table that is read: rows selectable, no editing, no vertical header.
 QTableWidget* make_table(const QStringList& columns, const char* name);
 QTableWidgetItem* make_cell(const QString& shown, Qt::Alignment alignment = Qt::AlignLeft | Qt::AlignVCenter);
-/// Columns as wide as what they hold, with air between them; a header stands above its figures; the last
-/// column takes the rest.
-void fit_columns(QTableWidget* table);
+/// Columns as wide as what they hold, with at most `air` pixels between them, less where there is no room; a
+/// header stands above its figures; the last column takes the rest.
+void fit_columns(QTableWidget* table, int air = 16);
+/// Rows, or the row of heads, as high as their words need in columns that are narrower. The table's own
+/// measure takes no account of what the style leaves free beside the words.
+void fit_rows(QTableWidget* table);
+void fit_heads(QTableWidget* table);
 /// Changes a label's role (and so its look).
 void set_role(QWidget* widget, const char* role);
 /// Empties a layout and deletes its widgets.
