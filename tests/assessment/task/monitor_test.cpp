@@ -169,12 +169,10 @@ TEST(Monitor, WhoWorksOnTissueHasBegunHoweverHaltingly) {
 TEST(Monitor, WhoRestsOnTheLitTargetHasBegunHoweverHaltingly) {
     TargetBench bench;
     // By jerks of 20 mm/s for 0.1 s between rests of 0.1 s to the left hand's first target.
-    const Vector3 target = bench.world.targets[1].centre;
-    for (int jerk = 0; jerk < 10; ++jerk) {
-        const double away = 0.002 * (10 - jerk);
+    const Vector3 target = bench.world.targets[1].centre, x = Vector3::UnitX();
+    for (double away = 0.028; away > 0.008; away -= 0.002) {
         ASSERT_FALSE(bench.monitor.display().moving_seen);
-        bench.move(Hand::left, target + Vector3(0.008 + away, 0, 0), target + Vector3(0.006 + away, 0, 0),
-                   100);
+        bench.move(Hand::left, target + away * x, target + (away - 0.002) * x, 100);
         bench.ticks(100);
     }
     bench.ticks(1000);
