@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QHeaderView>
 #include <QTableWidget>
+#include <QTimer>
 #include <algorithm>
 
 #include "database/people.h"
@@ -61,7 +62,11 @@ CohortPage::CohortPage(Context& context) : Page(context, "cohort_page") {
     QHeaderView* heads = table_->horizontalHeader();
     heads->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter |
                                static_cast<Qt::Alignment>(Qt::TextWordWrap));
-    connect(heads, &QHeaderView::sectionResized, this, &CohortPage::fit);
+    // Once for all columns that change their width together.
+    auto* resized = new QTimer(this);
+    resized->setSingleShot(true);
+    connect(heads, &QHeaderView::sectionResized, resized, [resized] { resized->start(0); });
+    connect(resized, &QTimer::timeout, this, &CohortPage::fit);
     layout->addWidget(table_, 1);
     foot_ = make_label({}, "muted");
     layout->addWidget(foot_);

@@ -140,11 +140,11 @@ TEST(Time, RunsFromWorkThatWasBegunHaltingly) {
     // The live monitor's begin and the filtered one differ a little: the filtered one stays.
     const MetricResult same = measure(trace, "time", "", {make_event(8.05, EventKind::first_movement)});
     EXPECT_EQ(same.value, unseen.value);
-    Trace jerks_alone = make_trace(4.0);
-    set_position(jerks_alone, Hand::left, [](double) { return Vector3::Zero(); });
-    const MetricResult worked = measure(jerks_alone, "time", "", {make_event(1, EventKind::first_movement)});
+    Trace no_run = make_trace(4.0);
+    set_position(no_run, Hand::left, [](double) { return Vector3::Zero(); });
+    const MetricResult worked = measure(no_run, "time", "", {make_event(1, EventKind::first_movement)});
     ASSERT_TRUE(worked.value);
-    EXPECT_NEAR(*worked.value, jerks_alone.end - 1, 1e-3);
+    EXPECT_NEAR(*worked.value, no_run.end - 1, 1e-3);
 }
 
 TEST(Economy, IsOneForStraightLegsAndLeavesHoldsOut) {
