@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The command line as data: positional words, options with a value, flags. Every subcommand declares what it takes.
+// The command line as data: positional words, options with a value, flags. Every subcommand declares what it
+// takes.
 #pragma once
 
 #include <map>
@@ -18,10 +19,10 @@ class UsageError : public std::runtime_error {
 };
 
 struct OptionSpec {
-    std::set<std::string> with_value;   ///< "--seed"
-    std::set<std::string> flags;        ///< "--json"
+    std::set<std::string> with_value;  ///< "--seed"
+    std::set<std::string> flags;       ///< "--json"
     std::size_t minimum_words = 0, maximum_words = 0;
-    std::string usage;                  ///< one line, shown with every error
+    std::string usage;  ///< one line, shown with every error
 };
 
 class Arguments {
@@ -34,8 +35,8 @@ class Arguments {
     std::string value_or(const std::string& option, const std::string& fallback) const;
     /// Throws UsageError where the value is no whole number in [low, high].
     long long integer(const std::string& option, long long fallback, long long low, long long high) const;
-    /// The folder that an option names, or the fallback, made where it is not there. Throws UsageError where nothing
-    /// can be written in it: before the work whose results go there, not after it.
+    /// The folder that an option names, or the fallback, made where it is not there. Throws UsageError where
+    /// nothing can be written in it: before the work whose results go there, not after it.
     std::string folder(const std::string& option, const std::string& fallback) const;
     const std::string& usage() const { return usage_; }
 

@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 
 std::string assets_folder() {
     if (const char* named = std::getenv("FULCRUM_ASSETS"); named != nullptr && *named != '\0') {
-        if (!fs::is_directory(fs::path(named) / "tasks")) throw InputError(named, "", "holds no tasks folder", "set FULCRUM_ASSETS to the assets folder");
+        if (!fs::is_directory(fs::path(named) / "tasks"))
+            throw InputError(named, "", "holds no tasks folder", "set FULCRUM_ASSETS to the assets folder");
         return named;
     }
     std::error_code error;
@@ -25,10 +26,13 @@ std::string assets_folder() {
         }
         if (folder == folder.root_path()) break;
     }
-    throw InputError("assets", "", "not found beside the program or above it", "set FULCRUM_ASSETS to the assets folder");
+    throw InputError("assets", "", "not found beside the program or above it",
+                     "set FULCRUM_ASSETS to the assets folder");
 }
 
-std::string asset_path(const std::string& relative) { return (fs::path(assets_folder()) / relative).string(); }
+std::string asset_path(const std::string& relative) {
+    return (fs::path(assets_folder()) / relative).string();
+}
 
 namespace {
 

@@ -12,7 +12,8 @@
 namespace fulcrum::app {
 namespace {
 
-/// An expert at work on a task, advanced tick by tick, so that what is timed is the real mix of approach, grasp and pull.
+/// An expert at work on a task, advanced tick by tick, so that what is timed is the real mix of approach,
+/// grasp and pull.
 struct Bench : public AttemptSink {
     LoadedTask loaded;
     AttemptEngine engine;
@@ -22,7 +23,9 @@ struct Bench : public AttemptSink {
     std::uint32_t ticks_per_step;
 
     explicit Bench(const std::string& task, double warm_seconds)
-        : loaded(load_task_and_scene(task)), engine(loaded.scene, loaded.task, 7), rig(make_operator("expert", loaded.task, loaded.scene, 7)),
+        : loaded(load_task_and_scene(task)),
+          engine(loaded.scene, loaded.task, 7),
+          rig(make_operator("expert", loaded.task, loaded.scene, 7)),
           ticks_per_step(static_cast<std::uint32_t>(loaded.scene.ticks_per_step)) {
         outputs.resize(ticks_per_step);
         rig->observe(engine.initial_snapshot(), engine.display());
@@ -67,7 +70,8 @@ std::vector<lab::Workload> attempt_workloads() {
         auto bench = std::make_shared<Bench>("B1", 8.0);
         auto inputs = std::make_shared<std::deque<RigSample>>();
         lab::Workload::Prepared prepared;
-        // The operator's own thinking and the world's step are not the tick's: they run when the prepared inputs are used up.
+        // The operator's own thinking and the world's step are not the tick's: they run when the prepared
+        // inputs are used up.
         prepared.step = [bench] {
             const RigSample input = bench->read();
             bench->outputs[(input.tick - 1) % bench->ticks_per_step] = bench->engine.tick(input);
@@ -95,7 +99,9 @@ std::vector<lab::Workload> attempt_workloads() {
         };
         const BowelPart* bowel = bench->engine.world().bowel();
         prepared.bytes = bowel->bytes_rod() + bowel->bytes_collision() + bowel->bytes_surface();
-        prepared.error = [bench] { return std::optional<double>(bench->engine.world().bowel()->report().residual); };
+        prepared.error = [bench] {
+            return std::optional<double>(bench->engine.world().bowel()->report().residual);
+        };
         prepared.error_unit = "relative rod residual of the last step";
         return prepared;
     };
@@ -119,14 +125,18 @@ std::vector<lab::Workload> attempt_workloads() {
             bench.world();
         }
         auto codec = std::make_shared<database::TraceCodec>();
-        auto bytes = std::make_shared<std::size_t>(codec->encode(samples->data(), samples->size(), inputs->data()).data.size() + codec->encode(inputs->data(), inputs->size()).data.size());
+        auto bytes = std::make_shared<std::size_t>(
+            codec->encode(samples->data(), samples->size(), inputs->data()).data.size() +
+            codec->encode(inputs->data(), inputs->size()).data.size());
         lab::Workload::Prepared prepared;
         prepared.step = [codec, samples, inputs] {
             codec->encode(samples->data(), samples->size(), inputs->data());
             codec->encode(inputs->data(), inputs->size());
         };
         prepared.bytes = *bytes;
-        prepared.error = [bytes] { return std::optional<double>(static_cast<double>(*bytes) * 600.0 / 1048576.0); };
+        prepared.error = [bytes] {
+            return std::optional<double>(static_cast<double>(*bytes) * 600.0 / 1048576.0);
+        };
         prepared.error_unit = "MiB per 10 min";
         return prepared;
     };

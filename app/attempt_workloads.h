@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reference workloads that need a whole attempt: the haptic tick, the B1 world step, a headless second, recording.
+// Reference workloads that need a whole attempt: the haptic tick, the B1 world step, a headless second,
+// recording.
 #pragma once
 
 #include <vector>

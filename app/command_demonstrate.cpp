@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fulcrum demonstrate: what ./run does without a display: one attempt really performed, its report and a picture of it.
+// fulcrum demonstrate: what ./run does without a display: one attempt really performed, its report and a
+// picture of it.
 #include <QImage>
 #include <filesystem>
 #include <iostream>
@@ -18,12 +19,15 @@ namespace fulcrum::app {
 namespace {
 
 /// The world after `seconds` of the attempt, performed again by the same operator with the same seed.
-WorldSnapshot world_at(const LoadedTask& loaded, const std::string& preset, std::uint64_t seed, double seconds) {
+WorldSnapshot world_at(const LoadedTask& loaded, const std::string& preset, std::uint64_t seed,
+                       double seconds) {
     AttemptEngine engine(loaded.scene, loaded.task, seed);
     const auto rig = make_operator(preset, loaded.task, loaded.scene, seed);
     MemorySink sink;
     WorldSnapshot snapshot = engine.initial_snapshot();
-    run_headless(engine, *rig, sink, [&](double simulated) { return simulated < seconds; }, [&] { snapshot = engine.world().snapshot(); });
+    run_headless(
+        engine, *rig, sink, [&](double simulated) { return simulated < seconds; },
+        [&] { snapshot = engine.world().snapshot(); });
     return snapshot;
 }
 
@@ -49,11 +53,14 @@ int command_demonstrate(const std::vector<std::string>& words) {
         database::Store store = database::Store::create(store_path, true);
         const database::Session station = store.station_session();
         const database::People people(store);
-        const database::Person performer = people.ensure_synthetic(station, "demonstration", "Demonstration (synthetic expert)");
-        const database::Person director = people.ensure_synthetic(station, "demonstration-director", "Demonstration director (synthetic)");
+        const database::Person performer =
+            people.ensure_synthetic(station, "demonstration", "Demonstration (synthetic expert)");
+        const database::Person director =
+            people.ensure_synthetic(station, "demonstration-director", "Demonstration director (synthetic)");
         people.set_demo_roles(station, performer.id, {database::Role::trainee});
         people.set_demo_roles(station, director.id, {database::Role::director});
-        database::AttemptMeta meta = attempt_meta(loaded, seed, "assessed", "synthetic", "synthetic operator", benchmark ? &*benchmark : nullptr);
+        database::AttemptMeta meta = attempt_meta(loaded, seed, "assessed", "synthetic", "synthetic operator",
+                                                  benchmark ? &*benchmark : nullptr);
         meta.person_id = performer.id;
         meta.operator_name = "expert";
         database::Recorder recorder(store.path(), station, meta);
@@ -63,7 +70,8 @@ int command_demonstrate(const std::vector<std::string>& words) {
         request.seed = seed;
         const Performed performed = perform(request, &recorder, benchmark ? &*benchmark : nullptr);
         duration = performed.scored.duration_s;
-        std::cerr << "performed " << task << ": " << attempt_state_name(performed.scored.state) << " after " << duration << " s, " << performed.wall_s << " s of work\n";
+        std::cerr << "performed " << task << ": " << attempt_state_name(performed.scored.state) << " after "
+                  << duration << " s, " << performed.wall_s << " s of work\n";
 
         ui::ReportRequest report;
         report.person_id = performer.id;
@@ -71,7 +79,8 @@ int command_demonstrate(const std::vector<std::string>& words) {
         report.path = (folder / "demonstration.pdf").string();
         std::vector<TaskDefinition> tasks;
         for (const std::string& id : task_ids()) tasks.push_back(load_task(task_file(id)));
-        ui::write_report(store, people.demo_session("demonstration-director", database::Role::director), report, tasks, version_line());
+        ui::write_report(store, people.demo_session("demonstration-director", database::Role::director),
+                         report, tasks, version_line());
     }
     const WorldSnapshot snapshot = world_at(loaded, "expert", seed, 0.4 * duration);
     ui::RendererOptions options;
@@ -81,9 +90,14 @@ int command_demonstrate(const std::vector<std::string>& words) {
     assembler.install(renderer);
     const QImage picture = ui::render_offscreen(renderer, assembler.assemble(snapshot), QSize(1280, 720));
     const std::string picture_path = (folder / "demonstration.png").string();
-    if (!picture.save(QString::fromStdString(picture_path))) throw InputError(picture_path, "", "cannot be written", "name a writable folder with --output");
+    if (!picture.save(QString::fromStdString(picture_path)))
+        throw InputError(picture_path, "", "cannot be written", "name a writable folder with --output");
     if (arguments.has("--json")) {
-        print_json({{"task", task}, {"duration_s", duration}, {"report", (folder / "demonstration.pdf").string()}, {"picture", picture_path}, {"store", store_path}});
+        print_json({{"task", task},
+                    {"duration_s", duration},
+                    {"report", (folder / "demonstration.pdf").string()},
+                    {"picture", picture_path},
+                    {"store", store_path}});
     } else {
         std::cout << "wrote " << (folder / "demonstration.pdf").string() << " and " << picture_path << '\n';
     }

@@ -18,16 +18,24 @@ using Command = int (*)(const std::vector<std::string>&);
 
 const std::map<std::string, Command>& commands() {
     static const std::map<std::string, Command> table = {
-        {"perform", command_perform}, {"replay", command_replay},   {"metrics", command_metrics}, {"check", command_check},
-        {"benchmark", command_benchmark}, {"report", command_report}, {"db", command_db},       {"lab", command_lab},
-        {"demonstrate", command_demonstrate}, {"tissues", command_tissues},
+        {"perform", command_perform},
+        {"replay", command_replay},
+        {"metrics", command_metrics},
+        {"check", command_check},
+        {"benchmark", command_benchmark},
+        {"report", command_report},
+        {"db", command_db},
+        {"lab", command_lab},
+        {"demonstrate", command_demonstrate},
+        {"tissues", command_tissues},
     };
     return table;
 }
 
 /// Reads a line from the terminal without showing it.
 std::string ask_password(const std::string& login) {
-    if (isatty(STDIN_FILENO) == 0) throw UsageError("command line: --as: no terminal to ask for a password; give --password-file FILE");
+    if (isatty(STDIN_FILENO) == 0)
+        throw UsageError("command line: --as: no terminal to ask for a password; give --password-file FILE");
     std::cerr << "password of " << login << ": " << std::flush;
     termios before{};
     tcgetattr(STDIN_FILENO, &before);
@@ -43,7 +51,8 @@ std::string ask_password(const std::string& login) {
 
 std::string read_password(const std::string& path) {
     std::ifstream file(path);
-    if (!file) throw InputError(path, "", "cannot be read", "name a file that holds the password on its first line");
+    if (!file)
+        throw InputError(path, "", "cannot be read", "name a file that holds the password on its first line");
     std::string line;
     std::getline(file, line);
     return line;
@@ -51,7 +60,9 @@ std::string read_password(const std::string& path) {
 
 }  // namespace
 
-bool is_command(const std::string& word) { return commands().count(word) != 0; }
+bool is_command(const std::string& word) {
+    return commands().count(word) != 0;
+}
 
 std::string command_list() {
     std::string list;
@@ -61,11 +72,14 @@ std::string command_list() {
 
 int run_command(const std::vector<std::string>& words) {
     const auto found = commands().find(words.at(0));
-    if (found == commands().end()) throw UsageError("command line: " + words[0] + ": no such command; use one of " + command_list());
+    if (found == commands().end())
+        throw UsageError("command line: " + words[0] + ": no such command; use one of " + command_list());
     return found->second({words.begin() + 1, words.end()});
 }
 
-void print_json(const nlohmann::json& document) { std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n'; }
+void print_json(const nlohmann::json& document) {
+    std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+}
 
 database::Store open_store(const Arguments& arguments, bool create, bool read_only) {
     const std::string path = arguments.value_or("--db", database::Store::default_path());
@@ -75,7 +89,9 @@ database::Store open_store(const Arguments& arguments, bool create, bool read_on
     return database::Store::open(path, options);
 }
 
-std::set<std::string> session_options() { return {"--db", "--as", "--password-file", "--role"}; }
+std::set<std::string> session_options() {
+    return {"--db", "--as", "--password-file", "--role"};
+}
 
 database::Session session_of(const Arguments& arguments, const database::Store& store) {
     const auto login = arguments.value("--as");
@@ -83,7 +99,9 @@ database::Session session_of(const Arguments& arguments, const database::Store& 
     std::optional<database::Role> role;
     if (const auto name = arguments.value("--role")) {
         database::Role parsed{};
-        if (!database::parse_role(*name, parsed)) throw UsageError("command line: --role: no role '" + *name + "'; use trainee, educator, director or administrator");
+        if (!database::parse_role(*name, parsed))
+            throw UsageError("command line: --role: no role '" + *name +
+                             "'; use trainee, educator, director or administrator");
         role = parsed;
     }
     const auto file = arguments.value("--password-file");
@@ -91,7 +109,10 @@ database::Session session_of(const Arguments& arguments, const database::Store& 
 }
 
 database::Session person_session(const Arguments& arguments, const database::Store& store) {
-    if (!arguments.has("--as")) throw UsageError("command line: --as: this reads people's data; say who asks with --as LOGIN (and --password-file FILE)");
+    if (!arguments.has("--as"))
+        throw UsageError(
+            "command line: --as: this reads people's data; say who asks with --as LOGIN (and --password-file "
+            "FILE)");
     return session_of(arguments, store);
 }
 

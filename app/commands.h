@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The subcommands: the same product without a window. Each returns the exit status; bad usage and bad input throw (exit 2 in main).
+// The subcommands: the same product without a window. Each returns the exit status; bad usage and bad input
+// throw (exit 2 in main).
 #pragma once
 
 #include <nlohmann/json.hpp>

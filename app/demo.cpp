@@ -34,16 +34,20 @@ bool build_demo(const std::string& path, const ui::Progress& progress) {
     const std::vector<std::string> tasks = task_ids();
     const auto attempts_of = [](const std::string& task) { return task == "A2" ? 3 : 1; };
     double total = 0, done = 0;
-    for (const std::string& task : tasks) total += attempts_of(task) * static_cast<double>(std::size(trainees));
+    for (const std::string& task : tasks)
+        total += attempts_of(task) * static_cast<double>(std::size(trainees));
     bool stopped = false;
     {
         database::Store store = database::Store::create(unfinished, true);
         const database::Session station = store.station_session();
         const database::People people(store);
         std::vector<std::string> members;
-        for (const Trainee& trainee : trainees) members.push_back(people.ensure_synthetic(station, trainee.login, trainee.name).id);
-        const database::Person educator = people.ensure_synthetic(station, "demo-educator", "Educator (synthetic)");
-        const database::Person director = people.ensure_synthetic(station, "demo-director", "Director (synthetic)");
+        for (const Trainee& trainee : trainees)
+            members.push_back(people.ensure_synthetic(station, trainee.login, trainee.name).id);
+        const database::Person educator =
+            people.ensure_synthetic(station, "demo-educator", "Educator (synthetic)");
+        const database::Person director =
+            people.ensure_synthetic(station, "demo-director", "Director (synthetic)");
         for (const std::string& id : members) people.set_demo_roles(station, id, {database::Role::trainee});
         people.set_demo_roles(station, educator.id, {database::Role::educator});
         people.set_demo_roles(station, director.id, {database::Role::director});
@@ -59,12 +63,16 @@ bool build_demo(const std::string& path, const ui::Progress& progress) {
                     request.operator_name = trainees[i].preset;
                     request.seed = ++seed;
                     const std::string line = std::string(trainees[i].name) + " performs " + task;
-                    request.keep_going = [&](double) { return stopped = !progress(done / total, line), !stopped; };
+                    request.keep_going = [&](double) {
+                        return stopped = !progress(done / total, line), !stopped;
+                    };
                     if (!progress(done / total, line)) {
                         stopped = true;
                         break;
                     }
-                    database::AttemptMeta meta = attempt_meta(request.loaded, seed, "assessed", "synthetic", "synthetic operator", benchmark ? &*benchmark : nullptr);
+                    database::AttemptMeta meta =
+                        attempt_meta(request.loaded, seed, "assessed", "synthetic", "synthetic operator",
+                                     benchmark ? &*benchmark : nullptr);
                     meta.person_id = members[i];
                     meta.operator_name = request.operator_name;
                     database::Recorder recorder(store.path(), station, meta);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The demonstration: a really simulated synthetic cohort in a store of its own, and one attempt for a machine without a display.
+// The demonstration: a really simulated synthetic cohort in a store of its own, and one attempt for a machine
+// without a display.
 #pragma once
 
 #include <string>

@@ -12,8 +12,8 @@ namespace fulcrum::app {
 
 /// Files of assets/experiments, sorted.
 std::vector<std::string> experiment_files();
-/// Runs one file and lays out its picture (ID.png) and page (ID.md). Needs a QGuiApplication whose platform offers OpenGL.
-/// Throws InputError.
+/// Runs one file and lays out its picture (ID.png) and page (ID.md). Needs a QGuiApplication whose platform
+/// offers OpenGL. Throws InputError.
 lab::ResultPage experiment_page(const std::string& file);
 
 }  // namespace fulcrum::app

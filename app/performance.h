@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One attempt from request to stored score without a window: the same engine, recorder and scoring as the window's.
+// One attempt from request to stored score without a window: the same engine, recorder and scoring as the
+// window's.
 #pragma once
 
 #include <functional>
@@ -23,16 +24,17 @@ struct LoadedTask {
     Scene scene;
     std::string scene_text;  ///< what `scene` was read from, its fidelity aside
 };
-/// Throws InputError. `fidelity` empty: the scene's own. `cutting`: values in place of the scene file's own; what
-/// does not fit the scene is told with `source`, who says so.
-LoadedTask load_task_and_scene(const std::string& task_id, const std::string& fidelity = {}, const CuttingValues& cutting = {},
-                               const std::string& source = {});
+/// Throws InputError. `fidelity` empty: the scene's own. `cutting`: values in place of the scene file's own;
+/// what does not fit the scene is told with `source`, who says so.
+LoadedTask load_task_and_scene(const std::string& task_id, const std::string& fidelity = {},
+                               const CuttingValues& cutting = {}, const std::string& source = {});
 /// With what this site says of the task's tissues. Throws InputError, AccessDenied.
-LoadedTask load_site_task(const database::Store& store, const database::Session& session, const std::string& task_id,
-                          const std::string& fidelity = {});
-/// As a stored attempt used it: the scene from its record; from the assets for attempts of before scenes were kept.
-/// Throws InputError (the task is not known here), AccessDenied, StoreError.
-LoadedTask load_recorded(const database::Attempts& attempts, const database::Session& session, const database::AttemptSummary& summary);
+LoadedTask load_site_task(const database::Store& store, const database::Session& session,
+                          const std::string& task_id, const std::string& fidelity = {});
+/// As a stored attempt used it: the scene from its record; from the assets for attempts of before scenes were
+/// kept. Throws InputError (the task is not known here), AccessDenied, StoreError.
+LoadedTask load_recorded(const database::Attempts& attempts, const database::Session& session,
+                         const database::AttemptSummary& summary);
 
 /// Memory and store at once; store trouble is kept and rethrown by rethrow() on the caller's side.
 class RecordingSink : public MemorySink {
@@ -52,7 +54,7 @@ class RecordingSink : public MemorySink {
 
 struct PerformRequest {
     LoadedTask loaded;
-    std::string operator_name;            ///< empty: input_trace
+    std::string operator_name;  ///< empty: input_trace
     const AttemptRecord* input_trace = nullptr;
     std::uint64_t seed = 1;
     std::optional<std::uint64_t> individual;  ///< operator: who performs; without it the seed draws one
@@ -73,11 +75,12 @@ struct Performed {
 Performed perform(const PerformRequest& request, database::Recorder* recorder, const BenchmarkSet* benchmark);
 
 /// What perform writes about an attempt into the store before it starts.
-database::AttemptMeta attempt_meta(const LoadedTask& loaded, std::uint64_t seed, const std::string& mode, const std::string& device_class,
-                                   const std::string& device, const BenchmarkSet* benchmark);
+database::AttemptMeta attempt_meta(const LoadedTask& loaded, std::uint64_t seed, const std::string& mode,
+                                   const std::string& device_class, const std::string& device,
+                                   const BenchmarkSet* benchmark);
 /// What is written at the end.
-database::AttemptResult attempt_result(const ScoredAttempt& scored, const RunOutcome& outcome, double wall_s, std::uint32_t missed,
-                                       std::uint64_t lost, const std::string& limits);
+database::AttemptResult attempt_result(const ScoredAttempt& scored, const RunOutcome& outcome, double wall_s,
+                                       std::uint32_t missed, std::uint64_t lost, const std::string& limits);
 /// The name of the CPU feature level that this build computes with; a replay is bit for bit within it.
 std::string cpu_features();
 std::string hex(std::uint64_t value);

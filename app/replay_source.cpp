@@ -34,7 +34,9 @@ class Replay : public ui::ReplaySource {
     Replay& operator=(const Replay&) = delete;
 
     const Scene& scene() const override { return loaded_.scene; }
-    double duration_s() const override { return trace_->samples.empty() ? 0.0 : trace_->samples.back().tick * loaded_.scene.tick_period(); }
+    double duration_s() const override {
+        return trace_->samples.empty() ? 0.0 : trace_->samples.back().tick * loaded_.scene.tick_period();
+    }
     void seek(double time_s) override {
         wanted_s_ = std::clamp(time_s, 0.0, duration_s());
         moved_ = true;
@@ -51,7 +53,9 @@ class Replay : public ui::ReplaySource {
     }
     const WorldSnapshot& snapshot() const override { return shown_; }
     double shown_s() const override { return shown_s_; }
-    double ready() const override { return static_cast<double>(steps_done_.load()) / static_cast<double>(steps_total_); }
+    double ready() const override {
+        return static_cast<double>(steps_done_.load()) / static_cast<double>(steps_total_);
+    }
     std::optional<double> differs_from_s() const override {
         const double at = differs_from_.load();
         return at < 0 ? std::nullopt : std::optional<double>(at);
@@ -64,18 +68,20 @@ class Replay : public ui::ReplaySource {
             keep(engine.initial_snapshot());
             AttemptRecord record{trace_->inputs, trace_->samples, trace_->steps, trace_->events};
             std::uint32_t next = picture_ticks;
-            const ReplayOutcome outcome = replay_record(engine, record, false, [&](const WorldSnapshot& snapshot) {
-                steps_done_.fetch_add(1);
-                if (snapshot.tick >= next) {
-                    keep(snapshot);
-                    next = snapshot.tick + picture_ticks;
-                }
-                return !stop_.load();
-            });
+            const ReplayOutcome outcome =
+                replay_record(engine, record, false, [&](const WorldSnapshot& snapshot) {
+                    steps_done_.fetch_add(1);
+                    if (snapshot.tick >= next) {
+                        keep(snapshot);
+                        next = snapshot.tick + picture_ticks;
+                    }
+                    return !stop_.load();
+                });
             if (!outcome.identical) differs_from_.store(outcome.first_divergence_s);
             steps_done_.store(steps_total_);
         } catch (const std::exception&) {
-            differs_from_.store(0.0);  // the tissue cannot be re-simulated here: the record's own poses are all there is
+            differs_from_.store(
+                0.0);  // the tissue cannot be re-simulated here: the record's own poses are all there is
             steps_done_.store(steps_total_);
         }
     }
@@ -89,16 +95,23 @@ class Replay : public ui::ReplaySource {
         const auto tick = static_cast<std::uint32_t>(std::lround(wanted_s_ / period));
         {
             const std::lock_guard<std::mutex> lock(mutex_);
-            const auto after = std::upper_bound(pictures_.begin(), pictures_.end(), tick, [](std::uint32_t t, const WorldSnapshot& s) { return t < s.tick; });
+            const auto after =
+                std::upper_bound(pictures_.begin(), pictures_.end(), tick,
+                                 [](std::uint32_t t, const WorldSnapshot& s) { return t < s.tick; });
             const WorldSnapshot& before = after == pictures_.begin() ? pictures_.front() : *(after - 1);
             shown_ = before;
             short_of_ = after == pictures_.end() && before.tick + picture_ticks < tick;
-            if (after != pictures_.end() && after->tick > before.tick) blend(*after, std::clamp((static_cast<double>(tick) - before.tick) / (after->tick - before.tick), 0.0, 1.0));
+            if (after != pictures_.end() && after->tick > before.tick)
+                blend(*after,
+                      std::clamp((static_cast<double>(tick) - before.tick) / (after->tick - before.tick), 0.0,
+                                 1.0));
         }
         shown_s_ = wanted_s_;
         if (trace_->samples.empty() || trace_->inputs.size() != trace_->samples.size()) return;
-        const auto found = std::lower_bound(trace_->samples.begin(), trace_->samples.end(), tick, [](const TickSample& s, std::uint32_t t) { return s.tick < t; });
-        const auto index = std::min<std::size_t>(static_cast<std::size_t>(found - trace_->samples.begin()), trace_->samples.size() - 1);
+        const auto found = std::lower_bound(trace_->samples.begin(), trace_->samples.end(), tick,
+                                            [](const TickSample& s, std::uint32_t t) { return s.tick < t; });
+        const auto index = std::min<std::size_t>(static_cast<std::size_t>(found - trace_->samples.begin()),
+                                                 trace_->samples.size() - 1);
         const TickSample& sample = trace_->samples[index];
         const RigSample& input = trace_->inputs[index];
         for (int hand = 0; hand < hand_count; ++hand) {
@@ -117,16 +130,19 @@ class Replay : public ui::ReplaySource {
         shown_.tick = sample.tick;
     }
     void blend(const WorldSnapshot& next, double u) {
-        for (std::size_t i = 0; i < shown_.nodes.size(); ++i) shown_.nodes[i] += u * (next.nodes[i] - shown_.nodes[i]);
+        for (std::size_t i = 0; i < shown_.nodes.size(); ++i)
+            shown_.nodes[i] += u * (next.nodes[i] - shown_.nodes[i]);
         for (std::size_t i = 0; i < shown_.rings.size(); ++i) {
             shown_.rings[i].position += u * (next.rings[i].position - shown_.rings[i].position);
             // A lumen under pressure scales the first two directors.
-            const double before = shown_.rings[i].rotation.col(0).norm(), after = next.rings[i].rotation.col(0).norm();
+            const double before = shown_.rings[i].rotation.col(0).norm(),
+                         after = next.rings[i].rotation.col(0).norm();
             const auto turned = [](Matrix3 directors, double scale) {
                 directors.leftCols<2>() /= scale;
                 return Quaternion(directors);
             };
-            const Quaternion from = turned(shown_.rings[i].rotation, before), to = turned(next.rings[i].rotation, after);
+            const Quaternion from = turned(shown_.rings[i].rotation, before),
+                             to = turned(next.rings[i].rotation, after);
             shown_.rings[i].rotation = from.slerp(u, to).toRotationMatrix();
             shown_.rings[i].rotation.leftCols<2>() *= before + u * (after - before);
         }
@@ -153,7 +169,8 @@ class Replay : public ui::ReplaySource {
 
 }  // namespace
 
-std::unique_ptr<ui::ReplaySource> make_replay_source(LoadedTask loaded, std::uint64_t seed, std::shared_ptr<const database::Trace> trace) {
+std::unique_ptr<ui::ReplaySource> make_replay_source(LoadedTask loaded, std::uint64_t seed,
+                                                     std::shared_ptr<const database::Trace> trace) {
     return std::make_unique<Replay>(std::move(loaded), seed, std::move(trace));
 }
 

@@ -10,8 +10,9 @@
 
 namespace fulcrum::app {
 
-/// Re-simulates on a thread of its own and keeps a picture of the tissue ten times a second; between two of them tissue is blended,
-/// instruments and scope are drawn from the record itself. Owner's thread only.
-std::unique_ptr<ui::ReplaySource> make_replay_source(LoadedTask loaded, std::uint64_t seed, std::shared_ptr<const database::Trace> trace);
+/// Re-simulates on a thread of its own and keeps a picture of the tissue ten times a second; between two of
+/// them tissue is blended, instruments and scope are drawn from the record itself. Owner's thread only.
+std::unique_ptr<ui::ReplaySource> make_replay_source(LoadedTask loaded, std::uint64_t seed,
+                                                     std::shared_ptr<const database::Trace> trace);
 
 }  // namespace fulcrum::app

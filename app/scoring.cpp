@@ -15,10 +15,13 @@ std::optional<BenchmarkSet> benchmark_in_force(const std::string& task_id) {
     return load_benchmark(path);
 }
 
-std::string why_not_comparable(const BenchmarkSet& benchmark, const Scene& scene, const std::string& scene_file) {
+std::string why_not_comparable(const BenchmarkSet& benchmark, const Scene& scene,
+                               const std::string& scene_file) {
     const CuttingValues used = cutting_values(scene);
     if (used.empty() && benchmark.cutting.empty()) return {};
-    const CuttingValues made_with = benchmark.cutting.empty() ? cutting_values(load_scene(asset_path("scenes/" + scene_file))) : benchmark.cutting;
+    const CuttingValues made_with = benchmark.cutting.empty()
+                                        ? cutting_values(load_scene(asset_path("scenes/" + scene_file)))
+                                        : benchmark.cutting;
     const std::string difference = cutting_difference(used, made_with);
     if (difference.empty()) return {};
     return "tissue is cut otherwise than where the limits were made (" + difference + ")";
@@ -30,18 +33,24 @@ std::vector<std::string> tissue_labels(const Scene& scene) {
     return labels;
 }
 
-ScoredAttempt score_record(const Scene& scene, const TaskDefinition& task, const std::vector<Vector3>& targets,
-                           const std::vector<TickSample>& samples, const std::vector<Event>& events, const BenchmarkSet* benchmark) {
+ScoredAttempt score_record(const Scene& scene, const TaskDefinition& task,
+                           const std::vector<Vector3>& targets, const std::vector<TickSample>& samples,
+                           const std::vector<Event>& events, const BenchmarkSet* benchmark) {
     ScoredAttempt scored;
-    const std::array<bool, hand_count> hands = {scene.instrument(Hand::left) != nullptr, scene.instrument(Hand::right) != nullptr};
+    const std::array<bool, hand_count> hands = {scene.instrument(Hand::left) != nullptr,
+                                                scene.instrument(Hand::right) != nullptr};
     const Trace trace = trace_from_samples(samples, events, tissue_labels(scene), scene.tick_rate, hands);
     const MetricContext context = make_metric_context(scene, task, targets);
     scored.metrics = compute_metrics(trace, events, context);
-    if (context.specimen) scored.pathology = pathology_report(cut_strokes(events, trace.tick_period, trace.end), *context.specimen);
+    if (context.specimen)
+        scored.pathology =
+            pathology_report(cut_strokes(events, trace.tick_period, trace.end), *context.specimen);
     scored.state = attempt_state(events);
     scored.duration_s = samples.empty() ? 0 : samples.back().tick * scene.tick_period();
-    const std::string other = benchmark == nullptr ? std::string() : why_not_comparable(*benchmark, scene, task.scene);
-    scored.score = score_attempt(task, trace, events, scored.metrics, other.empty() ? benchmark : nullptr, other);
+    const std::string other =
+        benchmark == nullptr ? std::string() : why_not_comparable(*benchmark, scene, task.scene);
+    scored.score =
+        score_attempt(task, trace, events, scored.metrics, other.empty() ? benchmark : nullptr, other);
     return scored;
 }
 
@@ -49,9 +58,12 @@ namespace {
 
 const char* direction_name(Direction direction) {
     switch (direction) {
-        case Direction::lower: return "lower";
-        case Direction::higher: return "higher";
-        case Direction::context: return "context";
+        case Direction::lower:
+            return "lower";
+        case Direction::higher:
+            return "higher";
+        case Direction::context:
+            return "context";
     }
     return "context";
 }
@@ -66,7 +78,8 @@ database::MetricRow to_row(const MetricResult& result) {
     row.absent_because = result.absent_because;
     row.unit = result.unit;
     row.direction = direction_name(result.direction);
-    for (const TimeInterval& interval : result.evidence) row.evidence.emplace_back(interval.begin, interval.end);
+    for (const TimeInterval& interval : result.evidence)
+        row.evidence.emplace_back(interval.begin, interval.end);
     return row;
 }
 
@@ -109,7 +122,8 @@ database::ScoreRow to_row(const ScoredAttempt& scored, const std::string& limits
 
 std::string limits_name(const BenchmarkSet* benchmark) {
     if (benchmark == nullptr) return {};
-    return benchmark->task + "-" + (benchmark->provisional ? "provisional" : "site") + "@" + std::to_string(benchmark->version);
+    return benchmark->task + "-" + (benchmark->provisional ? "provisional" : "site") + "@" +
+           std::to_string(benchmark->version);
 }
 
 }  // namespace fulcrum::app

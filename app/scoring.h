@@ -20,21 +20,26 @@ namespace fulcrum::app {
 
 struct ScoredAttempt {
     AttemptState state = AttemptState::interrupted;
-    double duration_s = 0;               ///< last sample's time
+    double duration_s = 0;  ///< last sample's time
     std::vector<MetricResult> metrics;
     Score score;
     std::optional<PathologyReport> pathology;  ///< where the task leaves a specimen
 };
 
-/// The benchmark set in force for a task and device class: assets/benchmarks/TASK.json (first sets serve every class). Empty if none.
+/// The benchmark set in force for a task and device class: assets/benchmarks/TASK.json (first sets serve
+/// every class). Empty if none.
 std::optional<BenchmarkSet> benchmark_in_force(const std::string& task_id);
-/// Why an attempt in this scene is not held against the set: its tissues are cut otherwise than those of the scene
-/// that the set was made in. Empty if it is. `scene_file`: the task's, whose values a set without any of its own means.
-std::string why_not_comparable(const BenchmarkSet& benchmark, const Scene& scene, const std::string& scene_file);
+/// Why an attempt in this scene is not held against the set: its tissues are cut otherwise than those of the
+/// scene that the set was made in. Empty if it is. `scene_file`: the task's, whose values a set without any
+/// of its own means.
+std::string why_not_comparable(const BenchmarkSet& benchmark, const Scene& scene,
+                               const std::string& scene_file);
 
-/// Pure but for its arguments and the scene file of the task (why_not_comparable). `targets`: centres of the scene's targets for this seed.
-ScoredAttempt score_record(const Scene& scene, const TaskDefinition& task, const std::vector<Vector3>& targets,
-                           const std::vector<TickSample>& samples, const std::vector<Event>& events, const BenchmarkSet* benchmark);
+/// Pure but for its arguments and the scene file of the task (why_not_comparable). `targets`: centres of the
+/// scene's targets for this seed.
+ScoredAttempt score_record(const Scene& scene, const TaskDefinition& task,
+                           const std::vector<Vector3>& targets, const std::vector<TickSample>& samples,
+                           const std::vector<Event>& events, const BenchmarkSet* benchmark);
 
 /// Tissue labels in the order of HandSample::tissue.
 std::vector<std::string> tissue_labels(const Scene& scene);

@@ -10,7 +10,8 @@
 
 namespace fulcrum::app {
 
-/// Resampled to the scene's tick rate; a hand that the file does not describe rests at its start. Throws InputError.
+/// Resampled to the scene's tick rate; a hand that the file does not describe rests at its start. Throws
+/// InputError.
 std::vector<RigSample> inputs_from_csv(const std::string& path, const Scene& scene);
 
 }  // namespace fulcrum::app

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A device that replays the hands of a record: the same samples at the same ticks; after the last one the attempt is abandoned.
+// A device that replays the hands of a record: the same samples at the same ticks; after the last one the
+// attempt is abandoned.
 #pragma once
 
 #include <vector>

@@ -17,8 +17,8 @@ constexpr Scope none = Scope::none, own = Scope::own, cohort = Scope::cohort, pr
                 synthetic = Scope::synthetic;
 
 // platform.md, "Roles". Administrators run the accounts and the store and see no scores; the station does
-// synthetic work only. What a site says of its tissues is no one's data: whoever performs needs it; setting it is
-// the educators', as benchmarks and curricula are.
+// synthetic work only. What a site says of its tissues is no one's data: whoever performs needs it; setting
+// it is the educators', as benchmarks and curricula are.
 // clang-format off
 constexpr std::array<Row, operation_count> table{{
     //                                                                 trainee    educator   director   administrator station   never own

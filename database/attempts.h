@@ -39,7 +39,8 @@ struct ScoringInForce {
 /// An attempt none of whose scores rests on what is in force.
 struct StaleScore {
     std::string attempt_id, person_id, person_name, task_id;
-    std::string why;  ///< of its newest score: "sparc 1, now 2; limits A2-provisional@1, now A2-provisional@2"
+    std::string
+        why;  ///< of its newest score: "sparc 1, now 2; limits A2-provisional@1, now A2-provisional@2"
     std::optional<bool> passed;  ///< of the score in force
 };
 
@@ -60,15 +61,16 @@ class Attempts {
     std::vector<ScoreRow> scores(const Session& session, const std::string& attempt_id) const;
     /// Everything recorded; checks every chunk. StoreError corrupt names the chunk.
     Trace read_trace(const Session& session, const std::string& attempt_id) const;
-    /// What charts need of the samples, decoded on all cores, several times sooner than read_trace(): `prepare`
-    /// is told the number of chunks, then `visit` gets each of them once, in no order, from worker threads at the
-    /// same time (chunks never overlap in time; their numbers rise with it). Every chunk is checked as there.
+    /// What charts need of the samples, decoded on all cores, several times sooner than read_trace():
+    /// `prepare` is told the number of chunks, then `visit` gets each of them once, in no order, from worker
+    /// threads at the same time (chunks never overlap in time; their numbers rise with it). Every chunk is
+    /// checked as there.
     void read_overview(const Session& session, const std::string& attempt_id,
                        const std::function<void(std::size_t chunks)>& prepare,
                        const std::function<void(std::size_t chunk, const TraceOverview&)>& visit) const;
     std::vector<Event> read_events(const Session& session, const std::string& attempt_id) const;
-    /// The scene as the attempt used it; empty for attempts from before scenes were kept. StoreError corrupt where
-    /// the text is gone or does not match its digest. Operation::read_attempt.
+    /// The scene as the attempt used it; empty for attempts from before scenes were kept. StoreError corrupt
+    /// where the text is gone or does not match its digest. Operation::read_attempt.
     std::string scene_text(const Session& session, const std::string& attempt_id) const;
     std::vector<ProductBlob> products(const Session& session, const std::string& attempt_id) const;
 
@@ -76,8 +78,8 @@ class Attempts {
     /// Returns its id.
     std::string add_score(const Session& session, const std::string& attempt_id, const ScoreRow& score) const;
 
-    /// Those within the session's scope whose score is out of date, oldest first; voided ones are left out, and so
-    /// is what was interrupted and has no score yet. A named person is refused outside the scope.
+    /// Those within the session's scope whose score is out of date, oldest first; voided ones are left out,
+    /// and so is what was interrupted and has no score yet. A named person is refused outside the scope.
     /// Operation::recompute_score.
     std::vector<StaleScore> stale_scores(const Session& session, const ScoringInForce& now,
                                          const std::string& person_id = {}) const;

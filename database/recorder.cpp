@@ -36,7 +36,8 @@ void insert_attempt(const Store& store, const AttemptMeta& attempt) {
     Connection& connection = store.connection();
     Transaction transaction(connection);
     if (!attempt.scene_text.empty()) {
-        Query(connection, "INSERT INTO scene_text (digest, text) VALUES (?, ?) ON CONFLICT (digest) DO NOTHING")
+        Query(connection,
+              "INSERT INTO scene_text (digest, text) VALUES (?, ?) ON CONFLICT (digest) DO NOTHING")
             .bind(attempt.scene_digest)
             .bind(attempt.scene_text)
             .run();
@@ -263,8 +264,11 @@ bool Recorder::relabel_as_practice(const std::string& reason) {
     try {
         Store& store = state.opened();
         Transaction transaction(store.connection());
-        Query(store.connection(), "UPDATE attempt SET mode = 'practice' WHERE id = ?").bind(state.meta.id).run();
-        Audit(store).append(state.session, state.meta.id, "attempt.practice", json_object({{"from", state.meta.mode}, {"reason", reason}}));
+        Query(store.connection(), "UPDATE attempt SET mode = 'practice' WHERE id = ?")
+            .bind(state.meta.id)
+            .run();
+        Audit(store).append(state.session, state.meta.id, "attempt.practice",
+                            json_object({{"from", state.meta.mode}, {"reason", reason}}));
         transaction.commit();
     } catch (const StoreError& error) {
         if (error.kind() == StoreErrorKind::locked) return false;

@@ -133,7 +133,8 @@ struct Layout<TickSample> {
         const std::size_t within = (column - 4) % hand_columns;
         return within >= 11 && within < 14 ? static_cast<int>(column) - 3 : -1;
     }
-    // Tip, axis, force and torque are functions of the handle; roll, jaw angle and jaw force of what was asked.
+    // Tip, axis, force and torque are functions of the handle; roll, jaw angle and jaw force of what was
+    // asked.
     static Guides guides(std::size_t column) {
         if (column < 4) return no_guides;
         constexpr int first_device = 2, device = static_cast<int>(Layout<RigSample>::device_columns);

@@ -34,7 +34,7 @@ using Progress = std::function<bool(double done, const std::string& line)>;
 
 enum class AttemptPhase {
     starting,  ///< parts are being built; no snapshot yet
-    ready,     ///< built: snapshot() shows the first moment; nothing runs and nothing is stored before start()
+    ready,  ///< built: snapshot() shows the first moment; nothing runs and nothing is stored before start()
     running,
     paused,       ///< by the trainee or the lock; the scene is hidden, the clock stands
     device_lost,  ///< a device is gone: force was ramped to 0, the clock stands; message() says what to do
@@ -58,7 +58,8 @@ struct LoopHealth {
     bool force_felt[hand_count] = {false, false};  ///< the hand's device renders force
 };
 
-/// After a device was lost: where the devices are now, beside the instruments that wait in their last pose (snapshot().tools).
+/// After a device was lost: where the devices are now, beside the instruments that wait in their last pose
+/// (snapshot().tools).
 struct Realignment {
     bool back = false;      ///< every device answers again
     bool in_place = false;  ///< and each stands near enough to its instrument: resume() takes hold
@@ -77,7 +78,8 @@ class AttemptSession {
     virtual const Scene& scene() const = 0;
     virtual const TaskDefinition& task() const = 0;
     virtual bool assessed() const = 0;
-    /// It began as assessed and goes on as practice, because a device was lost; assessed() is false from then on.
+    /// It began as assessed and goes on as practice, because a device was lost; assessed() is false from then
+    /// on.
     virtual bool became_practice() const = 0;
     virtual AttemptPhase phase() const = 0;
     /// Puts a ready attempt on the clock: hands, physics and record begin.
@@ -89,7 +91,8 @@ class AttemptSession {
     virtual const TaskDisplay& display() const = 0;
     virtual LoopHealth health() const = 0;
     virtual void pause() = 0;
-    /// Goes on after a pause; from device_lost only once the device is back and in place, and then as practice.
+    /// Goes on after a pause; from device_lost only once the device is back and in place, and then as
+    /// practice.
     virtual void resume() = 0;
     /// In device_lost: how the devices stand.
     virtual Realignment realignment() = 0;
@@ -190,17 +193,24 @@ class ApplicationServices {
     virtual const std::vector<TaskDefinition>& tasks() const = 0;
     /// Throws InputError.
     virtual Scene scene_for(const TaskDefinition& task) const = 0;
-    /// Prepares an attempt; it begins with AttemptSession::start(). Throws InputError, database::StoreError, database::AccessDenied.
+    /// Prepares an attempt; it begins with AttemptSession::start(). Throws InputError, database::StoreError,
+    /// database::AccessDenied.
     virtual std::unique_ptr<AttemptSession> start_attempt(const AttemptRequest& request) = 0;
-    /// An expert operator performs the task to be watched; nothing is stored. Prepares like an attempt; its outcome stays empty.
-    virtual std::unique_ptr<AttemptSession> start_demonstration(const database::Session& session, const std::string& task_id) = 0;
-    /// Scores what was interrupted and has no score yet, as far as the session may, from its record (product.md: it does not count
-    /// unless what was recorded failed already). Called on a worker thread; opens the store for itself.
-    virtual std::vector<InterruptedScore> score_interrupted(const database::Session& session, const Progress& progress) = 0;
-    /// How many scores within the session's scope rest on metrics or limits that are no longer in force. Worker thread.
+    /// An expert operator performs the task to be watched; nothing is stored. Prepares like an attempt; its
+    /// outcome stays empty.
+    virtual std::unique_ptr<AttemptSession> start_demonstration(const database::Session& session,
+                                                                const std::string& task_id) = 0;
+    /// Scores what was interrupted and has no score yet, as far as the session may, from its record
+    /// (product.md: it does not count unless what was recorded failed already). Called on a worker thread;
+    /// opens the store for itself.
+    virtual std::vector<InterruptedScore> score_interrupted(const database::Session& session,
+                                                            const Progress& progress) = 0;
+    /// How many scores within the session's scope rest on metrics or limits that are no longer in force.
+    /// Worker thread.
     virtual std::size_t stale_scores(const database::Session& session) = 0;
     /// Makes a new score beside each of these. Called on a worker thread; opens the store for itself.
-    virtual std::vector<RecomputedScore> recompute_scores(const database::Session& session, const Progress& progress) = 0;
+    virtual std::vector<RecomputedScore> recompute_scores(const database::Session& session,
+                                                          const Progress& progress) = 0;
     /// A replay of a stored trace, kept alive by the source. Throws InputError when the task or scene is not
     /// known here.
     virtual std::unique_ptr<ReplaySource> open_replay(const database::Session& session,
@@ -211,8 +221,8 @@ class ApplicationServices {
                            const database::AttemptSummary& attempt) const = 0;
     /// What blades meet in a task's tissues here. Throws InputError, AccessDenied.
     virtual SiteTissues site_tissues(const database::Session& session, const std::string& task_id) = 0;
-    /// For attempts that begin afterwards. `values`: in place of the scene file's; none: back to those. Throws
-    /// InputError naming tissue, value and mend; as database::Tissues::set().
+    /// For attempts that begin afterwards. `values`: in place of the scene file's; none: back to those.
+    /// Throws InputError naming tissue, value and mend; as database::Tissues::set().
     virtual void set_site_tissues(const database::Session& session, const std::string& task_id, int seen,
                                   const database::TissueValues& values, const std::string& reason) = 0;
     /// For the about box and for reports.

@@ -20,30 +20,58 @@ struct AttemptEngine::Parts {
     StateHash hash;
 
     Parts(const Scene& scene_in, const TaskDefinition& task_in, std::uint64_t seed_in)
-        : scene(scene_in), task(task_in), seed(seed_in), world(scene, seed), loop(scene, world), monitor(task, scene, seed),
+        : scene(scene_in),
+          task(task_in),
+          seed(seed_in),
+          world(scene, seed),
+          loop(scene, world),
+          monitor(task, scene, seed),
           initial(world.snapshot()) {
         consumed.resize(longest_step_ticks);
     }
 
-    static constexpr std::size_t longest_step_ticks = 4096;  // a world that is later than this is a fault of its own
+    static constexpr std::size_t longest_step_ticks =
+        4096;  // a world that is later than this is a fault of its own
 };
 
 AttemptEngine::AttemptEngine(const Scene& scene, const TaskDefinition& task, std::uint64_t seed)
     : parts_(std::make_unique<Parts>(scene, task, seed)) {}
 AttemptEngine::~AttemptEngine() = default;
 
-const Scene& AttemptEngine::scene() const noexcept { return parts_->scene; }
-const TaskDefinition& AttemptEngine::task() const noexcept { return parts_->task; }
-std::uint64_t AttemptEngine::seed() const noexcept { return parts_->seed; }
-World& AttemptEngine::world() noexcept { return parts_->world; }
-HapticLoop& AttemptEngine::loop() noexcept { return parts_->loop; }
-const WorldSnapshot& AttemptEngine::initial_snapshot() const noexcept { return parts_->initial; }
-bool AttemptEngine::ended() const noexcept { return parts_->monitor.display().ended; }
-const TaskDisplay& AttemptEngine::display() const noexcept { return parts_->monitor.display(); }
-std::uint64_t AttemptEngine::state_hash() const noexcept { return parts_->hash.value(); }
+const Scene& AttemptEngine::scene() const noexcept {
+    return parts_->scene;
+}
+const TaskDefinition& AttemptEngine::task() const noexcept {
+    return parts_->task;
+}
+std::uint64_t AttemptEngine::seed() const noexcept {
+    return parts_->seed;
+}
+World& AttemptEngine::world() noexcept {
+    return parts_->world;
+}
+HapticLoop& AttemptEngine::loop() noexcept {
+    return parts_->loop;
+}
+const WorldSnapshot& AttemptEngine::initial_snapshot() const noexcept {
+    return parts_->initial;
+}
+bool AttemptEngine::ended() const noexcept {
+    return parts_->monitor.display().ended;
+}
+const TaskDisplay& AttemptEngine::display() const noexcept {
+    return parts_->monitor.display();
+}
+std::uint64_t AttemptEngine::state_hash() const noexcept {
+    return parts_->hash.value();
+}
 
-const TickOutput& AttemptEngine::tick(const RigSample& input) noexcept { return parts_->loop.tick(input); }
-void AttemptEngine::adopt(const LocalModels& models) noexcept { parts_->loop.adopt(models); }
+const TickOutput& AttemptEngine::tick(const RigSample& input) noexcept {
+    return parts_->loop.tick(input);
+}
+void AttemptEngine::adopt(const LocalModels& models) noexcept {
+    parts_->loop.adopt(models);
+}
 
 StepProducts AttemptEngine::step(const TickOutput* outputs, std::size_t count, AttemptSink& sink) noexcept {
     Parts& parts = *parts_;
@@ -56,7 +84,8 @@ StepProducts AttemptEngine::step(const TickOutput* outputs, std::size_t count, A
     return {&parts.world.local_models(), &parts.world.snapshot(), &parts.monitor.display()};
 }
 
-RunOutcome run_headless(AttemptEngine& engine, Rig& rig, AttemptSink& sink, const std::function<bool(double)>& keep_going,
+RunOutcome run_headless(AttemptEngine& engine, Rig& rig, AttemptSink& sink,
+                        const std::function<bool(double)>& keep_going,
                         const std::function<void()>& after_step) {
     auto* observer = dynamic_cast<ObservingRig*>(&rig);
     const auto ticks_per_step = static_cast<std::uint32_t>(engine.scene().ticks_per_step);
@@ -85,7 +114,8 @@ RunOutcome run_headless(AttemptEngine& engine, Rig& rig, AttemptSink& sink, cons
             pending = true;
             if (after_step) after_step();
         }
-        if (keep_going && tick % ticks_per_question == 0 && !keep_going(tick * engine.scene().tick_period())) {
+        if (keep_going && tick % ticks_per_question == 0 &&
+            !keep_going(tick * engine.scene().tick_period())) {
             outcome.cancelled = true;
             break;
         }
@@ -111,13 +141,16 @@ class ReplaySink : public AttemptSink {
     StepRecord last_;
 };
 
-bool same_sample(const TickSample& a, const TickSample& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool same_sample(const TickSample& a, const TickSample& b) {
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
 
 }  // namespace
 
 ReplayOutcome replay_record(AttemptEngine& engine, const AttemptRecord& record, bool keep_samples,
                             const std::function<bool(const WorldSnapshot&)>& after_step) {
-    static_assert(std::has_unique_object_representations_v<HandSample> && std::has_unique_object_representations_v<CameraSample>);
+    static_assert(std::has_unique_object_representations_v<HandSample> &&
+                  std::has_unique_object_representations_v<CameraSample>);
     ReplayOutcome outcome;
     ReplaySink sink(outcome);
     std::vector<TickOutput> outputs;
@@ -133,7 +166,8 @@ ReplayOutcome replay_record(AttemptEngine& engine, const AttemptRecord& record, 
         while (count < outputs.size() && outputs[count].sample.tick <= recorded.last_tick) ++count;
         engine.step(outputs.data(), count, sink);
         outputs.erase(outputs.begin(), outputs.begin() + static_cast<std::ptrdiff_t>(count));
-        if (sink.last().state_hash != recorded.state_hash || sink.last().outcome != recorded.outcome) diverged(recorded.last_tick);
+        if (sink.last().state_hash != recorded.state_hash || sink.last().outcome != recorded.outcome)
+            diverged(recorded.last_tick);
         if (after_step && !after_step(engine.world().snapshot())) stopped = true;
         ++next_step;
     };
@@ -142,7 +176,8 @@ ReplayOutcome replay_record(AttemptEngine& engine, const AttemptRecord& record, 
         const RigSample& input = record.inputs[i];
         const TickSample& recorded = record.samples[i];
         if (recorded.model_step != adopted) {  // the record says which step's model made this tick
-            while (next_step < record.steps.size() && record.steps[next_step].step <= recorded.model_step) step_once();
+            while (next_step < record.steps.size() && record.steps[next_step].step <= recorded.model_step)
+                step_once();
             engine.adopt(engine.world().local_models());
             adopted = recorded.model_step;
         }

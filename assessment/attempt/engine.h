@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// One attempt's objects and the order in which they run: the haptic loop, the world, the monitor. There is one engine; without a window
-// it is stepped in one thread, with a window its two halves run on two threads (app/performance), and a replay steps it by the record.
+// One attempt's objects and the order in which they run: the haptic loop, the world, the monitor. There is
+// one engine; without a window it is stepped in one thread, with a window its two halves run on two threads
+// (app/performance), and a replay steps it by the record.
 //
-// Order, for m ticks a step: step j consumes the input ticks up to j*m and is due at tick (j+1)*m; its model and snapshot are adopted at the
-// next tick that follows a multiple of m. A late step is adopted later; the record says by which model every tick was made.
+// Order, for m ticks a step: step j consumes the input ticks up to j*m and is due at tick (j+1)*m; its model
+// and snapshot are adopted at the next tick that follows a multiple of m. A late step is adopted later; the
+// record says by which model every tick was made.
 #pragma once
 
 #include <cstdint>
@@ -22,15 +24,16 @@
 
 namespace fulcrum {
 
-/// Where an attempt's record goes. Called on the haptic side (on_tick) and the world side (on_event, on_step); without a window both
-/// are one thread.
+/// Where an attempt's record goes. Called on the haptic side (on_tick) and the world side (on_event,
+/// on_step); without a window both are one thread.
 class AttemptSink : public EventSink {
   public:
     virtual void on_tick(const RigSample& input, const TickSample& sample) noexcept = 0;
     virtual void on_step(const StepRecord& step) noexcept = 0;
 };
 
-/// What a step leaves for the other side: the model for the tick, the picture for the viewport, the task for the HUD.
+/// What a step leaves for the other side: the model for the tick, the picture for the viewport, the task for
+/// the HUD.
 struct StepProducts {
     const LocalModels* models = nullptr;
     const WorldSnapshot* snapshot = nullptr;
@@ -39,7 +42,8 @@ struct StepProducts {
 
 class AttemptEngine {
   public:
-    /// Builds the scene's parts. Throws InputError where scene and task do not fit together. The seed draws the variant.
+    /// Builds the scene's parts. Throws InputError where scene and task do not fit together. The seed draws
+    /// the variant.
     AttemptEngine(const Scene& scene, const TaskDefinition& task, std::uint64_t seed);
     ~AttemptEngine();
     AttemptEngine(const AttemptEngine&) = delete;
@@ -57,7 +61,8 @@ class AttemptEngine {
     const TickOutput& tick(const RigSample& input) noexcept;
     /// Haptic side: adopt a step's model (copied).
     void adopt(const LocalModels& models) noexcept;
-    /// World side: one step over the outputs of `count` ticks, then the monitor. Products stay valid until the next step.
+    /// World side: one step over the outputs of `count` ticks, then the monitor. Products stay valid until
+    /// the next step.
     StepProducts step(const TickOutput* outputs, std::size_t count, AttemptSink& sink) noexcept;
     /// True once the monitor has ended the attempt.
     bool ended() const noexcept;
@@ -77,10 +82,11 @@ struct RunOutcome {
     bool cancelled = false;
 };
 
-/// Runs an attempt to its end in this thread, as fast as it can. `keep_going` is asked about once a simulated second with the simulated
-/// time; returning false interrupts the attempt. `after_step` is called after every world step. A rig that is also an ObservingRig is
-/// shown the world.
-RunOutcome run_headless(AttemptEngine& engine, Rig& rig, AttemptSink& sink, const std::function<bool(double)>& keep_going = {},
+/// Runs an attempt to its end in this thread, as fast as it can. `keep_going` is asked about once a simulated
+/// second with the simulated time; returning false interrupts the attempt. `after_step` is called after every
+/// world step. A rig that is also an ObservingRig is shown the world.
+RunOutcome run_headless(AttemptEngine& engine, Rig& rig, AttemptSink& sink,
+                        const std::function<bool(double)>& keep_going = {},
                         const std::function<void()>& after_step = {});
 
 /// The record of an attempt as a replay needs it.
@@ -93,14 +99,14 @@ struct AttemptRecord {
 
 struct ReplayOutcome {
     bool identical = true;
-    double first_divergence_s = -1;   ///< -1: none
+    double first_divergence_s = -1;  ///< -1: none
     std::uint64_t state_hash = 0;
     std::vector<Event> events;        ///< as re-simulated
     std::vector<TickSample> samples;  ///< as re-simulated, when asked for
 };
 
-/// Runs a fresh engine over a record, following its schedule, and compares every sample and every step's hash with it. `after_step` sees
-/// every step's world; returning false stops.
+/// Runs a fresh engine over a record, following its schedule, and compares every sample and every step's hash
+/// with it. `after_step` sees every step's world; returning false stops.
 ReplayOutcome replay_record(AttemptEngine& engine, const AttemptRecord& record, bool keep_samples = false,
                             const std::function<bool(const WorldSnapshot&)>& after_step = {});
 

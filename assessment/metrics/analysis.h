@@ -167,7 +167,8 @@ struct ScoredInterval {
 };
 std::vector<TimeInterval> worst_first(std::vector<ScoredInterval> intervals);
 
-/// Events of a kind that the row's hand and tissue select, with half a second to either side of each as evidence.
+/// Events of a kind that the row's hand and tissue select, with half a second to either side of each as
+/// evidence.
 Figure count_events(const Analysis& analysis, const Selection& row, EventKind kind);
 /// The same as a metric's own function.
 template <EventKind kind>

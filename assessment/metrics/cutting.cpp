@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "assessment/metrics/analysis.h"
-#include "assessment/trace/cut_strokes.h"
 #include "assessment/metrics/descriptor_text.h"
 #include "assessment/metrics/registry.h"
+#include "assessment/trace/cut_strokes.h"
 
 namespace fulcrum {
 

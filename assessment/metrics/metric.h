@@ -107,7 +107,7 @@ struct CutPlan {
 
 /// What a metric must know besides the trace.
 struct MetricContext {
-    std::optional<CutPlan> cut;  ///< absent: the task marks no line
+    std::optional<CutPlan> cut;            ///< absent: the task marks no line
     std::optional<SpecimenPlan> specimen;  ///< absent: the task leaves none
     std::vector<TissueLimits> tissues;
     std::vector<Vector3> targets;      ///< m, centre of target i (Event::detail of target_shown)

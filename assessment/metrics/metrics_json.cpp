@@ -2,8 +2,8 @@
 #include "assessment/metrics/metrics_json.h"
 
 #include "assessment/metrics/registry.h"
-#include "assessment/trace/trace_csv.h"
 #include "assessment/task/specimen_plan.h"
+#include "assessment/trace/trace_csv.h"
 #include "sim_core/numerics/input_error.h"
 
 namespace fulcrum {

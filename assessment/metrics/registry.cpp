@@ -43,7 +43,7 @@ void check_filled(const Metric& metric) {
         refuse("the advice does not name the limit");
     if (d.channels.empty() && !d.needs_events) refuse("it names neither channels nor events");
     if (d.scale == Scale::ln && (d.aggregation == Aggregation::count || d.aggregation == Aggregation::share ||
-                                    d.aggregation == Aggregation::grade))
+                                 d.aggregation == Aggregation::grade))
         refuse("a count or share can be 0 and takes no logarithm");
     if (metric.compute == nullptr) refuse("it has no function");
 }

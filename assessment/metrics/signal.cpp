@@ -211,7 +211,8 @@ double ellipsoid_volume(const Eigen::Matrix3Xd& points, double radius_squared) {
 double pearson(const std::vector<double>& a, const std::vector<double>& b) {
     assert(a.size() == b.size());
     if (a.empty()) return not_a_number;
-    // Plain loops: Eigen's sums over a std::vector's memory depend on its alignment, and a metric must be the same bits each time.
+    // Plain loops: Eigen's sums over a std::vector's memory depend on its alignment, and a metric must be the
+    // same bits each time.
     const auto n = static_cast<double>(a.size());
     double mean_a = 0, mean_b = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {

@@ -37,6 +37,7 @@ std::unique_ptr<Behaviour> make_sheet_division(const TaskDefinition& task, const
                                                const Skill& skill);
 
 /// divide_bands and stop_bleeding: take, lift, divide, clip what bleeds.
-std::unique_ptr<Behaviour> make_band_handling(const TaskDefinition& task, const Scene& scene, const Skill& skill);
+std::unique_ptr<Behaviour> make_band_handling(const TaskDefinition& task, const Scene& scene,
+                                              const Skill& skill);
 
 }  // namespace fulcrum

@@ -122,8 +122,8 @@ struct PathologyReport {
     int lowest_level = -1;  ///< the levels down to this one are fully divided; -1 none
 };
 
-/// Pure. Strokes as cut_strokes() gives them; what of them is no number is left out, as are ways along a rim of a
-/// level and from one level to the next.
+/// Pure. Strokes as cut_strokes() gives them; what of them is no number is left out, as are ways along a rim
+/// of a level and from one level to the next.
 PathologyReport pathology_report(const std::vector<CutStroke>& strokes, const SpecimenPlan& plan);
 
 /// The report as one JSON document, lengths in mm, shares in percent; what the store keeps and exports show.

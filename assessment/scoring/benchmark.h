@@ -48,8 +48,8 @@ struct BenchmarkSet {
     double expert_pass_share = 0;  ///< of their counted attempts, each scored with its expert left out
     std::vector<BenchmarkPerson> experts, novices;
     std::vector<BenchmarkLevel> levels;
-    /// What blades met in the tissues of the scene that the set was made in; nothing: what the scene file says. An
-    /// attempt with other values is not held against the set.
+    /// What blades met in the tissues of the scene that the set was made in; nothing: what the scene file
+    /// says. An attempt with other values is not held against the set.
     CuttingValues cutting;
 
     /// Null when the set has no level for it.

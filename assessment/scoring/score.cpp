@@ -160,7 +160,8 @@ Score score_attempt(const ScoreInput& input) {
     for (const GateSpec& spec : input.task.gates) {
         score.gates.push_back(judge_gate(spec, input.metrics, input.benchmark));
         GateResult& gate = score.gates.back();
-        if (gate.kind == "benchmark" && !input.why_no_benchmark.empty()) gate.absent_because = input.why_no_benchmark;
+        if (gate.kind == "benchmark" && !input.why_no_benchmark.empty())
+            gate.absent_because = input.why_no_benchmark;
         score.provisional = score.provisional || score.gates.back().provisional;
     }
     decide(input, score);

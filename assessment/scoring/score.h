@@ -73,7 +73,8 @@ struct ScoreInput {
         TimeInterval interval;
     };
     std::vector<Phase> phases = {};
-    std::string why_no_benchmark = {};  ///< with a null `benchmark`: there is one, but it does not fit this scene
+    std::string why_no_benchmark =
+        {};  ///< with a null `benchmark`: there is one, but it does not fit this scene
 };
 
 /// Pure. The same input gives the same sentence.

@@ -81,7 +81,8 @@ GoalMonitor::GoalMonitor(const TaskDefinition& task, const Scene& scene)
             if (!scene.bands)
                 refuse(i, "the scene \"" + scene.id + "\" has no bands",
                        "add \"bands\" to the scene or name another scene");
-            if (goal.count > (goal.kind == GoalKind::divide_bands ? scene.bands->count : scene.bands->vessels)) {
+            if (goal.count >
+                (goal.kind == GoalKind::divide_bands ? scene.bands->count : scene.bands->vessels)) {
                 refuse(i, "the goal asks for more bands or vessels than the scene has",
                        "lower \"count\" or raise the scene's");
             }

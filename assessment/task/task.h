@@ -16,7 +16,8 @@ enum class GoalKind : std::uint8_t {
     touch_targets,  ///< touch and hold each sphere of one hand, in order (A2)
     run_bowel,      ///< run a length of bowel hand over hand (B1)
     lift_and_hold,  ///< lift a stretch of bowel above its resting height and hold it (B1)
-    take_tension,   ///< take hold of the sheet and keep the traction across its marked line in the band (B2, C4: the rectum is held)
+    take_tension,   ///< take hold of the sheet and keep the traction across its marked line in the band (B2,
+                    ///< C4: the rectum is held)
     divide_line,    ///< divide the sheet, or septum after septum, along its marked line (B2, C4)
     let_go,         ///< hold nothing and cut nothing (B2, C4)
     divide_bands,   ///< divide a number of bands (B3)
@@ -62,8 +63,8 @@ struct TaskDefinition {
     std::vector<GateSpec> gates;
     std::vector<std::string> critical_errors;  ///< event names that fail the attempt
     std::vector<std::string> device_classes;   ///< that count for the curriculum
-    bool pathology = false;        ///< a pathology report is made of the specimen
-    std::optional<Tumour> tumour;  ///< of the report
+    bool pathology = false;                    ///< a pathology report is made of the specimen
+    std::optional<Tumour> tumour;              ///< of the report
 };
 
 /// Throws InputError with file, place and mend.

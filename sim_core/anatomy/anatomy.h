@@ -75,7 +75,8 @@ struct MesenteryVertex {
     Vector3 lift = Vector3::Zero();  ///< m, how far fat and the wall beneath hold it off the straight line
 };
 
-/// The mesentery as a sheet to be drawn. Where a scene lists membranes, they are this sheet; where it has tethers, they are what acts.
+/// The mesentery as a sheet to be drawn. Where a scene lists membranes, they are this sheet; where it has
+/// tethers, they are what acts.
 struct MesenteryShape {
     TriangleMesh mesh;  ///< rest positions (bowel in situ); open sheet, drawn from both sides
     std::vector<MesenteryVertex> vertices;
@@ -124,12 +125,13 @@ struct AnatomyTextures {
 /// size: width of the serosa's tile in pixels, a power of two, 128 .. 2048; the others follow.
 AnatomyTextures make_textures(std::uint64_t seed = 1, int size = 1024);
 
-/// Areolar tissue, a tile of 40 mm: white fibres of all directions over fat, under a thin film. size as above.
+/// Areolar tissue, a tile of 40 mm: white fibres of all directions over fat, under a thin film. size as
+/// above.
 TissueTexture make_areolar_texture(std::uint64_t seed = 1, int size = 512);
 
-/// The wall in one piece, by its own texture coordinates, width x width / 2 pixels (128 .. 4096): the peritoneum's
-/// tile seen along the three axes and blended by the normal, fat beneath it mixed in. normal: a vector of the
-/// patient frame to be added to the wall's unit normal, mapped from -1 .. 1.
+/// The wall in one piece, by its own texture coordinates, width x width / 2 pixels (128 .. 4096): the
+/// peritoneum's tile seen along the three axes and blended by the normal, fat beneath it mixed in. normal: a
+/// vector of the patient frame to be added to the wall's unit normal, mapped from -1 .. 1.
 TissueTexture make_wall_texture(const CavityShape& cavity, const TissueTexture& peritoneum, int width = 2048);
 
 }  // namespace fulcrum

@@ -39,7 +39,8 @@ struct FilterOptions {
     double sigma = 0.0;  ///< m; 0: grade times the mean edge length at the contact vertex
 };
 
-/// Of a fidelity's level: off | 0 | 1 | 2 | adaptive. Without a filter the contact vertex bears the whole force, as under grade 0.
+/// Of a fidelity's level: off | 0 | 1 | 2 | adaptive. Without a filter the contact vertex bears the whole
+/// force, as under grade 0.
 FilterMode filter_mode(const std::string& level);
 
 /// S = w1 S1 |n1.n0| + w2 S2 |n2.n0| + w3 S3 |n3.n0|, w = (0.5, 0.25, 0.25), S1 = bc, S2 = ac, S3 = ab (Eq.

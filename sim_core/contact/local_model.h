@@ -72,7 +72,8 @@ struct SurfacePatch {
     double seed_shaft = 1.0;   ///< fraction of the shaft there
     double seed_distance = 0;  ///< m, signed, shaft axis to surface
     bool overflow = false;     ///< a capacity was too small: the patch is smaller than asked
-    double cover = 1;  ///< share of its stiffness that the contact has: less where ground was cut away, 0: none
+    double cover =
+        1;  ///< share of its stiffness that the contact has: less where ground was cut away, 0: none
 
     /// Patch number of a surface triangle or vertex, -1 when it is not in the patch (binary search).
     std::int32_t find_triangle(std::int32_t id) const;

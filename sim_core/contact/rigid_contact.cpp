@@ -105,7 +105,8 @@ void touch_wall(const ToolContactModel& model, const LocalModel& local, const To
         walk = walk_from(exact.triangle, Vector3::Constant(1.0 / 3));
         if (walk.at_border && exact.triangle >= 0) {
             walk.at_border = false;
-            const CavityTriangle& corner = model.cavity->triangles()[static_cast<std::size_t>(exact.triangle)];
+            const CavityTriangle& corner =
+                model.cavity->triangles()[static_cast<std::size_t>(exact.triangle)];
             walk.triangle = exact.triangle;
             walk.barycentric =
                 closest_point_on_triangle(exact.position, corner.a, corner.b, corner.c).barycentric;

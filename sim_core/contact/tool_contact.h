@@ -71,9 +71,9 @@ struct ToolContactResult {
     Vector3 grasp_force = Vector3::Zero();    ///< on held tissue
     Vector3 target_force = Vector3::Zero();
     Vector3 wall_force = Vector3::Zero();
-    Vector3 jaw_force = Vector3::Zero();   ///< of jaws as boxes on the bowel; the world presses them itself
+    Vector3 jaw_force = Vector3::Zero();    ///< of jaws as boxes on the bowel; the world presses them itself
     Vector3 sheet_force = Vector3::Zero();  ///< on a sheet that may be divided
-    Vector3 tool_force = Vector3::Zero();  ///< on the other instrument (collide_tools)
+    Vector3 tool_force = Vector3::Zero();   ///< on the other instrument (collide_tools)
 
     bool touching_surface = false, touching_wall = false, touching_target = false, touching_tool = false;
     bool grasping = false, slipping = false;

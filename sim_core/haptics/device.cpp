@@ -12,7 +12,8 @@ constexpr double jump_limit = 0.2;  // m between two ticks: 200 m/s, no hand doe
 std::int32_t to_counts(double value, double unit) {
     const double counts = value / unit;
     constexpr double limit = 2.0e9;
-    return static_cast<std::int32_t>(std::lround(counts > limit ? limit : (counts < -limit ? -limit : counts)));
+    return static_cast<std::int32_t>(
+        std::lround(counts > limit ? limit : (counts < -limit ? -limit : counts)));
 }
 
 }  // namespace
@@ -22,7 +23,8 @@ DeviceSample quantise(const DeviceReading& reading, const DeviceSample& previous
     sample.faulty = 0;
     sample.present = reading.present ? 1 : 0;
     if (!reading.present) return sample;
-    bool usable = reading.handle.allFinite() && std::isfinite(reading.roll) && std::isfinite(reading.jaw) && std::isfinite(reading.grip);
+    bool usable = reading.handle.allFinite() && std::isfinite(reading.roll) && std::isfinite(reading.jaw) &&
+                  std::isfinite(reading.grip);
     if (usable) {
         const Vector3 before(previous.handle[0], previous.handle[1], previous.handle[2]);
         const bool first = before.isZero();

@@ -18,11 +18,18 @@ inline constexpr double device_angle_unit = 1e-6;   ///< rad per count
 inline constexpr double device_force_unit = 1e-3;   ///< N per count
 
 /// Buttons of one device, bit mask.
-enum DeviceButton : std::uint16_t { button_none = 0, button_primary = 1, button_clutch = 2, button_energy = 4, button_exchange = 8 };
+enum DeviceButton : std::uint16_t {
+    button_none = 0,
+    button_primary = 1,
+    button_clutch = 2,
+    button_energy = 4,
+    button_exchange = 8
+};
 
 /// One device at one tick. The handle position is that of the instrument's handle in its trocar's frame
-/// (origin at the pivot, +z into the body along the nominal shaft, +y up, +x completing a right-handed frame):
-/// a handle outside the body has z < 0, and the tip lies on the other side of the pivot (the fulcrum effect).
+/// (origin at the pivot, +z into the body along the nominal shaft, +y up, +x completing a right-handed
+/// frame): a handle outside the body has z < 0, and the tip lies on the other side of the pivot (the fulcrum
+/// effect).
 struct DeviceSample {
     std::int32_t handle[3] = {0, 0, 0};  ///< 0.1 um
     std::int32_t roll = 0;               ///< 1e-6 rad, about the shaft, positive from trocar to tip
@@ -30,19 +37,26 @@ struct DeviceSample {
     std::int32_t grip = 0;               ///< mN, closing force asked of the jaws, >= 0
     std::uint16_t buttons = 0;           ///< DeviceButton mask
     std::uint8_t present = 1;            ///< 0: the device did not answer this tick
-    std::uint8_t faulty = 0;             ///< 1: it answered with NaN, infinity or an impossible jump; the pose is the last good one
+    std::uint8_t faulty =
+        0;  ///< 1: it answered with NaN, infinity or an impossible jump; the pose is the last good one
 };
 static_assert(sizeof(DeviceSample) == 28, "no hidden padding: the sample is hashed and stored");
 
-/// Everything that enters the simulation at one tick. Decisions that hang on the wall clock (pause, loss, who was late)
-/// are inputs too, so that a replay repeats them.
+/// Everything that enters the simulation at one tick. Decisions that hang on the wall clock (pause, loss, who
+/// was late) are inputs too, so that a replay repeats them.
 struct RigSample {
     std::uint32_t tick = 0;
-    std::uint32_t flags = 0;     ///< RigFlag mask
+    std::uint32_t flags = 0;  ///< RigFlag mask
     DeviceSample hand[hand_count];
-    DeviceSample camera;         ///< the scope: handle in its own trocar frame, roll = light-post rotation
+    DeviceSample camera;  ///< the scope: handle in its own trocar frame, roll = light-post rotation
 };
-enum RigFlag : std::uint32_t { rig_paused = 1, rig_abandon = 2, rig_device_lost = 4, rig_world_late = 8, rig_end_confirmed = 16 };
+enum RigFlag : std::uint32_t {
+    rig_paused = 1,
+    rig_abandon = 2,
+    rig_device_lost = 4,
+    rig_world_late = 8,
+    rig_end_confirmed = 16
+};
 
 /// The raw reading of a device before quantisation, SI units, trocar frame.
 struct DeviceReading {
@@ -52,17 +66,19 @@ struct DeviceReading {
     bool present = true;
 };
 
-/// Quantises a reading; a reading with NaN, infinity, or a handle more than 0.2 m from the previous sample keeps the previous
-/// pose and is marked faulty. Never throws; any thread.
+/// Quantises a reading; a reading with NaN, infinity, or a handle more than 0.2 m from the previous sample
+/// keeps the previous pose and is marked faulty. Never throws; any thread.
 DeviceSample quantise(const DeviceReading& reading, const DeviceSample& previous);
 
-/// A rig of two hands and a camera. Called by the haptic thread only, once a tick, and must not block, allocate or throw.
+/// A rig of two hands and a camera. Called by the haptic thread only, once a tick, and must not block,
+/// allocate or throw.
 class Rig {
   public:
     virtual ~Rig() = default;
     /// Fills hands, camera and the flags it is responsible for. `tick` is the haptic tick being started.
     virtual void read(std::uint32_t tick, RigSample& sample) = 0;
-    /// The force to render on a hand's device (N, patient frame), after safety. Devices without force ignore it.
+    /// The force to render on a hand's device (N, patient frame), after safety. Devices without force ignore
+    /// it.
     virtual void write_force(Hand hand, const Vector3& force) = 0;
     /// True if the hand can feel force.
     virtual bool has_force(Hand hand) const = 0;

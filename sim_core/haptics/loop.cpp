@@ -42,7 +42,7 @@ struct HapticLoop::Parts {
 
     LocalModels models[2];
     int current = 0;
-    bool swapped = false;   // the models changed since the last tick
+    bool swapped = false;  // the models changed since the last tick
     std::uint32_t model_step = 0;
 
     InstrumentState instrument[hand_count];
@@ -50,27 +50,29 @@ struct HapticLoop::Parts {
     ToolContactState state[hand_count];
     ToolContactState state_before[hand_count];  // at the tick before
     ToolPairState pair;
-    Vector3 tip_before[hand_count] = {Vector3::Zero(), Vector3::Zero()}, velocity_before[hand_count] = {Vector3::Zero(), Vector3::Zero()};
+    Vector3 tip_before[hand_count] = {Vector3::Zero(), Vector3::Zero()},
+            velocity_before[hand_count] = {Vector3::Zero(), Vector3::Zero()};
     double way[hand_count] = {0, 0};           // m, of a tip since the tick before
     double slope_before[hand_count] = {0, 0};  // N/m, of what a hand touched
     SafetyState safety[hand_count];
     PassivityController passivity[hand_count];
-    DeviceSample held[hand_count];   // what the instruments follow: the devices but for pauses and losses
-    DeviceSample offset[hand_count]; // clutch: added to the device after a resume
+    DeviceSample held[hand_count];    // what the instruments follow: the devices but for pauses and losses
+    DeviceSample offset[hand_count];  // clutch: added to the device after a resume
     bool was_held = false;
     ToolContactScratch scratch[hand_count];
     ToolContactResult result[hand_count], old_result;
     unsigned limited = 0;
     TickOutput output;
 
-    /// N, by which a hand's force can have changed by the hands' motion since the last tick: what it touches gives at most
-    /// its slope, with that of dampers that come in with the depth.
+    /// N, by which a hand's force can have changed by the hands' motion since the last tick: what it touches
+    /// gives at most its slope, with that of dampers that come in with the depth.
     double explained(int hand) {
         const double stiffness = result[hand].stiffness.trace(), damping = result[hand].damping;
         const Vector3& velocity = tool[hand].tip_velocity;
         const double slope = stiffness + damping * velocity.norm() / contact[hand].onset_depth;
         const double other = result[hand].touching_tool ? way[1 - hand] : 0.0;
-        const double by_motion = std::max(slope, slope_before[hand]) * way[hand] + shaft_stiffness * other + damping * (velocity - velocity_before[hand]).norm();
+        const double by_motion = std::max(slope, slope_before[hand]) * way[hand] + shaft_stiffness * other +
+                                 damping * (velocity - velocity_before[hand]).norm();
         slope_before[hand] = slope;
         velocity_before[hand] = velocity;
         return by_motion + unexplained;
@@ -90,7 +92,9 @@ HapticLoop::HapticLoop(const Scene& scene, const World& world) : parts_(std::mak
         contact = make_tool_contact(scene, make_instrument(spec, scene.tick_period()));
         contact.cavity = world.cavity();
         if (scene.cavity || scene.bands || scene.presacral) {
-            const int index = scene.tissue_index(scene.cavity ? scene.cavity->tissue : scene.presacral ? scene.presacral->tissue : scene.bands->bed_tissue);
+            const int index = scene.tissue_index(scene.cavity      ? scene.cavity->tissue
+                                                 : scene.presacral ? scene.presacral->tissue
+                                                                   : scene.bands->bed_tissue);
             contact.wall.tissue = static_cast<std::int16_t>(index);
             contact.wall.most_stiffness = scene.tissues[static_cast<std::size_t>(index)].stiffness;
             contact.wall.damping = scene.tissues[static_cast<std::size_t>(index)].damping;
@@ -107,7 +111,9 @@ HapticLoop::HapticLoop(const Scene& scene, const World& world) : parts_(std::mak
 
 HapticLoop::~HapticLoop() = default;
 
-void HapticLoop::set_device_damping(Hand hand, double damping) { parts_->device_damping[static_cast<int>(hand)] = damping; }
+void HapticLoop::set_device_damping(Hand hand, double damping) {
+    parts_->device_damping[static_cast<int>(hand)] = damping;
+}
 
 void HapticLoop::adopt(const LocalModels& models) noexcept {
     Parts& parts = *parts_;
@@ -135,7 +141,8 @@ const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {
     sample.rig_flags = input.flags;
     sample.model_step = parts.model_step;
 
-    // 1. Hands: during a pause or a loss the instruments stay where they are; afterwards the device is clutched in where it stands.
+    // 1. Hands: during a pause or a loss the instruments stay where they are; afterwards the device is
+    // clutched in where it stands.
     const bool on_hold = (input.flags & (rig_paused | rig_device_lost)) != 0U;
     for (int hand = 0; hand < hand_count; ++hand) {
         if (!parts.has_hand[hand]) continue;
@@ -143,7 +150,8 @@ const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {
         DeviceSample& held = parts.held[hand];
         if (!on_hold) {
             if (parts.was_held) {
-                for (int i = 0; i < 3; ++i) parts.offset[hand].handle[i] = clutch_offset(held.handle[i], device.handle[i]);
+                for (int i = 0; i < 3; ++i)
+                    parts.offset[hand].handle[i] = clutch_offset(held.handle[i], device.handle[i]);
                 parts.offset[hand].roll = clutch_offset(held.roll, device.roll);
             }
             const DeviceSample& offset = parts.offset[hand];
@@ -160,10 +168,13 @@ const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {
     // 2. Contact of each hand, then of the instruments with each other.
     for (int hand = 0; hand < hand_count; ++hand) {
         parts.state_before[hand] = parts.state[hand];
-        if (parts.has_hand[hand]) step_tool_contact(parts.contact[hand], models.hand[hand], parts.tool[hand], input.tick, parts.state[hand], parts.scratch[hand], parts.result[hand]);
+        if (parts.has_hand[hand])
+            step_tool_contact(parts.contact[hand], models.hand[hand], parts.tool[hand], input.tick,
+                              parts.state[hand], parts.scratch[hand], parts.result[hand]);
     }
     if (parts.has_hand[0] && parts.has_hand[1]) {
-        collide_tools(parts.contact[0], parts.tool[0], parts.contact[1], parts.tool[1], parts.pair, parts.result[0], parts.result[1]);
+        collide_tools(parts.contact[0], parts.tool[0], parts.contact[1], parts.tool[1], parts.pair,
+                      parts.result[0], parts.result[1]);
     }
 
     CameraPose camera;
@@ -180,9 +191,11 @@ const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {
         safety.force = -result.force;
         safety.model_changed = parts.swapped;
         if (parts.swapped) {
-            // The old model's answer at this pose, from what it remembered; what is remembered now is the new one's.
+            // The old model's answer at this pose, from what it remembered; what is remembered now is the new
+            // one's.
             ToolContactState state = parts.state_before[hand];
-            step_tool_contact(parts.contact[hand], before.hand[hand], tool, input.tick, state, parts.scratch[hand], parts.old_result);
+            step_tool_contact(parts.contact[hand], before.hand[hand], tool, input.tick, state,
+                              parts.scratch[hand], parts.old_result);
             safety.old_force = -(parts.old_result.force + result.tool_force);
         }
         safety.model_age = result.age;
@@ -190,7 +203,8 @@ const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {
         safety.explained = parts.explained(hand);
         const double b = parts.device_damping[hand];
         if (b >= 0 && result.stiffness.trace() > 0) {
-            const PassivityCheck check = check_passivity(result.stiffness.diagonal().maxCoeff(), result.damping, b, parts.limits.tick_period);
+            const PassivityCheck check = check_passivity(result.stiffness.diagonal().maxCoeff(),
+                                                         result.damping, b, parts.limits.tick_period);
             if (check.limited) {
                 // The device renders the reduced model: the same direction, the size that the bound allows.
                 safety.force *= check.stiffness / std::max(1e-9, result.stiffness.diagonal().maxCoeff());
@@ -201,7 +215,8 @@ const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {
         const SafetyOutput sent = step_safety(parts.limits, safety, parts.safety[hand]);
         Vector3 device_force = sent.force;
         if (parts.scene.passivity_control) {
-            device_force = parts.passivity[hand].step(sent.force, tool.tip_velocity, parts.limits.tick_period);
+            device_force =
+                parts.passivity[hand].step(sent.force, tool.tip_velocity, parts.limits.tick_period);
         }
         output.device_force[hand] = device_force;
 
@@ -215,7 +230,8 @@ const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {
         store(tool.axis, sample_axis_unit, record.axis);
         record.roll = counts(tool.roll, sample_angle_unit);
         record.jaw_angle = counts(tool.jaw_angle, sample_angle_unit);
-        store(result.force - result.tool_force, sample_force_unit, record.force);  // instruments that cross hurt no tissue
+        store(result.force - result.tool_force, sample_force_unit,
+              record.force);  // instruments that cross hurt no tissue
         store(result.torque, sample_torque_unit, record.torque);
         store(device_force, sample_force_unit, record.device_force);
         record.tissue = result.tissue;
@@ -231,7 +247,9 @@ const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {
         if (local.mode == LocalMode::grasp) {
             flags |= hand_grasping;
             record.jaw_force = counts(tool.grip, sample_force_unit);
-            const JawContact jaws = find_jaw_contact(parts.contact[hand].instrument, tool, std::max(tool.jaw_angle, 0.25), local, input.tick, parts.scratch[hand]);
+            const JawContact jaws =
+                find_jaw_contact(parts.contact[hand].instrument, tool, std::max(tool.jaw_angle, 0.25), local,
+                                 input.tick, parts.scratch[hand]);
             record.jaw_area = counts(std::max({jaws.area, local.grasp.area, 1e-6}), sample_area_unit);
             record.tissue = local.grasp.tissue;
             record.patch = local.grasp.tissue_patch;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The haptic loop's tick: hands in, force out, one record sample. Haptic thread; no allocation, lock, I/O or exception.
+// The haptic loop's tick: hands in, force out, one record sample. Haptic thread; no allocation, lock, I/O or
+// exception.
 #pragma once
 
 #include <memory>
@@ -29,7 +30,8 @@ class HapticLoop {
 
     /// Device damping b (N s/m) for Eq. 8; negative: the hand feels no force, Eq. 8 does not apply.
     void set_device_damping(Hand hand, double damping);
-    /// From the next tick on forces come from these models; the one before stays for the bumpless swap. Copied.
+    /// From the next tick on forces come from these models; the one before stays for the bumpless swap.
+    /// Copied.
     void adopt(const LocalModels& models) noexcept;
     /// One tick. The result stays valid until the next.
     const TickOutput& tick(const RigSample& input) noexcept;

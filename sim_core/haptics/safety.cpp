@@ -8,7 +8,7 @@ namespace fulcrum {
 namespace {
 
 constexpr double largest_sensible = 1e12;  // N: beyond it squares overflow sooner than they help
-constexpr double least_share = 0.1;        // of the slew that a difference decays by, however fast the hand moves
+constexpr double least_share = 0.1;  // of the slew that a difference decays by, however fast the hand moves
 
 bool usable(const Vector3& force) {
     return force.allFinite() && force.cwiseAbs().maxCoeff() < largest_sensible;

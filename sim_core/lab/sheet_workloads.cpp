@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One step of a blade through a sheet with all that hangs on it: surface, invariants, fragments, nodes and springs, places.
+// One step of a blade through a sheet with all that hangs on it: surface, invariants, fragments, nodes and
+// springs, places.
 #include <cmath>
 #include <memory>
 
@@ -36,7 +37,8 @@ struct Blade {
         const int line = next / steps_a_line, along = next % steps_a_line;
         BladeStep blade;
         const double y = (line + 0.5) / lines - 0.5;
-        blade.from = scene.sheet->centre + (along * step_length - 0.054 - 0.0003) * scene.sheet->along + y * 0.9 * scene.sheet->width * scene.sheet->across;
+        blade.from = scene.sheet->centre + (along * step_length - 0.054 - 0.0003) * scene.sheet->along +
+                     y * 0.9 * scene.sheet->width * scene.sheet->across;
         blade.to = blade.from + (step_length + 0.0003) * scene.sheet->along;
         blade.width = scene.sheet->blade_width;
         blade.depth = 0.01;
@@ -52,7 +54,8 @@ struct Blade {
         }
         if (next % steps_a_line != 0) return;
         const double y = (next / steps_a_line + 0.5) / lines - 0.5;
-        const Vector3 first = scene.sheet->centre - 0.054 * scene.sheet->along + y * 0.9 * scene.sheet->width * scene.sheet->across;
+        const Vector3 first = scene.sheet->centre - 0.054 * scene.sheet->along +
+                              y * 0.9 * scene.sheet->width * scene.sheet->across;
         root = sheet.surface().nearest_root(first, sheet.state().positions.data());
     }
     std::int32_t root = -1;
@@ -74,7 +77,8 @@ void add_sheet_workloads(std::vector<Workload>& workloads) {
         prepared.between = [blade] { blade->aim(); };
         prepared.error = [blade]() -> std::optional<double> {
             const CutMesh& surface = blade->sheet.surface();
-            return std::abs(surface.area_visible() + surface.area_removed() - surface.area_before()) / surface.area_before();
+            return std::abs(surface.area_visible() + surface.area_removed() - surface.area_before()) /
+                   surface.area_before();
         };
         prepared.error_unit = "rest area before - after - removed, of before";
         prepared.bytes = blade->sheet.bytes();

@@ -31,7 +31,8 @@ std::vector<TradeoffStudy> tradeoff_studies() {
             studies.push_back(std::move(study));
         }
     }
-    for (const auto study : {tool_contact_tradeoff, model_age_tradeoff, skinning_tradeoff}) studies.push_back(study());
+    for (const auto study : {tool_contact_tradeoff, model_age_tradeoff, skinning_tradeoff})
+        studies.push_back(study());
     return studies;
 }
 

@@ -4,8 +4,9 @@
 
 namespace fulcrum::lab {
 
-/// Runs the product once and returns its wall time in microseconds. Built for the machine it is compiled on, in a namespace of its
-/// own, so that figures compare across machines while the product keeps one instruction set.
+/// Runs the product once and returns its wall time in microseconds. Built for the machine it is compiled on,
+/// in a namespace of its own, so that figures compare across machines while the product keeps one instruction
+/// set.
 double time_yardstick_us();
 
 }  // namespace fulcrum::lab

@@ -6,8 +6,8 @@
 //   damping ratio; enforced: the step is divided, or refused and said so, never let go.
 // global_local: minimises implicit Euler's incremental potential with one matrix for every shape, made ready
 //   beforehand: a bound of the springs' stiffness (each spring's local problem, its direction, is solved
-//   exactly); its inverse by a cycle of multigrid, O(n). Quasi-Newton memory and a line search on top. A fixed
-//   number of iterations, or until a tolerance.
+//   exactly); its inverse by a cycle of multigrid, O(n). Quasi-Newton memory and a line search on top. A
+//   fixed number of iterations, or until a tolerance.
 // implicit: the same potential by Newton's method; inner systems by conjugate gradients behind the same
 // matrix.
 //

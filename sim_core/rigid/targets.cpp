@@ -36,7 +36,8 @@ std::vector<TargetSphere> place_targets(const TargetFieldSpec& field, std::uint6
                 centre = field.centre + field.half_extent.cwiseProduct(unit);
                 bool clear = true;
                 for (const auto& of_hand : centres) {
-                    for (const Vector3& placed : of_hand) clear = clear && (placed - centre).norm() >= distance;
+                    for (const Vector3& placed : of_hand)
+                        clear = clear && (placed - centre).norm() >= distance;
                 }
                 if (clear) break;
                 if (attempt % attempts == 0) distance = distance > 1e-6 ? 0.8 * distance : 0.0;

@@ -120,7 +120,8 @@ RodScratch::RodScratch() = default;
 RodScratch::~RodScratch() = default;
 RodScratch::RodScratch(RodScratch&&) noexcept = default;
 RodScratch& RodScratch::operator=(RodScratch&&) noexcept = default;
-RodScratch::RodScratch(const RodScratch& other) : data_(other.data_ ? std::make_unique<Data>(*other.data_) : nullptr) {}
+RodScratch::RodScratch(const RodScratch& other)
+    : data_(other.data_ ? std::make_unique<Data>(*other.data_) : nullptr) {}
 RodScratch& RodScratch::operator=(const RodScratch& other) {
     if (data_ && other.data_) {
         *data_ = *other.data_;

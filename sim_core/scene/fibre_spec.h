@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fibres between two layers that part under tension, ahead of a blade or without one. Our figures, provisional.
+// Fibres between two layers that part under tension, ahead of a blade or without one. Our figures,
+// provisional.
 #pragma once
 
 namespace fulcrum {

@@ -5,7 +5,9 @@
 
 namespace fulcrum {
 
-std::vector<std::string> fidelity_names() { return {"fast", "standard", "fine"}; }
+std::vector<std::string> fidelity_names() {
+    return {"fast", "standard", "fine"};
+}
 
 Fidelity named_fidelity(const std::string& id) {
     Fidelity fidelity;  // standard

@@ -68,7 +68,8 @@ class SceneReader {
             copy(node, "friction", tissue.friction);
             copy(node, "stiffness", tissue.stiffness);
             copy(node, "damping", tissue.damping);
-            if (node.contains("cutting")) tissue.cutting = read_cutting(node.at("cutting"), place + "/cutting", tissue);
+            if (node.contains("cutting"))
+                tissue.cutting = read_cutting(node.at("cutting"), place + "/cutting", tissue);
             if (scene_.tissue_index(tissue.label) >= 0) {
                 document_.fail(place + "/label", "the tissue \"" + tissue.label + "\" is given twice",
                                "give every tissue its own label");
@@ -86,7 +87,8 @@ class SceneReader {
         CuttingSpec cutting;
         for (const CuttingKey& key : cutting_keys) copy(node, key.key, cutting.*key.value);
         if (cutting.dynamic_friction > cutting.static_friction) {
-            document_.fail(place + "/dynamic_friction_n", "a blade that moves would be held more than one that stands",
+            document_.fail(place + "/dynamic_friction_n",
+                           "a blade that moves would be held more than one that stands",
                            "give at most static_friction_n");
         }
         if (!(tissue.friction > 0)) {
@@ -142,7 +144,8 @@ class SceneReader {
             copy(node, "exchange", instrument.exchange);
             if (!instrument.exchange.empty()) {
                 if (!document_.root().contains("bands") && !document_.root().contains("structures")) {
-                    document_.fail(place + "/exchange", "instruments are exchanged where nothing needs another",
+                    document_.fail(place + "/exchange",
+                                   "instruments are exchanged where nothing needs another",
                                    "add \"bands\" or \"structures\" to the scene or remove \"exchange\"");
                 }
                 if (node.contains("kind") && instrument.kind != instrument.exchange.front()) {
@@ -225,13 +228,15 @@ class SceneReader {
             document_.fail("/bowel/layers", "the layers together are thicker than the bowel's radius",
                            "give layers whose thicknesses add up to less than outer_radius");
         }
-        const double one_pascal = tube_stiffness({{bowel.wall_thickness, 1.0, 1.0}}, bowel.outer_radius, 0).axial;
+        const double one_pascal =
+            tube_stiffness({{bowel.wall_thickness, 1.0, 1.0}}, bowel.outer_radius, 0).axial;
         bowel.young_modulus = tube_stiffness(bowel.layers, bowel.outer_radius, 0).axial / one_pascal;
     }
 
     NoduleSpec read_nodule(const json& node, const BowelSpec& bowel) {
         if (bowel.layers.empty()) {
-            document_.fail("/bowel/nodule", "a nodule lies between the layers of a wall", "give the bowel \"layers\"");
+            document_.fail("/bowel/nodule", "a nodule lies between the layers of a wall",
+                           "give the bowel \"layers\"");
         }
         NoduleSpec nodule;
         copy(node, "at", nodule.at);
@@ -242,7 +247,8 @@ class SceneReader {
         copy(node, "radius", nodule.shape.radius);
         copy(node, "young_modulus", nodule.shape.young);
         if (nodule.shape.height > bowel.layers.front().thickness) {
-            document_.fail("/bowel/nodule/height", "the nodule is thicker than the layer whose place it takes",
+            document_.fail("/bowel/nodule/height",
+                           "the nodule is thicker than the layer whose place it takes",
                            "give a height of at most the first layer's thickness");
         }
         return nodule;
@@ -362,15 +368,18 @@ class SceneReader {
         }
         sheet.across -= sheet.along * sheet.along.dot(sheet.across);
         if (sheet.across.norm() < 0.1) {
-            document_.fail("/sheet/across", "across runs along the marked line", "give a direction at right angles to \"along\"");
+            document_.fail("/sheet/across", "across runs along the marked line",
+                           "give a direction at right angles to \"along\"");
         }
         sheet.across.normalize();
         if (sheet.line_length > sheet.length) {
-            document_.fail("/sheet/line_length", "the marked line is longer than the sheet", "give at most length");
+            document_.fail("/sheet/line_length", "the marked line is longer than the sheet",
+                           "give at most length");
         }
         if (sheet.spacing > 0.25 * std::min(sheet.length, sheet.width) ||
             sheet.length / sheet.spacing * (sheet.width / sheet.spacing) > 20000) {
-            document_.fail("/sheet/spacing", "fewer than five vertices along an edge, or more than 20000 in all",
+            document_.fail("/sheet/spacing",
+                           "fewer than five vertices along an edge, or more than 20000 in all",
                            "give a spacing that suits length and width");
         }
         return sheet;
@@ -379,12 +388,15 @@ class SceneReader {
     void read_sacral_hollow(const json& root) {
         const bool rectum = scene_.bowel && scene_.bowel->layout == "rectum";
         if (root.contains("presacral")) {
-            if (!scene_.bowel) document_.fail("/presacral", "a presacral wall without a rectum", "add a bowel of layout \"rectum\"");
+            if (!scene_.bowel)
+                document_.fail("/presacral", "a presacral wall without a rectum",
+                               "add a bowel of layout \"rectum\"");
             scene_.presacral = read_presacral_spec(document_, root.at("presacral"), scene_.bowel->length);
             check_tissue("/presacral", scene_.presacral->tissue);
         }
         if (rectum != scene_.presacral.has_value()) {
-            document_.fail(rectum ? "/bowel/layout" : "/presacral", "a rectum and the presacral wall behind it belong together",
+            document_.fail(rectum ? "/bowel/layout" : "/presacral",
+                           "a rectum and the presacral wall behind it belong together",
                            "give the bowel the layout \"rectum\" and the scene \"presacral\", or neither");
         }
         if (rectum && (scene_.cavity || scene_.tethers || !scene_.membranes.empty() || scene_.targets)) {
@@ -393,35 +405,44 @@ class SceneReader {
         }
         if (!root.contains("septa")) return;
         if (!rectum || scene_.sheet) {
-            document_.fail("/septa", "septa hang between a rectum and its presacral wall, and are the scene's only sheet",
-                           "add \"presacral\" and a bowel of layout \"rectum\", and remove \"sheet\"");
+            document_.fail(
+                "/septa",
+                "septa hang between a rectum and its presacral wall, and are the scene's only sheet",
+                "add \"presacral\" and a bowel of layout \"rectum\", and remove \"sheet\"");
         }
-        scene_.septa = read_septa_spec(document_, root.at("septa"), *scene_.presacral, scene_.bowel->length, scene_.bowel->outer_radius);
+        scene_.septa = read_septa_spec(document_, root.at("septa"), *scene_.presacral, scene_.bowel->length,
+                                       scene_.bowel->outer_radius);
         check_tissue("/septa", scene_.septa->tissue);
         check_tissue("/septa", scene_.septa->fat_tissue);
     }
 
     void read_bands(const json& node) {
         scene_.bands = read_bands_spec(document_, node);
-        for (const std::string& label : {scene_.bands->tissue, scene_.bands->bed_tissue, scene_.bands->nerve_tissue, scene_.bands->vessel_tissue}) {
+        for (const std::string& label : {scene_.bands->tissue, scene_.bands->bed_tissue,
+                                         scene_.bands->nerve_tissue, scene_.bands->vessel_tissue}) {
             check_tissue("/bands", label);
         }
         if (scene_.bowel || scene_.cavity || scene_.targets || scene_.sheet) {
-            document_.fail("/bands", "bands have a bed of their own and share it with no bowel, cavity, sheet or targets",
-                           "remove those parts or \"bands\"");
+            document_.fail(
+                "/bands",
+                "bands have a bed of their own and share it with no bowel, cavity, sheet or targets",
+                "remove those parts or \"bands\"");
         }
     }
 
     void read_structures(const json& node) {
         scene_.structures = read_structures_spec(document_, node);
-        for (const std::string& label : {scene_.structures->bed_tissue, scene_.structures->nerve_tissue, scene_.structures->vessel_tissue}) {
+        for (const std::string& label : {scene_.structures->bed_tissue, scene_.structures->nerve_tissue,
+                                         scene_.structures->vessel_tissue}) {
             check_tissue("/structures", label);
         }
         if (!scene_.presacral) {
-            document_.fail("/structures", "structures without the wall that they run in", "add \"presacral\" or remove \"structures\"");
+            document_.fail("/structures", "structures without the wall that they run in",
+                           "add \"presacral\" or remove \"structures\"");
         }
         if (scene_.bands) {
-            document_.fail("/structures", "bands have nerve and vessels of their own", "remove \"bands\" or \"structures\"");
+            document_.fail("/structures", "bands have nerve and vessels of their own",
+                           "remove \"bands\" or \"structures\"");
         }
     }
 

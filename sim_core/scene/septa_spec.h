@@ -45,10 +45,10 @@ struct SeptaSpec {
     double fat_stiffness = 1.5;    ///< of the fat's springs over the areolar ones'
     double surface_density = 2.5;  ///< kg/m2
     double pre_strain = 0.04;
-    double stiffness_damping = 0;  ///< s
-    double mass_damping = 60;      ///< 1/s
-    double weight = 0;             ///< share of its weight that what lies beneath does not carry
-    double blade_width = 0.0006;   ///< m, of the ground that a blade takes
+    double stiffness_damping = 0;     ///< s
+    double mass_damping = 60;         ///< 1/s
+    double weight = 0;                ///< share of its weight that what lies beneath does not carry
+    double blade_width = 0.0006;      ///< m, of the ground that a blade takes
     std::optional<FibreSpec> fibres;  ///< of the areolar zone; absent: they part by a blade alone
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The two hand-offs between threads: a fixed single-producer single-consumer ring, and a triple buffer for the latest value.
+// The two hand-offs between threads: a fixed single-producer single-consumer ring, and a triple buffer for
+// the latest value.
 #pragma once
 
 #include <readerwriterqueue/readerwriterqueue.h>
@@ -10,7 +11,8 @@
 #include <cstdint>
 
 #if defined(__SANITIZE_THREAD__)
-// The queue orders its two threads by fences, which ThreadSanitizer does not see: each ring tells it what they promise.
+// The queue orders its two threads by fences, which ThreadSanitizer does not see: each ring tells it what
+// they promise.
 extern "C" {
 void AnnotateHappensBefore(const char* file, int line, const volatile void* address);
 void AnnotateHappensAfter(const char* file, int line, const volatile void* address);
@@ -19,7 +21,8 @@ void AnnotateHappensAfter(const char* file, int line, const volatile void* addre
 
 namespace fulcrum {
 
-/// Fixed-capacity ring, one producer thread, one consumer thread. push() never blocks or allocates: a full ring counts what it refuses.
+/// Fixed-capacity ring, one producer thread, one consumer thread. push() never blocks or allocates: a full
+/// ring counts what it refuses.
 template <typename T>
 class Ring {
   public:
@@ -51,8 +54,12 @@ class Ring {
 
   private:
 #if defined(__SANITIZE_THREAD__)
-    static void promise(const char* what) noexcept { AnnotateHappensBefore(__FILE__, __LINE__, what); }
-    static void observe(const char* what) noexcept { AnnotateHappensAfter(__FILE__, __LINE__, what); }
+    static void promise(const char* what) noexcept {
+        AnnotateHappensBefore(__FILE__, __LINE__, what);
+    }
+    static void observe(const char* what) noexcept {
+        AnnotateHappensAfter(__FILE__, __LINE__, what);
+    }
 #else
     static void promise(const char* /*what*/) noexcept {}
     static void observe(const char* /*what*/) noexcept {}
@@ -62,15 +69,18 @@ class Ring {
     char pushed_ = 0, popped_ = 0;  // their addresses name the two promises
 };
 
-/// Latest value from one writer thread to one reader thread, wait-free both ways. T is copied by the writer into write_slot() and
-/// published; the reader sees the newest published value and keeps it until it asks again.
+/// Latest value from one writer thread to one reader thread, wait-free both ways. T is copied by the writer
+/// into write_slot() and published; the reader sees the newest published value and keeps it until it asks
+/// again.
 template <typename T>
 class TripleBuffer {
   public:
     /// Writer: the slot to fill; its content is an older value, not the newest.
     T& write_slot() noexcept { return slots_[write_]; }
     /// Writer: makes the filled slot the newest.
-    void publish() noexcept { write_ = shared_.exchange(write_ | fresh_bit, std::memory_order_acq_rel) & index_mask; }
+    void publish() noexcept {
+        write_ = shared_.exchange(write_ | fresh_bit, std::memory_order_acq_rel) & index_mask;
+    }
     /// Reader: takes the newest value if there is a fresh one; true if the value changed.
     bool update() noexcept {
         if ((shared_.load(std::memory_order_acquire) & fresh_bit) == 0U) return false;

@@ -22,7 +22,9 @@ BowelParameters bowel_parameters(const BowelSpec& spec) {
     return bowel;
 }
 
-TriangleMesh cavity_mesh(const CavitySpec& spec) { return make_cavity(pelvis_parameters(spec)).mesh; }
+TriangleMesh cavity_mesh(const CavitySpec& spec) {
+    return make_cavity(pelvis_parameters(spec)).mesh;
+}
 
 namespace {
 
@@ -32,7 +34,8 @@ MembraneSheet mesentery_sheet(const MesenteryShape& shape) {
     sheet.mesh = shape.mesh;
     for (int row = 0; row < shape.rows; ++row) {
         sheet.bowel_vertices.push_back(row * shape.columns);
-        sheet.bowel_arc_lengths.push_back(shape.vertices[static_cast<std::size_t>(row * shape.columns)].arc_length);
+        sheet.bowel_arc_lengths.push_back(
+            shape.vertices[static_cast<std::size_t>(row * shape.columns)].arc_length);
         sheet.wall_vertices.push_back((row + 1) * shape.columns - 1);
     }
     return sheet;
@@ -43,7 +46,8 @@ MembraneSheet mesentery_sheet(const MesenteryShape& shape) {
 RectumParameters rectum_parameters(const Scene& scene) {
     RectumParameters rectum;
     const PresacralSpec& presacral = *scene.presacral;
-    rectum.curve = {presacral.centre, presacral.curve_radius, presacral.caudal_angle, scene.bowel->outer_radius, presacral.gap};
+    rectum.curve = {presacral.centre, presacral.curve_radius, presacral.caudal_angle,
+                    scene.bowel->outer_radius, presacral.gap};
     rectum.length = scene.bowel->length;
     rectum.promontory = rectum.curve.arc_length(presacral.promontory_angle);
     rectum.vertices = scene.bowel->surface_vertices;
@@ -54,12 +58,15 @@ RectumParameters rectum_parameters(const Scene& scene) {
 
 namespace {
 
-// Three ties at the cranial end, as an assistant holds it: to either side and in front, and back to the promontory.
-std::vector<RodTether> cranial_holds(const PresacralSpec& presacral, const SacralCurve& curve, double length) {
+// Three ties at the cranial end, as an assistant holds it: to either side and in front, and back to the
+// promontory.
+std::vector<RodTether> cranial_holds(const PresacralSpec& presacral, const SacralCurve& curve,
+                                     double length) {
     constexpr double tie = 0.05, taut = 0.96;  // m long; at rest drawn by this share
     const Vector3 front = -curve.posterior(length), cranial = curve.cranial(length), left = Vector3::UnitX();
     std::vector<RodTether> holds;
-    for (const Vector3& way : {Vector3(cranial + front + 1.5 * left), Vector3(cranial + front - 1.5 * left), Vector3(cranial - front)}) {
+    for (const Vector3& way : {Vector3(cranial + front + 1.5 * left), Vector3(cranial + front - 1.5 * left),
+                               Vector3(cranial - front)}) {
         RodTether hold;
         hold.s = length;
         hold.anchor = curve.centre_line(length) + tie * way.normalized();
@@ -85,7 +92,8 @@ BowelAnatomy bowel_anatomy(const Scene& scene) {
         anatomy.cranial_holds = cranial_holds(*scene.presacral, parameters.curve, shape.length);
         return anatomy;
     }
-    if (!scene.bowel || !scene.cavity) throw InputError(scene.id, "/bowel", "needs a cavity to lie in", "add a cavity to the scene");
+    if (!scene.bowel || !scene.cavity)
+        throw InputError(scene.id, "/bowel", "needs a cavity to lie in", "add a cavity to the scene");
     BowelShape shape = make_bowel(bowel_parameters(*scene.bowel), pelvis_parameters(*scene.cavity));
     BowelAnatomy anatomy;
     anatomy.surface = std::move(shape.surface);
@@ -95,7 +103,9 @@ BowelAnatomy bowel_anatomy(const Scene& scene) {
     if (!scene.membranes.empty()) {
         const CavityShape cavity = make_cavity(pelvis_parameters(*scene.cavity));
         BowelShape whole = make_bowel(bowel_parameters(*scene.bowel), cavity);
-        for (const MembraneSpec& spec : scene.membranes) anatomy.membranes.push_back(mesentery_sheet(make_mesentery(whole, cavity, spec.first, spec.last)));
+        for (const MembraneSpec& spec : scene.membranes)
+            anatomy.membranes.push_back(
+                mesentery_sheet(make_mesentery(whole, cavity, spec.first, spec.last)));
     }
     anatomy.root_line = std::move(shape.root_line);
     return anatomy;

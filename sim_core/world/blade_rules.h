@@ -43,7 +43,8 @@ inline Vector3 along_surface(const Vector3& way, const Vector3& n) {
 }
 
 /// Whether a blade at work in the tissue has left it: its button is open, or its tip is too far out.
-inline bool drawn_out(const ToolKinematics& tool, double tip_radius, const Vector3& here, const Vector3& out) {
+inline bool drawn_out(const ToolKinematics& tool, double tip_radius, const Vector3& here,
+                      const Vector3& out) {
     return !button(tool) || (tool.tip - here).dot(out) > tip_radius + out_by;
 }
 

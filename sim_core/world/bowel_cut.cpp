@@ -17,11 +17,11 @@ namespace {
 
 constexpr std::int32_t surface_steps = 600;  // room for so many steps of a blade
 constexpr double ground_reach = 0.006;       // m about a contact within which its ground is looked at
-constexpr double through_by = 2.0;           // of the tool's radius: without tissue under it, it is through the wall
-constexpr double steep = 0.15;               // of the shaft to the wall, cosine: flatter, the lips do not hold it
-constexpr double furthest_lip = 0.02;        // m along the wall that the lips draw a shaft back over
-constexpr double lip_grip = 1e6;             // N: lips let nothing slide
-constexpr int most_near = 4096;              // triangles about one contact
+constexpr double through_by = 2.0;  // of the tool's radius: without tissue under it, it is through the wall
+constexpr double steep = 0.15;      // of the shaft to the wall, cosine: flatter, the lips do not hold it
+constexpr double furthest_lip = 0.02;  // m along the wall that the lips draw a shaft back over
+constexpr double lip_grip = 1e6;       // N: lips let nothing slide
+constexpr int most_near = 4096;        // triangles about one contact
 
 std::size_t at(std::int32_t i) {
     return static_cast<std::size_t>(i);
@@ -71,7 +71,8 @@ Vector3 BowelCut::normal_at(const SkinPlace& place, const RingFrame* frames) con
     // The rest pose's directors: d1 = +y, d2 = +z, d3 = +x.
     const Vector3 in_ring(rest.y(), rest.z(), rest.x());
     Vector3 now = Vector3::Zero();
-    for (int j = 0; j < skin_rings; ++j) now += around.weight[j] * (frames[around.first_ring + j].rotation * in_ring);
+    for (int j = 0; j < skin_rings; ++j)
+        now += around.weight[j] * (frames[around.first_ring + j].rotation * in_ring);
     const double size = now.norm();
     return size > 1e-9 ? Vector3(now / size) : Vector3(Vector3::UnitZ());
 }
@@ -84,8 +85,10 @@ Vector3 BowelCut::rest(const SkinPlace& place) const noexcept {
     return sum;
 }
 
-// Roots from `start` on along the surface while they come within reach of the point, and what is left of them.
-void BowelCut::gather(const Vector3& point, std::int32_t start, double reach, const RingFrame* frames) noexcept {
+// Roots from `start` on along the surface while they come within reach of the point, and what is left of
+// them.
+void BowelCut::gather(const Vector3& point, std::int32_t start, double reach,
+                      const RingFrame* frames) noexcept {
     near_.clear();
     roots_.clear();
     near_cut_ = false;
@@ -108,10 +111,12 @@ void BowelCut::gather(const Vector3& point, std::int32_t start, double reach, co
         if (head > 0 && !(box_distance(point, a, b, c) < reach2)) continue;
         if (skin_.touched(root)) {
             near_cut_ = true;
-            for (std::int32_t t = surface.root(root).first_visible; t >= 0; t = surface.triangle(t).next_in_root) {
+            for (std::int32_t t = surface.root(root).first_visible; t >= 0;
+                 t = surface.triangle(t).next_in_root) {
                 const Triangle& v = surface.triangle(t).vertices;
                 if (skin_.loose_of(v[0]) != 0 || near_.size() == most_near) continue;
-                near_.push_back({t, skin_.position(v[0], frames), skin_.position(v[1], frames), skin_.position(v[2], frames)});
+                near_.push_back({t, skin_.position(v[0], frames), skin_.position(v[1], frames),
+                                 skin_.position(v[2], frames)});
             }
         } else if (skin_.loose_of(corner[0]) != 0) {
             near_cut_ = true;
@@ -154,7 +159,9 @@ SkinPlace BowelCut::closest_left(const Vector3& point, double& distance) const n
     const CutTriangle& row = skin_.surface().triangle(best->triangle);
     for (std::size_t k = 0; k < 3; ++k) {
         Vector3 corner;
-        if (!barycentric_in(skin_.surface().model(), skin_.surface().vertex(row.vertices[k]), row.root, corner)) return found;
+        if (!barycentric_in(skin_.surface().model(), skin_.surface().vertex(row.vertices[k]), row.root,
+                            corner))
+            return found;
         found.barycentric += weights[static_cast<int>(k)] * corner;
     }
     found.root = row.root;
@@ -181,7 +188,8 @@ SkinPlace BowelCut::on_skin(const Vector3& point, const RingFrame* frames) const
     return found;
 }
 
-std::int32_t BowelCut::nearest_left(const Vector3& point, std::int32_t start, double reach, const RingFrame* frames) noexcept {
+std::int32_t BowelCut::nearest_left(const Vector3& point, std::int32_t start, double reach,
+                                    const RingFrame* frames) noexcept {
     gather(point, start, reach, frames);
     double distance = 0;
     const SkinPlace place = closest_left(point, distance);
@@ -203,7 +211,8 @@ double BowelCut::vertex_share(std::int32_t vertex) const noexcept {
     return std::min(1.0, left / whole_.vertex_areas()[at(vertex)]);
 }
 
-void BowelCut::approach(int number, const ToolAction& action, const RingMotion* rings, std::uint32_t tick, double dt) noexcept {
+void BowelCut::approach(int number, const ToolAction& action, const RingMotion* rings, std::uint32_t tick,
+                        double dt) noexcept {
     HandState& hand = hands_[static_cast<std::size_t>(number)];
     const bool was_linked = hand.linked;
     hand.linked = hand.free = false;
@@ -212,8 +221,8 @@ void BowelCut::approach(int number, const ToolAction& action, const RingMotion* 
     const RingFrame* const frames = frames_.data();
     const ToolKinematics& tool = action.tool;
     const ToolContactResult* near = action.near;
-    if (action.instrument == nullptr || !tool.inside || !tool.present || !tool.tip.allFinite() || action.busy ||
-        (near == nullptr && hand.touch != BladeTouch::cutting)) {
+    if (action.instrument == nullptr || !tool.inside || !tool.present || !tool.tip.allFinite() ||
+        action.busy || (near == nullptr && hand.touch != BladeTouch::cutting)) {
         if (hand.touch == BladeTouch::cutting) leave(number, tick);
         hand.touch = BladeTouch::away;
         hand.cover = 1;
@@ -231,7 +240,9 @@ void BowelCut::approach(int number, const ToolAction& action, const RingMotion* 
         hand.linked = true;
     } else if (near->triangle >= 0) {
         gather(near->point, near->triangle, std::max(ground_reach, 2 * radius), frames);
-        const double now = near_cut_ ? cover_under(near->point, near->normal, radius, [&](const Vector3& p) { return covered(p, near->normal); }) : 1.0;
+        const double now = near_cut_ ? cover_under(near->point, near->normal, radius,
+                                                   [&](const Vector3& p) { return covered(p, near->normal); })
+                                     : 1.0;
         if (hand.touch == BladeTouch::clearing) {
             if (near->distance > clear_by) {
                 hand.touch = BladeTouch::away;
@@ -249,7 +260,8 @@ void BowelCut::approach(int number, const ToolAction& action, const RingMotion* 
                 hand.touch = BladeTouch::away;
             } else {
                 const double from_tip = (1 - near->shaft) * (tool.tip - tool.trocar).norm();
-                const bool bites = action.instrument->cuts() && button(tool) && tissue_.cutting && from_tip < action.instrument->jaw_length;
+                const bool bites = action.instrument->cuts() && button(tool) && tissue_.cutting &&
+                                   from_tip < action.instrument->jaw_length;
                 if (bites) {
                     hand.normal = near->normal;
                     hand.reaction = action.contact->surface_force;
@@ -321,7 +333,8 @@ void BowelCut::leave(int number, std::uint32_t tick) noexcept {
     hand.cover = 0;
 }
 
-bool BowelCut::follow(const ToolAction* actions, const RingFrame* frames, std::uint32_t tick, double dt) noexcept {
+bool BowelCut::follow(const ToolAction* actions, const RingFrame* frames, std::uint32_t tick,
+                      double dt) noexcept {
     for (int number = 0; number < hand_count; ++number) {
         HandState& hand = hands_[static_cast<std::size_t>(number)];
         const ToolAction& action = actions[number];
@@ -330,7 +343,8 @@ bool BowelCut::follow(const ToolAction* actions, const RingFrame* frames, std::u
         const Vector3 way = along_surface(hand.target - here, hand.normal);
         if (hand.touch == BladeTouch::touching) {
             const double pull = tissue_.stiffness * hand.cover * way.norm();
-            const TouchMove move = next_touch(hand.normal, hand.reaction + hand.drag, true, &*tissue_.cutting, 1.0, tissue_.friction, pull);
+            const TouchMove move = next_touch(hand.normal, hand.reaction + hand.drag, true, &*tissue_.cutting,
+                                              1.0, tissue_.friction, pull);
             gather(here, hand.place.root, ground_reach, frames);
             if (move.enters) {
                 double distance = 0;
@@ -362,14 +376,17 @@ bool BowelCut::follow(const ToolAction* actions, const RingFrame* frames, std::u
     return changed;
 }
 
-CutSkin::Report BowelCut::cut(const BladeStep& blade, const RingFrame* frames, std::uint32_t tick, int hand) noexcept {
+CutSkin::Report BowelCut::cut(const BladeStep& blade, const RingFrame* frames, std::uint32_t tick,
+                              int hand) noexcept {
     const CutSkin::Report report = skin_.cut(blade, frames);
-    if (report.cut.roll_backs > 0) add_event(tick, EventKind::cut_rolled_back, hand, 0, report.cut.roll_backs);
+    if (report.cut.roll_backs > 0)
+        add_event(tick, EventKind::cut_rolled_back, hand, 0, report.cut.roll_backs);
     if (report.parted > 0) add_event(tick, EventKind::piece_fallen, -1, report.parted_area, 0);
     return report;
 }
 
-bool BowelCut::advance(int number, const Vector3& excess, const RingFrame* frames, std::uint32_t tick) noexcept {
+bool BowelCut::advance(int number, const Vector3& excess, const RingFrame* frames,
+                       std::uint32_t tick) noexcept {
     HandState& hand = hands_[static_cast<std::size_t>(number)];
     const Vector3 here = where(hand.place, frames), way = excess.normalized();
     const BladeStep blade = make_step(here, excess, hand.normal, blade_width_, hand.place.root);
@@ -388,7 +405,8 @@ bool BowelCut::advance(int number, const Vector3& excess, const RingFrame* frame
 void BowelCut::fill_local_model(int number, LocalModel& model) const noexcept {
     const HandState& hand = hands_[static_cast<std::size_t>(number)];
     model.topology_version = static_cast<std::uint32_t>(skin_.version());
-    model.patch.cover = hand.touch == BladeTouch::clearing || hand.touch == BladeTouch::cutting ? 0.0 : hand.cover;
+    model.patch.cover =
+        hand.touch == BladeTouch::clearing || hand.touch == BladeTouch::cutting ? 0.0 : hand.cover;
     if (!hand.linked) return;
     SheetContactModel& blade = model.sheet;
     blade = SheetContactModel();
@@ -407,7 +425,8 @@ void BowelCut::add_event(std::uint32_t tick, EventKind kind, int hand, double va
 }
 
 // Along the bowel, and around it from d1 towards d2.
-void BowelCut::add_place_event(std::uint32_t tick, EventKind kind, int hand, const SkinPlace& place) noexcept {
+void BowelCut::add_place_event(std::uint32_t tick, EventKind kind, int hand,
+                               const SkinPlace& place) noexcept {
     const Vector3 rest_place = rest(place);
     const double size = std::sqrt(rest_place.y() * rest_place.y() + rest_place.z() * rest_place.z());
     add_event(tick, kind, hand, rest_place.x(), 1e6 * size * math::atan2(rest_place.z(), rest_place.y()));
@@ -444,14 +463,16 @@ void BowelCut::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
             view.barycentric[at(v)] = vertex.barycentric;
         }
         view.triangle_count = 0;
-        const bool falls = std::any_of(skin_.loose().begin(), skin_.loose().end(), [](const CutSkin::Loose& one) { return one.falls; });
+        const bool falls = std::any_of(skin_.loose().begin(), skin_.loose().end(),
+                                       [](const CutSkin::Loose& one) { return one.falls; });
         for (std::int32_t r = 0; r < surface.root_count(); ++r) {
             // By the roots' own short rows: most were never touched.
             const CutRoot& root = surface.root(r);
             const bool whole = root.visible_count == 1 && root.first_visible == r;
             const bool own = whole && (!falls || skin_.loose_of_triangle(r) == 0);
             view.hidden[at(r)] = own ? 0 : 1;
-            for (std::int32_t t = own ? -1 : root.first_visible; t >= 0; t = surface.triangle(t).next_in_root) {
+            for (std::int32_t t = own ? -1 : root.first_visible; t >= 0;
+                 t = surface.triangle(t).next_in_root) {
                 const std::size_t k = at(view.triangle_count++);
                 view.triangles[k] = surface.triangle(t).vertices;
                 view.triangle_roots[k] = r;
@@ -477,8 +498,9 @@ void BowelCut::hash(StateHash& hash) const noexcept {
 }
 
 std::size_t BowelCut::bytes() const {
-    return skin_.bytes() + near_.capacity() * sizeof(NearTriangle) + roots_.capacity() * sizeof(std::int32_t) +
-           root_mark_.capacity() * sizeof(std::uint32_t) + frames_.capacity() * sizeof(RingFrame);
+    return skin_.bytes() + near_.capacity() * sizeof(NearTriangle) +
+           roots_.capacity() * sizeof(std::int32_t) + root_mark_.capacity() * sizeof(std::uint32_t) +
+           frames_.capacity() * sizeof(RingFrame);
 }
 
 }  // namespace fulcrum

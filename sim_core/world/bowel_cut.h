@@ -3,12 +3,12 @@
 // surface is left (CutSkin), what each hand's tool does to it by blade_rules.h, what comes of it for the
 // contact and for the hand.
 //
-// The skin's triangles stay the contact's ground, because what a cut leaves lies in them: a cut vertex follows
-// the cage in its root. What was taken away carries nothing: a contact answers by its `cover`, the share of
-// the tool's width with tissue under it. So a slit narrower than the tool is no hole, a hole is none that one
-// falls into with a jerk, and forces on the skin's vertices are forces on what is left of their triangles. A
-// tool that is through the wall presses nothing; where its shaft crosses the wall the lips hold it, along the
-// wall, until it has come out again.
+// The skin's triangles stay the contact's ground, because what a cut leaves lies in them: a cut vertex
+// follows the cage in its root. What was taken away carries nothing: a contact answers by its `cover`, the
+// share of the tool's width with tissue under it. So a slit narrower than the tool is no hole, a hole is none
+// that one falls into with a jerk, and forces on the skin's vertices are forces on what is left of their
+// triangles. A tool that is through the wall presses nothing; where its shaft crosses the wall the lips hold
+// it, along the wall, until it has come out again.
 //
 // World thread; after construction nothing allocates, throws or locks. SI units, patient frame.
 #pragma once
@@ -35,22 +35,21 @@ struct SkinPlace {
 
 class BowelCut {
   public:
-
     struct HandState {
         BladeTouch touch = BladeTouch::away;
-        SkinPlace place;                      ///< that the tool's spring along the wall hangs on, with `linked`
-        Vector3 normal = Vector3::UnitZ();    ///< outward, there
-        double cover = 1;                     ///< 0 .. 1, of the contact across the wall; follows slowly
-        bool linked = false;                  ///< something holds the tool along the wall
-        bool free = false;                    ///< nothing does yet: it is between the lips
-        double arm = 0;                       ///< m, back along the shaft from the tip to where it touches
-        Vector3 target = Vector3::Zero();     ///< m, where the tool would have the place
-        Vector3 tip = Vector3::Zero();        ///< m, at the last step
-        Vector3 reaction = Vector3::Zero();   ///< N, tool on tissue, across the wall
-        Vector3 drag = Vector3::Zero();       ///< N, tool on tissue, along it
-        double grip = 0;                      ///< N, most of it
-        double slope = 0;                     ///< N/m, of it
-        Vector3 velocity = Vector3::Zero();   ///< m/s, of the place
+        SkinPlace place;                    ///< that the tool's spring along the wall hangs on, with `linked`
+        Vector3 normal = Vector3::UnitZ();  ///< outward, there
+        double cover = 1;                   ///< 0 .. 1, of the contact across the wall; follows slowly
+        bool linked = false;                ///< something holds the tool along the wall
+        bool free = false;                  ///< nothing does yet: it is between the lips
+        double arm = 0;                     ///< m, back along the shaft from the tip to where it touches
+        Vector3 target = Vector3::Zero();   ///< m, where the tool would have the place
+        Vector3 tip = Vector3::Zero();      ///< m, at the last step
+        Vector3 reaction = Vector3::Zero();  ///< N, tool on tissue, across the wall
+        Vector3 drag = Vector3::Zero();      ///< N, tool on tissue, along it
+        double grip = 0;                     ///< N, most of it
+        double slope = 0;                    ///< N/m, of it
+        Vector3 velocity = Vector3::Zero();  ///< m/s, of the place
     };
     struct State {
         CutSkin::State skin;
@@ -60,7 +59,8 @@ class BowelCut {
     BowelCut(const Scene& scene, const BowelSkin& skin, const std::vector<std::int32_t>& held);
 
     /// Before the rod's step: what each tool reaches, where it would have the wall. contact: as ToolAction's.
-    void approach(int hand, const ToolAction& action, const RingMotion* rings, std::uint32_t tick, double dt) noexcept;
+    void approach(int hand, const ToolAction& action, const RingMotion* rings, std::uint32_t tick,
+                  double dt) noexcept;
     /// N, tool on tissue, that its spring asks for along the wall; null place without.
     Vector3 wanted(int hand, const RingFrame* frames) const noexcept;
     /// What the rod made of it, N; stiffness: N/m, of the tissue there along the force.
@@ -77,9 +77,11 @@ class BowelCut {
     double vertex_share(std::int32_t vertex) const noexcept;
     /// Corner of the skin nearest to where the surface that is left comes nearest to a point, within `reach`
     /// (m) of it; -1: none. start: a root near.
-    std::int32_t nearest_left(const Vector3& point, std::int32_t start, double reach, const RingFrame* frames) noexcept;
+    std::int32_t nearest_left(const Vector3& point, std::int32_t start, double reach,
+                              const RingFrame* frames) noexcept;
     /// A cut; for studies and tests as for the hands. What jaws hold follows in the next step.
-    CutSkin::Report cut(const BladeStep& blade, const RingFrame* frames, std::uint32_t tick, int hand) noexcept;
+    CutSkin::Report cut(const BladeStep& blade, const RingFrame* frames, std::uint32_t tick,
+                        int hand) noexcept;
 
     void fill_local_model(int hand, LocalModel& model) const noexcept;
     void forget_events() noexcept { events_.clear(); }

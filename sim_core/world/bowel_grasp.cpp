@@ -18,10 +18,13 @@ std::int32_t BowelPart::nearest_to(const Vector3& jaws, double& least) const noe
     for (int r = 0; r + skin_rings <= skin_->rings(); ++r) {
         const auto first = static_cast<std::size_t>(skin_->by_ring_offsets()[static_cast<std::size_t>(r)]);
         const auto last = static_cast<std::size_t>(skin_->by_ring_offsets()[static_cast<std::size_t>(r) + 1]);
-        if (first == last || (ring_frames_[static_cast<std::size_t>(r) + 1].position - jaws).norm() > 0.05) continue;
+        if (first == last || (ring_frames_[static_cast<std::size_t>(r) + 1].position - jaws).norm() > 0.05)
+            continue;
         for (std::size_t k = first; k < last; ++k) {
             const std::int32_t vertex = skin_->by_ring()[k];
-            const double distance = (skin_vertex(skin_->rows()[static_cast<std::size_t>(vertex)], ring_frames_) - jaws).squaredNorm();
+            const double distance =
+                (skin_vertex(skin_->rows()[static_cast<std::size_t>(vertex)], ring_frames_) - jaws)
+                    .squaredNorm();
             if (distance < least && (!cut_ || cut_->vertex_share(vertex) > 0)) {
                 least = distance;
                 nearest = vertex;
@@ -46,7 +49,8 @@ void BowelPart::begin_grasp(int hand, const ToolAction& action) noexcept {
     const Vector3 point = skin_vertex(skin_->rows()[static_cast<std::size_t>(nearest)], ring_frames_);
     grasp.state.held = true;
     grasp.state.slipped = false;
-    grasp.state.arc_length = std::clamp(skin_->rest().vertices[static_cast<std::size_t>(nearest)].x(), 0.0, rod_->length());
+    grasp.state.arc_length =
+        std::clamp(skin_->rest().vertices[static_cast<std::size_t>(nearest)].x(), 0.0, rod_->length());
     grasp.state.offset = rod_->wall_offset(state_, grasp.state.arc_length, point);
     grasp.state.point = point;
     grasp.state.reaction.setZero();
@@ -62,11 +66,15 @@ void BowelPart::begin_grasp(int hand, const ToolAction& action) noexcept {
     spread_pull(grasp, action);
 }
 
-// Shares of a pull at the grasp (paper, Fig. 5): two rings around the vertex, skinned where they are read; of what blades left.
+// Shares of a pull at the grasp (paper, Fig. 5): two rings around the vertex, skinned where they are read; of
+// what blades left.
 void BowelPart::spread_pull(HandGrasp& grasp, const ToolAction& action) noexcept {
     const std::int32_t nearest = grasp.vertex;
     const MeshAdjacency& adjacency = skin_->adjacency();
-    const auto place = [&](std::int32_t vertex) { surface_[static_cast<std::size_t>(vertex)] = skin_vertex(skin_->rows()[static_cast<std::size_t>(vertex)], ring_frames_); };
+    const auto place = [&](std::int32_t vertex) {
+        surface_[static_cast<std::size_t>(vertex)] =
+            skin_vertex(skin_->rows()[static_cast<std::size_t>(vertex)], ring_frames_);
+    };
     place(nearest);
     for (const std::int32_t first : adjacency.neighbours_of(nearest)) {
         place(first);
@@ -86,19 +94,22 @@ void BowelPart::spread_pull(HandGrasp& grasp, const ToolAction& action) noexcept
     if (!cut_ || cut_->skin().whole()) return;
     FilteredForce& shares = grasp.filtered;
     double sum = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(shares.count); ++i) sum += shares.weight[i] *= cut_->vertex_share(shares.vertex[i]);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(shares.count); ++i) shares.weight[i] = sum > 0 ? shares.weight[i] / sum : 0.0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(shares.count); ++i)
+        sum += shares.weight[i] *= cut_->vertex_share(shares.vertex[i]);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(shares.count); ++i)
+        shares.weight[i] = sum > 0 ? shares.weight[i] / sum : 0.0;
     if (!(sum > 0)) shares.count = 0;
 }
 
-// After a cut. The hold is a point of the wall in the rod's frame, which stays: what changes is what the jaws have between them. They
-// keep what is left within their reach and bear on that, and let go where nothing is.
+// After a cut. The hold is a point of the wall in the rod's frame, which stays: what changes is what the jaws
+// have between them. They keep what is left within their reach and bear on that, and let go where nothing is.
 void BowelPart::keep_hold(const ToolAction* actions) noexcept {
     for (int hand = 0; hand < hand_count; ++hand) {
         HandGrasp& grasp = grasps_[hand];
         if (!grasp.state.held || actions[hand].instrument == nullptr) continue;
         const std::int32_t start = *skin_->adjacency().triangles_of(grasp.vertex).begin();
-        const std::int32_t left = cut_->nearest_left(grasp.state.point, start, grasp_reach, ring_frames_.data());
+        const std::int32_t left =
+            cut_->nearest_left(grasp.state.point, start, grasp_reach, ring_frames_.data());
         if (left < 0) {
             grasp.state.held = false;
             grasp.state.slipped = true;
@@ -112,7 +123,8 @@ void BowelPart::keep_hold(const ToolAction* actions) noexcept {
     }
 }
 
-bool BowelPart::begin_sheet_grasp(int hand, const ToolAction& action, const Vector3& jaws, double nearest_bowel) noexcept {
+bool BowelPart::begin_sheet_grasp(int hand, const ToolAction& action, const Vector3& jaws,
+                                  double nearest_bowel) noexcept {
     SheetGrasp& grasp = sheet_grasps_[hand];
     double least = nearest_bowel;
     Vector3 point = Vector3::Zero();
@@ -126,7 +138,9 @@ bool BowelPart::begin_sheet_grasp(int hand, const ToolAction& action, const Vect
         grasp.membrane = static_cast<int>(i);
     }
     if (triangle < 0) return false;
-    const double wall = pinch_share * scene_.tissues[static_cast<std::size_t>(scene_.tissue_index(scene_.bowel->tissue))].stiffness;
+    const double wall =
+        pinch_share *
+        scene_.tissues[static_cast<std::size_t>(scene_.tissue_index(scene_.bowel->tissue))].stiffness;
     MembranePart& part = membranes_[static_cast<std::size_t>(grasp.membrane)];
     part.take(hand, triangle, point, wall);
     grasp.correction = point - jaws;
@@ -139,19 +153,22 @@ bool BowelPart::begin_sheet_grasp(int hand, const ToolAction& action, const Vect
 }
 
 void BowelPart::update_sheet_grasp(int hand, const ToolAction& action, double opening, double dt) noexcept {
-    const TissueSpec& tissue = scene_.tissues[static_cast<std::size_t>(scene_.tissue_index(scene_.bowel->tissue))];
+    const TissueSpec& tissue =
+        scene_.tissues[static_cast<std::size_t>(scene_.tissue_index(scene_.bowel->tissue))];
     SheetGrasp& grasp = sheet_grasps_[hand];
     MembranePart& part = membranes_[static_cast<std::size_t>(grasp.membrane)];
     const double capacity = 2.0 * tissue.friction * action.tool.grip;
     grasp.slip_time = part.grip(hand).reaction.norm() > capacity ? grasp.slip_time + dt : 0.0;
-    if (opening > open_share || action.tool.grip <= 0.5 * least_grip || grasp.slip_time > slip_delay || !action.tool.inside) {
+    if (opening > open_share || action.tool.grip <= 0.5 * least_grip || grasp.slip_time > slip_delay ||
+        !action.tool.inside) {
         part.let_go(hand);
         grasp.membrane = -1;
         grasps_[hand].state.slipped = grasp.slip_time > slip_delay;
         return;
     }
     grasp.correction *= std::max(0.0, 1.0 - dt / correction_time);
-    Vector3 motion = action.tool.tip + action.tool.rotation * grasp.hold_offset + grasp.correction - grasp.target;
+    Vector3 motion =
+        action.tool.tip + action.tool.rotation * grasp.hold_offset + grasp.correction - grasp.target;
     const double longest = fastest_hold * dt;
     if (motion.norm() > longest) motion *= longest / motion.norm();
     grasp.target += motion;
@@ -175,11 +192,13 @@ void BowelPart::fill_sheet_model(const SheetGrasp& grasp, int hand, LocalModel& 
 }
 
 void BowelPart::update_grasps(const ToolAction* actions, double dt) noexcept {
-    const TissueSpec& tissue = scene_.tissues[static_cast<std::size_t>(scene_.tissue_index(scene_.bowel->tissue))];
+    const TissueSpec& tissue =
+        scene_.tissues[static_cast<std::size_t>(scene_.tissue_index(scene_.bowel->tissue))];
     for (int hand = 0; hand < hand_count; ++hand) {
         const ToolAction& action = actions[hand];
         HandGrasp& grasp = grasps_[hand];
-        if (action.instrument == nullptr || !action.tool.present || action.instrument->kind != "grasper") continue;
+        if (action.instrument == nullptr || !action.tool.present || action.instrument->kind != "grasper")
+            continue;
         const double opening = action.tool.jaw_angle / std::max(1e-9, action.instrument->jaw_opening);
         const bool closed = opening < close_share && action.tool.grip > least_grip;
         if (opening > open_share) grasp.ready = true;
@@ -188,7 +207,8 @@ void BowelPart::update_grasps(const ToolAction* actions, double dt) noexcept {
         } else if (grasp.state.held) {
             const double capacity = 2.0 * tissue.friction * action.tool.grip;
             grasp.slip_time = grasp.state.reaction.norm() > capacity ? grasp.slip_time + dt : 0.0;
-            if (opening > open_share || action.tool.grip <= 0.5 * least_grip || grasp.slip_time > slip_delay || !action.tool.inside) {
+            if (opening > open_share || action.tool.grip <= 0.5 * least_grip ||
+                grasp.slip_time > slip_delay || !action.tool.inside) {
                 grasp.state.held = false;
                 grasp.state.slipped = grasp.slip_time > slip_delay;
                 grasp.state.reaction.setZero();
@@ -206,7 +226,8 @@ void BowelPart::update_grasps(const ToolAction* actions, double dt) noexcept {
         if (motion.norm() > longest) motion *= longest / motion.norm();
         grasp.target += motion;
         grasp.velocity = motion / dt;
-        patch_damage_[static_cast<std::size_t>(std::max(0, grasp.state.patch))] += static_cast<float>(action.tool.grip * dt);
+        patch_damage_[static_cast<std::size_t>(std::max(0, grasp.state.patch))] +=
+            static_cast<float>(action.tool.grip * dt);
     }
     inputs_.grasps.clear();
     for (const HandGrasp& grasp : grasps_) {
@@ -224,16 +245,20 @@ void BowelPart::fill_local_model(Hand hand, const PatchRequest& request, LocalMo
     Stopwatch watch(measuring_, costs_.patches);
     patches_->build(rings_.data(), request, patch_scratch_, model);
     model.jaws = jaw_felt_[static_cast<int>(hand)];
-    if (sheet_grasps_[static_cast<int>(hand)].membrane >= 0) fill_sheet_model(sheet_grasps_[static_cast<int>(hand)], static_cast<int>(hand), model);
+    if (sheet_grasps_[static_cast<int>(hand)].membrane >= 0)
+        fill_sheet_model(sheet_grasps_[static_cast<int>(hand)], static_cast<int>(hand), model);
     const HandGrasp& grasp = grasps_[static_cast<int>(hand)];
     if (!grasp.state.held) return;
     model.mode = LocalMode::grasp;
     const int index = scene_.tissue_index(scene_.bowel->tissue);
-    model.grasp.point = grasp.target - grasp.correction;  // where the jaws are: the correction is the tissue's own way to them
+    model.grasp.point =
+        grasp.target -
+        grasp.correction;  // where the jaws are: the correction is the tissue's own way to them
     model.grasp.velocity = grasp.velocity;
     model.grasp.reaction = grasp.state.reaction;
     model.grasp.hold_offset = grasp.hold_offset;
-    // In series with the pinched wall itself: however firmly the rod is held elsewhere, the jaws feel no more than tissue.
+    // In series with the pinched wall itself: however firmly the rod is held elsewhere, the jaws feel no more
+    // than tissue.
     const double wall = pinch_share * scene_.tissues[static_cast<std::size_t>(index)].stiffness;
     model.grasp.stiffness = stiffness_in_series(grasp.stiffness, wall);
     model.grasp.damping = scene_.tissues[static_cast<std::size_t>(index)].damping;

@@ -9,9 +9,9 @@
 namespace fulcrum {
 namespace {
 
-constexpr int planes_remembered = 6;       // a sphere, as SphereCollisionOptions::planes_per_sphere
-constexpr double pattern_time = 0.05;      // s, dents and grasp corrections settle in this time
-constexpr double settle_time = 4.0;        // s of simulated rest before an attempt begins
+constexpr int planes_remembered = 6;         // a sphere, as SphereCollisionOptions::planes_per_sphere
+constexpr double pattern_time = 0.05;        // s, dents and grasp corrections settle in this time
+constexpr double settle_time = 4.0;          // s of simulated rest before an attempt begins
 constexpr double backing_stiffness = 2.5e7;  // N/m3, contents and fat behind the wall
 
 // Points at equal distances along a polyline, ends included.
@@ -30,7 +30,8 @@ std::vector<Vector3> resample(const std::vector<Vector3>& line, int points) {
     return result;
 }
 
-constexpr double unsolved_residual = 0.05;  // share of the largest force: beyond it a step's reactions mean nothing
+constexpr double unsolved_residual =
+    0.05;  // share of the largest force: beyond it a step's reactions mean nothing
 
 RodSolve rod_solve(const Fidelity& fidelity) {
     RodSolve solve;
@@ -83,17 +84,21 @@ TissueContact tissue_contact(const Scene& scene, const WinklerBed& bed) {
 
 }  // namespace
 
-BowelPart::BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel* cavity) : scene_(scene), anatomy_(std::move(anatomy)) {
+BowelPart::BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel* cavity)
+    : scene_(scene), anatomy_(std::move(anatomy)) {
     const BowelSpec& spec = *scene.bowel;
     rod_ = std::make_unique<Rod>(rod_spec(scene, anatomy_.centre_line, !anatomy_.cranial_holds.empty()));
     // The skin is bound along the rod's own arc length, whatever the polyline's exact length is.
     spheres_ = sample_spheres(rod_->length(), spec.sphere_spacing, anatomy_.radius);
-    skin_ = std::make_unique<BowelSkin>(anatomy_.surface, build_cage(anatomy_.surface, anatomy_.length, spheres_));
+    skin_ = std::make_unique<BowelSkin>(anatomy_.surface,
+                                        build_cage(anatomy_.surface, anatomy_.length, spheres_));
     SphereCollisionOptions options;
     options.projection_iterations = scene.fidelity.projection_iterations;
     if (scene.fidelity.collision == "brute") options.list_margin = 0.0;
-    collision_ = std::make_unique<SphereCollision>(cavity, SphereChainShape{spheres_.arc_lengths, spheres_.radii}, options);
-    bed_ = winkler_bed(spec.young_modulus, spec.poisson_ratio, spec.wall_thickness, backing_stiffness, pattern_time);
+    collision_ = std::make_unique<SphereCollision>(
+        cavity, SphereChainShape{spheres_.arc_lengths, spheres_.radii}, options);
+    bed_ = winkler_bed(spec.young_modulus, spec.poisson_ratio, spec.wall_thickness, backing_stiffness,
+                       pattern_time);
     PatchOptions patch;
     patch.contact = tissue_contact(scene, bed_);
     patches_ = std::make_unique<PatchBuilder>(*skin_, patch, divide_into_patches(*skin_, 2, 4));
@@ -104,7 +109,8 @@ BowelPart::BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel
     state_ = rod_->make_state();
     good_ = state_;
     const int spheres = static_cast<int>(spheres_.arc_lengths.size());
-    const int tethers = static_cast<int>(anatomy_.cranial_holds.size()) + (scene.tethers ? scene.tethers->count : 0);
+    const int tethers =
+        static_cast<int>(anatomy_.cranial_holds.size()) + (scene.tethers ? scene.tethers->count : 0);
     scratch_ = rod_->make_scratch(std::max(1, tethers), hand_count, spheres * planes_remembered, 512);
     lists_ = collision_->make_lists();
     contacts_ = collision_->make_contacts();
@@ -156,7 +162,8 @@ BowelPart::BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel
             spring.anchor = root[static_cast<std::size_t>(std::lround(share * 2.0 * tether.count))];
             spring.stiffness = tether.stiffness;
             spring.damping = tether.damping;
-            spring.rest_length = tether.slack * (rod_->frame_at(state_, spring.s).frame.position - spring.anchor).norm();
+            spring.rest_length =
+                tether.slack * (rod_->frame_at(state_, spring.s).frame.position - spring.anchor).norm();
             inputs_.tethers.push_back(spring);
         }
     }
@@ -183,9 +190,12 @@ void BowelPart::stop() noexcept {
     for (MembranePart& membrane : membranes_) membrane.stop();
 }
 
-double BowelPart::weight() const { return scene_.gravity.norm() * scene_.bowel->linear_density * rod_->length(); }
+double BowelPart::weight() const {
+    return scene_.gravity.norm() * scene_.bowel->linear_density * rod_->length();
+}
 
-std::uint32_t BowelPart::step(const ToolAction* actions, double dt, const std::vector<RodLoad>* more, std::uint32_t tick) noexcept {
+std::uint32_t BowelPart::step(const ToolAction* actions, double dt, const std::vector<RodLoad>* more,
+                              std::uint32_t tick) noexcept {
     {
         Stopwatch watch(measuring_, costs_.grasps);
         update_grasps(actions, dt);
@@ -202,7 +212,8 @@ std::uint32_t BowelPart::step(const ToolAction* actions, double dt, const std::v
     std::uint32_t membrane_outcome = 0;
     {
         Stopwatch watch(measuring_, costs_.membranes);
-        for (MembranePart& membrane : membranes_) membrane_outcome = std::max(membrane_outcome, membrane.step(*rod_, state_, dt, inputs_.loads));
+        for (MembranePart& membrane : membranes_)
+            membrane_outcome = std::max(membrane_outcome, membrane.step(*rod_, state_, dt, inputs_.loads));
     }
     {
         Stopwatch watch(measuring_, costs_.collision);
@@ -213,9 +224,11 @@ std::uint32_t BowelPart::step(const ToolAction* actions, double dt, const std::v
         good_ = state_;
         good_inputs_ = inputs_;
         report_ = rod_->step(state_, inputs_, dt, scratch_, solve_);
-        if (solve_.level == RodSolve::Level::newton_k && report_.finite && !report_.converged && report_.residual > unsolved_residual) {
-            // A fixed number of iterations ended far from balance, as when contacts change hands: one step of reactions that nobody
-            // exerted would be felt and scored. This step is worth the full solve, in parts if need be.
+        if (solve_.level == RodSolve::Level::newton_k && report_.finite && !report_.converged &&
+            report_.residual > unsolved_residual) {
+            // A fixed number of iterations ended far from balance, as when contacts change hands: one step of
+            // reactions that nobody exerted would be felt and scored. This step is worth the full solve, in
+            // parts if need be.
             state_ = good_;
             inputs_ = good_inputs_;
             RodSolve full = solve_;
@@ -254,8 +267,10 @@ std::uint32_t BowelPart::step(const ToolAction* actions, double dt, const std::v
         const RodGrasp& solved = inputs_.grasps[static_cast<std::size_t>(k++)];
         grasp.state.reaction = solved.reaction;
         grasp.state.point = rod_->wall_point(state_, solved.s, solved.offset);
-        // The factor of a solve that ended short of balance says nothing about the tissue: the last good one stays.
-        if (report_.converged) grasp.stiffness = rod_->stiffness_at(state_, solved.s, solved.offset, scratch_);
+        // The factor of a solve that ended short of balance says nothing about the tissue: the last good one
+        // stays.
+        if (report_.converged)
+            grasp.stiffness = rod_->stiffness_at(state_, solved.s, solved.offset, scratch_);
     }
     {
         Stopwatch watch(measuring_, costs_.rings);
@@ -270,7 +285,8 @@ std::uint32_t BowelPart::step(const ToolAction* actions, double dt, const std::v
 }
 
 void BowelPart::find_contacts() noexcept {
-    for (std::size_t i = 0; i < centres_.size(); ++i) centres_[i] = rod_->frame_at(state_, spheres_.arc_lengths[i]).frame.position;
+    for (std::size_t i = 0; i < centres_.size(); ++i)
+        centres_[i] = rod_->frame_at(state_, spheres_.arc_lengths[i]).frame.position;
     collision_->collide(centres_.data(), lists_, contacts_);
     inputs_.contacts.clear();
     for (int i = 0; i < contacts_.cavity_count; ++i) {
@@ -293,13 +309,15 @@ void BowelPart::find_contacts() noexcept {
     std::fill(remembered_normal_.begin(), remembered_normal_.end(), Vector3::Zero());
     std::fill(remembered_lambda_.begin(), remembered_lambda_.end(), 0.0);
     inputs_.self_contacts.clear();
-    for (int i = 0; i < contacts_.pair_count && inputs_.self_contacts.size() < inputs_.self_contacts.capacity(); ++i) {
+    for (int i = 0;
+         i < contacts_.pair_count && inputs_.self_contacts.size() < inputs_.self_contacts.capacity(); ++i) {
         const SphereContact& found = contacts_.pairs[static_cast<std::size_t>(i)];
         RodSelfContact contact;
         contact.s = spheres_.arc_lengths[static_cast<std::size_t>(found.first)];
         contact.other_s = spheres_.arc_lengths[static_cast<std::size_t>(found.second)];
         contact.normal = found.normal;
-        contact.distance = spheres_.radii[static_cast<std::size_t>(found.first)] + spheres_.radii[static_cast<std::size_t>(found.second)];
+        contact.distance = spheres_.radii[static_cast<std::size_t>(found.first)] +
+                           spheres_.radii[static_cast<std::size_t>(found.second)];
         inputs_.self_contacts.push_back(contact);
     }
 }
@@ -308,20 +326,26 @@ void BowelPart::gather_loads(const ToolAction* actions, double dt) noexcept {
     inputs_.loads.clear();
     for (int hand = 0; hand < hand_count; ++hand) {
         const ToolContactResult* contact = actions[hand].contact;
-        if (contact == nullptr || !contact->touching_surface || contact->filtered.count == 0 || !contact->surface_force.allFinite()) {
+        if (contact == nullptr || !contact->touching_surface || contact->filtered.count == 0 ||
+            !contact->surface_force.allFinite()) {
             applied_push_[hand].setZero();
             continue;
         }
-        // A stiff wall on a light rod: the force is taken at this step's end, to first order, not at its beginning.
-        const double s = std::clamp(skin_->rest().vertices[static_cast<std::size_t>(std::max(0, contact->vertex))].x(), 0.0, rod_->length());
-        const Matrix3 stiffness = rod_->stiffness_at(state_, s, rod_->wall_offset(state_, s, contact->point), scratch_);
+        // A stiff wall on a light rod: the force is taken at this step's end, to first order, not at its
+        // beginning.
+        const double s =
+            std::clamp(skin_->rest().vertices[static_cast<std::size_t>(std::max(0, contact->vertex))].x(),
+                       0.0, rod_->length());
+        const Matrix3 stiffness =
+            rod_->stiffness_at(state_, s, rod_->wall_offset(state_, s, contact->point), scratch_);
         const double tissue = std::max(1e-3, contact->normal.dot(stiffness * contact->normal));
         const double tool = contact->normal.dot(contact->stiffness * contact->normal) + contact->damping / dt;
         applied_push_[hand] = relax_contact_force(applied_push_[hand], contact->surface_force, tool, tissue);
         const FilteredForce& filtered = contact->filtered;
         int first = skin_->rings(), last = -1;
         for (int i = 0; i < filtered.count; ++i) {
-            const SkinRow& row = skin_->rows()[static_cast<std::size_t>(filtered.vertex[static_cast<std::size_t>(i)])];
+            const SkinRow& row =
+                skin_->rows()[static_cast<std::size_t>(filtered.vertex[static_cast<std::size_t>(i)])];
             first = std::min(first, row.first_ring);
             last = std::max(last, row.first_ring + skin_rings - 1);
         }
@@ -329,7 +353,8 @@ void BowelPart::gather_loads(const ToolAction* actions, double dt) noexcept {
         for (int i = 0; i < filtered.count; ++i) {
             const auto k = static_cast<std::size_t>(i);
             const SkinRow& row = skin_->rows()[static_cast<std::size_t>(filtered.vertex[k])];
-            add_ring_wrenches(row, ring_frames_.data(), filtered.weight[k] * applied_push_[hand], wrenches_.data());
+            add_ring_wrenches(row, ring_frames_.data(), filtered.weight[k] * applied_push_[hand],
+                              wrenches_.data());
         }
         for (int r = first; r <= last && inputs_.loads.size() < inputs_.loads.capacity(); ++r) {
             const auto k = static_cast<std::size_t>(r);
@@ -348,7 +373,8 @@ void BowelPart::update_rings(double /*dt*/) noexcept {
         rings_[r].velocity = motion.velocity;
         rings_[r].angular_velocity = motion.angular_velocity;
         while (edge + 2 < arcs.size() && arcs[edge + 1] < s) ++edge;
-        ring_stretch_[r] = (state_.nodes[edge + 1] - state_.nodes[edge]).norm() / (arcs[edge + 1] - arcs[edge]);
+        ring_stretch_[r] =
+            (state_.nodes[edge + 1] - state_.nodes[edge]).norm() / (arcs[edge + 1] - arcs[edge]);
     }
     if (lumen_) {
         lumen_->solve(ring_stretch_.data());
@@ -402,9 +428,11 @@ void BowelPart::update_dents(const ToolAction* actions, double dt) noexcept {
     int count = 0;
     for (int hand = 0; hand < hand_count; ++hand) {
         const ToolAction& action = actions[hand];
-        if (action.contact != nullptr && action.contact->touching_surface) loads[count++] = {&action.contact->filtered, nullptr, applied_push_[hand]};
+        if (action.contact != nullptr && action.contact->touching_surface)
+            loads[count++] = {&action.contact->filtered, nullptr, applied_push_[hand]};
         const HandGrasp& grasp = grasps_[hand];
-        if (grasp.state.held && grasp.filtered.count > 0) loads[count++] = {&grasp.filtered, nullptr, grasp.state.reaction};
+        if (grasp.state.held && grasp.filtered.count > 0)
+            loads[count++] = {&grasp.filtered, nullptr, grasp.state.reaction};
     }
     step_dents(bed_, skin_->vertex_areas().data(), loads, count, dt, dents_);
 }
@@ -434,15 +462,20 @@ void BowelPart::hash(StateHash& hash) const noexcept {
     if (cut_) cut_->hash(hash);
 }
 
-std::size_t BowelPart::bytes_rod() const { return rod_->bytes() + scratch_.bytes(); }
+std::size_t BowelPart::bytes_rod() const {
+    return rod_->bytes() + scratch_.bytes();
+}
 std::size_t BowelPart::bytes_membranes() const {
     std::size_t bytes = 0;
     for (const MembranePart& membrane : membranes_) bytes += membrane.bytes();
     return bytes;
 }
-std::size_t BowelPart::bytes_collision() const { return collision_->bytes(); }
+std::size_t BowelPart::bytes_collision() const {
+    return collision_->bytes();
+}
 std::size_t BowelPart::bytes_surface() const {
-    return skin_->bytes() + (wide_skin_ ? wide_skin_->bytes() : 0) + (cut_ ? cut_->bytes() : 0) + surface_.capacity() * sizeof(Vector3) + rings_.capacity() * sizeof(RingMotion);
+    return skin_->bytes() + (wide_skin_ ? wide_skin_->bytes() : 0) + (cut_ ? cut_->bytes() : 0) +
+           surface_.capacity() * sizeof(Vector3) + rings_.capacity() * sizeof(RingMotion);
 }
 
 }  // namespace fulcrum

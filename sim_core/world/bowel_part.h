@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bowel as a part of the world: rod, spheres, cage and surface, what holds it, what presses it (theory, sections 1 to 4).
-// World thread. Nothing allocates after construction.
+// The bowel as a part of the world: rod, spheres, cage and surface, what holds it, what presses it (theory,
+// sections 1 to 4). World thread. Nothing allocates after construction.
 #pragma once
 
 #include <memory>
@@ -27,11 +27,11 @@ namespace fulcrum {
 
 /// Rest geometry of a bowel and how it lies in the body.
 struct BowelAnatomy {
-    TriangleMesh surface;               ///< rest tube along +x, closed
-    double length = 0;                  ///< m
-    RadiusProfile radius;               ///< lumen radius by rest arc length
-    std::vector<Vector3> centre_line;   ///< in situ, patient frame, first = rectum
-    std::vector<Vector3> root_line;     ///< mesenteric root on the wall, first = rectal end
+    TriangleMesh surface;                  ///< rest tube along +x, closed
+    double length = 0;                     ///< m
+    RadiusProfile radius;                  ///< lumen radius by rest arc length
+    std::vector<Vector3> centre_line;      ///< in situ, patient frame, first = rectum
+    std::vector<Vector3> root_line;        ///< mesenteric root on the wall, first = rectal end
     std::vector<MembraneSheet> membranes;  ///< one for each of Scene::membranes
     std::vector<RodTether> cranial_holds;  ///< not empty: its cranial end is free but for these
 };
@@ -40,25 +40,29 @@ struct BowelAnatomy {
 struct ToolAction {
     const InstrumentSpec* instrument = nullptr;  ///< null: no such hand
     ToolKinematics tool;                         ///< at the step's last tick
-    const ToolContactResult* contact = nullptr;  ///< with the surface as it would be at the step's end; null: none
-    const ToolContactResult* near = nullptr;     ///< the same without contact too; null: the surface is out of reach
+    const ToolContactResult* contact =
+        nullptr;  ///< with the surface as it would be at the step's end; null: none
+    const ToolContactResult* near =
+        nullptr;  ///< the same without contact too; null: the surface is out of reach
     bool slipping = false;
-    bool busy = false;                           ///< its jaws hold something else
+    bool busy = false;  ///< its jaws hold something else
 };
 
-/// How much deeper a tool's jaws are in a sphere of the bowel than its shaft: depth m, normal out of the sphere
-/// into the jaw; by_jaw false for a tool without jaws.
+/// How much deeper a tool's jaws are in a sphere of the bowel than its shaft: depth m, normal out of the
+/// sphere into the jaw; by_jaw false for a tool without jaws.
 SolidContact jaws_in_sphere(const ToolShape& tool, const Vector3& centre, double radius);
 
 class BowelPart {
   public:
-    /// Builds rod, cage and skin, lays the bowel into the cavity and lets it come to rest. cavity must outlive this.
-    /// Throws InputError where the anatomy cannot carry a cage.
+    /// Builds rod, cage and skin, lays the bowel into the cavity and lets it come to rest. cavity must
+    /// outlive this. Throws InputError where the anatomy cannot carry a cage.
     BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel* cavity);
 
     /// One step of dt seconds: grasps, loads, rod, collision, rings, dents. Returns StepRecord::outcome.
-    /// more: what else acts on the rod in this step, up to extra_loads; null: nothing. tick: that it ends with.
-    std::uint32_t step(const ToolAction* actions, double dt, const std::vector<RodLoad>* more = nullptr, std::uint32_t tick = 0) noexcept;
+    /// more: what else acts on the rod in this step, up to extra_loads; null: nothing. tick: that it ends
+    /// with.
+    std::uint32_t step(const ToolAction* actions, double dt, const std::vector<RodLoad>* more = nullptr,
+                       std::uint32_t tick = 0) noexcept;
     static constexpr std::size_t extra_loads = 64;
     /// m, from the middle of a hand's jaws to the wall; the jaws' reach where it is further.
     double distance_to_jaws(const ToolAction& action) const noexcept;
@@ -108,7 +112,8 @@ class BowelPart {
 
     /// Wall time of the last step's blocks, microseconds; measured only when asked for.
     struct Costs {
-        double grasps = 0, loads = 0, collision = 0, rod = 0, rings = 0, dents = 0, patches = 0, membranes = 0;
+        double grasps = 0, loads = 0, collision = 0, rod = 0, rings = 0, dents = 0, patches = 0,
+               membranes = 0;
     };
     void measure(bool on) { measuring_ = on; }
     const Costs& costs() const { return costs_; }
@@ -116,27 +121,29 @@ class BowelPart {
   private:
     struct HandGrasp {
         GraspState state;
-        Vector3 correction = Vector3::Zero();  ///< m, wall point minus jaws when the grasp began; decays
-        Vector3 target = Vector3::Zero();      ///< m, where the wall point was held last
-        Vector3 velocity = Vector3::Zero();    ///< m/s, of the target
-        Vector3 hold_offset = Vector3::Zero(); ///< m, tool frame, relative to the tip
-        FilteredForce filtered;                ///< shares of a pull at the grasp
-        Matrix3 stiffness = Matrix3::Zero();   ///< N/m, rod seen at the wall point
+        Vector3 correction = Vector3::Zero();   ///< m, wall point minus jaws when the grasp began; decays
+        Vector3 target = Vector3::Zero();       ///< m, where the wall point was held last
+        Vector3 velocity = Vector3::Zero();     ///< m/s, of the target
+        Vector3 hold_offset = Vector3::Zero();  ///< m, tool frame, relative to the tip
+        FilteredForce filtered;                 ///< shares of a pull at the grasp
+        Matrix3 stiffness = Matrix3::Zero();    ///< N/m, rod seen at the wall point
         std::int32_t vertex = -1;
-        bool ready = true;                     ///< the jaws were open since the last grasp
-        double slip_time = 0;                  ///< s of load beyond what the jaws can hold
+        bool ready = true;     ///< the jaws were open since the last grasp
+        double slip_time = 0;  ///< s of load beyond what the jaws can hold
     };
     /// Jaws on a membrane: as on the bowel, by the sheet's own holds.
     struct SheetGrasp {
         int membrane = -1;  ///< that is held, -1: none
-        Vector3 correction = Vector3::Zero(), target = Vector3::Zero(), velocity = Vector3::Zero(), hold_offset = Vector3::Zero();
+        Vector3 correction = Vector3::Zero(), target = Vector3::Zero(), velocity = Vector3::Zero(),
+                hold_offset = Vector3::Zero();
         double stiffness = 0, slip_time = 0;
     };
     void lay_down();
     void update_grasps(const ToolAction* actions, double dt) noexcept;
     std::int32_t nearest_to(const Vector3& jaws, double& least) const noexcept;
     void begin_grasp(int hand, const ToolAction& action) noexcept;
-    bool begin_sheet_grasp(int hand, const ToolAction& action, const Vector3& jaws, double nearest_bowel) noexcept;
+    bool begin_sheet_grasp(int hand, const ToolAction& action, const Vector3& jaws,
+                           double nearest_bowel) noexcept;
     void update_sheet_grasp(int hand, const ToolAction& action, double opening, double dt) noexcept;
     void fill_sheet_model(const SheetGrasp& grasp, int hand, LocalModel& model) const noexcept;
     void gather_loads(const ToolAction* actions, double dt) noexcept;
@@ -158,10 +165,10 @@ class BowelPart {
     std::unique_ptr<SphereCollision> collision_;
     std::unique_ptr<PatchBuilder> patches_;
     std::vector<MembranePart> membranes_;
-    std::unique_ptr<WideSkin> wide_skin_;        ///< with a scope beyond local
-    std::unique_ptr<LayeredWall> wall_;          ///< with layers
-    std::unique_ptr<LuminalVolume> lumen_;       ///< with contents
-    std::unique_ptr<BowelCut> cut_;              ///< with a tissue that blades cut
+    std::unique_ptr<WideSkin> wide_skin_;   ///< with a scope beyond local
+    std::unique_ptr<LayeredWall> wall_;     ///< with layers
+    std::unique_ptr<LuminalVolume> lumen_;  ///< with contents
+    std::unique_ptr<BowelCut> cut_;         ///< with a tissue that blades cut
     WinklerBed bed_;
     RodSolve solve_;
     FilterMode filter_ = FilterMode::adaptive;
@@ -177,15 +184,15 @@ class BowelPart {
     std::vector<RingFrame> ring_frames_;
     std::vector<double> ring_stretch_;
     std::vector<RingWrench> wrenches_;
-    std::vector<Vector3> surface_;        ///< scratch positions for the filter at a grasp
+    std::vector<Vector3> surface_;  ///< scratch positions for the filter at a grasp
     PatchBuilder::Scratch patch_scratch_;
     HandGrasp grasps_[hand_count];
     SheetGrasp sheet_grasps_[hand_count];
     Vector3 applied_push_[hand_count] = {Vector3::Zero(), Vector3::Zero()};
-    bool with_jaws_ = false;                      ///< level "jaws"
+    bool with_jaws_ = false;  ///< level "jaws"
     InstrumentModel jaw_models_[hand_count];
     std::vector<Vector3> jaw_pushes_[hand_count];  ///< N, on each sphere
-    JawPushModel jaw_felt_[hand_count];          ///< their sum, as the haptic tick takes it up
+    JawPushModel jaw_felt_[hand_count];            ///< their sum, as the haptic tick takes it up
     DentState dents_;
     std::vector<float> patch_damage_;
     std::vector<double> remembered_lambda_;  ///< last contact forces, by sphere and plane

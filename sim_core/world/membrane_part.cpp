@@ -36,17 +36,21 @@ MembraneSolve solve_of(const Fidelity& fidelity) {
 std::uint32_t outcome_of(MembraneFault fault) {
     switch (fault) {
         case MembraneFault::none:
-        case MembraneFault::substepped: return 0;  // dividing the step is how symplectic Euler works
-        case MembraneFault::unconverged: return 1;
+        case MembraneFault::substepped:
+            return 0;  // dividing the step is how symplectic Euler works
+        case MembraneFault::unconverged:
+            return 1;
         case MembraneFault::refused:
-        case MembraneFault::frozen: return 2;
+        case MembraneFault::frozen:
+            return 2;
     }
     return 2;
 }
 
 }  // namespace
 
-MembranePart::MembranePart(const Scene& scene, std::size_t index, const MembraneSheet& sheet, const Rod& rod, const RodState& rest, double dt)
+MembranePart::MembranePart(const Scene& scene, std::size_t index, const MembraneSheet& sheet, const Rod& rod,
+                           const RodState& rest, double dt)
     : membrane_(sheet.mesh, sheet_material(scene.membranes[index], sheet.mesh), held(sheet)),
       state_(membrane_.make_state()),
       good_(state_),
@@ -55,7 +59,8 @@ MembranePart::MembranePart(const Scene& scene, std::size_t index, const Membrane
     inputs_.gravity = scene.membranes[index].weight * scene.gravity;
     inputs_.holds.reserve(3 * hand_count);
     inputs_.reactions.resize(membrane_.attached().size(), Vector3::Zero());
-    for (const std::int32_t v : membrane_.attached()) inputs_.attachments.push_back(sheet.mesh.vertices[static_cast<std::size_t>(v)]);
+    for (const std::int32_t v : membrane_.attached())
+        inputs_.attachments.push_back(sheet.mesh.vertices[static_cast<std::size_t>(v)]);
     for (std::size_t k = 0; k < sheet.bowel_vertices.size(); ++k) {
         // The generator's arc length is the polyline's, the rod's its own: shares of the whole agree.
         arc_lengths_.push_back(std::clamp(sheet.bowel_arc_lengths[k], 0.0, rod.length()));
@@ -66,11 +71,13 @@ MembranePart::MembranePart(const Scene& scene, std::size_t index, const Membrane
 
 void MembranePart::check_coupling(const Scene& scene, std::size_t index, const Rod& rod, double dt) {
     if (arc_lengths_.empty()) return;
-    // The edge is moved by a trial step in each direction: the force that this takes beyond the rest's, over the inertia of
-    // the bowel that it hangs on.
+    // The edge is moved by a trial step in each direction: the force that this takes beyond the rest's, over
+    // the inertia of the bowel that it hangs on.
     const double way = 1e-6;  // m
-    const double reach = *std::max_element(arc_lengths_.begin(), arc_lengths_.end()) - *std::min_element(arc_lengths_.begin(), arc_lengths_.end());
-    const double inertia = std::max(reach, rod.length() / rod.segments()) * rod.spec().linear_density / (dt * dt);
+    const double reach = *std::max_element(arc_lengths_.begin(), arc_lengths_.end()) -
+                         *std::min_element(arc_lengths_.begin(), arc_lengths_.end());
+    const double inertia =
+        std::max(reach, rod.length() / rod.segments()) * rod.spec().linear_density / (dt * dt);
     MembraneSolve exact;
     exact.integrator = MembraneIntegrator::implicit;
     exact.tolerance = 1e-6;
@@ -91,16 +98,19 @@ void MembranePart::check_coupling(const Scene& scene, std::size_t index, const R
         }
     }
     if (!(coupling_ <= most_coupling)) {
-        throw InputError(scene.id, "/membranes/" + std::to_string(index), "the membrane is too stiff or heavy for the bowel's mass at this step",
-                         "lower its stiffness, stiffness_damping or surface_density, or take fewer ticks_per_step");
+        throw InputError(
+            scene.id, "/membranes/" + std::to_string(index),
+            "the membrane is too stiff or heavy for the bowel's mass at this step",
+            "lower its stiffness, stiffness_damping or surface_density, or take fewer ticks_per_step");
     }
 }
 
-std::uint32_t MembranePart::step(const Rod& rod, const RodState& state, double dt, std::vector<RodLoad>& loads) noexcept {
+std::uint32_t MembranePart::step(const Rod& rod, const RodState& state, double dt,
+                                 std::vector<RodLoad>& loads) noexcept {
     good_.positions = state_.positions;
     for (std::size_t k = 0; k < arc_lengths_.size(); ++k) {
-        inputs_.attachments[k] =
-            rod.wall_point(state, arc_lengths_[k], offsets_[k]) + dt * rod.wall_velocity(state, arc_lengths_[k], offsets_[k]);
+        inputs_.attachments[k] = rod.wall_point(state, arc_lengths_[k], offsets_[k]) +
+                                 dt * rod.wall_velocity(state, arc_lengths_[k], offsets_[k]);
     }
     fill_holds();
     report_ = membrane_.step(state_, inputs_, dt, scratch_, solve_);
@@ -118,12 +128,15 @@ std::uint32_t MembranePart::step(const Rod& rod, const RodState& state, double d
     return outcome_of(report_.fault);
 }
 
-std::int32_t MembranePart::nearest_triangle(const Vector3& point, double& least, Vector3& closest) const noexcept {
+std::int32_t MembranePart::nearest_triangle(const Vector3& point, double& least,
+                                            Vector3& closest) const noexcept {
     std::int32_t nearest = -1;
     const auto& triangles = membrane_.triangles();
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         const Triangle& corners = triangles[t];
-        const auto at = [&](std::size_t c) -> const Vector3& { return state_.positions[static_cast<std::size_t>(corners[c])]; };
+        const auto at = [&](std::size_t c) -> const Vector3& {
+            return state_.positions[static_cast<std::size_t>(corners[c])];
+        };
         const Vector3 found = closest_point_on_triangle(point, at(0), at(1), at(2)).position;
         const double distance = (found - point).squaredNorm();
         if (distance >= least || !membrane_.any_free(corners)) continue;
@@ -142,12 +155,17 @@ void MembranePart::take(int hand, std::int32_t triangle, const Vector3& point, d
     hold.grip.point = hold.target = point;
     hold.stiffness = stiffness;
     const Triangle& corners = membrane_.triangles()[static_cast<std::size_t>(triangle)];
-    for (std::size_t c = 0; c < 3; ++c) hold.offsets[c] = state_.positions[static_cast<std::size_t>(corners[c])] - point;
+    for (std::size_t c = 0; c < 3; ++c)
+        hold.offsets[c] = state_.positions[static_cast<std::size_t>(corners[c])] - point;
 }
 
-void MembranePart::carry(int hand, const Vector3& target) noexcept { holds_[hand].target = target; }
+void MembranePart::carry(int hand, const Vector3& target) noexcept {
+    holds_[hand].target = target;
+}
 
-void MembranePart::let_go(int hand) noexcept { holds_[hand].grip = SheetGrip(); }
+void MembranePart::let_go(int hand) noexcept {
+    holds_[hand].grip = SheetGrip();
+}
 
 double MembranePart::grip_stiffness(int hand) const noexcept {
     const Hold& hold = holds_[hand];
@@ -157,7 +175,9 @@ double MembranePart::grip_stiffness(int hand) const noexcept {
     for (std::size_t s = 0; s < membrane_.springs().size(); ++s) {
         if (state_.cut[s] != 0) continue;
         const MembraneSpring& spring = membrane_.springs()[s];
-        const auto held = [&](std::int32_t v) { return v == corners[0] || v == corners[1] || v == corners[2]; };
+        const auto held = [&](std::int32_t v) {
+            return v == corners[0] || v == corners[1] || v == corners[2];
+        };
         if (held(spring.first) != held(spring.second)) springs += spring.stiffness;
     }
     const double both = springs + hold.stiffness;
@@ -188,7 +208,8 @@ void MembranePart::read_holds() noexcept {
         for (std::size_t c = 0; c < 3; ++c, ++k) {
             const MembraneHold& corner = inputs_.holds[k];
             hold.grip.reaction += corner.reaction;
-            hold.grip.point += (state_.positions[static_cast<std::size_t>(corner.vertex)] - hold.offsets[c]) / 3;
+            hold.grip.point +=
+                (state_.positions[static_cast<std::size_t>(corner.vertex)] - hold.offsets[c]) / 3;
         }
     }
 }

@@ -2,9 +2,10 @@
 // A membrane between the bowel's wall and the wall of the cavity as a part of the world (theory, section 3).
 // World thread. Nothing allocates after construction.
 //
-// Two-way with the rod: one edge of the sheet hangs on wall points r(s) + R(s) X of the rod, as tethers do. Each step the
-// membrane is stepped first, its edge where the wall points are about to be; what holds that edge there acts on the rod,
-// equal and opposite, as force and moment of a dead load in the same step. Jaws hold a triangle of the sheet by its corners.
+// Two-way with the rod: one edge of the sheet hangs on wall points r(s) + R(s) X of the rod, as tethers do.
+// Each step the membrane is stepped first, its edge where the wall points are about to be; what holds that
+// edge there acts on the rod, equal and opposite, as force and moment of a dead load in the same step. Jaws
+// hold a triangle of the sheet by its corners.
 #pragma once
 
 #include <array>
@@ -28,31 +29,35 @@ struct SheetGrip {
 
 /// A sheet at rest and how it is held.
 struct MembraneSheet {
-    TriangleMesh mesh;                          ///< in situ, patient frame
-    std::vector<std::int32_t> bowel_vertices;   ///< on the bowel's wall
-    std::vector<double> bowel_arc_lengths;      ///< m along the rod, one each
-    std::vector<std::int32_t> wall_vertices;    ///< on the wall of the cavity: they stay
+    TriangleMesh mesh;                         ///< in situ, patient frame
+    std::vector<std::int32_t> bowel_vertices;  ///< on the bowel's wall
+    std::vector<double> bowel_arc_lengths;     ///< m along the rod, one each
+    std::vector<std::int32_t> wall_vertices;   ///< on the wall of the cavity: they stay
 };
 
 class MembranePart {
   public:
-    /// rest: the rod in the shape that the sheet was made for. Throws InputError (place "/membranes/index") where the sheet
-    /// is too stiff for the rod's mass at this step: the two are solved in turn.
-    MembranePart(const Scene& scene, std::size_t index, const MembraneSheet& sheet, const Rod& rod, const RodState& rest, double dt);
+    /// rest: the rod in the shape that the sheet was made for. Throws InputError (place "/membranes/index")
+    /// where the sheet is too stiff for the rod's mass at this step: the two are solved in turn.
+    MembranePart(const Scene& scene, std::size_t index, const MembraneSheet& sheet, const Rod& rod,
+                 const RodState& rest, double dt);
 
-    /// One step of dt with the rod's wall points carried on by their velocities; appends what pulls on the rod to `loads`
-    /// (up to its capacity: attachments() more). Returns StepRecord::outcome.
-    std::uint32_t step(const Rod& rod, const RodState& state, double dt, std::vector<RodLoad>& loads) noexcept;
-    /// The triangle nearest to a point that jaws can take: within the root of `least`, m2 (lowered to what was found), and with a
-    /// free corner. -1: none.
+    /// One step of dt with the rod's wall points carried on by their velocities; appends what pulls on the
+    /// rod to `loads` (up to its capacity: attachments() more). Returns StepRecord::outcome.
+    std::uint32_t step(const Rod& rod, const RodState& state, double dt,
+                       std::vector<RodLoad>& loads) noexcept;
+    /// The triangle nearest to a point that jaws can take: within the root of `least`, m2 (lowered to what
+    /// was found), and with a free corner. -1: none.
     std::int32_t nearest_triangle(const Vector3& point, double& least, Vector3& closest) const noexcept;
-    /// A hand's jaws close on a triangle at a point of it: its corners hang on the jaws by springs, together `stiffness` N/m.
+    /// A hand's jaws close on a triangle at a point of it: its corners hang on the jaws by springs, together
+    /// `stiffness` N/m.
     void take(int hand, std::int32_t triangle, const Vector3& point, double stiffness) noexcept;
     /// Where that point shall be at the end of the next step.
     void carry(int hand, const Vector3& target) noexcept;
     void let_go(int hand) noexcept;
     const SheetGrip& grip(int hand) const { return holds_[hand].grip; }
-    /// N/m: the springs at the held corners, which is the most that the sheet can answer with, behind the jaws' own.
+    /// N/m: the springs at the held corners, which is the most that the sheet can answer with, behind the
+    /// jaws' own.
     double grip_stiffness(int hand) const noexcept;
 
     /// Takes the last step back, at rest: when the rod's was.

@@ -17,13 +17,17 @@ namespace {
 
 constexpr double reach = 0.020;         // m from the sheet within which the hand's model knows of it
 constexpr double slide_friction = 0.2;  // of a tool that does not bite
-constexpr double shaft_seen = 0.05;      // m of the shaft that may be in a slit
+constexpr double shaft_seen = 0.05;     // m of the shaft that may be in a slit
 constexpr double sheet_springs = 4;     // springs whose stiffness a place of the sheet answers with
 constexpr double jaw_span = 0.3;        // of the jaw's length, between places that it holds
 
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+std::size_t at(std::int32_t i) {
+    return static_cast<std::size_t>(i);
+}
 
-double series(double a, double b) { return a > 0 && b > 0 ? a * b / (a + b) : 0.0; }
+double series(double a, double b) {
+    return a > 0 && b > 0 ? a * b / (a + b) : 0.0;
+}
 
 }  // namespace
 
@@ -32,7 +36,8 @@ SheetPlace SheetPart::place_in(std::int32_t triangle, const Vector3& weights) co
     const CutTriangle& row = surface_.triangle(triangle);
     Vector3 corner;
     for (std::size_t c = 0; c < 3; ++c) {
-        if (!barycentric_in(surface_.model(), surface_.vertex(row.vertices[c]), row.root, corner)) return SheetPlace();
+        if (!barycentric_in(surface_.model(), surface_.vertex(row.vertices[c]), row.root, corner))
+            return SheetPlace();
         found.barycentric += weights[static_cast<int>(c)] * corner;
     }
     found.fragment = row.fragment;
@@ -46,7 +51,8 @@ SheetPlace SheetPart::closest(const Vector3& point) const noexcept {
     Vector3 weights = Vector3::Zero();
     for (const std::int32_t t : visible_) {
         const Triangle& v = surface_.triangle(t).vertices;
-        const Vector3 &a = state_.positions[at(v[0])], &b = state_.positions[at(v[1])], &c = state_.positions[at(v[2])];
+        const Vector3 &a = state_.positions[at(v[0])], &b = state_.positions[at(v[1])],
+                      &c = state_.positions[at(v[2])];
         if (box_distance(point, a, b, c) >= least) continue;
         const TrianglePoint found = closest_point_on_triangle(point, a, b, c);
         const double distance = (found.position - point).squaredNorm();
@@ -58,17 +64,22 @@ SheetPlace SheetPart::closest(const Vector3& point) const noexcept {
     return triangle < 0 ? SheetPlace() : place_in(triangle, weights);
 }
 
-SheetPlace SheetPart::find_in_root(std::int32_t root, const Vector3& barycentric, double slack) const noexcept {
+SheetPlace SheetPart::find_in_root(std::int32_t root, const Vector3& barycentric,
+                                   double slack) const noexcept {
     SheetPlace found;
     double best = -std::numeric_limits<double>::infinity();
     for (std::int32_t t = surface_.root(root).first_visible; t >= 0; t = surface_.triangle(t).next_in_root) {
         const CutTriangle& row = surface_.triangle(t);
         Vector3 corner[3];
         bool good = true;
-        for (std::size_t c = 0; c < 3; ++c) good = good && barycentric_in(surface_.model(), surface_.vertex(row.vertices[c]), root, corner[c]);
+        for (std::size_t c = 0; c < 3; ++c)
+            good =
+                good && barycentric_in(surface_.model(), surface_.vertex(row.vertices[c]), root, corner[c]);
         if (!good || !(row.share > 0)) continue;
         double least = 1;
-        for (int c = 0; c < 3; ++c) least = std::min(least, share_of(barycentric, corner[(c + 1) % 3], corner[(c + 2) % 3]) / row.share);
+        for (int c = 0; c < 3; ++c)
+            least =
+                std::min(least, share_of(barycentric, corner[(c + 1) % 3], corner[(c + 2) % 3]) / row.share);
         if (least <= best) continue;
         best = least;
         found.fragment = row.fragment;
@@ -92,9 +103,11 @@ SheetPart::Near SheetPart::find_near(const Vector3& tip, double radius) noexcept
     Vector3 normal = Vector3::Zero();
     for (const std::int32_t t : visible_) {
         const Triangle& v = surface_.triangle(t).vertices;
-        const Vector3 &a = state_.positions[at(v[0])], &b = state_.positions[at(v[1])], &c = state_.positions[at(v[2])];
+        const Vector3 &a = state_.positions[at(v[0])], &b = state_.positions[at(v[1])],
+                      &c = state_.positions[at(v[2])];
         if (box_distance(near.point, a, b, c) > blend * blend) continue;
-        const double distance = (closest_point_on_triangle(near.point, a, b, c).position - near.point).squaredNorm();
+        const double distance =
+            (closest_point_on_triangle(near.point, a, b, c).position - near.point).squaredNorm();
         if (distance >= blend * blend) continue;
         near_.push_back(t);
         normal += (1 - distance / (blend * blend)) * (b - a).cross(c - a);
@@ -104,7 +117,9 @@ SheetPart::Near SheetPart::find_near(const Vector3& tip, double radius) noexcept
     near.cover = cover_under(tip - near.gap * near.normal, near.normal, radius, [&](const Vector3& sample) {
         for (const std::int32_t t : near_) {
             const Triangle& v = surface_.triangle(t).vertices;
-            if (covers(sample, near.normal, state_.positions[at(v[0])], state_.positions[at(v[1])], state_.positions[at(v[2])])) return true;
+            if (covers(sample, near.normal, state_.positions[at(v[0])], state_.positions[at(v[1])],
+                       state_.positions[at(v[2])]))
+                return true;
         }
         return false;
     });
@@ -116,7 +131,8 @@ bool SheetPart::visit_crossings(const Vector3& from, const Vector3& to, Visit&& 
     const Vector3 way = to - from;
     for (const std::int32_t t : visible_) {
         const Triangle& v = surface_.triangle(t).vertices;
-        const Vector3 &a = state_.positions[at(v[0])], &b = state_.positions[at(v[1])], &c = state_.positions[at(v[2])];
+        const Vector3 &a = state_.positions[at(v[0])], &b = state_.positions[at(v[1])],
+                      &c = state_.positions[at(v[2])];
         const Vector3 n = (b - a).cross(c - a);
         const double before = (from - a).dot(n), after = (to - a).dot(n);
         if (before * after > 0 || before == after) continue;
@@ -130,13 +146,16 @@ bool SheetPart::crosses(const Vector3& from, const Vector3& to) const noexcept {
     return visit_crossings(from, to, [](std::int32_t, double) { return true; });
 }
 
-void SheetPart::find_under(const Vector3& point, const Vector3& normal, double depth, UnderBlade& found) const noexcept {
+void SheetPart::find_under(const Vector3& point, const Vector3& normal, double depth,
+                           UnderBlade& found) const noexcept {
     const Vector3 from = point - depth * normal, to = point + depth * normal;
     visit_crossings(from, to, [&](std::int32_t t, double share) {
         const Vector3 where = from + share * (to - from);
         const Triangle& v = surface_.triangle(t).vertices;
-        const Vector3 &a = state_.positions[at(v[0])], &b = state_.positions[at(v[1])], &c = state_.positions[at(v[2])];
-        add_under(place_in(t, closest_point_on_triangle(where, a, b, c).barycentric), std::abs(share - 0.5), found);
+        const Vector3 &a = state_.positions[at(v[0])], &b = state_.positions[at(v[1])],
+                      &c = state_.positions[at(v[2])];
+        add_under(place_in(t, closest_point_on_triangle(where, a, b, c).barycentric), std::abs(share - 0.5),
+                  found);
         return false;
     });
 }
@@ -152,7 +171,8 @@ void SheetPart::add_under(const SheetPlace& where, double away, UnderBlade& foun
 }
 
 double SheetPart::friction(const SheetAction& action) const noexcept {
-    const bool bites = action.instrument->cuts() && (action.tool.buttons & button_primary) != 0 && tissue_.cutting;
+    const bool bites =
+        action.instrument->cuts() && (action.tool.buttons & button_primary) != 0 && tissue_.cutting;
     return bites ? tissue_.friction : std::min(slide_friction, tissue_.friction);
 }
 
@@ -213,16 +233,18 @@ void SheetPart::approach(int number, const SheetAction& action, std::uint32_t ti
         hand.tip = tool.tip;
     }
     if (hand.touch == BladeTouch::clearing) {
-        // The shaft is still in the slit: the tip comes out by it, or has found a way on which nothing crosses the shaft.
+        // The shaft is still in the slit: the tip comes out by it, or has found a way on which nothing
+        // crosses the shaft.
         const bool out = hand.side * near.gap > radius + clear_by;
-        const bool beyond = hand.side * near.gap < -radius - clear_by && !crosses(tool.tip - shaft_seen * tool.axis, tool.tip);
+        const bool beyond = hand.side * near.gap < -radius - clear_by &&
+                            !crosses(tool.tip - shaft_seen * tool.axis, tool.tip);
         if (out || beyond) {
             hand.touch = BladeTouch::away;
             hand.side = now;
         }
     }
-    // A tip that is on the other side went round a rim or through a slit; over tissue before and now, it or the sheet was
-    // too fast for one step.
+    // A tip that is on the other side went round a rim or through a slit; over tissue before and now, it or
+    // the sheet was too fast for one step.
     const bool through = (near.cover > 0 && hand.over) || crosses(hand.tip, tool.tip);
     if (hand.touch == BladeTouch::away && hand.side != now && !through) hand.side = now;
     hand.over = near.cover > 0;
@@ -251,7 +273,8 @@ void SheetPart::take(int number, const SheetAction& action) noexcept {
         if (grip.place.fragment < 0) return;
         grip.target = grip.last = place(grip.place);
         grip.correction = grip.target - jaw;
-        if (grip.correction.norm() > grasp_reach || (hand.grip_count == 0 && grip.correction.norm() > action.other)) {
+        if (grip.correction.norm() > grasp_reach ||
+            (hand.grip_count == 0 && grip.correction.norm() > action.other)) {
             if (hand.grip_count == 0) return;
             continue;
         }
@@ -286,7 +309,8 @@ void SheetPart::update_jaws(int number, const SheetAction& action, double dt) no
         return;
     }
     hand.slip_time = hand.pull.norm() > 2 * tissue_.friction * tool.grip ? hand.slip_time + dt : 0.0;
-    if (opening > open_share || tool.grip <= 0.5 * least_grip || hand.slip_time > slip_delay || !tool.inside || hand.grip_count == 0) {
+    if (opening > open_share || tool.grip <= 0.5 * least_grip || hand.slip_time > slip_delay ||
+        !tool.inside || hand.grip_count == 0) {
         hand.held = false;
         hand.slipped = hand.slip_time > slip_delay || hand.grip_count == 0;
         hand.pull.setZero();
@@ -366,7 +390,8 @@ void SheetPart::read_links() noexcept {
         if (tip_link_[h] >= 0) hand.reaction = inputs_.links[static_cast<std::size_t>(tip_link_[h])].reaction;
         if (jaw_link_[h] < 0) continue;
         hand.pull.setZero();
-        for (int g = 0; g < hand.grip_count; ++g) hand.pull += inputs_.links[static_cast<std::size_t>(jaw_link_[h] + g)].reaction;
+        for (int g = 0; g < hand.grip_count; ++g)
+            hand.pull += inputs_.links[static_cast<std::size_t>(jaw_link_[h] + g)].reaction;
     }
 }
 
@@ -375,7 +400,8 @@ void SheetPart::fill_touch(const HandState& hand, SheetContactModel& model) cons
     const double slope = series(k, sheet_springs * spec_.structural_stiffness);
     model.tissue = tissue_index_;
     model.tip = hand.tip;
-    if (hand.linked) model.velocity = CutMembrane::velocity(state_.membrane, hand.place.fragment, hand.place.barycentric);
+    if (hand.linked)
+        model.velocity = CutMembrane::velocity(state_.membrane, hand.place.fragment, hand.place.barycentric);
     model.stiffness = model.drag_stiffness = slope;
     model.damping = tissue_.damping * std::min(1.0, hand.cover);
     const Vector3 way = hand.linked ? Vector3(hand.target - place(hand.place)) : Vector3(Vector3::Zero());
@@ -411,7 +437,9 @@ void SheetPart::fill_grasp(const HandState& hand, LocalModel& model) const noexc
     model.grasp.velocity = hand.jaw_velocity;
     model.grasp.reaction = hand.pull;
     model.grasp.hold_offset = grip.offset;
-    model.grasp.stiffness = series(pinch_share * tissue_.stiffness, sheet_springs * hand.grip_count * spec_.structural_stiffness) * Matrix3::Identity();
+    model.grasp.stiffness = series(pinch_share * tissue_.stiffness,
+                                   sheet_springs * hand.grip_count * spec_.structural_stiffness) *
+                            Matrix3::Identity();
     model.grasp.damping = tissue_.damping;
     model.grasp.friction = tissue_.friction;
     model.grasp.area = 0;
@@ -426,7 +454,8 @@ void SheetPart::fill_local_model(int number, LocalModel& model) const noexcept {
         return;
     }
     const bool near = hand.touch == BladeTouch::away && hand.known && hand.cover > least_cover;
-    if (hand.touch == BladeTouch::touching || hand.touch == BladeTouch::cutting || near) fill_touch(hand, model.sheet);
+    if (hand.touch == BladeTouch::touching || hand.touch == BladeTouch::cutting || near)
+        fill_touch(hand, model.sheet);
 }
 
 }  // namespace fulcrum

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blades in the sheet: Eqs. 6 and 7, the steps of a cut, and what becomes of it in springs, places and pieces.
+// Blades in the sheet: Eqs. 6 and 7, the steps of a cut, and what becomes of it in springs, places and
+// pieces.
 #include <algorithm>
 #include <cmath>
 
@@ -11,15 +12,18 @@ using namespace blade_rules;
 
 namespace {
 
-constexpr double line_reach = 0.012;        // m beside the marked line within which a cut divides the sheet across it
-constexpr double off_wall = 0.0005;         // m at rest from the muscularis that a blade keeps
-constexpr double off_rim = 1e-6;            // m: places are told as being this far from the rim of a septum at least
+constexpr double line_reach =
+    0.012;  // m beside the marked line within which a cut divides the sheet across it
+constexpr double off_wall = 0.0005;  // m at rest from the muscularis that a blade keeps
+constexpr double off_rim = 1e-6;     // m: places are told as being this far from the rim of a septum at least
 constexpr double sample_spacing = 0.00015;  // m along a blade's step, where the tissue under it is looked for
 constexpr double slit = 0.0006;             // m at rest across what one blade's way leaves open, at most
 constexpr double fresh_by = 0.0001;         // m from where a blade is: ground that it has not been on
 constexpr double kept_slack = 1e-6;
 
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+std::size_t at(std::int32_t i) {
+    return static_cast<std::size_t>(i);
+}
 
 }  // namespace
 
@@ -40,7 +44,8 @@ void SheetPart::follow(int number, const SheetAction& action, std::uint32_t tick
     hand.ease = action.energised && at_hand != nullptr ? at_hand->energy_factor : 1.0;
     if (hand.touch == BladeTouch::cutting && hand.adrift) {
         const bool lost = hand.place.fragment < 0;
-        if (lost || drawn_out(action.tool, action.instrument->tip_radius, place(hand.place), hand.side * hand.normal)) {
+        if (lost || drawn_out(action.tool, action.instrument->tip_radius, place(hand.place),
+                              hand.side * hand.normal)) {
             leave(number, tick);
         } else {
             drift(number, tick);
@@ -53,7 +58,8 @@ void SheetPart::follow(int number, const SheetAction& action, std::uint32_t tick
     const Vector3 way = along_surface(hand.target - here, n);
     if (hand.touch == BladeTouch::touching) {
         const double pull = tissue_.stiffness * hand.cover * way.norm();
-        const TouchMove move = next_touch(n, hand.reaction, button(action.tool) && action.instrument->cuts(), at_hand, hand.ease, hand.friction, pull);
+        const TouchMove move = next_touch(n, hand.reaction, button(action.tool) && action.instrument->cuts(),
+                                          at_hand, hand.ease, hand.friction, pull);
         if (move.enters) {
             hand.touch = BladeTouch::cutting;
             hand.way = begin_of_way(hand.place, here - overlap * way.normalized(), n);
@@ -87,7 +93,8 @@ void SheetPart::advance(int number, const Vector3& excess, std::uint32_t tick) n
     HandState& hand = state_.hands[static_cast<std::size_t>(number)];
     const Vector3 here = place(hand.place), way = excess.normalized();
     const double traction = traction_at(here, way, hand.normal);
-    const BladeStep blade = make_step(here, excess, hand.normal, spec_.blade_width, surface_.fragment(hand.place.fragment).root);
+    const BladeStep blade =
+        make_step(here, excess, hand.normal, spec_.blade_width, surface_.fragment(hand.place.fragment).root);
     BladeTrack track;
     follow_track(blade, track);
     if (!meets_tissue(hand.place, track)) {
@@ -99,7 +106,8 @@ void SheetPart::advance(int number, const Vector3& excess, std::uint32_t tick) n
     }
     const CutReport report = cut(blade);
     if (report.roll_backs > 0) add_event(tick, EventKind::cut_rolled_back, number, 0, report.roll_backs);
-    if (report.outcome == CutOutcome::full || report.outcome == CutOutcome::invalid) faults_ = std::max(faults_, 1U);
+    if (report.outcome == CutOutcome::full || report.outcome == CutOutcome::invalid)
+        faults_ = std::max(faults_, 1U);
     if (report.outcome != CutOutcome::cut && report.outcome != CutOutcome::nothing) return;
     const SheetPlace next = closest(blade.to + ahead * way);
     const bool gone = next.fragment < 0 || (place(next) - blade.to).norm() > off_by;
@@ -108,7 +116,8 @@ void SheetPart::advance(int number, const Vector3& excess, std::uint32_t tick) n
         leave(number, tick);
     } else {
         hand.place = next;
-        if (const CuttingSpec* cutting = cutting_at(next)) hand.cut_friction = hand.ease * cutting->dynamic_friction;
+        if (const CuttingSpec* cutting = cutting_at(next))
+            hand.cut_friction = hand.ease * cutting->dynamic_friction;
     }
 }
 
@@ -134,7 +143,8 @@ void SheetPart::drift(int number, std::uint32_t tick) noexcept {
         return;
     }
     hand.place = next;
-    if (const CuttingSpec* cutting = cutting_at(next)) hand.cut_friction = hand.ease * cutting->dynamic_friction;
+    if (const CuttingSpec* cutting = cutting_at(next))
+        hand.cut_friction = hand.ease * cutting->dynamic_friction;
 }
 
 void SheetPart::tell_cut(int number, const Vector3& reached, double traction, std::uint32_t tick) noexcept {
@@ -148,7 +158,8 @@ void SheetPart::tell_cut(int number, const Vector3& reached, double traction, st
 }
 
 // A blade's first step begins a little behind the place where it has entered.
-Vector3 SheetPart::begin_of_way(const SheetPlace& where, const Vector3& behind, const Vector3& normal) const noexcept {
+Vector3 SheetPart::begin_of_way(const SheetPlace& where, const Vector3& behind,
+                                const Vector3& normal) const noexcept {
     Vector3 entered = on_septum(where, rest(where));
     if (!behind.allFinite()) return entered;
     UnderBlade under;
@@ -160,11 +171,12 @@ Vector3 SheetPart::begin_of_way(const SheetPlace& where, const Vector3& behind, 
     return entered;
 }
 
-// What lies under a blade before it is divided. Afterwards the nearest tissue may be the other lip, the rim that the
-// blade has left, or the next septum.
+// What lies under a blade before it is divided. Afterwards the nearest tissue may be the other lip, the rim
+// that the blade has left, or the next septum.
 void SheetPart::follow_track(const BladeStep& blade, BladeTrack& track) const noexcept {
     const Vector3 way = blade.to - blade.from;
-    const auto steps = static_cast<std::size_t>(std::clamp(std::ceil(way.norm() / sample_spacing), 1.0, double(BladeTrack::capacity - 1)));
+    const auto steps = static_cast<std::size_t>(
+        std::clamp(std::ceil(way.norm() / sample_spacing), 1.0, double(BladeTrack::capacity - 1)));
     track.count = steps + 1;
     track.spacing = way.norm() / static_cast<double>(steps);
     for (std::size_t i = 0; i <= steps; ++i) {
@@ -184,10 +196,12 @@ void SheetPart::follow_track(const BladeStep& blade, BladeTrack& track) const no
 }
 
 // Not beside it, where a lip is.
-bool SheetPart::over_tissue(const UnderBlade& sample) noexcept { return sample.count > 0 && sample.beside <= fresh_by; }
+bool SheetPart::over_tissue(const UnderBlade& sample) noexcept {
+    return sample.count > 0 && sample.beside <= fresh_by;
+}
 
-// Whether a blade comes upon tissue before it. Its step begins a little behind it: where nothing is before it, only lips
-// of its own cut would lose ground.
+// Whether a blade comes upon tissue before it. Its step begins a little behind it: where nothing is before
+// it, only lips of its own cut would lose ground.
 bool SheetPart::meets_tissue(const SheetPlace& from, const BladeTrack& track) const noexcept {
     const Vector3 here = rest(from);
     for (std::size_t i = 0; i < track.count; ++i) {
@@ -204,13 +218,14 @@ bool SheetPart::meets_tissue(const SheetPlace& from, const BladeTrack& track) co
 const SheetPart::UnderBlade::Layer* SheetPart::divided_of(const UnderBlade& sample) const noexcept {
     const auto& roots = surface_.touched_roots();
     for (std::size_t k = 0; k < sample.count; ++k) {
-        if (std::find(roots.begin(), roots.end(), sample.layers[k].root) != roots.end()) return &sample.layers[k];
+        if (std::find(roots.begin(), roots.end(), sample.layers[k].root) != roots.end())
+            return &sample.layers[k];
     }
     return nullptr;
 }
 
-// Whether what lies between two samples of a track is the tissue between them: of one triangle as it was made or of two
-// that touch, or no farther than a slit is wide.
+// Whether what lies between two samples of a track is the tissue between them: of one triangle as it was made
+// or of two that touch, or no farther than a slit is wide.
 bool SheetPart::joined(const UnderBlade::Layer& a, const UnderBlade::Layer& b) const noexcept {
     if (septum_at(a.rest) != septum_at(b.rest)) return false;
     if ((a.rest - b.rest).norm() <= slit) return true;
@@ -219,7 +234,8 @@ bool SheetPart::joined(const UnderBlade::Layer& a, const UnderBlade::Layer& b) c
 }
 
 // A cut is told where tissue was under the blade without a break; between two such ways it ends and begins.
-void SheetPart::tell_track(int number, const BladeTrack& track, double traction, std::uint32_t tick) noexcept {
+void SheetPart::tell_track(int number, const BladeTrack& track, double traction,
+                           std::uint32_t tick) noexcept {
     HandState& hand = state_.hands[static_cast<std::size_t>(number)];
     const UnderBlade::Layer* last = nullptr;  // of the way that is open
     for (std::size_t i = 0; i < track.count; ++i) {
@@ -230,7 +246,8 @@ void SheetPart::tell_track(int number, const BladeTrack& track, double traction,
         }
         if (here == nullptr) continue;
         // What was left between here and the end of the way before is the slit that the blade came in.
-        if (last == nullptr && (septum_at(hand.way) != septum_at(here->rest) || (here->rest - hand.way).norm() > slit)) {
+        if (last == nullptr &&
+            (septum_at(hand.way) != septum_at(here->rest) || (here->rest - hand.way).norm() > slit)) {
             add_place_event(tick, EventKind::cut_end, number, hand.way);
             hand.way = here->rest;
             add_place_event(tick, EventKind::cut_begin, number, hand.way);
@@ -265,8 +282,10 @@ Vector3 SheetPart::keep_off_wall(const SheetPlace& where, const Vector3& way) co
     const Vector3 u = now(1) - now(0), v = now(2) - now(0), n = u.cross(v);
     const double area = n.squaredNorm();
     if (!(area > 1e-30)) return Vector3::Zero();
-    const Vector3 slope = ((before(1).y() - before(0).y()) * v.cross(n) + (before(2).y() - before(0).y()) * n.cross(u)) / area;
-    const double rise = way.dot(slope), most = septa_->fat_height - septa_->plane_height - off_wall - rest(where).y();
+    const Vector3 slope =
+        ((before(1).y() - before(0).y()) * v.cross(n) + (before(2).y() - before(0).y()) * n.cross(u)) / area;
+    const double rise = way.dot(slope),
+                 most = septa_->fat_height - septa_->plane_height - off_wall - rest(where).y();
     if (rise <= most) return way;
     return way - (rise - std::max(0.0, most)) / slope.squaredNorm() * slope;
 }
@@ -295,9 +314,11 @@ void SheetPart::remake_pieces() noexcept {
             piece.root = root;
             piece.share = row.share;
             piece.from = f;
-            while (state_.membrane.pieces[at(piece.from)].root < 0) piece.from = surface_.fragment(piece.from).from;
+            while (state_.membrane.pieces[at(piece.from)].root < 0)
+                piece.from = surface_.fragment(piece.from).from;
             if (piece.from != f) state_.loose[at(f)] = state_.loose[at(piece.from)];
-            for (std::int32_t t = surface_.root(root).first_visible; t >= 0; t = surface_.triangle(t).next_in_root) {
+            for (std::int32_t t = surface_.root(root).first_visible; t >= 0;
+                 t = surface_.triangle(t).next_in_root) {
                 if (surface_.fragment_of_triangle(t) != f) continue;
                 for (const std::int32_t v : surface_.triangle(t).vertices) {
                     Vector3 b;
@@ -335,7 +356,8 @@ void SheetPart::take_over() noexcept {
     for (const std::int32_t root : cut_.roots) {
         for (const std::int32_t corner : layout_.mesh.triangles[at(root)]) {
             for (const std::int32_t near : adjacency.triangles_of(corner)) {
-                for (std::int32_t t = surface_.root(near).first_visible; t >= 0; t = surface_.triangle(t).next_in_root) {
+                for (std::int32_t t = surface_.root(near).first_visible; t >= 0;
+                     t = surface_.triangle(t).next_in_root) {
                     for (const std::int32_t v : surface_.triangle(t).vertices) bind(v);
                 }
             }
@@ -347,7 +369,9 @@ void SheetPart::take_over() noexcept {
     }
     update_positions();
     for (const std::int32_t root : cut_.roots) touched_[at(root)] = 1;
-    const auto changed = [&](const SheetPlace& where) { return where.fragment >= 0 && touched_[at(surface_.fragment(where.fragment).root)] != 0; };
+    const auto changed = [&](const SheetPlace& where) {
+        return where.fragment >= 0 && touched_[at(surface_.fragment(where.fragment).root)] != 0;
+    };
     for (std::size_t h = 0; h < hand_count; ++h) {
         HandState& hand = state_.hands[h];
         if (changed(hand.place)) {
@@ -359,7 +383,9 @@ void SheetPart::take_over() noexcept {
         int kept = 0;
         for (int g = 0; g < hand.grip_count; ++g) {
             HandState::Grip grip = hand.grips[static_cast<std::size_t>(g)];
-            if (changed(grip.place)) grip.place = find_in_root(surface_.fragment(grip.place.fragment).root, grip.place.barycentric, kept_slack);
+            if (changed(grip.place))
+                grip.place = find_in_root(surface_.fragment(grip.place.fragment).root, grip.place.barycentric,
+                                          kept_slack);
             if (grip.place.fragment >= 0) hand.grips[static_cast<std::size_t>(kept++)] = grip;
         }
         hand.grip_count = kept;
@@ -391,7 +417,8 @@ void SheetPart::note_loose(std::uint32_t tick) noexcept {
     }
     for (const std::int32_t t : visible_) {
         const std::int32_t fragment = surface_.fragment_of_triangle(t);
-        if (state_.membrane.pieces[at(fragment)].isolated && state_.loose[at(fragment)] == 0) state_.loose[at(fragment)] = 1;
+        if (state_.membrane.pieces[at(fragment)].isolated && state_.loose[at(fragment)] == 0)
+            state_.loose[at(fragment)] = 1;
     }
 }
 

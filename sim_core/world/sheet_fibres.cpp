@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fibres between two layers part under tension: at the ends of cuts, which then run on along the marked line, and at
-// any point of that line where the tension is above their strength. Each parting is a cut like a blade's, a transaction.
+// Fibres between two layers part under tension: at the ends of cuts, which then run on along the marked line,
+// and at any point of that line where the tension is above their strength. Each parting is a cut like a
+// blade's, a transaction.
 #include <algorithm>
 #include <cmath>
 
@@ -15,11 +16,13 @@ constexpr double parted_width = 0.0002;  // m of ground that is lost with them
 constexpr double parted_reach = 0.003;   // m along the normal to either side
 constexpr double overlap = 0.0003;       // m by which a parting begins in the cut behind it
 constexpr double beyond = 0.0002;        // m from an end to the tissue that it is known by
-constexpr double probe = 0.004;          // m ahead of an end, where the tension is measured: all of it is whole there
-constexpr double off_by = 0.002;         // m from the nearest tissue: the end has run over the rim
+constexpr double probe = 0.004;  // m ahead of an end, where the tension is measured: all of it is whole there
+constexpr double off_by = 0.002;  // m from the nearest tissue: the end has run over the rim
 constexpr double kept_slack = 1e-6;
 
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+std::size_t at(std::int32_t i) {
+    return static_cast<std::size_t>(i);
+}
 
 }  // namespace
 
@@ -36,7 +39,8 @@ bool SheetPart::along_line(const SheetPlace& where, Vector3& way, Vector3& norma
     const Vector3 u = before[1] - before[0], v = before[2] - before[0];
     const double area = u.x() * v.y() - u.y() * v.x();
     const Vector3& origin = state_.membrane.positions[at(nodes[0])];
-    const Vector3 un = state_.membrane.positions[at(nodes[1])] - origin, vn = state_.membrane.positions[at(nodes[2])] - origin;
+    const Vector3 un = state_.membrane.positions[at(nodes[1])] - origin,
+                  vn = state_.membrane.positions[at(nodes[2])] - origin;
     normal = un.cross(vn);
     if (!(std::abs(area) > 0)) return false;
     way = (v.y() * un - u.y() * vn) / area;
@@ -121,7 +125,8 @@ void SheetPart::part_fibres(std::uint32_t tick, double dt) noexcept {
         tip.gathered = 0;
         return;
     }
-    tip.gathered = std::min(tip.gathered + spec_.fibres->speed * std::min(1.0, excess) * dt * ends, 2 * least_run);
+    tip.gathered =
+        std::min(tip.gathered + spec_.fibres->speed * std::min(1.0, excess) * dt * ends, 2 * least_run);
     if (tip.gathered < least_run) return;
     const double run = tip.gathered, direction = tip.direction;
     tip = SheetFibres::Tip();
@@ -131,8 +136,8 @@ void SheetPart::part_fibres(std::uint32_t tick, double dt) noexcept {
 }
 
 // begin: at rest, from where on the ground is told as parted.
-bool SheetPart::part(const SheetPlace& here, const Vector3& begin, const Vector3& way, const Vector3& normal, double run,
-                     double traction, std::uint32_t tick, Vector3& reached) noexcept {
+bool SheetPart::part(const SheetPlace& here, const Vector3& begin, const Vector3& way, const Vector3& normal,
+                     double run, double traction, std::uint32_t tick, Vector3& reached) noexcept {
     const Vector3 from = place(here);
     BladeStep blade;
     blade.from = from - overlap * way;
@@ -146,7 +151,8 @@ bool SheetPart::part(const SheetPlace& here, const Vector3& begin, const Vector3
     reached = rest(end);
     const CutReport report = cut(blade);
     if (report.roll_backs > 0) add_event(tick, EventKind::cut_rolled_back, -1, 0, report.roll_backs);
-    if (report.outcome == CutOutcome::full || report.outcome == CutOutcome::invalid) faults_ = std::max(faults_, 1U);
+    if (report.outcome == CutOutcome::full || report.outcome == CutOutcome::invalid)
+        faults_ = std::max(faults_, 1U);
     if (report.outcome != CutOutcome::cut) return false;
     mark_divided(begin, reached);
     add_place_event(tick, EventKind::fibres_parted, -1, begin);

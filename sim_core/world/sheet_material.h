@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene's spec of a sheet (MembraneSpec, SheetSpec) says of its springs. Start of an attempt; any thread.
+// What a scene's spec of a sheet (MembraneSpec, SheetSpec) says of its springs. Start of an attempt; any
+// thread.
 #pragma once
 
 #include "sim_core/geometry/mesh.h"

@@ -12,16 +12,19 @@
 namespace fulcrum {
 namespace {
 
-constexpr int surface_steps = 1000;     // room for so many steps of a blade
-constexpr double station_gap = 0.005;   // m between points of the marked line
-constexpr double tension_reach = 0.006; // m about a blade whose springs tell the traction
+constexpr int surface_steps = 1000;      // room for so many steps of a blade
+constexpr double station_gap = 0.005;    // m between points of the marked line
+constexpr double tension_reach = 0.006;  // m about a blade whose springs tell the traction
 constexpr int settling_steps = 80;
 constexpr std::uint16_t loose_steps = 200;  // what has come free falls for so long, then it is removed
 
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+std::size_t at(std::int32_t i) {
+    return static_cast<std::size_t>(i);
+}
 
 SheetLayout layout_of(const Scene& scene) {
-    return scene.septa ? lay_out_septa(*scene.septa, rectum_parameters(scene).curve) : lay_out_sheet(*scene.sheet);
+    return scene.septa ? lay_out_septa(*scene.septa, rectum_parameters(scene).curve)
+                       : lay_out_sheet(*scene.sheet);
 }
 
 MembraneMaterial material_of(const SheetSpec& spec, const SheetLayout& layout) {
@@ -42,13 +45,16 @@ SheetPart::SheetPart(const Scene& scene, double dt)
       gravity_(scene.gravity),
       layout_(layout_of(scene)),
       surface_(layout_.mesh, layout_.held, CutMesh::capacity_for(layout_.mesh, surface_steps)),
-      membrane_(layout_.mesh, material_of(spec_, layout_), layout_.attachments, surface_.capacity().fragments),
+      membrane_(layout_.mesh, material_of(spec_, layout_), layout_.attachments,
+                surface_.capacity().fragments),
       scratch_(membrane_.make_scratch()) {
     if (!(dt <= 1000 * membrane_.safe_time_step())) {
-        throw InputError(scene.id, septa_ ? "/septa" : "/sheet", "the sheet is too stiff for its mass at this step",
+        throw InputError(scene.id, septa_ ? "/septa" : "/sheet",
+                         "the sheet is too stiff for its mass at this step",
                          "lower its stiffness, raise surface_density or take fewer ticks_per_step");
     }
-    line_start_ = spec_.centre - 0.5 * spec_.line_length * spec_.along + (spec_.line_at - 0.5) * spec_.width * spec_.across;
+    line_start_ = spec_.centre - 0.5 * spec_.line_length * spec_.along +
+                  (spec_.line_at - 0.5) * spec_.width * spec_.across;
     state_.membrane = membrane_.make_state();
     state_.positions.assign(at(surface_.capacity().vertices), Vector3::Zero());
     state_.bindings.resize(at(surface_.capacity().vertices));
@@ -74,7 +80,8 @@ SheetPart::SheetPart(const Scene& scene, double dt)
 
 void SheetPart::mark_line(const SacralCurve& curve) {
     if (!septa_) {
-        const int stations = spec_.line_length > 0 ? static_cast<int>(std::ceil(spec_.line_length / station_gap)) + 1 : 0;
+        const int stations =
+            spec_.line_length > 0 ? static_cast<int>(std::ceil(spec_.line_length / station_gap)) + 1 : 0;
         for (int i = 0; i < stations; ++i) {
             line_positions_.push_back(spec_.line_length * i / (stations - 1));
             state_.line.push_back(closest(line_start_ + line_positions_.back() * spec_.along));
@@ -88,7 +95,8 @@ void SheetPart::mark_line(const SacralCurve& curve) {
         for (std::int32_t i = 0; i < stations_; ++i) {
             const double share = (i + 0.5) / stations_;
             line_positions_.push_back((k + share) * septa_->width);
-            state_.line.push_back(closest(curve.point(layout_.arc_lengths[at(k)], (share - 0.5) * turn, septa_->plane_height)));
+            state_.line.push_back(
+                closest(curve.point(layout_.arc_lengths[at(k)], (share - 0.5) * turn, septa_->plane_height)));
         }
     }
 }
@@ -147,7 +155,9 @@ void SheetPart::list_visible() noexcept {
 void SheetPart::update_positions() noexcept {
     for (std::int32_t v = 0; v < surface_.vertex_count(); ++v) {
         const SheetPlace& binding = state_.bindings[at(v)];
-        if (binding.fragment >= 0) state_.positions[at(v)] = CutMembrane::point(state_.membrane, binding.fragment, binding.barycentric);
+        if (binding.fragment >= 0)
+            state_.positions[at(v)] =
+                CutMembrane::point(state_.membrane, binding.fragment, binding.barycentric);
     }
 }
 
@@ -188,12 +198,14 @@ void SheetPart::drop_loose(std::uint32_t tick) noexcept {
     }
     if (due < 0) return;
     surface_.find_pieces();
-    for (std::int32_t t = surface_.root(surface_.fragment(due).root).first_visible; t >= 0; t = surface_.triangle(t).next_in_root) {
+    for (std::int32_t t = surface_.root(surface_.fragment(due).root).first_visible; t >= 0;
+         t = surface_.triangle(t).next_in_root) {
         if (surface_.fragment_of_triangle(t) != due) continue;
         const std::int32_t piece = surface_.piece_of_triangle(t);
         if (jaws_hold(piece)) {  // it hangs in the jaws: asked again when it has fallen for as long
             for (const std::int32_t v : visible_) {
-                if (surface_.piece_of_triangle(v) == piece) state_.loose[at(surface_.fragment_of_triangle(v))] = 1;
+                if (surface_.piece_of_triangle(v) == piece)
+                    state_.loose[at(surface_.fragment_of_triangle(v))] = 1;
             }
             return;
         }
@@ -215,7 +227,8 @@ bool SheetPart::jaws_hold(std::int32_t piece) const noexcept {
     return false;
 }
 
-double SheetPart::traction_at(const Vector3& point, const Vector3& way, const Vector3& normal) const noexcept {
+double SheetPart::traction_at(const Vector3& point, const Vector3& way,
+                              const Vector3& normal) const noexcept {
     const Vector3 across = normal.cross(way);
     if (!(across.squaredNorm() > 1e-24)) return 0;
     const Vector3 unit = across.normalized();
@@ -231,8 +244,10 @@ void SheetPart::measure_station() noexcept {
     double& traction = state_.traction[at(i)];
     traction = 0;
     if (state_.divided[at(i)] != 0 || here.fragment < 0) return;
-    const std::int32_t first = septa_ ? i / stations_ * stations_ : 0, last = septa_ ? first + stations_ - 1 : count - 1;
-    const SheetPlace &before = state_.line[at(std::max(first, i - 1))], &after = state_.line[at(std::min(last, i + 1))];
+    const std::int32_t first = septa_ ? i / stations_ * stations_ : 0,
+                       last = septa_ ? first + stations_ - 1 : count - 1;
+    const SheetPlace &before = state_.line[at(std::max(first, i - 1))],
+                     &after = state_.line[at(std::min(last, i + 1))];
     if (before.fragment < 0 || after.fragment < 0) return;
     const auto& nodes = state_.membrane.pieces[at(here.fragment)].nodes;
     const auto& x = state_.membrane.positions;
@@ -240,12 +255,14 @@ void SheetPart::measure_station() noexcept {
     traction = traction_at(place(here), place(after) - place(before), normal);
 }
 
-void SheetPart::add_event(std::uint32_t tick, EventKind kind, int hand, double value, double detail, bool fat) noexcept {
+void SheetPart::add_event(std::uint32_t tick, EventKind kind, int hand, double value, double detail,
+                          bool fat) noexcept {
     events_.add(tick, kind, hand, fat ? fat_index_ : tissue_index_, value, detail);
 }
 
 void SheetPart::add_place_event(std::uint32_t tick, EventKind kind, int hand, const Vector3& where) noexcept {
-    add_event(tick, kind, hand, where.x(), -1e6 * where.y(), in_fat(where));  // the flap's side is the line's y
+    add_event(tick, kind, hand, where.x(), -1e6 * where.y(),
+              in_fat(where));  // the flap's side is the line's y
 }
 
 void SheetPart::restore(const State& state, const CutState& surface) {
@@ -284,10 +301,13 @@ void SheetPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
     }
     std::copy(state_.traction.begin(), state_.traction.end(), view.line_traction.begin());
     std::copy(state_.divided.begin(), state_.divided.end(), view.line_divided.begin());
-    for (std::int32_t c = 0; c < layout_.columns; ++c) view.flap[at(c)] = state_.positions[at((layout_.rows - 1) * layout_.columns + c)];
+    for (std::int32_t c = 0; c < layout_.columns; ++c)
+        view.flap[at(c)] = state_.positions[at((layout_.rows - 1) * layout_.columns + c)];
     for (std::size_t i = 0; i < view.envelope.size(); ++i) {
-        const auto piece = static_cast<std::int32_t>(i) / layout_.columns, column = static_cast<std::int32_t>(i) % layout_.columns;
-        view.envelope[i] = state_.positions[at((piece * layout_.rows + layout_.envelope_row) * layout_.columns + column)];
+        const auto piece = static_cast<std::int32_t>(i) / layout_.columns,
+                   column = static_cast<std::int32_t>(i) % layout_.columns;
+        view.envelope[i] =
+            state_.positions[at((piece * layout_.rows + layout_.envelope_row) * layout_.columns + column)];
     }
     view.vertex_count = surface_.vertex_count();
     std::copy_n(state_.positions.begin(), at(view.vertex_count), view.positions.begin());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the world looks like after a step: read by the viewport, the task monitor and the synthetic operators, never by the tick.
-// Vectors have their final size from the start, so copying a snapshot into a slot of the same scene allocates nothing.
+// What the world looks like after a step: read by the viewport, the task monitor and the synthetic operators,
+// never by the tick. Vectors have their final size from the start, so copying a snapshot into a slot of the
+// same scene allocates nothing.
 #pragma once
 
 #include <array>
@@ -10,26 +11,26 @@
 #include "sim_core/bowel/skin.h"
 #include "sim_core/geometry/mesh.h"
 #include "sim_core/numerics/types.h"
-#include "sim_core/world/bands_view.h"
 #include "sim_core/telemetry/event.h"
+#include "sim_core/world/bands_view.h"
 
 namespace fulcrum {
 
 struct ToolPose {
-    Vector3 tip = Vector3::Zero();       ///< m, patient frame
-    Vector3 axis = Vector3(0, 0, -1);    ///< unit, trocar to tip
-    Vector3 trocar = Vector3::Zero();    ///< m
+    Vector3 tip = Vector3::Zero();                    ///< m, patient frame
+    Vector3 axis = Vector3(0, 0, -1);                 ///< unit, trocar to tip
+    Vector3 trocar = Vector3::Zero();                 ///< m
     Quaternion orientation = Quaternion::Identity();  ///< tool frame: z along the axis, roll applied
-    double roll = 0, jaw_angle = 0;      ///< rad
-    double jaw_force = 0;                ///< N
-    double insertion = 0;                ///< m
+    double roll = 0, jaw_angle = 0;                   ///< rad
+    double jaw_force = 0;                             ///< N
+    double insertion = 0;                             ///< m
     bool inside = false;
 };
 
 struct CameraPose {
-    Vector3 position = Vector3::Zero();  ///< scope tip, m
+    Vector3 position = Vector3::Zero();               ///< scope tip, m
     Quaternion orientation = Quaternion::Identity();  ///< camera (-z forward, +y up) to patient frame
-    double field_of_view = 1.2;          ///< rad, full angle of the round image
+    double field_of_view = 1.2;                       ///< rad, full angle of the round image
 };
 
 /// What a pair of jaws holds.
@@ -40,60 +41,65 @@ struct GraspState {
     Vector3 point = Vector3::Zero();     ///< wall point, patient frame, m
     Vector3 reaction = Vector3::Zero();  ///< N, jaw on tissue
     std::int32_t patch = -1;             ///< of the bowel's wall; -1 of a membrane
-    bool slipped = false;                ///< the last hold ended because its reaction left the friction cone, not by opening the jaws
+    bool slipped =
+        false;  ///< the last hold ended because its reaction left the friction cone, not by opening the jaws
 };
 
 struct TargetSphere {
-    Vector3 centre = Vector3::Zero();    ///< m
-    double radius = 0;                   ///< m
+    Vector3 centre = Vector3::Zero();  ///< m
+    double radius = 0;                 ///< m
     Hand hand = Hand::left;
 };
 
 /// A membrane to be drawn: open sheet, seen from both sides.
 struct MembraneView {
-    std::vector<Vector3> positions;      ///< m, patient frame
-    std::vector<Triangle> triangles;     ///< change with `topology` only
+    std::vector<Vector3> positions;   ///< m, patient frame
+    std::vector<Triangle> triangles;  ///< change with `topology` only
     std::uint32_t topology = 0;
 };
 
 /// A sheet that is divided along a marked line.
 struct SheetView {
-    std::vector<Vector3> line;           ///< m, where the marked line's points are now, patient frame; empty without a sheet
-    std::vector<double> line_positions;  ///< m at rest from the line's start, rising; one for each point
-    std::vector<double> line_traction;   ///< N/m across the line at each point; 0 where it is divided
+    std::vector<Vector3>
+        line;  ///< m, where the marked line's points are now, patient frame; empty without a sheet
+    std::vector<double> line_positions;      ///< m at rest from the line's start, rising; one for each point
+    std::vector<double> line_traction;       ///< N/m across the line at each point; 0 where it is divided
     std::vector<std::uint8_t> line_divided;  ///< 1 where the sheet is divided across the line at this point
-    std::vector<Vector3> flap;           ///< m, the free edge that can be taken hold of, in the line's direction
-    /// To be drawn: an open sheet, seen from both sides. Fixed capacity, *_count valid; rest and triangles change with
-    /// `topology` only.
-    std::vector<Vector3> positions;       ///< m, patient frame
-    std::vector<Vector3> rest;            ///< m, in the sheet as it was made: x along the marked line from its start, y from it
-                                          ///< towards the flap, z = 0
-    std::vector<Triangle> triangles;      ///< visible ones
-    std::vector<std::int32_t> roots;      ///< of each: the triangle as it was made that it is a part of, BandsView::sheet_char
+    std::vector<Vector3> flap;  ///< m, the free edge that can be taken hold of, in the line's direction
+    /// To be drawn: an open sheet, seen from both sides. Fixed capacity, *_count valid; rest and triangles
+    /// change with `topology` only.
+    std::vector<Vector3> positions;  ///< m, patient frame
+    std::vector<Vector3> rest;  ///< m, in the sheet as it was made: x along the marked line from its start, y
+                                ///< from it towards the flap, z = 0
+    std::vector<Triangle> triangles;  ///< visible ones
+    std::vector<std::int32_t>
+        roots;  ///< of each: the triangle as it was made that it is a part of, BandsView::sheet_char
     std::int32_t vertex_count = 0, triangle_count = 0;
     std::uint32_t topology = 0;
-    double thickness = 0;                 ///< m
+    double thickness = 0;  ///< m
     // Septa: the marked lines laid end to end, the first the most cranial; septum = floor(x / septum_length).
-    double septum_length = 0;             ///< m; 0: one sheet
-    double fat_from = 0;                  ///< m, y at rest where the fat of the mesorectum begins
-    std::vector<Vector3> envelope;        ///< m, where that border is now, septum * envelope_columns + column, the patient's right
-                                          ///< first; where the tissue is gone its last place
+    double septum_length = 0;       ///< m; 0: one sheet
+    double fat_from = 0;            ///< m, y at rest where the fat of the mesorectum begins
+    std::vector<Vector3> envelope;  ///< m, where that border is now, septum * envelope_columns + column, the
+                                    ///< patient's right first; where the tissue is gone its last place
     std::int32_t envelope_columns = 0;
     double visible_area = 0, removed_area = 0;  ///< m2 at rest
 };
 
-/// The bowel's surface where it has been cut: what is drawn in place of some of the skin's triangles. Fixed capacity, *_count valid;
-/// all but `fallen` changes with `topology` only. Vertices 0 .. first_vertex - 1 are the skin's own.
+/// The bowel's surface where it has been cut: what is drawn in place of some of the skin's triangles. Fixed
+/// capacity, *_count valid; all but `fallen` changes with `topology` only. Vertices 0 .. first_vertex - 1 are
+/// the skin's own.
 struct BowelCutView {
     std::int32_t first_vertex = 0;
     std::int32_t vertex_count = 0, triangle_count = 0;
-    std::vector<std::int32_t> vertex_roots;    ///< of vertex first_vertex + i: the skin's triangle that it lies in
-    std::vector<Vector3> barycentric;          ///< and where in it, of its corners
-    std::vector<Triangle> triangles;           ///< visible, counterclockwise from outside
+    std::vector<std::int32_t>
+        vertex_roots;                  ///< of vertex first_vertex + i: the skin's triangle that it lies in
+    std::vector<Vector3> barycentric;  ///< and where in it, of its corners
+    std::vector<Triangle> triangles;   ///< visible, counterclockwise from outside
     std::vector<std::int32_t> triangle_roots;  ///< of each: the skin's triangle that it is a part of
     std::vector<std::uint8_t> triangle_loose;  ///< of each: 0 hangs on, else 1 + place in `fallen`
-    std::vector<std::uint8_t> hidden;          ///< by the skin's triangle, 1: it is not drawn itself; empty without
-    std::array<Vector3, 8> fallen{};           ///< m, way that each piece that came free has made
+    std::vector<std::uint8_t> hidden;  ///< by the skin's triangle, 1: it is not drawn itself; empty without
+    std::array<Vector3, 8> fallen{};   ///< m, way that each piece that came free has made
     std::uint32_t topology = 0;
     double thickness = 0;                       ///< m, of the wall
     double visible_area = 0, removed_area = 0;  ///< m2 at rest
@@ -101,8 +107,8 @@ struct BowelCutView {
 
 struct WorldSnapshot {
     std::uint32_t step = 0;
-    std::uint32_t tick = 0;              ///< last input tick the step consumed
-    std::uint32_t outcome = 0;           ///< StepRecord::outcome
+    std::uint32_t tick = 0;     ///< last input tick the step consumed
+    std::uint32_t outcome = 0;  ///< StepRecord::outcome
     ToolPose tools[hand_count];
     CameraPose camera;
     GraspState grasps[hand_count];
@@ -112,19 +118,20 @@ struct WorldSnapshot {
     std::vector<double> node_arc_lengths;
     std::vector<RingFrame> rings;
     std::vector<double> ring_arc_lengths;
-    std::vector<DentVertex> dents;       ///< fixed capacity, dent_count valid
+    std::vector<DentVertex> dents;  ///< fixed capacity, dent_count valid
     std::int32_t dent_count = 0;
-    std::vector<Vector3> tether_anchors; ///< mesentery root points; empty without tethers
+    std::vector<Vector3> tether_anchors;  ///< mesentery root points; empty without tethers
     std::vector<double> tether_arc_lengths;
-    std::vector<MembraneView> membranes; ///< Scene::membranes; empty without
-    SheetView sheet;                     ///< Scene::sheet; empty without
-    BowelCutView bowel_cut;              ///< empty where the bowel's tissue is not cut
-    std::vector<Event> events;           ///< what this step did to tissue, for the monitor to pass on; fixed capacity, event_count valid
+    std::vector<MembraneView> membranes;  ///< Scene::membranes; empty without
+    SheetView sheet;                      ///< Scene::sheet; empty without
+    BowelCutView bowel_cut;               ///< empty where the bowel's tissue is not cut
+    std::vector<Event> events;  ///< what this step did to tissue, for the monitor to pass on; fixed capacity,
+                                ///< event_count valid
     std::int32_t event_count = 0;
-    std::vector<BandsView> bands;        ///< one with Scene::bands or Scene::structures; empty without
-    std::vector<float> patch_damage;     ///< N s per tissue patch
-    double residual_penetration = 0;     ///< m, deepest sphere in the cavity after the step
-    double floor_load = 0;               ///< N, sum of contact forces on the cavity
+    std::vector<BandsView> bands;     ///< one with Scene::bands or Scene::structures; empty without
+    std::vector<float> patch_damage;  ///< N s per tissue patch
+    double residual_penetration = 0;  ///< m, deepest sphere in the cavity after the step
+    double floor_load = 0;            ///< N, sum of contact forces on the cavity
 };
 
 }  // namespace fulcrum

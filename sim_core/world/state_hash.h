@@ -10,8 +10,8 @@
 
 namespace fulcrum {
 
-/// 64-bit hash of the numbers put in, in order. Doubles enter by their bits, so equality means bit for bit; negative zero differs
-/// from zero on purpose. Not cryptographic.
+/// 64-bit hash of the numbers put in, in order. Doubles enter by their bits, so equality means bit for bit;
+/// negative zero differs from zero on purpose. Not cryptographic.
 class StateHash {
   public:
     void add(std::uint64_t word) noexcept {

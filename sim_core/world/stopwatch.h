@@ -13,7 +13,9 @@ class Stopwatch {
         if (on_) begin_ = std::chrono::steady_clock::now();
     }
     ~Stopwatch() {
-        if (on_) target_ = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin_).count();
+        if (on_)
+            target_ =
+                std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin_).count();
     }
     Stopwatch(const Stopwatch&) = delete;
     Stopwatch& operator=(const Stopwatch&) = delete;

@@ -38,7 +38,8 @@ World::World(const Scene& scene, std::uint64_t seed) : scene_(scene) {
             snapshot_.targets.push_back(sphere);
         }
         if (targets_.size() > target_capacity) {
-            throw InputError(scene_.id, "/targets/per_hand", "more targets than the local model holds", "use at most " + std::to_string(target_capacity / 2));
+            throw InputError(scene_.id, "/targets/per_hand", "more targets than the local model holds",
+                             "use at most " + std::to_string(target_capacity / 2));
         }
     }
     build_anatomy(seed);
@@ -50,7 +51,8 @@ World::World(const Scene& scene, std::uint64_t seed) : scene_(scene) {
     if (sheet_ && bowel_) hang_septa();
     if (scene_.structures) {
         const RectumParameters rectum = rectum_parameters(scene_);
-        structures_ = std::make_unique<StructuresPart>(scene_, presacral_wall(rectum.curve, rectum.promontory), *cavity_, sheet_.get(), seed);
+        structures_ = std::make_unique<StructuresPart>(
+            scene_, presacral_wall(rectum.curve, rectum.promontory), *cavity_, sheet_.get(), seed);
         structures_->size_snapshot(snapshot_);
     }
 
@@ -62,7 +64,8 @@ World::World(const Scene& scene, std::uint64_t seed) : scene_(scene) {
         start.input.hand[hand] = start_sample(spec->trocar, spec->start_insertion);
         start.contact[hand].tool = tool_pose(instruments_[hand], start.input.hand[hand]);
     }
-    if (scene_.camera) start.input.camera = start_sample(scene_.camera->trocar, scene_.camera->start_insertion);
+    if (scene_.camera)
+        start.input.camera = start_sample(scene_.camera->trocar, scene_.camera->start_insertion);
     fill_models(start);
     fill_snapshot(start);
 }
@@ -71,7 +74,9 @@ World::~World() = default;
 
 void World::build_anatomy(std::uint64_t seed) {
     if (scene_.cavity) cavity_ = std::make_unique<CavityModel>(cavity_mesh(*scene_.cavity), FreeSide::behind);
-    if (scene_.presacral) cavity_ = std::make_unique<CavityModel>(make_presacral_wall(rectum_parameters(scene_)), FreeSide::front);
+    if (scene_.presacral)
+        cavity_ =
+            std::make_unique<CavityModel>(make_presacral_wall(rectum_parameters(scene_)), FreeSide::front);
     if (scene_.bands) {
         cavity_ = std::make_unique<CavityModel>(bed_mesh(*scene_.bands), FreeSide::front);
         bands_ = std::make_unique<BandsPart>(scene_, seed);
@@ -80,7 +85,8 @@ void World::build_anatomy(std::uint64_t seed) {
     if (scene_.bowel) {
         bowel_ = std::make_unique<BowelPart>(scene_, bowel_anatomy(scene_), cavity_.get());
         bowel_->size_snapshot(snapshot_);
-        const double puncture = draw_perforation_forces(scene_, seed)[static_cast<std::size_t>(scene_.tissue_index(scene_.bowel->tissue))];
+        const double puncture = draw_perforation_forces(
+            scene_, seed)[static_cast<std::size_t>(scene_.tissue_index(scene_.bowel->tissue))];
         if (puncture > 0) bowel_->set_puncture_force(puncture);
         contacts_ = std::make_unique<HandContacts>();
         for (int hand = 0; hand < hand_count; ++hand) {
@@ -102,7 +108,8 @@ void World::hang_septa() {
         sheet_->step(no_tool, 0, dt);
         bowel_->step(nothing, dt, &sheet_->pulls());
         double fastest = 0;
-        for (const Vector3& velocity : bowel_->state().velocities) fastest = std::max(fastest, velocity.norm());
+        for (const Vector3& velocity : bowel_->state().velocities)
+            fastest = std::max(fastest, velocity.norm());
         if (i > 100 && fastest < 2e-4) break;
     }
     sheet_->stop();
@@ -157,11 +164,13 @@ StepRecord World::step(const TickOutput* outputs, std::size_t count) noexcept {
             action.instrument = now.instrument;
             action.tool = now.tool;
             action.busy = sheet_ && sheet_->holds(hand);
-            for (std::size_t i = 0; i < count; ++i) action.slipping = action.slipping || outputs[i].contact[hand].slipping;
+            for (std::size_t i = 0; i < count; ++i)
+                action.slipping = action.slipping || outputs[i].contact[hand].slipping;
         }
         find_contacts(last, actions);
         const std::vector<RodLoad>* pulls = sheet_ ? &sheet_->pulls() : nullptr;
-        record.outcome = std::max(record.outcome, bowel_->step(actions, scene_.step_period(), pulls, record.last_tick));
+        record.outcome =
+            std::max(record.outcome, bowel_->step(actions, scene_.step_period(), pulls, record.last_tick));
     }
     if (bands_ && !paused) {
         Stopwatch watch(measuring_, bands_us_);
@@ -192,8 +201,8 @@ void World::find_contacts(const TickOutput& last, ToolAction* actions) noexcept 
         if (!has_instrument_[hand]) continue;
         ToolContactResult& result = contacts_->result[hand];
         const LocalModel& local = models_.hand[hand];
-        step_tool_contact(contacts_->model[hand], local, last.contact[hand].tool, local.tick + 1, contacts_->state[hand],
-                          contacts_->scratch[hand], result);
+        step_tool_contact(contacts_->model[hand], local, last.contact[hand].tool, local.tick + 1,
+                          contacts_->state[hand], contacts_->scratch[hand], result);
         if (result.touching_surface) actions[hand].contact = &result;
         if (local.mode == LocalMode::surface) actions[hand].near = &result;
     }
@@ -211,7 +220,8 @@ void World::fill_models(const TickOutput& last) noexcept {
             request.tool = last.contact[hand].tool;
             request.shaft_radius = instruments_[hand].shaft_radius;
             request.contact_vertex = last.contact[hand].vertex;
-            request.horizon = 2 * scene_.step_period();  // until the next model is there, were it a whole step late
+            request.horizon =
+                2 * scene_.step_period();  // until the next model is there, were it a whole step late
             bowel_->fill_local_model(static_cast<Hand>(hand), request, model);
         }
         if (sheet_) {
@@ -271,15 +281,20 @@ std::vector<PartCost> World::costs() const {
         costs.push_back({"rod", cost.rod + cost.grasps + cost.loads, bowel_->bytes_rod()});
         costs.push_back({"collision", cost.collision, bowel_->bytes_collision()});
         costs.push_back({"cage_and_surface", cost.rings + cost.dents, bowel_->bytes_surface()});
-        if (scene_.tethers) costs.push_back({"tethers", 0, sizeof(RodTether) * static_cast<std::size_t>(scene_.tethers->count)});
-        if (!scene_.membranes.empty()) costs.push_back({"membranes", cost.membranes, bowel_->bytes_membranes()});
+        if (scene_.tethers)
+            costs.push_back(
+                {"tethers", 0, sizeof(RodTether) * static_cast<std::size_t>(scene_.tethers->count)});
+        if (!scene_.membranes.empty())
+            costs.push_back({"membranes", cost.membranes, bowel_->bytes_membranes()});
     }
     if (sheet_) costs.push_back({"sheet", sheet_us_, sheet_->bytes()});
     if (bands_) costs.push_back({"bands", bands_us_, bands_->bytes()});
     if (structures_) costs.push_back({"structures", structures_us_, structures_->bytes()});
     if (scene_.targets) costs.push_back({"targets", 0, targets_.capacity() * sizeof(TargetModel)});
     costs.push_back({"contact_models", models_us_, sizeof(LocalModels)});
-    costs.push_back({"snapshot", snapshot_us_, sizeof(WorldSnapshot) + snapshot_.rings.capacity() * sizeof(RingFrame) + snapshot_.nodes.capacity() * sizeof(Vector3)});
+    costs.push_back({"snapshot", snapshot_us_,
+                     sizeof(WorldSnapshot) + snapshot_.rings.capacity() * sizeof(RingFrame) +
+                         snapshot_.nodes.capacity() * sizeof(Vector3)});
     return costs;
 }
 

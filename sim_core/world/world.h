@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The world of one attempt: the parts a scene lists, stepped together, and what they show to the others.
 //
-// World thread. step() neither allocates, locks nor throws. A part that the scene does not list is not in memory.
+// World thread. step() neither allocates, locks nor throws. A part that the scene does not list is not in
+// memory.
 #pragma once
 
 #include <memory>
@@ -26,7 +27,7 @@ namespace fulcrum {
 /// What one part costs: `fulcrum lab cost`.
 struct PartCost {
     std::string part;
-    double us_per_step = 0;   ///< of the last step, measured only after measure(true)
+    double us_per_step = 0;  ///< of the last step, measured only after measure(true)
     std::size_t bytes = 0;
 };
 
@@ -40,8 +41,8 @@ class World {
     World(const World&) = delete;
     World& operator=(const World&) = delete;
 
-    /// One step of Scene::step_period() over the outputs of `count` ticks (at least one), oldest first. A step over a paused tick
-    /// advances nothing.
+    /// One step of Scene::step_period() over the outputs of `count` ticks (at least one), oldest first. A
+    /// step over a paused tick advances nothing.
     StepRecord step(const TickOutput* outputs, std::size_t count) noexcept;
 
     const WorldSnapshot& snapshot() const noexcept { return snapshot_; }
@@ -57,9 +58,9 @@ class World {
     const StructuresPart* structures() const noexcept { return structures_.get(); }
     const CavityModel* cavity() const noexcept { return cavity_.get(); }
 
-    /// All that changes from step to step: saved in mid-attempt, a world of the same scene and seed goes on from it bit for bit
-    /// with the same tick outputs. Null where the scene lists `membranes`, whose solver remembers more than their state. Not for the
-    /// real-time path.
+    /// All that changes from step to step: saved in mid-attempt, a world of the same scene and seed goes on
+    /// from it bit for bit with the same tick outputs. Null where the scene lists `membranes`, whose solver
+    /// remembers more than their state. Not for the real-time path.
     struct Saved;
     std::shared_ptr<const Saved> save() const;
     void restore(const Saved& saved);
@@ -68,9 +69,9 @@ class World {
     std::vector<PartCost> costs() const;
 
   private:
-    /// The instruments against the surface as the world sees it: the tick's own law, at the end of the step that is being made. The
-    /// force that moves the bowel must not be the tick's: that one was made for a surface up to ten ticks old, and would throw a
-    /// light bowel to and fro under a tool that does not move.
+    /// The instruments against the surface as the world sees it: the tick's own law, at the end of the step
+    /// that is being made. The force that moves the bowel must not be the tick's: that one was made for a
+    /// surface up to ten ticks old, and would throw a light bowel to and fro under a tool that does not move.
     struct HandContacts {
         ToolContactModel model[hand_count];
         ToolContactState state[hand_count];

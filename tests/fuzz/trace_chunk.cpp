@@ -35,8 +35,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const bool raw = (data[0] & 4U) != 0U;
     chunk.count = static_cast<std::uint32_t>(data[1]) | static_cast<std::uint32_t>(data[2]) << 8U;
     chunk.first_tick = static_cast<std::uint32_t>(data[3]) | static_cast<std::uint32_t>(data[4]) << 8U;
-    chunk.last_tick = chunk.first_tick +
-                      (static_cast<std::uint32_t>(data[5]) | static_cast<std::uint32_t>(data[6]) << 8U);
+    chunk.last_tick =
+        chunk.first_tick + (static_cast<std::uint32_t>(data[5]) | static_cast<std::uint32_t>(data[6]) << 8U);
     const std::uint8_t* rest = data + 8;
     const std::size_t length = size - 8;
     if (raw) {
@@ -47,10 +47,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     chunk.checksum = blake2b(chunk.data, 16);
     switch (chunk.stream) {
-        case TraceStream::samples: decode<fulcrum::TickSample>(codec, chunk); break;
-        case TraceStream::inputs: decode<fulcrum::RigSample>(codec, chunk); break;
-        case TraceStream::steps: decode<fulcrum::StepRecord>(codec, chunk); break;
-        case TraceStream::events: decode<fulcrum::Event>(codec, chunk); break;
+        case TraceStream::samples:
+            decode<fulcrum::TickSample>(codec, chunk);
+            break;
+        case TraceStream::inputs:
+            decode<fulcrum::RigSample>(codec, chunk);
+            break;
+        case TraceStream::steps:
+            decode<fulcrum::StepRecord>(codec, chunk);
+            break;
+        case TraceStream::events:
+            decode<fulcrum::Event>(codec, chunk);
+            break;
     }
     return 0;
 }

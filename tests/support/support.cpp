@@ -3,6 +3,8 @@
 
 namespace fulcrum::test {
 
-std::string source_path(const std::string& relative) { return std::string(FULCRUM_SOURCE_DIR) + "/" + relative; }
+std::string source_path(const std::string& relative) {
+    return std::string(FULCRUM_SOURCE_DIR) + "/" + relative;
+}
 
 }  // namespace fulcrum::test

@@ -138,7 +138,8 @@ std::vector<std::string> write_report(const database::Store& store, const databa
         if (request.format == ReportFormat::pdf) {
             write_attempt_pdf(paper, request.path);
         } else {
-            save(request.path, request.format == ReportFormat::csv ? attempt_csv(paper) : attempt_json(paper));
+            save(request.path,
+                 request.format == ReportFormat::csv ? attempt_csv(paper) : attempt_json(paper));
         }
         return files;
     }

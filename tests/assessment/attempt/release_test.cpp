@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Jaws that let go: the tool stands where the tissue was drawn to, and that must not be felt or scored as a push.
+// Jaws that let go: the tool stands where the tissue was drawn to, and that must not be felt or scored as a
+// push.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +14,8 @@ namespace {
 
 constexpr std::uint32_t arrive = 600, close = 700, open_again = 1500, last = 2100;
 
-/// The left hand goes to a place; there its jaws close, hold and open without another move of the hand, or stay open.
+/// The left hand goes to a place; there its jaws close, hold and open without another move of the hand, or
+/// stay open.
 class LeftHand : public Rig {
   public:
     LeftHand(const Scene& scene, const Vector3& place, bool closes) : closes_(closes) {
@@ -38,9 +40,11 @@ class LeftHand : public Rig {
         DeviceReading reading;
         reading.handle = from_ + u * u * (3 - 2 * u) * (to_ - from_);
         const bool closed = closes_ && tick >= close && tick < open_again;
-        const double since = tick < open_again ? tick - static_cast<double>(close) : tick - static_cast<double>(open_again);
+        const double since =
+            tick < open_again ? tick - static_cast<double>(close) : tick - static_cast<double>(open_again);
         const double move = std::clamp(since / 150.0, 0.0, 1.0);
-        reading.jaw = opening_ * (!closes_ || tick < close ? 1.0 : (closed ? 1.0 - 0.9 * move : 0.1 + 0.9 * move));
+        reading.jaw =
+            opening_ * (!closes_ || tick < close ? 1.0 : (closed ? 1.0 - 0.9 * move : 0.1 + 0.9 * move));
         reading.grip = closed ? 8.0 : 0.0;
         last_ = quantise(reading, tick == 1 ? DeviceSample{} : last_);
         sample.hand[0] = last_;
@@ -59,7 +63,9 @@ class LeftHand : public Rig {
 
 struct Samples : AttemptSink {
     std::vector<HandSample> left;
-    void on_tick(const RigSample& /*input*/, const TickSample& sample) noexcept override { left.push_back(sample.hand[0]); }
+    void on_tick(const RigSample& /*input*/, const TickSample& sample) noexcept override {
+        left.push_back(sample.hand[0]);
+    }
     void on_step(const StepRecord& /*step*/) noexcept override {}
     void on_event(const Event& /*event*/) noexcept override {}
 };
@@ -134,10 +140,13 @@ TEST(Release, TheTissueThatTheJawsLeaveIsNotPushedAtOnce) {
         EXPECT_LT(step, 0.3) << "N in one ms, tick " << i - release;
     }
     EXPECT_TRUE(touched) << "the contact comes back, slowly";
-    // At the hand the held force goes by the slew limit; what the contact itself gives to the hand comes on top.
+    // At the hand the held force goes by the slew limit; what the contact itself gives to the hand comes on
+    // top.
     for (std::size_t i = release; i < samples.left.size(); ++i) {
-        const double step = (newton(samples.left[i].device_force) - newton(samples.left[i - 1].device_force)).norm();
-        const double own = i == release ? 0.0 : (newton(samples.left[i].force) - newton(samples.left[i - 1].force)).norm();
+        const double step =
+            (newton(samples.left[i].device_force) - newton(samples.left[i - 1].device_force)).norm();
+        const double own =
+            i == release ? 0.0 : (newton(samples.left[i].force) - newton(samples.left[i - 1].force)).norm();
         EXPECT_LT(step, 0.302 + own) << "N in one ms at the hand, tick " << i - release;
     }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The house's rules, checked on the sources: imports run downward only, every file says its licence, no file of a machine's path.
+// The house's rules, checked on the sources: imports run downward only, every file says its licence, no file
+// of a machine's path.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +35,8 @@ std::vector<fs::path> files_below(const std::string& folder, const std::vector<s
     for (const auto& entry : fs::recursive_directory_iterator(root)) {
         if (!entry.is_regular_file()) continue;
         const std::string extension = entry.path().extension().string();
-        if (std::find(extensions.begin(), extensions.end(), extension) != extensions.end()) found.push_back(entry.path());
+        if (std::find(extensions.begin(), extensions.end(), extension) != extensions.end())
+            found.push_back(entry.path());
     }
     std::sort(found.begin(), found.end());
     return found;
@@ -45,10 +47,13 @@ std::string forbidden(int floor, const std::string& include) {
     for (int above = floor + 1; above < static_cast<int>(floors.size()); ++above) {
         if (include.rfind(floors[static_cast<std::size_t>(above)] + "/", 0) == 0) return "upward";
     }
-    const bool qt = include.rfind("Qt", 0) == 0 || (include.size() > 1 && include[0] == 'Q' && std::isupper(static_cast<unsigned char>(include[1])) != 0);
+    const bool qt =
+        include.rfind("Qt", 0) == 0 || (include.size() > 1 && include[0] == 'Q' &&
+                                        std::isupper(static_cast<unsigned char>(include[1])) != 0);
     if (qt && floor <= 1) return "Qt below database";
     if (qt && floor == 2) {
-        static const std::vector<std::string> widgets = {"QtWidgets", "QtGui", "QWidget", "QMessageBox", "QApplication", "QDialog", "QPainter", "QtCharts"};
+        static const std::vector<std::string> widgets = {"QtWidgets",    "QtGui",   "QWidget",  "QMessageBox",
+                                                         "QApplication", "QDialog", "QPainter", "QtCharts"};
         if (std::find(widgets.begin(), widgets.end(), include) != widgets.end()) return "widgets in database";
     }
     return {};
@@ -81,16 +86,21 @@ TEST(Layers, TheRuleItselfFindsForbiddenEdges) {
 }
 
 TEST(Layers, EveryFileStatesItsLicence) {
-    const std::map<std::string, std::string> licence = {{"sim_core", "Apache-2.0"}, {"assessment", "Apache-2.0"}, {"database", "GPL-3.0-or-later"},
-                                                        {"ui", "GPL-3.0-or-later"}, {"app", "GPL-3.0-or-later"}};
+    const std::map<std::string, std::string> licence = {{"sim_core", "Apache-2.0"},
+                                                        {"assessment", "Apache-2.0"},
+                                                        {"database", "GPL-3.0-or-later"},
+                                                        {"ui", "GPL-3.0-or-later"},
+                                                        {"app", "GPL-3.0-or-later"}};
     for (const auto& [folder, expected] : licence) {
-        for (const auto& path : files_below(folder, {".h", ".cpp", ".sql", ".qrc", ".txt", ".vert", ".frag"})) {
+        for (const auto& path :
+             files_below(folder, {".h", ".cpp", ".sql", ".qrc", ".txt", ".vert", ".frag"})) {
             const std::string head = read(path).substr(0, 400);
             EXPECT_NE(head.find("SPDX-License-Identifier: " + expected), std::string::npos) << path;
         }
     }
     for (const std::string folder : {"tests", "docs", "cmake", "assets"}) {
-        for (const auto& path : files_below(folder, {".h", ".cpp", ".cmake", ".txt", ".md", ".json", ".vert", ".frag"})) {
+        for (const auto& path :
+             files_below(folder, {".h", ".cpp", ".cmake", ".txt", ".md", ".json", ".vert", ".frag"})) {
             if (path.string().find("/corpus/") != std::string::npos) continue;
             EXPECT_NE(read(path).substr(0, 600).find("SPDX-License-Identifier: "), std::string::npos) << path;
         }

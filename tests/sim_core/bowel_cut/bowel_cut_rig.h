@@ -13,12 +13,16 @@ inline Scene enterotomy() {
 }
 
 struct BowelCutRig : SheetRig {
-    explicit BowelCutRig(const Scene& chosen = enterotomy()) : SheetRig(chosen) { top = highest_near(world.snapshot().nodes[world.snapshot().nodes.size() / 2]); }
+    explicit BowelCutRig(const Scene& chosen = enterotomy()) : SheetRig(chosen) {
+        top = highest_near(world.snapshot().nodes[world.snapshot().nodes.size() / 2]);
+    }
 
     const BowelPart& bowel() const { return *world.bowel(); }
     BowelCut& cut() { return *world.bowel()->cut(); }
     const BowelCut::HandState& blade() const { return bowel().cut()->hand(1); }
-    Vector3 now(std::int32_t vertex) const { return skin_vertex(bowel().skin().rows()[static_cast<std::size_t>(vertex)], bowel().ring_frames()); }
+    Vector3 now(std::int32_t vertex) const {
+        return skin_vertex(bowel().skin().rows()[static_cast<std::size_t>(vertex)], bowel().ring_frames());
+    }
     Vector3 top_now() const { return now(top); }
     /// Of the wall near a point, the highest vertex: where instruments come to it from above.
     std::int32_t highest_near(const Vector3& point) const {
@@ -29,7 +33,8 @@ struct BowelCutRig : SheetRig {
         return best;
     }
     std::vector<Vector3> positions() {
-        std::vector<Vector3> all(static_cast<std::size_t>(cut().skin().surface().capacity().vertices), Vector3::Zero());
+        std::vector<Vector3> all(static_cast<std::size_t>(cut().skin().surface().capacity().vertices),
+                                 Vector3::Zero());
         cut().skin().place_all(bowel().ring_frames(), all.data());
         return all;
     }
@@ -37,7 +42,8 @@ struct BowelCutRig : SheetRig {
     Vector3 outward(std::int32_t vertex) const {
         const SkinRow& row = bowel().skin().rows()[static_cast<std::size_t>(vertex)];
         Vector3 centre = Vector3::Zero();
-        for (int j = 0; j < skin_rings; ++j) centre += row.weight[j] * bowel().ring_frames()[row.first_ring + j].position;
+        for (int j = 0; j < skin_rings; ++j)
+            centre += row.weight[j] * bowel().ring_frames()[row.first_ring + j].position;
         return (now(vertex) - centre).normalized();
     }
     /// A place of the wall as it is now.
@@ -66,7 +72,8 @@ struct BowelCutRig : SheetRig {
     /// From vertex to vertex of the skin.
     CutSkin::Report cut_along(const std::vector<std::int32_t>& way) {
         std::vector<WallPlace> places;
-        for (const std::int32_t v : way) places.push_back({now(v), outward(v), *bowel().skin().adjacency().triangles_of(v).begin()});
+        for (const std::int32_t v : way)
+            places.push_back({now(v), outward(v), *bowel().skin().adjacency().triangles_of(v).begin()});
         return cut_along(places);
     }
     /// In the rest pose, m along and around from a vertex.
@@ -75,14 +82,17 @@ struct BowelCutRig : SheetRig {
         const double size = std::sqrt(start.y() * start.y() + start.z() * start.z());
         double sine = 0, cosine = 1;
         math::sin_cos(around / size, sine, cosine);
-        return {start.x() + along, cosine * start.y() - sine * start.z(), sine * start.y() + cosine * start.z()};
+        return {start.x() + along, cosine * start.y() - sine * start.z(),
+                sine * start.y() + cosine * start.z()};
     }
     /// Vertex nearest to it.
     std::int32_t vertex_at(std::int32_t from, double along, double around) const {
         const Vector3 way = rest_at(from, along, around);
         std::int32_t best = from;
         for (std::int32_t v = 0; v < bowel().skin().vertices(); ++v) {
-            const auto away = [&](std::int32_t one) { return (bowel().skin().rest().vertices[static_cast<std::size_t>(one)] - way).norm(); };
+            const auto away = [&](std::int32_t one) {
+                return (bowel().skin().rest().vertices[static_cast<std::size_t>(one)] - way).norm();
+            };
             if (away(v) < away(best)) best = v;
         }
         return best;
@@ -96,12 +106,15 @@ struct BowelCutRig : SheetRig {
         double least = 1;
         for (const std::int32_t t : bowel().skin().adjacency().triangles_of(vertex)) {
             const Triangle& corners = rest.triangles[static_cast<std::size_t>(t)];
-            const auto at_rest = [&](std::size_t c) { return rest.vertices[static_cast<std::size_t>(corners[c])]; };
+            const auto at_rest = [&](std::size_t c) {
+                return rest.vertices[static_cast<std::size_t>(corners[c])];
+            };
             const TrianglePoint near = closest_point_on_triangle(way, at_rest(0), at_rest(1), at_rest(2));
             if ((near.position - way).norm() >= least) continue;
             least = (near.position - way).norm();
             place.root = t;
-            place.point = near.barycentric[0] * now(corners[0]) + near.barycentric[1] * now(corners[1]) + near.barycentric[2] * now(corners[2]);
+            place.point = near.barycentric[0] * now(corners[0]) + near.barycentric[1] * now(corners[1]) +
+                          near.barycentric[2] * now(corners[2]);
         }
         return place;
     }

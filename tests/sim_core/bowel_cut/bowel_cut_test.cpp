@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bowel's wall cut in the world: scissors through the whole chain of device, tick, world and surface; what the hand feels of it,
-// what jaws keep of it, and that it can be saved and replayed.
+// The bowel's wall cut in the world: scissors through the whole chain of device, tick, world and surface;
+// what the hand feels of it, what jaws keep of it, and that it can be saved and replayed.
 #include "tests/sim_core/bowel_cut/bowel_cut_rig.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,8 @@ void expect_sound(BowelCutRig& rig) {
     const CutMesh& surface = rig.cut().skin().surface();
     const CutCheck check = check_cut(surface, positions.data());
     EXPECT_TRUE(check.passed()) << check.complaint();
-    EXPECT_NEAR(surface.area_before(), surface.area_visible() + surface.area_removed(), 1e-9 * surface.area_before());
+    EXPECT_NEAR(surface.area_before(), surface.area_visible() + surface.area_removed(),
+                1e-9 * surface.area_before());
 }
 
 // Eqs. 6 and 7: pressed hard enough, drawn along hard enough, with the button held.
@@ -116,7 +117,10 @@ TEST(BowelCut, ADiscFallsAndLeavesAHoleWhoseLipsHoldTheShaft) {
     const Vector3 hole = rig.top_now();
     rig.step();
     EXPECT_EQ(rig.cut().skin().fallen(), 1);
-    EXPECT_GT(std::count_if(rig.world.snapshot().bowel_cut.triangle_loose.begin(), rig.world.snapshot().bowel_cut.triangle_loose.end(), [](std::uint8_t k) { return k != 0; }), 20);
+    EXPECT_GT(std::count_if(rig.world.snapshot().bowel_cut.triangle_loose.begin(),
+                            rig.world.snapshot().bowel_cut.triangle_loose.end(),
+                            [](std::uint8_t k) { return k != 0; }),
+              20);
     const double before = rig.cut().skin().surface().area_removed();
     const Vector3 in = (hole - rig.trocar[1].position).normalized();
     rig.go(1, hole - 0.03 * in, 0.2);
@@ -134,7 +138,8 @@ TEST(BowelCut, ADiscFallsAndLeavesAHoleWhoseLipsHoldTheShaft) {
     rig.go(1, hole - 0.03 * in, 0.05);
     EXPECT_EQ(rig.blade().touch, BladeTouch::away);
     EXPECT_LE(rig.worst_change, limit);
-    EXPECT_NEAR(rig.cut().skin().surface().area_removed(), before + disc.parted_area, 1e-9) << "fallen and removed";
+    EXPECT_NEAR(rig.cut().skin().surface().area_removed(), before + disc.parted_area, 1e-9)
+        << "fallen and removed";
     expect_sound(rig);
 }
 
@@ -245,7 +250,8 @@ TEST(BowelCut, AllocatesNothingWhileItIsCut) {
     EXPECT_EQ(allocations, 0U);
 }
 
-// Hands that jump about in the bowel with their buttons held: it stays finite, sound, within the hand's limits.
+// Hands that jump about in the bowel with their buttons held: it stays finite, sound, within the hand's
+// limits.
 TEST(BowelCut, StaysSoundUnderHandsThatJump) {
     BowelCutRig rig;
     Random random(7);
@@ -253,7 +259,8 @@ TEST(BowelCut, StaysSoundUnderHandsThatJump) {
     for (int i = 0; i < 150; ++i) {
         for (int h = 0; h < hand_count; ++h) {
             if (random.below(3) != 0) continue;
-            rig.wish[h].tip = rig.top_now() + 0.03 * Vector3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 0.6));
+            rig.wish[h].tip = rig.top_now() + 0.03 * Vector3(random.uniform(-1, 1), random.uniform(-1, 1),
+                                                             random.uniform(-1, 0.6));
             rig.wish[h].button = random.below(4) != 0;
             rig.wish[h].closed = random.below(2) != 0;
         }

@@ -25,7 +25,8 @@ TEST(Device, KeepsTheLastGoodPoseOnNanInfinityAndJump) {
     DeviceReading good;
     good.handle = Vector3(0, 0, -0.15);
     const DeviceSample before = quantise(good, DeviceSample{});
-    for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1.0}) {
+    for (const double bad :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1.0}) {
         DeviceReading reading = good;
         reading.handle.x() = bad;
         const DeviceSample sample = quantise(reading, before);

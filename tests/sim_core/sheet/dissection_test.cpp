@@ -11,7 +11,8 @@ namespace fulcrum {
 namespace {
 
 Vector3 on_line(const Scene& scene, double x, double above) {
-    return scene.sheet->centre + (x - 0.5 * scene.sheet->line_length) * scene.sheet->along + Vector3(0, 0, above);
+    return scene.sheet->centre + (x - 0.5 * scene.sheet->line_length) * scene.sheet->along +
+           Vector3(0, 0, above);
 }
 
 /// Held at the flap; the blade set on at `from` (m along the line), pressed in and drawn on to `to`.
@@ -32,7 +33,8 @@ TEST(SheetWorld, WithoutASheetThereIsNone) {
 
 TEST(SheetWorld, ABladeDividesItAlongTheLineUnderTraction) {
     test::SheetRig rig;
-    for (const double traction : rig.world.snapshot().sheet.line_traction) EXPECT_GT(traction, 0) << "pre-strained";
+    for (const double traction : rig.world.snapshot().sheet.line_traction)
+        EXPECT_GT(traction, 0) << "pre-strained";
     const double slack = rig.sheet().state().traction[10];
     rig.hold_flap(0, Vector3(0, 0.006, 0.008));
     rig.steps(30);
@@ -42,7 +44,8 @@ TEST(SheetWorld, ABladeDividesItAlongTheLineUnderTraction) {
     divide(rig, 0.02, 0.075);
     EXPECT_EQ(rig.hand(1).touch, BladeTouch::cutting);
     bool flagged = false;
-    for (const TickOutput& output : rig.outputs) flagged = flagged || (output.sample.hand[1].flags & hand_cutting) != 0;
+    for (const TickOutput& output : rig.outputs)
+        flagged = flagged || (output.sample.hand[1].flags & hand_cutting) != 0;
     EXPECT_TRUE(flagged);
     EXPECT_EQ(rig.outputs[0].sample.hand[1].tissue, rig.scene.tissue_index("areolar"));
     rig.wish[1].button = false;
@@ -79,20 +82,25 @@ TEST(SheetWorld, ABladeDividesItAlongTheLineUnderTraction) {
     const CutMesh& surface = rig.sheet().surface();
     EXPECT_TRUE(check_cut(surface, rig.sheet().state().positions.data()).passed())
         << check_cut(surface, rig.sheet().state().positions.data()).complaint();
-    EXPECT_NEAR(surface.area_removed(), length * rig.scene.sheet->blade_width, 0.5 * length * rig.scene.sheet->blade_width);
-    EXPECT_NEAR(snapshot.sheet.visible_area + snapshot.sheet.removed_area, surface.area_before(), 1e-9 * surface.area_before());
+    EXPECT_NEAR(surface.area_removed(), length * rig.scene.sheet->blade_width,
+                0.5 * length * rig.scene.sheet->blade_width);
+    EXPECT_NEAR(snapshot.sheet.visible_area + snapshot.sheet.removed_area, surface.area_before(),
+                1e-9 * surface.area_before());
     // What is drawn: as many triangles as are visible, of vertices that are where the springs hold them.
     EXPECT_EQ(snapshot.sheet.triangle_count, surface.visible_count());
     EXPECT_EQ(snapshot.sheet.vertex_count, surface.vertex_count());
     for (std::int32_t t = 0; t < snapshot.sheet.triangle_count; ++t) {
         for (const std::int32_t v : snapshot.sheet.triangles[static_cast<std::size_t>(t)]) {
             ASSERT_LT(v, snapshot.sheet.vertex_count);
-            ASSERT_LT((snapshot.sheet.positions[static_cast<std::size_t>(v)] - rig.scene.sheet->centre).norm(), 0.12);
+            ASSERT_LT(
+                (snapshot.sheet.positions[static_cast<std::size_t>(v)] - rig.scene.sheet->centre).norm(),
+                0.12);
         }
     }
     // Mass of what is left goes by area; the springs' pieces and the surface's fragments are the same.
     const auto& membrane = rig.sheet().state().membrane;
-    EXPECT_NEAR(rig.sheet().membrane().mass(membrane), surface.area_visible() * rig.sheet().membrane().density(), 1e-12);
+    EXPECT_NEAR(rig.sheet().membrane().mass(membrane),
+                surface.area_visible() * rig.sheet().membrane().density(), 1e-12);
 }
 
 TEST(SheetWorld, WithoutForceOrButtonOrBladeItIsNotCut) {
@@ -129,7 +137,8 @@ TEST(SheetWorld, NoSwapRaisesTheEnergyOrMovesWhatIsThere) {
         blade.depth = 0.02;
         blade.root = sheet.surface().nearest_root(blade.from, sheet.state().positions.data());
         std::vector<Vector3> rest;
-        for (std::int32_t v = 0; v < sheet.surface().vertex_count(); ++v) rest.push_back(sheet.surface().vertex(v).rest);
+        for (std::int32_t v = 0; v < sheet.surface().vertex_count(); ++v)
+            rest.push_back(sheet.surface().vertex(v).rest);
         sheet.cut(blade);
         const MembraneEnergy now = sheet.membrane().energy(sheet.state().membrane);
         ASSERT_LE(now.structural, old.structural * (1 + 1e-12));

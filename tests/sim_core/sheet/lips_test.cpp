@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a cut leaves: lips that gape and are pushed, parts that fall, tissue that jaws keep or lose; and what the hand feels.
+// What a cut leaves: lips that gape and are pushed, parts that fall, tissue that jaws keep or lose; and what
+// the hand feels.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +20,8 @@ Vector3 over(const Scene& scene, double x, double y, double above) {
 }
 
 /// Cuts the sheet where it is along a way given at rest (m from its middle), as a blade that knows its way.
-void cut_along(SheetPart& sheet, const Scene& scene, const std::vector<Eigen::Vector2d>& way, double width = 0.0006) {
+void cut_along(SheetPart& sheet, const Scene& scene, const std::vector<Eigen::Vector2d>& way,
+               double width = 0.0006) {
     for (std::size_t i = 0; i + 1 < way.size(); ++i) {
         const auto step = [&](const Eigen::Vector2d& p) {
             // Where that place is now: that of the nearest visible vertex, moved as it was.
@@ -42,7 +44,8 @@ void cut_along(SheetPart& sheet, const Scene& scene, const std::vector<Eigen::Ve
         blade.from -= 0.0003 * dir;
         blade.width = width;
         blade.depth = 0.02;
-        blade.root = sheet.surface().nearest_root(0.5 * (blade.from + blade.to), sheet.state().positions.data());
+        blade.root =
+            sheet.surface().nearest_root(0.5 * (blade.from + blade.to), sheet.state().positions.data());
         sheet.cut(blade);
     }
 }
@@ -58,7 +61,8 @@ std::vector<Eigen::Vector2d> winding(double from, double to, double turns) {
     const int count = static_cast<int>(24 * turns) + 1;
     for (int i = 0; i <= count; ++i) {
         const double s = static_cast<double>(i) / (count - 1), angle = 6.283185307179586 * turns * s;
-        way.emplace_back((from + (to - from) * s) * std::cos(angle), (from + (to - from) * s) * std::sin(angle));
+        way.emplace_back((from + (to - from) * s) * std::cos(angle),
+                         (from + (to - from) * s) * std::sin(angle));
     }
     return way;
 }
@@ -66,14 +70,17 @@ std::vector<Eigen::Vector2d> winding(double from, double to, double turns) {
 void expect_whole(const SheetPart& sheet) {
     const CutCheck check = check_cut(sheet.surface(), sheet.state().positions.data());
     EXPECT_TRUE(check.passed()) << check.complaint();
-    EXPECT_NEAR(sheet.membrane().mass(sheet.state().membrane), sheet.surface().area_visible() * sheet.membrane().density(), 1e-12);
+    EXPECT_NEAR(sheet.membrane().mass(sheet.state().membrane),
+                sheet.surface().area_visible() * sheet.membrane().density(), 1e-12);
 }
 
-// Cut, lift, push the lip: nothing that the world swaps jerks the hand. (b2_areolar's slew leaves a tenth of the limit to what
-// the hand's own motion adds.) b2_plane is the scene of task B2.
+// Cut, lift, push the lip: nothing that the world swaps jerks the hand. (b2_areolar's slew leaves a tenth of
+// the limit to what the hand's own motion adds.) b2_plane is the scene of task B2.
 class SheetLipsOf : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Scenes, SheetLipsOf, testing::Values("b2_areolar", "b2_plane"),
-                         [](const testing::TestParamInfo<const char*>& scene) { return std::string(scene.param); });
+                         [](const testing::TestParamInfo<const char*>& scene) {
+                             return std::string(scene.param);
+                         });
 
 TEST_P(SheetLipsOf, CutLiftAndPushTheLipWithoutAJerk) {
     test::SheetRig rig(load_scene(test::source_path("assets/scenes/" + std::string(GetParam()) + ".json")));
@@ -129,7 +136,9 @@ TEST_P(SheetLipsOf, HandsThatDragAnywhereFeelNoJump) {
     test::SheetRig rig(load_scene(test::source_path("assets/scenes/" + std::string(GetParam()) + ".json")));
     Random random(3, 0xD7A6U);
     const double x = 0.6 * rig.scene.sheet->length, y = 0.6 * rig.scene.sheet->width;
-    const auto somewhere = [&](Random& r) { return over(rig.scene, r.uniform(-x, x), r.uniform(-y, y), r.uniform(-0.01, 0.01)); };
+    const auto somewhere = [&](Random& r) {
+        return over(rig.scene, r.uniform(-x, x), r.uniform(-y, y), r.uniform(-0.01, 0.01));
+    };
     EXPECT_LE(test::drag_about(rig, 60, random, somewhere), 0.3 * (1 + 1e-9)) << "N in a ms";
     EXPECT_GT(rig.largest_force, 1) << "something was felt";
     expect_whole(rig.sheet());
@@ -163,7 +172,8 @@ TEST(SheetLips, ALipThinnerThanTheToolCarriesNothing) {
     for (int thin = 0; thin < 2; ++thin) {
         test::SheetRig rig;
         if (thin == 1) {
-            for (const double y : {-0.0008, 0.0008}) cut_along(*rig.world.sheet(), rig.scene, straight(-0.03, y, 0.03, y, 40));
+            for (const double y : {-0.0008, 0.0008})
+                cut_along(*rig.world.sheet(), rig.scene, straight(-0.03, y, 0.03, y, 40));
             rig.steps(60);
         }
         rig.go(1, over(rig.scene, 0.0, 0, 0.02), 0.2);
@@ -183,14 +193,16 @@ TEST(SheetLips, CutFromRimToRimTheFlapComesWithTheJaws) {
     EXPECT_EQ(rig.world.sheet()->surface().version(), rig.sheet().state().membrane.topology);
     CutMesh pieces = rig.sheet().surface();
     EXPECT_EQ(pieces.find_pieces(), 2);
-    for (const std::uint8_t isolated : rig.sheet().state().membrane.isolated) EXPECT_EQ(isolated, 0) << "both hang on an edge";
+    for (const std::uint8_t isolated : rig.sheet().state().membrane.isolated)
+        EXPECT_EQ(isolated, 0) << "both hang on an edge";
     rig.hold_flap(0, Vector3(0, 0.01, 0.03));
     rig.steps(40);
     double flap = -1, fixed_side = -1;
     const WorldSnapshot& snapshot = rig.world.snapshot();
     for (std::int32_t t = 0; t < snapshot.sheet.triangle_count; ++t) {
         for (const std::int32_t v : snapshot.sheet.triangles[static_cast<std::size_t>(t)]) {
-            const double rise = snapshot.sheet.positions[static_cast<std::size_t>(v)].z() - rig.scene.sheet->centre.z();
+            const double rise =
+                snapshot.sheet.positions[static_cast<std::size_t>(v)].z() - rig.scene.sheet->centre.z();
             double& highest = snapshot.sheet.rest[static_cast<std::size_t>(v)].y() > 0 ? flap : fixed_side;
             highest = std::max(highest, rise);
         }
@@ -212,7 +224,8 @@ double gape(double pre_strain) {
         if (vertex.triangle < 0) continue;
         const Vector3 rest = vertex.rest - scene.sheet->centre;
         if (std::abs(rest.x()) > 0.004 || std::abs(rest.y()) > 0.003) continue;
-        const double y = (rig.sheet().state().positions[static_cast<std::size_t>(v)] - scene.sheet->centre).y();
+        const double y =
+            (rig.sheet().state().positions[static_cast<std::size_t>(v)] - scene.sheet->centre).y();
         if (rest.y() < 0) lower = std::max(lower, y);
         if (rest.y() > 0) upper = std::min(upper, y);
     }
@@ -250,7 +263,8 @@ TEST(SheetLips, ACircleFallsAndIsRemovedASpiralDoesNot) {
         double lowest = 0;
         for (std::int32_t v = 0; v < sheet.surface().vertex_count(); ++v) {
             if (sheet.surface().vertex(v).triangle >= 0)
-                lowest = std::min(lowest, sheet.state().positions[static_cast<std::size_t>(v)].z() - rig.scene.sheet->centre.z());
+                lowest = std::min(lowest, sheet.state().positions[static_cast<std::size_t>(v)].z() -
+                                              rig.scene.sheet->centre.z());
         }
         if (closed) {
             EXPECT_LT(lowest, -0.05) << "it falls";
@@ -322,7 +336,8 @@ TEST(SheetLips, BadSheetsAreRefusedWithPlaceAndMend) {
         {"\"spacing\": 0.004", "\"spacing\": 0.02", "/sheet/spacing"},
         {"\"width\": 0.05", "\"width\": 5", "/sheet/width"},
         {"\"tissue\": \"areolar\"", "\"tissue\": \"fog\"", "/sheet/tissue"},
-        {"\"dynamic_friction_n\": 0.03", "\"dynamic_friction_n\": 0.3", "/tissues/0/cutting/dynamic_friction_n"},
+        {"\"dynamic_friction_n\": 0.03", "\"dynamic_friction_n\": 0.3",
+         "/tissues/0/cutting/dynamic_friction_n"},
         {"\"friction\": 0.6", "\"friction\": 0", "/tissues/0/cutting"},
         {"\"penetrate_n\": 0.08", "\"penetrate_n\": 0", "/tissues/0/cutting/penetrate_n"},
     };

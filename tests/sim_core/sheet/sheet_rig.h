@@ -41,7 +41,8 @@ struct SheetRig {
     double worst_change = 0, largest_force = 0;
     Vector3 sent[hand_count] = {Vector3::Zero(), Vector3::Zero()};
 
-    explicit SheetRig(const Scene& chosen = sheet_scene()) : scene(chosen), world(scene, 1), loop(scene, world), outputs(5) {
+    explicit SheetRig(const Scene& chosen = sheet_scene())
+        : scene(chosen), world(scene, 1), loop(scene, world), outputs(5) {
         for (int h = 0; h < hand_count; ++h) {
             trocar[h] = make_trocar(scene.instruments[static_cast<std::size_t>(h)].trocar);
             last[h] = start_sample(scene.instruments[static_cast<std::size_t>(h)].trocar, 0.10);
@@ -50,7 +51,9 @@ struct SheetRig {
         }
     }
     const SheetPart& sheet() const { return *world.sheet(); }
-    const SheetPart::HandState& hand(int h) const { return sheet().state().hands[static_cast<std::size_t>(h)]; }
+    const SheetPart::HandState& hand(int h) const {
+        return sheet().state().hands[static_cast<std::size_t>(h)];
+    }
 
     void step() {
         for (int i = 0; i < 5; ++i) {
@@ -68,7 +71,8 @@ struct SheetRig {
                                                              (wish[h].energy ? button_energy : button_none));
                 input.hand[h] = last[h] = quantise(reading, last[h]);
             }
-            if (scene.camera) input.camera = start_sample(scene.camera->trocar, scene.camera->start_insertion);
+            if (scene.camera)
+                input.camera = start_sample(scene.camera->trocar, scene.camera->start_insertion);
             outputs[static_cast<std::size_t>(i)] = loop.tick(input);
             for (int h = 0; h < hand_count; ++h) {
                 const Vector3& force = outputs[static_cast<std::size_t>(i)].device_force[h];
@@ -82,7 +86,8 @@ struct SheetRig {
         hash = hash * 31 + record.state_hash;
         loop.adopt(world.local_models());
         const WorldSnapshot& snapshot = world.snapshot();
-        for (std::int32_t e = 0; e < snapshot.event_count; ++e) events.push_back(snapshot.events[static_cast<std::size_t>(e)]);
+        for (std::int32_t e = 0; e < snapshot.event_count; ++e)
+            events.push_back(snapshot.events[static_cast<std::size_t>(e)]);
     }
     void steps(int count) {
         for (int i = 0; i < count; ++i) step();
@@ -104,7 +109,8 @@ struct SheetRig {
     /// Where the left tip is when the middle of its jaws is there.
     Vector3 tip_for(const Vector3& jaws) const {
         Vector3 tip = jaws;
-        for (int i = 0; i < 20; ++i) tip = jaws + 0.5 * scene.instruments[0].jaw_length * (tip - trocar[0].position).normalized();
+        for (int i = 0; i < 20; ++i)
+            tip = jaws + 0.5 * scene.instruments[0].jaw_length * (tip - trocar[0].position).normalized();
         return tip;
     }
     /// Left jaws take the flap edge at x (m along the line from the middle) and draw it out by `way`.

@@ -39,7 +39,8 @@ struct Pair {
         spec.mass_damping = 0;
         return spec;
     }
-    Pair(RodEnd end, bool root_held, const MembraneSpec& spec) : rod(rod_spec(end)), state(rod.make_state()), scratch(rod.make_scratch()) {
+    Pair(RodEnd end, bool root_held, const MembraneSpec& spec)
+        : rod(rod_spec(end)), state(rod.make_state()), scratch(rod.make_scratch()) {
         scene.membranes = {spec};
         scene.fidelity.membrane = "implicit";
         const int rows = 31, columns = 9;
@@ -63,19 +64,22 @@ struct Pair {
     }
     Vector3 rod_momentum() const {
         Vector3 sum = Vector3::Zero();
-        for (int i = 0; i <= rod.segments(); ++i) sum += rod.node_mass(i) * state.velocities[static_cast<std::size_t>(i)];
+        for (int i = 0; i <= rod.segments(); ++i)
+            sum += rod.node_mass(i) * state.velocities[static_cast<std::size_t>(i)];
         return sum;
     }
     Vector3 sheet_momentum() const {
         Vector3 sum = Vector3::Zero();
-        for (std::size_t v = 0; v < part->state().velocities.size(); ++v) sum += part->membrane().masses()[v] * part->state().velocities[v];
+        for (std::size_t v = 0; v < part->state().velocities.size(); ++v)
+            sum += part->membrane().masses()[v] * part->state().velocities[v];
         return sum;
     }
 };
 
 TEST(MembranePart, RodAndSheetExchangeEqualAndOppositeMomentum) {
     Pair pair(RodEnd::free, false, Pair::mesentery());
-    // Both drift free in space; the rod is thrown across the sheet. What one loses the other gains, step by step.
+    // Both drift free in space; the rod is thrown across the sheet. What one loses the other gains, step by
+    // step.
     for (Vector3& v : pair.state.velocities) v = Vector3(0, -0.2, 0.5);
     Vector3 given = Vector3::Zero();
     double size = 0;
@@ -168,7 +172,8 @@ TEST(MembranePart, PullingTheHeldMesenteryBendsTheRod) {
     for (const Vector3& r : pair.part->inputs().reactions) supports += r;
     EXPECT_GT(jaws.z(), 0.05);
     EXPECT_LT((jaws + supports).norm(), 0.01 * jaws.norm());
-    EXPECT_LT((report.end_force[0] + report.end_force[1] + pair.part->pull()).norm(), 0.03 * pair.part->pull().norm());
+    EXPECT_LT((report.end_force[0] + report.end_force[1] + pair.part->pull()).norm(),
+              0.03 * pair.part->pull().norm());
 }
 
 TEST(MembranePart, InTheRunningWorldJawsTakeTheSheetFeelItAndBendTheBowel) {
@@ -183,7 +188,8 @@ TEST(MembranePart, InTheRunningWorldJawsTakeTheSheetFeelItAndBendTheBowel) {
     for (std::int32_t v = 0; v < membrane.vertices(); ++v) {
         const Vector3& p = part.state().positions[static_cast<std::size_t>(v)];
         double nearest = 1;
-        for (const std::int32_t held : membrane.attached()) nearest = std::min(nearest, (p - part.state().positions[static_cast<std::size_t>(held)]).norm());
+        for (const std::int32_t held : membrane.attached())
+            nearest = std::min(nearest, (p - part.state().positions[static_cast<std::size_t>(held)]).norm());
         if (nearest <= best) continue;
         best = nearest;
         chosen = v;
@@ -194,7 +200,8 @@ TEST(MembranePart, InTheRunningWorldJawsTakeTheSheetFeelItAndBendTheBowel) {
     ToolKinematics& tool = output.contact[0].tool;
     tool.present = tool.inside = true;
     tool.insertion = 0.1;
-    tool.tip = part.state().positions[static_cast<std::size_t>(chosen)] + 0.5 * grasper.jaw_length * tool.axis;
+    tool.tip =
+        part.state().positions[static_cast<std::size_t>(chosen)] + 0.5 * grasper.jaw_length * tool.axis;
     tool.jaw_angle = grasper.jaw_opening;
     double unexplained = 0, exchanged = 0;  // N s
     const auto step = [&](int steps, const Vector3& way) {
@@ -204,15 +211,19 @@ TEST(MembranePart, InTheRunningWorldJawsTakeTheSheetFeelItAndBendTheBowel) {
             tool.tip_velocity = way / dt;
             const Vector3 before = [&] {
                 Vector3 sum = Vector3::Zero();
-                for (std::size_t v = 0; v < membrane.masses().size(); ++v) sum += membrane.masses()[v] * part.state().velocities[v];
+                for (std::size_t v = 0; v < membrane.masses().size(); ++v)
+                    sum += membrane.masses()[v] * part.state().velocities[v];
                 return sum;
             }();
             ASSERT_EQ(world.step(&output, 1).outcome, 0U);
-            // Supports, jaws and drag are all that changes the sheet's momentum; its support at the bowel is the rod's load.
+            // Supports, jaws and drag are all that changes the sheet's momentum; its support at the bowel is
+            // the rod's load.
             Vector3 after = Vector3::Zero(), supports = Vector3::Zero(), drag = Vector3::Zero();
-            for (std::size_t v = 0; v < membrane.masses().size(); ++v) after += membrane.masses()[v] * part.state().velocities[v];
+            for (std::size_t v = 0; v < membrane.masses().size(); ++v)
+                after += membrane.masses()[v] * part.state().velocities[v];
             for (const Vector3& r : part.inputs().reactions) supports += r;
-            for (std::size_t v = 0; v < membrane.masses().size(); ++v) drag -= membrane.material().mass_damping * membrane.masses()[v] * part.state().velocities[v];
+            for (std::size_t v = 0; v < membrane.masses().size(); ++v)
+                drag -= membrane.material().mass_damping * membrane.masses()[v] * part.state().velocities[v];
             const Vector3 weight = membrane.material().mass * part.inputs().gravity;
             const Vector3 forces = supports + part.grip(0).reaction + drag + weight;
             unexplained += (after - before - dt * forces).norm();
@@ -231,7 +242,9 @@ TEST(MembranePart, InTheRunningWorldJawsTakeTheSheetFeelItAndBendTheBowel) {
     EXPECT_FALSE(world.bowel()->grasp(Hand::left).held);
     const std::vector<Vector3> nodes = world.bowel()->state().nodes;
     const Triangle& corners = membrane.triangles()[static_cast<std::size_t>(part.grip(0).triangle)];
-    const auto corner = [&](std::size_t c) { return part.state().positions[static_cast<std::size_t>(corners[c])]; };
+    const auto corner = [&](std::size_t c) {
+        return part.state().positions[static_cast<std::size_t>(corners[c])];
+    };
     const Vector3 out = (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
     step(60, 2e-4 * out);  // 40 mm/s
     ASSERT_TRUE(part.grip(0).held);
@@ -247,7 +260,8 @@ TEST(MembranePart, InTheRunningWorldJawsTakeTheSheetFeelItAndBendTheBowel) {
     EXPECT_LT(snapshot.grasps[0].arc_length, 0) << "no place along the bowel";
     EXPECT_FALSE(snapshot.grasps[1].held);
     double moved = 0;
-    for (std::size_t i = 0; i < nodes.size(); ++i) moved = std::max(moved, (world.bowel()->state().nodes[i] - nodes[i]).norm());
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        moved = std::max(moved, (world.bowel()->state().nodes[i] - nodes[i]).norm());
     EXPECT_GT(moved, 5e-4) << "the bowel follows";
     tool.jaw_angle = grasper.jaw_opening;
     step(2, Vector3::Zero());

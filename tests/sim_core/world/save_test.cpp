@@ -61,7 +61,8 @@ TEST_P(WorldSave, GoesOnBitForBitInItselfAndInAWorldMadeAnew) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, WorldSave,
-                         testing::Values("b1_bowel", "bowel_enterotomy", "b2_plane", "b3_bands", "c4_posterior"),
+                         testing::Values("b1_bowel", "bowel_enterotomy", "b2_plane", "b3_bands",
+                                         "c4_posterior"),
                          [](const testing::TestParamInfo<const char*>& scene) {
                              return std::string(scene.param);
                          });

@@ -354,8 +354,10 @@ std::unique_ptr<AttemptSession> FakeServices::start_attempt(const AttemptRequest
     throw InputError("attempt", request.task_id, "unknown task", "choose one of the tasks");
 }
 
-std::unique_ptr<AttemptSession> FakeServices::start_demonstration(const database::Session&, const std::string& task_id) {
-    throw InputError("demonstration", task_id, "no operator without physics", "use the program's own services");
+std::unique_ptr<AttemptSession> FakeServices::start_demonstration(const database::Session&,
+                                                                  const std::string& task_id) {
+    throw InputError("demonstration", task_id, "no operator without physics",
+                     "use the program's own services");
 }
 
 Scene FakeServices::scene_of(const database::Session&, const database::AttemptSummary& attempt) const {

@@ -35,15 +35,20 @@ class FakeServices : public ApplicationServices {
     std::unique_ptr<AttemptSession> start_attempt(const AttemptRequest& request) override;
     std::unique_ptr<AttemptSession> start_demonstration(const database::Session& session,
                                                         const std::string& task_id) override;
-    std::vector<InterruptedScore> score_interrupted(const database::Session&, const Progress&) override { return {}; }
+    std::vector<InterruptedScore> score_interrupted(const database::Session&, const Progress&) override {
+        return {};
+    }
     std::size_t stale_scores(const database::Session&) override { return 0; }
-    std::vector<RecomputedScore> recompute_scores(const database::Session&, const Progress&) override { return {}; }
-    std::unique_ptr<ReplaySource> open_replay(const database::Session& session, const database::AttemptSummary& attempt,
+    std::vector<RecomputedScore> recompute_scores(const database::Session&, const Progress&) override {
+        return {};
+    }
+    std::unique_ptr<ReplaySource> open_replay(const database::Session& session,
+                                              const database::AttemptSummary& attempt,
                                               std::shared_ptr<const database::Trace> trace) override;
     Scene scene_of(const database::Session& session, const database::AttemptSummary& attempt) const override;
     SiteTissues site_tissues(const database::Session&, const std::string&) override { return {}; }
-    void set_site_tissues(const database::Session&, const std::string& task_id, int, const database::TissueValues&,
-                          const std::string&) override;
+    void set_site_tissues(const database::Session&, const std::string& task_id, int,
+                          const database::TissueValues&, const std::string&) override;
     std::string program_version() const override { return "0.1.0-test"; }
 
     AttemptControl control;
