@@ -12,7 +12,8 @@ endif()
 add_library(fulcrum_flags INTERFACE)
 target_include_directories(fulcrum_flags INTERFACE ${PROJECT_SOURCE_DIR})
 # Bit-for-bit replay: no contraction of a*b+c, no fast math; one instruction set for the whole product.
-target_compile_options(fulcrum_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
+# Position-independent code everywhere, as Qt asks for: precompiled headers then fit libraries and programs alike.
+target_compile_options(fulcrum_flags INTERFACE -fPIC -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     target_compile_options(fulcrum_flags INTERFACE -march=x86-64-v3)
 endif()
@@ -34,7 +35,13 @@ get_target_property(_eigen_include Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 target_include_directories(fulcrum_flags SYSTEM INTERFACE ${_eigen_include})
 target_link_libraries(fulcrum_flags INTERFACE Threads::Threads)
 
-# fulcrum_floor(name FOLDER folder LINKS libs... PCH headers...): all sources below the folder.
+# Headers that nearly every source includes, parsed once: they were two thirds of the time of a build.
+add_library(fulcrum_precompiled STATIC ${CMAKE_CURRENT_LIST_DIR}/precompiled.cpp)
+target_link_libraries(fulcrum_precompiled PUBLIC fulcrum_flags)
+target_precompile_headers(fulcrum_precompiled PRIVATE <Eigen/Dense> <algorithm> <array> <cmath> <cstdint> <cstring> <fstream> <functional>
+    <limits> <map> <memory> <optional> <random> <set> <sstream> <string> <utility> <vector>)
+
+# fulcrum_floor(name FOLDER folder LINKS libs... PCH headers...): all sources below the folder. Without PCH: the headers above.
 function(fulcrum_floor name)
     cmake_parse_arguments(ARG "" "FOLDER" "LINKS;PCH" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${ARG_FOLDER}/*.cpp ${PROJECT_SOURCE_DIR}/${ARG_FOLDER}/*.h ${PROJECT_SOURCE_DIR}/${ARG_FOLDER}/*.qrc)
@@ -48,6 +55,8 @@ function(fulcrum_floor name)
     target_link_libraries(${name} PUBLIC fulcrum_flags ${ARG_LINKS})
     if(ARG_PCH)
         target_precompile_headers(${name} PRIVATE ${ARG_PCH})
+    else()
+        target_precompile_headers(${name} REUSE_FROM fulcrum_precompiled)
     endif()
 endfunction()
 
