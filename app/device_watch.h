@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Are the devices there, and may the hands take hold again? Decides the device_lost flag of every tick
-// (product.md, Real life).
+// (docs/MANUAL.md, When a device is lost).
 //
 //   watching  a reading that is no number or jumps loses the device at once, silence after silent_ticks
 //   lost      the instruments stand; the devices move freely beside them. When every device has answered

@@ -56,7 +56,7 @@ std::vector<std::string> experiment_files() {
 lab::ResultPage experiment_page(const std::string& file) {
     const lab::ExperimentResult result = lab::run_experiment(file);
     const std::string name = std::filesystem::path(file).filename().string();
-    lab::ResultPage page(result.id, "The paper's " + result.figure,
+    lab::ResultPage page(result.id, "Pan et al. 2011, " + result.figure,
                          "fulcrum lab experiment assets/experiments/" + name + " --output docs/results");
     page.paragraph(result.caption);
     page.file({result.id + ".png", drawn(result)}, result.caption);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The paper's experiments as pages: each file of assets/experiments run without a window, its panels drawn
-// and put side by side.
+// The experiments of Pan et al. 2011 as pages: each file of assets/experiments run without a window, its
+// panels drawn and put side by side.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scores made from a stored record: the first one of what was interrupted (interrupted.h), and new ones
-// beside those that older metrics or limits gave. The score in force never changes (product.md).
+// beside those that older metrics or limits gave. The score in force never changes (docs/MANUAL.md).
 #pragma once
 
 #include <string>

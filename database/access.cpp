@@ -16,7 +16,7 @@ struct Row {
 constexpr Scope none = Scope::none, own = Scope::own, cohort = Scope::cohort, programme = Scope::programme,
                 synthetic = Scope::synthetic;
 
-// platform.md, "Roles". Administrators run the accounts and the store and see no scores; the station does
+// docs/MANUAL.md, "Roles". Administrators run the accounts and the store and see no scores; the station does
 // synthetic work only. What a site says of its tissues is no one's data: whoever performs needs it; setting
 // it is the educators', as benchmarks and curricula are.
 // clang-format off

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who may do what to whom: one operation x role x scope table (platform.md), asked by every store method and
-// by the window to decide what to show. The window's look is a courtesy; the store's check is the rule.
+// Who may do what to whom: one operation x role x scope table (docs/MANUAL.md), asked by every store method
+// and by the window to decide what to show. The window's look is a courtesy; the store's check is the rule.
 #pragma once
 
 #include <cstdint>

@@ -25,7 +25,7 @@ std::vector<AttemptSummary> query_attempts(const Store& store, const Session& se
 AttemptSummary query_attempt(const Store& store, const std::string& attempt_id);
 
 /// Assessed, real or asked-for person aside: ended by trainee or clock and scored, or interrupted and failed;
-/// not voided (product.md).
+/// not voided (docs/MANUAL.md).
 bool is_counting(const AttemptSummary& attempt);
 
 }  // namespace fulcrum::database

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Plain rows of an attempt: what it was, how it ended, its metrics, gates and score, with their provenance
-// (formats.md, perform).
+// (docs/FORMATS.md, perform).
 #pragma once
 
 #include <cstdint>
@@ -119,7 +119,7 @@ struct AttemptSummary {
     bool provisional = false;    ///< a gate of the score in force rests on a provisional limit
     std::optional<double> points;
     std::string not_scored_because;
-    bool counting = false;               ///< enters progress and cohorts, device class aside (product.md)
+    bool counting = false;               ///< enters progress and cohorts, device class aside (docs/MANUAL.md)
     std::string void_reason, voided_by;  ///< display name; "" if not voided
     std::int64_t voided_at = 0;
     std::string reassigned_from, reassigned_to;  ///< attempt ids or ""

@@ -53,7 +53,7 @@ class Attempts {
     std::vector<AttemptSummary> list(const Session& session, const AttemptFilter& filter = {}) const;
     AttemptSummary read(const Session& session, const std::string& attempt_id) const;
     /// Interrupted attempts within the session's scope that nobody has scored yet, oldest first: what their
-    /// record holds decides whether they failed (product.md), and add_score() writes it.
+    /// record holds decides whether they failed (docs/MANUAL.md), and add_score() writes it.
     std::vector<AttemptSummary> interrupted_without_score(const Session& session) const;
     /// The score in force, if the attempt has one.
     std::optional<ScoreRow> score(const Session& session, const std::string& attempt_id) const;

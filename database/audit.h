@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The audit chain of a station (platform.md): digest = BLAKE2b(salt, payload), every row bound to the one
+// The audit chain of a station (docs/MANUAL.md): digest = BLAKE2b(salt, payload), every row bound to the one
 // before. Without a copy of the head elsewhere (reports print it) the owner of the file can re-chain it.
 #pragma once
 
@@ -20,7 +20,7 @@ struct AuditEntry {
         person_name;  ///< whom the object is or belongs to; "" for cohorts, settings, the store
     std::string digest, previous_hash, hash;  ///< hex
     /// JSON, or "payload erased". What is said of an attempt (how it ended, why it was voided, what a trainee
-    /// asked for) reads "withheld": whoever views the audit log sees no reviews (platform.md).
+    /// asked for) reads "withheld": whoever views the audit log sees no reviews (docs/MANUAL.md).
     std::string payload;
 };
 

@@ -201,8 +201,8 @@ class ApplicationServices {
     virtual std::unique_ptr<AttemptSession> start_demonstration(const database::Session& session,
                                                                 const std::string& task_id) = 0;
     /// Scores what was interrupted and has no score yet, as far as the session may, from its record
-    /// (product.md: it does not count unless what was recorded failed already). Called on a worker thread;
-    /// opens the store for itself.
+    /// (docs/MANUAL.md: it does not count unless what was recorded failed already). Called on a worker
+    /// thread; opens the store for itself.
     virtual std::vector<InterruptedScore> score_interrupted(const database::Session& session,
                                                             const Progress& progress) = 0;
     /// How many scores within the session's scope rest on metrics or limits that are no longer in force.

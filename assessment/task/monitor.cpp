@@ -15,7 +15,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr double moving_speed = 0.005;      // m/s, metrics specification, `time`
+constexpr double moving_speed = 0.005;      // m/s, docs/METRICS.md, `time`
 constexpr double moving_duration = 0.2;     // s, idem
 constexpr double device_grace = 60;         // s until a lost device interrupts the attempt
 constexpr double regrasp_window = 2;        // s

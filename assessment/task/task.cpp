@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int most_benchmark_gates = 6;  // metrics specification, Gates
+constexpr int most_benchmark_gates = 6;  // docs/METRICS.md, Gates
 
 template <typename T>
 void copy(const json& node, const char* key, T& value) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bowel's surface as one that can be cut (theory, section 5; paper, Figs. 10 to 13): the skin's triangles
-// are the roots of a CutMesh, and every vertex that a cut makes gets a skinning row of its own, interpolated
-// in its root from the rows of the corners. So a cut surface keeps following the cage, is carried to a moment
-// as the skin is, and bears forces by the same transposed weights.
+// The bowel's surface as one that can be cut (docs/THEORY.md 5; Pan et al. 2011, Figs. 10 to 13): the skin's
+// triangles are the roots of a CutMesh, and every vertex that a cut makes gets a skinning row of its own,
+// interpolated in its root from the rows of the corners. So a cut surface keeps following the cage, is
+// carried to a moment as the skin is, and bears forces by the same transposed weights.
 //
 // A row follows four rings; where a root's corners follow more between them, what the outermost ring carries
 // goes rigidly with the next one, exact in the rest pose.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Local dents: what the rod cannot show. Each vertex under a filtered force sinks into a Winkler bed of the
-// wall, u_i = C_ii F_i, C_ii = 1 / (k A_i), and relaxes towards it with a time constant (theory, section 4).
+// wall, u_i = C_ii F_i, C_ii = 1 / (k A_i), and relaxes towards it with a time constant (docs/THEORY.md 4).
 #pragma once
 
 #include <array>

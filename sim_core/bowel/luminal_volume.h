@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contents of the lumen (beyond the paper): a fluid that fills the tube and cannot leave it. Its pressure is
-// the same everywhere and answers a change of volume by its bulk modulus; the wall answers the pressure in
-// its hoop. Without it a stretched tube keeps its cross-section and its volume grows with its length. SI
-// units.
+// Contents of the lumen (beyond Pan et al. 2011): a fluid that fills the tube and cannot leave it. Its
+// pressure is the same everywhere and answers a change of volume by its bulk modulus; the wall answers the
+// pressure in its hoop. Without it a stretched tube keeps its cross-section and its volume grows with its
+// length. SI units.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Local scope of mean value coordinates: windows of 2k+1 rings, closed by caps whose centres are the means of
-// their rings, blended from ring to ring so that the surface neither tears nor creases (theory 1.4).
+// their rings, blended from ring to ring so that the surface neither tears nor creases (docs/THEORY.md 1.4).
 #pragma once
 
 #include <vector>

@@ -5,8 +5,8 @@
 // vertex
 //     v = sum_j sum_k w_jk (c_rj + R_rj X_rjk) = sum_j (W_j c_rj + R_rj Y_j),   W_j = sum_k w_jk,  Y_j =
 //     sum_k w_jk X_jk,
-// exactly: four rings cost 16 numbers a vertex instead of 32 weights and 32 cage points (theory 1.4; Ju et
-// al. 2005).
+// exactly: four rings cost 16 numbers a vertex instead of 32 weights and 32 cage points (docs/THEORY.md 1.4;
+// Ju et al. 2005).
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The finer scopes of skinning (theory 1.4 and section 8): windows of two neighbours on each side, and the
+// The finer scopes of skinning (docs/THEORY.md 1.4 and 8): windows of two neighbours on each side, and the
 // whole cage. They exist only where a scene's fidelity asks for them; the local scope (BowelSkin's rows)
 // stays the form in which a patch is carried, corrected to the finer position. Lengths in m; patient frame.
 #pragma once

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The static cavity: its triangles with what closest-point queries need, and FCL's bounding volume hierarchy
-// over them, which starts and checks every query (theory, section 2). Constant after construction: any thread
+// over them, which starts and checks every query (docs/THEORY.md 2). Constant after construction: any thread
 // may read.
 #pragma once
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sphere chain against the cavity and against itself, by projection (paper, Fig. 9; theory, section 2).
+// The sphere chain against the cavity and against itself, by projection (Pan et al. 2011, Fig. 9;
+// docs/THEORY.md 2).
 //
 // Projection finds the contacts, the rod's solve keeps them: each contact is the plane of a unilateral
 // constraint

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The haptic force filter: contact area from the tip's box (Eq. 4), grade from the area (Eq. 3), radial basis
-// weights around the contact vertex (Eqs. 1-2), blended over the area so that nothing jumps (theory, section
+// weights around the contact vertex (Eqs. 1-2), blended over the area so that nothing jumps (docs/THEORY.md
 // 4). Works on any SurfaceView, whole or patch. Allocates nothing, throws nothing: haptic and world threads.
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The local contact model: what the world hands to the haptic tick, so that the tick can make force without
-// reading world state (theory, section 4). One a hand; fixed capacities, so that a copy allocates nothing;
+// reading world state (docs/THEORY.md 4). One a hand; fixed capacities, so that a copy allocates nothing;
 // written in place in a TripleBuffer slot by the world, read by the tick.
 //
 // Surface mode carries a patch of the bowel: its rings with their velocities, and the skinning rows of the

@@ -4,7 +4,7 @@
 // Each contact is a proxy (god-object) on a surface, of the tool's radius, coupled by a spring and damper:
 //     F = K d n - B v_rel   on the tool, d the depth; never pulling, tangential part within the friction of
 //     the normal.
-// K of tissue is the Winkler bed under the filter's footprint (theory, section 4). Held tissue answers with
+// K of tissue is the Winkler bed under the filter's footprint (docs/THEORY.md 4). Held tissue answers with
 //     F = lambda + K (x - x0) + B (v - v0)   on the tissue, within the friction cone of the jaws.
 // Model (const) / state / scratch / result; haptic thread: no allocation, lock, exception; always finite.
 #pragma once

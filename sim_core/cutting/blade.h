@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The band of a blade: a convex region bounded by planes (theory, section 5: two border lines, round or
+// The band of a blade: a convex region bounded by planes (docs/THEORY.md 5: two border lines, round or
 // square ends), in the frame and shape the tissue has at this moment.
 #pragma once
 

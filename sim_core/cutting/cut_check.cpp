@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The invariants of theory, section 5: on what a transaction touched, and from scratch on everything.
+// The invariants of docs/THEORY.md 5: on what a transaction touched, and from scratch on everything.
 #include <algorithm>
 #include <cmath>
 

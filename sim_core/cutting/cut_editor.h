@@ -84,7 +84,7 @@ class CutEditor {
     /// Triangles around a vertex, counterclockwise; at a rim the first has the rim before it. closed: the fan
     /// has no rim. The list is valid until the next call. Empty where the records contradict each other.
     const CutList<std::int32_t>& fan(std::int32_t vertex, bool& closed);
-    /// The invariants of theory, section 5, on everything this transaction touched: nullptr, or what is
+    /// The invariants of docs/THEORY.md 5, on everything this transaction touched: nullptr, or what is
     /// wrong and forbids to commit.
     const char* wrong_here();
     std::uint64_t bytes() const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A surface that can be cut (paper, Triangle subdivision, Figs. 10, 12, 13; theory, section 5).
+// A surface that can be cut (Pan et al. 2011, Triangle subdivision, Figs. 10, 12, 13; docs/THEORY.md 5).
 //
 // One rule cuts all: triangles that the blade's band meets and that hang together with the blade along the
 // surface are split where a border crosses their edges (once an edge, so that both its triangles agree), what
@@ -199,7 +199,7 @@ class CutMesh {
     CutList<Side> sides_met_;
 };
 
-/// Everything theory section 5 asks of a surface, checked from scratch over all of it, geometry included.
+/// Everything docs/THEORY.md 5 asks of a surface, checked from scratch over all of it, geometry included.
 struct CutCheck {
     bool finite = true;
     bool no_zero_area = true;     ///< share of each visible triangle above 0 in a root that has area

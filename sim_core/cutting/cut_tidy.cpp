@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a cut leaves is tidied within its roots: children only, and only where the union of the triangles
-// stays (theory, section 5): a vertex inside one root may go to any neighbour, one on the edge of two roots
+// stays (docs/THEORY.md 5): a vertex inside one root may go to any neighbour, one on the edge of two roots
 // along that edge, one on the rim along a straight rim.
 #include <algorithm>
 #include <cmath>

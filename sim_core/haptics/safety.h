@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands between the model's force and a hand (theory, section 4, Safety).
+// What stands between the model's force and a hand (docs/THEORY.md 4, Safety).
 //
 //  * Size: clamped to the limit, direction kept.
 //  * Slew (0.3 N/ms): acts on changes of the model, on loss and on resume. Each such change leaves the sent

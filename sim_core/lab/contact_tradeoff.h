@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows `tool_contact` and `haptic_model_age` of `fulcrum lab tradeoff` (theory, section 8).
+// Rows `tool_contact` and `haptic_model_age` of `fulcrum lab tradeoff` (docs/THEORY.md 8).
 #pragma once
 
 #include "sim_core/lab/tradeoff.h"

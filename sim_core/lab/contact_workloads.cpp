@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reference workloads tool_contact and proxy (quality.md): one tool and tick against the deforming surface of
-// 20,000 triangles, and the world's part, patch_build.
+// Reference workloads tool_contact and proxy (docs/QUALITY.md): one tool and tick against the deforming
+// surface of 20,000 triangles, and the world's part, patch_build.
 #include <memory>
 
 #include "sim_core/lab/bench.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fig. 12 of the paper by the product's own rule: the ten ways a stroke divides a triangle, each by an
+// Fig. 12 of Pan et al. 2011 by the product's own rule: the ten ways a stroke divides a triangle, each by an
 // example.
 #pragma once
 

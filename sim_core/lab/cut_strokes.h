@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Random strokes over surfaces that can be cut, at rest and while their shape moves, and the extremes of
-// quality.md: every step is validated where it touched, the whole surface from scratch every tenth stroke
-// (extremes: after every step). The property tests run few, `fulcrum lab strokes` many. Deterministic but
-// for the times.
+// docs/QUALITY.md: every step is validated where it touched, the whole surface from scratch every tenth
+// stroke (extremes: after every step). The property tests run few, `fulcrum lab strokes` many. Deterministic
+// but for the times.
 #pragma once
 
 #include <cstdint>

@@ -9,7 +9,8 @@
 namespace fulcrum::lab {
 namespace {
 
-constexpr double budget_mg = 10, worst_budget_mg = 700;  // quality.md: topology alone; a whole step at worst
+// Budgets of docs/QUALITY.md: topology alone; a whole step at worst.
+constexpr double budget_mg = 10, worst_budget_mg = 700;
 
 double share_of_steps(const StrokeTally& tally) {
     return tally.steps > 0 ? 100.0 * tally.roll_backs / tally.steps : 0;

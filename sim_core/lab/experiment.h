@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paper's experiments: scenes run without a window that leave meshes, drawn side by side (`fulcrum lab
-// experiment`). sim_core makes the meshes and curves; whoever draws them needs nothing else.
+// The experiments of Pan et al. 2011: scenes run without a window that leave meshes, drawn side by side
+// (`fulcrum lab experiment`). sim_core makes the meshes and curves; whoever draws them needs nothing else.
 #pragma once
 
 #include <array>
@@ -43,7 +43,7 @@ struct ExperimentChart {
 /// What an experiment leaves.
 struct ExperimentResult {
     std::string id;       ///< file name of the picture, for example "fig03_force_filter"
-    std::string figure;   ///< the paper's figure, for example "Figs. 3 and 5"
+    std::string figure;   ///< the figure of Pan et al. 2011, for example "Figs. 3 and 5"
     std::string caption;  ///< what is seen
     int columns = 3;      ///< panels a row
     std::vector<ExperimentPanel> panels;

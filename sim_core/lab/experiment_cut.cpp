@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paper's pictures of cutting: triangles subdivided along a blade's route (Fig. 13) and a bowel cut while
-// it is bent (Fig. 15).
+// The pictures of cutting of Pan et al. 2011: triangles subdivided along a blade's route (Fig. 13) and a
+// bowel cut while it is bent (Fig. 15).
 #include <algorithm>
 #include <cmath>
 

@@ -79,7 +79,7 @@ void run_filter_experiment(const JsonDocument& file, ExperimentResult& result) {
             tool.colour = {0.45F, 0.48F, 0.52F};
             tool.smooth = false;
             panel.meshes.push_back(tool);
-            // The contact vertex magenta, the others that the filter reaches yellow, as in the paper.
+            // The contact vertex magenta, the others that the filter reaches yellow, as in Pan et al. 2011.
             for (int i = 0; i < filtered.count; ++i) {
                 const std::int32_t v = filtered.vertex[static_cast<std::size_t>(i)];
                 ExperimentMesh mark;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fig. 7: the linear law and EXP2, as the paper draws them (stress over strain) and on two rods under the
-// same pull.
+// Fig. 7: the linear law and EXP2, as Pan et al. 2011 draw them (stress over strain) and on two rods under
+// the same pull.
 #include <algorithm>
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each model at growing sizes (quality.md, Reference workloads): operations, counted by the model itself and
-// so the same on every machine, and the time of a step. `fulcrum lab bench --sweep` prints them; tests hold
-// the counts against the limits.
+// Each model at growing sizes (docs/QUALITY.md, Reference workloads): operations, counted by the model itself
+// and so the same on every machine, and the time of a step. `fulcrum lab bench --sweep` prints them; tests
+// hold the counts against the limits.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Row `skinning` of `fulcrum lab tradeoff` (theory, section 8).
+// Row `skinning` of `fulcrum lab tradeoff` (docs/THEORY.md 8).
 #pragma once
 
 #include "sim_core/lab/tradeoff.h"

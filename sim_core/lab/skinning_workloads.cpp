@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reference workloads skin_20k and skin_50k: the whole display surface from one set of ring frames
-// (quality.md).
+// (docs/QUALITY.md).
 #include <algorithm>
 #include <cmath>
 #include <memory>

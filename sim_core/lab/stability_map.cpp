@@ -215,7 +215,7 @@ std::vector<StabilityMap> haptic_stability_maps() {
     damping.logarithmic = false;
     StabilityCurve stable, passive;
     stable.name = "stability: K (T/2 + t_d) = b + B";
-    stable.formula = "theory, section 6: a device alone, small B T / m";
+    stable.formula = "docs/THEORY.md 6: a device alone, small B T / m";
     passive.name = "passivity: K = 2 (b - |B|) / T";
     passive.formula = "Eq. 8 with Colgate's |B|: sufficient with any passive hand";
     for (double b = 0; b <= 1.0001; b += 0.05) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The haptic rows of `fulcrum lab stability` (theory, section 6): a simulated device at the product's own
+// The haptic rows of `fulcrum lab stability` (docs/THEORY.md 6): a simulated device at the product's own
 // contact.
 //
 // Device: x'' = (f - b x') / m between two ticks, solved exactly; position in encoder steps; force held over

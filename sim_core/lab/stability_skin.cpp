@@ -97,7 +97,8 @@ std::vector<StabilityMap> skin_stability() {
     StabilityCurve promise;
     promise.name = "accuracy promised above";
     promise.formula =
-        "bend radius = 3 tube radii: from here on no fold and a volume within 2 % are promised (quality.md)";
+        "bend radius = 3 tube radii: from here on no fold and a volume within 2 % are promised "
+        "(docs/QUALITY.md)";
     promise.x = {1, 1e6};
     promise.y = {3, 3};
     map.theory = {fold, promise};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `fulcrum lab tradeoff`: what each level of a model costs and how far it is from a stated reference (theory,
-// section 8).
+// `fulcrum lab tradeoff`: what each level of a model costs and how far it is from a stated reference
+// (docs/THEORY.md 8).
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each level of the rod and of its material costs, and how far it is from the reference (theory, section
+// What each level of the rod and of its material costs, and how far it is from the reference (docs/THEORY.md
 // 8).
 #include <algorithm>
 #include <cmath>
@@ -172,7 +172,7 @@ TradeoffStudy material() {
         spec.length = 0.3;
         spec.ends[0] = RodEnd::clamped;
         spec.law = law;
-        // The best line on strains of 0 to 0.20 for EXP2 with 30.0 kPa at rest (theory 1.1).
+        // The best line on strains of 0 to 0.20 for EXP2 with 30.0 kPa at rest (docs/THEORY.md 1.1).
         spec.young_modulus = law == MaterialLaw::linear ? 32.3e3 : 30.0e3;
         return spec;
     };

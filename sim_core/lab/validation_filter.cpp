@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The haptic force filter: sum, power down to the rod, continuity (paper, Eqs. 1-4).
+// The haptic force filter: sum, power down to the rod, continuity (Eqs. 1-4).
 #include <algorithm>
 #include <cmath>
 #include <map>

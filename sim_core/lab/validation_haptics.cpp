@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A simulated device at the product's contact: where it becomes unstable, and that what Eq. 8 allows is
-// passive (theory, section 6).
+// passive (docs/THEORY.md 6).
 #include <string>
 
 #include "sim_core/lab/chart.h"

@@ -66,7 +66,7 @@ void dead_loads(std::vector<ValidationCase>& cases) {
     }
     cases.push_back(absolute_case("rod", "cantilever, qL^3/EI = 10, 32 against 256 segments",
                                   "order of convergence", std::log2(first / last) / 3, 2,
-                                  "second order in segment length (quality.md)", 0.3));
+                                  "second order in segment length (docs/QUALITY.md)", 0.3));
 }
 
 // Inextensible cantilever with a tip force across it (Bisshopp and Drucker 1945): sqrt(P L^2 / EI) = K(k) -

@@ -207,7 +207,7 @@ std::vector<ValidationCase> buckling_validation() {
     cases.push_back(relative_case(
         "rod", "twist of a straight rod clamped at both ends", "critical angle, rad", angle,
         8.9868 * (1 + spec.poisson_ratio),
-        "8.9868 EI / GJ = 8.9868 (1 + nu): twice the first root of tan x = x (quality.md)", 0.005));
+        "8.9868 EI / GJ = 8.9868 (1 + nu): twice the first root of tan x = x (docs/QUALITY.md)", 0.005));
     return cases;
 }
 

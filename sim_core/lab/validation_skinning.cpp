@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surface on its cage: coordinates, rest pose, what a bend shows across rings, volume (theory 1.3
+// The surface on its cage: coordinates, rest pose, what a bend shows across rings, volume (docs/THEORY.md 1.3
 // and 1.4).
 #include <algorithm>
 #include <cmath>
@@ -124,7 +124,7 @@ void across_rings(std::vector<ValidationCase>& cases) {
     cases.push_back(absolute_case("skinning", name, "largest jump, m", jump, 0,
                                   "a surface that does not tear", 1e-9, 1, "m"));
     ValidationCase crease = absolute_case("skinning", name, "turn at a ring over the turn beside it", kink, 1,
-                                          "a smooth surface: at most 1.2 (theory 1.4)", 0.2);
+                                          "a smooth surface: at most 1.2 (docs/THEORY.md 1.4)", 0.2);
     crease.error = std::max(0.0, kink - 1);
     crease.passed = crease.error <= crease.tolerance;
     cases.push_back(crease);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bowel's wall in layers (theory 1.1 and section 4, "beyond"): composite stiffness of the tube for the
+// The bowel's wall in layers (docs/THEORY.md 1.1 and 4, "beyond"): composite stiffness of the tube for the
 // rod, and the non-linear force-depth curve of an instrument pressed into the wall, with a nodule under soft
 // mucosa and a puncture limit.
 //

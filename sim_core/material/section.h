@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a tube's cross-section answers under EXP2 to stretch and bending together (theory 1.1): energy per
-// rest length w(e, k) = integral of W(e + k y) over the wall, by quadrature over 16 angles and Gauss points
-// in the radius squared (48 points of a plain wall, 16 a layer of a layered one), not by a scaled EI.
+// What a tube's cross-section answers under EXP2 to stretch and bending together (docs/THEORY.md 1.1): energy
+// per rest length w(e, k) = integral of W(e + k y) over the wall, by quadrature over 16 angles and Gauss
+// points in the radius squared (48 points of a plain wall, 16 a layer of a layered one), not by a scaled EI.
 //
 // With x = k^2 every term is smooth in x, k = 0 included: two points at +-y give
 //     W(e + k y) + W(e - k y) = E0/a (exp(a (e^2 + x y^2)) cosh(2 a e y k) - 1),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A membrane that a blade may part (theory, sections 3 and 5): nodes, springs and masses that belong to the
+// A membrane that a blade may part (docs/THEORY.md 3 and 5): nodes, springs and masses that belong to the
 // state.
 //
 // Virtual nodes: every piece that a cut leaves of a root triangle keeps a copy of the root's three nodes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A membrane: masses and springs on a triangle mesh (theory, section 3), with three ways to step it.
+// A membrane: masses and springs on a triangle mesh (docs/THEORY.md 3), with three ways to step it.
 //
 // symplectic: v += h a(x, v), x += h v. Stable for h < (2/w)(sqrt(1 + z^2) - z), w the highest frequency, z
 // its

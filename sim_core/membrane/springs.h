@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Springs of a membrane, derived from its triangle mesh (theory, section 3).
+// Springs of a membrane, derived from its triangle mesh (docs/THEORY.md 3).
 //
 // structural: every mesh edge. shear: the two vertices opposite a common edge of two triangles. bend: every
 // vertex with the one two edges further on, where the way there is straight to within 40 degrees at rest. A

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The centre line: an extensible Kirchhoff rod (Pan et al. 2011, Eq. 5; theory 1.1) of n segments.
+// The centre line: an extensible Kirchhoff rod (Pan et al. 2011, Eq. 5; docs/THEORY.md 1.1) of n segments.
 //
 // Unknowns: node positions r_0 .. r_n and one twist angle a segment; the directors d1, d2 of a segment are
 // perpendicular to its tangent d3, carried by parallel transport and turned by the twist angle. Strains at
@@ -121,7 +121,8 @@ struct RodGrasp {
     double residual = 0;                 ///< out: m, distance of the wall point from the target
 };
 
-/// Unilateral contact g = normal . (r(s) - point) - radius >= 0, lambda >= 0, lambda g = 0 (theory 2).
+/// Unilateral contact g = normal . (r(s) - point) - radius >= 0, lambda >= 0, lambda g = 0 (docs/THEORY.md
+/// 2).
 struct RodContact {
     double s = 0;
     Vector3 normal = Vector3::UnitZ();  ///< unit, towards the rod
@@ -157,7 +158,7 @@ struct RodInputs {
     std::vector<RodSelfContact> self_contacts;
 };
 
-/// How far to solve. Defaults: `newton` of theory 8 to the residual of quality.md.
+/// How far to solve. Defaults: `newton` of docs/THEORY.md 8 to the residual of docs/QUALITY.md.
 struct RodSolve {
     enum class Level : std::uint8_t { linearised, newton_k, newton };
     Level level = Level::newton;
@@ -167,7 +168,7 @@ struct RodSolve {
     double constraint_tolerance = 1e-9;  ///< m
 };
 
-/// How badly a step went. The ladder of quality.md: substep and retry, then freeze.
+/// How badly a step went. The ladder of docs/QUALITY.md: substep and retry, then freeze.
 enum class RodFault : std::uint8_t { none = 0, substepped = 1, frozen = 2 };
 
 struct RodReport {

@@ -125,7 +125,7 @@ inline void store_gradient(Lanes x, Lanes y, Lanes z, Lanes angle, double* to) {
     store_lanes(to + 12, angle);
 }
 
-// The natural curvature's part: F and G of theory, from directors of edge a.
+// The natural curvature's part: F and G of docs/THEORY.md 1.1, from directors of edge a.
 struct Natural {
     Vec f, g;            // whole
     Vec fa, ga, fb, gb;  // perpendicular to s, to t

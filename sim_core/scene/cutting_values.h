@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What blades meet in a scene's tissues, as values that a site may set in place of the scene file's own
-// (paper, Eqs. 6 and 7: "set by the surgeon"). A site's values become a scene's text again, so that schema
+// (Eqs. 6 and 7, docs/THEORY.md 5). A site's values become a scene's text again, so that schema
 // and reader check them as they check a file, and a record can carry the scene as it was used. Any thread but
 // the haptic and world threads.
 #pragma once

@@ -17,7 +17,7 @@
 
 namespace fulcrum {
 
-/// When a blade goes into a tissue and on in it (paper, Eqs. 6 and 7). Set by the surgeon.
+/// When a blade goes into a tissue and on in it (Eqs. 6 and 7, docs/THEORY.md 5). Set by the surgeon.
 struct CuttingSpec {
     double penetrate = 0.3;        ///< N, across the tissue, above which a blade breaks through
     double static_friction = 0.1;  ///< N, along it, above which it does so
@@ -176,7 +176,7 @@ struct SheetSpec {
     std::optional<FibreSpec> fibres;  ///< absent: they part by a blade alone
 };
 
-/// One choice for every row of the speed-accuracy table (theory, section 8).
+/// One choice for every row of the speed-accuracy table (docs/THEORY.md 8).
 struct Fidelity {
     std::string id = "standard";
     std::string rod = "newton_k";  ///< linearised | newton_k | newton

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a blade goes into tissue, on in it and out of it, whatever the tissue (paper, Eqs. 6 and 7): what
-// sheets and the bowel's wall have in common. A hand's blade is touching -> in the tissue when its force
+// How a blade goes into tissue, on in it and out of it, whatever the tissue (Eqs. 6 and 7, docs/THEORY.md 5):
+// what sheets and the bowel's wall have in common. A hand's blade is touching -> in the tissue when its force
 // across the surface is above `penetrate` and that along it above `static_friction` while its button is held
 // -> advances while the force along it is above `dynamic_friction` -> out when it leaves the tissue or the
 // button opens; then it does not touch again until it has come clear.

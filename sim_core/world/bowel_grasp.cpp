@@ -66,8 +66,8 @@ void BowelPart::begin_grasp(int hand, const ToolAction& action) noexcept {
     spread_pull(grasp, action);
 }
 
-// Shares of a pull at the grasp (paper, Fig. 5): two rings around the vertex, skinned where they are read; of
-// what blades left.
+// Shares of a pull at the grasp (Pan et al. 2011, Fig. 5): two rings around the vertex, skinned where they
+// are read; of what blades left.
 void BowelPart::spread_pull(HandGrasp& grasp, const ToolAction& action) noexcept {
     const std::int32_t nearest = grasp.vertex;
     const MeshAdjacency& adjacency = skin_->adjacency();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bowel as a part of the world: rod, spheres, cage and surface, what holds it, what presses it (theory,
-// sections 1 to 4). World thread. Nothing allocates after construction.
+// The bowel as a part of the world: rod, spheres, cage and surface, what holds it, what presses it
+// (docs/THEORY.md 1 to 4). World thread. Nothing allocates after construction.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A membrane between the bowel's wall and the wall of the cavity as a part of the world (theory, section 3).
+// A membrane between the bowel's wall and the wall of the cavity as a part of the world (docs/THEORY.md 3).
 // World thread. Nothing allocates after construction.
 //
 // Two-way with the rod: one edge of the sheet hangs on wall points r(s) + R(s) X of the rod, as tethers do.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sheet that is held and divided, as a part of the world (theory, sections 3 to 6; paper, Eqs. 6 and 7).
+// A sheet that is held and divided, as a part of the world (docs/THEORY.md 3 to 6; Eqs. 6 and 7).
 // World thread. Nothing allocates after construction.
 //
 // The sheet is one cuttable surface (CutMesh: what is visible, which fragments of each root hang together)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What recording costs: two hands and a camera at 1 kHz, every channel, through codec and store. Budget
-// (quality.md): under 1 % of a core and under 10 MiB for 10 minutes. The hands move as hands do: reaches, and
-// 8 to 12 Hz tremor of 30 um RMS on every axis.
+// (docs/QUALITY.md): under 1 % of a core and under 10 MiB for 10 minutes. The hands move as hands do:
+// reaches, and 8 to 12 Hz tremor of 30 um RMS on every axis.
 #include <benchmark/benchmark.h>
 
 #include <QCoreApplication>

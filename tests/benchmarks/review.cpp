@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What reviewers wait for (quality.md): a cohort report of 200 trainees as PDF (5 s), the first chart of an
-// hour's trace (1 s), a pan or zoom of it (16 ms). Runs without a display. Prints the figures, or writes
+// What reviewers wait for (docs/QUALITY.md): a cohort report of 200 trainees as PDF (5 s), the first chart of
+// an hour's trace (1 s), a pan or zoom of it (16 ms). Runs without a display. Prints the figures, or writes
 // their page into a folder as well.   usage: benchmark_review [FOLDER]
 #include <benchmark/benchmark.h>
 

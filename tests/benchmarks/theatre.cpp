@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the theatre's picture costs, task by task. Budget (quality.md): 33 ms a frame at 1280 x 720 in
+// What the theatre's picture costs, task by task. Budget (docs/QUALITY.md): 33 ms a frame at 1280 x 720 in
 // software, of it at most 20 ms drawing, while tick and world run on the same cores. Needs a display with
 // OpenGL (xvfb-run). With a folder, the page is written into it as well.   usage: benchmark_theatre [FOLDER]
 //

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What platform.md says of roles, operations and scopes, written down once more for the tests: store, window
-// and command line are each held against it.
+// What the table of roles in docs/MANUAL.md says of roles, operations and scopes, written down once more for
+// the tests: store, window and command line are each held against it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ struct Expected {
                          ///< synthetic, - none
 };
 
-// Written from platform.md, not from the code.
+// Written from that table, not from the code.
 inline const Expected expected_table[] = {
     {Operation::read_sign_in_list, "ppppp"},
     {Operation::list_people, "ocpps"},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every command that reads or writes people's data, as every role, on every kind of person: allowed or
-// refused as platform.md says, scope included.   The commands run in this process by the call that main()
+// refused as docs/MANUAL.md says, scope included.   The commands run in this process by the call that main()
 // makes.
 #include <gtest/gtest.h>
 

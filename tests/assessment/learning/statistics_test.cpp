@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The worked examples of the metrics specification, and order statistics against exact binomials.
+// The worked examples of docs/METRICS.md, and order statistics against exact binomials.
 #include "assessment/learning/statistics.h"
 
 #include <gtest/gtest.h>

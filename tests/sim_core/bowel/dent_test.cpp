@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dents: a spike and two broad hollows, their stiffness, relaxation, work and capacity (theory, section 4;
+// Dents: a spike and two broad hollows, their stiffness, relaxation, work and capacity (docs/THEORY.md 4;
 // Figs. 3, 5).
 #include <gtest/gtest.h>
 

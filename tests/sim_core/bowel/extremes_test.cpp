@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The extremes of quality.md for the surface on its cage and its dents, generated: slivers of aspect 1e6,
-// tubes of a millimetre and of metres, rings on one spot, thrown apart or wound ten turns, forces of a
+// The extremes of docs/QUALITY.md for the surface on its cage and its dents, generated: slivers of aspect
+// 1e6, tubes of a millimetre and of metres, rings on one spot, thrown apart or wound ten turns, forces of a
 // kilonewton. Nothing that is not finite leaves, rigid motion stays rigid, power is kept, what is no tube is
 // refused.
 #include <gtest/gtest.h>

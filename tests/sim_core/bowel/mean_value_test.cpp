@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mean value coordinates: partition of unity, linear reproduction, the hard places (theory 1.4).
+// Mean value coordinates: partition of unity, linear reproduction, the hard places (docs/THEORY.md 1.4).
 #include <gtest/gtest.h>
 
 #include <algorithm>

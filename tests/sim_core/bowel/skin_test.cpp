@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bowel's surface on its cage (theory 1.3, 1.4). Its accuracy rows are cases of sim_core/lab, asserted in
-// tests/sim_core/lab.
+// The bowel's surface on its cage (docs/THEORY.md 1.3, 1.4). Its accuracy rows are cases of sim_core/lab,
+// asserted in tests/sim_core/lab.
 #include <gtest/gtest.h>
 
 #include <algorithm>

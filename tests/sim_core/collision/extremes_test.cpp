@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The extremes of quality.md for collision, generated: walls without area, slivers, coincident spheres, a
-// chain thrown by a metre, centres that are no number. Nothing that is not finite leaves a query, what is
+// The extremes of docs/QUALITY.md for collision, generated: walls without area, slivers, coincident spheres,
+// a chain thrown by a metre, centres that are no number. Nothing that is not finite leaves a query, what is
 // reported is what brute force finds (of walls with two sides), an overflow is declared, and the lists'
 // history changes nothing.
 #include <gtest/gtest.h>

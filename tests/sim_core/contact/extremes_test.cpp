@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The extremes of quality.md for tool contact, generated: tools of no thickness, tools moved by a metre in a
-// tick, poses that are no number, rings on one spot, stiffness of 1 N/m to 1 GN/m, models that are old.
+// The extremes of docs/QUALITY.md for tool contact, generated: tools of no thickness, tools moved by a metre
+// in a tick, poses that are no number, rings on one spot, stiffness of 1 N/m to 1 GN/m, models that are old.
 // Nothing that is not finite leaves a tick, the surface never pulls, its force is what spring, damper and
 // friction can give, and the same ticks give the same bits.
 #include <gtest/gtest.h>

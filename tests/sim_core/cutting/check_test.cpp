@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each invariant of theory, section 5, broken on purpose: the check from scratch names it, and the check
+// Each invariant of docs/THEORY.md 5, broken on purpose: the check from scratch names it, and the check
 // before a commit would not have let it pass.
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The extremes of quality.md for cuts: whatever the mesh and the blade, every invariant holds after each step
-// and what could not be done is said. FULCRUM_CASES=N runs N / 200 meshes of each case of the stress list.
+// The extremes of docs/QUALITY.md for cuts: whatever the mesh and the blade, every invariant holds after each
+// step and what could not be done is said. FULCRUM_CASES=N runs N / 200 meshes of each case of the stress
+// list.
 #include <gtest/gtest.h>
 
 #include "sim_core/lab/cut_strokes.h"

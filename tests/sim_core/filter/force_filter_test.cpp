@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The force filter: Eqs. 1-4 of the paper, patches, nothing allocated. Sum and continuity are cases of
+// The force filter: Eqs. 1-4, patches, nothing allocated. Sum and continuity are cases of
 // sim_core/lab, asserted in tests/sim_core/lab.
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paper's experiments as `fulcrum lab experiment` runs them.
+// The experiments of Pan et al. 2011 as `fulcrum lab experiment` runs them.
 #include <gtest/gtest.h>
 
 #include <algorithm>

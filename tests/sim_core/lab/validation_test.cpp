@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The accuracy rows of quality.md: the same cases that `fulcrum lab validate` prints, each within its
+// The accuracy rows of docs/QUALITY.md: the same cases that `fulcrum lab validate` prints, each within its
 // tolerance.
 #include <gtest/gtest.h>
 

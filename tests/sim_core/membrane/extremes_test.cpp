@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The extremes of quality.md for membranes: whatever goes in, nothing non-finite comes out, and what could
-// not be done is said. A part of the cases runs with the suite; FULCRUM_CASES=N runs N of them (2,500
+// The extremes of docs/QUALITY.md for membranes: whatever goes in, nothing non-finite comes out, and what
+// could not be done is said. A part of the cases runs with the suite; FULCRUM_CASES=N runs N of them (2,500
 // in about a minute).
 #include <gtest/gtest.h>
 

@@ -116,7 +116,7 @@ TEST_P(HeldByJaws, BadHoldsAreRefused) {
     }
 }
 
-// Theory, section 6: what is removed takes its energy with it and none is made, while the matrix follows one
+// docs/THEORY.md 6: what is removed takes its energy with it and none is made, while the matrix follows one
 // edge at a time and lags behind a cut that is larger than one step takes in.
 TEST_P(HeldByJaws, CuttingEveryTriangleAwayMakesNoEnergy) {
     for (const double pre_strain : {0.0, 0.1}) {

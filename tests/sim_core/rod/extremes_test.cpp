@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The extremes of quality.md, generated: nothing that is not finite leaves a step, and where the rod gives up
-// it says so. FULCRUM_CASES sets their number (default 60; the full run is 2500).
+// The extremes of docs/QUALITY.md, generated: nothing that is not finite leaves a step, and where the rod
+// gives up it says so. FULCRUM_CASES sets their number (default 60; the full run is 2500).
 #include <gtest/gtest.h>
 
 #include <cmath>

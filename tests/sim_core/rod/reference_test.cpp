@@ -231,7 +231,7 @@ TEST(RodReference, AHeldRotationIsAConstraintAndItsMomentTheReaction) {
     }
 }
 
-// theory 8: what each level leaves out, against the elastica; cost in linear systems.
+// docs/THEORY.md 8: what each level leaves out, against the elastica; cost in linear systems.
 TEST(RodReference, EachLevelHasItsErrorAndTheNextIsBetter) {
     RodSpec spec = solid(96, 0.4, 0.015);
     spec.ends[0] = RodEnd::clamped;

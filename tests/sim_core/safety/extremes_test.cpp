@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The extremes of quality.md for the haptic loop, generated: devices at the ends of their counts, jumps of a
-// metre, pauses, losses and faults at random, ten turns of the roll, models that come late or not at all,
-// while the world steps under it. What goes to a hand is finite, within the limit, and slewed on a loss; the
-// world stays finite, a step that gave up says so, and the same inputs give the same bits.
+// The extremes of docs/QUALITY.md for the haptic loop, generated: devices at the ends of their counts, jumps
+// of a metre, pauses, losses and faults at random, ten turns of the roll, models that come late or not at
+// all, while the world steps under it. What goes to a hand is finite, within the limit, and slewed on a loss;
+// the world stays finite, a step that gave up says so, and the same inputs give the same bits.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -14,7 +14,7 @@ class Grades : public testing::TestWithParam<FilterMode> {};
 
 TEST_P(Grades, TheDeviceAloneBecomesUnstableWhereTheoryComputed) {
     lab::DeviceAtContact contact(GetParam());
-    // Computed from the sampled loop's characteristic polynomial (theory, section 6).
+    // Computed from the sampled loop's characteristic polynomial (docs/THEORY.md 6).
     const double computed[] = {1001, 1796, 2976};
     int i = 0;
     for (const double damping : {0.0, 0.4, 1.0}) {

@@ -341,7 +341,7 @@ TEST(SeptaWorld, ASaveInTheMiddleOfADissectionRestores) {
     }
 }
 
-// metrics.md, energy_safe: an activation in the mesorectum is not on the tissue that is to be divided,
+// docs/METRICS.md, energy_safe: an activation in the mesorectum is not on the tissue that is to be divided,
 // whether the blade came there at once or was drawn out of the plane.
 TEST(SeptaEnergy, PowerOnTheFatOfTheMesorectumIsNotOnTarget) {
     test::SeptaRig rig;

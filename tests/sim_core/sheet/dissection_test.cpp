@@ -118,7 +118,7 @@ TEST(SheetWorld, WithoutForceOrButtonOrBladeItIsNotCut) {
     }
 }
 
-// Theory, section 6: at a swap the energy that the sheet stores does not grow, and nothing moves.
+// docs/THEORY.md 6: at a swap the energy that the sheet stores does not grow, and nothing moves.
 TEST(SheetWorld, NoSwapRaisesTheEnergyOrMovesWhatIsThere) {
     test::SheetRig rig;
     rig.hold_flap(0.01, Vector3(0, 0.006, 0.010));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures held against the sentences of product.md's Look that a number can test. Needs a display with
+// Pictures held against the sentences of docs/QUALITY.md, Look, that a number can test. Needs a display with
 // OpenGL.
 #include "ui/theatre/renderer/scene_renderer.h"
 
