@@ -9,7 +9,7 @@
 
 #include "app/assets.h"
 #include "sim_core/haptics/loop.h"
-#include "sim_core/world/anatomy_binding.h"
+#include "sim_core/world/parts/bowel/anatomy_binding.h"
 #include "sim_core/world/world.h"
 
 namespace fulcrum::app {

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "sim_core/lab/bench.h"
-#include "sim_core/world/sheet_part.h"
+#include "sim_core/world/parts/sheet/sheet_part.h"
 
 namespace fulcrum::lab {
 namespace {

@@ -7,7 +7,7 @@
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/rigid/targets.h"
 #include "sim_core/scene/perforation.h"
-#include "sim_core/world/anatomy_binding.h"
+#include "sim_core/world/parts/bowel/anatomy_binding.h"
 #include "sim_core/world/stopwatch.h"
 
 namespace fulcrum {

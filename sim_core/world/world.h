@@ -16,11 +16,11 @@
 #include "sim_core/instrument/instrument.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/telemetry/sample.h"
-#include "sim_core/world/bands_part.h"
-#include "sim_core/world/bowel_part.h"
-#include "sim_core/world/sheet_part.h"
+#include "sim_core/world/parts/bands/bands_part.h"
+#include "sim_core/world/parts/bowel/bowel_part.h"
+#include "sim_core/world/parts/sheet/sheet_part.h"
+#include "sim_core/world/parts/structures/structures_part.h"
 #include "sim_core/world/snapshot.h"
-#include "sim_core/world/structures_part.h"
 
 namespace fulcrum {
 

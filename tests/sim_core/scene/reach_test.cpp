@@ -6,7 +6,7 @@
 #include "sim_core/instrument/instrument.h"
 #include "sim_core/numerics/functions.h"
 #include "sim_core/scene/scene.h"
-#include "sim_core/world/anatomy_binding.h"
+#include "sim_core/world/parts/bowel/anatomy_binding.h"
 #include "tests/support/support.h"
 
 namespace fulcrum {

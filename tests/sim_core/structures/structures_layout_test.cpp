@@ -9,7 +9,7 @@
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/scene/json_document.h"
 #include "sim_core/scene/scene.h"
-#include "sim_core/world/structures_layout.h"
+#include "sim_core/world/parts/structures/structures_layout.h"
 #include "tests/support/support.h"
 
 namespace fulcrum {

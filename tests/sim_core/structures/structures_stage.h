@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "sim_core/world/sheet_part.h"
-#include "sim_core/world/structures_part.h"
+#include "sim_core/world/parts/sheet/sheet_part.h"
+#include "sim_core/world/parts/structures/structures_part.h"
 #include "tests/support/support.h"
 
 namespace fulcrum::test {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "sim_core/world/bowel_part.h"
+#include "sim_core/world/parts/bowel/bowel_part.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/cavity.h"
 #include "tests/support/support.h"

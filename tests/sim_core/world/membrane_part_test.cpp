@@ -7,7 +7,7 @@
 #include "sim_core/haptics/loop.h"
 #include "sim_core/lab/membrane_reference.h"
 #include "sim_core/numerics/input_error.h"
-#include "sim_core/world/anatomy_binding.h"
+#include "sim_core/world/parts/bowel/anatomy_binding.h"
 #include "sim_core/world/world.h"
 #include "tests/support/support.h"
 

@@ -6,7 +6,7 @@
 #include <QColor>
 #include <QImage>
 
-#include "sim_core/world/anatomy_binding.h"
+#include "sim_core/world/parts/bowel/anatomy_binding.h"
 #include "sim_core/world/world.h"
 #include "ui/theatre/renderer/offscreen.h"
 

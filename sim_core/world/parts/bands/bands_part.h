@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bands, vessels, nerve and the instruments that divide, stop and suck, as a part of the world (task B3).
+// World thread. Nothing allocates after construction.
+//
+// A step: instruments (exchange, jaws, pedal), strands, tearing, heat, parting and sealing, bleeding, the
+// pool, smoke, what is seen.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "sim_core/contact/local_model.h"
+#include "sim_core/haptics/tick_output.h"
+#include "sim_core/scene/scene.h"
+#include "sim_core/strand/strand.h"
+#include "sim_core/world/bands_view.h"
+#include "sim_core/world/parts/bands/bands_layout.h"
+#include "sim_core/world/parts/field/operative_field.h"
+#include "sim_core/world/snapshot.h"
+#include "sim_core/world/state_hash.h"
+
+namespace fulcrum {
+
+class BandsPart {
+  public:
+    /// The scene lists bands.
+    BandsPart(const Scene& scene, std::uint64_t seed);
+
+    /// One step of dt over the outputs of `count` ticks (at least one), oldest first. Returns
+    /// StepRecord::outcome.
+    std::uint32_t step(const TickOutput* outputs, std::size_t count, double dt) noexcept;
+    /// What a hand holds for the tick, and whether its pedal gives energy.
+    void fill_local_model(Hand hand, LocalModel& model) const noexcept;
+    void size_snapshot(WorldSnapshot& snapshot) const;
+    void fill_snapshot(WorldSnapshot& snapshot) const noexcept;
+    void hash(StateHash& hash) const noexcept;
+    std::size_t bytes() const;
+
+    const BandsLayout& layout() const { return layout_; }
+    const OperativeField& field() const { return field_; }
+    const StrandState& strand(std::size_t band) const { return strands_[band]; }
+
+  private:
+    /// What a hand's jaws hold, and which band its power reaches.
+    struct Grip {
+        std::int32_t band = -1, touched = -1;
+        StrandHold hold;
+        Vector3 correction = Vector3::Zero(), target_velocity = Vector3::Zero(),
+                hold_offset = Vector3::Zero();
+        double slip_time = 0;  ///< s
+        bool slipped = false;
+    };
+
+    void step_tool(int number, const TickOutput* outputs, std::size_t count, double dt) noexcept;
+    void step_jaws(int number, const ToolKinematics& tool, double dt) noexcept;
+    void fire_clip(int number, const ToolKinematics& tool) noexcept;
+    void apply_energy(int number, const ToolKinematics& tool, double duty) noexcept;
+    void touch_with_blade(int number, const ToolKinematics& tool) noexcept;
+    void step_strands(double dt) noexcept;
+    void part_heated(double dt) noexcept;
+    void part(std::size_t band, int segment, bool torn) noexcept;
+    /// Where outlets are and which tissue is around them: their bands move and part.
+    void place_outlets() noexcept;
+    std::size_t segment_patch(std::size_t band, int segment) const {
+        return band * static_cast<std::size_t>(strand_segments) + static_cast<std::size_t>(segment);
+    }
+    std::size_t outlet_band(std::size_t outlet) const {
+        return static_cast<std::size_t>(layout_.vessel_bands[outlet / 2]);
+    }
+    static bool is_trunk(std::size_t outlet) { return outlet % 2 == 0; }
+
+    BandsSpec spec_;
+    BandsLayout layout_;
+    StrandModel strand_model_;
+    BandPatches patches_;
+    OperativeField field_;  ///< outlets: 2 v trunk, 2 v + 1 branch of vessel v
+    TissueSpec tissue_;
+    std::int16_t tissue_index_ = -1;
+
+    std::vector<StrandState> strands_;
+    std::vector<double> overload_time_;     ///< s, by band
+    std::vector<std::uint8_t> torn_;        ///< by band
+    std::vector<std::int32_t> clip_nodes_;  ///< by band, -1 none
+    std::vector<double> progress_;          ///< of parting, by segment patch
+    std::vector<double> sealed_;            ///< of a vessel there, by segment patch
+    std::vector<double> parted_tension_;    ///< N, by band
+    std::vector<std::int32_t> parted_at_;   ///< first parted segment by band, -1 none
+    std::array<Grip, hand_count> grips_;
+};
+
+}  // namespace fulcrum

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// Instruments on bands: closed on one, activated on it, a clip around it.
+#include <algorithm>
+#include <cmath>
+
+#include "sim_core/world/jaw_rules.h"
+#include "sim_core/world/parts/bands/bands_part.h"
+
+namespace fulcrum {
+
+using namespace jaw_rules;
+
+void BandsPart::step_tool(int number, const TickOutput* outputs, std::size_t count, double dt) noexcept {
+    FieldHand& hand = field_.hand(number);
+    Grip& grip = grips_[static_cast<std::size_t>(number)];
+    const ToolKinematics& tool = outputs[count - 1].contact[number].tool;
+    field_.exchange(number, outputs, count, grip.band >= 0, dt);
+    field_.clear(hand);
+    grip.touched = -1;
+    if (!tool.present || !tool.tip.allFinite()) {
+        hand.cutting = false;
+        return;
+    }
+    step_jaws(number, tool, dt);
+    const double pedal = OperativeField::pedal(number, outputs, count);
+    field_.divide_nerves(number, tool, pedal > 0);
+    if (!tool.inside || !hand.usable()) return;
+    if (gives_energy(hand.kind())) {
+        field_.measure_nerves(hand, tool);
+        touch_with_blade(number, tool);
+        if (pedal > 0) apply_energy(number, tool, pedal);
+    } else if (hand.kind() == ToolKind::suction && pedal > 0) {
+        hand.active = true;
+        field_.suck(tool, dt);
+    }
+}
+
+void BandsPart::step_jaws(int number, const ToolKinematics& tool, double dt) noexcept {
+    FieldHand& hand = field_.hand(number);
+    Grip& grip = grips_[static_cast<std::size_t>(number)];
+    const ToolKind kind = hand.kind();
+    const bool holds = kind == ToolKind::grasper || kind == ToolKind::harmonic;
+    double opening = 0;
+    const bool closed = field_.jaws_closed(hand, tool, opening);
+    if (grip.band >= 0) {
+        const StrandState& strand = strands_[static_cast<std::size_t>(grip.band)];
+        const double capacity = 2.0 * tissue_.friction * tool.grip;
+        grip.slip_time = hold_force(grip.hold, strand).norm() > capacity ? grip.slip_time + dt : 0.0;
+        grip.slipped = grip.slip_time > slip_delay;
+        if (opening > jaw_rules::open_share || tool.grip <= 0.5 * least_grip || grip.slipped ||
+            !tool.inside) {
+            grip.band = -1;
+            grip.hold.node = -1;
+        }
+    } else if (closed && (holds || kind == ToolKind::clip_applier)) {
+        hand.ready = false;
+        if (kind == ToolKind::clip_applier) {
+            fire_clip(number, tool);
+            return;
+        }
+        const Vector3 jaws = tool.tip - 0.5 * hand.instrument->jaw_length * tool.axis;
+        double least = grasp_reach;
+        for (std::size_t b = 0; b < strands_.size(); ++b) {
+            double distance = 0;
+            const int node = nearest_node(strands_[b], jaws, distance);
+            if (node < 0 || !(distance < least)) continue;
+            least = distance;
+            grip.band = static_cast<std::int32_t>(b);
+            grip.hold.node = std::clamp(node, 1, strand_nodes - 2);
+        }
+        if (grip.band < 0) return;
+        const Vector3 point =
+            strands_[static_cast<std::size_t>(grip.band)].position[static_cast<std::size_t>(grip.hold.node)];
+        grip.hold.target = point;
+        grip.hold.stiffness = pinch_share * tissue_.stiffness;
+        grip.correction = point - jaws;
+        grip.target_velocity.setZero();
+        grip.hold_offset = Vector3(0, 0, -0.5 * hand.instrument->jaw_length);
+        grip.slip_time = 0;
+        grip.slipped = false;
+    }
+    if (grip.band < 0) return;
+    grip.correction *= std::max(0.0, 1.0 - dt / correction_time);
+    Vector3 motion = tool.tip + tool.rotation * grip.hold_offset + grip.correction - grip.hold.target;
+    const double longest = fastest_hold * dt;
+    if (motion.norm() > longest) motion *= longest / motion.norm();
+    grip.hold.target += motion;
+    grip.target_velocity = motion / dt;
+}
+
+void BandsPart::fire_clip(int number, const ToolKinematics& tool) noexcept {
+    FieldHand& hand = field_.hand(number);
+    double least = 0;
+    if (!field_.clips_left() || field_.fire_clip(hand, tool, least)) return;
+    for (std::size_t b = 0; b < strands_.size(); ++b) {
+        double distance = 0;
+        const int node =
+            nearest_node(strands_[b], tool.tip - 0.5 * hand.instrument->jaw_length * tool.axis, distance);
+        if (node < 0 || !(distance < least)) continue;
+        least = distance;
+        clip_nodes_[b] = node;
+    }
+    hand.last_clip_distance = least;
+}
+
+void BandsPart::apply_energy(int number, const ToolKinematics& tool, double duty) noexcept {
+    FieldHand& hand = field_.hand(number);
+    Grip& grip = grips_[static_cast<std::size_t>(number)];
+    hand.active = true;
+    const EnergyToolModel& model = field_.tool_model(hand);
+    const double power = model.tissue_power * duty;
+    if (grip.band >= 0) {
+        // What the jaws hold: the two segments at the held node that are whole.
+        const auto b = static_cast<std::size_t>(grip.band);
+        const int node = grip.hold.node;
+        int whole = 0;
+        for (const int s : {node - 1, node}) whole += strands_[b].is_parted(s) ? 0 : 1;
+        for (const int s : {node - 1, node}) {
+            if (whole > 0 && !strands_[b].is_parted(s)) field_.heat_patch(segment_patch(b, s), power / whole);
+        }
+        hand.target = EnergyTarget::band;
+        grip.touched = whole > 0 ? grip.band : -1;
+    } else {
+        EnergyReach reach = field_.reach_outlets(hand, tool);
+        for (std::size_t b = 0; b < strands_.size() && !model.needs_jaws; ++b) {
+            double distance = 0;
+            const int node = nearest_node(strands_[b], tool.tip, distance);
+            if (node < 0) continue;
+            const int s = strands_[b].is_parted(std::min(node, strand_segments - 1))
+                              ? node - 1
+                              : std::min(node, strand_segments - 1);
+            if (s >= 0)
+                reach.take(distance - hand.instrument->tip_radius, segment_patch(b, s), EnergyTarget::band,
+                           static_cast<std::int32_t>(b));
+        }
+        field_.reach_nerves_and_bed(hand, tool, reach);
+        field_.give(hand, reach, power);
+        grip.touched = reach.item;
+    }
+    field_.spread(hand, tool, duty);
+}
+
+void BandsPart::touch_with_blade(int number, const ToolKinematics& tool) noexcept {
+    FieldHand& hand = field_.hand(number);
+    const Grip& grip = grips_[static_cast<std::size_t>(number)];
+    if (grip.band >= 0) {
+        for (const int s : {grip.hold.node - 1, grip.hold.node})
+            field_.touch(hand, segment_patch(static_cast<std::size_t>(grip.band), s));
+    }
+    field_.touch_nerves_and_bed(hand, tool);
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_core/world/parts/bowel/anatomy_binding.h"
+
+#include "sim_core/numerics/input_error.h"
+
+namespace fulcrum {
+
+PelvisParameters pelvis_parameters(const CavitySpec& spec) {
+    PelvisParameters pelvis;
+    pelvis.width = spec.pelvis_width;
+    pelvis.depth = spec.pelvis_depth;
+    pelvis.seed = spec.seed;
+    return pelvis;
+}
+
+BowelParameters bowel_parameters(const BowelSpec& spec) {
+    BowelParameters bowel;
+    bowel.length = spec.length;
+    bowel.radius = spec.outer_radius;
+    bowel.vertices = spec.surface_vertices;
+    bowel.seed = spec.seed;
+    return bowel;
+}
+
+TriangleMesh cavity_mesh(const CavitySpec& spec) {
+    return make_cavity(pelvis_parameters(spec)).mesh;
+}
+
+namespace {
+
+// Held along the bowel (first column) and along the root (last column).
+MembraneSheet mesentery_sheet(const MesenteryShape& shape) {
+    MembraneSheet sheet;
+    sheet.mesh = shape.mesh;
+    for (int row = 0; row < shape.rows; ++row) {
+        sheet.bowel_vertices.push_back(row * shape.columns);
+        sheet.bowel_arc_lengths.push_back(
+            shape.vertices[static_cast<std::size_t>(row * shape.columns)].arc_length);
+        sheet.wall_vertices.push_back((row + 1) * shape.columns - 1);
+    }
+    return sheet;
+}
+
+}  // namespace
+
+RectumParameters rectum_parameters(const Scene& scene) {
+    RectumParameters rectum;
+    const PresacralSpec& presacral = *scene.presacral;
+    rectum.curve = {presacral.centre, presacral.curve_radius, presacral.caudal_angle,
+                    scene.bowel->outer_radius, presacral.gap};
+    rectum.length = scene.bowel->length;
+    rectum.promontory = rectum.curve.arc_length(presacral.promontory_angle);
+    rectum.vertices = scene.bowel->surface_vertices;
+    rectum.unevenness = presacral.unevenness;
+    rectum.seed = presacral.seed;
+    return rectum;
+}
+
+namespace {
+
+// Three ties at the cranial end, as an assistant holds it: to either side and in front, and back to the
+// promontory.
+std::vector<RodTether> cranial_holds(const PresacralSpec& presacral, const SacralCurve& curve,
+                                     double length) {
+    constexpr double tie = 0.05, taut = 0.96;  // m long; at rest drawn by this share
+    const Vector3 front = -curve.posterior(length), cranial = curve.cranial(length), left = Vector3::UnitX();
+    std::vector<RodTether> holds;
+    for (const Vector3& way : {Vector3(cranial + front + 1.5 * left), Vector3(cranial + front - 1.5 * left),
+                               Vector3(cranial - front)}) {
+        RodTether hold;
+        hold.s = length;
+        hold.anchor = curve.centre_line(length) + tie * way.normalized();
+        hold.stiffness = presacral.hold_stiffness;
+        hold.rest_length = taut * tie;
+        hold.damping = 0.02 * presacral.hold_stiffness;
+        holds.push_back(hold);
+    }
+    return holds;
+}
+
+}  // namespace
+
+BowelAnatomy bowel_anatomy(const Scene& scene) {
+    if (scene.bowel && scene.bowel->layout == "rectum" && scene.presacral) {
+        const RectumParameters parameters = rectum_parameters(scene);
+        BowelShape shape = make_rectum(parameters);
+        BowelAnatomy anatomy;
+        anatomy.surface = std::move(shape.surface);
+        anatomy.length = shape.length;
+        anatomy.radius = std::move(shape.radius);
+        anatomy.centre_line = std::move(shape.centre_line);
+        anatomy.cranial_holds = cranial_holds(*scene.presacral, parameters.curve, shape.length);
+        return anatomy;
+    }
+    if (!scene.bowel || !scene.cavity)
+        throw InputError(scene.id, "/bowel", "needs a cavity to lie in", "add a cavity to the scene");
+    BowelShape shape = make_bowel(bowel_parameters(*scene.bowel), pelvis_parameters(*scene.cavity));
+    BowelAnatomy anatomy;
+    anatomy.surface = std::move(shape.surface);
+    anatomy.length = shape.length;
+    anatomy.radius = std::move(shape.radius);
+    anatomy.centre_line = std::move(shape.centre_line);
+    if (!scene.membranes.empty()) {
+        const CavityShape cavity = make_cavity(pelvis_parameters(*scene.cavity));
+        BowelShape whole = make_bowel(bowel_parameters(*scene.bowel), cavity);
+        for (const MembraneSpec& spec : scene.membranes)
+            anatomy.membranes.push_back(
+                mesentery_sheet(make_mesentery(whole, cavity, spec.first, spec.last)));
+    }
+    anatomy.root_line = std::move(shape.root_line);
+    return anatomy;
+}
+
+}  // namespace fulcrum

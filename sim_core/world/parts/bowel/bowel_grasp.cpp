@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: Apache-2.0
+// Jaws on the bowel: taking hold, holding by a constraint on a wall point, slipping, letting go.
+#include <algorithm>
+#include <cmath>
+
+#include "sim_core/contact/jaws.h"
+#include "sim_core/contact/series_stiffness.h"
+#include "sim_core/world/jaw_rules.h"
+#include "sim_core/world/parts/bowel/bowel_part.h"
+
+namespace fulcrum {
+using namespace jaw_rules;
+
+// The wall's vertex within the root of `least`, m2, which is lowered to its squared distance; -1: none.
+std::int32_t BowelPart::nearest_to(const Vector3& jaws, double& least) const noexcept {
+    // Sphere -> its rings -> their vertices: only what can be within reach is skinned.
+    std::int32_t nearest = -1;
+    for (int r = 0; r + skin_rings <= skin_->rings(); ++r) {
+        const auto first = static_cast<std::size_t>(skin_->by_ring_offsets()[static_cast<std::size_t>(r)]);
+        const auto last = static_cast<std::size_t>(skin_->by_ring_offsets()[static_cast<std::size_t>(r) + 1]);
+        if (first == last || (ring_frames_[static_cast<std::size_t>(r) + 1].position - jaws).norm() > 0.05)
+            continue;
+        for (std::size_t k = first; k < last; ++k) {
+            const std::int32_t vertex = skin_->by_ring()[k];
+            const double distance =
+                (skin_vertex(skin_->rows()[static_cast<std::size_t>(vertex)], ring_frames_) - jaws)
+                    .squaredNorm();
+            if (distance < least && (!cut_ || cut_->vertex_share(vertex) > 0)) {
+                least = distance;
+                nearest = vertex;
+            }
+        }
+    }
+    return nearest;
+}
+
+double BowelPart::distance_to_jaws(const ToolAction& action) const noexcept {
+    double least = grasp_reach * grasp_reach;
+    nearest_to(action.tool.tip - 0.5 * action.instrument->jaw_length * action.tool.axis, least);
+    return std::sqrt(least);
+}
+
+void BowelPart::begin_grasp(int hand, const ToolAction& action) noexcept {
+    const Vector3 jaws = action.tool.tip - 0.5 * action.instrument->jaw_length * action.tool.axis;
+    double least = grasp_reach * grasp_reach;
+    const std::int32_t nearest = nearest_to(jaws, least);
+    if (begin_sheet_grasp(hand, action, jaws, least) || nearest < 0) return;
+    HandGrasp& grasp = grasps_[hand];
+    const Vector3 point = skin_vertex(skin_->rows()[static_cast<std::size_t>(nearest)], ring_frames_);
+    grasp.state.held = true;
+    grasp.state.slipped = false;
+    grasp.state.arc_length =
+        std::clamp(skin_->rest().vertices[static_cast<std::size_t>(nearest)].x(), 0.0, rod_->length());
+    grasp.state.offset = rod_->wall_offset(state_, grasp.state.arc_length, point);
+    grasp.state.point = point;
+    grasp.state.reaction.setZero();
+    grasp.state.patch = patches_->tissue_patches()[static_cast<std::size_t>(nearest)];
+    grasp.correction = point - jaws;
+    grasp.target = point;
+    grasp.velocity.setZero();
+    grasp.hold_offset = Vector3(0, 0, -0.5 * action.instrument->jaw_length);
+    grasp.vertex = nearest;
+    grasp.slip_time = 0;
+    grasp.ready = false;
+    grasp.stiffness = rod_->stiffness_at(state_, grasp.state.arc_length, grasp.state.offset, scratch_);
+    spread_pull(grasp, action);
+}
+
+// Shares of a pull at the grasp (Pan et al. 2011, Fig. 5): two rings around the vertex, skinned where they
+// are read; of what blades left.
+void BowelPart::spread_pull(HandGrasp& grasp, const ToolAction& action) noexcept {
+    const std::int32_t nearest = grasp.vertex;
+    const MeshAdjacency& adjacency = skin_->adjacency();
+    const auto place = [&](std::int32_t vertex) {
+        surface_[static_cast<std::size_t>(vertex)] =
+            skin_vertex(skin_->rows()[static_cast<std::size_t>(vertex)], ring_frames_);
+    };
+    place(nearest);
+    for (const std::int32_t first : adjacency.neighbours_of(nearest)) {
+        place(first);
+        for (const std::int32_t second : adjacency.neighbours_of(first)) {
+            place(second);
+            for (const std::int32_t third : adjacency.neighbours_of(second)) place(third);
+        }
+    }
+    TipBox box;
+    box.edges = action.instrument->tip_box;
+    box.axes.col(0) = action.tool.axis;
+    box.axes.col(1) = action.tool.rotation.col(0);
+    box.axes.col(2) = action.tool.rotation.col(1);
+    FilterOptions options;
+    options.mode = filter_;
+    filter_force(view_of(skin_->rest(), adjacency, surface_.data()), nearest, box, options, grasp.filtered);
+    if (!cut_ || cut_->skin().whole()) return;
+    FilteredForce& shares = grasp.filtered;
+    double sum = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(shares.count); ++i)
+        sum += shares.weight[i] *= cut_->vertex_share(shares.vertex[i]);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(shares.count); ++i)
+        shares.weight[i] = sum > 0 ? shares.weight[i] / sum : 0.0;
+    if (!(sum > 0)) shares.count = 0;
+}
+
+// After a cut. The hold is a point of the wall in the rod's frame, which stays: what changes is what the jaws
+// have between them. They keep what is left within their reach and bear on that, and let go where nothing is.
+void BowelPart::keep_hold(const ToolAction* actions) noexcept {
+    for (int hand = 0; hand < hand_count; ++hand) {
+        HandGrasp& grasp = grasps_[hand];
+        if (!grasp.state.held || actions[hand].instrument == nullptr) continue;
+        const std::int32_t start = *skin_->adjacency().triangles_of(grasp.vertex).begin();
+        const std::int32_t left =
+            cut_->nearest_left(grasp.state.point, start, grasp_reach, ring_frames_.data());
+        if (left < 0) {
+            grasp.state.held = false;
+            grasp.state.slipped = true;
+            grasp.state.reaction.setZero();
+            grasp.filtered.count = 0;
+            continue;
+        }
+        grasp.vertex = left;
+        grasp.state.patch = patches_->tissue_patches()[static_cast<std::size_t>(left)];
+        spread_pull(grasp, actions[hand]);
+    }
+}
+
+bool BowelPart::begin_sheet_grasp(int hand, const ToolAction& action, const Vector3& jaws,
+                                  double nearest_bowel) noexcept {
+    SheetGrasp& grasp = sheet_grasps_[hand];
+    double least = nearest_bowel;
+    Vector3 point = Vector3::Zero();
+    std::int32_t triangle = -1;
+    for (std::size_t i = 0; i < membranes_.size(); ++i) {
+        Vector3 closest;
+        const std::int32_t found = membranes_[i].nearest_triangle(jaws, least, closest);
+        if (found < 0) continue;
+        triangle = found;
+        point = closest;
+        grasp.membrane = static_cast<int>(i);
+    }
+    if (triangle < 0) return false;
+    const double wall =
+        pinch_share *
+        scene_.tissues[static_cast<std::size_t>(scene_.tissue_index(scene_.bowel->tissue))].stiffness;
+    MembranePart& part = membranes_[static_cast<std::size_t>(grasp.membrane)];
+    part.take(hand, triangle, point, wall);
+    grasp.correction = point - jaws;
+    grasp.target = point;
+    grasp.velocity.setZero();
+    grasp.hold_offset = Vector3(0, 0, -0.5 * action.instrument->jaw_length);
+    grasp.stiffness = part.grip_stiffness(hand);
+    grasp.slip_time = 0;
+    return true;
+}
+
+void BowelPart::update_sheet_grasp(int hand, const ToolAction& action, double opening, double dt) noexcept {
+    const TissueSpec& tissue =
+        scene_.tissues[static_cast<std::size_t>(scene_.tissue_index(scene_.bowel->tissue))];
+    SheetGrasp& grasp = sheet_grasps_[hand];
+    MembranePart& part = membranes_[static_cast<std::size_t>(grasp.membrane)];
+    const double capacity = 2.0 * tissue.friction * action.tool.grip;
+    grasp.slip_time = part.grip(hand).reaction.norm() > capacity ? grasp.slip_time + dt : 0.0;
+    if (opening > open_share || action.tool.grip <= 0.5 * least_grip || grasp.slip_time > slip_delay ||
+        !action.tool.inside) {
+        part.let_go(hand);
+        grasp.membrane = -1;
+        grasps_[hand].state.slipped = grasp.slip_time > slip_delay;
+        return;
+    }
+    grasp.correction *= std::max(0.0, 1.0 - dt / correction_time);
+    Vector3 motion =
+        action.tool.tip + action.tool.rotation * grasp.hold_offset + grasp.correction - grasp.target;
+    const double longest = fastest_hold * dt;
+    if (motion.norm() > longest) motion *= longest / motion.norm();
+    grasp.target += motion;
+    grasp.velocity = motion / dt;
+    part.carry(hand, grasp.target);
+}
+
+void BowelPart::fill_sheet_model(const SheetGrasp& grasp, int hand, LocalModel& model) const noexcept {
+    const int index = scene_.tissue_index(scene_.bowel->tissue);
+    const TissueSpec& tissue = scene_.tissues[static_cast<std::size_t>(index)];
+    model.mode = LocalMode::grasp;
+    model.grasp = GraspModel();
+    model.grasp.point = grasp.target - grasp.correction;
+    model.grasp.velocity = grasp.velocity;
+    model.grasp.reaction = membranes_[static_cast<std::size_t>(grasp.membrane)].grip(hand).reaction;
+    model.grasp.hold_offset = grasp.hold_offset;
+    model.grasp.stiffness = grasp.stiffness * Matrix3::Identity();
+    model.grasp.damping = tissue.damping;
+    model.grasp.friction = tissue.friction;
+    model.grasp.tissue = static_cast<std::int16_t>(index);
+}
+
+void BowelPart::update_grasps(const ToolAction* actions, double dt) noexcept {
+    const TissueSpec& tissue =
+        scene_.tissues[static_cast<std::size_t>(scene_.tissue_index(scene_.bowel->tissue))];
+    for (int hand = 0; hand < hand_count; ++hand) {
+        const ToolAction& action = actions[hand];
+        HandGrasp& grasp = grasps_[hand];
+        if (action.instrument == nullptr || !action.tool.present || action.instrument->kind != "grasper")
+            continue;
+        const double opening = action.tool.jaw_angle / std::max(1e-9, action.instrument->jaw_opening);
+        const bool closed = opening < close_share && action.tool.grip > least_grip;
+        if (opening > open_share) grasp.ready = true;
+        if (sheet_grasps_[hand].membrane >= 0) {
+            update_sheet_grasp(hand, action, opening, dt);
+        } else if (grasp.state.held) {
+            const double capacity = 2.0 * tissue.friction * action.tool.grip;
+            grasp.slip_time = grasp.state.reaction.norm() > capacity ? grasp.slip_time + dt : 0.0;
+            if (opening > open_share || action.tool.grip <= 0.5 * least_grip ||
+                grasp.slip_time > slip_delay || !action.tool.inside) {
+                grasp.state.held = false;
+                grasp.state.slipped = grasp.slip_time > slip_delay;
+                grasp.state.reaction.setZero();
+                grasp.filtered.count = 0;
+            }
+        } else if (closed && grasp.ready && action.tool.inside) {
+            if (!action.busy) begin_grasp(hand, action);
+            grasp.ready = false;
+        }
+        if (!grasp.state.held) continue;
+        grasp.correction *= std::max(0.0, 1.0 - dt / correction_time);
+        const Vector3 wanted = action.tool.tip + action.tool.rotation * grasp.hold_offset + grasp.correction;
+        Vector3 motion = wanted - grasp.target;
+        const double longest = fastest_hold * dt;
+        if (motion.norm() > longest) motion *= longest / motion.norm();
+        grasp.target += motion;
+        grasp.velocity = motion / dt;
+        patch_damage_[static_cast<std::size_t>(std::max(0, grasp.state.patch))] +=
+            static_cast<float>(action.tool.grip * dt);
+    }
+    inputs_.grasps.clear();
+    for (const HandGrasp& grasp : grasps_) {
+        if (!grasp.state.held) continue;
+        RodGrasp hold;
+        hold.s = grasp.state.arc_length;
+        hold.offset = grasp.state.offset;
+        hold.target = grasp.target;
+        hold.reaction = grasp.state.reaction;
+        inputs_.grasps.push_back(hold);
+    }
+}
+
+void BowelPart::fill_local_model(Hand hand, const PatchRequest& request, LocalModel& model) noexcept {
+    Stopwatch watch(measuring_, costs_.patches);
+    patches_->build(rings_.data(), request, patch_scratch_, model);
+    model.jaws = jaw_felt_[static_cast<int>(hand)];
+    if (sheet_grasps_[static_cast<int>(hand)].membrane >= 0)
+        fill_sheet_model(sheet_grasps_[static_cast<int>(hand)], static_cast<int>(hand), model);
+    const HandGrasp& grasp = grasps_[static_cast<int>(hand)];
+    if (!grasp.state.held) return;
+    model.mode = LocalMode::grasp;
+    const int index = scene_.tissue_index(scene_.bowel->tissue);
+    model.grasp.point =
+        grasp.target -
+        grasp.correction;  // where the jaws are: the correction is the tissue's own way to them
+    model.grasp.velocity = grasp.velocity;
+    model.grasp.reaction = grasp.state.reaction;
+    model.grasp.hold_offset = grasp.hold_offset;
+    // In series with the pinched wall itself: however firmly the rod is held elsewhere, the jaws feel no more
+    // than tissue.
+    const double wall = pinch_share * scene_.tissues[static_cast<std::size_t>(index)].stiffness;
+    model.grasp.stiffness = stiffness_in_series(grasp.stiffness, wall);
+    model.grasp.damping = scene_.tissues[static_cast<std::size_t>(index)].damping;
+    model.grasp.friction = scene_.tissues[static_cast<std::size_t>(index)].friction;
+    model.grasp.vertex = grasp.vertex;
+    model.grasp.tissue = static_cast<std::int16_t>(index);
+    model.grasp.tissue_patch = static_cast<std::int16_t>(grasp.state.patch);
+}
+
+void BowelPart::size_snapshot(WorldSnapshot& snapshot) const {
+    snapshot.nodes = state_.nodes;
+    snapshot.node_arc_lengths = rod_->node_arc_lengths();
+    snapshot.rings = ring_frames_;
+    snapshot.ring_arc_lengths = skin_->cage().arc_lengths;
+    snapshot.dents.resize(dent_capacity);
+    snapshot.patch_damage = patch_damage_;
+    snapshot.tether_anchors.clear();
+    snapshot.tether_arc_lengths.clear();
+    for (std::size_t i = anatomy_.cranial_holds.size(); i < inputs_.tethers.size(); ++i) {
+        const RodTether& tether = inputs_.tethers[i];
+        snapshot.tether_anchors.push_back(tether.anchor);
+        snapshot.tether_arc_lengths.push_back(tether.s);
+    }
+    if (cut_) cut_->size_snapshot(snapshot);
+    snapshot.membranes.resize(membranes_.size());
+    for (std::size_t i = 0; i < membranes_.size(); ++i) membranes_[i].size_snapshot(snapshot.membranes[i]);
+}
+
+void BowelPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
+    std::copy(state_.nodes.begin(), state_.nodes.end(), snapshot.nodes.begin());
+    std::copy(ring_frames_.begin(), ring_frames_.end(), snapshot.rings.begin());
+    std::copy(dents_.entries.begin(), dents_.entries.begin() + dents_.count, snapshot.dents.begin());
+    snapshot.dent_count = dents_.count;
+    std::copy(patch_damage_.begin(), patch_damage_.end(), snapshot.patch_damage.begin());
+    for (int hand = 0; hand < hand_count; ++hand) {
+        GraspState& shown = snapshot.grasps[hand];
+        shown = grasps_[hand].state;
+        if (sheet_grasps_[hand].membrane < 0) continue;
+        const SheetGrip& grip = membranes_[static_cast<std::size_t>(sheet_grasps_[hand].membrane)].grip(hand);
+        shown = GraspState();
+        shown.held = true;
+        shown.arc_length = -1;
+        shown.point = grip.point;
+        shown.reaction = grip.reaction;
+    }
+    snapshot.residual_penetration = contacts_.deepest_cavity;
+    snapshot.floor_load = report_.contact_sum;
+    if (cut_) cut_->fill_snapshot(snapshot);
+    for (std::size_t i = 0; i < membranes_.size(); ++i) membranes_[i].fill_snapshot(snapshot.membranes[i]);
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,382 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_core/world/parts/sheet/sheet_part.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim_core/numerics/input_error.h"
+#include "sim_core/world/parts/bowel/anatomy_binding.h"
+#include "sim_core/world/sheet_material.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr int surface_steps = 1000;      // room for so many steps of a blade
+constexpr double station_gap = 0.005;    // m between points of the marked line
+constexpr double tension_reach = 0.006;  // m about a blade whose springs tell the traction
+constexpr int settling_steps = 80;
+constexpr std::uint16_t loose_steps = 200;  // what has come free falls for so long, then it is removed
+
+std::size_t at(std::int32_t i) {
+    return static_cast<std::size_t>(i);
+}
+
+SheetLayout layout_of(const Scene& scene) {
+    return scene.septa ? lay_out_septa(*scene.septa, rectum_parameters(scene).curve)
+                       : lay_out_sheet(*scene.sheet);
+}
+
+MembraneMaterial material_of(const SheetSpec& spec, const SheetLayout& layout) {
+    MembraneMaterial material = sheet_material(spec, layout.mesh);
+    material.zones = layout.zones;
+    return material;
+}
+
+}  // namespace
+
+SheetPart::SheetPart(const Scene& scene, double dt)
+    : spec_(scene.septa ? common_spec(*scene.septa) : *scene.sheet),
+      septa_(scene.septa),
+      tissue_(scene.tissues[at(scene.tissue_index(spec_.tissue))]),
+      fat_(scene.tissues[at(scene.tissue_index(septa_ ? septa_->fat_tissue : spec_.tissue))]),
+      tissue_index_(static_cast<std::int16_t>(scene.tissue_index(spec_.tissue))),
+      fat_index_(static_cast<std::int16_t>(scene.tissue_index(septa_ ? septa_->fat_tissue : spec_.tissue))),
+      gravity_(scene.gravity),
+      layout_(layout_of(scene)),
+      surface_(layout_.mesh, layout_.held, CutMesh::capacity_for(layout_.mesh, surface_steps)),
+      membrane_(layout_.mesh, material_of(spec_, layout_), layout_.attachments,
+                surface_.capacity().fragments),
+      scratch_(membrane_.make_scratch()) {
+    if (!(dt <= 1000 * membrane_.safe_time_step())) {
+        throw InputError(scene.id, septa_ ? "/septa" : "/sheet",
+                         "the sheet is too stiff for its mass at this step",
+                         "lower its stiffness, raise surface_density or take fewer ticks_per_step");
+    }
+    line_start_ = spec_.centre - 0.5 * spec_.line_length * spec_.along +
+                  (spec_.line_at - 0.5) * spec_.width * spec_.across;
+    state_.membrane = membrane_.make_state();
+    state_.positions.assign(at(surface_.capacity().vertices), Vector3::Zero());
+    state_.bindings.resize(at(surface_.capacity().vertices));
+    state_.loose.assign(at(surface_.capacity().fragments), 0);
+    visible_.reserve(at(surface_.capacity().triangles));
+    near_.reserve(at(surface_.capacity().triangles));
+    touched_.assign(at(surface_.root_count()), 0);
+    cut_.roots.reserve(at(surface_.root_count()));
+    cut_.pieces.reserve(at(surface_.capacity().fragments));
+    cut_.contacts.reserve(6 * at(surface_.capacity().fragments));
+    inputs_.links.reserve((grip_points + 1) * hand_count);
+    inputs_.gravity = spec_.weight * gravity_;
+    inputs_.isolated_gravity = gravity_;
+    for (std::int32_t v = 0; v < surface_.vertex_count(); ++v) bind(v);
+    list_visible();
+    update_positions();
+    mark_line(septa_ ? rectum_parameters(scene).curve : SacralCurve());
+    state_.divided.assign(state_.line.size(), 0);
+    state_.traction.assign(state_.line.size(), 0.0);
+    settle(dt);
+    for (std::size_t i = 0; i < state_.line.size(); ++i) measure_station();
+}
+
+void SheetPart::mark_line(const SacralCurve& curve) {
+    if (!septa_) {
+        const int stations =
+            spec_.line_length > 0 ? static_cast<int>(std::ceil(spec_.line_length / station_gap)) + 1 : 0;
+        for (int i = 0; i < stations; ++i) {
+            line_positions_.push_back(spec_.line_length * i / (stations - 1));
+            state_.line.push_back(closest(line_start_ + line_positions_.back() * spec_.along));
+        }
+        return;
+    }
+    // In the middle of equal parts of each septum's line: none lies on two of them.
+    stations_ = std::max(2, static_cast<std::int32_t>(std::ceil(septa_->width / station_gap)));
+    const double turn = septa_->width / (curve.fascia_radius() - septa_->plane_height);
+    for (std::int32_t k = 0; k < layout_.pieces; ++k) {
+        for (std::int32_t i = 0; i < stations_; ++i) {
+            const double share = (i + 0.5) / stations_;
+            line_positions_.push_back((k + share) * septa_->width);
+            state_.line.push_back(
+                closest(curve.point(layout_.arc_lengths[at(k)], (share - 0.5) * turn, septa_->plane_height)));
+        }
+    }
+}
+
+void SheetPart::settle(double dt) noexcept {
+    // From the shape in which every spring is stretched alike to rest: the speed is taken out at each peak.
+    double kinetic = 0;
+    for (int i = 0; i < settling_steps; ++i) {
+        membrane_.step(state_.membrane, inputs_, dt, scratch_);
+        const double now = membrane_.energy(state_.membrane).kinetic;
+        if (now < kinetic) {
+            for (Vector3& v : state_.membrane.velocities) v.setZero();
+            kinetic = 0;
+        } else {
+            kinetic = now;
+        }
+    }
+    for (Vector3& v : state_.membrane.velocities) v.setZero();
+    update_positions();
+}
+
+Vector3 SheetPart::place(const SheetPlace& where) const noexcept {
+    if (where.fragment < 0 || state_.membrane.pieces[at(where.fragment)].root < 0) return Vector3::Zero();
+    return CutMembrane::point(state_.membrane, where.fragment, where.barycentric);
+}
+
+Vector3 SheetPart::rest(const SheetPlace& where) const noexcept {
+    if (where.fragment < 0) return Vector3::Zero();
+    const Triangle& corners = layout_.mesh.triangles[at(surface_.fragment(where.fragment).root)];
+    Vector3 sum = Vector3::Zero();
+    const std::vector<Vector3>& from = septa_ ? layout_.rest : layout_.mesh.vertices;
+    for (std::size_t c = 0; c < 3; ++c) sum += where.barycentric[static_cast<int>(c)] * from[at(corners[c])];
+    if (septa_) return sum;
+    sum -= line_start_;
+    return Vector3(sum.dot(spec_.along), sum.dot(spec_.across), 0);
+}
+
+void SheetPart::bind(std::int32_t vertex) noexcept {
+    SheetPlace& binding = state_.bindings[at(vertex)];
+    binding = SheetPlace();
+    const CutVertex& row = surface_.vertex(vertex);
+    if (row.triangle < 0) return;
+    const std::int32_t root = surface_.triangle(row.triangle).root;
+    if (!barycentric_in(surface_.model(), row, root, binding.barycentric)) return;
+    binding.fragment = surface_.fragment_of_triangle(row.triangle);
+    binding.triangle = row.triangle;
+}
+
+void SheetPart::list_visible() noexcept {
+    visible_.clear();
+    for (std::int32_t t = 0; t < surface_.triangle_count(); ++t) {
+        if (surface_.visible(t)) visible_.push_back(t);
+    }
+}
+
+void SheetPart::update_positions() noexcept {
+    for (std::int32_t v = 0; v < surface_.vertex_count(); ++v) {
+        const SheetPlace& binding = state_.bindings[at(v)];
+        if (binding.fragment >= 0)
+            state_.positions[at(v)] =
+                CutMembrane::point(state_.membrane, binding.fragment, binding.barycentric);
+    }
+}
+
+std::uint32_t SheetPart::step(const SheetAction* actions, std::uint32_t tick, double dt) noexcept {
+    events_.clear();
+    faults_ = 0;
+    tick_ = tick;
+    for (int hand = 0; hand < hand_count; ++hand) {
+        if (actions[hand].instrument == nullptr) continue;
+        update_jaws(hand, actions[hand], dt);
+        approach(hand, actions[hand], tick, dt);
+    }
+    add_links(actions);
+    const MembraneReport report = membrane_.step(state_.membrane, inputs_, dt, scratch_);
+    if (report.fault == MembraneFault::refused || report.fault == MembraneFault::frozen) faults_ = 2;
+    read_links();
+    sum_pulls();
+    update_positions();
+    for (int hand = 0; hand < hand_count; ++hand) {
+        if (actions[hand].instrument == nullptr) continue;
+        follow(hand, actions[hand], tick);
+        state_.hands[static_cast<std::size_t>(hand)].tip = actions[hand].tool.tip;
+    }
+    drop_loose(tick);
+    measure_station();
+    part_fibres(tick, dt);
+    return faults_;
+}
+
+void SheetPart::drop_loose(std::uint32_t tick) noexcept {
+    if (state_.any_loose == 0) return;
+    std::int32_t due = -1;
+    for (std::int32_t f = 0; f < surface_.fragment_count(); ++f) {
+        std::uint16_t& age = state_.loose[at(f)];
+        if (age == 0 || surface_.fragment(f).triangles == 0) continue;
+        if (age <= loose_steps) ++age;
+        if (age > loose_steps && due < 0) due = f;
+    }
+    if (due < 0) return;
+    surface_.find_pieces();
+    for (std::int32_t t = surface_.root(surface_.fragment(due).root).first_visible; t >= 0;
+         t = surface_.triangle(t).next_in_root) {
+        if (surface_.fragment_of_triangle(t) != due) continue;
+        const std::int32_t piece = surface_.piece_of_triangle(t);
+        if (jaws_hold(piece)) {  // it hangs in the jaws: asked again when it has fallen for as long
+            for (const std::int32_t v : visible_) {
+                if (surface_.piece_of_triangle(v) == piece)
+                    state_.loose[at(surface_.fragment_of_triangle(v))] = 1;
+            }
+            return;
+        }
+        if (surface_.remove_piece(piece, state_.positions.data()).outcome == CutOutcome::cut) {
+            take_over();
+            note_loose(tick);
+        }
+        return;
+    }
+}
+
+bool SheetPart::jaws_hold(std::int32_t piece) const noexcept {
+    for (const HandState& hand : state_.hands) {
+        for (int g = 0; hand.held && g < hand.grip_count; ++g) {
+            const std::int32_t triangle = hand.grips[static_cast<std::size_t>(g)].place.triangle;
+            if (triangle >= 0 && surface_.piece_of_triangle(triangle) == piece) return true;
+        }
+    }
+    return false;
+}
+
+double SheetPart::traction_at(const Vector3& point, const Vector3& way,
+                              const Vector3& normal) const noexcept {
+    const Vector3 across = normal.cross(way);
+    if (!(across.squaredNorm() > 1e-24)) return 0;
+    const Vector3 unit = across.normalized();
+    return unit.dot(membrane_.tension(state_.membrane, point, tension_reach) * unit);
+}
+
+void SheetPart::measure_station() noexcept {
+    if (state_.line.empty()) return;
+    const auto count = static_cast<std::int32_t>(state_.line.size());
+    const std::int32_t i = state_.next_station;
+    state_.next_station = (i + 1) % count;
+    const SheetPlace& here = state_.line[at(i)];
+    double& traction = state_.traction[at(i)];
+    traction = 0;
+    if (state_.divided[at(i)] != 0 || here.fragment < 0) return;
+    const std::int32_t first = septa_ ? i / stations_ * stations_ : 0,
+                       last = septa_ ? first + stations_ - 1 : count - 1;
+    const SheetPlace &before = state_.line[at(std::max(first, i - 1))],
+                     &after = state_.line[at(std::min(last, i + 1))];
+    if (before.fragment < 0 || after.fragment < 0) return;
+    const auto& nodes = state_.membrane.pieces[at(here.fragment)].nodes;
+    const auto& x = state_.membrane.positions;
+    const Vector3 normal = (x[at(nodes[1])] - x[at(nodes[0])]).cross(x[at(nodes[2])] - x[at(nodes[0])]);
+    traction = traction_at(place(here), place(after) - place(before), normal);
+}
+
+void SheetPart::add_event(std::uint32_t tick, EventKind kind, int hand, double value, double detail,
+                          bool fat) noexcept {
+    events_.add(tick, kind, hand, fat ? fat_index_ : tissue_index_, value, detail);
+}
+
+void SheetPart::add_place_event(std::uint32_t tick, EventKind kind, int hand, const Vector3& where) noexcept {
+    add_event(tick, kind, hand, where.x(), -1e6 * where.y(),
+              in_fat(where));  // the flap's side is the line's y
+}
+
+void SheetPart::restore(const State& state, const CutState& surface) {
+    state_ = state;
+    surface_.restore(surface);
+    list_visible();
+    events_.clear();
+}
+
+void SheetPart::size_snapshot(WorldSnapshot& snapshot) const {
+    SheetView& view = snapshot.sheet;
+    view.line.resize(state_.line.size(), Vector3::Zero());
+    view.line_positions = line_positions_;
+    view.line_traction = state_.traction;
+    view.line_divided = state_.divided;
+    view.flap.resize(at(layout_.columns), Vector3::Zero());
+    view.positions.resize(at(surface_.capacity().vertices), Vector3::Zero());
+    view.rest.resize(at(surface_.capacity().vertices), Vector3::Zero());
+    view.triangles.resize(at(surface_.capacity().triangles), Triangle{0, 0, 0});
+    view.roots.resize(view.triangles.size(), 0);
+    view.thickness = spec_.thickness;
+    if (septa_) {
+        view.septum_length = septa_->width;
+        view.fat_from = septa_->areolar_height - septa_->plane_height;
+        view.envelope_columns = layout_.columns;
+        view.envelope.resize(at(layout_.pieces * layout_.columns), Vector3::Zero());
+    }
+    view.topology = 0xFFFFFFFFU;  // filled with the first picture
+    events_.size(snapshot);
+}
+
+void SheetPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
+    SheetView& view = snapshot.sheet;
+    for (std::size_t i = 0; i < state_.line.size(); ++i) {
+        if (state_.line[i].fragment >= 0) view.line[i] = place(state_.line[i]);
+    }
+    std::copy(state_.traction.begin(), state_.traction.end(), view.line_traction.begin());
+    std::copy(state_.divided.begin(), state_.divided.end(), view.line_divided.begin());
+    for (std::int32_t c = 0; c < layout_.columns; ++c)
+        view.flap[at(c)] = state_.positions[at((layout_.rows - 1) * layout_.columns + c)];
+    for (std::size_t i = 0; i < view.envelope.size(); ++i) {
+        const auto piece = static_cast<std::int32_t>(i) / layout_.columns,
+                   column = static_cast<std::int32_t>(i) % layout_.columns;
+        view.envelope[i] =
+            state_.positions[at((piece * layout_.rows + layout_.envelope_row) * layout_.columns + column)];
+    }
+    view.vertex_count = surface_.vertex_count();
+    std::copy_n(state_.positions.begin(), at(view.vertex_count), view.positions.begin());
+    if (view.topology != state_.membrane.topology) {
+        view.topology = state_.membrane.topology;
+        for (std::int32_t v = 0; v < view.vertex_count; ++v) {
+            if (septa_) {
+                if (state_.bindings[at(v)].fragment >= 0) view.rest[at(v)] = rest(state_.bindings[at(v)]);
+                continue;
+            }
+            const Vector3 from_start = surface_.vertex(v).rest - line_start_;
+            view.rest[at(v)] = Vector3(from_start.dot(spec_.along), from_start.dot(spec_.across), 0);
+        }
+        view.triangle_count = static_cast<std::int32_t>(visible_.size());
+        for (std::size_t k = 0; k < visible_.size(); ++k) {
+            view.triangles[k] = surface_.triangle(visible_[k]).vertices;
+            view.roots[k] = surface_.triangle(visible_[k]).root;
+        }
+        view.visible_area = surface_.area_visible();
+        view.removed_area = surface_.area_removed();
+    }
+    events_.append_to(snapshot);
+    for (std::size_t h = 0; h < hand_count; ++h) {
+        const HandState& hand = state_.hands[h];
+        GraspState& grasp = snapshot.grasps[h];
+        if (septa_) {
+            // The same jaws may hold the rectum: what they hold there stays shown.
+            if (!hand.held) continue;
+            grasp = GraspState();
+            grasp.arc_length = -1;
+        }
+        grasp.held = hand.held;
+        grasp.slipped = hand.slipped;
+        grasp.reaction = hand.held ? hand.pull : Vector3(Vector3::Zero());
+        if (!hand.held) continue;
+        grasp.point = place(hand.grips[0].place);
+        grasp.offset = rest(hand.grips[0].place);
+    }
+}
+
+void SheetPart::hash(StateHash& hash) const noexcept {
+    const CutMembraneState& m = state_.membrane;
+    for (std::size_t n = 0; n < at(m.node_end); ++n) {
+        hash.add(m.positions[n]);
+        hash.add(m.velocities[n]);
+        hash.add(m.masses[n]);
+    }
+    hash.add(static_cast<std::int64_t>(m.topology));
+    hash.add(surface_.digest());
+    for (const HandState& hand : state_.hands) {
+        hash.add(static_cast<std::int64_t>(hand.touch));
+        hash.add(static_cast<std::int64_t>(hand.place.fragment));
+        hash.add(hand.place.barycentric);
+        hash.add(hand.side);
+        hash.add(hand.cover);
+        hash.add(hand.target);
+        hash.add(hand.reaction);
+        hash.add(hand.adrift ? hand.drifted : Vector3(Vector3::Zero()));
+        hash.add(static_cast<std::int64_t>(hand.grip_count));
+        hash.add(hand.pull);
+    }
+    if (spec_.fibres) state_.fibres.hash(hash);
+}
+
+std::size_t SheetPart::bytes() const {
+    return membrane_.bytes() + static_cast<std::size_t>(surface_.bytes()) +
+           state_.positions.capacity() * (sizeof(Vector3) + sizeof(SheetPlace)) +
+           state_.membrane.positions.capacity() * (2 * sizeof(Vector3) + sizeof(double)) +
+           state_.membrane.stiffness.capacity() * (2 * sizeof(double) + 4 * sizeof(std::int32_t));
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: Apache-2.0
+// A sheet that is held and divided, as a part of the world (docs/THEORY.md 3 to 6; Eqs. 6 and 7).
+// World thread. Nothing allocates after construction.
+//
+// The sheet is one cuttable surface (CutMesh: what is visible, which fragments of each root hang together)
+// over one membrane of springs on virtual nodes (CutMembrane: where it is). A visible vertex lies in the
+// nodes of its fragment. Each step: tools find their contact, jaws and tips enter the membrane's own solve as
+// links, the membrane is stepped, blades advance, and what they cut becomes fragments, nodes and springs
+// before the step ends. The hand gets the solution to first order (SheetContactModel) and never waits.
+// Blades: blade_rules.h.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "sim_core/contact/local_model.h"
+#include "sim_core/cutting/cut_mesh.h"
+#include "sim_core/instrument/instrument.h"
+#include "sim_core/membrane/cut_membrane.h"
+#include "sim_core/rod/rod.h"
+#include "sim_core/scene/scene.h"
+#include "sim_core/world/blade_rules.h"
+#include "sim_core/world/parts/sheet/sheet_fibres.h"
+#include "sim_core/world/parts/sheet/sheet_layout.h"
+#include "sim_core/world/snapshot.h"
+#include "sim_core/world/state_hash.h"
+#include "sim_core/world/step_events.h"
+
+namespace fulcrum {
+
+/// One hand over one step, as the sheet sees it.
+struct SheetAction {
+    const InstrumentSpec* instrument = nullptr;              ///< null: no such hand
+    ToolKinematics tool;                                     ///< at the step's last tick
+    bool busy = false;                                       ///< its jaws hold something else
+    double other = std::numeric_limits<double>::infinity();  ///< m, from the middle of its jaws to what else
+                                                             ///< they could take
+    bool energised = false;  ///< its blade is under power: it needs CuttingSpec::energy_factor of the forces
+};
+
+/// A place on the sheet that moves with it.
+struct SheetPlace {
+    std::int32_t fragment = -1;
+    Vector3 barycentric = Vector3::Zero();  ///< in the fragment's root
+    std::int32_t triangle = -1;             ///< visible one that it lies in
+};
+
+class SheetPart {
+  public:
+    static constexpr int grip_points = 3;
+
+    /// What a hand does to the sheet, remembered from step to step.
+    struct HandState {
+        BladeTouch touch = BladeTouch::away;
+        SheetPlace place;  ///< under the tip; the blade's while it cuts
+        double side = 1;   ///< of the sheet that the tip is on, by the sheet's outward normal
+        Vector3 normal = Vector3::UnitZ();  ///< outward, blended over the tool's width
+        double cover = 0;  ///< 0 .. 1, share of the contact that there is tissue for; follows slowly
+        double gap = 0;    ///< m, tip to sheet on its side
+        Vector3 tip = Vector3::Zero();       ///< m, at the last step
+        double friction = 0, radius = 0;     ///< of the tool, at the last step; m
+        bool over = false;                   ///< tissue was under it then
+        bool known = false;                  ///< `tip` and `side` mean something
+        std::int32_t septum = 0;             ///< whose side it is
+        Vector3 target = Vector3::Zero();    ///< m, of the link, at the last step's end
+        bool linked = false;                 ///< the link was there in the last step
+        Vector3 reaction = Vector3::Zero();  ///< N, tool on sheet
+        Vector3 way = Vector3::Zero();       ///< m at rest: where the blade was last
+        double cut_friction = 0;             ///< N, dynamic friction of the tissue that the blade is in
+        double ease = 1;      ///< share of a tissue's forces that its blade needs: less under power
+        bool adrift = false;  ///< the blade is between lips, in no tissue
+        Vector3 drifted = Vector3::Zero();  ///< m: where it was then at the last step's end
+        // Jaws.
+        bool held = false, ready = true, slipped = false;
+        struct Grip {
+            SheetPlace place;
+            Vector3 offset = Vector3::Zero();  ///< m, tool frame, from the tip
+            Vector3 correction = Vector3::Zero(), target = Vector3::Zero(), last = Vector3::Zero();
+        };
+        std::array<Grip, grip_points> grips;
+        int grip_count = 0;
+        Vector3 jaw_velocity = Vector3::Zero(), pull = Vector3::Zero();
+        double slip_time = 0;
+    };
+    /// All that changes; with the surface's own state a step goes on from it bit for bit.
+    struct State {
+        CutMembraneState membrane;
+        std::vector<Vector3> positions;    ///< m, by visible vertex
+        std::vector<SheetPlace> bindings;  ///< by visible vertex
+        std::vector<std::uint16_t> loose;  ///< steps since a fragment came free, 0: it hangs on
+        std::array<HandState, hand_count> hands;
+        std::vector<SheetPlace> line;  ///< points of the marked line
+        std::vector<std::uint8_t> divided;
+        std::vector<double> traction;
+        std::int32_t next_station = 0;
+        std::int32_t any_loose = 0;  ///< fragments
+        SheetFibres fibres;
+    };
+
+    /// Builds the sheet and lets it come to rest. Throws InputError (place "/sheet" or "/septa").
+    SheetPart(const Scene& scene, double dt);
+
+    // Septa hang on the rectum, two-way: before each step their edge is carried to where the rod's wall
+    // points are about to be, after it what holds the edge there acts on the rod, equal and opposite, in the
+    // rod's same step.
+    /// state: the rod in the shape that the septa were made for. Throws InputError where they are too stiff
+    /// for its mass.
+    void hang_on(const Scene& scene, const Rod& rod, const RodState& state, double dt);
+    void carry_edge(const Rod& rod, const RodState& state, double dt) noexcept;
+    /// One for each septum; empty without.
+    const std::vector<RodLoad>& pulls() const { return pulls_; }
+    /// Stiffness that the moved edge meets within one step over the rod's inertia (1 would be the limit).
+    double coupling() const { return coupling_; }
+    /// Turns every velocity off.
+    void stop() noexcept;
+    /// Jaws that would take hold in this step if something is within their reach.
+    bool closing(int hand, const SheetAction& action) const noexcept;
+    bool holds(int hand) const { return state_.hands[static_cast<std::size_t>(hand)].held; }
+
+    /// One step of dt seconds that ends with this tick. Returns StepRecord::outcome.
+    std::uint32_t step(const SheetAction* actions, std::uint32_t tick, double dt) noexcept;
+    void fill_local_model(int hand, LocalModel& model) const noexcept;
+    void size_snapshot(WorldSnapshot& snapshot) const;
+    void fill_snapshot(WorldSnapshot& snapshot) const noexcept;
+    void hash(StateHash& hash) const noexcept;
+
+    const State& state() const { return state_; }
+    const CutMesh& surface() const { return surface_; }
+    const CutMembrane& membrane() const { return membrane_; }
+    const CutMembraneInputs& inputs() const { return inputs_; }
+    const SheetLayout& layout() const { return layout_; }
+    /// State and surface of a part made for the same scene.
+    void restore(const State& state, const CutState& surface);
+    const Event* events() const { return events_.data(); }
+    int event_count() const { return events_.count(); }
+    /// A step that advances nothing makes no events.
+    void forget_events() noexcept { events_.clear(); }
+    std::size_t bytes() const;
+    Vector3 place(const SheetPlace& at) const noexcept;  ///< m
+    Vector3 rest(const SheetPlace& at) const noexcept;   ///< m, in the sheet's frame as SheetView::rest
+    /// Whether a place at rest lies beyond the areolar tissue, in the mesorectum.
+    bool in_fat(const Vector3& rest) const noexcept {
+        return septa_ && rest.y() >= septa_->areolar_height - septa_->plane_height;
+    }
+
+    /// A cut along a blade's step, with all that follows from it; for studies and tests as for the hands.
+    CutReport cut(const BladeStep& blade) noexcept;
+
+  private:
+    /// Tissue under a point of a blade, nearest first: a sheet may lie in folds, of which the blade divides
+    /// one.
+    struct UnderBlade {
+        struct Layer {
+            Vector3 rest = Vector3::Zero();
+            std::int32_t root = -1;
+            double away = 0;  ///< along the normal, of twice the blade's reach
+        };
+        static constexpr std::size_t capacity = 3;
+        std::size_t count = 0;
+        double beside = 0;  ///< m along the surface, from the point to what the blade's width alone reaches
+        std::array<Layer, capacity> layers;
+    };
+    /// A blade's step before it divides anything.
+    struct BladeTrack {
+        static constexpr std::size_t capacity = 38;
+        std::size_t count = 0;
+        double spacing = 0;  ///< m between its samples; the first lies where the step begins
+        std::array<UnderBlade, capacity> samples;
+    };
+    struct Near {
+        SheetPlace place;
+        Vector3 point = Vector3::Zero(), normal = Vector3::UnitZ();
+        double distance = 0, gap = 0, cover = 0;
+    };
+    Near find_near(const Vector3& tip, double radius) noexcept;
+    SheetPlace closest(const Vector3& point) const noexcept;
+    SheetPlace find_in_root(std::int32_t root, const Vector3& barycentric, double slack) const noexcept;
+    SheetPlace place_in(std::int32_t triangle, const Vector3& weights) const noexcept;
+    /// Of the triangles that a segment crosses, in no order, until visit(triangle, share of the way) is true.
+    template <typename Visit>
+    bool visit_crossings(const Vector3& from, const Vector3& to, Visit&& visit) const noexcept;
+    bool crosses(const Vector3& from, const Vector3& to) const noexcept;
+    /// What lies within a depth (m) along a normal, either side.
+    void find_under(const Vector3& point, const Vector3& normal, double depth,
+                    UnderBlade& found) const noexcept;
+    void add_under(const SheetPlace& where, double away, UnderBlade& found) const noexcept;
+    void approach(int hand, const SheetAction& action, std::uint32_t tick, double dt) noexcept;
+    bool has_lost(const HandState& hand) const noexcept;
+    void update_jaws(int hand, const SheetAction& action, double dt) noexcept;
+    void take(int hand, const SheetAction& action) noexcept;
+    void add_links(const SheetAction* actions) noexcept;
+    void read_links() noexcept;
+    void follow(int hand, const SheetAction& action, std::uint32_t tick) noexcept;
+    void advance(int hand, const Vector3& way, std::uint32_t tick) noexcept;
+    void drift(int hand, std::uint32_t tick) noexcept;
+    void leave(int hand, std::uint32_t tick) noexcept;
+    void take_over() noexcept;
+    void note_loose(std::uint32_t tick) noexcept;
+    void drop_loose(std::uint32_t tick) noexcept;
+    void mark_divided(const Vector3& from, const Vector3& to) noexcept;
+    void measure_station() noexcept;
+    // sheet_fibres.cpp
+    bool along_line(const SheetPlace& where, Vector3& way, Vector3& normal) const noexcept;
+    void begin_ends(int hand) noexcept;
+    void move_ends(int hand, const Vector3& from, const Vector3& reached) noexcept;
+    SheetFibres::Tip find_end(const Vector3& reached, double direction) const noexcept;
+    void part_fibres(std::uint32_t tick, double dt) noexcept;
+    bool open_fibres(std::int32_t station, std::uint32_t tick) noexcept;
+    bool part(const SheetPlace& here, const Vector3& begin, const Vector3& way, const Vector3& normal,
+              double run, double traction, std::uint32_t tick, Vector3& reached) noexcept;
+    void update_positions() noexcept;
+    void list_visible() noexcept;
+    void settle(double dt) noexcept;
+    void mark_line(const SacralCurve& curve);
+    void sum_pulls() noexcept;
+    const CuttingSpec* cutting_at(const SheetPlace& where) const noexcept;
+    std::int32_t septum_of(const SheetPlace& where) const noexcept {
+        return where.fragment < 0
+                   ? 0
+                   : surface_.fragment(where.fragment).root / (surface_.root_count() / layout_.pieces);
+    }
+    std::int32_t septum_at(const Vector3& rest) const noexcept {
+        return septa_ ? static_cast<std::int32_t>(rest.x() / septa_->width) : 0;
+    }
+    Vector3 on_septum(const SheetPlace& where, Vector3 rest) const noexcept;
+    Vector3 begin_of_way(const SheetPlace& where, const Vector3& behind,
+                         const Vector3& normal) const noexcept;
+    void tell_cut(int hand, const Vector3& reached, double traction, std::uint32_t tick) noexcept;
+    void follow_track(const BladeStep& blade, BladeTrack& track) const noexcept;
+    static bool over_tissue(const UnderBlade& sample) noexcept;
+    bool meets_tissue(const SheetPlace& from, const BladeTrack& track) const noexcept;
+    bool joined(const UnderBlade::Layer& a, const UnderBlade::Layer& b) const noexcept;
+    const UnderBlade::Layer* divided_of(const UnderBlade& sample) const noexcept;
+    void tell_track(int hand, const BladeTrack& track, double traction, std::uint32_t tick) noexcept;
+    Vector3 keep_off_wall(const SheetPlace& where, const Vector3& way) const noexcept;
+    void remake_pieces() noexcept;
+    bool jaws_hold(std::int32_t piece) const noexcept;
+    void fill_touch(const HandState& hand, SheetContactModel& model) const noexcept;
+    void fill_grasp(const HandState& hand, LocalModel& model) const noexcept;
+    double friction(const SheetAction& action) const noexcept;
+    void bind(std::int32_t vertex) noexcept;
+    double traction_at(const Vector3& point, const Vector3& way, const Vector3& normal) const noexcept;
+    void add_event(std::uint32_t tick, EventKind kind, int hand, double value, double detail,
+                   bool fat = false) noexcept;
+    void add_place_event(std::uint32_t tick, EventKind kind, int hand, const Vector3& at) noexcept;
+
+    SheetSpec spec_;
+    std::optional<SeptaSpec> septa_;
+    TissueSpec tissue_, fat_;  ///< of the areolar zone, or of all; of the fat
+    std::int16_t tissue_index_ = -1, fat_index_ = -1;
+    Vector3 line_start_ = Vector3::Zero(), gravity_ = Vector3::Zero();
+    SheetLayout layout_;
+    CutMesh surface_;
+    CutMembrane membrane_;
+    CutMembraneScratch scratch_;
+    State state_;
+    std::vector<double> line_positions_;
+    std::int32_t stations_ = 0;     ///< of one septum
+    std::vector<Vector3> offsets_;  ///< of the driven vertices, ring frame
+    double coupling_ = 0;
+    // Scratch.
+    CutMembraneInputs inputs_;
+    std::vector<Vector3> arms_;  ///< m, of the driven vertices from the rod's centre line
+    std::vector<RodLoad> pulls_;
+    std::array<int, hand_count> tip_link_ = {-1, -1}, jaw_link_ = {-1, -1};
+    MembraneCut cut_;
+    std::vector<std::int32_t> visible_, near_;
+    std::vector<std::uint8_t> touched_;  ///< by root
+    std::uint32_t faults_ = 0, tick_ = 0;
+    // Both blades' tracks in the most parts that they can be told in, four events each, and what else happens
+    // in a step.
+    StepEvents<static_cast<int>(hand_count * 4 * ((BladeTrack::capacity + 1) / 2)) + 32> events_;
+};
+
+}  // namespace fulcrum

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Presacral veins, hypogastric nerves and the energy, blood and instruments before them, as a part of the
+// world (task C4). World thread. Nothing allocates after construction.
+//
+// A step: instruments are exchanged; tips on the fascia open veins beneath it; blades divide nerves; the
+// pedal heats what the blade reaches (a sheet that is being divided first of all), steam what is beside it;
+// heat, sealing, bleeding, the pool, smoke.
+//
+// A vein opens where a tip is over it and
+//   a blade lies deeper in the fascia than its cover: share (depth - cover) / (2 radius) of the lumen, or
+//   a blunt tip presses with more than vein_tear_force: share force / vein_tear_force - 1,
+// each at least least_opening. Depth is that of the tip's sphere below the wall, force what the wall answers
+// with. An energised blade needs CuttingSpec::energy_factor of the cover. Openings of one vein within
+// same_opening of each other are one outlet.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sim_core/contact/local_model.h"
+#include "sim_core/haptics/tick_output.h"
+#include "sim_core/scene/scene.h"
+#include "sim_core/world/parts/field/operative_field.h"
+#include "sim_core/world/parts/structures/structures_layout.h"
+#include "sim_core/world/snapshot.h"
+#include "sim_core/world/state_hash.h"
+
+namespace fulcrum {
+
+class SheetPart;
+
+/// How the rest of the world meets what a hand holds now.
+struct HeldTool {
+    const InstrumentSpec* instrument = nullptr;  ///< with the kind that the hand has now
+    ToolKinematics tool;     ///< primary button as a blade; outside while instruments are exchanged
+    bool energised = false;  ///< the blade is under power
+};
+
+class StructuresPart {
+  public:
+    static constexpr double least_opening = 0.25;  ///< share of a vein's lumen; provisional
+    static constexpr double same_opening = 0.004;  ///< m
+
+    /// The scene lists structures. `wall` is asked during construction only; `felt` is that wall as
+    /// instruments feel it, and lives as long as this part, as does `sheet`, which may be null.
+    StructuresPart(const Scene& scene, const FieldWall& wall, const CavityModel& felt, const SheetPart* sheet,
+                   std::uint64_t seed);
+
+    /// What a hand holds; the tool as the tick knows it.
+    HeldTool held(int hand, const ToolKinematics& tool) const noexcept;
+    /// One step of dt over the outputs of `count` ticks (at least one), oldest first, after the sheet's.
+    void step(const TickOutput* outputs, std::size_t count, double dt) noexcept;
+    /// Whether the hand's pedal gives energy.
+    void fill_local_model(int hand, LocalModel& model) const noexcept;
+    void size_snapshot(WorldSnapshot& snapshot) const;
+    void fill_snapshot(WorldSnapshot& snapshot) const noexcept;
+    void hash(StateHash& hash) const noexcept;
+    std::size_t bytes() const;
+    struct Saved {
+        OperativeField::State field;
+        std::vector<std::int32_t> outlet_vein;
+    };
+    Saved save() const { return {field_.save(), outlet_vein_}; }
+    /// Of a part made from the same scene and seed.
+    void restore(const Saved& saved);
+
+    const StructuresLayout& layout() const { return layout_; }
+    const OperativeField& field() const { return field_; }
+    /// Heat patch of a sheet's root triangle.
+    std::size_t root_patch(std::int32_t root) const {
+        return patches_.roots + static_cast<std::size_t>(root);
+    }
+    /// Vein of an outlet, -1 where it has not been used.
+    std::int32_t vein_of(std::size_t outlet) const { return outlet_vein_[outlet]; }
+
+  private:
+    struct Patches {
+        std::size_t outlets = 0, roots = 0;  ///< first of each
+        std::int32_t root_count = 0;
+    };
+    static FieldModel make_field(const StructuresSpec& spec, const StructuresLayout& layout,
+                                 const CavityModel& felt, const SheetPart* sheet, double thickness,
+                                 Patches& patches);
+    void step_tool(int number, const TickOutput* outputs, std::size_t count, double dt) noexcept;
+    void press(const FieldHand& hand, const ToolKinematics& tool, bool energised) noexcept;
+    void open_vein(std::int32_t vein, const Vector3& place, double share) noexcept;
+    double conducting_share(const FieldHand& hand, const EnergyReach& reach) const noexcept;
+    void apply_energy(int number, const ToolKinematics& tool, double duty) noexcept;
+    std::int32_t root_under(int number) const noexcept;
+    Vector3 root_centre(std::int32_t root) const noexcept;
+
+    StructuresSpec spec_;
+    StructuresLayout layout_;
+    const SheetPart* sheet_ = nullptr;
+    Patches patches_;
+    OperativeField field_;
+    std::vector<double> root_area_;             ///< m2
+    std::vector<std::uint8_t> root_is_target_;  ///< what energy on the sheet is for
+    std::vector<std::int32_t> outlet_vein_;
+    double wall_stiffness_ = 0, energy_factor_ = 1;
+    std::array<std::array<InstrumentSpec, 6>, hand_count> kinds_;  ///< the scene's, with each kind in turn
+};
+
+}  // namespace fulcrum
