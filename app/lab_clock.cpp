@@ -66,14 +66,14 @@ Measured measure_cut_clock() {
         {}};
     lab::ResultPage& page = measured.page;
     page.paragraph(
-        "Tasks B2 and C4 by a synthetic expert in real time, haptic and world threads as in the application, "
-        "once with a blade that cuts, once with the same operator while the tissue cannot be cut; until the "
-        "task ended, at most " +
+        "A synthetic expert performs B2 and C4 in real time, with the haptic and world threads of the "
+        "application: once normally, once in tissue that cannot be cut. Each run lasts until the task ends, "
+        "at most " +
         lab::short_number(most_seconds) +
-        " s. A tick that begins a period late is missed by the program when the tick before, with what was "
-        "still behind by such work, filled the period with its thread's own processor time, or with time on "
-        "the wall if the thread waited for something in it; by the scheduler when the thread was ready and "
-        "had no processor, which another thread (a preemption) or the machine's host had.");
+        " s. A tick that starts a full period late counts as missed. It is charged to the program if the "
+        "previous ticks' own processor time (or their wall-clock time, if the thread waited for something) "
+        "filled the period, and to the scheduler if the thread was ready but had no processor, because "
+        "another thread or the host of the virtual machine had it.");
     std::vector<Clocked> runs;
     for (const char* task : {"B2", "C4"})
         for (const bool cuts : {true, false}) runs.push_back(on_the_clock(task, cuts));
@@ -83,7 +83,7 @@ Measured measure_cut_clock() {
     bool real_time = true;
     for (const Clocked& run : runs) {
         const LoopStatistics& s = run.loop;
-        table.columns.push_back(run.task + (run.cuts ? ", the blade cuts" : ", it does not"));
+        table.columns.push_back(run.task + (run.cuts ? ", cutting" : ", tissue that cannot be cut"));
         real_time = real_time && s.real_time_priority;
         nlohmann::json one = statistics_json(s);
         one.update({{"task", run.task},
@@ -115,7 +115,7 @@ Measured measure_cut_clock() {
     durations_rows("tick, own processor time", &LoopStatistics::own);
     durations_rows("world step", &LoopStatistics::step);
     row("changes of topology", [](const Clocked& run) { return run.topology; });
-    row("ground taken, mm2", [](const Clocked& run) { return run.removed_mm2; });
+    row("area cut away, mm2", [](const Clocked& run) { return run.removed_mm2; });
     page.table(table);
     page.paragraph(std::string("Real-time priority ") + (real_time ? "was" : "was not") + " granted.");
     measured.document = {{"runs", rows}};

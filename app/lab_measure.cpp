@@ -116,13 +116,12 @@ Measured measure_workloads(const std::optional<std::string>& only) {
     measured.document = {{"yardstick_us", median(yardsticks)}, {"workloads", rows}};
     lab::ResultPage& page = measured.page;
     page.paragraph(
-        "The product's own code on one core. mG is a thousandth of the yardstick G, one 512 x 512 x 512 "
-        "double matrix product timed between the "
-        "samples in the same process; here G = " +
+        "The product's own code on one core. G is the time of one 512 x 512 x 512 double matrix product, "
+        "measured between the samples in the same process; 1 mG is a thousandth of it. Here G = " +
         short_number(median(yardsticks) / 1000) +
-        " ms. One run; medians of 100 to 4000 samples. Where no budget is named the row is informative.");
+        " ms. One run; medians of 100 to 4000 samples. A row without a budget is for information.");
     page.table(table);
-    page.chart("lab_bench", "median time of each workload beside its budget", lab::svg_bars(chart));
+    page.chart("lab_bench", "median time of each workload and its budget", lab::svg_bars(chart));
     page.document(measured.document);
     return measured;
 }
@@ -133,9 +132,8 @@ Measured measure_costs() {
                       {}};
     lab::ResultPage& page = measured.page;
     page.paragraph(
-        "Medians over twelve simulated seconds of an expert operator at work, headless. A part that a scene "
-        "does not list is not built: it has no row, "
-        "no time and no bytes.");
+        "Medians over twelve simulated seconds of a synthetic expert, without a window. A part that a scene "
+        "does not list is not built: it has no row, takes no time and no memory.");
     nlohmann::json scenes = nlohmann::json::array();
     for (const std::string& id : task_ids()) {
         const LoadedTask loaded = load_task_and_scene(id);
@@ -169,7 +167,7 @@ Measured measure_costs() {
             table.rows.push_back({part, short_number(median(values)), std::to_string(bytes[part])});
             all_bytes += bytes[part];
         }
-        table.rows.push_back({"all together", short_number(median(steps)), std::to_string(all_bytes)});
+        table.rows.push_back({"total", short_number(median(steps)), std::to_string(all_bytes)});
         scenes.push_back(
             {{"scene", loaded.scene.id}, {"task", id}, {"parts", parts}, {"step_us", median(steps)}});
         page.heading(id + ": scene " + loaded.scene.id);

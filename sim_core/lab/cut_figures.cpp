@@ -72,15 +72,14 @@ ResultPage cut_figures_page() {
     ResultPage page("fig12_cut_cases", "Fig. 12: the ten ways a blade divides a triangle",
                     "fulcrum lab cut --output docs/results");
     page.paragraph(
-        "One rule makes all ten: a triangle less the band of the blade, what is left divided into triangles. "
-        "Dashed: the "
-        "triangle before, red: the borders of the band and its way, blue: the triangles that are drawn after "
-        "it. The "
-        "letter is what the product counted, from the corners alone; above it stands the letter of Fig. 12.");
+        "One rule produces all ten cases: subtract the band of the blade from the triangle and triangulate "
+        "the rest. Dashed: the triangle before the cut. Red: the borders of the band and the path of the "
+        "blade. Blue: the triangles drawn after the cut. The lower letter is the case that the product "
+        "counted, from the corners alone; the upper letter is the case of Fig. 12.");
     Svg svg(1000, 470);
     ResultTable table;
     table.name = "fig12_cases";
-    table.columns = {"figure", "counted as", "triangles after", "ground taken, mm2", "least angle, degrees"};
+    table.columns = {"figure", "counted as", "triangles after", "area cut away, mm2", "least angle, degrees"};
     nlohmann::json cases = nlohmann::json::array();
     int place = 0;
     for (const CutExample& example : cut_examples()) {

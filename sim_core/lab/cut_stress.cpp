@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stress list of docs/QUALITY.md for cuts: whatever the mesh and the blade, every invariant holds after
+// Stress cases of docs/QUALITY.md for cuts: whatever the mesh and the blade, every invariant holds after
 // each step and what could not be done is said.
 #include <algorithm>
 #include <cmath>

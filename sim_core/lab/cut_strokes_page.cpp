@@ -65,10 +65,10 @@ ResultPage cut_strokes_page(int strokes) {
     ResultPage page("cut_strokes", count + " random strokes",
                     "fulcrum lab strokes " + count + " --output docs/results");
     const std::vector<std::string> columns = {"steps cut",
-                                              "met nothing",
+                                              "hit nothing",
                                               "rolled back",
-                                              "cut when tried again",
-                                              "left uncut",
+                                              "cut on retry",
+                                              "not cut",
                                               "invariants broken",
                                               "rolled back, % of steps",
                                               "worst area error, relative"};
@@ -100,7 +100,7 @@ ResultPage cut_strokes_page(int strokes) {
                      yardsticks.end());
     const double yardstick = yardsticks[yardsticks.size() / 2];
     nlohmann::json surfaces = nlohmann::json::array(), cases = nlohmann::json::array();
-    runs.push_back({"all together", all});
+    runs.push_back({"total", all});
     for (const Run& run : runs) {
         const Times times = times_of(run.tally.step_us, yardstick);
         table.rows.push_back(row_of(run.name, run.tally));
@@ -112,31 +112,30 @@ ResultPage cut_strokes_page(int strokes) {
         surfaces.back()["worst_mg"] = times.worst;
     }
     page.paragraph(
-        "Strokes of one to four steps by a blade 0.2 to 6 mm wide that begin anywhere: inside a "
-        "triangle, at a vertex, on or along an edge; moving: the shape flows on, stretched by up to a "
-        "third. Every step is validated on all it touched, every tenth stroke the whole surface from "
-        "scratch; pieces without hold are dropped.");
+        "Each stroke has one to four steps with a blade 0.2 to 6 mm wide and starts anywhere: inside a "
+        "triangle, at a vertex, on or along an edge. \"Moving\" means that the surface deforms during the "
+        "stroke, stretched by up to a third. Every step is validated on everything that it touched, and the "
+        "whole surface after every tenth stroke. Pieces without a fixed vertex are dropped.");
     page.table(table);
     page.heading("Time of a step");
     page.paragraph(
-        "Topology with the validation of all it touched, processor time of the thread, as is the "
-        "yardstick's. mG is a thousandth of "
-        "the yardstick G, "
-        "one 512 x 512 x 512 double matrix product in the same process; here G = " +
-        short_number(yardstick / 1000) + " ms. Budgets: a step of 2 mm by a blade of 1 mm " +
-        short_number(budget_mg) + " mG in the median (lab_bench, cut_topology), any step " +
+        "Processor time of one step: the change of topology and the validation of everything that it "
+        "touched. G is the processor time of one 512 x 512 x 512 double matrix product in the same process; "
+        "1 mG is a thousandth of it. Here G = " +
+        short_number(yardstick / 1000) + " ms. Budgets: a step of 2 mm with a blade of 1 mm, " +
+        short_number(budget_mg) + " mG median (lab_bench, cut_topology); any step, " +
         short_number(worst_budget_mg) + " mG at worst.");
     page.table(time_table);
 
-    page.heading("The stress list");
+    page.heading("Stress cases");
     const int meshes = std::max(1, strokes / 300);
     page.paragraph(
         std::to_string(meshes) +
-        " meshes a case, twelve steps each (every triangle cut: lines closer than its cells, both ways) by "
-        "blades from 0.1 um to 100 mm wide, from 0.1 mm to "
-        "2 m long, tilted, one in twelve not finite (each was refused); the whole surface is checked "
-        "after every step. A band thinner than a thousandth of the triangles it meets is widened to "
-        "that; roots without area are cut, but their parts' shape is not judged.");
+        " meshes per case and twelve steps per mesh. (In \"every triangle cut\" the strokes lie closer "
+        "together than the cells, in both directions.) Blades are 0.1 um to 100 mm wide, 0.1 mm to 2 m long "
+        "and tilted; one in twelve is not finite, and each of those was refused. The whole surface is "
+        "checked after every step. A band thinner than a thousandth of the triangles that it meets is "
+        "widened to that. Root triangles without area are cut, but the shape of their parts is not judged.");
     stress_table.name = "cut_stress";
     stress_table.columns = {"case", "meshes", "steps"};
     stress_table.columns.insert(stress_table.columns.end(), columns.begin(), columns.end());
@@ -155,7 +154,7 @@ ResultPage cut_strokes_page(int strokes) {
         add_row(names[which], tally);
         stress.add(tally);
     }
-    add_row("all together", stress);
+    add_row("total", stress);
     page.table(stress_table);
     page.document(
         {{"strokes", strokes}, {"yardstick_us", yardstick}, {"surfaces", surfaces}, {"stress", cases}});

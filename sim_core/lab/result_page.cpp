@@ -84,7 +84,9 @@ void ResultPage::file(const ResultFile& file, const std::string& alternative) {
 
 std::string ResultPage::text(const Machine& machine) const {
     std::string text = "<!-- SPDX-License-Identifier: Apache-2.0 -->\n# " + title_ + "\n\nMade by `" +
-                       command_ + "` at commit " + machine.build.commit + ", on " + machine.text() + ".\n\n" +
+                       command_ + "` at commit " + machine.build.commit + ", on " + machine.text() +
+                       ". The command also writes these results as JSON and CSV; the repository keeps only "
+                       "what people read.\n\n" +
                        body_;
     text.pop_back();
     return text;

@@ -146,15 +146,13 @@ ResultPage size_sweep_page(const std::vector<SizeSweep>& sweeps) {
     ResultPage page("size_sweep", "How work grows with size",
                     "fulcrum lab bench --sweep --output docs/results");
     page.paragraph(
-        "Each model's own step on one core, at growing sizes. Operations are counted by the model, mean of "
-        "the "
-        "counted steps; they are the same on every machine. Times are the thread's own on a processor, the "
-        "least of " +
+        "One step of each model on one core, at growing sizes. The model counts its own operations (mean "
+        "over the counted steps); the counts are the same on every machine. Times are processor times of the "
+        "thread: the least of " +
         std::to_string(rounds) +
-        " rounds' medians, all sizes in turn. Exponents are slopes over all sizes on logarithmic axes, least "
-        "squares. Limits are those of quality: operations grow with an exponent of at most 1.05; time an "
-        "element "
-        "between the smallest and the largest size by at most 2, for membranes 4.");
+        " medians, taken over all sizes in turn. Exponents are least-squares slopes over all sizes on "
+        "logarithmic axes. Limits (docs/QUALITY.md): the exponent of the operations is at most 1.05, and the "
+        "time per element grows by at most 2 between the smallest and the largest size (membranes: 4).");
     ResultTable summary;
     summary.columns = {"model",
                        "from",
@@ -162,13 +160,13 @@ ResultPage size_sweep_page(const std::vector<SizeSweep>& sweeps) {
                        "operations: exponent",
                        "limit",
                        "time: exponent",
-                       "time an element, largest over smallest",
+                       "time per element, largest over smallest",
                        "limit",
                        "within"};
     Chart chart;
-    chart.title = "Time an element over that of the smallest size";
+    chart.title = "Time per element, relative to the smallest size";
     chart.x_label = "size over the smallest size";
-    chart.y_label = "time an element over that of the smallest size";
+    chart.y_label = "time per element, relative to the smallest size";
     chart.x_logarithmic = chart.y_logarithmic = true;
     for (const SizeSweep& sweep : sweeps) {
         const SweepPoint &small = sweep.points.front(), &large = sweep.points.back();
@@ -185,7 +183,7 @@ ResultPage size_sweep_page(const std::vector<SizeSweep>& sweeps) {
         chart.series.push_back(series);
     }
     page.table(summary);
-    page.chart("size_sweep", "time an element against size", svg_chart(chart));
+    page.chart("size_sweep", "time per element against size", svg_chart(chart));
     for (std::size_t i = 0; i < sweeps.size(); ++i) {
         const SizeSweep& sweep = sweeps[i];
         page.heading(sweep.model);

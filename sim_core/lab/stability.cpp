@@ -108,11 +108,10 @@ ResultPage stability_page(const std::vector<StabilityMap>& maps) {
     ResultPage page("lab_stability", "Where the models stay bounded",
                     "fulcrum lab stability --output docs/results");
     page.paragraph(
-        "Green: bounded and as accurate as promised. Yellow with +: finite and bounded, but with substeps, "
-        "not converged or outside "
-        "the promised accuracy, and the model's report or the measure says so. Red with x: the model gave up "
-        "and said so, or left its "
-        "bounds. Curves: the boundary that theory gives.");
+        "Green: bounded, and within the stated accuracy. Yellow with +: finite and bounded, but the step "
+        "needed substeps, did not converge or is outside the stated accuracy; the model reports this. Red "
+        "with x: the model gave up and reported a fault, or left its bounds. Curves: the theoretical "
+        "boundary (docs/THEORY.md).");
     std::size_t cells = 0, broken = 0;
     for (std::size_t i = 0; i < maps.size(); ++i) {
         const StabilityMap& map = maps[i];
@@ -136,8 +135,7 @@ ResultPage stability_page(const std::vector<StabilityMap>& maps) {
         }
         page.paragraph("Model: " + map.model + ". " + std::to_string(map.cells.size()) +
                        " cells: " + std::to_string(counts[0]) + " stable, " + std::to_string(counts[1]) +
-                       " degraded, " + std::to_string(counts[2]) + " faults. Cells: [" + table.name +
-                       ".csv](" + table.name + ".csv).");
+                       " degraded, " + std::to_string(counts[2]) + " faults.");
         for (const StabilityCurve& curve : map.theory)
             page.paragraph("Curve \"" + curve.name + "\": " + curve.formula + ".");
         if (!map.theory_note.empty()) page.paragraph(map.theory_note);
@@ -145,7 +143,7 @@ ResultPage stability_page(const std::vector<StabilityMap>& maps) {
         page.chart(table.name, map.title, drawing(map));
     }
     page.paragraph(std::to_string(cells) + " cells in all; " + std::to_string(broken) +
-                   " let something non-finite out.");
+                   " produced a value that is not finite.");
     page.document(to_json(maps));
     return page;
 }

@@ -112,10 +112,9 @@ ResultPage tradeoff_page(const std::vector<TradeoffStudy>& studies,
                          const std::vector<ScoreSensitivity>& sensitivity) {
     ResultPage page("lab_tradeoff", "Speed against accuracy", "fulcrum lab tradeoff --output docs/results");
     page.paragraph(
-        "Each level of each model at several resolutions: error against the stated reference, median time of "
-        "a step on this machine. "
-        "A level is on the Pareto front when no other level measured in the same unit is at least as good in "
-        "both and better in one.");
+        "Each level of each model at several resolutions: its error against the stated reference and the "
+        "median time of a step on this machine. A level is on the Pareto front if no other level measured in "
+        "the same unit is at least as good in both and better in one.");
     for (std::size_t i = 0; i < studies.size(); ++i) {
         const TradeoffStudy& study = studies[i];
         page.heading(study.model);
@@ -133,10 +132,10 @@ ResultPage tradeoff_page(const std::vector<TradeoffStudy>& studies,
     if (!sensitivity.empty()) {
         page.heading("Effect on the score");
         page.paragraph(
-            "The same operator (same seed) does the same task at each fidelity; reference is the fidelity "
-            "`fine`. An attempt is a closed loop: a "
-            "slightly different force makes the operator move differently, so a change here is of the whole "
-            "attempt, not of one model.");
+            "The same operator (same seed) performs the same task at each fidelity; the reference is the "
+            "fidelity `fine`. An attempt is a closed loop: a slightly different force makes the operator "
+            "move differently. A change in this table is therefore a change of the whole attempt, not of one "
+            "model.");
         ResultTable table;
         table.name = "tradeoff_score_sensitivity";
         table.columns = {"task", "operator", "fidelity", "metric", "value", "at fine", "relative change"};

@@ -78,11 +78,11 @@ ResultPage validation_page(const std::vector<ValidationCase>& cases) {
     const auto failed =
         std::count_if(cases.begin(), cases.end(), [](const ValidationCase& c) { return !c.passed; });
     page.paragraph(
-        "Every model against closed forms and against solutions by another method; no reference uses the "
-        "model it judges. " +
+        "Every model is compared with closed forms and with solutions by another method. No reference uses "
+        "the model that it judges. " +
         std::to_string(cases.size()) + " cases, " + std::to_string(failed) +
-        " outside their tolerance. The same cases are asserted by the tests (tests/sim_core/lab). Errors are "
-        "relative to the reference or absolute in the quantity's unit, as said.");
+        " outside their tolerance. The tests in tests/sim_core/lab assert the same cases. Each error is "
+        "marked as relative to the reference or absolute in the unit of the quantity.");
     ResultTable table;
     table.name = "ACCURACY";
     table.columns = {"model",     "case",      "quantity",

@@ -159,18 +159,17 @@ int main(int argc, char** argv) {
                std::to_string(counts[2]);
     };
     page.paragraph(
-        "Intervals by order statistics; spread: standard deviation over mean; ordered: the "
-        "intermediates' median lies between the others'. Of " +
-        std::to_string(seeds) + " experts, intermediates, novices: completed " + of(completed) + "; passed " +
-        (benchmark ? of(passed) : std::string("by no one, there is no set")) +
+        "Intervals are from order statistics. Spread: standard deviation over mean. Apart: the intervals of "
+        "experts and novices do not overlap. Ordered: the median of the intermediates lies between the other "
+        "two. Of " +
+        std::to_string(seeds) + " experts, intermediates and novices, completed: " + of(completed) +
+        "; passed " + (benchmark ? of(passed) : std::string("none, because there is no benchmark set")) +
         ". Replayed bit for bit: " + std::to_string(identical) + " of " + std::to_string(groups * replays) +
         ". " + short_number(simulated / wall) +
-        " times real time a core, start, operators and record included, scoring and the replay "
-        "that follows left out.");
+        " times real time on one core, including start, operator and record but not scoring and replay.");
     page.paragraph(
-        "The presets were written so that experts are steadier, faster and gentler: this shows that tasks "
-        "and metrics tell them apart, not "
-        "that they tell people apart.");
+        "The presets are defined so that experts are steadier, faster and gentler. This page shows that the "
+        "tasks and metrics distinguish the presets; it does not show that they distinguish people.");
     page.document({{"task", task.id},
                    {"seeds", seeds},
                    {"completed", {completed[0], completed[1], completed[2]}},

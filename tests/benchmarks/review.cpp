@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What reviewers wait for (docs/QUALITY.md): a cohort report of 200 trainees as PDF (5 s), the first chart of
-// an hour's trace (1 s), a pan or zoom of it (16 ms). Runs without a display. Prints the figures, or writes
-// their page into a folder as well.   usage: benchmark_review [FOLDER]
+// Waiting times of a reviewer (docs/QUALITY.md): a cohort report of 200 trainees as PDF (5 s), the first
+// chart of an hour's trace (1 s), a pan or zoom of it (16 ms). Runs without a display. Prints the figures, or
+// writes their page into a folder as well.   usage: benchmark_review [FOLDER]
 #include <benchmark/benchmark.h>
 
 #include <QApplication>
@@ -194,13 +194,12 @@ class Keeper : public benchmark::ConsoleReporter {
 };
 
 void write_page(const std::string& folder, const lab::ResultTable& table, double load) {
-    lab::ResultPage page("review", "What reviewers wait for", "benchmark_review " + folder);
-    char beside[128];
-    std::snprintf(
-        beside, sizeof beside,
-        "Means; processor time is that of all threads together. Load of the machine over the last minute "
-        "when it began: %.1f.",
-        load);
+    lab::ResultPage page("review", "Waiting times of a reviewer", "benchmark_review " + folder);
+    char beside[256];
+    std::snprintf(beside, sizeof beside,
+                  "Means. Processor time is the sum over all threads. Load average of the machine over the "
+                  "minute before the run: %.1f.",
+                  load);
     page.paragraph(beside);
     page.table(table);
     page.write(folder, lab::this_machine(lab::build_info()));

@@ -334,29 +334,27 @@ void write_page(const std::string& folder, const Keeper& keeper, double load) {
     char beside[512];
     std::snprintf(
         beside, sizeof beside,
-        "1280 x 720, software rendering (llvmpipe) on the same cores as everything else. Budget: a "
-        "frame in 33 ms, of it at most 20 ms drawing. Load of the machine over the last minute when "
-        "it began: %.1f. G is the yardstick in the same process, about 3 ms on a 2.6 GHz core that "
+        "1280 x 720, software rendering (llvmpipe) on the same cores as all other threads. Budget: 33 ms per "
+        "frame, of which at most 20 ms are drawing. Load average of the machine over the minute before the "
+        "run: %.1f. G is the yardstick in the same process, about 3 ms on a 2.6 GHz core that "
         "does nothing else; the least disturbed 5 %% is what neighbours on the cores slowed least.",
         load);
     page.paragraph(beside);
     page.paragraph(
-        "The product's own view in a window beside a live attempt of a synthetic expert: haptic thread, "
-        "world, "
-        "recorder. Drawing lasts from asking for the picture until it is on the screen; its processor time "
-        "is "
-        "this thread's and the software renderer's. Resolution is the share of the window's own, along each "
-        "side, that the scene is drawn in; at most 70 %, in a hollow 58 %, and less where pictures take "
-        "long. "
-        "Words stand in the window's own. What the machine's host took is the share of processor time that "
-        "it gave to other machines during the run.");
+        "The theatre view in a window during a live attempt of a synthetic expert, with haptic, world and "
+        "recorder threads running. Drawing is measured from the request for a picture until it is on the "
+        "screen; its processor time is that of this thread and of the software renderer. Resolution is the "
+        "resolution of the scene along each side as a share of the window's: at most 70 %, in scenes with "
+        "walls all round 58 %, and less if drawing takes long. Text is drawn at the full resolution of the "
+        "window. The last share is the processor time that the host of the virtual machine gave to other "
+        "machines during the run.");
     page.table(keeper.window);
-    page.paragraph("The scene alone, drawn offscreen, over the first 40 s of the same expert.");
+    page.paragraph("The scene alone, drawn offscreen, over the first 40 s of the same attempt.");
     page.table(keeper.pictures);
     if (!cut_bowel_kept.empty()) {
         page.paragraph(
-            "cut_bowel: the wall cut in the world of scene bowel_enterotomy, a slit along the bowel and a "
-            "disc. Left while the disc falls into the lumen, right when it is gone.");
+            "cut_bowel: the bowel wall in scene bowel_enterotomy after two cuts, a slit along the bowel and "
+            "a disc. Left: while the disc falls into the lumen. Right: after it is gone.");
         page.file(cut_bowel_picture(), "A slit in the wall of a bowel and a round opening into it.");
     }
     page.write(folder, lab::this_machine(lab::build_info()));

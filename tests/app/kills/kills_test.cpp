@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program killed at random times while somebody performs on the clock with all its threads: without a
+// The program killed at random times during an attempt on the clock with all its threads: without a
 // window, and the whole window used by mouse and key events. FULCRUM_KILLS sets how often, 200 for the long
 // run; FULCRUM_KILLS_PAGE is the folder that gets its page.
 #include <fcntl.h>
@@ -160,7 +160,7 @@ void write_page(const char* page_folder, const Toll& toll) {
     std::sort(recorded.begin(), recorded.end());
     lab::ResultTable table;
     table.name = "kills";
-    table.columns = {"what", "figure"};
+    table.columns = {"what", "value"};
     table.rows = {
         {"kills", figure(toll.kills)},
         {"attempts begun", figure(static_cast<double>(toll.begun))},
@@ -175,18 +175,15 @@ void write_page(const char* page_folder, const Toll& toll) {
         {"recorded part of these, s: shortest", recorded.empty() ? "–" : figure(recorded.front(), "%.2f")},
         {"recorded part of these, s: longest", recorded.empty() ? "–" : figure(recorded.back(), "%.2f")},
     };
-    lab::ResultPage page("kills", "Killed " + std::to_string(toll.kills) + " times while somebody performs",
+    lab::ResultPage page("kills", "Killed " + std::to_string(toll.kills) + " times during an attempt",
                          "FULCRUM_KILLS=" + std::to_string(toll.kills) + " FULCRUM_KILLS_PAGE=" +
                              page_folder + " test_app_kills --gtest_filter=*TheWholeWindow*");
     page.paragraph(
-        "The program's window under Xvfb, with its haptic, world and recorder threads and its store: a "
-        "trainee "
-        "signs in, performs A2 assessed, abandons, reads the debrief and begins again, all by mouse and key "
-        "events, until `kill -9` comes at a random time, up to 3 s after the first tick. A finished "
-        "attempt "
-        "is one whose debrief was shown. The store is checked as a whole at the end: pages, references, "
-        "audit "
-        "chain, checksums, score digests.");
+        "The window of the program runs under Xvfb with its haptic, world and recorder threads and its "
+        "store. Mouse and key events act as a trainee: sign in, perform A2 as an assessed attempt, abandon "
+        "it, read the debrief, start again. A `kill -9` ends the program at a random time, up to 3 s after "
+        "the first tick. A finished attempt is one whose debrief was shown. At the end the whole store is "
+        "checked: pages, references, audit chain, checksums and score digests.");
     page.table(table);
     page.write(page_folder, lab::this_machine(lab::build_info()));
 }

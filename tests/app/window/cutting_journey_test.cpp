@@ -185,12 +185,12 @@ TEST_F(CuttingJourney, PedalAndExchangeAnswerToKeys) {
     if (const char* page_folder = std::getenv("FULCRUM_JOURNEY_PAGE")) {
         divide_tissue();
         if (!HasFailure())
-            page.write(
-                page_folder, "journey_cutting", "Dividing tissue through the window", "CuttingJourney.*",
-                "The program's window under Xvfb (software rendering) over its own services, threads, world, "
-                "recorder and store. Mouse moves, wheel turns, clicks and keys lead the instruments; where "
-                "they go, a synthetic expert says. Each is worked at for at most three minutes, in practice, "
-                "and abandoned if it is not over then. Each record is replayed bit for bit.");
+            page.write(page_folder, "journey_cutting", "Cutting tasks in the window", "CuttingJourney.*",
+                       "The program's window under Xvfb (software rendering) with its own services, threads, "
+                       "world, recorder and store. Mouse moves, wheel turns, clicks and keys drive the "
+                       "instruments; a synthetic expert decides where they go. Each task is performed in "
+                       "practice mode for at most three minutes and then abandoned if it is not finished. "
+                       "Each record is replayed bit for bit.");
     }
 }
 

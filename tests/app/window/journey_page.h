@@ -44,7 +44,7 @@ class JourneyPage {
                 " xvfb-run -a -s '-screen 0 1280x800x24' test_app_window --gtest_filter=" + tests);
         page.paragraph(about);
         lab::ResultTable table;
-        table.columns = {"what", "figure"};
+        table.columns = {"what", "value"};
         table.rows = figures_;
         page.table(table);
         for (const auto& [what, picture] : steps_) {

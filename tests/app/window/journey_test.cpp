@@ -340,11 +340,10 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
              plain(first_points));
     page.say("its time in debrief and progress", plain(first_time));
     if (whole && !HasFailure())
-        page.write(
-            page_folder, "journey", "The main job, end to end", "Journey.*",
-            "One run of the program's window under Xvfb (software rendering) over its own services, "
-            "threads, world, recorder and store, with mouse and key events: programme, people, attempts, "
-            "debrief, replay, comment, void, the director's files.");
+        page.write(page_folder, "journey", "The main workflow, end to end", "Journey.*",
+                   "One run of the program's window under Xvfb (software rendering) with its own services, "
+                   "threads, world, recorder and store, driven by mouse and key events: programme, people, "
+                   "attempts, debrief, replay, comment, void, and the files that the director saves.");
 }
 
 }  // namespace

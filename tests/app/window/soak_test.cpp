@@ -189,7 +189,7 @@ TEST_F(Window, KeepsItsClockAndLosesNothingWhileItDrawsAndTheHandsDragBowel) {
     };
     lab::ResultTable table;
     table.name = "soak";
-    table.columns = {"what", "figure"};
+    table.columns = {"what", "value"};
     table.rows = {
         {"ticks", number(static_cast<double>(statistics.ticks))},
         {"missed by the program", number(static_cast<double>(statistics.missed_by_program))},
@@ -201,7 +201,7 @@ TEST_F(Window, KeepsItsClockAndLosesNothingWhileItDrawsAndTheHandsDragBowel) {
          list({statistics.tick.p50_us, statistics.tick.p99_us, statistics.tick.worst_us})},
         {"world step, us: p50, p99, worst",
          list({statistics.step.p50_us, statistics.step.p99_us, statistics.step.worst_us})},
-        {"withheld from a thread that only reads the clock, s", number(withheld, "%.2f")},
+        {"time that a thread which only reads the clock did not get, s", number(withheld, "%.2f")},
         {"late world steps", number(static_cast<double>(statistics.late_steps))},
         {"samples lost", number(static_cast<double>(attempt.lost_samples))},
         {"ticks in the record", number(static_cast<double>(trace.samples.size()))},
@@ -216,15 +216,13 @@ TEST_F(Window, KeepsItsClockAndLosesNothingWhileItDrawsAndTheHandsDragBowel) {
     };
     for (const auto& row : table.rows) std::printf("%s: %s\n", row[0].c_str(), row[1].c_str());
     if (const char* page_folder = std::getenv("FULCRUM_SOAK_PAGE")) {
-        lab::ResultPage page("soak", "On the clock for " + std::to_string(seconds) + " s",
+        lab::ResultPage page("soak", "In real time for " + std::to_string(seconds) + " s",
                              "FULCRUM_SOAK_S=" + std::to_string(seconds) + " FULCRUM_SOAK_PAGE=" +
                                  page_folder + " test_app_window --gtest_filter=*KeepsItsClock*");
         const char* beside = std::getenv("FULCRUM_SOAK_BESIDE");
-        page.paragraph(
-            std::string(
-                "B1 in the real window under Xvfb, drawn, both hands grasping and dragging bowel by mouse "
-                "and key events. Beside it: ") +
-            (beside != nullptr ? beside : "nothing that was started for it") + ".");
+        page.paragraph(std::string("B1 in the real window under Xvfb, with drawing. Mouse and key events "
+                                   "make both hands grasp and drag the bowel. Running at the same time: ") +
+                       (beside != nullptr ? beside : "nothing else that was started for this run") + ".");
         page.table(table);
         page.write(page_folder, lab::this_machine(lab::build_info()));
     }
