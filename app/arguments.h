@@ -12,7 +12,7 @@
 
 namespace fulcrum::app {
 
-/// Bad usage: one line that names the place and the mend; exit status 2.
+/// Bad usage: one line that names the place and the hint; exit status 2.
 class UsageError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

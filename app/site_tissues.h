@@ -15,7 +15,7 @@ ui::SiteTissues site_tissues(const database::Store& store, const database::Sessi
                              const std::string& task_id);
 
 /// Checks the values against the scene, then sets them: what equals the scene file's own is left out, so that
-/// a later scene file's value counts there. Throws InputError naming tissue, value and mend; as
+/// a later scene file's value counts there. Throws InputError naming tissue, value and hint; as
 /// database::Tissues::set(). Returns the new version.
 int set_site_tissues(const database::Store& store, const database::Session& session,
                      const std::string& task_id, int seen, const database::TissueValues& values,

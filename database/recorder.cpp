@@ -28,8 +28,8 @@ StoreOptions for_writing(StoreOptions options) {
     return options;
 }
 
-[[noreturn]] void bad(const std::string& wrong, const std::string& mend) {
-    throw StoreError(StoreErrorKind::bad_value, wrong, mend);
+[[noreturn]] void bad(const std::string& wrong, const std::string& hint) {
+    throw StoreError(StoreErrorKind::bad_value, wrong, hint);
 }
 
 void insert_attempt(const Store& store, const AttemptMeta& attempt) {

@@ -222,7 +222,7 @@ class ApplicationServices {
     /// What blades meet in a task's tissues here. Throws InputError, AccessDenied.
     virtual SiteTissues site_tissues(const database::Session& session, const std::string& task_id) = 0;
     /// For attempts that begin afterwards. `values`: in place of the scene file's; none: back to those.
-    /// Throws InputError naming tissue, value and mend; as database::Tissues::set().
+    /// Throws InputError naming tissue, value and hint; as database::Tissues::set().
     virtual void set_site_tissues(const database::Session& session, const std::string& task_id, int seen,
                                   const database::TissueValues& values, const std::string& reason) = 0;
     /// For the about box and for reports.

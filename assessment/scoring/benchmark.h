@@ -58,7 +58,7 @@ struct BenchmarkSet {
 };
 
 nlohmann::json benchmark_to_json(const BenchmarkSet& set);
-/// Checked against the schema; throws InputError with file, JSON pointer and mend.
+/// Checked against the schema; throws InputError with file, JSON pointer and hint.
 BenchmarkSet parse_benchmark(const std::string& text, const std::string& file);
 BenchmarkSet load_benchmark(const std::string& path);
 

@@ -163,8 +163,8 @@ void check_gates(const TaskDefinition& task, const std::string& file) {
     for (std::size_t i = 0; i < task.gates.size(); ++i) {
         const GateSpec& gate = task.gates[i];
         const std::string place = "/gates/" + std::to_string(i);
-        const auto refuse = [&](const char* key, const std::string& wrong, const std::string& mend) {
-            throw InputError(file, place + key, wrong, mend);
+        const auto refuse = [&](const char* key, const std::string& wrong, const std::string& hint) {
+            throw InputError(file, place + key, wrong, hint);
         };
         const MetricDescriptor* d = find_metric(gate.metric);
         if (d == nullptr)

@@ -53,8 +53,8 @@ GoalMonitor::GoalMonitor(const TaskDefinition& task, const Scene& scene)
       warning_margin_(task.warning_margin) {
     for (const InstrumentSpec& spec : scene.instruments)
         tip_radius_[static_cast<std::size_t>(spec.hand)] = spec.tip_radius;
-    const auto refuse = [&](std::size_t i, const std::string& wrong, const std::string& mend) {
-        throw InputError(task.id, "/goals/" + std::to_string(i), wrong, mend);
+    const auto refuse = [&](std::size_t i, const std::string& wrong, const std::string& hint) {
+        throw InputError(task.id, "/goals/" + std::to_string(i), wrong, hint);
     };
     for (std::size_t i = 0; i < goals_.size(); ++i) {
         const Goal& goal = goals_[i];

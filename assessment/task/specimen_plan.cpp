@@ -9,8 +9,8 @@ namespace fulcrum {
 
 std::optional<SpecimenPlan> make_specimen_plan(const Scene& scene, const TaskDefinition& task) {
     if (!task.pathology) return std::nullopt;
-    const auto refuse = [&](const char* place, const std::string& wrong, const std::string& mend) {
-        throw InputError(task.id, place, wrong, mend);
+    const auto refuse = [&](const char* place, const std::string& wrong, const std::string& hint) {
+        throw InputError(task.id, place, wrong, hint);
     };
     if (!scene.septa)
         refuse("/pathology", "the scene \"" + scene.id + "\" has no septa to make a specimen of",

@@ -67,7 +67,7 @@ struct TaskDefinition {
     std::optional<Tumour> tumour;              ///< of the report
 };
 
-/// Throws InputError with file, place and mend.
+/// Throws InputError with file, place and hint.
 TaskDefinition load_task(const std::string& path);
 TaskDefinition parse_task(const std::string& text, const std::string& file);
 

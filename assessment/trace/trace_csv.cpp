@@ -28,7 +28,7 @@ struct ColumnRule {
     Quantity quantity;
     const char* unit;
     double low, high;
-    const char* mend;
+    const char* hint;
 };
 
 const ColumnRule& rule_of(Quantity quantity) {
@@ -70,13 +70,13 @@ class Reader {
     }
     const std::vector<std::string_view>& cells() const { return cells_; }
     [[noreturn]] void fail(const std::string& column, const std::string& wrong,
-                           const std::string& mend) const {
-        fail_at(row_, column, wrong, mend);
+                           const std::string& hint) const {
+        fail_at(row_, column, wrong, hint);
     }
     /// For what should have been in a row that is not there.
     [[noreturn]] void fail_at(std::size_t row, const std::string& column, const std::string& wrong,
-                              const std::string& mend) const {
-        throw InputError(file_, std::to_string(row) + ": " + column, wrong, mend);
+                              const std::string& hint) const {
+        throw InputError(file_, std::to_string(row) + ": " + column, wrong, hint);
     }
     /// Cells are shown in errors; they may hold anything.
     static std::string quoted(std::string_view cell) {
@@ -242,19 +242,19 @@ void read_units(Reader& reader, const std::vector<Column>& columns) {
 
 double parse_number(const Reader& reader, const Column& column, std::string_view cell) {
     const ColumnRule& rule = rule_of(column.quantity);
-    if (cell.empty()) reader.fail(column.name, "the cell is empty", rule.mend);
+    if (cell.empty()) reader.fail(column.name, "the cell is empty", rule.hint);
     if (cell.front() == '+') cell.remove_prefix(1);
     double value = 0;
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     if (error == std::errc::result_out_of_range)
-        reader.fail(column.name, Reader::quoted(cell) + " is out of range", rule.mend);
+        reader.fail(column.name, Reader::quoted(cell) + " is out of range", rule.hint);
     if (error != std::errc() || end != cell.data() + cell.size())
-        reader.fail(column.name, Reader::quoted(cell) + " is not a number", rule.mend);
+        reader.fail(column.name, Reader::quoted(cell) + " is not a number", rule.hint);
     if (!std::isfinite(value))
         reader.fail(column.name, Reader::quoted(cell) + " is not a finite number",
                     "leave the sample out or give the value");
     if (value < rule.low || value > rule.high)
-        reader.fail(column.name, Reader::quoted(cell) + " is out of range", rule.mend);
+        reader.fail(column.name, Reader::quoted(cell) + " is out of range", rule.hint);
     return value;
 }
 
@@ -298,7 +298,7 @@ void store_cell(const Reader& reader, const Column& column, std::string_view cel
     } else {
         if (value != std::floor(value))
             reader.fail(column.name, Reader::quoted(cell) + " is not a whole number",
-                        rule_of(column.quantity).mend);
+                        rule_of(column.quantity).hint);
         if (column.flags != nullptr) column.flags->push_back(value > 0 ? 1 : 0);
         if (column.indices != nullptr) column.indices->push_back(static_cast<std::int16_t>(value));
     }

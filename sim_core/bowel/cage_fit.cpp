@@ -13,8 +13,8 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-[[noreturn]] void refuse(const std::string& wrong, const std::string& mend) {
-    throw InputError("bowel surface", "", wrong, mend);
+[[noreturn]] void refuse(const std::string& wrong, const std::string& hint) {
+    throw InputError("bowel surface", "", wrong, hint);
 }
 
 // Items whose x-ranges may meet a given range, found through equal slabs along the tube.

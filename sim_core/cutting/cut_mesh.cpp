@@ -13,8 +13,8 @@
 namespace fulcrum {
 namespace {
 
-[[noreturn]] void refuse(const std::string& place, const std::string& wrong, const std::string& mend) {
-    throw InputError("mesh to cut", place, wrong, mend);
+[[noreturn]] void refuse(const std::string& place, const std::string& wrong, const std::string& hint) {
+    throw InputError("mesh to cut", place, wrong, hint);
 }
 
 void require_manifold(const TriangleMesh& mesh) {

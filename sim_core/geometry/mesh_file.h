@@ -19,7 +19,7 @@ struct MeshLimits {
 
 /// Reads positions, texture coordinates (one a vertex: a vertex used with several keeps the first) and faces;
 /// polygons become fans. Vertices keep the file's order and number. Throws InputError naming file, line or
-/// element, and mend.
+/// element, and hint.
 TriangleMesh read_obj(const std::string& path, const MeshLimits& limits = {});
 
 /// The same from a text in memory; name stands for the file in errors.

@@ -52,7 +52,7 @@ struct ExperimentResult {
 };
 
 /// Runs one experiment file (assets/experiments/*.json: kind, id, figure, caption and the kind's own numbers,
-/// all SI). Throws InputError with file, place and mend. Same file, same result, bit for bit.
+/// all SI). Throws InputError with file, place and hint. Same file, same result, bit for bit.
 ExperimentResult run_experiment(const std::string& path);
 
 }  // namespace fulcrum::lab

@@ -21,8 +21,8 @@ class Reader {
             throw InputError(file_, "/", "a study must be a JSON object", "write {\"model\": \"rod\", ...}");
     }
     [[noreturn]] void fail(const std::string& place, const std::string& wrong,
-                           const std::string& mend) const {
-        throw InputError(file_, place, wrong, mend);
+                           const std::string& hint) const {
+        throw InputError(file_, place, wrong, hint);
     }
     double finite(const json& value, const std::string& place) const {
         if (!value.is_number()) fail(place, "must be a number", "write it in SI units");

@@ -7,7 +7,7 @@
 
 namespace fulcrum {
 
-/// Runs {"model": "rod", ...}. Throws InputError (file, JSON pointer, what is wrong, mend) on a bad study.
+/// Runs {"model": "rod", ...}. Throws InputError (file, JSON pointer, what is wrong, hint) on a bad study.
 nlohmann::json run_rod_study(const nlohmann::json& study, const std::string& file);
 
 }  // namespace fulcrum

@@ -8,7 +8,7 @@
 namespace fulcrum::lab {
 
 /// Reads a study file, runs the model it names, returns the result document of docs/FORMATS.md. Throws
-/// InputError with file, JSON pointer and mend.
+/// InputError with file, JSON pointer and hint.
 nlohmann::json run_study(const std::string& path);
 
 }  // namespace fulcrum::lab

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading a study file's keys: each complaint names file, line, key and a mend.
+// Reading a study file's keys: each complaint names file, line, key and a hint.
 #pragma once
 
 #include <string>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one error type of bad input: it names the file, the place in it, what is wrong and how to mend it.
+// InputError: the one exception for bad input. It names the file, the place in it, what is wrong and what to
+// do.
 #pragma once
 
 #include <stdexcept>
@@ -7,23 +8,23 @@
 
 namespace fulcrum {
 
-/// Thrown at the edge (files, command line), never on the haptic or world thread. what() is one line:
-/// `FILE:PLACE: wrong; mend`.
+/// Thrown where files and command lines are read, never on the haptic or the world thread. what() is one
+/// line: `FILE:PLACE: problem; hint`.
 class InputError : public std::runtime_error {
   public:
-    InputError(std::string file, std::string place, std::string wrong, std::string mend)
-        : std::runtime_error(file + (place.empty() ? "" : ":" + place) + ": " + wrong + "; " + mend),
+    InputError(std::string file, std::string place, std::string problem, std::string hint)
+        : std::runtime_error(file + (place.empty() ? "" : ":" + place) + ": " + problem + "; " + hint),
           file_(std::move(file)),
           place_(std::move(place)),
-          wrong_(std::move(wrong)),
-          mend_(std::move(mend)) {}
+          problem_(std::move(problem)),
+          hint_(std::move(hint)) {}
     const std::string& file() const noexcept { return file_; }
     const std::string& place() const noexcept { return place_; }
-    const std::string& wrong() const noexcept { return wrong_; }
-    const std::string& mend() const noexcept { return mend_; }
+    const std::string& problem() const noexcept { return problem_; }
+    const std::string& hint() const noexcept { return hint_; }
 
   private:
-    std::string file_, place_, wrong_, mend_;
+    std::string file_, place_, problem_, hint_;
 };
 
 }  // namespace fulcrum

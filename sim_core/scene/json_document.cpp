@@ -207,9 +207,9 @@ int JsonDocument::line(const std::string& pointer) const {
     }
 }
 
-void JsonDocument::fail(const std::string& pointer, const std::string& wrong, const std::string& mend) const {
+void JsonDocument::fail(const std::string& pointer, const std::string& wrong, const std::string& hint) const {
     throw InputError(file_, std::to_string(line(pointer)) + (pointer.empty() ? "" : " (" + pointer + ")"),
-                     wrong, mend);
+                     wrong, hint);
 }
 
 }  // namespace fulcrum

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A JSON file that knows its lines: scenes, tasks and whatever else people write by hand are read through
-// this, so that every complaint names file, line, JSON pointer and a mend.
+// this, so that every complaint names file, line, JSON pointer and a hint.
 #pragma once
 
 #include <cstddef>
@@ -32,12 +32,12 @@ class JsonDocument {
     /// Line (from 1) of the value at a JSON pointer, or of its nearest ancestor that exists.
     int line(const std::string& pointer) const;
     /// Checks the document against a JSON Schema (draft 7; only local "$ref"). Throws InputError for the most
-    /// specific violation, with a mend taken from the schema's own descriptions. The schema is program text:
+    /// specific violation, with a hint taken from the schema's own descriptions. The schema is program text:
     /// a broken one throws std::logic_error.
     void check_schema(const char* schema) const;
     /// Throws InputError at a place.
     [[noreturn]] void fail(const std::string& pointer, const std::string& wrong,
-                           const std::string& mend) const;
+                           const std::string& hint) const;
 
   private:
     std::string file_;

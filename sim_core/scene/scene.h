@@ -223,7 +223,7 @@ struct Scene {
     const FieldSpec* field() const;  ///< of bands or structures; null without
 };
 
-/// Reads and checks a scene file. Throws InputError naming file, place (line or JSON pointer) and mend.
+/// Reads and checks a scene file. Throws InputError naming file, place (line or JSON pointer) and hint.
 Scene load_scene(const std::string& path);
 /// As load_scene, from text; `file` names the source in errors.
 Scene parse_scene(const std::string& text, const std::string& file);

@@ -7,7 +7,7 @@
 
 namespace fulcrum {
 
-/// The schema has checked types and ranges. Throws InputError naming place and mend for what makes no sense
+/// The schema has checked types and ranges. Throws InputError naming place and hint for what makes no sense
 /// together; tissue labels are the caller's to check.
 StructuresSpec read_structures_spec(const JsonDocument& document, const nlohmann::json& node);
 

@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             fulcrum::parse_benchmark(std::string(reinterpret_cast<const char*>(data), size), "fuzz.json");
         if (set.task.empty()) __builtin_trap();
     } catch (const fulcrum::InputError& error) {
-        if (error.wrong().empty() || error.mend().empty()) __builtin_trap();
+        if (error.problem().empty() || error.hint().empty()) __builtin_trap();
     }
     return 0;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whatever bytes arrive as a trace: either an InputError with file, place and mend, or a trace whose every
+// Whatever bytes arrive as a trace: either an InputError with file, place and hint, or a trace whose every
 // metric is finite.
 #include <cmath>
 #include <cstdlib>
@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         trace = read_trace_csv(in, "fuzz.csv");
     } catch (const InputError& error) {
-        if (error.place().empty() || error.mend().empty()) std::abort();
+        if (error.place().empty() || error.hint().empty()) std::abort();
         return 0;
     }
     std::stringstream text;

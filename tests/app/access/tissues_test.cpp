@@ -224,9 +224,9 @@ TEST_F(SiteTissue, TheCommandLineReadsAndSetsAsTheTableSays) {
         {{"tissues", "B2", "--set", "areolar.penetrate_n=0.11", "--reason", "x"}, "in force already"},
         {{"tissues", "Z9"}, "no task"},
     };
-    for (const auto& [words, mend] : bad) {
+    for (const auto& [words, hint] : bad) {
         const std::string refused = run(words, Role::educator).first;
-        EXPECT_NE(refused.find(mend), std::string::npos) << refused;
+        EXPECT_NE(refused.find(hint), std::string::npos) << refused;
         EXPECT_NE(refused.find(';'), std::string::npos) << refused;
     }
     EXPECT_EQ(run({"tissues", "B2", "--scene-values", "--reason", "back"}, Role::educator).first, "");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program as other programs see it: exit statuses, JSON, errors that name file, place and mend.
+// The program as other programs see it: exit statuses, JSON, errors that name file, place and hint.
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
@@ -103,7 +103,7 @@ TEST_F(Program, RefusesBadCommandLinesWithTwo) {
         EXPECT_NE(outcome.errors.find("fulcrum: "), std::string::npos);
         EXPECT_EQ(outcome.errors.find("fulcrum: "), outcome.errors.rfind("fulcrum: "))
             << "one line: " << outcome.errors;
-        EXPECT_NE(outcome.errors.find(';'), std::string::npos) << "no mend: " << outcome.errors;
+        EXPECT_NE(outcome.errors.find(';'), std::string::npos) << "no hint: " << outcome.errors;
     }
 }
 
@@ -144,7 +144,7 @@ TEST_F(Program, RefusesBrokenTraces) {
         EXPECT_NE(outcome.errors.find(std::string("trace.csv") + place), std::string::npos)
             << name << ": " << outcome.errors;
         EXPECT_NE(outcome.errors.find(';'), std::string::npos)
-            << name << " names no mend: " << outcome.errors;
+            << name << " names no hint: " << outcome.errors;
     }
 }
 

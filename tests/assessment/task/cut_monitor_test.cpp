@@ -352,7 +352,7 @@ TEST(CutTask, RefusesWhatDoesNotHoldTogether) {
             return std::string("accepted");
         } catch (const InputError& error) {
             EXPECT_GT(std::atoi(error.place().c_str()), 0) << error.what();
-            return error.wrong();
+            return error.problem();
         }
     };
     EXPECT_NE(broken("\"tolerance_m\": 0.002", "\"tolerance_m\": 0.02").find("above corridor_m"),

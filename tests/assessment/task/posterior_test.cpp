@@ -61,8 +61,8 @@ TEST(Posterior, RefusesAReportThatCouldNotBeMade) {
             TaskMonitor(task, scene, 1);
             ADD_FAILURE() << "accepted: " << wrong;
         } catch (const InputError& error) {
-            EXPECT_NE(error.wrong().find(wrong), std::string::npos) << error.what();
-            EXPECT_FALSE(error.mend().empty());
+            EXPECT_NE(error.problem().find(wrong), std::string::npos) << error.what();
+            EXPECT_FALSE(error.hint().empty());
         }
     };
     const TaskDefinition task = parse_task(task_text(), "C4.json");

@@ -82,7 +82,7 @@ struct BrokenTask {
     const char* what;
     const char* with;
     const char* wrong;
-    const char* mend;
+    const char* hint;
 };
 
 class BrokenTaskFile : public testing::TestWithParam<BrokenTask> {};
@@ -99,8 +99,8 @@ TEST_P(BrokenTaskFile, NamesFilePlaceAndMend) {
     } catch (const InputError& error) {
         EXPECT_EQ(error.file(), "broken.json");
         EXPECT_GT(std::atoi(error.place().c_str()), 0) << "a line: " << error.what();
-        EXPECT_NE(error.wrong().find(broken.wrong), std::string::npos) << error.what();
-        EXPECT_NE(error.mend().find(broken.mend), std::string::npos) << error.what();
+        EXPECT_NE(error.problem().find(broken.wrong), std::string::npos) << error.what();
+        EXPECT_NE(error.hint().find(broken.hint), std::string::npos) << error.what();
     }
 }
 

@@ -190,7 +190,7 @@ TEST_F(CutStudy, RefusesBadInputWithFilePlaceAndMend) {
             ADD_FAILURE() << bad.text;
         } catch (const InputError& error) {
             EXPECT_NE(std::string(error.what()).find(bad.place), std::string::npos) << error.what();
-            EXPECT_FALSE(error.mend().empty());
+            EXPECT_FALSE(error.hint().empty());
         }
     }
     TriangleMesh book = test::cut_sheet(1, 1, 0.01);

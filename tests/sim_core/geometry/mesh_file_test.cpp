@@ -64,8 +64,8 @@ TEST(MeshFile, RefusesBrokenInputWithPlaceAndMend) {
         } catch (const InputError& error) {
             EXPECT_EQ(error.file(), "part.obj");
             EXPECT_EQ(error.place().rfind(broken.place, 0), 0u) << broken.text << error.what();
-            EXPECT_NE(error.wrong().find(broken.part), std::string::npos) << error.what();
-            EXPECT_FALSE(error.mend().empty());
+            EXPECT_NE(error.problem().find(broken.part), std::string::npos) << error.what();
+            EXPECT_FALSE(error.hint().empty());
         }
     }
     std::string zero_byte = "v 0 0 0\n";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A site's values of what blades meet: read, put in place, refused with tissue, key and mend.
+// A site's values of what blades meet: read, put in place, refused with tissue, key and hint.
 #include "sim_core/scene/cutting_values.h"
 
 #include <gtest/gtest.h>

@@ -79,7 +79,7 @@ struct BrokenScene {
     const char* what;   // replaced in the asset ...
     const char* with;   // ... by this
     const char* wrong;  // must stand in the complaint
-    const char* mend;   // must stand in the mend
+    const char* hint;   // must stand in the hint
     const char* at;     // text whose line must be named; null: the line of `with`
 };
 
@@ -95,8 +95,8 @@ TEST_P(BrokenSceneFile, NamesFilePlaceAndMend) {
         EXPECT_EQ(error.file(), "broken.json");
         const int line = line_of(text, broken.at != nullptr ? broken.at : broken.with);
         EXPECT_EQ(std::atoi(error.place().c_str()), line) << error.what();
-        EXPECT_NE(error.wrong().find(broken.wrong), std::string::npos) << error.what();
-        EXPECT_NE(error.mend().find(broken.mend), std::string::npos) << error.what();
+        EXPECT_NE(error.problem().find(broken.wrong), std::string::npos) << error.what();
+        EXPECT_NE(error.hint().find(broken.hint), std::string::npos) << error.what();
         EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << "one line, please";
     }
 }

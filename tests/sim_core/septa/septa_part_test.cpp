@@ -277,7 +277,7 @@ TEST(Septa, ZonesHaveTheirOwnStiffness) {
     EXPECT_THROW(derive_springs(layout.mesh, material), InputError);
 }
 
-// Whatever a scene may say: it is refused with a mend, or it runs and stays finite.
+// Whatever a scene may say: it is refused with a hint, or it runs and stays finite.
 TEST(Septa, ExtremesOfTheSceneRunOrAreRefused) {
     Random random(20, 5);
     int ran = 0;
