@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "ui/application_services.h"
+#include "ui/page/application_services.h"
 
 namespace fulcrum::app {
 

@@ -21,7 +21,7 @@
 #include "app/loop_statistics.h"
 #include "app/performance.h"
 #include "database/recorder.h"
-#include "ui/application_services.h"
+#include "ui/page/application_services.h"
 
 namespace fulcrum::app {
 

@@ -6,7 +6,7 @@
 
 #include "app/performance.h"
 #include "database/trace_codec.h"
-#include "ui/application_services.h"
+#include "ui/page/application_services.h"
 
 namespace fulcrum::app {
 

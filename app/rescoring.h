@@ -8,7 +8,7 @@
 
 #include "app/scoring.h"
 #include "database/attempts.h"
-#include "ui/application_services.h"
+#include "ui/page/application_services.h"
 
 namespace fulcrum::app {
 

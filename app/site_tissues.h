@@ -6,7 +6,7 @@
 #include <string>
 
 #include "database/store.h"
-#include "ui/application_services.h"
+#include "ui/page/application_services.h"
 
 namespace fulcrum::app {
 

@@ -7,7 +7,7 @@
 #include <QJsonObject>
 
 #include "database/people.h"
-#include "ui/shell/background_job.h"
+#include "ui/page/background_job.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"

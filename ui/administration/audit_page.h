@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "database/audit.h"
-#include "ui/shell/context.h"
+#include "ui/page/context.h"
 
 class QComboBox;
 class QDateEdit;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "database/people.h"
-#include "ui/shell/context.h"
+#include "ui/page/context.h"
 
 class QFrame;
 class QLineEdit;

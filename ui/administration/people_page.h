@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "database/people.h"
-#include "ui/shell/context.h"
+#include "ui/page/context.h"
 
 class QCheckBox;
 class QFrame;

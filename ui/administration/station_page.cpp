@@ -4,7 +4,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
-#include "ui/shell/background_job.h"
+#include "ui/page/background_job.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "database/store.h"
-#include "ui/shell/context.h"
+#include "ui/page/context.h"
 
 class QLabel;
 class QPushButton;

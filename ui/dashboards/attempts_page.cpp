@@ -5,7 +5,7 @@
 #include <QHeaderView>
 
 #include "database/people.h"
-#include "ui/shell/background_job.h"
+#include "ui/page/background_job.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 

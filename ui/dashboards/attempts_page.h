@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "database/attempts.h"
-#include "ui/shell/context.h"
+#include "ui/page/context.h"
 
 class QComboBox;
 class QFrame;

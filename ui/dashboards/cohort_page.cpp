@@ -8,9 +8,9 @@
 #include <algorithm>
 
 #include "database/people.h"
+#include "ui/page/background_job.h"
 #include "ui/reports/export_row.h"
 #include "ui/reports/report_export.h"
-#include "ui/shell/background_job.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"

@@ -10,7 +10,7 @@
 
 #include "assessment/task/task.h"
 #include "database/report_data.h"
-#include "ui/application_services.h"
+#include "ui/page/application_services.h"
 
 namespace fulcrum::ui {
 

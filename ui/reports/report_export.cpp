@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 #include <memory>
 
-#include "ui/shell/background_job.h"
+#include "ui/page/background_job.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {

@@ -6,8 +6,8 @@
 #include <QString>
 #include <functional>
 
+#include "ui/page/context.h"
 #include "ui/reports/report.h"
-#include "ui/shell/context.h"
 
 namespace fulcrum::ui {
 

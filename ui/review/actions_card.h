@@ -4,7 +4,7 @@
 #pragma once
 
 #include "database/attempts.h"
-#include "ui/shell/context.h"
+#include "ui/page/context.h"
 
 class QComboBox;
 class QLabel;

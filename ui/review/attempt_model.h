@@ -14,8 +14,8 @@
 #include "database/attempts.h"
 #include "database/report_data.h"
 #include "sim_core/scene/scene.h"
-#include "ui/application_services.h"
 #include "ui/charts/decimation.h"
+#include "ui/page/application_services.h"
 
 namespace fulcrum::ui {
 

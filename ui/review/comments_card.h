@@ -6,7 +6,7 @@
 #include <QFrame>
 #include <string>
 
-#include "ui/shell/context.h"
+#include "ui/page/context.h"
 
 class QLabel;
 class QPlainTextEdit;

@@ -10,6 +10,7 @@
 
 #include "assessment/metrics/registry.h"
 #include "ui/charts/time_chart.h"
+#include "ui/page/background_job.h"
 #include "ui/reports/report_export.h"
 #include "ui/review/actions_card.h"
 #include "ui/review/comments_card.h"
@@ -17,7 +18,6 @@
 #include "ui/review/path_view.h"
 #include "ui/review/pathology_card.h"
 #include "ui/review/replay_panel.h"
-#include "ui/shell/background_job.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"

@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
+#include "ui/page/context.h"
 #include "ui/review/attempt_model.h"
-#include "ui/shell/context.h"
 
 class QCheckBox;
 class QLabel;

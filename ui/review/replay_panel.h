@@ -7,7 +7,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "ui/application_services.h"
+#include "ui/page/application_services.h"
 #include "ui/review/attempt_model.h"
 
 class QComboBox;

@@ -9,8 +9,8 @@
 #include <QStackedWidget>
 
 #include "database/people.h"
-#include "ui/shell/background_job.h"
-#include "ui/shell/fields.h"
+#include "ui/page/background_job.h"
+#include "ui/page/fields.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 

@@ -3,7 +3,7 @@
 // wrong with a store and the way on.
 #pragma once
 
-#include "ui/shell/context.h"
+#include "ui/page/context.h"
 
 class QLabel;
 class QLineEdit;

@@ -3,7 +3,7 @@
 
 #include <QLineEdit>
 
-#include "ui/shell/background_job.h"
+#include "ui/page/background_job.h"
 #include "ui/shell/sign_in_page.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"

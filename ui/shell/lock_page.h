@@ -3,7 +3,7 @@
 // in, or another user.
 #pragma once
 
-#include "ui/shell/context.h"
+#include "ui/page/context.h"
 
 class QLabel;
 class QLineEdit;

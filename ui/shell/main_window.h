@@ -9,7 +9,7 @@
 #include <map>
 #include <vector>
 
-#include "ui/shell/context.h"
+#include "ui/page/context.h"
 #include "ui/shell/idle_watch.h"
 #include "ui/style/palette.h"
 

@@ -3,7 +3,7 @@
 // people of the demo, no password. Also the last administrator's way back with the recovery code.
 #pragma once
 
-#include "ui/shell/context.h"
+#include "ui/page/context.h"
 
 class QFrame;
 class QLabel;

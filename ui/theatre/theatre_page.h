@@ -8,7 +8,7 @@
 #include <functional>
 #include <memory>
 
-#include "ui/shell/context.h"
+#include "ui/page/context.h"
 
 class QFrame;
 class QLabel;

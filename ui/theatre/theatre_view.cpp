@@ -5,7 +5,7 @@
 #include <QPainter>
 #include <stdexcept>
 
-#include "ui/shell/background_job.h"
+#include "ui/page/background_job.h"
 #include "ui/theatre/realignment.h"
 #include "ui/theatre/renderer/offscreen.h"
 #include "ui/theatre/renderer/scene_assembler.h"

@@ -2,7 +2,7 @@
 // One screen before an attempt: what to do, what is judged, with what; assessed or practice; *Start as NAME*.
 #pragma once
 
-#include "ui/shell/context.h"
+#include "ui/page/context.h"
 
 class QLabel;
 class QPushButton;

@@ -2,7 +2,7 @@
 // The trainee's first page: the next thing to do and why, unread comments, a card a task.
 #pragma once
 
-#include "ui/shell/context.h"
+#include "ui/page/context.h"
 
 class QFrame;
 class QGridLayout;

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "database/report_data.h"
+#include "ui/page/context.h"
 #include "ui/reports/report.h"
-#include "ui/shell/context.h"
 
 class QComboBox;
 class QLabel;

@@ -9,7 +9,7 @@
 
 #include "database/recorder.h"
 #include "database/trace_codec.h"
-#include "ui/application_services.h"
+#include "ui/page/application_services.h"
 
 namespace fulcrum::ui::test {
 

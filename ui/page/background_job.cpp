@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/shell/background_job.h"
+#include "ui/page/background_job.h"
 
 #include <QPointer>
 #include <QProgressBar>
 #include <QRunnable>
 #include <QThreadPool>
 
-#include "ui/shell/mail_room.h"
+#include "ui/page/mail_room.h"
 #include "ui/style/widgets.h"
 
 namespace fulcrum::ui {

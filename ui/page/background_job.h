@@ -10,7 +10,7 @@
 #include <functional>
 #include <memory>
 
-#include "ui/application_services.h"
+#include "ui/page/application_services.h"
 
 class QLabel;
 class QProgressBar;

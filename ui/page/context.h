@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "database/access.h"
-#include "ui/application_services.h"
+#include "ui/page/application_services.h"
 
 namespace fulcrum::ui {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/shell/context.h"
+#include "ui/page/context.h"
 
 #include <exception>
 
 #include "database/errors.h"
-#include "ui/shell/background_job.h"
+#include "ui/page/background_job.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {

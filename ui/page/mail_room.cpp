@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/shell/mail_room.h"
+#include "ui/page/mail_room.h"
 
 #include <QCoreApplication>
 
