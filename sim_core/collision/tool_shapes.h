@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An instrument as solids: the shaft a capsule, each jaw a box (issue: tools against bowel, tool against
+// An instrument as solids: the shaft a capsule, each jaw a box (tools against bowel, tool against
 // tool). Any thread; no allocation, no exception.
 #pragma once
 
