@@ -7,7 +7,7 @@
 #include "app/performance.h"
 #include "app/plane_workload.h"
 #include "assessment/operators/operator.h"
-#include "database/trace_codec.h"
+#include "database/rows/trace_codec.h"
 
 namespace fulcrum::app {
 namespace {

@@ -12,7 +12,7 @@
 #include "app/commands.h"
 #include "app/performance.h"
 #include "assessment/scoring/benchmark_builder.h"
-#include "database/attempts.h"
+#include "database/records/attempts.h"
 #include "sim_core/numerics/input_error.h"
 
 namespace fulcrum::app {

@@ -8,8 +8,8 @@
 #include "app/commands.h"
 #include "app/interrupted.h"
 #include "app/rescoring.h"
-#include "database/audit.h"
-#include "database/people.h"
+#include "database/records/people.h"
+#include "database/store/audit.h"
 #include "sim_core/numerics/input_error.h"
 
 namespace fulcrum::app {

@@ -10,7 +10,7 @@
 #include "app/commands.h"
 #include "app/performance.h"
 #include "assessment/operators/operator.h"
-#include "database/recorder.h"
+#include "database/records/recorder.h"
 #include "sim_core/numerics/input_error.h"
 #include "ui/reports/report.h"
 #include "ui/theatre/renderer/scene_assembler.h"

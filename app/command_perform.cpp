@@ -12,7 +12,7 @@
 #include "app/trace_rig.h"
 #include "assessment/metrics/metrics_json.h"
 #include "assessment/operators/operator.h"
-#include "database/recorder.h"
+#include "database/records/recorder.h"
 #include "sim_core/numerics/input_error.h"
 
 namespace fulcrum::app {

@@ -6,7 +6,7 @@
 #include "app/assets.h"
 #include "app/commands.h"
 #include "app/performance.h"
-#include "database/attempts.h"
+#include "database/records/attempts.h"
 #include "sim_core/numerics/input_error.h"
 
 namespace fulcrum::app {

@@ -6,7 +6,7 @@
 
 #include "app/commands.h"
 #include "app/site_tissues.h"
-#include "database/tissues.h"
+#include "database/records/tissues.h"
 
 namespace fulcrum::app {
 namespace {

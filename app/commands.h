@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/arguments.h"
-#include "database/people.h"
-#include "database/store.h"
+#include "database/records/people.h"
+#include "database/store/store.h"
 
 namespace fulcrum::app {
 

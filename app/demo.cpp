@@ -6,7 +6,7 @@
 
 #include "app/assets.h"
 #include "app/performance.h"
-#include "database/people.h"
+#include "database/records/people.h"
 
 namespace fulcrum::app {
 namespace {

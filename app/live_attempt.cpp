@@ -6,7 +6,7 @@
 
 #include "app/device_watch.h"
 #include "app/real_time.h"
-#include "database/attempts.h"
+#include "database/records/attempts.h"
 #include "sim_core/telemetry/ring.h"
 
 namespace fulcrum::app {

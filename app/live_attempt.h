@@ -20,7 +20,7 @@
 
 #include "app/loop_statistics.h"
 #include "app/performance.h"
-#include "database/recorder.h"
+#include "database/records/recorder.h"
 #include "ui/page/application_services.h"
 
 namespace fulcrum::app {

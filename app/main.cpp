@@ -7,7 +7,7 @@
 #include "app/allocation_counter.h"
 #include "app/application.h"
 #include "app/commands.h"
-#include "database/errors.h"
+#include "database/rows/errors.h"
 #include "sim_core/lab/bench.h"
 #include "sim_core/numerics/input_error.h"
 

@@ -9,7 +9,7 @@
 #include "app/trace_rig.h"
 #include "assessment/operators/operator.h"
 #include "assessment/version.h"
-#include "database/tissues.h"
+#include "database/records/tissues.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/scene/fidelity.h"
 #include "sim_core/scene/json_document.h"

@@ -11,9 +11,9 @@
 
 #include "app/scoring.h"
 #include "assessment/attempt/memory_sink.h"
-#include "database/attempts.h"
-#include "database/recorder.h"
-#include "database/store.h"
+#include "database/records/attempts.h"
+#include "database/records/recorder.h"
+#include "database/store/store.h"
 #include "sim_core/scene/cutting_values.h"
 
 namespace fulcrum::app {

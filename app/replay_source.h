@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "app/performance.h"
-#include "database/trace_codec.h"
+#include "database/rows/trace_codec.h"
 #include "ui/page/application_services.h"
 
 namespace fulcrum::app {

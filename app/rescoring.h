@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/scoring.h"
-#include "database/attempts.h"
+#include "database/records/attempts.h"
 #include "ui/page/application_services.h"
 
 namespace fulcrum::app {

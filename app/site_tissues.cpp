@@ -3,7 +3,7 @@
 
 #include "app/performance.h"
 #include "app/scoring.h"
-#include "database/tissues.h"
+#include "database/records/tissues.h"
 #include "sim_core/scene/cutting_values.h"
 
 namespace fulcrum::app {

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "database/store.h"
+#include "database/store/store.h"
 #include "ui/page/application_services.h"
 
 namespace fulcrum::app {

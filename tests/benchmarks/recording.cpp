@@ -9,9 +9,9 @@
 #include <cmath>
 #include <vector>
 
-#include "database/attempts.h"
-#include "database/people.h"
-#include "database/recorder.h"
+#include "database/records/attempts.h"
+#include "database/records/people.h"
+#include "database/records/recorder.h"
 
 namespace fulcrum::database {
 namespace {

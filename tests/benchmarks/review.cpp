@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "database/recorder.h"
+#include "database/records/recorder.h"
 #include "sim_core/lab/result_page.h"
 #include "tests/database/large_programme.h"
 #include "tests/support/support.h"

@@ -28,7 +28,7 @@
 #include "app/assets.h"
 #include "app/live_attempt.h"
 #include "assessment/operators/operator.h"
-#include "database/people.h"
+#include "database/records/people.h"
 #include "sim_core/lab/result_page.h"
 #include "sim_core/lab/yardstick.h"
 #include "tests/sim_core/bowel_cut/bowel_cut_rig.h"

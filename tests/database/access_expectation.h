@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "database/access.h"
+#include "database/access/access.h"
 
 namespace fulcrum::database::test {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "database/connection.h"
-#include "database/people.h"
-#include "database/score_rows.h"
+#include "database/records/people.h"
+#include "database/records/score_rows.h"
+#include "database/rows/connection.h"
 #include "sim_core/numerics/random.h"
 
 namespace fulcrum::database::test {

@@ -11,12 +11,12 @@
 #include <memory>
 #include <string>
 
-#include "database/attempts.h"
-#include "database/audit.h"
-#include "database/people.h"
-#include "database/recorder.h"
-#include "database/report_data.h"
-#include "database/reviews.h"
+#include "database/records/attempts.h"
+#include "database/records/people.h"
+#include "database/records/recorder.h"
+#include "database/records/report_data.h"
+#include "database/records/reviews.h"
+#include "database/store/audit.h"
 
 namespace fulcrum::database::test {
 

@@ -7,9 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "database/crypto.h"
-#include "database/errors.h"
-#include "database/trace_codec.h"
+#include "database/rows/crypto.h"
+#include "database/rows/errors.h"
+#include "database/rows/trace_codec.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include "database/people.h"
+#include "database/records/people.h"
 #include "ui/page/background_job.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"

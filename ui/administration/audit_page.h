@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The audit log: who did what, in which role, when and to whom, newest first; by person, kind and period.
-// Above it whether the chain holds. What is said of an attempt is withheld here (database/audit.h).
+// Above it whether the chain holds. What is said of an attempt is withheld here (database/store/audit.h).
 #pragma once
 
 #include <vector>
 
-#include "database/audit.h"
+#include "database/store/audit.h"
 #include "ui/page/context.h"
 
 class QComboBox;

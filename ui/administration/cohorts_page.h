@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "database/people.h"
+#include "database/records/people.h"
 #include "ui/page/context.h"
 
 class QFrame;

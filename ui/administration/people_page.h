@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "database/people.h"
+#include "database/records/people.h"
 #include "ui/page/context.h"
 
 class QCheckBox;

@@ -3,7 +3,7 @@
 // progress and a way to stop.
 #pragma once
 
-#include "database/store.h"
+#include "database/store/store.h"
 #include "ui/page/context.h"
 
 class QLabel;

@@ -4,7 +4,7 @@
 #include <QComboBox>
 #include <QHeaderView>
 
-#include "database/people.h"
+#include "database/records/people.h"
 #include "ui/page/background_job.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "database/attempts.h"
+#include "database/records/attempts.h"
 #include "ui/page/context.h"
 
 class QComboBox;

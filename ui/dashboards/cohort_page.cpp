@@ -7,7 +7,7 @@
 #include <QTimer>
 #include <algorithm>
 
-#include "database/people.h"
+#include "database/records/people.h"
 #include "ui/page/background_job.h"
 #include "ui/reports/export_row.h"
 #include "ui/reports/report_export.h"

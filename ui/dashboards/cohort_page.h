@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "database/report_data.h"
+#include "database/records/report_data.h"
 #include "ui/page/context.h"
 #include "ui/reports/report.h"
 

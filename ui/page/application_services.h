@@ -15,9 +15,9 @@
 
 #include "assessment/task/monitor.h"
 #include "assessment/task/task.h"
-#include "database/attempt_records.h"
-#include "database/store.h"
-#include "database/tissues.h"
+#include "database/records/attempt_records.h"
+#include "database/records/tissues.h"
+#include "database/store/store.h"
 #include "sim_core/haptics/device.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/telemetry/sample.h"

@@ -3,7 +3,7 @@
 
 #include <exception>
 
-#include "database/errors.h"
+#include "database/rows/errors.h"
 #include "ui/page/background_job.h"
 #include "ui/style/text.h"
 

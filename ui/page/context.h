@@ -8,7 +8,7 @@
 #include <functional>
 #include <optional>
 
-#include "database/access.h"
+#include "database/access/access.h"
 #include "ui/page/application_services.h"
 
 namespace fulcrum::ui {

@@ -5,7 +5,7 @@
 #include <QSaveFile>
 #include <algorithm>
 
-#include "database/people.h"
+#include "database/records/people.h"
 #include "sim_core/numerics/input_error.h"
 #include "ui/reports/report_rows.h"
 #include "ui/style/text.h"

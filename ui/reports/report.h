@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Progress on paper and as data: one gathering of the figures (database/report_data.h) and four ways to write
-// them, so that PDF, CSV and JSON agree with the screens. Usable without a window (PDF needs a
+// Progress on paper and as data: one gathering of the figures (database/records/report_data.h) and four ways
+// to write them, so that PDF, CSV and JSON agree with the screens. Usable without a window (PDF needs a
 // QGuiApplication for fonts). Any thread, with a Store of that thread.
 #pragma once
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "assessment/task/task.h"
-#include "database/report_data.h"
+#include "database/records/report_data.h"
 #include "ui/page/application_services.h"
 
 namespace fulcrum::ui {

@@ -6,7 +6,7 @@
 #include <QLineEdit>
 #include <algorithm>
 
-#include "database/people.h"
+#include "database/records/people.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 

@@ -3,7 +3,7 @@
 // performed it, the trainee asks for either. Shows only what the role may do to this attempt.
 #pragma once
 
-#include "database/attempts.h"
+#include "database/records/attempts.h"
 #include "ui/page/context.h"
 
 class QComboBox;

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "assessment/task/task.h"
-#include "database/attempts.h"
-#include "database/report_data.h"
+#include "database/records/attempts.h"
+#include "database/records/report_data.h"
 #include "sim_core/scene/scene.h"
 #include "ui/charts/decimation.h"
 #include "ui/page/application_services.h"

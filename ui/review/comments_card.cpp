@@ -3,7 +3,7 @@
 
 #include <QPlainTextEdit>
 
-#include "database/reviews.h"
+#include "database/records/reviews.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "database/trace_codec.h"
+#include "database/rows/trace_codec.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 #include "ui/theatre/theatre_view.h"

@@ -8,7 +8,7 @@
 #include <QLineEdit>
 #include <QStackedWidget>
 
-#include "database/people.h"
+#include "database/records/people.h"
 #include "ui/page/background_job.h"
 #include "ui/page/fields.h"
 #include "ui/style/text.h"

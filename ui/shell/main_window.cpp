@@ -8,7 +8,7 @@
 #include <QStackedWidget>
 #include <typeinfo>
 
-#include "database/people.h"
+#include "database/records/people.h"
 #include "ui/administration/audit_page.h"
 #include "ui/administration/cohorts_page.h"
 #include "ui/administration/people_page.h"

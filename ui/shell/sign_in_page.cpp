@@ -4,7 +4,7 @@
 #include <QFormLayout>
 #include <QLineEdit>
 
-#include "database/people.h"
+#include "database/records/people.h"
 #include "ui/page/background_job.h"
 #include "ui/page/fields.h"
 #include "ui/style/text.h"

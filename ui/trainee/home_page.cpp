@@ -3,8 +3,8 @@
 
 #include <QGridLayout>
 
-#include "database/report_data.h"
-#include "database/reviews.h"
+#include "database/records/report_data.h"
+#include "database/records/reviews.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 #include "ui/trainee/next_task.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "assessment/task/task.h"
-#include "database/report_data.h"
+#include "database/records/report_data.h"
 
 namespace fulcrum::ui {
 

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "assessment/metrics/registry.h"
-#include "database/people.h"
+#include "database/records/people.h"
 #include "ui/charts/attempt_chart.h"
 #include "ui/page/background_job.h"
 #include "ui/reports/export_row.h"

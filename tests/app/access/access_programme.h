@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "database/reviews.h"
+#include "database/records/reviews.h"
 #include "tests/database/access_expectation.h"
 #include "tests/database/programme_fixture.h"
 

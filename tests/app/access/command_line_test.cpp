@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "app/commands.h"
-#include "database/connection.h"
+#include "database/rows/connection.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/app/access/access_programme.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "database/access.h"
+#include "database/access/access.h"
 
 namespace fulcrum::app::test {
 

@@ -6,7 +6,7 @@
 #include <QPushButton>
 #include <QTableWidget>
 
-#include "database/connection.h"
+#include "database/rows/connection.h"
 #include "tests/app/access/window_access.h"
 #include "ui/administration/station_page.h"
 

@@ -16,7 +16,7 @@
 #include "app/commands.h"
 #include "app/performance.h"
 #include "app/site_tissues.h"
-#include "database/tissues.h"
+#include "database/records/tissues.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/app/access/access_programme.h"
 #include "tests/ui/journey/hands.h"

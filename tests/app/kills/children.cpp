@@ -7,7 +7,7 @@
 
 #include "app/live_attempt.h"
 #include "assessment/operators/operator.h"
-#include "database/people.h"
+#include "database/records/people.h"
 #include "tests/app/forwarding_services.h"
 #include "tests/app/kills/counters.h"
 #include "tests/ui/journey/hands.h"

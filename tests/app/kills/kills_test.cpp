@@ -18,8 +18,8 @@
 #include <thread>
 
 #include "app/interrupted.h"
-#include "database/attempts.h"
-#include "database/people.h"
+#include "database/records/attempts.h"
+#include "database/records/people.h"
 #include "sim_core/lab/result_page.h"
 #include "tests/app/kills/counters.h"
 

@@ -2,7 +2,7 @@
 // How an attempt begins in the real window, what a spoilt device does to it, and what an interrupted one
 // comes to.
 #include "app/performance.h"
-#include "database/recorder.h"
+#include "database/records/recorder.h"
 #include "mouse_hand.h"
 #include "window_fixture.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Who is offered an attempt, and from whom the program's services and its store take one.
 #include "app/performance.h"
-#include "database/recorder.h"
+#include "database/records/recorder.h"
 #include "window_fixture.h"
 
 namespace fulcrum::app::test {

@@ -8,7 +8,7 @@
 #include <QLabel>
 #include <QTemporaryDir>
 
-#include "database/attempts.h"
+#include "database/records/attempts.h"
 #include "tests/app/forwarding_services.h"
 #include "tests/ui/journey/hands.h"
 #include "ui/review/debrief_page.h"

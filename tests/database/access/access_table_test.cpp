@@ -3,8 +3,8 @@
 #include <functional>
 #include <optional>
 
-#include "database/connection.h"
-#include "database/tissues.h"
+#include "database/records/tissues.h"
+#include "database/rows/connection.h"
 #include "tests/database/access_expectation.h"
 #include "tests/database/programme_fixture.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Create programme, sign-in and its waiting, one-time passwords, recovery, the picker.
-#include "database/connection.h"
+#include "database/rows/connection.h"
 #include "tests/database/programme_fixture.h"
 
 namespace fulcrum::database::test {

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "assessment/pathology/pathology.h"
-#include "database/report_data.h"
-#include "database/score_rows.h"
+#include "database/records/report_data.h"
+#include "database/records/score_rows.h"
 #include "tests/database/programme_fixture.h"
 
 namespace fulcrum::database::test {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "database/connection.h"
+#include "database/rows/connection.h"
 #include "tests/database/programme_fixture.h"
 
 namespace fulcrum::database::test {

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <random>
 
-#include "database/connection.h"
-#include "database/migration.h"
+#include "database/rows/connection.h"
+#include "database/schema/migration.h"
 #include "tests/database/programme_fixture.h"
 
 namespace fulcrum::database::test {

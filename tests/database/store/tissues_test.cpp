@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A site's tissue values: versions with who, when and why, audited; and the scene that an attempt keeps.
-#include "database/tissues.h"
+#include "database/records/tissues.h"
 
 #include <limits>
 
-#include "database/connection.h"
+#include "database/rows/connection.h"
 #include "tests/database/access_expectation.h"
 #include "tests/database/programme_fixture.h"
 

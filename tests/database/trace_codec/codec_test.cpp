@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "database/trace_codec.h"
+#include "database/rows/trace_codec.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -9,8 +9,8 @@
 #include <limits>
 #include <random>
 
-#include "database/crypto.h"
-#include "database/errors.h"
+#include "database/rows/crypto.h"
+#include "database/rows/errors.h"
 
 namespace fulcrum::database {
 namespace {

@@ -8,9 +8,9 @@
 #include <QTableWidget>
 #include <memory>
 
-#include "database/attempts.h"
-#include "database/people.h"
-#include "database/recorder.h"
+#include "database/records/attempts.h"
+#include "database/records/people.h"
+#include "database/records/recorder.h"
 #include "fake_services.h"
 #include "hands.h"
 #include "ui/review/debrief_page.h"

@@ -4,8 +4,8 @@
 
 #include <QTemporaryDir>
 
-#include "database/people.h"
-#include "database/recorder.h"
+#include "database/records/people.h"
+#include "database/records/recorder.h"
 #include "ui/review/attempt_model.h"
 
 namespace fulcrum::ui {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "database/people.h"
+#include "database/records/people.h"
 #include "sim_core/instrument/instrument.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/support/support.h"

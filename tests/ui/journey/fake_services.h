@@ -7,8 +7,8 @@
 #include <QTemporaryDir>
 #include <memory>
 
-#include "database/recorder.h"
-#include "database/trace_codec.h"
+#include "database/records/recorder.h"
+#include "database/rows/trace_codec.h"
 #include "ui/page/application_services.h"
 
 namespace fulcrum::ui::test {

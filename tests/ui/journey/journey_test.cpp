@@ -11,8 +11,8 @@
 #include <QTableWidget>
 #include <nlohmann/json.hpp>
 
-#include "database/attempts.h"
-#include "database/people.h"
+#include "database/records/attempts.h"
+#include "database/records/people.h"
 #include "fake_services.h"
 #include "files.h"
 #include "hands.h"

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/records/attempt_query.h"
+
+namespace fulcrum::database {
+namespace {
+
+const char* const columns =
+    "SELECT a.id, a.person_id, a.task_id, a.task_version, a.mode, a.device_class, a.device, a.operator_name, "
+    "a.variant, a.seed, "
+    "a.fidelity, a.scene, a.scene_digest, a.curriculum, a.limits, a.program_version, a.cpu_features, "
+    "a.started, a.utc_offset_min, "
+    "p.login, p.display_name, p.kind, a.state, a.duration_s, a.wall_s, a.missed_ticks, a.lost_samples, "
+    "a.events, a.state_hash, "
+    "s.passed, s.points, COALESCE(s.not_scored_because, ''), "
+    "EXISTS (SELECT 1 FROM gate g WHERE g.score_id = s.id AND g.provisional = 1), "
+    "COALESCE(v.reason, ''), COALESCE(w.display_name, ''), COALESCE(v.time, 0), "
+    "COALESCE((SELECT from_id FROM attempt_reassignment WHERE to_id = a.id), ''), "
+    "COALESCE((SELECT to_id FROM attempt_reassignment WHERE from_id = a.id), ''), "
+    "(SELECT COUNT(*) FROM comment c WHERE c.attempt_id = a.id AND c.sent > 0 AND c.read = 0), "
+    "(SELECT COUNT(*) FROM comment c WHERE c.attempt_id = a.id AND c.sent > 0) "
+    "FROM attempt a JOIN person p ON p.id = a.person_id "
+    "LEFT JOIN score s ON s.attempt_id = a.id AND s.in_force = 1 "
+    "LEFT JOIN attempt_void v ON v.attempt_id = a.id LEFT JOIN person w ON w.id = v.person_id ";
+
+AttemptSummary summary_of_row(const Query& row) {
+    AttemptSummary attempt;
+    int column = 0;
+    const auto text = [&] { return row.text(column++); };
+    const auto integer = [&] { return row.integer(column++); };
+    AttemptMeta& meta = attempt.meta;
+    meta.id = text();
+    meta.person_id = text();
+    meta.task_id = text();
+    meta.task_version = static_cast<int>(integer());
+    meta.mode = text();
+    meta.device_class = text();
+    meta.device = text();
+    meta.operator_name = text();
+    meta.variant = text();
+    meta.seed = static_cast<std::uint64_t>(integer());
+    meta.fidelity = text();
+    meta.scene = text();
+    meta.scene_digest = text();
+    meta.curriculum = text();
+    meta.limits = text();
+    meta.program_version = text();
+    meta.cpu_features = text();
+    meta.started = integer();
+    meta.utc_offset_min = static_cast<int>(integer());
+    attempt.person_login = text();
+    attempt.person_name = text();
+    attempt.synthetic = text() != "real";
+    attempt.recorded_state = text();
+    attempt.duration_s = row.real(column++);
+    attempt.wall_s = row.real(column++);
+    attempt.missed_ticks = static_cast<std::uint32_t>(integer());
+    attempt.lost_samples = static_cast<std::uint64_t>(integer());
+    attempt.events = static_cast<std::uint64_t>(integer());
+    attempt.state_hash = text();
+    attempt.passed = row.optional_flag(column++);
+    attempt.points = row.optional_real(column++);
+    attempt.not_scored_because = text();
+    attempt.provisional = row.flag(column++);
+    attempt.void_reason = text();
+    attempt.voided_by = text();
+    attempt.voided_at = integer();
+    attempt.reassigned_from = text();
+    attempt.reassigned_to = text();
+    attempt.unread_comments = static_cast<int>(integer());
+    attempt.comments = static_cast<int>(integer());
+    attempt.state = attempt.voided_at > 0 ? "voided" : attempt.recorded_state;
+    attempt.counting = is_counting(attempt);
+    return attempt;
+}
+
+}  // namespace
+
+QString visible_people(const Session& session, Operation operation, const QString& column) {
+    switch (scope_of(session.role(), operation)) {
+        case Scope::programme:
+            return "1 = 1";
+        case Scope::own:
+            return column + " = ?";
+        case Scope::cohort:
+            return column +
+                   " IN (SELECT m.person_id FROM cohort_member m JOIN cohort_educator e ON e.cohort_id = "
+                   "m.cohort_id "
+                   "WHERE e.person_id = ?)";
+        case Scope::synthetic:
+            return column + " IN (SELECT id FROM person WHERE kind <> 'real')";
+        case Scope::none:
+            break;
+    }
+    return "1 = 0";
+}
+
+void bind_visible_people(Query& query, const Session& session, Operation operation) {
+    const Scope scope = scope_of(session.role(), operation);
+    if (scope == Scope::own || scope == Scope::cohort) query.bind(session.person_id());
+}
+
+std::vector<AttemptSummary> query_attempts(const Store& store, const Session& session,
+                                           const AttemptFilter& filter) {
+    QString sql =
+        QString(columns) + "WHERE " + visible_people(session, Operation::read_attempt, "a.person_id");
+    if (!filter.person_id.empty()) sql += " AND a.person_id = ?";
+    if (!filter.task_id.empty()) sql += " AND a.task_id = ?";
+    if (!filter.cohort_id.empty())
+        sql += " AND a.person_id IN (SELECT person_id FROM cohort_member WHERE cohort_id = ?)";
+    const bool voided = filter.state == "voided";
+    if (voided) sql += " AND v.attempt_id IS NOT NULL";
+    if (!filter.state.empty() && !voided) sql += " AND v.attempt_id IS NULL AND a.state = ?";
+    if (!filter.include_voided) sql += " AND v.attempt_id IS NULL";
+    if (!filter.include_synthetic) sql += " AND p.kind = 'real'";
+    sql += " ORDER BY a.started DESC, a.id LIMIT ?";
+    Query rows(store.connection(), sql);
+    bind_visible_people(rows, session, Operation::read_attempt);
+    if (!filter.person_id.empty()) rows.bind(filter.person_id);
+    if (!filter.task_id.empty()) rows.bind(filter.task_id);
+    if (!filter.cohort_id.empty()) rows.bind(filter.cohort_id);
+    if (!filter.state.empty() && !voided) rows.bind(filter.state);
+    rows.bind(filter.limit < 0 ? -1 : filter.limit);
+    std::vector<AttemptSummary> attempts;
+    while (rows.next()) attempts.push_back(summary_of_row(rows));
+    return attempts;
+}
+
+AttemptSummary query_attempt(const Store& store, const std::string& attempt_id) {
+    Query row(store.connection(), QString(columns) + "WHERE a.id = ?");
+    row.bind(attempt_id);
+    if (!row.next()) {
+        throw StoreError(StoreErrorKind::not_found, "no attempt " + attempt_id,
+                         "list the attempts and name one of them");
+    }
+    return summary_of_row(row);
+}
+
+bool is_counting(const AttemptSummary& attempt) {
+    if (attempt.meta.mode != "assessed" || attempt.voided_at > 0 || !attempt.passed) return false;
+    const std::string& state = attempt.recorded_state;
+    if (state == "completed" || state == "abandoned" || state == "timed_out") return true;
+    // An interruption does not count, unless what was recorded failed already.
+    return state == "interrupted" && !*attempt.passed;
+}
+
+}  // namespace fulcrum::database

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reading attempts; adding a score beside; void and reassign. Every call is checked against the access table.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "database/records/attempt_records.h"
+#include "database/rows/trace_codec.h"
+#include "database/store/store.h"
+
+namespace fulcrum::database {
+
+struct AttemptFilter {
+    std::string person_id;          ///< "" any the session may read
+    std::string task_id;            ///< "" any
+    std::string cohort_id;          ///< "" any
+    std::string state;              ///< "" any; as AttemptSummary::state
+    bool include_synthetic = true;  ///< people marked synthetic or external
+    bool include_voided = true;
+    int limit = 1000;  ///< newest first
+};
+
+struct CorrectionRequest {
+    std::string id, attempt_id, person_id, person_name, text;
+    std::int64_t asked = 0;
+    bool settled = false;  ///< the attempt was voided or reassigned since
+};
+
+/// What a score made today would rest on.
+struct ScoringInForce {
+    std::map<std::string, int> metric_versions;  ///< by metric id
+    std::map<std::string, std::string> limits;   ///< by task id, as AttemptMeta::limits; tasks without: none
+};
+
+/// An attempt none of whose scores rests on what is in force.
+struct StaleScore {
+    std::string attempt_id, person_id, person_name, task_id;
+    std::string
+        why;  ///< of its newest score: "sparc 1, now 2; limits A2-provisional@1, now A2-provisional@2"
+    std::optional<bool> passed;  ///< of the score in force
+};
+
+class Attempts {
+  public:
+    explicit Attempts(const Store& store) : store_(store) {}
+
+    /// Those the session may read, newest first; others are left out, not refused (a named person or cohort
+    /// is refused).
+    std::vector<AttemptSummary> list(const Session& session, const AttemptFilter& filter = {}) const;
+    AttemptSummary read(const Session& session, const std::string& attempt_id) const;
+    /// Interrupted attempts within the session's scope that nobody has scored yet, oldest first: what their
+    /// record holds decides whether they failed (docs/MANUAL.md), and add_score() writes it.
+    std::vector<AttemptSummary> interrupted_without_score(const Session& session) const;
+    /// The score in force, if the attempt has one.
+    std::optional<ScoreRow> score(const Session& session, const std::string& attempt_id) const;
+    /// All scores, the one in force first.
+    std::vector<ScoreRow> scores(const Session& session, const std::string& attempt_id) const;
+    /// Everything recorded; checks every chunk. StoreError corrupt names the chunk.
+    Trace read_trace(const Session& session, const std::string& attempt_id) const;
+    /// What charts need of the samples, decoded on all cores, several times sooner than read_trace():
+    /// `prepare` is told the number of chunks, then `visit` gets each of them once, in no order, from worker
+    /// threads at the same time (chunks never overlap in time; their numbers rise with it). Every chunk is
+    /// checked as there.
+    void read_overview(const Session& session, const std::string& attempt_id,
+                       const std::function<void(std::size_t chunks)>& prepare,
+                       const std::function<void(std::size_t chunk, const TraceOverview&)>& visit) const;
+    std::vector<Event> read_events(const Session& session, const std::string& attempt_id) const;
+    /// The scene as the attempt used it; empty for attempts from before scenes were kept. StoreError corrupt
+    /// where the text is gone or does not match its digest. Operation::read_attempt.
+    std::string scene_text(const Session& session, const std::string& attempt_id) const;
+    std::vector<ProductBlob> products(const Session& session, const std::string& attempt_id) const;
+
+    /// The first score of an attempt (one that was interrupted) is in force; any other lies beside it.
+    /// Returns its id.
+    std::string add_score(const Session& session, const std::string& attempt_id, const ScoreRow& score) const;
+
+    /// Those within the session's scope whose score is out of date, oldest first; voided ones are left out,
+    /// and so is what was interrupted and has no score yet. A named person is refused outside the scope.
+    /// Operation::recompute_score.
+    std::vector<StaleScore> stale_scores(const Session& session, const ScoringInForce& now,
+                                         const std::string& person_id = {}) const;
+
+    /// Takes it out of progress, cohorts and benchmarks; it stays visible. Never one's own; a reason is
+    /// needed.
+    void void_attempt(const Session& educator, const std::string& attempt_id,
+                      const std::string& reason) const;
+    /// Voids it and writes a linked copy (trace, scores) for the right person. Returns the copy's id.
+    std::string reassign(const Session& educator, const std::string& attempt_id, const std::string& person_id,
+                         const std::string& reason) const;
+    /// A trainee asks for either.
+    void request_correction(const Session& trainee, const std::string& attempt_id,
+                            const std::string& text) const;
+    std::vector<CorrectionRequest> correction_requests(const Session& session) const;
+
+  private:
+    const Store& store_;
+};
+
+}  // namespace fulcrum::database

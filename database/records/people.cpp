@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Accounts and roles. Sign-in: sign_in.cpp; cohorts: cohorts.cpp.
+#include "database/records/people.h"
+
+#include <QString>
+#include <algorithm>
+
+#include "database/access/session_maker.h"
+#include "database/records/attempt_query.h"
+#include "database/records/people_rows.h"
+#include "database/rows/crypto.h"
+#include "database/rows/json.h"
+#include "database/store/audit.h"
+#include "database/store/store_state.h"
+
+namespace fulcrum::database {
+namespace {
+
+const char* const person_columns =
+    "SELECT p.id, p.login, p.display_name, p.kind, p.active, p.created, COALESCE((SELECT MAX(s.last) FROM "
+    "sign_in s "
+    "WHERE s.person_id = p.id), 0) FROM person p ";
+
+PersonKind parse_kind(const std::string& name) {
+    if (name == "synthetic") return PersonKind::synthetic;
+    if (name == "external") return PersonKind::external;
+    return PersonKind::real;
+}
+
+Person person_of_row(const Query& row) {
+    Person person;
+    person.id = row.text(0);
+    person.login = row.text(1);
+    person.display_name = row.text(2);
+    person.kind = parse_kind(row.text(3));
+    person.active = row.flag(4);
+    person.created = row.integer(5);
+    person.last_sign_in = row.integer(6);
+    return person;
+}
+
+std::string role_list(const std::vector<Role>& roles) {
+    std::string text;
+    for (const Role role : roles) text += (text.empty() ? "" : ", ") + std::string(role_name(role));
+    return text;
+}
+
+}  // namespace
+
+const char* person_kind_name(PersonKind kind) {
+    switch (kind) {
+        case PersonKind::real:
+            return "real";
+        case PersonKind::synthetic:
+            return "synthetic";
+        case PersonKind::external:
+            return "external";
+    }
+    return "";
+}
+
+std::string login_key(const std::string& login) {
+    std::string key = login;
+    for (char& c : key) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return key;
+}
+
+void require_login(const std::string& login) {
+    const bool fits =
+        !login.empty() && login.size() <= 64 && std::all_of(login.begin(), login.end(), [](char c) {
+            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
+                   c == '_' || c == '-' || c == '@';
+        });
+    if (!fits || login_key(login) == "station") {
+        throw StoreError(StoreErrorKind::bad_value, "the login \"" + login + "\" cannot be used",
+                         "use 1 to 64 letters, digits or . _ - @, and not \"station\"");
+    }
+}
+
+void require_name(const std::string& name, const char* what) {
+    const QString text = QString::fromStdString(name).trimmed();
+    if (text.isEmpty() || text.size() > 120) {
+        throw StoreError(StoreErrorKind::bad_value, std::string("the ") + what + " is empty or too long",
+                         "use 1 to 120 characters");
+    }
+}
+
+void require_password(const std::string& password) {
+    const int characters = static_cast<int>(QString::fromStdString(password).toUcs4().size());
+    if (characters < password_minimum_length || password.size() > 1024) {
+        throw StoreError(StoreErrorKind::bad_value, "the password is too short (or beyond 1,024 bytes)",
+                         "use at least " + std::to_string(password_minimum_length) + " characters");
+    }
+}
+
+std::vector<Role> roles_of(Connection& connection, const std::string& person_id) {
+    Query rows(connection, "SELECT role FROM person_role WHERE person_id = ?");
+    rows.bind(person_id);
+    std::vector<Role> roles;
+    while (rows.next()) {
+        Role role = Role::trainee;
+        if (parse_role(rows.text(0), role)) roles.push_back(role);
+    }
+    std::sort(roles.begin(), roles.end());
+    return roles;
+}
+
+void write_roles(Connection& connection, const std::string& person_id, const std::vector<Role>& roles) {
+    Query(connection, "DELETE FROM person_role WHERE person_id = ?").bind(person_id).run();
+    for (const Role role : roles) {
+        if (role == Role::station) {
+            throw StoreError(StoreErrorKind::bad_value, "station is no person's role",
+                             "choose trainee, educator, director or administrator");
+        }
+        Query(connection, "INSERT INTO person_role (person_id, role) VALUES (?, ?) ON CONFLICT DO NOTHING")
+            .bind(person_id)
+            .bind(role_name(role))
+            .run();
+    }
+}
+
+std::string insert_person(const Store& store, const std::string& login, const std::string& display_name,
+                          PersonKind kind) {
+    Connection& connection = store.connection();
+    Query taken(connection, "SELECT 1 FROM person WHERE login_key = ?");
+    taken.bind(login_key(login));
+    if (taken.next()) {
+        throw StoreError(StoreErrorKind::conflict, "the login \"" + login + "\" is taken", "choose another");
+    }
+    std::string id = random_uuid();
+    Query(connection,
+          "INSERT INTO person (id, login, login_key, display_name, kind, active, created, version) "
+          "VALUES (?, ?, ?, ?, ?, 1, ?, 1)")
+        .bind(id)
+        .bind(login)
+        .bind(login_key(login))
+        .bind(display_name)
+        .bind(person_kind_name(kind))
+        .bind(store.now())
+        .run();
+    return id;
+}
+
+bool is_last_administrator(Connection& connection, const std::string& person_id) {
+    Query rows(connection,
+               "SELECT SUM(p.id = ?), SUM(p.id <> ?) FROM person p JOIN person_role r ON r.person_id = p.id "
+               "WHERE r.role = 'administrator' AND p.active = 1");
+    rows.bind(person_id).bind(person_id);
+    return rows.next() && rows.integer(0) > 0 && rows.integer(1) == 0;
+}
+
+Person read_person(const Store& store, const std::string& person_id) {
+    Query row(store.connection(), QString(person_columns) + "WHERE p.id = ?");
+    row.bind(person_id);
+    if (!row.next())
+        throw StoreError(StoreErrorKind::not_found, "no person " + person_id,
+                         "list the people and name one of them");
+    Person person = person_of_row(row);
+    person.roles = roles_of(store.connection(), person.id);
+    return person;
+}
+
+void require_open_demo(const Store& store, const Session& station) {
+    if (!store.is_demo() || !station.is_station()) {
+        throw AccessDenied("build_demo", role_name(station.role()), "by the program, in a demo store");
+    }
+    if (read_setting(store.connection(), "demo_sealed") == "1") {
+        throw StoreError(StoreErrorKind::sealed_demo, "the demo takes practice attempts only",
+                         "delete the demo store to build it again");
+    }
+}
+
+People::Created People::create(const Session& administrator, const std::string& login,
+                               const std::string& display_name, const std::vector<Role>& roles) const {
+    store_.require(administrator, Operation::manage_people);
+    store_.require(administrator, Operation::manage_roles);
+    require_login(login);
+    require_name(display_name, "name");
+    Created created;
+    created.one_time_password = make_one_time_password();
+    const std::string verifier = make_verifier(created.one_time_password);
+    Transaction transaction(store_.connection());
+    const std::string id = insert_person(store_, login, display_name, PersonKind::real);
+    write_roles(store_.connection(), id, roles);
+    write_verifier(store_, id, verifier, true);
+    Audit(store_).append(
+        administrator, id, "person.create",
+        json_object({{"login", login}, {"name", display_name}, {"roles", role_list(roles)}}));
+    transaction.commit();
+    created.person = read_person(store_, id);
+    return created;
+}
+
+void People::rename(const Session& administrator, const std::string& person_id,
+                    const std::string& display_name) const {
+    store_.require(administrator, Operation::manage_people);
+    require_name(display_name, "name");
+    Transaction transaction(store_.connection());
+    const Person before = read_person(store_, person_id);
+    Query(store_.connection(), "UPDATE person SET display_name = ?, version = version + 1 WHERE id = ?")
+        .bind(display_name)
+        .bind(person_id)
+        .run();
+    Audit(store_).append(administrator, person_id, "person.rename",
+                         json_object({{"before", before.display_name}, {"after", display_name}}));
+    transaction.commit();
+}
+
+void People::set_active(const Session& administrator, const std::string& person_id, bool active) const {
+    store_.require(administrator, Operation::manage_people);
+    Transaction transaction(store_.connection());
+    const Person before = read_person(store_, person_id);
+    if (!active && is_last_administrator(store_.connection(), person_id)) {
+        throw StoreError(StoreErrorKind::conflict, "the last administrator stays",
+                         "make someone else administrator first");
+    }
+    Query(store_.connection(), "UPDATE person SET active = ?, version = version + 1 WHERE id = ?")
+        .bind(active)
+        .bind(person_id)
+        .run();
+    Audit(store_).append(
+        administrator, person_id, "person.set_active",
+        json_object({{"before", before.active ? "yes" : "no"}, {"after", active ? "yes" : "no"}}));
+    transaction.commit();
+}
+
+void People::set_roles(const Session& administrator, const std::string& person_id,
+                       const std::vector<Role>& roles) const {
+    store_.require(administrator, Operation::manage_roles);
+    Transaction transaction(store_.connection());
+    const Person before = read_person(store_, person_id);
+    if (before.kind != PersonKind::real) {
+        throw StoreError(StoreErrorKind::bad_value, "synthetic and external people hold no roles",
+                         "make an account for a person");
+    }
+    const bool stays = std::find(roles.begin(), roles.end(), Role::administrator) != roles.end();
+    if (!stays && is_last_administrator(store_.connection(), person_id)) {
+        throw StoreError(StoreErrorKind::conflict, "the last administrator keeps the role",
+                         "make someone else administrator first");
+    }
+    write_roles(store_.connection(), person_id, roles);
+    Query(store_.connection(), "UPDATE person SET version = version + 1 WHERE id = ?").bind(person_id).run();
+    Audit(store_).append(administrator, person_id, "person.set_roles",
+                         json_object({{"before", role_list(before.roles)}, {"after", role_list(roles)}}));
+    transaction.commit();
+}
+
+Person People::ensure_synthetic(const Session& station, const std::string& login,
+                                const std::string& display_name, PersonKind kind) const {
+    // A sealed demo refuses new people but still finds those it has.
+    store_.require(station, Operation::list_people);
+    if (kind == PersonKind::real) {
+        throw StoreError(StoreErrorKind::bad_value, "a real person is made by an administrator", "ask one");
+    }
+    Transaction transaction(store_.connection());
+    std::string id;
+    {
+        Query row(store_.connection(), "SELECT id, kind FROM person WHERE login_key = ?");
+        row.bind(login_key(login));
+        if (row.next()) {
+            if (row.text(1) == "real") {
+                throw StoreError(StoreErrorKind::conflict,
+                                 "the login \"" + login + "\" belongs to a person who is not synthetic",
+                                 "name a synthetic person, or leave --person out");
+            }
+            id = row.text(0);
+        }
+    }
+    if (id.empty()) {
+        store_.require(station, Operation::create_synthetic);
+        require_login(login);
+        require_name(display_name, "name");
+        id = insert_person(store_, login, display_name, kind);
+        Audit(store_).append(
+            station, id, "person.create_synthetic",
+            json_object({{"login", login}, {"name", display_name}, {"kind", person_kind_name(kind)}}));
+    }
+    transaction.commit();
+    return read_person(store_, id);
+}
+
+void People::set_demo_roles(const Session& station, const std::string& person_id,
+                            const std::vector<Role>& roles) const {
+    require_open_demo(store_, station);
+    Transaction transaction(store_.connection());
+    write_roles(store_.connection(), read_person(store_, person_id).id, roles);
+    Audit(store_).append(station, person_id, "person.set_roles", json_object({{"after", role_list(roles)}}));
+    transaction.commit();
+}
+
+std::vector<Person> People::list(const Session& session) const {
+    store_.require(session, Operation::list_people);
+    Query rows(store_.connection(), QString(person_columns) + "WHERE " +
+                                        visible_people(session, Operation::list_people, "p.id") +
+                                        " ORDER BY p.display_name, p.login_key");
+    bind_visible_people(rows, session, Operation::list_people);
+    std::vector<Person> people;
+    while (rows.next()) people.push_back(person_of_row(rows));
+    for (Person& person : people) person.roles = roles_of(store_.connection(), person.id);
+    return people;
+}
+
+std::optional<Person> People::find(const Session& session, const std::string& person_id) const {
+    store_.require(session, Operation::list_people);
+    Query row(store_.connection(), "SELECT 1 FROM person WHERE id = ?");
+    row.bind(person_id);
+    if (!row.next()) return std::nullopt;
+    store_.require(session, Operation::list_people, Subject::person(person_id));
+    return read_person(store_, person_id);
+}
+
+std::optional<Person> People::find_login(const Session& session, const std::string& login) const {
+    store_.require(session, Operation::list_people);
+    std::string id;
+    {
+        Query row(store_.connection(), "SELECT id FROM person WHERE login_key = ?");
+        row.bind(login_key(login));
+        if (!row.next()) return std::nullopt;
+        id = row.text(0);
+    }
+    return find(session, id);
+}
+
+}  // namespace fulcrum::database

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one query behind screens and exports, so that their figures always agree. Voided attempts, and people
+// marked synthetic or external (unless asked), are left out. Device classes are never pooled: every row has
+// one.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assessment/pathology/pathology.h"
+#include "database/records/attempt_records.h"
+#include "database/store/store.h"
+
+namespace fulcrum::database {
+
+enum class TaskState { open, attempted, passed };
+const char* task_state_name(TaskState state);
+
+struct CohortTableOptions {
+    std::vector<std::string> tasks;  ///< columns; empty: the tasks that have attempts
+    bool include_synthetic = false;  ///< demo stores: always
+};
+
+/// One person, one task, one device class. A person who never tried a task has one row with device_class "".
+struct CohortRow {
+    std::string person_id, login, name, task_id, device_class;
+    TaskState state = TaskState::open;
+    bool provisional = false;  ///< every pass rests on provisional limits: "passed (provisional)"
+    int attempts = 0;          ///< counting: assessed, scored, ended by the trainee or the clock
+    int passes = 0;            ///< of these
+    int not_counting = 0;      ///< practice, interrupted, not scored
+    std::optional<double> best_points;
+    std::string best_attempt_id;
+    std::int64_t last_attempt = 0;  ///< UTC ms, any attempt; 0 none
+};
+
+struct CohortTable {
+    std::string cohort_id, cohort_name;
+    std::int64_t as_of = 0;                    ///< UTC ms
+    std::vector<std::string> tasks;            ///< columns, in order
+    int people = 0;                            ///< n
+    int left_out_synthetic = 0;                ///< people of the cohort left out
+    std::vector<CohortRow> rows;               ///< by name, then task, then device class
+    std::vector<std::string> metric_versions;  ///< "path_len@1", sorted
+    std::vector<std::string> benchmark_sets;   ///< "B1-operators@1", sorted
+    std::vector<std::string> program_versions;
+    std::string audit_head;  ///< hex, printed on reports
+};
+
+struct ProgressPoint {
+    std::string attempt_id;
+    int number = 0;  ///< 1, 2, ... within its series
+    std::int64_t started = 0;
+    int utc_offset_min = 0;
+    std::string mode, state, variant, fidelity, limits;
+    bool counting = false;
+    double duration_s = 0;
+    std::optional<bool> passed;
+    bool provisional = false;
+    std::string not_scored_because;
+    std::optional<double> points;
+    std::vector<MetricRow> metrics;            ///< of the score in force
+    std::optional<PathologyReport> pathology;  ///< of the score in force, where the task leaves a specimen
+};
+struct ProgressSeries {
+    std::string device_class;
+    std::vector<ProgressPoint> points;  ///< by start
+};
+struct PersonProgress {
+    std::string person_id, login, name, task_id;
+    bool synthetic = false;
+    TaskState state = TaskState::open;   ///< over all device classes shown
+    std::vector<ProgressSeries> series;  ///< by device class
+    std::vector<std::string> metric_versions, benchmark_sets, program_versions;
+    std::string audit_head;
+};
+
+/// The pathology report that a score holds; empty where the task leaves no specimen. Screens, paper and
+/// exports all read it here. Throws InputError where it cannot be read.
+std::optional<PathologyReport> pathology_of(const ScoreRow& score);
+
+/// One attempt as it stands now.
+struct AttemptReport {
+    AttemptSummary attempt;
+    std::optional<ScoreRow> score;  ///< in force
+    std::optional<PathologyReport> pathology;
+    std::vector<std::string> metric_versions, benchmark_sets, program_versions;
+    std::string audit_head;
+};
+
+enum class ReportPurpose { screen, exported };  ///< exported: checked as export_cohort, export_person
+
+class Reports {
+  public:
+    explicit Reports(const Store& store) : store_(store) {}
+    CohortTable cohort_table(const Session& session, const std::string& cohort_id,
+                             const CohortTableOptions& options = {},
+                             ReportPurpose purpose = ReportPurpose::screen) const;
+    PersonProgress person_progress(const Session& session, const std::string& person_id,
+                                   const std::string& task_id,
+                                   ReportPurpose purpose = ReportPurpose::screen) const;
+    AttemptReport attempt_report(const Session& session, const std::string& attempt_id,
+                                 ReportPurpose purpose = ReportPurpose::screen) const;
+    /// The rows of cohort_table for one person.
+    std::vector<CohortRow> person_table(const Session& session, const std::string& person_id,
+                                        const std::vector<std::string>& tasks,
+                                        ReportPurpose purpose = ReportPurpose::screen) const;
+
+  private:
+    const Store& store_;
+};
+
+}  // namespace fulcrum::database

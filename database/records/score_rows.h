@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scores as rows, and the digest that the audit chain keeps of each. Internal to this floor.
+#pragma once
+
+#include <string>
+
+#include "database/records/attempt_records.h"
+#include "database/rows/connection.h"
+#include "database/store/store.h"
+
+namespace fulcrum::database {
+
+/// Writes the score with a new id, in force if the attempt has none yet, and its digest into the audit chain.
+/// Inside the caller's transaction. Returns the id. Throws StoreError bad_value where a figure is not finite.
+std::string write_score(const Store& store, const Session& session, const std::string& attempt_id,
+                        ScoreRow score);
+/// Empty id if there is no such score.
+ScoreRow read_score(Connection& connection, const std::string& score_id);
+/// BLAKE2b-256 over every field, hex.
+std::string score_digest(const std::string& attempt_id, const ScoreRow& score);
+
+}  // namespace fulcrum::database

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Create programme, sign-in, waiting after wrong tries, passwords, recovery.
+#include <algorithm>
+#include <cmath>
+
+#include "database/access/session_maker.h"
+#include "database/records/people_rows.h"
+#include "database/rows/crypto.h"
+#include "database/rows/json.h"
+#include "database/store/audit.h"
+#include "database/store/store_state.h"
+
+namespace fulcrum::database {
+namespace {
+
+constexpr std::int64_t picker_ms = 30LL * 24 * 3600 * 1000;
+// Rows of logins that nobody tries any more are dropped after this; it is far beyond the longest wait.
+constexpr std::int64_t wait_forgotten_ms = 24LL * 3600 * 1000;
+
+double wait_after(std::int64_t wrong_tries) {
+    if (wrong_tries <= 0) return 0;
+    return std::min(
+        longest_wait_s,
+        first_wait_s * std::exp2(static_cast<double>(std::min<std::int64_t>(wrong_tries - 1, 30))));
+}
+
+double remaining_wait_s(const Store& store, const std::string& login) {
+    Query row(store.connection(), "SELECT wrong_tries, last_wrong FROM sign_in_wait WHERE login_key = ?");
+    row.bind(login_key(login));
+    if (!row.next()) return 0;
+    // A clock set back must not lock anyone out for longer than the wait itself.
+    const double since = static_cast<double>(std::max<std::int64_t>(0, store.now() - row.integer(1))) * 1e-3;
+    return std::max(0.0, wait_after(row.integer(0)) - since);
+}
+
+void require_no_wait(const Store& store, const std::string& login) {
+    const double wait = remaining_wait_s(store, login);
+    if (wait > 0) {
+        const auto seconds = static_cast<long>(std::ceil(wait));
+        throw SignInRefused(SignInRefused::Reason::wait, wait,
+                            "too many wrong tries with this login; wait " + std::to_string(seconds) + " s");
+    }
+}
+
+[[noreturn]] void refuse_wrong_try(const Store& store, const std::string& login, const char* what) {
+    {
+        Transaction transaction(store.connection());
+        Query(store.connection(), "DELETE FROM sign_in_wait WHERE last_wrong < ?")
+            .bind(store.now() - wait_forgotten_ms)
+            .run();
+        Query(store.connection(),
+              "INSERT INTO sign_in_wait (login_key, wrong_tries, last_wrong) VALUES (?, 1, ?) "
+              "ON CONFLICT (login_key) DO UPDATE SET wrong_tries = wrong_tries + 1, last_wrong = "
+              "excluded.last_wrong")
+            .bind(login_key(login))
+            .bind(store.now())
+            .run();
+        transaction.commit();
+    }
+    const double wait = remaining_wait_s(store, login);
+    throw SignInRefused(SignInRefused::Reason::wrong, wait,
+                        std::string(what) + "; the next try is looked at in " +
+                            std::to_string(static_cast<long>(std::ceil(wait))) + " s");
+}
+
+struct Account {
+    std::string id, login, name, verifier;
+    bool active = false, one_time = false;
+    std::int64_t expires = 0;
+};
+
+/// Empty id if nobody has it or they cannot sign in.
+Account find_account(const Store& store, const std::string& login) {
+    Account account;
+    Query row(
+        store.connection(),
+        "SELECT p.id, p.login, p.display_name, c.verifier, p.active, c.one_time, COALESCE(c.expires, 0) "
+        "FROM person p JOIN credential c ON c.person_id = p.id WHERE p.login_key = ? AND p.active = 1");
+    row.bind(login_key(login));
+    if (!row.next()) return account;
+    account = {row.text(0), row.text(1), row.text(2), row.text(3), row.flag(4), row.flag(5), row.integer(6)};
+    return account;
+}
+
+/// Throws SignInRefused after counting the try.
+Account require_right_password(const Store& store, const std::string& login, const std::string& password) {
+    require_no_wait(store, login);
+    Account account = find_account(store, login);
+    const bool right =
+        account.id.empty() ? verify_nothing(password) : verify_secret(account.verifier, password);
+    if (!right) refuse_wrong_try(store, login, "login or password wrong");
+    return account;
+}
+
+void forget_wrong_tries(const Store& store, const std::string& login) {
+    Query(store.connection(), "DELETE FROM sign_in_wait WHERE login_key = ?").bind(login_key(login)).run();
+}
+
+}  // namespace
+
+void write_verifier(const Store& store, const std::string& person_id, const std::string& verifier,
+                    bool one_time) {
+    Query query(store.connection(),
+                "INSERT INTO credential (person_id, verifier, one_time, expires, changed) VALUES (?, ?, ?, "
+                "?, ?) ON CONFLICT (person_id) "
+                "DO UPDATE SET verifier = excluded.verifier, one_time = excluded.one_time, expires = "
+                "excluded.expires, "
+                "changed = excluded.changed");
+    query.bind(person_id).bind(verifier).bind(one_time);
+    if (one_time) {
+        query.bind(store.now() + one_time_password_valid_ms);
+    } else {
+        query.bind_null();
+    }
+    query.bind(store.now()).run();
+}
+
+CreatedProgramme People::create_programme(const std::string& programme, const std::string& login,
+                                          const std::string& display_name,
+                                          const std::string& password) const {
+    if (store_.is_demo()) {
+        throw StoreError(StoreErrorKind::sealed_demo, "a demo store holds no programme",
+                         "make a store of your own");
+    }
+    require_name(programme, "programme's name");
+    require_login(login);
+    require_name(display_name, "name");
+    require_password(password);
+    const std::string recovery_code = make_recovery_code();
+    const std::string verifier = make_verifier(password);
+    const std::string recovery_verifier = make_verifier(normalise_recovery_code(recovery_code));
+    Connection& connection = store_.connection();
+    Transaction transaction(connection);
+    // Inside the transaction, which holds the write lock: of two windows that try at once only one finds no
+    // administrator.
+    Query any(connection,
+              "SELECT 1 FROM programme UNION SELECT 1 FROM person_role WHERE role = 'administrator'");
+    if (any.next()) {
+        throw StoreError(StoreErrorKind::conflict, "this store has a programme and its administrator already",
+                         "sign in");
+    }
+    const std::string programme_id = random_uuid();
+    Query(connection, "INSERT INTO programme (id, name, created, recovery_verifier) VALUES (?, ?, ?, ?)")
+        .bind(programme_id)
+        .bind(programme)
+        .bind(store_.now())
+        .bind(recovery_verifier)
+        .run();
+    const std::string id = insert_person(store_, login, display_name, PersonKind::real);
+    write_roles(connection, id, {Role::administrator});
+    write_verifier(store_, id, verifier, false);
+    Session session = SessionMaker::person(id, login, display_name, {Role::administrator},
+                                           Role::administrator, store_.station_id(), false, false);
+    Audit(store_).append(session, programme_id, "programme.create",
+                         json_object({{"programme", programme}, {"administrator", id}, {"login", login}}));
+    transaction.commit();
+    return {std::move(session), recovery_code};
+}
+
+Session People::sign_in(const std::string& login, const std::string& password,
+                        std::optional<Role> role) const {
+    const Account account = require_right_password(store_, login, password);
+    if (account.one_time && store_.now() > account.expires) {
+        throw SignInRefused(SignInRefused::Reason::expired, 0,
+                            "this one-time password has expired (24 h); ask an administrator for another");
+    }
+    const std::vector<Role> roles = roles_of(store_.connection(), account.id);
+    if (roles.empty() || (role && std::find(roles.begin(), roles.end(), *role) == roles.end())) {
+        throw SignInRefused(SignInRefused::Reason::role_not_held, 0,
+                            roles.empty()
+                                ? "this account holds no role; ask an administrator for one"
+                                : std::string("this account does not hold the role ") + role_name(*role));
+    }
+    Session session =
+        SessionMaker::person(account.id, account.login, account.name, roles, role.value_or(roles.front()),
+                             store_.station_id(), account.one_time, false);
+    Transaction transaction(store_.connection());
+    forget_wrong_tries(store_, login);
+    Query(store_.connection(),
+          "INSERT INTO sign_in (person_id, station_id, last) VALUES (?, ?, ?) "
+          "ON CONFLICT (person_id, station_id) DO UPDATE SET last = excluded.last")
+        .bind(account.id)
+        .bind(store_.station_id())
+        .bind(store_.now())
+        .run();
+    Audit(store_).append(session, account.id, "sign_in", json_object({{"role", role_name(session.role())}}));
+    transaction.commit();
+    return session;
+}
+
+Session People::act_as(const Session& session, Role role) const {
+    const std::vector<Role> roles =
+        session.is_station() ? std::vector<Role>{} : roles_of(store_.connection(), session.person_id());
+    if (std::find(roles.begin(), roles.end(), role) == roles.end()) {
+        throw AccessDenied("act_as", role_name(session.role()),
+                           std::string(role_name(role)) + " is not held");
+    }
+    return SessionMaker::person(session.person_id(), session.login(), session.display_name(), roles, role,
+                                session.station_id(), session.must_change_password(), session.is_demo());
+}
+
+Session People::demo_session(const std::string& login, Role role) const {
+    Query row(
+        store_.connection(),
+        "SELECT id, login, display_name FROM person WHERE login_key = ? AND kind <> 'real' AND active = 1");
+    row.bind(login_key(login));
+    if (!store_.is_demo() || !row.next())
+        throw AccessDenied("demo_session", role_name(role), "demo people exist in the demo store only");
+    const std::vector<Role> roles = roles_of(store_.connection(), row.text(0));
+    if (std::find(roles.begin(), roles.end(), role) == roles.end()) {
+        throw AccessDenied("demo_session", role_name(role), "the role is not held");
+    }
+    return SessionMaker::person(row.text(0), row.text(1), row.text(2), roles, role, store_.station_id(),
+                                false, true);
+}
+
+double People::sign_in_wait_s(const std::string& login) const {
+    return remaining_wait_s(store_, login);
+}
+
+bool People::sign_in_picker() const {
+    return read_setting(store_.connection(), "sign_in_picker") != "0";
+}
+
+void People::set_sign_in_picker(const Session& administrator, bool on) const {
+    store_.require(administrator, Operation::manage_settings);
+    Transaction transaction(store_.connection());
+    write_setting(store_.connection(), "sign_in_picker", on ? "1" : "0");
+    Audit(store_).append(administrator, store_.station_id(), "setting.sign_in_picker",
+                         json_object({{"after", on ? "on" : "off"}}));
+    transaction.commit();
+}
+
+std::vector<RecentSignIn> People::recent_sign_ins(const Session& station_or_person) const {
+    store_.require(station_or_person, Operation::read_sign_in_list);
+    std::vector<RecentSignIn> recent;
+    if (!sign_in_picker()) return recent;
+    Query rows(store_.connection(),
+               "SELECT p.login, p.display_name, s.last FROM sign_in s JOIN person p ON p.id = s.person_id "
+               "WHERE s.station_id = ? AND s.last >= ? AND p.active = 1 ORDER BY s.last DESC, p.login_key");
+    rows.bind(store_.station_id()).bind(store_.now() - picker_ms);
+    while (rows.next()) recent.push_back({rows.text(0), rows.text(1), rows.integer(2)});
+    return recent;
+}
+
+Session People::change_password(const Session& session, const std::string& old_password,
+                                const std::string& new_password) const {
+    store_.require(session, Operation::change_password, Subject::person(session.person_id()));
+    require_password(new_password);
+    const Account account = require_right_password(store_, session.login(), old_password);
+    if (account.id != session.person_id()) {
+        throw AccessDenied("change_password", role_name(session.role()), "someone else's login");
+    }
+    if (account.one_time && store_.now() > account.expires) {
+        throw SignInRefused(SignInRefused::Reason::expired, 0,
+                            "this one-time password has expired (24 h); ask an administrator for another");
+    }
+    if (old_password == new_password) {
+        throw StoreError(StoreErrorKind::bad_value, "the new password is the old one", "choose another");
+    }
+    const std::string verifier = make_verifier(new_password);
+    Transaction transaction(store_.connection());
+    write_verifier(store_, account.id, verifier, false);
+    forget_wrong_tries(store_, session.login());
+    Audit(store_).append(session, account.id, "password.change", "{}");
+    transaction.commit();
+    return SessionMaker::person(session.person_id(), session.login(), session.display_name(), session.roles(),
+                                session.role(), session.station_id(), false, false);
+}
+
+std::string People::issue_one_time_password(const Session& administrator,
+                                            const std::string& person_id) const {
+    store_.require(administrator, Operation::issue_one_time_password);
+    std::string password = make_one_time_password();
+    const std::string verifier = make_verifier(password);
+    Transaction transaction(store_.connection());
+    const Person person = read_person(store_, person_id);
+    if (person.kind != PersonKind::real) {
+        throw StoreError(StoreErrorKind::bad_value, "synthetic and external people do not sign in",
+                         "name a person");
+    }
+    if (person_id == administrator.person_id()) {
+        throw StoreError(StoreErrorKind::bad_value, "your own password is changed, not issued",
+                         "use *Change password*");
+    }
+    write_verifier(store_, person_id, verifier, true);
+    forget_wrong_tries(store_, person.login);
+    Audit(store_).append(administrator, person_id, "password.issue_one_time", "{}");
+    transaction.commit();
+    return password;
+}
+
+std::string People::recover_administrator(const std::string& login, const std::string& recovery_code,
+                                          const std::string& new_password) const {
+    require_password(new_password);
+    require_no_wait(store_, login);
+    const Account account = find_account(store_, login);
+    std::string recovery_verifier;
+    {
+        Query row(store_.connection(), "SELECT recovery_verifier FROM programme LIMIT 1");
+        if (row.next()) recovery_verifier = row.text(0);
+    }
+    const bool last = !account.id.empty() && is_last_administrator(store_.connection(), account.id);
+    const std::string code = normalise_recovery_code(recovery_code);
+    const bool right =
+        recovery_verifier.empty() ? verify_nothing(code) : verify_secret(recovery_verifier, code);
+    if (!right || !last) {
+        refuse_wrong_try(store_, login,
+                         "login or recovery code wrong (it serves the last administrator only)");
+    }
+    std::string next_code = make_recovery_code();
+    const std::string verifier = make_verifier(new_password);
+    const std::string next_verifier = make_verifier(normalise_recovery_code(next_code));
+    Transaction transaction(store_.connection());
+    write_verifier(store_, account.id, verifier, false);
+    // A code serves once.
+    Query(store_.connection(), "UPDATE programme SET recovery_verifier = ?").bind(next_verifier).run();
+    forget_wrong_tries(store_, login);
+    const Session session =
+        SessionMaker::person(account.id, account.login, account.name, {Role::administrator},
+                             Role::administrator, store_.station_id(), false, false);
+    Audit(store_).append(session, account.id, "password.recover", "{}");
+    transaction.commit();
+    return next_code;
+}
+
+}  // namespace fulcrum::database

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/rows/connection.h"
+
+#include <sqlite3.h>
+
+#include <QSqlDriver>
+#include <QSqlError>
+#include <atomic>
+#include <cmath>
+#include <filesystem>
+
+namespace fulcrum::database {
+namespace {
+
+std::string unique_connection_name() {
+    static std::atomic<std::uint64_t> counter{0};
+    return "fulcrum-" + std::to_string(counter.fetch_add(1));
+}
+
+}  // namespace
+
+Connection::Connection(const std::string& path, bool read_only, bool create, int busy_timeout_ms)
+    : path_(path), name_(unique_connection_name()), read_only_(read_only) {
+    database_ = QSqlDatabase::addDatabase("QSQLITE", QString::fromStdString(name_));
+    if (!database_.isValid()) {
+        throw StoreError(StoreErrorKind::failed, "the SQLite driver of Qt is missing",
+                         "install libqt5sql5-sqlite (and start within a Qt application)");
+    }
+    QString options = "QSQLITE_BUSY_TIMEOUT=" + QString::number(busy_timeout_ms);
+    QString name = QString::fromStdString(path);
+    if (read_only) {
+        options += ";QSQLITE_OPEN_READONLY";
+        // A store whose folder cannot be written has no room for SQLite's shared-memory file; without a log
+        // beside it, it can be read as it stands.
+        const std::filesystem::path file(path);
+        std::error_code error;
+        const auto folder_permissions =
+            std::filesystem::status(file.parent_path().empty() ? "." : file.parent_path(), error)
+                .permissions();
+        const bool folder_fixed =
+            (folder_permissions & std::filesystem::perms::owner_write) == std::filesystem::perms::none;
+        if (folder_fixed && !std::filesystem::exists(path + "-wal", error)) {
+            options += ";QSQLITE_OPEN_URI";
+            name = "file:" + QString::fromUtf8(QByteArray::fromStdString(path).toPercentEncoding("/")) +
+                   "?immutable=1";
+        }
+    } else if (!create && !std::filesystem::exists(path)) {
+        throw StoreError(StoreErrorKind::missing, "no store at " + path,
+                         "make one with `fulcrum db create` or name another with --db");
+    }
+    database_.setConnectOptions(options);
+    database_.setDatabaseName(name);
+    if (!database_.open()) {
+        const QString text = database_.lastError().text();
+        const int code = database_.lastError().nativeErrorCode().toInt();
+        database_ = QSqlDatabase();
+        QSqlDatabase::removeDatabase(QString::fromStdString(name_));
+        fail(text, code == 0 ? SQLITE_CANTOPEN : code);
+    }
+    sqlite3_extended_result_codes(handle(), 1);
+    execute("PRAGMA foreign_keys = ON");
+    // Full: a commit that was acknowledged survives a power cut; at one commit a second it costs nothing that
+    // matters.
+    execute("PRAGMA synchronous = FULL");
+}
+
+Connection::~Connection() {
+    database_.close();
+    database_ = QSqlDatabase();
+    QSqlDatabase::removeDatabase(QString::fromStdString(name_));
+}
+
+sqlite3* Connection::handle() const {
+    const QVariant value = database_.driver() ? database_.driver()->handle() : QVariant();
+    if (!value.isValid() || qstrcmp(value.typeName(), "sqlite3*") != 0) return nullptr;
+    return *static_cast<sqlite3* const*>(value.constData());
+}
+
+void Connection::execute(const QString& sql) {
+    char* message = nullptr;
+    const int code = sqlite3_exec(handle(), sql.toUtf8().constData(), nullptr, nullptr, &message);
+    if (code != SQLITE_OK) {
+        const QString text = QString::fromUtf8(message != nullptr ? message : sqlite3_errstr(code));
+        sqlite3_free(message);
+        fail(text, code);
+    }
+}
+
+void Connection::fail(const QString& text, int code) {
+    if (code == 0 && handle() != nullptr) code = sqlite3_extended_errcode(handle());
+    const std::string said = text.trimmed().toStdString();
+    switch (code & 0xff) {
+        case SQLITE_BUSY:
+        case SQLITE_LOCKED:
+            throw StoreError(StoreErrorKind::locked, path_ + ": another program is writing to the store",
+                             "wait for it or close it, then try again; nothing was lost");
+        case SQLITE_READONLY:
+        case SQLITE_PERM:
+            throw StoreError(StoreErrorKind::read_only, path_ + ": the store cannot be written",
+                             "make the file and its folder writable for this user, or open it read-only");
+        case SQLITE_CANTOPEN:
+            throw StoreError(
+                std::filesystem::exists(path_) ? StoreErrorKind::read_only : StoreErrorKind::missing,
+                path_ + ": the store cannot be opened (" + said + ")",
+                "check that the path is right and that this user may read and write the file and its folder");
+        case SQLITE_NOTADB:
+            throw StoreError(StoreErrorKind::not_a_store, path_ + ": not a Fulcrum store",
+                             "name the right file with --db");
+        case SQLITE_CORRUPT:
+            throw StoreError(StoreErrorKind::corrupt, path_ + ": the store is damaged (" + said + ")",
+                             "run `fulcrum db check`, copy the file away, and restore the newest backup");
+        case SQLITE_FULL:
+            throw StoreError(StoreErrorKind::disk_full, path_ + ": no room left on the disk",
+                             "free some space and try again; what was stored before is intact");
+        case SQLITE_IOERR:
+            throw StoreError(
+                code == SQLITE_IOERR_WRITE ? StoreErrorKind::disk_full : StoreErrorKind::failed,
+                path_ + ": the disk refused (" + said + ")",
+                "check the disk's space and health and try again; what was stored before is intact");
+        case SQLITE_CONSTRAINT:
+            throw StoreError(StoreErrorKind::conflict,
+                             path_ + ": refused by a rule of the store (" + said + ")",
+                             "correct the value and try again");
+        default:
+            throw StoreError(StoreErrorKind::failed, path_ + ": " + said, "run `fulcrum db check`");
+    }
+}
+
+Query::Query(Connection& connection, const QString& sql)
+    : connection_(connection), query_(connection.database()) {
+    query_.setForwardOnly(true);
+    if (!query_.prepare(sql)) connection_.fail(query_.lastError().databaseText());
+}
+
+Query& Query::bind(const std::string& value) {
+    query_.addBindValue(QString::fromStdString(value));
+    return *this;
+}
+Query& Query::bind(const QByteArray& value) {
+    query_.addBindValue(value);
+    return *this;
+}
+Query& Query::bind(const std::vector<std::uint8_t>& value) {
+    query_.addBindValue(
+        QByteArray(reinterpret_cast<const char*>(value.data()), static_cast<int>(value.size())));
+    return *this;
+}
+Query& Query::bind(std::int64_t value) {
+    query_.addBindValue(static_cast<qlonglong>(value));
+    return *this;
+}
+Query& Query::bind(double value) {
+    if (!std::isfinite(value)) {
+        throw StoreError(StoreErrorKind::bad_value, "a figure that is not finite cannot be stored",
+                         "leave it absent, with the reason");
+    }
+    query_.addBindValue(value);
+    return *this;
+}
+Query& Query::bind(const std::optional<double>& value) {
+    return value ? bind(*value) : bind_null();
+}
+Query& Query::bind(const std::optional<bool>& value) {
+    return value ? bind(*value) : bind_null();
+}
+Query& Query::bind_null() {
+    query_.addBindValue(QVariant());
+    return *this;
+}
+
+void Query::run() {
+    ran_ = true;
+    if (!query_.exec()) connection_.fail(query_.lastError().databaseText());
+}
+
+bool Query::next() {
+    if (!ran_) run();
+    const bool row = query_.next();
+    if (!row && query_.lastError().isValid()) connection_.fail(query_.lastError().databaseText());
+    return row;
+}
+
+std::string Query::text(int column) const {
+    return query_.value(column).toString().toStdString();
+}
+std::int64_t Query::integer(int column) const {
+    return query_.value(column).toLongLong();
+}
+double Query::real(int column) const {
+    return query_.value(column).toDouble();
+}
+bool Query::is_null(int column) const {
+    return query_.isNull(column);
+}
+std::optional<double> Query::optional_real(int column) const {
+    if (is_null(column)) return std::nullopt;
+    return real(column);
+}
+std::optional<bool> Query::optional_flag(int column) const {
+    if (is_null(column)) return std::nullopt;
+    return flag(column);
+}
+std::vector<std::uint8_t> Query::bytes(int column) const {
+    const QByteArray value = query_.value(column).toByteArray();
+    return std::vector<std::uint8_t>(value.begin(), value.end());
+}
+int Query::rows_changed() const {
+    return query_.numRowsAffected();
+}
+
+Transaction::Transaction(Connection& connection) : connection_(connection) {
+    if (connection_.depth_ == 0) connection_.execute("BEGIN IMMEDIATE");
+    ++connection_.depth_;
+}
+
+Transaction::~Transaction() {
+    if (!open_) return;
+    --connection_.depth_;
+    // A failed rollback leaves nothing to do: SQLite has already rolled back on such errors.
+    if (connection_.depth_ == 0) sqlite3_exec(connection_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
+}
+
+void Transaction::commit() {
+    if (connection_.depth_ == 1) connection_.execute("COMMIT");
+    open_ = false;
+    --connection_.depth_;
+}
+
+}  // namespace fulcrum::database

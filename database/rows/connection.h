@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One connection to a store, with prepared queries and transactions whose failures are StoreErrors. Internal
+// to this floor.
+#pragma once
+
+#include <QSqlDatabase>
+#include <QSqlQuery>
+#include <QString>
+#include <QVariant>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "database/rows/errors.h"
+
+struct sqlite3;
+
+namespace fulcrum::database {
+
+class Connection {
+  public:
+    /// Opens the file; throws StoreError. `create` false: the file must exist.
+    Connection(const std::string& path, bool read_only, bool create, int busy_timeout_ms);
+    ~Connection();
+    Connection(const Connection&) = delete;
+    Connection& operator=(const Connection&) = delete;
+
+    const std::string& path() const noexcept { return path_; }
+    bool is_read_only() const noexcept { return read_only_; }
+    QSqlDatabase& database() noexcept { return database_; }
+    sqlite3* handle() const;
+    /// Any number of statements, no results.
+    void execute(const QString& sql);
+    /// Throws what the last failure of this connection means; `code` an SQLite extended result code, 0: ask
+    /// the handle.
+    [[noreturn]] void fail(const QString& text, int code = 0);
+    bool in_transaction() const noexcept { return depth_ > 0; }
+
+  private:
+    friend class Transaction;
+    std::string path_, name_;
+    bool read_only_;
+    int depth_ = 0;
+    QSqlDatabase database_;
+};
+
+/// One statement. Bind in order, run, then read rows.
+class Query {
+  public:
+    Query(Connection& connection, const QString& sql);
+    Query& bind(const std::string& value);
+    Query& bind(const char* value) { return bind(std::string(value)); }
+    Query& bind(const QByteArray& value);
+    Query& bind(const std::vector<std::uint8_t>& value);
+    Query& bind(std::int64_t value);
+    Query& bind(int value) { return bind(static_cast<std::int64_t>(value)); }
+    Query& bind(bool value) { return bind(static_cast<std::int64_t>(value)); }
+    /// Throws StoreError bad_value if not finite.
+    Query& bind(double value);
+    Query& bind(const std::optional<double>& value);
+    Query& bind(const std::optional<bool>& value);
+    Query& bind_null();
+    void run();
+    /// Runs at the first call. False after the last row.
+    bool next();
+    std::string text(int column) const;
+    std::int64_t integer(int column) const;
+    bool flag(int column) const { return integer(column) != 0; }
+    double real(int column) const;
+    bool is_null(int column) const;
+    std::optional<double> optional_real(int column) const;
+    std::optional<bool> optional_flag(int column) const;
+    std::vector<std::uint8_t> bytes(int column) const;
+    int rows_changed() const;
+
+  private:
+    Connection& connection_;
+    QSqlQuery query_;
+    bool ran_ = false;
+};
+
+/// BEGIN IMMEDIATE; rolled back unless committed. Nested ones join the outer.
+class Transaction {
+  public:
+    explicit Transaction(Connection& connection);
+    ~Transaction();
+    Transaction(const Transaction&) = delete;
+    Transaction& operator=(const Transaction&) = delete;
+    void commit();
+
+  private:
+    Connection& connection_;
+    bool open_ = true;
+};
+
+}  // namespace fulcrum::database

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/rows/crypto.h"
+
+#include <sodium.h>
+
+#include <cctype>
+#include <stdexcept>
+
+namespace fulcrum::database {
+namespace {
+
+void ready() {
+    static const int outcome = sodium_init();
+    if (outcome < 0) throw std::runtime_error("libsodium cannot start");
+}
+
+std::string grouped_code(int characters, const char* alphabet) {
+    ready();
+    std::string code;
+    for (int i = 0; i < characters; ++i) {
+        if (i > 0 && i % 4 == 0) code += '-';
+        code += alphabet[randombytes_uniform(32)];
+    }
+    return code;
+}
+
+}  // namespace
+
+Bytes random_bytes(std::size_t count) {
+    ready();
+    Bytes bytes(count);
+    randombytes_buf(bytes.data(), count);
+    return bytes;
+}
+
+std::string random_uuid() {
+    Bytes bytes = random_bytes(16);
+    bytes[6] = static_cast<std::uint8_t>((bytes[6] & 0x0fU) | 0x40U);
+    bytes[8] = static_cast<std::uint8_t>((bytes[8] & 0x3fU) | 0x80U);
+    std::string text = to_hex(bytes);
+    for (const std::size_t place : {20U, 16U, 12U, 8U}) text.insert(place, 1, '-');
+    return text;
+}
+
+Bytes blake2b(const void* data, std::size_t length, std::size_t size) {
+    ready();
+    Bytes digest(size);
+    crypto_generichash(digest.data(), size, static_cast<const unsigned char*>(data), length, nullptr, 0);
+    return digest;
+}
+
+Bytes blake2b(const Bytes& data, std::size_t size) {
+    return blake2b(data.data(), data.size(), size);
+}
+
+std::string to_hex(const Bytes& bytes) {
+    static constexpr char digits[] = "0123456789abcdef";
+    std::string text;
+    text.reserve(bytes.size() * 2);
+    for (const std::uint8_t byte : bytes) {
+        text += digits[byte >> 4U];
+        text += digits[byte & 15U];
+    }
+    return text;
+}
+
+std::string text_digest(const std::string& text) {
+    return to_hex(blake2b(text.data(), text.size(), 32));
+}
+
+std::string make_verifier(const std::string& secret) {
+    ready();
+    char verifier[crypto_pwhash_STRBYTES];
+    if (crypto_pwhash_str_alg(verifier, secret.data(), secret.size(), crypto_pwhash_OPSLIMIT_INTERACTIVE,
+                              crypto_pwhash_MEMLIMIT_INTERACTIVE, crypto_pwhash_ALG_ARGON2ID13) != 0) {
+        throw std::runtime_error("not enough memory to protect a password (64 MiB needed)");
+    }
+    return verifier;
+}
+
+bool verify_secret(const std::string& verifier, const std::string& secret) {
+    ready();
+    // The function reads STRBYTES of a terminated string; a verifier of another length is not one of ours.
+    if (verifier.size() >= crypto_pwhash_STRBYTES) return false;
+    char stored[crypto_pwhash_STRBYTES] = {};
+    verifier.copy(stored, verifier.size());
+    return crypto_pwhash_str_verify(stored, secret.data(), secret.size()) == 0;
+}
+
+bool verify_nothing(const std::string& secret) {
+    static const std::string verifier = make_verifier(to_hex(random_bytes(16)));
+    return verify_secret(verifier, secret) && false;
+}
+
+std::string make_recovery_code() {
+    return grouped_code(24, "ABCDEFGHJKLMNPQRSTUVWXYZ23456789");
+}
+
+std::string normalise_recovery_code(const std::string& typed) {
+    std::string code;
+    for (const char c : typed) {
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
+            code += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+        }
+    }
+    return code;
+}
+
+std::string make_one_time_password() {
+    return grouped_code(12, "abcdefghijkmnpqrstuvwxyz23456789");
+}
+
+}  // namespace fulcrum::database

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/schema/migration.h"
+
+#include <QDir>
+#include <QFile>
+#include <QStringList>
+
+// A static library's resources are dropped by the linker unless something names them; the macro must stand
+// outside any namespace.
+static void load_schema_resources() {
+    Q_INIT_RESOURCE(schema);
+}
+
+namespace fulcrum::database {
+namespace {
+
+const QString folder = QStringLiteral(":/fulcrum/database/schema");
+
+QStringList steps() {
+    load_schema_resources();
+    return QDir(folder).entryList({QStringLiteral("*.sql")}, QDir::Files, QDir::Name);
+}
+
+}  // namespace
+
+int latest_schema_version() {
+    static const int version = static_cast<int>(steps().size());
+    return version;
+}
+
+int read_schema_version(Connection& connection) {
+    Query id(connection, "PRAGMA application_id");
+    const std::int64_t found = id.next() ? id.integer(0) : 0;
+    if (found != application_id) {
+        throw StoreError(StoreErrorKind::not_a_store, connection.path() + ": not a Fulcrum store",
+                         "name the right file with --db");
+    }
+    Query version(connection, "PRAGMA user_version");
+    return version.next() ? static_cast<int>(version.integer(0)) : 0;
+}
+
+void migrate(Connection& connection, int target) {
+    const QStringList files = steps();
+    while (true) {
+        // Read inside the transaction: two programs may open an old store at the same moment.
+        Transaction transaction(connection);
+        int from = 0;
+        {
+            // Closed before the step: a table cannot be dropped while a statement is open.
+            Query version(connection, "PRAGMA user_version");
+            if (version.next()) from = static_cast<int>(version.integer(0));
+        }
+        if (from >= target) return;
+        QFile file(folder + "/" + files.at(from));
+        if (!file.open(QIODevice::ReadOnly)) {
+            throw StoreError(StoreErrorKind::failed,
+                             "the program lacks its schema step " + files.at(from).toStdString(),
+                             "install it again");
+        }
+        connection.execute(QString::fromUtf8(file.readAll()));
+        Query broken(connection, "PRAGMA foreign_key_check");
+        if (broken.next()) {
+            throw StoreError(StoreErrorKind::corrupt,
+                             connection.path() + ": rows of table " + broken.text(0) +
+                                 " point nowhere after schema step " + std::to_string(from + 1),
+                             "the store was left as it was; restore a backup or report this");
+        }
+        connection.execute("PRAGMA user_version = " + QString::number(from + 1));
+        transaction.commit();
+    }
+}
+
+}  // namespace fulcrum::database

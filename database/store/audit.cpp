@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/store/audit.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include "database/rows/connection.h"
+#include "database/rows/crypto.h"
+
+namespace fulcrum::database {
+namespace {
+
+constexpr std::size_t hash_size = 32, salt_size = 32;
+
+void add_number(Bytes& bytes, std::int64_t value) {
+    for (int shift = 0; shift < 64; shift += 8) {
+        bytes.push_back(
+            static_cast<std::uint8_t>(static_cast<std::uint64_t>(value) >> static_cast<unsigned>(shift)));
+    }
+}
+
+// With its length before it, so that no two rows give the same bytes.
+template <typename Text>
+void add_text(Bytes& bytes, const Text& text) {
+    add_number(bytes, static_cast<std::int64_t>(text.size()));
+    bytes.insert(bytes.end(), text.begin(), text.end());
+}
+
+Bytes row_hash(const Bytes& previous, std::int64_t sequence, std::int64_t time, const std::string& station,
+               const std::string& actor, const std::string& object, const std::string& operation,
+               const Bytes& digest) {
+    Bytes bytes;
+    add_text(bytes, previous);
+    add_number(bytes, sequence);
+    add_number(bytes, time);
+    add_text(bytes, station);
+    add_text(bytes, actor);
+    add_text(bytes, object);
+    add_text(bytes, operation);
+    add_text(bytes, digest);
+    return blake2b(bytes, hash_size);
+}
+
+Bytes payload_digest(const Bytes& salt, const std::string& payload) {
+    Bytes bytes = salt;
+    bytes.insert(bytes.end(), payload.begin(), payload.end());
+    return blake2b(bytes, hash_size);
+}
+
+constexpr const char* role_key = "as";
+
+std::string with_role(const std::string& payload, Role role) {
+    std::string text = std::string("{\"") + role_key + "\": \"" + role_name(role) + "\"";
+    return text + (payload == "{}" ? "}" : ", " + payload.substr(1));
+}
+
+bool is_about_an_attempt(const std::string& operation) {
+    for (const char* group : {"attempt.", "score.", "comment."}) {
+        if (operation.rfind(group, 0) == 0) return true;
+    }
+    return false;
+}
+
+/// Takes the role out, and what whoever views the log may not read.
+void show_payload(const std::string& payload, AuditEntry& entry) {
+    const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(payload));
+    if (!document.isObject()) {
+        entry.payload = "unreadable";
+        return;
+    }
+    QJsonObject members = document.object();
+    entry.role = members.take(QLatin1String(role_key)).toString().toStdString();
+    if (is_about_an_attempt(entry.operation)) {
+        for (const char* words : {"reason", "text", "state"}) {
+            if (members.contains(QLatin1String(words)))
+                members.insert(QLatin1String(words), QStringLiteral("withheld"));
+        }
+    }
+    entry.payload = QJsonDocument(members).toJson(QJsonDocument::Compact).toStdString();
+}
+
+}  // namespace
+
+void Audit::append(const Session& actor, const std::string& object_id, const std::string& operation,
+                   const std::string& deed_json) const {
+    const std::string payload_json = with_role(deed_json, actor.role());
+    Connection& connection = store_.connection();
+    Transaction transaction(connection);
+    Query last(connection,
+               "SELECT sequence, hash FROM audit_entry WHERE station_id = ? ORDER BY sequence DESC LIMIT 1");
+    last.bind(store_.station_id());
+    std::int64_t sequence = 1;
+    Bytes previous(hash_size, 0);
+    if (last.next()) {
+        sequence = last.integer(0) + 1;
+        previous = last.bytes(1);
+    }
+    const std::int64_t time = store_.now();
+    const std::string actor_id = actor.is_station() ? store_.station_id() : actor.person_id();
+    const Bytes salt = random_bytes(salt_size);
+    const Bytes digest = payload_digest(salt, payload_json);
+    const Bytes hash =
+        row_hash(previous, sequence, time, store_.station_id(), actor_id, object_id, operation, digest);
+    Query(connection,
+          "INSERT INTO audit_entry (station_id, sequence, time, actor_id, object_id, operation, digest, "
+          "previous_hash, hash) "
+          "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)")
+        .bind(store_.station_id())
+        .bind(sequence)
+        .bind(time)
+        .bind(actor_id)
+        .bind(object_id)
+        .bind(operation)
+        .bind(digest)
+        .bind(previous)
+        .bind(hash)
+        .run();
+    Query(connection, "INSERT INTO audit_payload (station_id, sequence, salt, payload) VALUES (?, ?, ?, ?)")
+        .bind(store_.station_id())
+        .bind(sequence)
+        .bind(salt)
+        .bind(payload_json)
+        .run();
+    transaction.commit();
+}
+
+std::string Audit::head() const {
+    Query last(store_.connection(),
+               "SELECT hash FROM audit_entry WHERE station_id = ? ORDER BY sequence DESC LIMIT 1");
+    last.bind(store_.station_id());
+    return to_hex(last.next() ? last.bytes(0) : Bytes(hash_size, 0));
+}
+
+std::int64_t Audit::count() const {
+    Query rows(store_.connection(), "SELECT COUNT(*) FROM audit_entry");
+    return rows.next() ? rows.integer(0) : 0;
+}
+
+std::vector<AuditEntry> Audit::entries(const Session& administrator, const AuditFilter& filter) const {
+    store_.require(administrator, Operation::view_audit);
+    QString sql =
+        "SELECT e.sequence, e.time, e.station_id, e.actor_id, COALESCE(a.display_name, ''), "
+        "e.object_id, e.operation, e.digest, e.previous_hash, e.hash, p.payload, "
+        "COALESCE(w.id, ''), COALESCE(w.display_name, '') FROM audit_entry e "
+        "LEFT JOIN audit_payload p ON p.station_id = e.station_id AND p.sequence = e.sequence "
+        "LEFT JOIN person a ON a.id = e.actor_id "
+        "LEFT JOIN score s ON s.id = e.object_id LEFT JOIN comment c ON c.id = e.object_id "
+        "LEFT JOIN attempt t ON t.id = COALESCE(s.attempt_id, c.attempt_id, e.object_id) "
+        "LEFT JOIN person w ON w.id = COALESCE(t.person_id, e.object_id) WHERE e.station_id = ?";
+    if (!filter.person_id.empty()) sql += " AND (e.actor_id = ? OR w.id = ?)";
+    // One of them, or all of a group: "attempt" for "attempt.void".
+    if (!filter.kind.empty())
+        sql += " AND (e.operation = ? OR substr(e.operation, 1, length(?) + 1) = ? || '.')";
+    sql += " AND e.time >= ?";
+    if (filter.until > 0) sql += " AND e.time < ?";
+    if (filter.before_sequence >= 0) sql += " AND e.sequence < ?";
+    Query rows(store_.connection(), sql + " ORDER BY e.sequence DESC LIMIT ?");
+    rows.bind(store_.station_id());
+    if (!filter.person_id.empty()) rows.bind(filter.person_id).bind(filter.person_id);
+    if (!filter.kind.empty()) rows.bind(filter.kind).bind(filter.kind).bind(filter.kind);
+    rows.bind(filter.from);
+    if (filter.until > 0) rows.bind(filter.until);
+    if (filter.before_sequence >= 0) rows.bind(filter.before_sequence);
+    rows.bind(filter.limit);
+    std::vector<AuditEntry> entries;
+    while (rows.next()) {
+        AuditEntry entry;
+        entry.sequence = rows.integer(0);
+        entry.time = rows.integer(1);
+        entry.station_id = rows.text(2);
+        entry.actor_id = rows.text(3);
+        entry.actor_name = entry.actor_id == entry.station_id ? "Station" : rows.text(4);
+        entry.object_id = rows.text(5);
+        entry.operation = rows.text(6);
+        entry.digest = to_hex(rows.bytes(7));
+        entry.previous_hash = to_hex(rows.bytes(8));
+        entry.hash = to_hex(rows.bytes(9));
+        entry.person_id = rows.text(11);
+        entry.person_name = rows.text(12);
+        if (rows.is_null(10)) {
+            entry.payload = "payload erased";
+        } else {
+            show_payload(rows.text(10), entry);
+        }
+        entries.push_back(std::move(entry));
+    }
+    return entries;
+}
+
+std::vector<std::string> Audit::kinds(const Session& administrator) const {
+    store_.require(administrator, Operation::view_audit);
+    Query rows(store_.connection(),
+               "SELECT DISTINCT operation FROM audit_entry WHERE station_id = ? ORDER BY operation");
+    rows.bind(store_.station_id());
+    std::vector<std::string> kinds;
+    while (rows.next()) kinds.push_back(rows.text(0));
+    return kinds;
+}
+
+std::vector<std::string> Audit::verify() const {
+    Query rows(store_.connection(),
+               "SELECT e.station_id, e.sequence, e.time, e.actor_id, e.object_id, e.operation, e.digest, "
+               "e.previous_hash, e.hash, "
+               "p.salt, p.payload FROM audit_entry e "
+               "LEFT JOIN audit_payload p ON p.station_id = e.station_id AND p.sequence = e.sequence "
+               "ORDER BY e.station_id, e.sequence");
+    std::vector<std::string> problems;
+    std::string station;
+    Bytes previous(hash_size, 0);
+    std::int64_t expected = 1;
+    while (rows.next()) {
+        if (rows.text(0) != station) {
+            station = rows.text(0);
+            previous.assign(hash_size, 0);
+            expected = 1;
+        }
+        const std::int64_t sequence = rows.integer(1);
+        const std::string place = "audit row " + std::to_string(sequence);
+        if (sequence != expected)
+            problems.push_back("audit rows " + std::to_string(expected) + " to " +
+                               std::to_string(sequence - 1) + " are missing");
+        const Bytes digest = rows.bytes(6), stored_previous = rows.bytes(7), hash = rows.bytes(8);
+        if (sequence == expected && stored_previous != previous)
+            problems.push_back(place + ": not bound to the row before it");
+        if (row_hash(stored_previous, sequence, rows.integer(2), station, rows.text(3), rows.text(4),
+                     rows.text(5), digest) != hash) {
+            problems.push_back(place + ": changed after it was written");
+        }
+        if (!rows.is_null(9) && payload_digest(rows.bytes(9), rows.text(10)) != digest) {
+            problems.push_back(place + ": its payload was changed");
+        }
+        previous = hash;
+        expected = sequence + 1;
+    }
+    return problems;
+}
+
+}  // namespace fulcrum::database

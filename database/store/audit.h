@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The audit chain of a station (docs/MANUAL.md): digest = BLAKE2b(salt, payload), every row bound to the one
+// before. Without a copy of the head elsewhere (reports print it) the owner of the file can re-chain it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "database/store/store.h"
+
+namespace fulcrum::database {
+
+struct AuditEntry {
+    std::int64_t sequence = 0;
+    UtcMilliseconds time = 0;
+    std::string station_id, actor_id, actor_name, object_id, operation;
+    std::string role;  ///< in which the actor acted; "" where the payload is erased or older
+    std::string person_id,
+        person_name;  ///< whom the object is or belongs to; "" for cohorts, settings, the store
+    std::string digest, previous_hash, hash;  ///< hex
+    /// JSON, or "payload erased". What is said of an attempt (how it ended, why it was voided, what a trainee
+    /// asked for) reads "withheld": whoever views the audit log sees no reviews (docs/MANUAL.md).
+    std::string payload;
+};
+
+/// Which rows of this station's chain; empty fields ask for nothing.
+struct AuditFilter {
+    std::string person_id;                ///< did it, or it was done to them or to an attempt of theirs
+    std::string kind;                     ///< "attempt.void", or "attempt" for every one of that group
+    UtcMilliseconds from = 0, until = 0;  ///< from <= time < until; until 0: now
+    std::int64_t before_sequence = -1;    ///< older rows than this one
+    int limit = 500;
+};
+
+class Audit {
+  public:
+    explicit Audit(const Store& store) : store_(store) {}
+    /// Newest first. Operation::view_audit.
+    std::vector<AuditEntry> entries(const Session& administrator, const AuditFilter& filter = {}) const;
+    /// The operations that the chain holds, by name. Operation::view_audit.
+    std::vector<std::string> kinds(const Session& administrator) const;
+    /// Hash of the newest row, hex; 64 zeros before the first.
+    std::string head() const;
+    /// Problems found, by sequence; empty if the chain and all payloads hold.
+    std::vector<std::string> verify() const;
+    std::int64_t count() const;
+
+    /// Adds a row; inside the caller's transaction. The role goes into the payload. For the rooms of this
+    /// floor.
+    void append(const Session& actor, const std::string& object_id, const std::string& operation,
+                const std::string& payload_json) const;
+
+  private:
+    const Store& store_;
+};
+
+}  // namespace fulcrum::database

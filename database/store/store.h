@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The station's store: one SQLite file (WAL, foreign keys, user_version migrations). Needs a QCoreApplication
+// (Qt loads the driver as a plugin). One Store is one connection: use it on the thread that opened it; other
+// threads open their own on the same path.
+//
+// Rooms built on it, each constructed from a Store: People (people.h), Attempts (attempts.h), Reviews
+// (reviews.h), Reports (report_data.h), Audit (audit.h); Recorder (recorder.h) opens its own connection.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "database/access/access.h"
+#include "database/rows/errors.h"
+
+namespace fulcrum::database {
+
+class Connection;
+
+/// Milliseconds since 1970-01-01 UTC.
+using UtcMilliseconds = std::int64_t;
+/// "2026-11-21T04:07:37Z" (whole seconds).
+std::string iso_utc(UtcMilliseconds time);
+
+struct StoreOptions {
+    bool read_only = false;
+    int busy_timeout_ms = 5000;                   ///< how long to wait for another connection's write
+    std::function<UtcMilliseconds()> clock = {};  ///< default: the system clock
+    bool close_interrupted =
+        true;  ///< false: leave attempts that lost their program for the next start to list
+};
+
+/// A finding of check(): ok == false names what is wrong and the way on.
+struct CheckItem {
+    std::string name;  ///< "integrity", "foreign keys", "audit chain", "trace checksums", "score digests",
+                       ///< "scenes", "permissions"
+    bool ok = true;
+    std::int64_t count = 0;             ///< things looked at
+    std::vector<std::string> problems;  ///< empty if ok; at most 20, then a line that says how many more
+};
+struct CheckReport {
+    bool ok = true;
+    bool complete = true;  ///< false: stopped before the end; the items hold what was looked at
+    std::vector<CheckItem> items;
+};
+
+/// How far long work is, 0..1, and what it is at; false asks it to stop.
+using StoreProgress = std::function<bool(double done, const std::string& line)>;
+
+/// An attempt that was running when its program ended.
+struct InterruptedAttempt {
+    std::string attempt_id, person_id, task_id;
+    UtcMilliseconds started = 0;
+    double recorded_s = 0;  ///< how much of the trace is there
+};
+
+class Store {
+  public:
+    /// Where the window keeps its store unless told otherwise: XDG data folder /fulcrum/fulcrum.db (demo:
+    /// demo.db).
+    static std::string default_path(bool demo = false);
+    /// Makes a new store (file 0600, missing folders 0700) with its station, no people. Throws StoreError
+    /// exists, read_only, disk_full.
+    static Store create(const std::string& path, bool demo = false, StoreOptions options = {});
+    /// Opens, migrates (one transaction a step; a copy FILE.before-vN is kept), and closes interrupted
+    /// attempts, unless read_only. Throws StoreError missing, not_a_store, newer_schema, older_schema,
+    /// read_only, locked, corrupt.
+    static Store open(const std::string& path, StoreOptions options = {});
+    static bool exists(const std::string& path);
+    /// The schema version this program writes.
+    static int schema_version();
+
+    Store(Store&&) noexcept;
+    Store& operator=(Store&&) noexcept;
+    ~Store();
+
+    const std::string& path() const noexcept;
+    bool is_read_only() const noexcept;
+    bool is_demo() const;
+    const std::string& station_id() const noexcept;
+    UtcMilliseconds now() const;
+
+    /// The session of the program itself: synthetic work, db check. No person's data.
+    Session station_session() const;
+
+    /// True once *Create programme* was done.
+    bool has_administrator() const;
+    /// Empty if there is no programme.
+    std::string programme_name() const;
+
+    /// What the store will say; the window uses it to show or hide. False for unknown subjects.
+    bool allowed(const Session& session, Operation operation, const Subject& subject = {}) const;
+    /// As allowed(), throwing AccessDenied. Every room calls it first.
+    void require(const Session& session, Operation operation, const Subject& subject = {}) const;
+
+    /// Attempts found running without their program when this connection opened; closed as interrupted, in
+    /// the audit chain.
+    const std::vector<InterruptedAttempt>& interrupted_at_open() const noexcept;
+
+    /// Reads everything once. Operation::check_store.
+    CheckReport check(const Session& session, const StoreProgress& progress = {}) const;
+    /// A consistent copy while others write (SQLite backup interface), 0600. False if it was stopped, leaving
+    /// no file. Operation::backup. Throws StoreError exists.
+    bool backup(const Session& session, const std::string& to_path, const StoreProgress& progress = {}) const;
+    /// Ends the building of a demo store: from then on only practice attempts are accepted.
+    void seal_demo(const Session& station);
+
+    Connection& connection() const noexcept;  ///< for the rooms of this floor
+
+  private:
+    struct State;
+    explicit Store(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace fulcrum::database

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `db check`: every page, reference, chain row, chunk and score read once; and the closing of attempts that
+// lost their program.
+#include <sqlite3.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "database/records/score_rows.h"
+#include "database/rows/crypto.h"
+#include "database/rows/json.h"
+#include "database/store/audit.h"
+#include "database/store/recording_lock.h"
+#include "database/store/store_state.h"
+
+namespace fulcrum::database {
+namespace {
+
+constexpr std::size_t most_problems = 20;
+
+/// Tells how far the check is and hears whether to go on, between rows and within one long statement.
+class Watch {
+  public:
+    Watch(Connection& connection, const StoreProgress& progress)
+        : connection_(connection), progress_(progress) {
+        constexpr int instructions = 1000000;  // of SQLite's machine: some tens of milliseconds
+        if (progress_) sqlite3_progress_handler(connection_.handle(), instructions, &Watch::ask, this);
+    }
+    ~Watch() {
+        if (progress_) sqlite3_progress_handler(connection_.handle(), 0, nullptr, nullptr);
+    }
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+    void begin(double from, double to, const char* what) {
+        from_ = from;
+        to_ = to;
+        what_ = what;
+        at(0);
+    }
+    /// False: stop.
+    bool at(double share) {
+        done_ = from_ + share * (to_ - from_);
+        return tell();
+    }
+    bool stopped() const { return stopped_; }
+
+  private:
+    static int ask(void* watch) { return static_cast<Watch*>(watch)->tell() ? 0 : 1; }
+    bool tell() {
+        if (progress_ && !stopped_) stopped_ = !progress_(done_, what_);
+        return !stopped_;
+    }
+    Connection& connection_;
+    const StoreProgress& progress_;
+    double from_ = 0, to_ = 0, done_ = 0;
+    std::string what_;
+    bool stopped_ = false;
+};
+
+void check_integrity(const Store& store, CheckItem& item) {
+    Query rows(store.connection(), "PRAGMA integrity_check(100)");
+    while (rows.next()) {
+        if (rows.text(0) != "ok") item.problems.push_back(rows.text(0));
+    }
+    Query pages(store.connection(), "PRAGMA page_count");
+    if (pages.next()) item.count = pages.integer(0);
+}
+
+void check_foreign_keys(const Store& store, CheckItem& item) {
+    Query rows(store.connection(), "PRAGMA foreign_key_check");
+    while (rows.next())
+        item.problems.push_back("table " + rows.text(0) + ": a row points to nothing in " + rows.text(2));
+    Query tables(store.connection(), "SELECT COUNT(*) FROM sqlite_master WHERE type = 'table'");
+    if (tables.next()) item.count = tables.integer(0);
+}
+
+void check_traces(const Store& store, CheckItem& item, Watch& watch) {
+    Query sum(store.connection(), "SELECT COUNT(*) FROM trace_chunk");
+    const double all = sum.next() ? static_cast<double>(std::max<std::int64_t>(1, sum.integer(0))) : 1;
+    Query rows(store.connection(),
+               "SELECT attempt_id, stream, number, checksum, data FROM trace_chunk ORDER BY attempt_id, "
+               "stream, number");
+    std::string stream;
+    std::int64_t expected = 0;
+    while (rows.next()) {
+        constexpr std::int64_t between = 64;
+        if (++item.count % between == 0 && !watch.at(static_cast<double>(item.count) / all)) return;
+        const std::string place = "attempt " + rows.text(0) + ", stream " + rows.text(1);
+        if (place != stream) {
+            stream = place;
+            expected = 0;
+        }
+        if (rows.integer(2) != expected)
+            item.problems.push_back(place + ": chunk " + std::to_string(expected) + " is missing");
+        expected = rows.integer(2) + 1;
+        if (blake2b(rows.bytes(4), 16) != rows.bytes(3))
+            item.problems.push_back(place + ": chunk " + rows.text(2) + " is damaged");
+    }
+    Query ends(store.connection(),
+               "SELECT id, events, COALESCE((SELECT SUM(records) FROM trace_chunk c WHERE c.attempt_id = "
+               "attempt.id AND c.stream = 3), 0) FROM attempt WHERE state <> 'running'");
+    while (ends.next()) {
+        if (ends.integer(1) != ends.integer(2))
+            item.problems.push_back("attempt " + ends.text(0) + ": " + ends.text(2) + " of its " +
+                                    ends.text(1) + " events are there, a part of the record is missing");
+    }
+    Query pairs(
+        store.connection(),
+        "SELECT attempt_id, SUM(records * (stream = 0)), SUM(records * (stream = 1)) FROM trace_chunk "
+        "WHERE stream IN (0, 1) GROUP BY attempt_id");
+    while (pairs.next()) {
+        if (pairs.integer(1) != pairs.integer(2))
+            item.problems.push_back("attempt " + pairs.text(0) + ": " + pairs.text(1) + " samples for " +
+                                    pairs.text(2) + " inputs are there, a part of the record is missing");
+    }
+    Query products(store.connection(), "SELECT attempt_id, kind, checksum, data FROM attempt_product");
+    while (products.next()) {
+        ++item.count;
+        if (blake2b(products.bytes(3), 16) != products.bytes(2)) {
+            item.problems.push_back("attempt " + products.text(0) + ": product " + products.text(1) +
+                                    " is damaged");
+        }
+    }
+}
+
+void check_scores(const Store& store, CheckItem& item) {
+    Query rows(
+        store.connection(),
+        "SELECT s.id, s.attempt_id, (SELECT e.sequence FROM audit_entry e WHERE e.object_id = s.id AND "
+        "e.operation = 'score.add'), (SELECT p.payload FROM audit_entry e JOIN audit_payload p ON "
+        "p.station_id = e.station_id "
+        "AND p.sequence = e.sequence WHERE e.object_id = s.id AND e.operation = 'score.add') FROM score s");
+    while (rows.next()) {
+        ++item.count;
+        const std::string place = "score of attempt " + rows.text(1);
+        if (rows.is_null(2)) {
+            item.problems.push_back(place + ": not in the audit chain");
+        } else if (!rows.is_null(3)) {
+            const std::string digest =
+                score_digest(rows.text(1), read_score(store.connection(), rows.text(0)));
+            if (rows.text(3).find(digest) == std::string::npos)
+                item.problems.push_back(place + ": changed after it was written");
+        }
+    }
+}
+
+void check_scenes(const Store& store, CheckItem& item) {
+    Query rows(store.connection(), "SELECT digest, text FROM scene_text");
+    while (rows.next()) {
+        ++item.count;
+        if (text_digest(rows.text(1)) != rows.text(0))
+            item.problems.push_back("scene " + rows.text(0) + ": changed after it was written");
+    }
+    Query lost(store.connection(),
+               "SELECT id FROM attempt WHERE scene_digest <> '' AND scene_digest NOT IN (SELECT digest FROM "
+               "scene_text)");
+    while (lost.next()) item.problems.push_back("attempt " + lost.text(0) + ": its scene is gone");
+}
+
+void check_permissions(const Store& store, CheckItem& item) {
+    struct stat status {};
+    item.count = 1;
+    if (::stat(store.path().c_str(), &status) == 0 && (status.st_mode & (S_IRWXG | S_IRWXO)) != 0) {
+        item.problems.push_back(store.path() + ": others on this machine may open it (chmod 600 mends that)");
+    }
+}
+
+}  // namespace
+
+CheckReport check_store(const Store& store, const StoreProgress& progress) {
+    CheckReport report;
+    Watch watch(store.connection(), progress);
+    const auto look = [&](double from, double to, const char* name,
+                          const std::function<void(CheckItem&)>& checker) {
+        if (!report.complete) return;
+        watch.begin(from, to, name);
+        CheckItem item;
+        item.name = name;
+        try {
+            if (!watch.stopped()) checker(item);
+        } catch (const StoreError& error) {
+            // A damaged page stops one check, not the others.
+            if (!watch.stopped()) item.problems.push_back(error.wrong());
+        }
+        report.complete = !watch.stopped();
+        if (!report.complete) return;
+        if (item.problems.size() > most_problems) {
+            const std::size_t more = item.problems.size() - most_problems;
+            item.problems.resize(most_problems);
+            item.problems.push_back("and " + std::to_string(more) + " more");
+        }
+        item.ok = item.problems.empty();
+        report.ok = report.ok && item.ok;
+        report.items.push_back(std::move(item));
+    };
+    look(0, 0.25, "integrity", [&](CheckItem& item) { check_integrity(store, item); });
+    look(0.25, 0.3, "foreign keys", [&](CheckItem& item) { check_foreign_keys(store, item); });
+    look(0.3, 0.4, "audit chain", [&](CheckItem& item) {
+        const Audit audit(store);
+        item.count = audit.count();
+        item.problems = audit.verify();
+    });
+    look(0.4, 0.85, "trace checksums", [&](CheckItem& item) { check_traces(store, item, watch); });
+    look(0.85, 1, "score digests", [&](CheckItem& item) { check_scores(store, item); });
+    look(1, 1, "scenes", [&](CheckItem& item) { check_scenes(store, item); });
+    look(1, 1, "permissions", [&](CheckItem& item) { check_permissions(store, item); });
+    return report;
+}
+
+std::vector<InterruptedAttempt> close_interrupted_attempts(const Store& store) {
+    Connection& connection = store.connection();
+    {
+        // Most starts find none: no write, no waiting for a recorder that writes.
+        Query any(connection, "SELECT 1 FROM attempt WHERE state = 'running' LIMIT 1");
+        if (!any.next()) return {};
+    }
+    Transaction transaction(connection);
+    std::vector<InterruptedAttempt> found;
+    {
+        Query rows(connection,
+                   "SELECT a.id, a.person_id, a.task_id, a.started, COALESCE((SELECT MAX(last_tick) + 1 FROM "
+                   "trace_chunk c WHERE "
+                   "c.attempt_id = a.id AND c.stream = 0), 0) FROM attempt a WHERE a.state = 'running' AND "
+                   "a.station_id = ?");
+        rows.bind(store.station_id());
+        while (rows.next()) {
+            if (RecordingLock::is_held(store.path(), rows.text(0))) continue;
+            InterruptedAttempt attempt;
+            attempt.attempt_id = rows.text(0);
+            attempt.person_id = rows.text(1);
+            attempt.task_id = rows.text(2);
+            attempt.started = rows.integer(3);
+            attempt.recorded_s = static_cast<double>(rows.integer(4)) * 1e-3;
+            found.push_back(std::move(attempt));
+        }
+    }
+    for (const InterruptedAttempt& attempt : found) {
+        Query(connection,
+              "UPDATE attempt SET state = 'interrupted', duration_s = ?, events = COALESCE((SELECT "
+              "SUM(records) FROM trace_chunk c "
+              "WHERE c.attempt_id = attempt.id AND c.stream = 3), 0) WHERE id = ?")
+            .bind(attempt.recorded_s)
+            .bind(attempt.attempt_id)
+            .run();
+        Audit(store).append(
+            store.station_session(), attempt.attempt_id, "attempt.interrupted",
+            json_object({{"task", attempt.task_id}, {"cause", "the program ended while it ran"}}));
+        RecordingLock::clean(store.path(), attempt.attempt_id);
+    }
+    transaction.commit();
+    return found;
+}
+
+}  // namespace fulcrum::database

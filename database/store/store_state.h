@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a Store holds; internal to this floor.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "database/rows/connection.h"
+#include "database/store/store.h"
+
+namespace fulcrum::database {
+
+struct Store::State {
+    std::string path;
+    StoreOptions options;
+    std::unique_ptr<Connection> connection;
+    std::string station_id;
+    bool demo = false;
+    std::vector<InterruptedAttempt> interrupted;
+};
+
+/// A row of table setting, or "".
+std::string read_setting(Connection& connection, const std::string& key);
+void write_setting(Connection& connection, const std::string& key, const std::string& value);
+
+/// Copies the open database to a new file by SQLite's backup interface, 0600. Throws StoreError exists,
+/// disk_full, read_only. False if it was stopped, leaving no file.
+bool copy_database(Connection& connection, const std::string& to_path, const StoreProgress& progress = {});
+
+/// Closes attempts that were running without their program; audited. Within a transaction of its own.
+std::vector<InterruptedAttempt> close_interrupted_attempts(const Store& store);
+
+CheckReport check_store(const Store& store, const StoreProgress& progress);
+
+}  // namespace fulcrum::database
