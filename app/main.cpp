@@ -4,9 +4,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/allocation_counter.h"
-#include "app/application.h"
-#include "app/commands.h"
+#include "app/cli/commands.h"
+#include "app/lab/allocation_counter.h"
+#include "app/services/application.h"
 #include "database/rows/errors.h"
 #include "sim_core/lab/bench.h"
 #include "sim_core/numerics/input_error.h"

@@ -2,7 +2,7 @@
 #include "app/rescoring.h"
 
 #include "app/assets.h"
-#include "app/performance.h"
+#include "app/live/performance.h"
 #include "assessment/metrics/registry.h"
 #include "sim_core/numerics/input_error.h"
 

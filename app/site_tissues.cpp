@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/site_tissues.h"
 
-#include "app/performance.h"
+#include "app/live/performance.h"
 #include "app/scoring.h"
 #include "database/records/tissues.h"
 #include "sim_core/scene/cutting_values.h"

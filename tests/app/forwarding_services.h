@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "app/application.h"
+#include "app/services/application.h"
 
 namespace fulcrum::app::test {
 

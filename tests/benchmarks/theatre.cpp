@@ -26,7 +26,7 @@
 #include <thread>
 
 #include "app/assets.h"
-#include "app/live_attempt.h"
+#include "app/live/live_attempt.h"
 #include "assessment/operators/operator.h"
 #include "database/records/people.h"
 #include "sim_core/lab/result_page.h"

@@ -10,7 +10,7 @@
 #include <map>
 #include <sstream>
 
-#include "app/commands.h"
+#include "app/cli/commands.h"
 #include "database/rows/connection.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/app/access/access_programme.h"

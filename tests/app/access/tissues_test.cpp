@@ -12,9 +12,9 @@
 #include <iostream>
 #include <sstream>
 
-#include "app/application.h"
-#include "app/commands.h"
-#include "app/performance.h"
+#include "app/cli/commands.h"
+#include "app/live/performance.h"
+#include "app/services/application.h"
 #include "app/site_tissues.h"
 #include "database/records/tissues.h"
 #include "sim_core/numerics/input_error.h"

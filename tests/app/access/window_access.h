@@ -8,7 +8,7 @@
 #include <QLabel>
 #include <set>
 
-#include "app/application.h"
+#include "app/services/application.h"
 #include "tests/app/access/access_programme.h"
 #include "tests/app/access/places.h"
 #include "tests/ui/journey/hands.h"

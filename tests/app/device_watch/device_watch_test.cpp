@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // When a device counts as lost, when as back, and when the hands may take hold again.
-#include "app/device_watch.h"
+#include "app/live/device_watch.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <random>
 #include <thread>
 
-#include "app/live_attempt.h"
+#include "app/live/live_attempt.h"
 #include "assessment/operators/operator.h"
 #include "database/records/people.h"
 #include "tests/app/forwarding_services.h"

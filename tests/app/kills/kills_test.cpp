@@ -17,7 +17,7 @@
 #include <set>
 #include <thread>
 
-#include "app/interrupted.h"
+#include "app/live/interrupted.h"
 #include "database/records/attempts.h"
 #include "database/records/people.h"
 #include "sim_core/lab/result_page.h"

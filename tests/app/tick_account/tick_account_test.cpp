@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A late tick is the program's or the scheduler's by what its thread did, not by what the wall clock says.
-#include "app/tick_account.h"
+#include "app/live/tick_account.h"
 
 #include <gtest/gtest.h>
 

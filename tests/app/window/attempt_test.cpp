@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How an attempt begins in the real window, what a spoilt device does to it, and what an interrupted one
 // comes to.
-#include "app/performance.h"
+#include "app/live/performance.h"
 #include "database/records/recorder.h"
 #include "mouse_hand.h"
 #include "window_fixture.h"

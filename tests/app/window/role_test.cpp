@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Who is offered an attempt, and from whom the program's services and its store take one.
-#include "app/performance.h"
+#include "app/live/performance.h"
 #include "database/records/recorder.h"
 #include "window_fixture.h"
 

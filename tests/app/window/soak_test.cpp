@@ -7,7 +7,7 @@
 #include <fstream>
 #include <thread>
 
-#include "app/live_attempt.h"
+#include "app/live/live_attempt.h"
 #include "assessment/task/bowel_line.h"
 #include "mouse_hand.h"
 #include "sim_core/lab/result_page.h"

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "app/performance.h"
+#include "app/live/performance.h"
 
 namespace fulcrum::app::test {
 

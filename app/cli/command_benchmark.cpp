@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fulcrum benchmark build: a benchmark set from operator individuals or from named experts' attempts.
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <mutex>
+#include <thread>
+
+#include "app/assets.h"
+#include "app/cli/commands.h"
+#include "app/live/performance.h"
+#include "assessment/scoring/benchmark_builder.h"
+#include "database/records/attempts.h"
+#include "sim_core/numerics/input_error.h"
+
+namespace fulcrum::app {
+namespace {
+
+constexpr int individuals = 8, counted = 3, familiarisation = 3;
+constexpr std::uint64_t first_seed = 1000;  // 1000-1999 are the benchmark's own
+
+struct Job {
+    std::string preset;
+    int individual = 0, attempt = 0;
+    std::uint64_t seed = 0;
+};
+
+/// Runs the counted attempts of all individuals on the machine's cores. Familiarisation: operators do not
+/// learn, so theirs would change nothing; the set says 0.
+std::vector<BenchmarkAttempt> run_operators(const LoadedTask& loaded, const std::string& preset,
+                                            std::uint64_t seed_base) {
+    std::vector<Job> jobs;
+    for (int i = 0; i < individuals; ++i) {
+        for (int a = 0; a < counted; ++a)
+            jobs.push_back({preset, i, a, seed_base + static_cast<std::uint64_t>(i * counted + a)});
+    }
+    std::vector<BenchmarkAttempt> attempts(jobs.size());
+    std::atomic<std::size_t> next{0};
+    std::mutex output;
+    std::exception_ptr trouble;
+    const auto work = [&] {
+        for (std::size_t k = next++; k < jobs.size(); k = next++) {
+            try {
+                PerformRequest request;
+                request.loaded = loaded;
+                request.operator_name = jobs[k].preset;
+                request.seed = jobs[k].seed;
+                request.individual =
+                    seed_base + static_cast<std::uint64_t>(jobs[k].individual *
+                                                           counted);  // one individual, many attempts
+                const Performed performed = perform(request, nullptr, nullptr);
+                attempts[k].person = preset + "-" + std::to_string(jobs[k].individual + 1);
+                attempts[k].metrics = performed.scored.metrics;
+                attempts[k].state = performed.scored.state;
+                attempts[k].critical_errors = performed.scored.score.critical_errors;
+                const std::lock_guard<std::mutex> lock(output);
+                std::cerr << attempts[k].person << " seed " << jobs[k].seed << ": "
+                          << attempt_state_name(performed.scored.state) << " in "
+                          << performed.scored.duration_s << " s\n";
+            } catch (...) {
+                const std::lock_guard<std::mutex> lock(output);
+                trouble = std::current_exception();
+                next = jobs.size();
+            }
+        }
+    };
+    std::vector<std::thread> threads;
+    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+    for (unsigned i = 0; i < cores; ++i) threads.emplace_back(work);
+    for (std::thread& thread : threads) thread.join();
+    if (trouble) std::rethrow_exception(trouble);
+    return attempts;
+}
+
+/// Attempts in tissue that is cut as in `loaded`.
+std::vector<BenchmarkAttempt> stored_attempts(const database::Store& store, const database::Session& session,
+                                              const LoadedTask& loaded,
+                                              const std::vector<std::string>& logins) {
+    const database::Attempts attempts(store);
+    const database::People people(store);
+    std::vector<BenchmarkAttempt> result;
+    for (const std::string& login : logins) {
+        const auto person = people.find_login(session, login);
+        if (!person)
+            throw InputError("command line", "--experts", "no person '" + login + "'",
+                             "name logins of this store, separated by commas");
+        database::AttemptFilter filter;
+        filter.person_id = person->id;
+        filter.task_id = loaded.task.id;
+        filter.include_voided = false;
+        std::vector<database::AttemptSummary> list = attempts.list(session, filter);
+        std::reverse(list.begin(), list.end());  // oldest first: the first ones were familiarisation
+        int seen = 0;
+        for (const database::AttemptSummary& summary : list) {
+            if (summary.meta.mode != "assessed" || summary.state != "completed" || ++seen <= familiarisation)
+                continue;
+            const auto score = attempts.score(session, summary.meta.id);
+            if (!score) continue;
+            if (!cutting_difference(cutting_values(load_recorded(attempts, session, summary).scene),
+                                    cutting_values(loaded.scene))
+                     .empty())
+                continue;
+            BenchmarkAttempt attempt;
+            attempt.person = login;
+            for (const database::MetricRow& row : score->metrics) {
+                MetricResult metric;
+                metric.id = row.id;
+                metric.version = row.version;
+                metric.hand = row.hand;
+                metric.tissue = row.tissue;
+                metric.value = row.value;
+                metric.unit = row.unit;
+                metric.direction = row.direction == "lower"    ? Direction::lower
+                                   : row.direction == "higher" ? Direction::higher
+                                                               : Direction::context;
+                metric.absent_because = row.absent_because;
+                metric.absence = row.value ? Absence::none : Absence::not_measured;
+                attempt.metrics.push_back(metric);
+            }
+            result.push_back(attempt);
+        }
+    }
+    return result;
+}
+
+std::vector<std::string> split(const std::string& list) {
+    std::vector<std::string> parts;
+    std::string part;
+    for (const char c : list + ",") {
+        if (c != ',') {
+            part += c;
+        } else if (!part.empty()) {
+            parts.push_back(part);
+            part.clear();
+        }
+    }
+    return parts;
+}
+
+}  // namespace
+
+int command_benchmark(const std::vector<std::string>& words) {
+    OptionSpec spec;
+    spec.usage =
+        "usage: fulcrum benchmark build TASK (--operators | --experts LOGIN,LOGIN,... --as LOGIN) [-o FILE] "
+        "[--db FILE] [--json]";
+    spec.with_value = session_options();
+    spec.with_value.insert({"--experts", "--output"});
+    spec.flags = {"--operators", "--json"};
+    spec.minimum_words = spec.maximum_words = 2;
+    const Arguments arguments(words, spec);
+    if (arguments.words()[0] != "build")
+        throw UsageError("command line: benchmark " + arguments.words()[0] + ": no such action; " +
+                         spec.usage);
+    if (arguments.has("--operators") == arguments.has("--experts"))
+        throw UsageError("command line: give either --operators or --experts; " + spec.usage);
+    LoadedTask loaded = load_task_and_scene(arguments.words()[1]);
+    std::optional<database::Store> store;
+    std::optional<database::Session> session;
+    if (arguments.has("--experts") || arguments.has("--db")) {  // a site's set is made in the site's tissue
+        store = open_store(arguments, false);
+        session =
+            arguments.has("--experts") ? person_session(arguments, *store) : session_of(arguments, *store);
+        loaded = load_site_task(*store, *session, loaded.task.id);
+    }
+
+    const std::optional<std::string> output = arguments.value("--output");
+    const auto unwritable = [&] {
+        return InputError(*output, "", "cannot be written", "name a writable file with -o");
+    };
+    if (output) {  // before minutes of work, not after them
+        const bool there = std::filesystem::exists(*output);
+        if (!std::ofstream(*output, std::ios::app)) throw unwritable();
+        if (!there) std::filesystem::remove(*output);
+    }
+
+    BenchmarkRequest request;
+    request.cutting = cutting_values(loaded.scene);
+    request.variant_family = loaded.scene.variant;
+    request.fidelity = loaded.scene.fidelity.id;
+    if (arguments.has("--operators")) {
+        request.source = "synthetic operators, seeds 1000-1999";
+        request.provisional = true;
+        request.familiarisation = request.minimum_familiarisation = 0;
+        request.experts = run_operators(loaded, "expert", first_seed);
+        request.novices = run_operators(loaded, "novice", first_seed + 500);
+    } else {
+        request.source = "experts of this site";
+        request.provisional = false;
+        request.familiarisation = familiarisation;
+        request.experts = stored_attempts(*store, *session, loaded, split(*arguments.value("--experts")));
+    }
+    const BenchmarkBuild build = build_benchmark(loaded.task, request);
+    nlohmann::json trials = nlohmann::json::array();
+    for (const BenchmarkTrial& trial : build.trials)
+        trials.push_back({{"k", trial.k}, {"pass_share", trial.pass_share}});
+    nlohmann::json document = {
+        {"task", loaded.task.id},
+        {"usable", build.set.has_value()},
+        {"refusal", build.refusal.empty() ? nlohmann::json() : nlohmann::json(build.refusal)},
+        {"trials", trials},
+        {"log", build.log},
+        {"set", build.set ? benchmark_to_json(*build.set) : nlohmann::json()}};
+    if (build.set) {
+        if (output) {
+            std::ofstream file(*output);
+            file << benchmark_to_json(*build.set).dump(2) << '\n';
+            if (!file) throw unwritable();
+        }
+    }
+    if (arguments.has("--json")) {
+        print_json(document);
+    } else {
+        for (const std::string& line : build.log) std::cout << line << '\n';
+        for (const BenchmarkTrial& trial : build.trials)
+            std::cout << "k " << trial.k << ": " << 100 * trial.pass_share
+                      << " % of the experts' own attempts pass\n";
+        std::cout << (build.set ? "usable at k " + std::to_string(build.set->k) : "refused: " + build.refusal)
+                  << '\n';
+        if (build.set && !output) std::cout << benchmark_to_json(*build.set).dump(2) << '\n';
+    }
+    return build.set ? 0 : 1;
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fulcrum perform: one attempt without a window, stored and scored.
+#include <fstream>
+#include <iostream>
+
+#include "app/assets.h"
+#include "app/cli/commands.h"
+#include "app/live/interrupted.h"
+#include "app/live/live_attempt.h"
+#include "app/live/performance.h"
+#include "app/live/trace_input.h"
+#include "app/live/trace_rig.h"
+#include "assessment/metrics/metrics_json.h"
+#include "assessment/operators/operator.h"
+#include "database/records/recorder.h"
+#include "sim_core/numerics/input_error.h"
+
+namespace fulcrum::app {
+namespace {
+
+nlohmann::json text_or_null(const std::string& text) {
+    return text.empty() ? nlohmann::json() : nlohmann::json(text);
+}
+
+template <typename T>
+nlohmann::json value_or_null(const std::optional<T>& value) {
+    return value ? nlohmann::json(*value) : nlohmann::json();
+}
+
+struct Result {
+    ScoredAttempt scored;
+    std::uint64_t state_hash = 0;
+    double wall_s = 0;
+    std::uint64_t events = 0;
+    std::uint32_t missed = 0;
+    std::optional<LoopStatistics> statistics;
+};
+
+/// Somebody to whom the attempt belongs: a synthetic or external person, never a real one.
+database::Person subject(const Arguments& arguments, const database::Store& store,
+                         const database::Session& session, const std::string& operator_name,
+                         std::uint64_t seed) {
+    const database::People people(store);
+    if (const auto login = arguments.value("--person")) {
+        // The station sees synthetic and external people alone: whom it may not see is a real person.
+        bool real = false;
+        try {
+            const auto known = people.find_login(store.station_session(), *login);
+            real = known && known->kind == database::PersonKind::real;
+        } catch (const database::AccessDenied&) {
+            real = true;
+        }
+        if (real) {
+            throw UsageError(
+                "command line: --person: " + *login +
+                " is a real person; an operator or a trace writes to a synthetic or external person only");
+        }
+        return people.ensure_synthetic(
+            session, *login, *login,
+            operator_name.empty() ? database::PersonKind::external : database::PersonKind::synthetic);
+    }
+    if (operator_name.empty())
+        return people.ensure_synthetic(session, "external-trace", "External trace",
+                                       database::PersonKind::external);
+    const std::string login = "synthetic-" + operator_name + "-" + std::to_string(seed);
+    return people.ensure_synthetic(session, login, "Synthetic " + operator_name + " " + std::to_string(seed),
+                                   database::PersonKind::synthetic);
+}
+
+nlohmann::json to_json(const database::AttemptMeta& meta, const std::string& attempt,
+                       const database::Person& person, const Result& result) {
+    const Score& score = result.scored.score;
+    return {{"attempt", attempt},
+            {"task", meta.task_id},
+            {"person", person.login},
+            {"person_id", person.id},
+            {"operator", text_or_null(meta.operator_name)},
+            {"synthetic", person.kind != database::PersonKind::real},
+            {"mode", meta.mode},
+            {"device_class", meta.device_class},
+            {"variant", meta.variant},
+            {"seed", meta.seed},
+            {"fidelity", meta.fidelity},
+            {"duration_s", result.scored.duration_s},
+            {"wall_s", result.wall_s},
+            {"state", attempt_state_name(result.scored.state)},
+            {"passed", value_or_null(score.passed)},
+            {"not_scored_because", text_or_null(score.not_scored_because)},
+            {"points", value_or_null(score.points)},
+            {"advice", score.advice},
+            {"gates", gates_to_json(score.gates)},
+            {"metrics", metrics_to_json(result.scored.metrics)},
+            {"critical_errors", critical_errors_to_json(score.critical_errors)},
+            {"pathology", result.scored.pathology
+                              ? nlohmann::json::parse(pathology_json(*result.scored.pathology))
+                              : nlohmann::json()},
+            {"events", result.events},
+            {"missed_ticks", result.missed},
+            {"state_hash", hex(result.state_hash)},
+            {"loop", result.statistics ? statistics_json(*result.statistics) : nlohmann::json()}};
+}
+
+Result perform_on_the_clock(const LoadedTask& loaded, std::shared_ptr<Rig> rig, const database::Store& store,
+                            const database::Session& session, const database::AttemptMeta& meta,
+                            std::optional<BenchmarkSet> benchmark, std::string& attempt_id) {
+    LiveRequest request{loaded,  meta.seed, meta.mode == "assessed", std::move(rig), store.path(),
+                        session, meta,      std::move(benchmark)};
+    LiveAttempt attempt(std::move(request));
+    attempt.start();
+    attempt.wait();
+    attempt.rethrow();
+    Result result;
+    result.scored = *attempt.scored();
+    result.state_hash = attempt.state_hash();
+    result.statistics = attempt.statistics();
+    result.wall_s = attempt.outcome()->duration_s;
+    result.missed = attempt.outcome()->missed_ticks;
+    attempt_id = attempt.outcome()->attempt_id;
+    return result;
+}
+
+void print_summary(const nlohmann::json& document) {
+    const auto text = [](const nlohmann::json& value) {
+        return value.is_null()     ? std::string("-")
+               : value.is_string() ? value.get<std::string>()
+                                   : value.dump();
+    };
+    std::cout << text(document["task"]) << " by " << text(document["person"]) << ": "
+              << text(document["state"]) << " after " << text(document["duration_s"]) << " s, passed "
+              << text(document["passed"]) << ", points " << text(document["points"]) << "\n  attempt "
+              << text(document["attempt"]) << "  state_hash " << text(document["state_hash"]) << "\n  "
+              << text(document["advice"]) << '\n';
+    if (!document["not_scored_because"].is_null())
+        std::cout << "  not scored: " << text(document["not_scored_because"]) << '\n';
+    for (const auto& gate : document["gates"]) {
+        std::cout << "  gate " << text(gate["metric"]) << ' ' << text(gate["hand"]) << ' '
+                  << text(gate["tissue"]) << ": " << text(gate["value"]) << " limit " << text(gate["limit"])
+                  << ' ' << text(gate["unit"]) << " passed " << text(gate["passed"])
+                  << (gate["provisional"] == true ? " (provisional)" : "") << '\n';
+    }
+}
+
+}  // namespace
+
+int command_perform(const std::vector<std::string>& words) {
+    OptionSpec spec;
+    spec.usage =
+        "usage: fulcrum perform TASK [--operator novice|intermediate|expert | --input TRACE.csv] [--seed N] "
+        "[--person P] [--practice] [--fidelity F] [--realtime] [--db FILE] [--json]";
+    spec.with_value = {"--operator", "--input", "--seed", "--person", "--fidelity", "--db"};
+    spec.flags = {"--realtime", "--json", "--practice"};
+    spec.minimum_words = spec.maximum_words = 1;
+    const Arguments arguments(words, spec);
+    if (arguments.has("--operator") && arguments.has("--input"))
+        throw UsageError("command line: --input: not together with --operator; " + spec.usage);
+
+    const std::string fidelity = arguments.value_or("--fidelity", "");
+    LoadedTask loaded =
+        load_task_and_scene(arguments.words()[0], fidelity);  // what is wrong is told before a store is made
+    const auto seed = static_cast<std::uint64_t>(arguments.integer("--seed", 1, 0, 4'000'000'000LL));
+    const std::string operator_name =
+        arguments.has("--input") ? "" : arguments.value_or("--operator", "expert");
+    AttemptRecord input;
+    std::shared_ptr<Rig> rig;
+    if (arguments.has("--input")) {
+        input.inputs = inputs_from_csv(*arguments.value("--input"), loaded.scene);
+        rig = std::make_shared<TraceRig>(input.inputs);
+    } else {
+        rig = make_operator(operator_name, loaded.task, loaded.scene,
+                            seed);  // a wrong name is refused before anything is stored
+    }
+    const std::optional<BenchmarkSet> benchmark = benchmark_in_force(loaded.task.id);
+    const database::Store store = open_store(arguments, true);
+    const database::Session session = store.station_session();
+    score_interrupted(store.path(), session);  // what an earlier run left when it was killed
+    loaded = load_site_task(store, session, loaded.task.id, fidelity);
+    if (!operator_name.empty()) rig = make_operator(operator_name, loaded.task, loaded.scene, seed);
+    const database::Person person = subject(arguments, store, session, operator_name, seed);
+
+    database::AttemptMeta meta = attempt_meta(
+        loaded, seed, arguments.has("--practice") ? "practice" : "assessed",
+        operator_name.empty() ? "external" : "synthetic",
+        operator_name.empty() ? "trace file" : "synthetic operator", benchmark ? &*benchmark : nullptr);
+    meta.person_id = person.id;
+    meta.operator_name = operator_name;
+
+    Result result;
+    std::string attempt_id;
+    if (arguments.has("--realtime")) {
+        result = perform_on_the_clock(loaded, rig, store, session, meta, benchmark, attempt_id);
+    } else {
+        database::Recorder recorder(store.path(), session, meta);
+        attempt_id = recorder.attempt_id();
+        PerformRequest request;
+        request.loaded = loaded;
+        request.operator_name = operator_name;
+        request.input_trace = operator_name.empty() ? &input : nullptr;
+        request.seed = seed;
+        const Performed performed = perform(request, &recorder, benchmark ? &*benchmark : nullptr);
+        result.scored = performed.scored;
+        result.state_hash = performed.outcome.state_hash;
+        result.wall_s = performed.wall_s;
+        result.events = performed.record.events.size();
+    }
+    const nlohmann::json document = to_json(meta, attempt_id, person, result);
+    if (arguments.has("--json")) {
+        print_json(document);
+    } else {
+        print_summary(document);
+    }
+    return 0;
+}
+
+}  // namespace fulcrum::app

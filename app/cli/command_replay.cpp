@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fulcrum replay: runs a stored attempt again from its record.
+#include <cmath>
+#include <iostream>
+
+#include "app/assets.h"
+#include "app/cli/commands.h"
+#include "app/live/performance.h"
+#include "database/records/attempts.h"
+#include "sim_core/numerics/input_error.h"
+
+namespace fulcrum::app {
+namespace {
+
+/// The stored metrics and a recomputation from the stored record: the same numbers to the last bit, the same
+/// absences.
+bool same_metrics(const std::vector<database::MetricRow>& stored,
+                  const std::vector<database::MetricRow>& again) {
+    if (stored.size() != again.size()) return false;
+    for (std::size_t i = 0; i < stored.size(); ++i) {
+        const database::MetricRow &a = stored[i], &b = again[i];
+        if (a.id != b.id || a.hand != b.hand || a.tissue != b.tissue ||
+            a.value.has_value() != b.value.has_value())
+            return false;
+        if (a.value && *a.value != *b.value) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+int command_replay(const std::vector<std::string>& words) {
+    OptionSpec spec;
+    spec.usage =
+        "usage: fulcrum replay ATTEMPT [--verify] [--db FILE] [--as LOGIN --password-file FILE] [--json]";
+    spec.with_value = session_options();
+    spec.flags = {"--verify", "--json"};
+    spec.minimum_words = spec.maximum_words = 1;
+    const Arguments arguments(words, spec);
+    const database::Store store = open_store(arguments, false, false);
+    const database::Session session = session_of(arguments, store);
+    const database::Attempts attempts(store);
+    const std::string& id = arguments.words()[0];
+    const database::AttemptSummary summary = attempts.read(session, id);
+    database::Trace trace = attempts.read_trace(session, id);
+    const LoadedTask loaded = load_recorded(attempts, session, summary);
+
+    AttemptRecord record{std::move(trace.inputs), std::move(trace.samples), std::move(trace.steps),
+                         std::move(trace.events)};
+    if (record.inputs.size() != record.samples.size())
+        throw InputError(id, "trace", "inputs and samples differ in number", "run fulcrum db check");
+    AttemptEngine engine(loaded.scene, loaded.task, summary.meta.seed);
+    const ReplayOutcome outcome = replay_record(engine, record);
+
+    const std::optional<BenchmarkSet> benchmark = benchmark_in_force(loaded.task.id);
+    std::vector<Vector3> targets;
+    for (const TargetSphere& target : engine.initial_snapshot().targets) targets.push_back(target.centre);
+    const ScoredAttempt again = score_record(loaded.scene, loaded.task, targets, record.samples,
+                                             record.events, benchmark ? &*benchmark : nullptr);
+    const auto stored = attempts.score(session, id);
+    const bool metrics_identical =
+        stored && same_metrics(stored->metrics, to_row(again, summary.meta.limits).metrics);
+
+    const nlohmann::json document = {
+        {"attempt", id},
+        {"identical", outcome.identical},
+        {"first_divergence_s",
+         outcome.first_divergence_s < 0 ? nlohmann::json() : nlohmann::json(outcome.first_divergence_s)},
+        {"state_hash", hex(outcome.state_hash)},
+        {"recorded_state_hash", summary.state_hash},
+        {"metrics_identical", metrics_identical},
+        {"samples", record.samples.size()},
+        {"built_for", cpu_features()},
+        {"recorded_on", summary.meta.cpu_features}};
+    if (arguments.has("--json")) {
+        print_json(document);
+    } else {
+        std::cout << (outcome.identical
+                          ? "identical"
+                          : "differs from " + std::to_string(outcome.first_divergence_s) + " s on")
+                  << ", metrics " << (metrics_identical ? "identical" : "differ") << ", state_hash "
+                  << hex(outcome.state_hash) << '\n';
+    }
+    const bool same = outcome.identical && metrics_identical;
+    return arguments.has("--verify") && !same ? 1 : 0;
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/lab/attempt_workloads.h"
+
+#include <deque>
+#include <memory>
+
+#include "app/lab/plane_workload.h"
+#include "app/live/performance.h"
+#include "assessment/operators/operator.h"
+#include "database/rows/trace_codec.h"
+
+namespace fulcrum::app {
+namespace {
+
+/// An expert at work on a task, advanced tick by tick, so that what is timed is the real mix of approach,
+/// grasp and pull.
+struct Bench : public AttemptSink {
+    LoadedTask loaded;
+    AttemptEngine engine;
+    std::unique_ptr<ObservingRig> rig;
+    std::vector<TickOutput> outputs;
+    std::uint32_t tick = 0;
+    std::uint32_t ticks_per_step;
+
+    explicit Bench(const std::string& task, double warm_seconds)
+        : loaded(load_task_and_scene(task)),
+          engine(loaded.scene, loaded.task, 7),
+          rig(make_operator("expert", loaded.task, loaded.scene, 7)),
+          ticks_per_step(static_cast<std::uint32_t>(loaded.scene.ticks_per_step)) {
+        outputs.resize(ticks_per_step);
+        rig->observe(engine.initial_snapshot(), engine.display());
+        for (int i = 0; i < static_cast<int>(warm_seconds * loaded.scene.tick_rate / ticks_per_step); ++i) {
+            ticks();
+            world();
+        }
+    }
+    RigSample read() {
+        RigSample input;
+        input.tick = ++tick;
+        rig->read(tick, input);
+        input.tick = tick;
+        return input;
+    }
+    void ticks() {
+        for (std::uint32_t i = 0; i < ticks_per_step; ++i) {
+            const RigSample input = read();
+            outputs[i] = engine.tick(input);
+        }
+    }
+    void world() {
+        engine.step(outputs.data(), outputs.size(), *this);
+        engine.adopt(engine.world().local_models());
+        rig->observe(engine.world().snapshot(), engine.display());
+    }
+    void on_event(const Event& /*event*/) noexcept override {}
+    void on_tick(const RigSample& /*input*/, const TickSample& /*sample*/) noexcept override {}
+    void on_step(const StepRecord& /*step*/) noexcept override {}
+};
+
+}  // namespace
+
+std::vector<lab::Workload> attempt_workloads() {
+    std::vector<lab::Workload> workloads;
+
+    lab::Workload tick;
+    tick.name = "tick";
+    tick.budget_mg = 15;
+    tick.samples = 4000;
+    tick.prepare = [] {
+        auto bench = std::make_shared<Bench>("B1", 8.0);
+        auto inputs = std::make_shared<std::deque<RigSample>>();
+        lab::Workload::Prepared prepared;
+        // The operator's own thinking and the world's step are not the tick's: they run when the prepared
+        // inputs are used up.
+        prepared.step = [bench] {
+            const RigSample input = bench->read();
+            bench->outputs[(input.tick - 1) % bench->ticks_per_step] = bench->engine.tick(input);
+        };
+        prepared.between = [bench] {
+            if (bench->tick % bench->ticks_per_step == 0) bench->world();
+        };
+        prepared.bytes = sizeof(LocalModels) * 2;
+        return prepared;
+    };
+    workloads.push_back(tick);
+
+    lab::Workload world;
+    world.name = "world_b1";
+    world.budget_mg = 90;
+    world.samples = 1500;
+    world.prepare = [] {
+        auto bench = std::make_shared<Bench>("B1", 8.0);
+        lab::Workload::Prepared prepared;
+        prepared.step = [bench] { bench->engine.step(bench->outputs.data(), bench->outputs.size(), *bench); };
+        prepared.between = [bench] {
+            bench->engine.adopt(bench->engine.world().local_models());
+            bench->rig->observe(bench->engine.world().snapshot(), bench->engine.display());
+            bench->ticks();
+        };
+        const BowelPart* bowel = bench->engine.world().bowel();
+        prepared.bytes = bowel->bytes_rod() + bowel->bytes_collision() + bowel->bytes_surface();
+        prepared.error = [bench] {
+            return std::optional<double>(bench->engine.world().bowel()->report().residual);
+        };
+        prepared.error_unit = "relative rod residual of the last step";
+        return prepared;
+    };
+    workloads.push_back(world);
+    workloads.push_back(plane_workload());
+
+    lab::Workload recording;
+    recording.name = "recording_1s";
+    recording.samples = 100;
+    recording.budget_mg = 0;
+    recording.prepare = [] {
+        Bench bench("B1", 4.0);
+        auto samples = std::make_shared<std::vector<TickSample>>();
+        auto inputs = std::make_shared<std::vector<RigSample>>();
+        for (int i = 0; i < 200; ++i) {
+            bench.ticks();
+            for (const TickOutput& output : bench.outputs) {
+                samples->push_back(output.sample);
+                inputs->push_back(output.input);
+            }
+            bench.world();
+        }
+        auto codec = std::make_shared<database::TraceCodec>();
+        auto bytes = std::make_shared<std::size_t>(
+            codec->encode(samples->data(), samples->size(), inputs->data()).data.size() +
+            codec->encode(inputs->data(), inputs->size()).data.size());
+        lab::Workload::Prepared prepared;
+        prepared.step = [codec, samples, inputs] {
+            codec->encode(samples->data(), samples->size(), inputs->data());
+            codec->encode(inputs->data(), inputs->size());
+        };
+        prepared.bytes = *bytes;
+        prepared.error = [bytes] {
+            return std::optional<double>(static_cast<double>(*bytes) * 600.0 / 1048576.0);
+        };
+        prepared.error_unit = "MiB per 10 min";
+        return prepared;
+    };
+    workloads.push_back(recording);
+    return workloads;
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/live/interrupted.h"
+
+#include "app/rescoring.h"
+#include "sim_core/numerics/input_error.h"
+
+namespace fulcrum::app {
+namespace {
+
+ScoredAttempt score_one(const database::Attempts& attempts, const database::Session& session,
+                        const database::AttemptSummary& summary) {
+    // Only the limits that were in force at the start judge it.
+    std::optional<BenchmarkSet> benchmark = benchmark_in_force(summary.meta.task_id);
+    if (benchmark && limits_name(&*benchmark) != summary.meta.limits) benchmark.reset();
+    return score_stored(attempts, session, summary, benchmark ? &*benchmark : nullptr);
+}
+
+}  // namespace
+
+std::vector<ui::InterruptedScore> score_interrupted(const std::string& store_path,
+                                                    const database::Session& session,
+                                                    const ui::Progress& progress) {
+    std::vector<ui::InterruptedScore> scored;
+    database::StoreOptions options;
+    options.close_interrupted = false;
+    const database::Store store = database::Store::open(store_path, options);
+    if (!store.allowed(session, database::Operation::score_interrupted)) return scored;
+    const database::Attempts attempts(store);
+    const std::vector<database::AttemptSummary> open = attempts.interrupted_without_score(session);
+    for (const database::AttemptSummary& summary : open) {
+        if (progress && !progress(static_cast<double>(scored.size()) / static_cast<double>(open.size()),
+                                  summary.meta.task_id))
+            break;
+        ui::InterruptedScore one{
+            summary.meta.id, summary.meta.task_id, summary.meta.started, summary.duration_s, {}, {}};
+        try {
+            const ScoredAttempt score = score_one(attempts, session, summary);
+            attempts.add_score(session, summary.meta.id, to_row(score, summary.meta.limits));
+            one.passed = score.score.passed;
+            one.why = score.score.passed ? score.score.advice : score.score.not_scored_because;
+        } catch (const InputError& error) {
+            one.why = error.what();
+        } catch (const database::StoreError& error) {
+            if (error.kind() != database::StoreErrorKind::corrupt) throw;
+            one.why = error.what();
+        }
+        scored.push_back(std::move(one));
+    }
+    return scored;
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,498 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/live/live_attempt.h"
+
+#include <mutex>
+#include <thread>
+
+#include "app/live/device_watch.h"
+#include "app/live/real_time.h"
+#include "database/records/attempts.h"
+#include "sim_core/telemetry/ring.h"
+
+namespace fulcrum::app {
+namespace {
+
+constexpr std::uint32_t flush_every_ticks = 700;
+
+constexpr std::size_t world_ring_ticks =
+    512;  // half a second: a world that stalls longer loses ticks, counted
+constexpr std::size_t record_ring_ticks = 8192;  // eight seconds of a stalled disk
+constexpr int catch_up_ticks = 20;               // later than that the clock is moved instead
+
+struct RecordTick {
+    RigSample input;
+    TickSample sample;
+};
+struct RecordWorld {
+    bool is_event = false;
+    Event event;
+    StepRecord step;
+};
+struct View {
+    WorldSnapshot snapshot;
+    TaskDisplay display;
+};
+/// How the devices stand to the instruments while one was lost.
+struct Watched {
+    bool back = false, in_place = false;
+    DeviceTrouble trouble = DeviceTrouble::none;
+    int culprit = 0;
+    HandAlignment hand[hand_count];
+};
+
+const char* device_name(int culprit) {
+    return culprit == 0   ? "The left hand's device"
+           : culprit == 1 ? "The right hand's device"
+                          : "The scope's device";
+}
+
+}  // namespace
+
+struct LiveAttempt::State : public AttemptSink {
+    LiveRequest request;
+    std::unique_ptr<AttemptEngine> engine;  // made by the recorder thread; the owner reads it once `built`
+    std::unique_ptr<database::Recorder> recorder;  // made when the attempt begins; null for a demonstration
+    std::vector<Vector3> targets;
+
+    Ring<TickOutput> world_ring{world_ring_ticks};
+    Ring<RecordTick> record_ring{record_ring_ticks};
+    Ring<RecordWorld> record_world_ring{record_ring_ticks};
+    TripleBuffer<LocalModels> models;
+    TripleBuffer<View> view, rig_view;
+    TripleBuffer<Watched> watched;
+    Signal may_begin, ticks_ready;
+    DeviceWatch watch;  // haptic thread
+
+    std::atomic<bool> built{false}, begun{false}, running{false};
+    std::atomic<bool> paused{false}, abandon{false}, stop{false}, haptic_stopped{false}, world_stopped{false};
+    std::atomic<bool> device_lost{false}, resume_asked{false}, became_practice{false};
+    std::atomic<std::uint32_t> tick_count{0};
+    std::atomic<bool> ended{false}, finished{false}, failed{false};
+
+    mutable std::mutex end_mutex;  // guards what the recorder thread leaves for the owner: message and result
+    std::string trouble;
+    std::exception_ptr error;
+    std::optional<ui::AttemptOutcome> result;
+    std::optional<ScoredAttempt> scored;
+
+    LoopCounters counters;
+    std::thread haptic_thread, world_thread, recorder_thread;
+    bool relabel_wanted = false;  // recorder thread
+    std::uint32_t flushed_tick = 0;
+
+    explicit State(LiveRequest request_in) : request(std::move(request_in)) {}
+    bool recorded() const { return !request.store_path.empty(); }
+    void build() {
+        engine = std::make_unique<AttemptEngine>(request.loaded.scene, request.loaded.task, request.seed);
+        for (const TargetSphere& target : engine->initial_snapshot().targets)
+            targets.push_back(target.centre);
+        models.fill(engine->world().local_models());
+        const View start{engine->initial_snapshot(), engine->display()};
+        view.fill(start);
+        rig_view.fill(start);
+        for (int hand = 0; hand < hand_count; ++hand)
+            engine->loop().set_device_damping(static_cast<Hand>(hand),
+                                              request.rig->damping(static_cast<Hand>(hand)));
+        built.store(true);
+    }
+
+    // AttemptSink, called on the world thread.
+    void on_tick(const RigSample& /*input*/, const TickSample& /*sample*/) noexcept override {}
+    void on_event(const Event& event) noexcept override { record_world_ring.push({true, event, {}}); }
+    void on_step(const StepRecord& step) noexcept override { record_world_ring.push({false, {}, step}); }
+
+    void run_haptic() noexcept;
+    void run_world() noexcept;
+    void run_recorder();
+    void drain();
+    void finish();
+    void fail(const std::string& what, std::exception_ptr why);
+    std::uint32_t device_flags(const RigSample& sample) noexcept;
+};
+
+std::uint32_t LiveAttempt::State::device_flags(const RigSample& sample) noexcept {
+    const bool resume = resume_asked.exchange(false, std::memory_order_relaxed);
+    const bool was_lost = watch.lost();
+    const std::uint32_t flags = watch.tick(sample, paused.load(std::memory_order_relaxed), resume);
+    if (watch.lost() || was_lost) {
+        Watched& slot = watched.write_slot();
+        slot = {watch.back(),
+                watch.in_place(),
+                watch.trouble(),
+                watch.culprit(),
+                {watch.alignment(Hand::left), watch.alignment(Hand::right)}};
+        watched.publish();
+    }
+    device_lost.store(watch.lost(), std::memory_order_relaxed);
+    if (watch.went_on()) became_practice.store(true, std::memory_order_relaxed);
+    if (watch.expired()) stop.store(true, std::memory_order_relaxed);
+    return flags;
+}
+
+void LiveAttempt::State::run_haptic() noexcept {
+    counters.real_time_priority(raise_priority(80));
+    Rig& rig = *request.rig;
+    auto* observer = dynamic_cast<ObservingRig*>(&rig);
+    const auto ticks_per_step = static_cast<std::uint32_t>(engine->scene().ticks_per_step);
+    const auto period = static_cast<std::int64_t>(1e9 / engine->scene().tick_rate);
+    if (observer != nullptr) observer->observe(rig_view.value().snapshot, rig_view.value().display);
+    std::int64_t deadline = now_ns() + period;
+    TickAccount account(period);
+    std::int64_t last_duration = 0;
+    ThreadUse last_use;
+    for (std::uint32_t tick = 1; !stop.load(std::memory_order_relaxed); ++tick) {
+        std::int64_t begin = now_ns();
+        if (begin < deadline) {
+            sleep_until(deadline);
+            begin = now_ns();
+        }
+        const std::int64_t late = begin - deadline;
+        const ThreadUse at_begin = use_of_this_thread();
+        counters.tick_begins(late, account.begin(late, last_duration, last_use));
+        if (late >= catch_up_ticks * period) {
+            deadline = begin;
+            account.clock_moved();
+        }
+        deadline += period;
+
+        if (tick % ticks_per_step == 1U % ticks_per_step) {
+            if (models.update()) engine->adopt(models.value());
+            if (observer != nullptr && rig_view.update())
+                observer->observe(rig_view.value().snapshot, rig_view.value().display);
+        }
+        RigSample input;
+        input.tick = tick;
+        rig.read(tick, input);
+        input.tick = tick;
+        if (paused.load(std::memory_order_relaxed)) input.flags |= rig_paused;
+        if (abandon.load(std::memory_order_relaxed)) input.flags |= rig_abandon;
+        input.flags |= device_flags(input);
+        TickOutput output = engine->tick(input);
+        output.sample.missed = counters.missed();
+        rig.write_force(Hand::left, output.device_force[0]);
+        rig.write_force(Hand::right, output.device_force[1]);
+        world_ring.push(output);
+        record_ring.push({output.input, output.sample});
+        tick_count.store(tick, std::memory_order_relaxed);
+        if (tick % ticks_per_step == 0) ticks_ready.post();
+        last_duration = now_ns() - begin;
+        last_use = use_of_this_thread() - at_begin;
+        counters.tick_ends(last_duration, last_use);
+    }
+    rig.write_force(Hand::left, Vector3::Zero());
+    rig.write_force(Hand::right, Vector3::Zero());
+    haptic_stopped.store(true);
+    ticks_ready.post();
+}
+
+void LiveAttempt::State::run_world() noexcept {
+    raise_priority(60);
+    const auto ticks_per_step = static_cast<std::uint32_t>(engine->scene().ticks_per_step);
+    std::vector<TickOutput> outputs;
+    outputs.reserve(world_ring_ticks);
+    while (true) {
+        ticks_ready.wait();
+        TickOutput output;
+        while (outputs.size() < world_ring_ticks && world_ring.pop(output)) outputs.push_back(output);
+        // Up to the last multiple of m: what came after belongs to the next step.
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < outputs.size(); ++i) {
+            if (outputs[i].sample.tick % ticks_per_step == 0) count = i + 1;
+        }
+        if (count > 0 && !ended.load(std::memory_order_relaxed)) {
+            const std::int64_t begin = now_ns();
+            if (count > ticks_per_step) {
+                counters.step_is_late();
+                Event late;
+                late.tick = outputs[count - 1].sample.tick;
+                late.kind = EventKind::world_late;
+                late.detail = static_cast<std::int32_t>(count - ticks_per_step);
+                on_event(late);
+            }
+            const StepProducts products = engine->step(outputs.data(), count, *this);
+            models.write_slot() = *products.models;
+            models.publish();
+            for (TripleBuffer<View>* buffer : {&view, &rig_view}) {
+                View& slot = buffer->write_slot();
+                slot.snapshot = *products.snapshot;
+                slot.display = *products.display;
+                buffer->publish();
+            }
+            counters.step_ends(now_ns() - begin);
+            outputs.erase(outputs.begin(), outputs.begin() + static_cast<std::ptrdiff_t>(count));
+            if (engine->ended()) {
+                ended.store(true);
+                stop.store(true);
+            }
+        }
+        if (haptic_stopped.load()) break;
+    }
+    world_stopped.store(true);
+}
+
+void LiveAttempt::State::drain() {
+    RecordTick tick;
+    while (record_ring.pop(tick)) {
+        if (!recorder) continue;
+        recorder->append(tick.input);
+        recorder->append(tick.sample);
+    }
+    RecordWorld world;
+    while (record_world_ring.pop(world)) {
+        if (!recorder) continue;
+        if (world.is_event) {
+            recorder->append(world.event);
+            if (world.event.kind == EventKind::device_back) relabel_wanted = request.assessed;
+        } else {
+            recorder->append(world.step);
+        }
+    }
+    // Before a second is full: what a kill costs counts from here.
+    if (recorder && tick_count.load() >= flushed_tick + flush_every_ticks) {
+        try {
+            recorder->flush();
+            flushed_tick = tick_count.load();
+        } catch (const database::StoreError& locked) {
+            if (locked.kind() != database::StoreErrorKind::locked) throw;
+        }
+    }
+    // At once, not at the end: what is killed after this is found as practice.
+    if (relabel_wanted && recorder->relabel_as_practice("a device was lost and came back"))
+        relabel_wanted = false;
+}
+
+void LiveAttempt::State::fail(const std::string& what, std::exception_ptr why) {
+    const std::lock_guard<std::mutex> lock(end_mutex);
+    trouble = what;
+    error = std::move(why);
+    failed.store(true);
+}
+
+void LiveAttempt::State::run_recorder() {
+    try {
+        build();
+        may_begin.wait();
+        if (stop.load()) return fail("the attempt had not begun; nothing was stored", nullptr);
+        if (recorded())
+            recorder =
+                std::make_unique<database::Recorder>(request.store_path, *request.session, request.meta);
+    } catch (const std::exception& why) {
+        return fail(std::string("the attempt could not begin: ") + why.what(), std::current_exception());
+    }
+    running.store(true);
+    world_thread = std::thread([this] { run_world(); });
+    haptic_thread = std::thread([this] { run_haptic(); });
+    Signal pace;
+    try {
+        while (!world_stopped.load()) {
+            pace.wait_for_ms(100);
+            drain();
+        }
+        haptic_thread.join();
+        world_thread.join();
+        drain();
+        finish();
+    } catch (const std::exception& why) {
+        stop.store(true);
+        if (haptic_thread.joinable()) haptic_thread.join();
+        if (world_thread.joinable()) world_thread.join();
+        fail(std::string("the attempt could not be stored to its end: ") + why.what() +
+                 "; what was written before is kept and listed as interrupted",
+             std::current_exception());
+    }
+}
+
+void LiveAttempt::State::finish() {
+    if (!recorder) {  // a demonstration leaves nothing behind
+        finished.store(true);
+        return;
+    }
+    const std::uint64_t lost = world_ring.lost() + record_ring.lost() + record_world_ring.lost();
+    Event mark;
+    mark.tick = tick_count.load();
+    if (lost > 0) {
+        mark.kind = EventKind::samples_lost;
+        mark.detail = static_cast<std::int32_t>(lost);
+        recorder->append(mark);
+    }
+    if (!ended.load()) {
+        mark.kind = EventKind::interrupted;
+        mark.detail = 0;
+        recorder->append(mark);
+    }
+    recorder->flush();
+    // Scored from the record, not from memory: what is stored is what counts.
+    database::Store store = database::Store::open(request.store_path, [] {
+        database::StoreOptions options;
+        options.read_only = true;
+        return options;
+    }());
+    const database::Trace trace =
+        database::Attempts(store).read_trace(*request.session, recorder->attempt_id());
+    ScoredAttempt score = score_record(request.loaded.scene, request.loaded.task, targets, trace.samples,
+                                       trace.events, request.benchmark ? &*request.benchmark : nullptr);
+    RunOutcome outcome;
+    outcome.state_hash = engine->state_hash();
+    const std::uint32_t missed = counters.missed();
+    const database::AttemptResult stored = attempt_result(
+        score, outcome, tick_count.load() * engine->scene().tick_period(), missed, lost, request.meta.limits);
+    recorder->finish(stored);
+    const std::lock_guard<std::mutex> lock(end_mutex);
+    ui::AttemptOutcome shown;
+    shown.attempt_id = recorder->attempt_id();
+    shown.state = stored.state;
+    shown.duration_s = stored.duration_s;
+    shown.missed_ticks = missed;
+    shown.lost_samples = lost;
+    result = shown;
+    scored = std::move(score);
+    finished.store(true);
+}
+
+LiveAttempt::LiveAttempt(LiveRequest request) : state_(std::make_unique<State>(std::move(request))) {
+    State& state = *state_;
+    state.recorder_thread = std::thread([&state] { state.run_recorder(); });
+}
+
+LiveAttempt::~LiveAttempt() {
+    interrupt();
+    wait();
+}
+
+const Scene& LiveAttempt::scene() const {
+    return state_->request.loaded.scene;
+}
+const TaskDefinition& LiveAttempt::task() const {
+    return state_->request.loaded.task;
+}
+bool LiveAttempt::assessed() const {
+    return state_->request.assessed && !state_->became_practice.load();
+}
+bool LiveAttempt::became_practice() const {
+    return state_->request.assessed && state_->became_practice.load();
+}
+
+ui::AttemptPhase LiveAttempt::phase() const {
+    const State& state = *state_;
+    if (state.failed.load()) return ui::AttemptPhase::failed;
+    if (state.finished.load()) return ui::AttemptPhase::finished;
+    if (!state.built.load()) return ui::AttemptPhase::starting;
+    if (!state.begun.load()) return ui::AttemptPhase::ready;
+    if (!state.running.load()) return ui::AttemptPhase::starting;  // the store is being told
+    if (state.stop.load()) return ui::AttemptPhase::finishing;
+    if (state.device_lost.load()) return ui::AttemptPhase::device_lost;
+    if (state.paused.load()) return ui::AttemptPhase::paused;
+    return ui::AttemptPhase::running;
+}
+
+void LiveAttempt::start() {
+    if (!state_->begun.exchange(true)) state_->may_begin.post();
+}
+
+bool LiveAttempt::update() {
+    return state_->view.update();
+}
+const WorldSnapshot& LiveAttempt::snapshot() const {
+    return state_->view.value().snapshot;
+}
+const TaskDisplay& LiveAttempt::display() const {
+    return state_->view.value().display;
+}
+
+ui::LoopHealth LiveAttempt::health() const {
+    const State& state = *state_;
+    ui::LoopHealth health;
+    health.ticks = state.tick_count.load();
+    health.missed_ticks = state.counters.missed();
+    health.late_steps = state.counters.late_steps();
+    health.lost_samples = state.world_ring.lost() + state.record_ring.lost() + state.record_world_ring.lost();
+    for (int hand = 0; hand < hand_count; ++hand)
+        health.force_felt[hand] = state.request.rig->has_force(static_cast<Hand>(hand));
+    return health;
+}
+
+void LiveAttempt::pause() {
+    state_->paused.store(true);
+}
+void LiveAttempt::resume() {
+    state_->paused.store(false);
+    if (state_->device_lost.load()) state_->resume_asked.store(true);
+}
+void LiveAttempt::abandon() {
+    state_->abandon.store(true);
+    state_->paused.store(false);
+}
+void LiveAttempt::interrupt() {
+    state_->stop.store(true);
+    start();  // a recorder thread that still waits for the beginning sees that there is none
+}
+
+ui::Realignment LiveAttempt::realignment() {
+    State& state = *state_;
+    ui::Realignment shown;
+    if (!state.device_lost.load()) return shown;
+    state.watched.update();
+    const Watched& watched = state.watched.value();
+    shown.back = watched.back;
+    shown.in_place = watched.in_place;
+    for (int hand = 0; hand < hand_count; ++hand) {
+        const InstrumentSpec* spec = scene().instrument(static_cast<Hand>(hand));
+        const HandAlignment& from = watched.hand[hand];
+        shown.hand[hand] = {spec != nullptr, from.in_place, from.distance, from.angle, {}};
+        if (spec != nullptr)
+            shown.hand[hand].device =
+                tool_pose(make_instrument(*spec, scene().tick_period()), from.device).pose();
+    }
+    return shown;
+}
+
+std::string LiveAttempt::message() const {
+    const State& state = *state_;
+    if (state.failed.load()) {
+        const std::lock_guard<std::mutex> lock(state.end_mutex);
+        return state.trouble;
+    }
+    if (state.device_lost.load()) {
+        const Watched& watched = state.watched.value();
+        const std::string what = watched.trouble == DeviceTrouble::impossible_reading
+                                     ? " gave an impossible reading (no number, or a jump)."
+                                     : " does not answer.";
+        return device_name(watched.culprit) + what +
+               " Force was taken to zero, the clock stands, and nothing is lost. Reconnect it: within a "
+               "minute the attempt goes on as practice, after that it is closed as "
+               "interrupted.";
+    }
+    return {};
+}
+
+const std::optional<ui::AttemptOutcome>& LiveAttempt::outcome() const {
+    static const std::optional<ui::AttemptOutcome> none;
+    return state_->finished.load() ? state_->result : none;
+}
+
+void LiveAttempt::wait() {
+    if (state_->recorder_thread.joinable()) state_->recorder_thread.join();
+}
+
+void LiveAttempt::rethrow() const {
+    const std::lock_guard<std::mutex> lock(state_->end_mutex);
+    if (state_->error) std::rethrow_exception(state_->error);
+}
+
+const ScoredAttempt* LiveAttempt::scored() const {
+    return state_->finished.load() ? &*state_->scored : nullptr;
+}
+std::uint64_t LiveAttempt::state_hash() const {
+    return state_->engine->state_hash();
+}
+
+LoopStatistics LiveAttempt::statistics() const {
+    const State& state = *state_;
+    LoopStatistics statistics = state.counters.read();
+    statistics.ticks = state.tick_count.load();
+    statistics.lost_samples =
+        state.world_ring.lost() + state.record_ring.lost() + state.record_world_ring.lost();
+    return statistics;
+}
+
+}  // namespace fulcrum::app

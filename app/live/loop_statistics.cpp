@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/live/loop_statistics.h"
+
+#include <nlohmann/json.hpp>
+
+namespace fulcrum::app {
+namespace {
+
+nlohmann::json durations_json(const Durations& d) {
+    return {{"p50", d.p50_us}, {"p99", d.p99_us}, {"p99.9", d.p999_us}, {"worst", d.worst_us}};
+}
+
+}  // namespace
+
+nlohmann::json statistics_json(const LoopStatistics& statistics) {
+    return {{"ticks", statistics.ticks},
+            {"missed_by_program", statistics.missed_by_program},
+            {"missed_by_scheduler", statistics.missed_by_scheduler},
+            {"late_steps", statistics.late_steps},
+            {"lost_samples", statistics.lost_samples},
+            {"waits_in_ticks", statistics.waits_in_ticks},
+            {"preemptions_in_ticks", statistics.preemptions_in_ticks},
+            {"page_faults_in_ticks", statistics.page_faults_in_ticks},
+            {"wake_us", durations_json(statistics.wake)},
+            {"tick_us", durations_json(statistics.tick)},
+            {"tick_own_us", durations_json(statistics.own)},
+            {"step_us", durations_json(statistics.step)},
+            {"real_time_priority", statistics.real_time_priority}};
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How an attempt's threads kept their clock: counted by them in atomics, read by anybody at any time.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/live/histogram.h"
+#include "app/live/tick_account.h"
+
+namespace fulcrum::app {
+
+/// How the loop kept its clock.
+struct LoopStatistics {
+    std::uint64_t ticks = 0;
+    std::uint64_t missed_by_program = 0;     ///< a tick began a period late by the thread's own work or waits
+    std::uint64_t missed_by_scheduler = 0;   ///< a tick began a period late because it had no processor
+    std::uint64_t waits_in_ticks = 0;        ///< times that the thread gave the processor up within a tick
+    std::uint64_t preemptions_in_ticks = 0;  ///< times that the system ran another thread in its place
+    std::uint64_t page_faults_in_ticks = 0;
+    std::uint64_t late_steps = 0;
+    std::uint64_t lost_samples = 0;
+    Durations wake;  ///< lateness of waking
+    Durations tick;  ///< of a tick
+    Durations own;   ///< of it the thread's own processor time
+    Durations step;  ///< of a world step
+    bool real_time_priority = false;
+};
+
+/// As `perform --realtime --json` and `lab clock` write it.
+nlohmann::json statistics_json(const LoopStatistics& statistics);
+
+/// One writer a counter: the haptic thread, but for the steps, which are the world thread's.
+class LoopCounters {
+  public:
+    void tick_begins(std::int64_t late_ns, Lateness lateness) noexcept {
+        wake_.add(us(late_ns));
+        add(missed_by_program_, lateness == Lateness::by_program ? 1 : 0);
+        add(missed_by_scheduler_, lateness == Lateness::by_scheduler ? 1 : 0);
+    }
+    void tick_ends(std::int64_t wall_ns, const ThreadUse& use) noexcept {
+        tick_.add(us(wall_ns));
+        own_.add(us(use.processor_ns));
+        add(waits_, use.waits);
+        add(preemptions_, use.preemptions);
+        add(page_faults_, use.page_faults);
+    }
+    void step_is_late() noexcept { add(late_steps_, 1); }
+    void step_ends(std::int64_t wall_ns) noexcept { step_.add(us(wall_ns)); }
+    void real_time_priority(bool granted) noexcept {
+        real_time_priority_.store(granted, std::memory_order_relaxed);
+    }
+
+    std::uint32_t missed() const noexcept {
+        return static_cast<std::uint32_t>(missed_by_program_.load(std::memory_order_relaxed) +
+                                          missed_by_scheduler_.load(std::memory_order_relaxed));
+    }
+    std::uint32_t late_steps() const noexcept { return static_cast<std::uint32_t>(late_steps_.load()); }
+    /// All but ticks and lost_samples, which others count.
+    LoopStatistics read() const noexcept {
+        LoopStatistics read;
+        read.missed_by_program = missed_by_program_.load();
+        read.missed_by_scheduler = missed_by_scheduler_.load();
+        read.waits_in_ticks = waits_.load();
+        read.preemptions_in_ticks = preemptions_.load();
+        read.page_faults_in_ticks = page_faults_.load();
+        read.late_steps = late_steps_.load();
+        read.wake = wake_.read();
+        read.tick = tick_.read();
+        read.own = own_.read();
+        read.step = step_.read();
+        read.real_time_priority = real_time_priority_.load();
+        return read;
+    }
+
+  private:
+    using Count = std::atomic<std::uint64_t>;
+    static double us(std::int64_t ns) noexcept { return static_cast<double>(ns) * 1e-3; }
+    static void add(Count& count, std::int64_t more) noexcept {
+        count.fetch_add(static_cast<std::uint64_t>(more), std::memory_order_relaxed);
+    }
+    DurationHistogram wake_, tick_, own_, step_;
+    Count missed_by_program_{0}, missed_by_scheduler_{0}, waits_{0}, preemptions_{0}, page_faults_{0};
+    Count late_steps_{0};
+    std::atomic<bool> real_time_priority_{false};
+};
+
+}  // namespace fulcrum::app

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/live/performance.h"
+
+#include <chrono>
+#include <cstdio>
+#include <limits>
+
+#include "app/assets.h"
+#include "app/live/trace_rig.h"
+#include "assessment/operators/operator.h"
+#include "assessment/version.h"
+#include "database/records/tissues.h"
+#include "sim_core/numerics/input_error.h"
+#include "sim_core/scene/fidelity.h"
+#include "sim_core/scene/json_document.h"
+
+namespace fulcrum::app {
+
+namespace {
+
+LoadedTask load(TaskDefinition task, std::string scene_text, const std::string& file,
+                const std::string& fidelity) {
+    LoadedTask loaded{std::move(task), parse_scene(scene_text, file), {}};
+    loaded.scene_text = std::move(scene_text);
+    if (!fidelity.empty()) loaded.scene.fidelity = named_fidelity(fidelity);
+    return loaded;
+}
+
+}  // namespace
+
+LoadedTask load_task_and_scene(const std::string& task_id, const std::string& fidelity,
+                               const CuttingValues& cutting, const std::string& source) {
+    TaskDefinition task = load_task(task_file(task_id));
+    const std::string path = asset_path("scenes/" + task.scene);
+    const std::string text = with_cutting_values(read_text_file(path, JsonLimits().bytes),
+                                                 source.empty() ? path : source, cutting);
+    return load(std::move(task), text, path, fidelity);
+}
+
+LoadedTask load_site_task(const database::Store& store, const database::Session& session,
+                          const std::string& task_id, const std::string& fidelity) {
+    const database::TissueSetting site = database::Tissues(store).in_force(session, task_id);
+    return load_task_and_scene(
+        task_id, fidelity, site.values,
+        "this site's values of " + task_id + ", version " + std::to_string(site.version));
+}
+
+LoadedTask load_recorded(const database::Attempts& attempts, const database::Session& session,
+                         const database::AttemptSummary& summary) {
+    const std::string fidelity = summary.meta.fidelity == "standard" ? std::string() : summary.meta.fidelity;
+    const std::string text = attempts.scene_text(session, summary.meta.id);
+    if (text.empty()) return load_task_and_scene(summary.meta.task_id, fidelity);
+    return load(load_task(task_file(summary.meta.task_id)), text, "scene of attempt " + summary.meta.id,
+                fidelity);
+}
+
+template <typename Action>
+void RecordingSink::guarded(Action&& action) noexcept {
+    if (trouble_) return;
+    try {
+        action();
+    } catch (...) {
+        trouble_ = std::current_exception();
+    }
+}
+
+void RecordingSink::on_event(const Event& event) noexcept {
+    MemorySink::on_event(event);
+    guarded([&] { recorder_.append(event); });
+}
+
+void RecordingSink::on_tick(const RigSample& input, const TickSample& sample) noexcept {
+    MemorySink::on_tick(input, sample);
+    guarded([&] {
+        recorder_.append(input);
+        recorder_.append(sample);
+    });
+}
+
+void RecordingSink::on_step(const StepRecord& step) noexcept {
+    MemorySink::on_step(step);
+    guarded([&] { recorder_.append(step); });
+}
+
+void RecordingSink::rethrow() const {
+    if (trouble_) std::rethrow_exception(trouble_);
+}
+
+std::string hex(std::uint64_t value) {
+    char text[17];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
+    return text;
+}
+
+std::string cpu_features() {
+#if defined(__x86_64__)
+    return "x86-64-v3";
+#else
+    return "generic";
+#endif
+}
+
+database::AttemptMeta attempt_meta(const LoadedTask& loaded, std::uint64_t seed, const std::string& mode,
+                                   const std::string& device_class, const std::string& device,
+                                   const BenchmarkSet* benchmark) {
+    database::AttemptMeta meta;
+    meta.task_id = loaded.task.id;
+    meta.task_version = loaded.task.version;
+    meta.mode = mode;
+    meta.device_class = device_class;
+    meta.device = device;
+    meta.variant = loaded.scene.variant;
+    meta.seed = seed;
+    meta.fidelity = loaded.scene.fidelity.id;
+    meta.scene = loaded.task.scene;
+    meta.scene_text = loaded.scene_text;
+    meta.limits = limits_name(benchmark);
+    meta.program_version = program_version;
+    meta.cpu_features = cpu_features();
+    return meta;
+}
+
+database::AttemptResult attempt_result(const ScoredAttempt& scored, const RunOutcome& outcome, double wall_s,
+                                       std::uint32_t missed, std::uint64_t lost, const std::string& limits) {
+    database::AttemptResult result;
+    result.state = attempt_state_name(scored.state);
+    result.duration_s = scored.duration_s;
+    result.wall_s = wall_s;
+    result.missed_ticks = missed;
+    result.lost_samples = lost;
+    result.state_hash = hex(outcome.state_hash);
+    result.score = to_row(scored, limits);
+    return result;
+}
+
+Performed perform(const PerformRequest& request, database::Recorder* recorder,
+                  const BenchmarkSet* benchmark) {
+    using Clock = std::chrono::steady_clock;
+    const auto begin = Clock::now();
+    Performed performed;
+    AttemptEngine engine(request.loaded.scene, request.loaded.task, request.seed);
+    for (const TargetSphere& target : engine.initial_snapshot().targets)
+        performed.targets.push_back(target.centre);
+
+    std::unique_ptr<Rig> rig;
+    if (request.input_trace != nullptr) {
+        rig = std::make_unique<TraceRig>(request.input_trace->inputs);
+    } else {
+        rig = make_operator(request.operator_name, request.loaded.task, request.loaded.scene,
+                            request.individual.value_or(request.seed), request.seed);
+    }
+    std::unique_ptr<MemorySink> sink =
+        recorder != nullptr ? std::make_unique<RecordingSink>(*recorder) : std::make_unique<MemorySink>();
+    performed.outcome = run_headless(engine, *rig, *sink, request.keep_going);
+    if (performed.outcome.cancelled) {
+        Event event;
+        event.tick = performed.outcome.ticks;
+        event.kind = EventKind::interrupted;
+        sink->on_event(event);
+    }
+    if (recorder != nullptr) static_cast<RecordingSink&>(*sink).rethrow();
+    performed.record = std::move(sink->record);
+    performed.scored = score_record(request.loaded.scene, request.loaded.task, performed.targets,
+                                    performed.record.samples, performed.record.events, benchmark);
+    performed.wall_s = std::chrono::duration<double>(Clock::now() - begin).count();
+    if (recorder != nullptr) {
+        recorder->finish(attempt_result(performed.scored, performed.outcome, performed.wall_s, 0, 0,
+                                        limits_name(benchmark)));
+    }
+    return performed;
+}
+
+}  // namespace fulcrum::app

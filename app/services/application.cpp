@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/application.h"
+
+#include <QApplication>
+#include <filesystem>
+#include <random>
+
+#include "app/assets.h"
+#include "app/live/interrupted.h"
+#include "app/live/live_attempt.h"
+#include "app/rescoring.h"
+#include "app/services/demo.h"
+#include "app/services/replay_source.h"
+#include "app/site_tissues.h"
+#include "assessment/operators/operator.h"
+#include "assessment/version.h"
+#include "ui/shell/main_window.h"
+#include "ui/style/palette.h"
+
+namespace fulcrum::app {
+namespace {
+
+/// Devices without force, and their classes, are the rig's business; the store, the tasks and the threads are
+/// here.
+class Services : public ui::ApplicationServices {
+  public:
+    explicit Services(std::string folder) : folder_(std::move(folder)) {
+        for (const std::string& id : task_ids()) tasks_.push_back(load_task(task_file(id)));
+    }
+    database::Store* store() override { return store_.get(); }
+    std::string store_path(bool demo) const override {
+        if (folder_.empty()) return database::Store::default_path(demo);
+        return (std::filesystem::path(folder_) / (demo ? "demo.db" : "fulcrum.db")).string();
+    }
+    void open_store(bool demo) override {
+        const std::string path = store_path(demo);
+        store_.reset();
+        store_ = std::make_unique<database::Store>(database::Store::exists(path)
+                                                       ? database::Store::open(path)
+                                                       : database::Store::create(path, demo));
+    }
+    bool demo_is_built() const override { return database::Store::exists(store_path(true)); }
+    bool build_demo(const ui::Progress& progress) override {
+        return app::build_demo(store_path(true), progress);
+    }
+    const std::vector<TaskDefinition>& tasks() const override { return tasks_; }
+    Scene scene_for(const TaskDefinition& task) const override {
+        return load_scene(asset_path("scenes/" + task.scene));
+    }
+
+    std::unique_ptr<ui::AttemptSession> start_attempt(const ui::AttemptRequest& request) override {
+        // The recorder asks again; here it is refused before a scene is made.
+        store_->require(request.session, database::Operation::perform_attempt,
+                        database::Subject::person(request.session.person_id()));
+        LiveRequest live{load_site_task(*store_, request.session, request.task_id),
+                         request.seed,
+                         request.assessed,
+                         request.rig,
+                         store_->path(),
+                         request.session,
+                         {},
+                         benchmark_in_force(request.task_id)};
+        if (live.seed == 0) live.seed = draw_seed();
+        live.meta =
+            attempt_meta(live.loaded, live.seed, request.assessed ? "assessed" : "practice",
+                         request.device_class, request.device, live.benchmark ? &*live.benchmark : nullptr);
+        live.meta.person_id = request.session.person_id();
+        return std::make_unique<LiveAttempt>(std::move(live));
+    }
+    std::unique_ptr<ui::AttemptSession> start_demonstration(const database::Session& session,
+                                                            const std::string& task_id) override {
+        LiveRequest live;
+        live.loaded = load_site_task(*store_, session, task_id);
+        live.seed = demonstration_seed;
+        live.assessed = false;
+        live.rig = make_operator("expert", live.loaded.task, live.loaded.scene, demonstration_seed);
+        return std::make_unique<LiveAttempt>(std::move(live));
+    }
+    std::vector<ui::InterruptedScore> score_interrupted(const database::Session& session,
+                                                        const ui::Progress& progress) override {
+        return app::score_interrupted(store_path(session.is_demo()), session, progress);
+    }
+    std::size_t stale_scores(const database::Session& session) override {
+        database::StoreOptions options;
+        options.read_only = true;
+        const database::Store store = database::Store::open(store_path(session.is_demo()), options);
+        return database::Attempts(store).stale_scores(session, scoring_in_force()).size();
+    }
+    std::vector<ui::RecomputedScore> recompute_scores(const database::Session& session,
+                                                      const ui::Progress& progress) override {
+        return app::recompute_scores(store_path(session.is_demo()), session, {}, progress);
+    }
+    Scene scene_of(const database::Session& session, const database::AttemptSummary& attempt) const override {
+        return load_recorded(database::Attempts(*store_), session, attempt).scene;
+    }
+    std::unique_ptr<ui::ReplaySource> open_replay(const database::Session& session,
+                                                  const database::AttemptSummary& attempt,
+                                                  std::shared_ptr<const database::Trace> trace) override {
+        return make_replay_source(load_recorded(database::Attempts(*store_), session, attempt),
+                                  attempt.meta.seed, std::move(trace));
+    }
+    ui::SiteTissues site_tissues(const database::Session& session, const std::string& task_id) override {
+        return app::site_tissues(*store_, session, task_id);
+    }
+    void set_site_tissues(const database::Session& session, const std::string& task_id, int seen,
+                          const database::TissueValues& values, const std::string& reason) override {
+        app::set_site_tissues(*store_, session, task_id, seen, values, reason);
+    }
+    std::string program_version() const override { return version_line(); }
+
+  private:
+    static constexpr std::uint64_t demonstration_seed = 7;
+    /// Outside 1000-1999, which are the benchmarks' own.
+    static std::uint64_t draw_seed() {
+        std::random_device device;
+        return 2000 + device() % 1'000'000'000U;
+    }
+    std::string folder_;
+    std::vector<TaskDefinition> tasks_;
+    std::unique_ptr<database::Store> store_;
+};
+
+}  // namespace
+
+std::string version_line() {
+    return fulcrum::program_version;
+}
+
+std::unique_ptr<ui::ApplicationServices> make_services(const std::string& data_folder) {
+    return std::make_unique<Services>(data_folder);
+}
+
+int run_window() {
+    const char* folder = std::getenv("FULCRUM_DATA");
+    const auto services = make_services(folder != nullptr ? folder : "");
+    ui::apply_theme(*qobject_cast<QApplication*>(QCoreApplication::instance()), ui::Theme::light);
+    ui::MainWindow window(*services);
+    window.resize(1280, 800);
+    window.show();
+    window.start();
+    return QApplication::exec();
+}
+
+}  // namespace fulcrum::app
