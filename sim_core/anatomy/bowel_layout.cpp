@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the bowel lies: a path over the coronal plane, dropped onto the posterior wall as a chain of spheres
+// Position of the bowel: a path over the coronal plane, dropped onto the posterior wall as a chain of spheres
 // would rest there, and the root of its mesentery on the wall beneath.
 #include <algorithm>
 #include <array>
@@ -38,8 +38,7 @@ std::vector<Point> way_points(double loop, double width_scale, double depth_scal
     return result;
 }
 
-// Uniform cubic B-spline through the neighbourhood of the points: no bend is tighter than the points are
-// apart.
+// Uniform cubic B-spline near the points: no bend is tighter than the spacing of the points.
 std::vector<Point> smooth_path(const std::vector<Point>& points, int per_span) {
     std::vector<Point> control;
     control.push_back(2 * points.front() - points[1]);
@@ -58,7 +57,7 @@ std::vector<Point> smooth_path(const std::vector<Point>& points, int per_span) {
     return path;
 }
 
-// Smooths a row of numbers; its ends stay.
+// Smooths a series of numbers; its ends are unchanged.
 void smooth(std::vector<double>& values, int passes) {
     std::vector<double> next = values;
     for (int pass = 0; pass < passes; ++pass) {
@@ -68,7 +67,7 @@ void smooth(std::vector<double>& values, int passes) {
     }
 }
 
-// Lays the path on the wall: no lower than a chain of spheres would rest there, and as smooth as a bowel
+// Drops the path onto the wall: not below the resting height of a chain of spheres, and as smooth as a bowel
 // bends.
 std::vector<Vector3> drop(const std::vector<Point>& path, const PosteriorWall& wall, double radius) {
     std::vector<double> floor;
@@ -81,7 +80,7 @@ std::vector<Vector3> drop(const std::vector<Point>& path, const PosteriorWall& w
     constexpr int smoothing_passes = 120, lifting_rounds = 12;
     smooth(height, smoothing_passes);
     for (int round = 0; round < lifting_rounds; ++round) {
-        // What sticks out below is added back, spread as smoothly.
+        // The part below the wall is added back, equally smoothed.
         std::vector<double> lack(height.size());
         for (std::size_t i = 0; i < height.size(); ++i) lack[i] = 1.6 * std::max(0.0, floor[i] - height[i]);
         smooth(lack, smoothing_passes / 2);
@@ -139,10 +138,10 @@ void lay_bowel(const BowelParameters& p, const CavityShape& cavity, BowelShape& 
     const auto line_for = [&](double loop) {
         return drop(smooth_path(way_points(loop, width_scale, depth_scale), 24), wall, p.radius);
     };
-    // The sigmoid takes up what the rest leaves over.
+    // The sigmoid takes up the remaining length.
     double low = 0.35, high = 1.45;
     if (length_of(line_for(low)) > p.length || length_of(line_for(high)) < p.length)
-        throw InputError("bowel parameters", "length", "does not fit this cavity",
+        throw InputError("bowel parameters", "length", "a bowel of this length does not fit this cavity",
                          "give a length nearer to 0.9 m");
     for (int i = 0; i < 24; ++i) {
         const double middle = 0.5 * (low + high);
@@ -155,7 +154,7 @@ void lay_bowel(const BowelParameters& p, const CavityShape& cavity, BowelShape& 
     for (std::size_t i = 0; i < bowel.centre_line.size(); ++i) {
         const double share = static_cast<double>(i) / (line_points - 1);
         const Vector3& c = bowel.centre_line[i];
-        // Rectum and descending colon are fixed behind, the sigmoid hangs on its short root.
+        // Rectum and descending colon are attached posteriorly; the sigmoid is suspended from its short root.
         const double free = smooth_step(0.14, 0.30, share) * (1 - smooth_step(0.80, 0.96, share));
         const Point own(c.x() * 0.92, c.y());
         const Point root =
@@ -168,7 +167,7 @@ void lay_bowel(const BowelParameters& p, const CavityShape& cavity, BowelShape& 
     std::vector<double> root_z;
     for (std::size_t i = 0; i < root_x.size(); ++i)
         root_z.push_back(wall.height(root_x[i], root_y[i]) + 0.001);
-    smooth(root_z, 12);  // the raster of the wall shows as steps
+    smooth(root_z, 12);  // removes the steps of the wall raster
     for (std::size_t i = 0; i < root_x.size(); ++i)
         bowel.root_line.emplace_back(root_x[i], root_y[i], root_z[i]);
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The two halves of make_bowel: the tube at rest and its place in the body.
+// The two halves of make_bowel: the tube at rest and its position in the body.
 #pragma once
 
 #include "sim_core/anatomy/anatomy.h"
 
 namespace fulcrum {
 
-/// Mean outer radius at share 0 .. 1 of the length, as a factor of the parameter: the rectum is wide, the
+/// Mean outer radius at fraction 0 .. 1 of the length, as a factor of the parameter: the rectum is wide, the
 /// rectosigmoid narrow.
 double bowel_width(double share);
 
@@ -14,10 +14,10 @@ double bowel_width(double share);
 /// 1 + i around + k, k = 0 .. around - 1, its other pole is the vertex after the last ring's.
 void add_capped_tube(int rings, int around, TriangleMesh& mesh);
 
-/// Fills surface, taenia and radius.
+/// Sets surface, taenia and radius.
 void make_bowel_surface(const BowelParameters& parameters, BowelShape& bowel);
 
-/// Fills centre_line and root_line. Throws InputError where a bowel of that length does not fit the cavity.
+/// Sets centre_line and root_line. Throws InputError if a bowel of that length does not fit the cavity.
 void lay_bowel(const BowelParameters& parameters, const CavityShape& cavity, BowelShape& bowel);
 
 }  // namespace fulcrum

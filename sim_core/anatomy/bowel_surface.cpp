@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The colon at rest: three taeniae, and between them haustra parted by semilunar folds that do not meet from
-// one sector to the next. The rectum has neither.
+// The colon at rest: three taeniae, and between them haustra separated by semilunar folds that are offset
+// from one sector to the next. The rectum has neither.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -56,7 +56,7 @@ double crease(const Folds& folds, double s, double spacing) {
 
 void check(const BowelParameters& p) {
     const auto refuse = [](const char* place, const char* range) {
-        throw InputError("bowel parameters", place, "out of range", range);
+        throw InputError("bowel parameters", place, "the value is out of range", range);
     };
     if (!(p.length >= 0.6 && p.length <= 1.2)) refuse("length", "give 0.6 to 1.2 m");
     if (!(p.radius >= 0.010 && p.radius <= 0.022)) refuse("radius", "give 0.010 to 0.022 m");
@@ -98,7 +98,7 @@ void make_bowel_surface(const BowelParameters& p, BowelShape& bowel) {
     check(p);
     bowel.length = p.length;
     const double circumference = 2 * pi * p.radius;
-    // Quads about as long as wide.
+    // Quads about as long as they are wide.
     const int around =
         std::max(12, 6 * static_cast<int>(std::lround(std::sqrt(p.vertices * circumference / p.length) / 6)));
     const int rings = std::max(8, p.vertices / around);
@@ -120,7 +120,7 @@ void make_bowel_surface(const BowelParameters& p, BowelShape& bowel) {
     };
     const auto radius_of = [&](double s, double u, double& taenia) {
         const double mean = p.radius * bowel_width(s / p.length);
-        // Sectors lie between the taeniae at 1/6, 3/6, 5/6.
+        // Sectors are between the taeniae at 1/6, 3/6, 5/6.
         const double turned = 3 * (u + 1.0 / 6.0);
         const double across = turned - std::floor(turned);  // 0 and 1: on a taenia is at 1/6 -> turned 1
         const auto sector = static_cast<std::size_t>(static_cast<int>(std::floor(turned)) % sectors);
@@ -139,7 +139,7 @@ void make_bowel_surface(const BowelParameters& p, BowelShape& bowel) {
     double taenia = 0;
     add(0, 0, 0.5, 0);
     for (int i = 0; i < rings; ++i) {
-        // First and last rings lie on the domes, a little off the poles.
+        // First and last rings are on the domes, near the poles.
         const double s = p.length * (i + 0.5) / rings;
         const double from_end = std::min(1.0, std::min(s, p.length - s) / dome);
         const double rounded = std::sqrt(1 - (1 - from_end) * (1 - from_end));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The cavity as a tube of sections along a bent axis, from the pelvic floor through the inlet into the
-// insufflated abdomen. Each section is a superellipse with its own depth in front and behind, pushed in by
+// insufflated abdomen. Each section is a superellipse with separate depths in front and behind, indented by
 // spine, psoas, bladder and the vessels at the brim.
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-// One section: where along the tube, centre (y, z), tilt of its front-to-back direction, half width, depth
+// One section: position along the tube, centre (y, z), tilt of its front-to-back direction, half width, depth
 // behind and in front, all for a pelvis of 0.125 m width and 0.115 m depth.
 struct Section {
     double at, y, z, tilt, half_width, behind, front;
@@ -79,7 +79,7 @@ Shape shape_at(double at, const PelvisParameters& p) {
     shape.y = interpolate(at, 0);
     shape.z = interpolate(at, 1);
     shape.tilt = interpolate(at, 2) * pi / 180;
-    // The bony pelvis follows its own width, the abdomen above the brim its own.
+    // The bony pelvis scales with its own width, the abdomen above the brim with its own.
     const double above = smooth_step(0.42, 0.68, at);
     const double pelvis = p.width / 0.125, abdomen = p.abdomen_width / 0.30;
     shape.half_width = interpolate(at, 3) * ((1 - above) * pelvis + above * abdomen);
@@ -97,7 +97,7 @@ Shape shape_at(double at, const PelvisParameters& p) {
     return shape;
 }
 
-// How far the wall is pushed in towards the axis, m; angle 0 is straight behind, x the lateral place.
+// Indentation of the wall towards the axis, m; angle 0 is posterior, x the lateral position.
 double pushed_in(double at, double angle, double x, const PelvisParameters& p) {
     const double back = smooth_step(0.0, 0.5, math::cos(angle));
     const double front = smooth_step(0.0, 0.6, -math::cos(angle));
@@ -116,7 +116,7 @@ double pushed_in(double at, double angle, double x, const PelvisParameters& p) {
 
 void check(const PelvisParameters& p) {
     const auto refuse = [](const char* place, const char* range) {
-        throw InputError("pelvis parameters", place, "out of range", range);
+        throw InputError("pelvis parameters", place, "the value is out of range", range);
     };
     if (!(p.width >= 0.09 && p.width <= 0.16)) refuse("width", "give 0.09 to 0.16 m");
     if (!(p.depth >= 0.08 && p.depth <= 0.15)) refuse("depth", "give 0.08 to 0.15 m");
@@ -128,7 +128,7 @@ void check(const PelvisParameters& p) {
 
 CavityShape make_cavity(const PelvisParameters& parameters) {
     check(parameters);
-    // Twice as many triangles as quads; the tube is about 1.6 times as far around as along.
+    // Twice as many triangles as quads; the circumference is about 1.6 times the length.
     const int around =
         std::max(16, 4 * static_cast<int>(std::lround(std::sqrt(parameters.triangles / 2.0 * 1.6) / 4)));
     const int along = std::max(8, parameters.triangles / (2 * around) + 1);
@@ -140,7 +140,7 @@ CavityShape make_cavity(const PelvisParameters& parameters) {
         mesh.texture_coordinates.emplace_back(u, v);
         cavity.fat.push_back(static_cast<float>(std::clamp(fat, 0.0, 1.0)));
     };
-    // Rows denser towards the ends, where the domes curve.
+    // Denser rows towards the ends, where the domes curve.
     const auto station = [along](int row) {
         const double t = static_cast<double>(row) / along;
         return 0.72 * t + 0.28 * (t * t * (3 - 2 * t));
@@ -156,7 +156,7 @@ CavityShape make_cavity(const PelvisParameters& parameters) {
             double sine = 0, cosine = 1;
             math::sin_cos(angle, sine, cosine);
             const double depth = cosine > 0 ? s.behind : s.front;
-            // The flanks run out flat behind, the insufflated wall in front is round.
+            // The flanks are flat posteriorly; the insufflated anterior wall is round.
             const double squareness =
                 2.3 + 1.1 * smooth_step(0.45, 0.62, at) * smooth_step(-0.2, 0.3, cosine);
             double r = 1 / power(power(std::abs(sine) / s.half_width, squareness) +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The mesentery as a sheet between the bowel and its root, held off the wall by its own fat.
+// The mesentery as a sheet between the bowel and its root, kept off the wall by its fat.
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +15,7 @@ namespace {
 constexpr int sheet_columns = 13;
 constexpr double row_spacing = 0.006;  // m
 
-// Edge of the sheet: on the bowel's wall, on the side of the root.
+// Edge of the sheet: on the bowel's wall, on the side facing the root.
 Vector3 edge_of(const Vector3& centre, const Vector3& tangent, const Vector3& root, double radius) {
     Vector3 towards = root - centre;
     towards -= towards.dot(tangent) * tangent;
@@ -31,7 +31,7 @@ Vector3 place(const MesenteryVertex& vertex, const Vector3& edge) {
 
 MesenteryShape make_mesentery(const BowelShape& bowel, const CavityShape& cavity, double first, double last) {
     if (!(first >= 0 && first < last && last <= 1))
-        throw InputError("mesentery parameters", "first, last", "out of range",
+        throw InputError("mesentery parameters", "first, last", "the range is not valid",
                          "give 0 <= first < last <= 1");
     const PosteriorWall wall(cavity.mesh);
     MesenteryShape mesentery;
@@ -63,7 +63,7 @@ MesenteryShape make_mesentery(const BowelShape& bowel, const CavityShape& cavity
             const double least = wall.height(straight.x(), straight.y()) + 0.0012 + 0.0025 * middle;
             vertex.lift = Vector3(0, 0, std::max(0.0, std::min(0.03, least - straight.z())) + fat);
             mesentery.mesh.vertices.push_back(place(vertex, edge));
-            // The sheet lies nearly flat at rest: projected coordinates do not shrink towards the root.
+            // The sheet is nearly flat at rest: projected coordinates do not shrink towards the root.
             const Vector3& rest = mesentery.mesh.vertices.back();
             mesentery.mesh.texture_coordinates.emplace_back(rest.x() / 0.06,
                                                             (rest.y() + 0.5 * rest.z()) / 0.06);
@@ -137,7 +137,7 @@ void evaluate_mesentery(const MesenteryShape& mesentery, const RingFrame* rings,
         while (ring + 2 < ring_count && ring_arc_lengths[ring + 1] < s) ++ring;
         const double span = ring_arc_lengths[ring + 1] - ring_arc_lengths[ring];
         const double t = std::clamp((s - ring_arc_lengths[ring]) / span, 0.0, 1.0);
-        // Hermite between the two rings: the edge follows the bend of the bowel, not its chord.
+        // Hermite between the two rings: the edge follows the bend of the bowel, not the chord.
         const Vector3 &p = rings[ring].position, &q = rings[ring + 1].position;
         const Vector3 u = span * rings[ring].rotation.col(2), v = span * rings[ring + 1].rotation.col(2);
         const double t2 = t * t, t3 = t2 * t;

@@ -6,7 +6,7 @@
 namespace fulcrum {
 namespace {
 
-// Second-order smooth: value noise without visible lattice lines in its gradient.
+// Smooth to second order: value noise without visible lattice lines in its gradient.
 double fade(double t) {
     return t * t * t * (t * (t * 6 - 15) + 10);
 }

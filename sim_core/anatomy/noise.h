@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Seeded noise on lattices: the same value for the same arguments on every machine.
+// Seeded lattice noise: the same value for the same arguments on every machine.
 #pragma once
 
 #include <array>
@@ -38,11 +38,12 @@ inline double smooth_step(double low, double high, double x) {
 /// Smooth value noise in [-1, 1], features of size 1.
 double noise3(const Vector3& point, std::uint64_t seed);
 
-/// Sum of octaves of smooth value noise on a torus, each twice as fine and `gain` as strong, about [-1, 1].
+/// Sum of octaves of smooth value noise on a torus, each of twice the frequency and `gain` times the
+/// amplitude, about [-1, 1].
 class TiledNoise {
   public:
     TiledNoise(int cells_x, int cells_y, int octaves, double gain, std::uint64_t seed);
-    /// u and v in tiles: any two that differ by whole numbers give the same.
+    /// u and v in tiles, periodic with period 1.
     double operator()(double u, double v) const;
 
   private:
@@ -54,8 +55,8 @@ class TiledNoise {
     std::vector<Octave> octaves_;
 };
 
-/// Distances to the nearest and second nearest of one random point a cell on a torus, in cells, and the
-/// nearest point's own random number.
+/// Distances to the nearest and second nearest of one random point per cell on a torus, in cells, and the
+/// random number of the nearest point.
 struct CellDistance {
     double nearest = 0, second = 0, value = 0;
 };
@@ -67,7 +68,7 @@ class TiledCells {
 
   private:
     int cells_;
-    std::vector<std::array<float, 3>> points_;  // place in the cell, random number
+    std::vector<std::array<float, 3>> points_;  // position in the cell, random number
 };
 
 }  // namespace fulcrum

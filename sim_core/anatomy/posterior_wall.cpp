@@ -36,7 +36,7 @@ PosteriorWall::PosteriorWall(const TriangleMesh& cavity, double cell) : cell_(ce
                 const auto side = [x, y](const Vector3& p, const Vector3& q) {
                     return (q.x() - p.x()) * (y - p.y()) - (q.y() - p.y()) * (x - p.x());
                 };
-                // Seen from above the triangle runs clockwise.
+                // Seen from above the triangle is clockwise.
                 if (side(a, b) > 1e-12 || side(b, c) > 1e-12 || side(c, a) > 1e-12) continue;
                 const double z = a.z() - (normal.x() * (x - a.x()) + normal.y() * (y - a.y())) / normal.z();
                 double& height = heights_[index(i, j)];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The posterior wall of a cavity as heights over the coronal plane: what a supine patient's bowel lies on.
+// The posterior wall of a cavity as heights over the coronal plane: the surface on which a supine patient's
+// bowel rests.
 #pragma once
 
 #include <vector>
@@ -13,9 +14,9 @@ class PosteriorWall {
     /// Rasterises the triangles that face down (outward normal with z < 0).
     explicit PosteriorWall(const TriangleMesh& cavity, double cell = 0.002);
 
-    /// Height of the wall, m; the nearest covered cell's outside of it.
+    /// Height of the wall, m; outside the covered area that of the nearest covered cell.
     double height(double x, double y) const;
-    /// Lowest z at which the centre of a sphere of that radius touches nothing of the wall.
+    /// Lowest z at which the centre of a sphere of that radius does not touch the wall.
     double resting_height(double x, double y, double radius) const;
 
   private:

@@ -14,11 +14,11 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr int line_points = 181;
-constexpr double below = 0.025;          // m that the wall follows the curve beyond the caudal end
-constexpr double above = 0.050;          // m that it goes on straight from the promontory
-constexpr double fall = 0.4;             // rad by which that part and the brims fall away posteriorly
+constexpr double below = 0.025;          // m by which the wall continues the curve beyond the caudal end
+constexpr double above = 0.050;          // m by which it continues straight from the promontory
+constexpr double fall = 0.4;             // rad by which that part and the brims slope posteriorly
 constexpr double hollow = 1.25;          // rad to either side, where the trough ends
-constexpr double brim = 0.035;           // m that it goes on from there, straight to the side
+constexpr double brim = 0.035;           // m by which it continues from there, straight to the side
 constexpr double wall_spacing = 0.0035;  // m
 
 void check(const RectumParameters& p) {

@@ -10,7 +10,7 @@ namespace fulcrum {
 namespace {
 
 constexpr int suction_rounds = 4;
-constexpr double longest_round = 0.02;  // s, shares of the spreading time that one round may cover
+constexpr double longest_round = 0.02;  // s, fraction of the spreading time that one round may cover
 constexpr int most_rounds = 16;
 
 }  // namespace
@@ -70,7 +70,7 @@ void step_pool(const PoolModel& model, double dt, PoolState& state) noexcept {
     if (!(dt > 0) || !std::isfinite(dt)) return;
     const int rounds =
         static_cast<int>(std::clamp(std::ceil(dt / longest_round), 1.0, static_cast<double>(most_rounds)));
-    // Half of the difference evens two surfaces out; a quarter of it for four neighbours at once.
+    // Half of the difference levels two surfaces; a quarter of that for four neighbours at once.
     const double share = 0.25 * std::min(1.0, dt / rounds / model.spread_time);
     const auto flow = [&](std::size_t a, std::size_t b) {
         const double difference = model.ground[a] + state.depth[a] - model.ground[b] - state.depth[b];

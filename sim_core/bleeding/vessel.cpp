@@ -10,7 +10,7 @@ namespace fulcrum {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double dry_share = 1e-3;  // less of the lumen than this does not bleed
+constexpr double dry_share = 1e-3;  // below this share of the lumen a vessel does not bleed
 
 double share(double value) {
     return value > 0 ? std::min(value, 1.0) : 0.0;
@@ -19,7 +19,7 @@ double share(double value) {
 }  // namespace
 
 double vessel_flow(const VesselModel& model, double area_share) noexcept {
-    const double open = share(area_share) * model.radius * model.radius;  // r^2 of what is open
+    const double open = share(area_share) * model.radius * model.radius;  // r^2 of the opening
     return pi * open * open * model.pressure / (8 * model.viscosity * model.feeding_length);
 }
 
@@ -45,7 +45,7 @@ double step_bleed(const VesselModel& model, double dt, BleedState& state) noexce
     if (!(dt > 0) || !std::isfinite(dt)) return 0;
     const double open = open_share(state);
     if (open <= 0) return 0;
-    // The open area falls as exp(-t / tau), so the flow falls twice as fast.
+    // The open area decreases as exp(-t / tau), so the flow decreases twice as fast.
     const double fall = dt / model.clotting_time;
     const double lost = vessel_flow(model, open) * 0.5 * model.clotting_time * (1 - math::exp(-2 * fall));
     state.clotted = 1 - (1 - share(state.clotted)) * math::exp(-fall);

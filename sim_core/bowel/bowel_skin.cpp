@@ -12,7 +12,7 @@ std::vector<Vector3> rest_rings(const Cage& cage) {
     std::vector<RingFrame> frames;
     for (const double s : cage.arc_lengths) frames.push_back(rest_frame(s));
     std::vector<Vector3> vertices = cage_vertices(cage, frames.data());
-    vertices.resize(vertices.size() - 2);  // the cap centres are the windows' own business
+    vertices.resize(vertices.size() - 2);  // the windows add the cap centres themselves
     return vertices;
 }
 

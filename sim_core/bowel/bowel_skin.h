@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bowel's surface bound to its cage: a constant model, and functions that carry it to the ring frames of
-// a moment. Any thread may read a BowelSkin at any time. Lengths in m; frames and results in the patient
-// frame.
+// The bowel's surface bound to its cage: a constant model, and functions that evaluate it for given ring
+// frames. Any thread may read a BowelSkin at any time. Lengths in m; frames and results in the patient frame.
 #pragma once
 
 #include <vector>
@@ -18,9 +17,9 @@ namespace fulcrum {
 class SkinBinder {
   public:
     explicit SkinBinder(const Cage& cage);
-    /// Gap between two rings in which a rest point lies.
+    /// Gap between two rings that contains a rest point.
     int gap_of(const Vector3& point) const;
-    /// Row of a point as one of that gap: local mean value coordinates, blended windows, k = 1.
+    /// Row of a point in that gap: local mean value coordinates, blended windows, k = 1.
     SkinRow bind(int gap, const Vector3& point);
 
   private:
@@ -29,7 +28,7 @@ class SkinBinder {
     WindowWeights weights_;
 };
 
-/// Built once when a scene loads; vertices and triangles keep the numbers of the mesh given. Drawing:
+/// Built once when a scene loads; vertices and triangles keep the numbers of the given mesh. For drawing see
 /// display_skin.h.
 class BowelSkin {
   public:
@@ -62,7 +61,7 @@ class BowelSkin {
     std::vector<std::int32_t> by_ring_, by_ring_offsets_;
 };
 
-/// All vertices in double. positions: one a vertex.
+/// Positions of all vertices in double precision. positions: one per vertex.
 void skin_all(const BowelSkin& skin, const RingFrame* frames, Vector3* positions);
 
 /// Velocity of a row's vertex under moving rings, m/s.
@@ -74,9 +73,9 @@ struct RingWrench {
     Vector3 moment = Vector3::Zero();  ///< N m
 };
 
-/// Adds what a force on a row's vertex does to its rings, by virtual work: the transposed skinning. The power
-/// of the force on the moving vertex equals that of the wrenches on the moving rings. wrenches is indexed by
-/// ring.
+/// Adds the action of a force on a row's vertex to its rings, by virtual work (transposed skinning): the
+/// power of the force on the moving vertex equals that of the wrenches on the moving rings. wrenches is
+/// indexed by ring.
 void add_ring_wrenches(const SkinRow& row, const RingFrame* frames, const Vector3& force,
                        RingWrench* wrenches);
 

@@ -39,7 +39,7 @@ std::vector<Triangle> cage_triangles(int rings, int vertices_per_ring) {
         for (int k = 0; k < n; ++k) {
             const int next = (k + 1) % n;
             const int a = r * n + k, b = r * n + next, c = (r + 1) * n + next, d = (r + 1) * n + k;
-            // Alternating diagonals, so that the tube has no handedness of its own.
+            // Alternating diagonals, so that the tube has no handedness.
             if ((r + k) % 2 == 0) {
                 triangles.push_back({a, b, c});
                 triangles.push_back({a, c, d});

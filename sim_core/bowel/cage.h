@@ -22,7 +22,7 @@ struct Cage {
     std::vector<double> arc_lengths;  ///< m, where each ring's frame is taken
     std::vector<std::array<Vector3, ring_size>>
         templates;           ///< X_rk, m, ring frame; counterclockwise about d3
-    double clearance = 0.0;  ///< m, least distance found from the surface to the cage at rest
+    double clearance = 0.0;  ///< m, smallest distance between the surface and the cage at rest
 
     int rings() const { return static_cast<int>(arc_lengths.size()); }
 };
@@ -32,8 +32,8 @@ struct CageOptions {
 };
 
 /// Builds the cage around a closed surface in the rest pose: sphere and middle rings, pushed out to the
-/// surface along the normals, then out until every vertex and every edge of the surface is inside by the
-/// margin. Throws InputError where the surface is no tube along +x of that length (open, inside out, or an
+/// surface along the normals, then further until every vertex and every edge of the surface is inside by the
+/// margin. Throws InputError if the surface is not a tube of that length along +x (open, inside out, or an
 /// axis point outside it).
 Cage build_cage(const TriangleMesh& surface, double length, const SphereChain& spheres,
                 const CageOptions& options = {});
@@ -41,13 +41,13 @@ Cage build_cage(const TriangleMesh& surface, double length, const SphereChain& s
 /// Frame of the rest line at arc length s.
 RingFrame rest_frame(double s);
 
-/// Cage vertices under the given frames, ring by ring; then the centres of the first and last cap (means of
-/// their rings).
+/// Cage vertices under the given frames, ring by ring, followed by the centres of the first and last cap
+/// (means of their rings).
 std::vector<Vector3> cage_vertices(const Cage& cage, const RingFrame* frames);
 /// Triangles of a closed tube of that many rings, outward; indices as cage_vertices gives them.
 std::vector<Triangle> cage_triangles(int rings, int vertices_per_ring = ring_size);
 
-/// Fills one frame a ring from a callable RingFrame frame_at(double s): the rod's position and directors at
+/// Sets one frame per ring from a callable RingFrame frame_at(double s): the rod's position and directors at
 /// rest arc length s.
 template <typename FrameAt>
 void ring_frames(const Cage& cage, FrameAt&& frame_at, RingFrame* frames) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fitting the rings to the surface in the rest pose: out to it, then past it, then proof that it is inside.
+// Fitting the rings to the surface in the rest pose: push out to the surface, add the margin, check
+// enclosure.
 #include <algorithm>
 #include <cmath>
 
@@ -17,7 +18,7 @@ constexpr double pi = 3.14159265358979323846;
     throw InputError("bowel surface", "", wrong, hint);
 }
 
-// Items whose x-ranges may meet a given range, found through equal slabs along the tube.
+// Finds items whose x-range may overlap a given range, through equal slabs along the tube.
 class Slabs {
   public:
     Slabs(double begin, double end, int count)
@@ -75,8 +76,8 @@ bool crosses(const Vector3& p, const Vector3& q, const Vector3& a, const Vector3
     return (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
 }
 
-// Farthest hit of the ray from the axis at x in direction (cos, sin) of the y, z plane; negative where there
-// is none.
+// Farthest intersection of the surface with the ray from the axis at x in direction (cos, sin) of the y, z
+// plane; negative if there is none.
 double farthest_hit(const TriangleMesh& surface, const Slabs& slabs, double x, double cosine, double sine) {
     const Vector3 origin(x, 0.0, 0.0), direction(0.0, cosine, sine);
     double farthest = -1.0;
@@ -98,7 +99,7 @@ double farthest_hit(const TriangleMesh& surface, const Slabs& slabs, double x, d
     return farthest;
 }
 
-// Radius at which the ray from the axis through the point leaves the cage triangle; negative where it misses.
+// Radius at which the ray from the axis through the point leaves the cage triangle; negative if it misses.
 double leaving_radius(const Vector3& point, double radius, const Vector3& a, const Vector3& b,
                       const Vector3& c) {
     const Vector3 origin(point.x(), 0.0, 0.0);
@@ -122,9 +123,9 @@ void scale_corner(Cage& cage, RestCage& rest, std::int32_t vertex, double factor
     rest.vertices[v].z() *= factor;
 }
 
-// Scales cage triangles outward about the axis until each surface vertex has the wanted gap along its ray.
-// Scaling a triangle's corners by f moves its hit radius by f and no hit of another triangle inward, so one
-// pass is enough.
+// Scales cage triangles outward about the axis until each surface vertex has the required gap along its ray.
+// Scaling a triangle's corners by f scales its own hit radius by f and moves no other triangle's hit inward,
+// so one pass is enough.
 void push_past_vertices(const TriangleMesh& surface, double gap, Cage& cage, RestCage& rest) {
     const int per_gap = 2 * ring_size;
     for (const auto& vertex : surface.vertices) {
@@ -144,8 +145,8 @@ void push_past_vertices(const TriangleMesh& surface, double gap, Cage& cage, Res
     }
 }
 
-// Cage triangles that an edge of the surface crosses, or of which an edge crosses the surface; each is scaled
-// outward.
+// Finds cage triangles that intersect an edge of the surface, or whose edge intersects the surface, and
+// scales them outward.
 int push_past_edges(const TriangleMesh& surface, const Slabs& slabs, Cage& cage, RestCage& rest) {
     int pushed = 0;
     const auto tube_triangles = static_cast<std::size_t>(2 * ring_size * (cage.rings() - 1));
@@ -162,7 +163,7 @@ int push_past_edges(const TriangleMesh& surface, const Slabs& slabs, Cage& cage,
                           &q = surface.vertices[static_cast<std::size_t>(other[1])],
                           &r = surface.vertices[static_cast<std::size_t>(other[2])];
             const Vector3 normal = area_vector(a, b, c);
-            // The usual case: all of the surface triangle lies behind the cage's plane.
+            // The usual case: the whole surface triangle lies behind the cage triangle's plane.
             if (normal.dot(p - a) < 0.0 && normal.dot(q - a) < 0.0 && normal.dot(r - a) < 0.0) return;
             hit = crosses(p, q, a, b, c) || crosses(q, r, a, b, c) || crosses(r, p, a, b, c) ||
                   crosses(a, b, p, q, r) || crosses(b, c, p, q, r) || crosses(c, a, p, q, r);
@@ -170,7 +171,7 @@ int push_past_edges(const TriangleMesh& surface, const Slabs& slabs, Cage& cage,
         if (!hit) continue;
         ++pushed;
         if (t >= tube_triangles)
-            refuse("it runs through an end of its cage", "end the tube within its length");
+            refuse("the surface passes through an end of its cage", "end the tube within its length");
         for (const auto corner : triangle) scale_corner(cage, rest, corner, 1.02);
     }
     return pushed;
@@ -194,7 +195,7 @@ double least_distance(const TriangleMesh& surface, const RestCage& rest, double 
             const Vector3 normal =
                 area_vector(a, rest.corner(triangle, 1), rest.corner(triangle, 2)).normalized();
             if (std::abs(normal.dot(vertex - a)) >= least)
-                return;  // farther from the plane: farther from the triangle
+                return;  // farther from the plane implies farther from the triangle
             const Vector3 closest =
                 closest_point_on_triangle(vertex, a, rest.corner(triangle, 1), rest.corner(triangle, 2))
                     .position;
@@ -208,7 +209,8 @@ void check_surface(const TriangleMesh& surface, double length) {
     const MeshReport report = check_mesh(surface);
     if (!report.watertight())
         refuse(report.complaint(), "give a closed surface, counterclockwise seen from outside");
-    if (report.volume <= 0.0) refuse("it is inside out", "turn its triangles round");
+    if (report.volume <= 0.0)
+        refuse("the surface is inside out", "reverse the order of each triangle's vertices");
     double low = surface.vertices[0].x(), high = low;
     for (const auto& vertex : surface.vertices) {
         low = std::min(low, vertex.x());
@@ -216,7 +218,8 @@ void check_surface(const TriangleMesh& surface, double length) {
     }
     const double slack = 0.25 * length;
     if (low < -slack || high > length + slack || high - low < 0.5 * length) {
-        refuse("it does not run along +x from 0 to the bowel's length", "give the straight tube in metres");
+        refuse("the surface does not extend along +x from 0 to the bowel's length",
+               "give the straight tube in metres");
     }
 }
 
@@ -243,8 +246,7 @@ Cage build_cage(const TriangleMesh& surface, double length, const SphereChain& s
 
     Cage cage;
     cage.length = length;
-    // A regular octagon touches inside at cos(pi/8) of its corners: this much is lost between two corners of
-    // a ring.
+    // The edges of a regular octagon are at cos(pi/8) of its corner radius: this factor compensates for it.
     const double corner_factor = 1.0 / math::cos(pi / ring_size);
     for (std::size_t r = 0; r < rings; ++r) {
         const std::size_t i = r / 2;
@@ -252,7 +254,7 @@ Cage build_cage(const TriangleMesh& surface, double length, const SphereChain& s
         const double s =
             on_sphere ? spheres.arc_lengths[i] : 0.5 * (spheres.arc_lengths[i] + spheres.arc_lengths[i + 1]);
         const double sphere = on_sphere ? spheres.radii[i] : 0.5 * (spheres.radii[i] + spheres.radii[i + 1]);
-        // The end rings stand off along the tube, where the normals of its caps point.
+        // The end rings stand off along the tube, in the direction of its cap normals.
         const double along =
             r == 0 ? low - options.margin - s : (r + 1 == rings ? high + options.margin - s : 0.0);
         std::array<Vector3, ring_size> ring;
@@ -268,13 +270,13 @@ Cage build_cage(const TriangleMesh& surface, double length, const SphereChain& s
     }
 
     RestCage rest = place(cage);
-    // Measured along the ray the gap is a little more than the distance to the cage's slanted faces.
+    // Measured along the ray the gap is slightly larger than the distance to the cage's slanted faces.
     push_past_vertices(surface, 1.2 * options.margin, cage, rest);
     rest = place(cage);
     constexpr int most_passes = 40;
     for (int pass = 0; push_past_edges(surface, slabs, cage, rest) > 0; ++pass) {
         if (pass == most_passes)
-            refuse("no cage of rings encloses it", "give a tube that is star-shaped about its axis");
+            refuse("no cage of rings encloses the surface", "give a tube that is star-shaped about its axis");
         rest = place(cage);
     }
     cage.clearance = least_distance(surface, rest, widest);

@@ -10,7 +10,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr int reach_rings = 5;                // on each side of the blade, whose vertices a step may come to
+constexpr int reach_rings = 5;                // rings on each side of the blade that a step may reach
 constexpr int most_spanned = 4 * skin_rings;  // rings between the corners of a root
 
 std::size_t at(std::int32_t i) {
@@ -19,7 +19,7 @@ std::size_t at(std::int32_t i) {
 
 CutCapacity room_for(const TriangleMesh& mesh, std::int32_t steps) {
     CutCapacity room = CutMesh::capacity_for(mesh, steps);
-    // Most of a bowel is never cut: the tables are for what steps make beside the mesh itself.
+    // Most of a bowel is never cut: the tables hold only what cut steps add to the mesh itself.
     room.vertices -= 3 * static_cast<std::int32_t>(mesh.vertices.size());
     room.triangles -= 5 * static_cast<std::int32_t>(mesh.triangles.size());
     room.fragments -= 2 * static_cast<std::int32_t>(mesh.triangles.size());
@@ -103,7 +103,7 @@ void CutSkin::bind_new() {
                              skin_.rows()[at(corner[2])], vertex.barycentric, skin_.cage().arc_lengths);
         loose_of_[at(v)] = 0;
     }
-    // What is cut off a piece that falls falls on with it.
+    // What is cut off a falling piece continues to fall with it.
     for (const std::int32_t root : surface_.touched_roots()) {
         for (std::int32_t t = surface_.root(root).first_visible; t >= 0;
              t = surface_.triangle(t).next_in_root) {
@@ -154,11 +154,11 @@ void CutSkin::let_fall(std::int32_t first, Report& report) {
     int piece = 0;
     while (piece < most_loose && loose_[static_cast<std::size_t>(piece)].falls) ++piece;
     const bool room = piece < most_loose;
-    if (!room) piece = most_loose - 1;  // the one there joins it
+    if (!room) piece = most_loose - 1;  // joins the last falling piece
     Loose& loose = loose_[static_cast<std::size_t>(piece)];
     if (room) loose = Loose();
     loose.falls = true;
-    // All that hangs together with it.
+    // All triangles connected to it.
     double area = 0;
     queue_.clear();
     const auto take = [&](std::int32_t t) {
@@ -189,7 +189,7 @@ double CutSkin::fall(const Vector3& gravity, double dt) {
         Loose& loose = loose_[static_cast<std::size_t>(k)];
         if (!loose.falls) continue;
         loose.velocity += dt * gravity;
-        loose.way += dt * loose.velocity;
+        loose.displacement += dt * loose.velocity;
         loose.age += dt;
         if (loose.age > falling_time) remove(k);
     }
@@ -204,7 +204,7 @@ void CutSkin::remove(int piece) {
         for (std::int32_t p = 0; p < pieces && !more; ++p) {
             if (loose_of_triangle(surface_.piece(p).first) != piece + 1) continue;
             if (surface_.remove_piece(p, positions_.data()).outcome != CutOutcome::cut)
-                return;  // asked again
+                return;  // starts over with the current list
             bind_new();
             more = true;
         }
@@ -246,7 +246,7 @@ std::uint64_t CutSkin::digest() const {
     hash.add(surface_.area_visible());
     hash.add(surface_.area_removed());
     for (const Loose& loose : loose_) {
-        if (loose.falls) hash.add(loose.way);
+        if (loose.falls) hash.add(loose.displacement);
     }
     return hash.value();
 }

@@ -10,7 +10,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr double vanished = 1e-9;  // m: a dent that nobody presses and nobody could see
+constexpr double vanished = 1e-9;  // m: a dent without load below this depth is removed
 
 DentVertex* find_or_add(DentState& state, std::int32_t vertex) {
     DentVertex* const begin = state.entries.data();
@@ -43,7 +43,7 @@ double compliance(const WinklerBed& bed, const double* vertex_areas, std::int32_
 WinklerBed winkler_bed(double young, double poisson, double wall_thickness, double backing,
                        double time_constant) {
     assert(young > 0.0 && poisson >= 0.0 && poisson < 0.5 && wall_thickness > 0.0 && backing > 0.0);
-    // Pressed over an area wide against its thickness the wall cannot bulge sideways: the constrained
+    // A contact that is wide compared with the thickness does not let the wall bulge sideways: constrained
     // modulus.
     const double constrained = young * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
     const double wall = constrained / wall_thickness;

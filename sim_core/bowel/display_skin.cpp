@@ -13,12 +13,11 @@
 namespace fulcrum {
 namespace {
 
-constexpr int lanes = 16;                  // vertices a block: two 256-bit or one 512-bit register of floats
+constexpr int lanes = 16;                  // vertices per block: two 256-bit or one 512-bit float register
 constexpr int row_terms = 4 * skin_rings;  // W_j, Y_j
 constexpr std::size_t block_floats = static_cast<std::size_t>(lanes) * row_terms;
-constexpr double length_unit =
-    1.0 / 64;                          // m, of ring positions under tangent terms: brings W and Y to one size
-constexpr double tangent_step = 1e-6;  // m, forward difference of the rows along the rest surface
+constexpr double length_unit = 1.0 / 64;  // m, unit of ring positions in tangent terms: scales W and Y alike
+constexpr double tangent_step = 1e-6;     // m, forward difference of the rows along the rest surface
 
 // Row terms in the order W_0, Y_0x, Y_0y, Y_0z, W_1 ...
 using Terms = std::array<double, row_terms>;
@@ -38,8 +37,8 @@ void store_position(const SkinRow& row, float* block, int lane) {
         block[i * lanes + static_cast<std::size_t>(lane)] = static_cast<float>(terms[i]);
 }
 
-// The change of the row along a tangent, scaled to the range of 16 bits: a normal needs its tangents'
-// directions only.
+// Change of the row along a tangent, scaled to the range of 16 bits: a normal needs only the directions of
+// its tangents.
 void store_tangent(const SkinRow& moved, const SkinRow& row, std::int16_t* block, int lane) {
     const Terms after = terms_of(moved), before = terms_of(row);
     Terms change;
@@ -66,8 +65,8 @@ struct Lanes {
     float x[lanes], y[lanes], z[lanes];
 };
 
-// The weights of a tangent sum to zero, so its ring positions may be taken from any origin: from the first
-// ring they are small and sixteen bits lose nothing that could be seen.
+// The weights of a tangent sum to zero, so the origin of the ring positions is arbitrary: relative to the
+// first ring they are small and sixteen bits lose nothing visible.
 inline void shift_rings(const float* ring, float* shifted) {
     for (int j = 0; j < skin_rings; ++j) {
         for (int i = 0; i < 12; ++i) {
@@ -87,7 +86,7 @@ inline __m256 load_eight(const std::int16_t* values) {
     return _mm256_cvtepi32_ps(_mm256_cvtepi16_epi32(packed));
 }
 
-// Left to itself the compiler spills the six sums of a block; written out they stay in registers.
+// The compiler spills the six sums of a block unless they are written out.
 template <typename Value>
 inline void accumulate(const Value* block, const float* ring, Lanes& out) {
     static_assert(lanes == 16, "two registers of eight");
@@ -126,7 +125,7 @@ inline void accumulate(const Value* block, const float* ring, Lanes& out) {
 #endif
 
 // 1 / sqrt(x), relative error below 1e-6, x > 0: a seed from the exponent and three Newton steps. Unlike the
-// library's square root it sets no errno, so the compiler keeps the lanes together.
+// library's square root it sets no errno, so the compiler can vectorise it.
 inline float inverse_root(float x) {
     std::uint32_t bits;
     std::memcpy(&bits, &x, sizeof bits);
@@ -210,7 +209,7 @@ void DisplaySkin::evaluate(const RingFrame* frames, float* ring_floats, float* p
         }
     }
     std::int32_t shifted_for = -1;
-    float shifted[12 * skin_rings];  // the block's rings as its tangents see them: from the first ring, in
+    float shifted[12 * skin_rings];  // rings of the block for its tangents: relative to the first ring, in
                                      // length units
     for (std::size_t block = 0; block < block_ring_.size(); ++block) {
         const float* const ring = ring_floats + 12 * block_ring_[block];

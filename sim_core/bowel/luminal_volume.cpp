@@ -7,7 +7,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr double least_scale = 0.2, most_scale = 3.0;  // beyond them no wall is this one any more
+constexpr double least_scale = 0.2, most_scale = 3.0;  // outside this range the wall model is not valid
 
 }  // namespace
 
@@ -44,11 +44,11 @@ double LuminalVolume::ratio_at(const double* stretch, double pressure) const {
 
 double LuminalVolume::solve(const double* stretch) {
     if (!(spec_.bulk_modulus > 0)) return 0.0;
-    // p = -bulk (V / V0 - 1): the left side rises with p, the right side falls, so there is one solution;
-    // bisection keeps Newton's steps inside.
+    // p = -bulk (V / V0 - 1): the left side increases with p, the right side decreases, so the solution is
+    // unique; bisection keeps Newton's steps in the bracket.
     double low = -spec_.bulk_modulus, high = spec_.bulk_modulus;
     const double hoop =
-        spec_.young_modulus * spec_.wall_thickness / 0.002;  // Pa: more than any scale within bounds needs
+        spec_.young_modulus * spec_.wall_thickness / 0.002;  // Pa: above the pressure of any scale in range
     low = std::max(low, -hoop);
     high = std::min(high, hoop);
     double p = std::clamp(pressure_, low, high);

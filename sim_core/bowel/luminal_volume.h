@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contents of the lumen (beyond Pan et al. 2011): a fluid that fills the tube and cannot leave it. Its
-// pressure is the same everywhere and answers a change of volume by its bulk modulus; the wall answers the
-// pressure in its hoop. Without it a stretched tube keeps its cross-section and its volume grows with its
-// length. SI units.
+// pressure is uniform and follows a change of volume by its bulk modulus; the wall responds to the pressure
+// in hoop direction. Without this model a stretched tube keeps its cross-section and its volume grows with
+// its length. SI units.
 #pragma once
 
 #include <vector>
@@ -17,15 +17,15 @@ struct LuminalSpec {
     double wall_thickness = 0.003;  ///< m
 };
 
-/// Model (const after construction) and the pressure found last.
+/// Model (constant after construction) and the pressure found last.
 class LuminalVolume {
   public:
     LuminalVolume(const Cage& cage, const LuminalSpec& spec);
 
-    /// The uniform pressure (Pa above rest) under which the contents' volume and the tube's agree; stretch:
-    /// one a ring, length over rest length. Newton's method, at most 60 rounds; allocates nothing.
+    /// The uniform pressure (Pa above rest) at which the volumes of contents and tube agree; stretch: one per
+    /// ring, length over rest length. Newton's method, at most 60 iterations; does not allocate.
     double solve(const double* stretch);
-    /// Radial scale of ring r under the pressure found last, 0.2 .. 3.
+    /// Radial scale of a ring under the pressure found last, 0.2 .. 3.
     double scale(int ring) const;
     /// Volume of the tube over its volume at rest under scale() of every ring.
     double volume_ratio(const double* stretch) const;

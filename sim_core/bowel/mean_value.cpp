@@ -10,18 +10,19 @@
 namespace fulcrum {
 namespace {
 
-constexpr double on_surface = 1e-13;  // distance over the cage's size below which the point is on the cage
+constexpr double on_surface =
+    1e-13;  // distance relative to the cage's size below which a point is on the cage
 constexpr double maybe_on_surface =
-    1e-9;  // volume of the unit tetrahedron that makes the closest point worth a look
+    1e-9;  // volume of the unit tetrahedron below which the closest point is checked
 constexpr double well_spread = 1e-2;  // volume above which Cramer's rule is as good as elimination
-// In the plane of a triangle but outside it, the mean vector's part across the plane vanishes as the square
-// of the height: below these two it is rounding, and the weight along the plane's null direction is dropped
-// instead of amplified.
+// In the plane of a triangle but outside it, the component of the mean vector across the plane vanishes as
+// the square of the height. Below these two limits it is rounding noise, and the weight along the null
+// direction of the plane is dropped instead of amplified.
 constexpr double flat_pivot = 1e-8;
 constexpr double flat_residual = 1e-14;
 
-// lambda with [a b c] lambda = m by elimination with complete pivoting: the residual stays at rounding even
-// where the three directions are nearly coplanar, and the residual is what linear reproduction rests on.
+// lambda with [a b c] lambda = m by elimination with complete pivoting: the residual stays at rounding level
+// even if the three directions are nearly coplanar, and linear reproduction depends on that residual.
 Vector3 solve_directions(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& m) {
     double matrix[3][4] = {
         {a.x(), b.x(), c.x(), m.x()}, {a.y(), b.y(), c.y(), m.y()}, {a.z(), b.z(), c.z(), m.z()}};
@@ -60,7 +61,7 @@ Vector3 solve_directions(const Vector3& a, const Vector3& b, const Vector3& c, c
     return lambda;
 }
 
-// The point's triangle, if it lies on one: within rounding of the cage's size.
+// True if the point lies on the triangle, within rounding of the cage's size.
 bool lies_on(const std::vector<Vector3>& vertices, const Triangle& triangle, const Vector3& point,
              double size, double* weights) {
     const auto i = static_cast<std::size_t>(triangle[0]), j = static_cast<std::size_t>(triangle[1]),
@@ -75,7 +76,7 @@ bool lies_on(const std::vector<Vector3>& vertices, const Triangle& triangle, con
 }
 
 // Each edge's sector is computed once and used with both signs, so that the mean vectors of a closed cage
-// cancel to rounding whatever the angles.
+// cancel to rounding for any angles.
 void fill_sectors(const CageTopology& topology, MeanValueScratch& scratch) {
     for (std::size_t e = 0; e < topology.edges.size(); ++e) {
         const Vector3& a = scratch.direction[static_cast<std::size_t>(topology.edges[e][0])];
@@ -84,7 +85,7 @@ void fill_sectors(const CageTopology& topology, MeanValueScratch& scratch) {
         const double sine = cross.norm();
         scratch.cross[e] = cross;
         // Parallel directions span no sector; opposite ones mean a point on the edge, which lies_on has
-        // answered.
+        // already handled.
         scratch.sector[e] = sine < 1e-300 ? Vector3(Vector3::Zero())
                                           : Vector3(cross * (0.5 * math::atan2(sine, a.dot(b)) / sine));
     }

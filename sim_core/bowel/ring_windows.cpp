@@ -47,7 +47,7 @@ int RingWindows::gap_of(const Vector3& point) const {
         const bool after_first = j == 0 || (point - centres_[i]).dot(normals_[i]) >= 0.0;
         const bool before_second = j + 2 == rings_ || (point - centres_[i + 1]).dot(normals_[i + 1]) < 0.0;
         if (!after_first || !before_second) continue;
-        // A bent tube's planes cross outside it: of several gaps the nearest is the point's own.
+        // The ring planes of a bent tube cross outside it: of several gaps the nearest is chosen.
         const double distance = (point - 0.5 * (centres_[i] + centres_[i + 1])).squaredNorm();
         if (best < 0 || distance < best_distance) {
             best = j;
@@ -65,7 +65,7 @@ void RingWindows::window_weights(int first, int count, const Vector3& point) {
     cage_.push_back(centres_[static_cast<std::size_t>(first + count - 1)]);
     cage_weights_.resize(cage_.size());
     mean_value_weights(cage_, count == rings_ ? global_ : window_, point, scratch_, cage_weights_.data());
-    // Fold the cap centres, which are means, back into their rings.
+    // Distribute the weights of the cap centres, which are means, to their rings.
     const auto ring_vertices = static_cast<std::size_t>(count * per_ring);
     for (int k = 0; k < per_ring; ++k) {
         cage_weights_[static_cast<std::size_t>(k)] += cage_weights_[ring_vertices] / per_ring;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Local scope of mean value coordinates: windows of 2k+1 rings, closed by caps whose centres are the means of
-// their rings, blended from ring to ring so that the surface neither tears nor creases (docs/THEORY.md 1.4).
+// their rings, and blended from ring to ring so that the surface has no tears or creases (docs/THEORY.md,
+// section 1.4).
 #pragma once
 
 #include <vector>
@@ -20,21 +21,21 @@ struct WindowWeights {
 /// safe: owns scratch.
 class RingWindows {
   public:
-    /// neighbours: k, rings on each side of a window's own. At least 2 rings of at least 3 vertices,
-    /// counterclockwise about the direction in which the rings follow each other.
+    /// neighbours: k, number of rings on each side of a window's centre ring. At least 2 rings of at least 3
+    /// vertices, counterclockwise about the direction in which the rings follow each other.
     RingWindows(std::vector<Vector3> vertices, int vertices_per_ring, int neighbours);
 
     int rings() const { return rings_; }
     int vertices_per_ring() const { return per_ring_; }
 
-    /// Gap (ring j to j + 1) the point belongs to: 0 .. rings - 2; the outermost beyond the ends.
+    /// Gap (ring j to j + 1) of the point: 0 .. rings - 2; beyond the ends the outermost gap.
     int gap_of(const Vector3& point) const;
-    /// Where the point stands between the planes of rings gap and gap + 1: 0 at the first, 1 at the second.
+    /// Position of the point between the planes of rings gap and gap + 1: 0 at the first, 1 at the second.
     double fraction(int gap, const Vector3& point) const;
 
-    /// Blended weights of the point as one of that gap. Sum 1, linear reproduction.
+    /// Blended weights of a point in that gap. Sum 1, linear reproduction.
     void weights(int gap, const Vector3& point, WindowWeights& result);
-    /// Weights in the whole tube as one closed cage: rings() * vertices_per_ring().
+    /// Weights with the whole tube as one closed cage: rings() * vertices_per_ring().
     void global_weights(const Vector3& point, WindowWeights& result);
 
   private:
@@ -43,7 +44,7 @@ class RingWindows {
     int rings_ = 0, per_ring_ = 0, neighbours_ = 0;
     std::vector<Vector3> vertices_;
     std::vector<Vector3> centres_, normals_;  // of the rings' planes
-    std::vector<Vector3> cage_;               // vertices of the window at hand, cap centres last
+    std::vector<Vector3> cage_;               // vertices of the current window, cap centres last
     CageTopology window_, global_;
     std::vector<double> cage_weights_;
     MeanValueScratch scratch_;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surface as a function of the ring frames: the form in which mean value coordinates leave the rest pose.
+// The surface as a function of the ring frames: precomputed form of the mean value coordinates.
 //
-// Ring r carries template vertices X_rk (k = 0..7) that move rigidly with its frame (c_r, R_r), so a surface
+// Ring r has template vertices X_rk (k = 0..7) that move rigidly with its frame (c_r, R_r), so for a surface
 // vertex
 //     v = sum_j sum_k w_jk (c_rj + R_rj X_rjk) = sum_j (W_j c_rj + R_rj Y_j),   W_j = sum_k w_jk,  Y_j =
 //     sum_k w_jk X_jk,
-// exactly: four rings cost 16 numbers a vertex instead of 32 weights and 32 cage points (docs/THEORY.md 1.4;
-// Ju et al. 2005).
+// exactly: four rings need 16 numbers per vertex instead of 32 weights and 32 cage points (docs/THEORY.md,
+// section 1.4; Ju et al. 2005).
 #pragma once
 
 #include <vector>
@@ -23,14 +23,14 @@ struct RingFrame {
     Matrix3 rotation = Matrix3::Identity();
 };
 
-/// Ring frame with its velocity, for the tick to carry it on between world steps.
+/// Ring frame with its velocity, used by the haptic tick to extrapolate between world steps.
 struct RingMotion {
     RingFrame frame;
     Vector3 velocity = Vector3::Zero();          ///< m/s
     Vector3 angular_velocity = Vector3::Zero();  ///< rad/s, patient frame
 };
 
-/// One surface vertex: follows rings first_ring .. first_ring + 3.
+/// One surface vertex; it follows rings first_ring .. first_ring + 3.
 struct SkinRow {
     std::int32_t first_ring = 0;
     double weight[skin_rings] = {0, 0, 0, 0};  ///< W_j, sum 1
@@ -38,7 +38,7 @@ struct SkinRow {
                                   Vector3::Zero()};  ///< Y_j, m, ring frame
 };
 
-/// Local dent on top of skinning.
+/// Local dent, added to the skinned position.
 struct DentVertex {
     std::int32_t vertex = -1;
     Vector3 displacement = Vector3::Zero();  ///< m, patient frame

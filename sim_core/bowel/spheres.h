@@ -8,7 +8,7 @@
 
 namespace fulcrum {
 
-/// Arc lengths at rest, rising from 0 to the length, and radii, m. One entry a sphere.
+/// Arc lengths at rest, ascending from 0 to the length, and radii, m. One entry per sphere.
 struct SphereChain {
     std::vector<double> arc_lengths;
     std::vector<double> radii;

@@ -13,7 +13,7 @@ WideSkin::WideSkin(const BowelSkin& skin, SkinScope scope) {
     std::vector<RingFrame> frames;
     for (const double s : cage.arc_lengths) frames.push_back(rest_frame(s));
     std::vector<Vector3> rings = cage_vertices(cage, frames.data());
-    rings.resize(rings.size() - 2);  // without the caps' centres
+    rings.resize(rings.size() - 2);  // without the cap centres
     RingWindows windows(std::move(rings), ring_size, 2);
     WindowWeights weights;
     begin_.push_back(0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The finer scopes of skinning (docs/THEORY.md 1.4 and 8): windows of two neighbours on each side, and the
-// whole cage. They exist only where a scene's fidelity asks for them; the local scope (BowelSkin's rows)
-// stays the form in which a patch is carried, corrected to the finer position. Lengths in m; patient frame.
+// The finer scopes of skinning (docs/THEORY.md, sections 1.4 and 8): windows with two neighbours on each
+// side, and the whole cage. Built only if the scene's fidelity asks for them. Contact patches always use the
+// local scope (rows of BowelSkin), corrected to the finer position. Lengths in m; patient frame.
 #pragma once
 
 #include <string>
@@ -12,15 +12,15 @@
 namespace fulcrum {
 
 enum class SkinScope : std::uint8_t {
-    local,   ///< k = 1: BowelSkin's own rows
+    local,   ///< k = 1: the rows of BowelSkin
     local2,  ///< k = 2
     global,  ///< the whole closed cage
 };
 
-/// Of a fidelity's level: local | local2 | global.
+/// Scope for a fidelity level: local | local2 | global.
 SkinScope skin_scope(const std::string& level);
 
-/// One row a surface vertex, over as many rings as the scope needs. Constant after construction.
+/// One row per surface vertex, over as many rings as the scope needs. Constant after construction.
 class WideSkin {
   public:
     /// scope: local2 or global. Binds every vertex at rest; global takes seconds for 20,000 vertices.
@@ -37,8 +37,8 @@ class WideSkin {
         }
         return position;
     }
-    /// Moves a local row of vertex v so that it stands at the wide position under these frames: the
-    /// difference goes rigidly with the ring of largest weight. The row's rings are those of the frames.
+    /// Shifts the local row of vertex v to the wide position under these frames: the difference is attached
+    /// rigidly to the ring of largest weight. The row's ring indices must match the frames.
     template <typename Frames>
     void correct(std::int32_t v, const Frames& frames, SkinRow& row) const {
         int heaviest = 0;

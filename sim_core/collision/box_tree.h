@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eight boxes a node, in single precision, rounded outward: the hierarchy over a list of boxes that already
-// lie in a good order (that of FCL's tree). Level by level, eight neighbours of the order a node, so that its
-// depth is the logarithm of the number whatever the boxes are. Constant after construction: any thread may
-// read.
+// Bounding volume tree with eight boxes per node, in single precision, rounded outward, over a list of boxes
+// that is already well ordered (the leaf order of FCL's tree). It groups eight neighbours per node and level,
+// so its depth is logarithmic in the number of boxes for any input. Constant after construction: any thread
+// may read.
 #pragma once
 
 #include <algorithm>
@@ -47,7 +47,7 @@ class BoxTree {
                     node.low[axis][i % width] = static_cast<float>(box.low[axis] - slack);
                     node.high[axis][i % width] = static_cast<float>(box.high[axis] + slack);
                 }
-                // The nodes below were made one after the other, so their numbers need no table but this.
+                // The nodes of the level below were created consecutively, so their index can be computed.
                 node.below = levels_ == 0 ? ~(static_cast<std::int32_t>(i / width) * width)
                                           : below_ + static_cast<std::int32_t>(i / width) * width;
                 above[i / width].add(box.low);
@@ -62,11 +62,11 @@ class BoxTree {
 
     std::size_t bytes() const { return nodes_.capacity() * sizeof(Node); }
 
-    /// Rounding of a distance that is asked for at a point, m.
+    /// Rounding error of a distance computed at a point, m.
     static double slack_at(const Vector3& point) { return 1e-6 * (1.0 + point.cwiseAbs().maxCoeff()); }
 
-    /// Calls visit(box) for every box within `reach` m of the point, in their order, and for some that are
-    /// further by no more than rounding. The point is finite.
+    /// Calls visit(box) for every box within `reach` m of the point, in list order, and possibly for some
+    /// that are further away by no more than rounding. The point must be finite.
     template <class Visit>
     void within(const Vector3& point, double reach, Visit&& visit) const {
         const FloatPoint at(point);
@@ -91,7 +91,7 @@ class BoxTree {
     }
 
     /// Branch and bound: calls visit(box), which returns the best distance found so far (m), nearest boxes
-    /// first as far as the tree goes; boxes further than it are left out.
+    /// first as far as the tree allows; boxes further away than that are skipped.
     template <class Visit>
     void nearest(const Vector3& point, double reach, Visit&& visit) const {
         struct Waiting {
@@ -128,7 +128,8 @@ class BoxTree {
     }
 
   private:
-    static constexpr int stack_capacity = 128;  // seven waiting a level; 16 levels are more than memory holds
+    static constexpr int stack_capacity =
+        128;  // at most seven pending per level; memory cannot hold 16 levels
     struct alignas(32) Node {
         float low[3][width], high[3][width];
         std::int32_t below;  ///< first of its children; ~first box at the lowest level

@@ -15,8 +15,8 @@ namespace fulcrum {
 CavityModel::CavityModel(const TriangleMesh& mesh, FreeSide side) : mesh_(mesh), side_(side) {
     for (const Vector3& vertex : mesh_.vertices) {
         if (!vertex.allFinite() || vertex.cwiseAbs().maxCoeff() > 1e6) {
-            throw InputError("cavity mesh", "vertices", "a coordinate is not finite or beyond 1,000 km",
-                             "repair the mesh; its unit is the metre");
+            throw InputError("cavity mesh", "vertices", "a coordinate is not finite or exceeds 1,000 km",
+                             "correct the mesh; its unit is the metre");
         }
     }
     adjacency_ = build_adjacency(mesh_);
@@ -56,7 +56,7 @@ CavityModel::CavityModel(const TriangleMesh& mesh, FreeSide side) : mesh_(mesh),
     }
     if (usable.empty()) {
         throw InputError("cavity mesh", "triangles", "no triangle has an area",
-                         "give a mesh with at least one");
+                         "give a mesh with at least one triangle of non-zero area");
     }
     for (std::size_t e = 0; e < 3 * count; ++e) {
         const std::int32_t other = adjacency_.triangle_neighbours[e];
@@ -72,7 +72,7 @@ CavityModel::CavityModel(const TriangleMesh& mesh, FreeSide side) : mesh_(mesh),
     tree.beginModel(static_cast<int>(usable.size()), static_cast<int>(mesh_.vertices.size()));
     tree.addSubModel(mesh_.vertices, usable);
     tree.endModel();
-    // Eight triangles that follow one another among the tree's leaves make a packet.
+    // Eight consecutive triangles in the tree's leaf order form a packet.
     std::vector<int> waiting{0};
     std::vector<Box> boxes;
     packets_.reserve((usable.size() + packet_size - 1) / packet_size);
@@ -119,18 +119,18 @@ void CavityModel::fill(TrianglePacket& packet, int lane, std::int32_t number) {
         set(e + 1, sign * along.cross(triangle.normal).normalized(), from);
         const std::int32_t other = adjacency_.triangle_neighbours[3 * t + e];
         if (other < 0 || triangles_[static_cast<std::size_t>(other)].normal.isZero()) {
-            packet.wedge[e][lane] = 1e9F;  // a rim: what is beyond it has its foot on it
+            packet.wedge[e][lane] = 1e9F;  // a border: points beyond it have their foot on it
             ridges_[3 * t + e] = {0, 0, 0, -1};
             continue;
         }
-        double rise = 0;  // of the neighbour's far corner over this triangle's plane
+        double rise = 0;  // height of the neighbour's far corner over this triangle's plane
         for (const std::int32_t vertex : mesh_.triangles[static_cast<std::size_t>(other)]) {
             const double height =
                 triangle.normal.dot(mesh_.vertices[static_cast<std::size_t>(vertex)] - from);
             if (std::abs(height) > std::abs(rise)) rise = height;
         }
-        // The foot of a point in a ridge's wedge is on the ridge, for both triangles: the lower number keeps
-        // it.
+        // The foot of a point in a ridge's wedge lies on the ridge, for both triangles: the lower triangle
+        // number reports it.
         const Vector3& across = triangles_[static_cast<std::size_t>(other)].normal;
         if (rise < -1e-12 && number < other) {
             const double sine = triangle.normal.cross(across).norm();
@@ -176,7 +176,7 @@ CavityPoint CavityModel::sign(std::int32_t triangle, const Vector3& point, const
     const double length = out.norm();
     const bool behind = out.dot(*pseudonormal) < 0;
     result.distance = behind ? -length : length;
-    // On the wall itself the direction of the difference means nothing.
+    // On the wall itself the difference has no direction.
     result.normal = length > 1e-12 ? Vector3((behind ? -out : out) / length) : triangles_[index].normal;
     return result;
 }
@@ -196,8 +196,8 @@ bool CavityModel::examine(std::int32_t triangle, const Vector3& point, double re
     const double distance2 = out.squaredNorm();
     if (!(distance2 <= reach2)) return false;
     result = sign(triangle, point, foot.position, foot.feature);
-    // The foot is nearest in its own triangle; whether the wall beyond it comes nearer is seen from the
-    // directions in which the triangles around it leave.
+    // The foot is nearest within its own triangle. Whether the surrounding wall is nearer follows from the
+    // directions of the adjacent triangles.
     local_minimum = true;
     if (foot.feature == TriangleFeature::face) return true;
     const double tolerance = 1e-12 + 1e-9 * distance2;  // m2
@@ -238,7 +238,7 @@ int CavityModel::list(const Vector3& point, double reach, double margin, ListedP
             auto awake = static_cast<double>(concern[lane]);
             if (awake >= first) return;
             if (awake < 0) {
-                // Planes do not end where the triangle does: how far it really is tells the rest.
+                // The plane extends beyond the triangle: compute the exact distance.
                 const CavityTriangle& t = triangles_[static_cast<std::size_t>(packet.triangle[lane])];
                 const Vector3 foot = closest_point_on_triangle(point, t.a, t.b, t.c).position;
                 awake = std::max(awake, (point - foot).norm() - reach);
@@ -263,7 +263,7 @@ CavityPoint CavityModel::closest(const Vector3& point, double reach) const {
             const CavityTriangle& t = triangles_[static_cast<std::size_t>(number)];
             const double distance2 =
                 (point - closest_point_on_triangle(point, t.a, t.b, t.c).position).squaredNorm();
-            // The lowest number wins a tie, so that the answer does not hang on the tree's order.
+            // The lowest number wins a tie, so that the answer does not depend on the tree's order.
             if (distance2 < best2 || (distance2 <= best2 && (nearest < 0 || number < nearest))) {
                 best2 = distance2;
                 nearest = number;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The static cavity: its triangles with what closest-point queries need, and FCL's bounding volume hierarchy
-// over them, which starts and checks every query (docs/THEORY.md 2). Constant after construction: any thread
-// may read.
+// The static cavity: its triangles with the data that closest-point queries need, and FCL's bounding volume
+// hierarchy over them, in which every query starts (docs/THEORY.md, section 2). Constant after construction:
+// any thread may read.
 #pragma once
 
 #include <algorithm>
@@ -15,27 +15,27 @@
 
 namespace fulcrum {
 
-/// On which side of the triangles the bodies live: behind (inside a closed, outward oriented mesh) or in
-/// front (on top of a floor whose normals point up).
+/// Side of the triangles on which the bodies are: behind (inside a closed, outward oriented mesh) or in front
+/// (on top of a floor whose normals point up).
 enum class FreeSide : std::uint8_t { behind, front };
 
 /// Closest point of the cavity to a query point.
 struct CavityPoint {
     std::int32_t triangle = -1;          ///< -1: none within reach
     Vector3 position = Vector3::Zero();  ///< m, on the cavity
-    Vector3 normal =
-        Vector3::Zero();  ///< unit, from the wall to the query point, reversed if that is behind the wall
-    double distance = 0;  ///< m, signed: > 0 on the free side
+    Vector3 normal = Vector3::Zero();    ///< unit, from the wall to the query point, reversed if the point is
+                                         ///< behind the wall
+    double distance = 0;                 ///< m, signed: > 0 on the free side
 };
 
-/// Triangle a, b, c with its normal towards the free side (zero without area).
+/// Triangle a, b, c with its normal towards the free side (zero if it has no area).
 struct CavityTriangle {
     Vector3 a = Vector3::Zero(), b = Vector3::Zero(), c = Vector3::Zero();  ///< m
     Vector3 normal = Vector3::Zero();                                       ///< unit
 };
 
-/// A packet near a point, and how far the point must move (m, rounded down; < 0: not at all) before a
-/// triangle of it concerns the point.
+/// A packet near a point, and the distance that the point must move (m, rounded down; < 0: none) before a
+/// triangle of it becomes relevant.
 struct ListedPacket {
     std::int32_t packet = -1;
     float sleep = 0;
@@ -43,8 +43,8 @@ struct ListedPacket {
 
 class CavityModel {
   public:
-    /// Triangles without area are left out of queries (they keep their numbers). Throws InputError for a mesh
-    /// without a usable triangle or with values that are not finite or beyond 1,000 km.
+    /// Triangles without area are skipped in queries (they keep their numbers). Throws InputError for a mesh
+    /// without a usable triangle or with values that are not finite or exceed 1,000 km.
     CavityModel(const TriangleMesh& mesh, FreeSide side);
 
     const TriangleMesh& mesh() const { return mesh_; }
@@ -55,11 +55,11 @@ class CavityModel {
     FreeSide side() const { return side_; }
     std::size_t bytes() const;
 
-    /// Every packet with a triangle that concerns (TrianglePacket::concern) a point, or another one less than
-    /// `margin` m from it, through the hierarchy, in its order. Returns how many there are; only the first
-    /// `capacity` are written. boxes: packets whose box is within reach + margin; without one the wall is
-    /// further. Rounded to the safe side for points within a metre of a mesh within a metre. Allocates
-    /// nothing.
+    /// Through the hierarchy and in its order: every packet with a triangle that is relevant
+    /// (TrianglePacket::concern) to the point or to any point less than `margin` m from it. Returns their
+    /// number; only the first `capacity` are written. boxes: packets whose box is within reach + margin;
+    /// without one the wall is further away. Rounded conservatively for points within a metre of a mesh
+    /// smaller than a metre. Does not allocate.
     int list(const Vector3& point, double reach, double margin, ListedPacket* found, int capacity,
              int& boxes) const;
 
@@ -67,8 +67,8 @@ class CavityModel {
         return packets_[static_cast<std::size_t>(number)];
     }
 
-    /// The second look at a triangle that concerns a point: false where it would only keep a ridge whose
-    /// wedge the point is not in.
+    /// Second test of a triangle that passed concern(): false if it would only report a ridge and the point
+    /// is not in the wedge of that ridge.
     bool confirms(const TrianglePacket& packet, int lane, const FloatPoint& at) const {
         constexpr float slack = TrianglePacket::slack;
         if (packet.height(0, lane, at) < slack) return true;
@@ -84,19 +84,19 @@ class CavityModel {
         return beyond < slack;
     }
 
-    /// Exact closest point within reach by branch and bound in FCL's hierarchy. Allocates nothing.
+    /// Exact closest point within reach by branch and bound in FCL's hierarchy. Does not allocate.
     CavityPoint closest(const Vector3& point, double reach) const;
 
     /// Closest point on one triangle, signed by the pseudonormal of its feature (Baerentzen and Aanaes 2005).
     CavityPoint closest_on(std::int32_t triangle, const Vector3& point) const;
 
-    /// The same, for a point within sqrt(reach2): false where the triangle is further. local_minimum says
-    /// whether the wall around the foot is nowhere nearer: only such feet are contacts of their own.
+    /// Closest point for a point within sqrt(reach2); false if the triangle is further away. local_minimum:
+    /// true if no part of the wall around the foot is nearer; only such feet count as separate contacts.
     bool examine(std::int32_t triangle, const Vector3& point, double reach2, CavityPoint& result,
                  bool& local_minimum) const;
 
   private:
-    static constexpr double sleep_slack = 4e-6;  ///< m, rounding of concern() at two points
+    static constexpr double sleep_slack = 4e-6;  ///< m, rounding error of concern() at two points
     void fill(TrianglePacket& packet, int lane, std::int32_t number);
     CavityPoint sign(std::int32_t triangle, const Vector3& point, const Vector3& foot,
                      TriangleFeature feature) const;
@@ -105,10 +105,10 @@ class CavityModel {
     MeshAdjacency adjacency_;
     FreeSide side_ = FreeSide::behind;
     std::vector<CavityTriangle> triangles_;
-    std::vector<TrianglePacket> packets_;  ///< the leaves of the hierarchy
+    std::vector<TrianglePacket> packets_;  ///< leaves of the hierarchy
     BoxTree boxes_;                        ///< over the packets
     std::vector<std::array<float, 4>>
-        ridges_;                    ///< [3 t + e]: plane through a ridge, outward of the triangle beyond
+        ridges_;                    ///< [3 t + e]: plane through a ridge, pointing out of the neighbour
     std::vector<Vector3> normals_;  ///< area-weighted, for display and smooth contact
     std::vector<Vector3> vertex_pseudonormals_;  ///< angle-weighted
     std::vector<Vector3> edge_pseudonormals_;    ///< [3 t + e]

@@ -10,17 +10,17 @@
 namespace fulcrum {
 namespace {
 
-constexpr double no_move = 1e-8;    // m: shallower overlaps are the solve's rounding, not worth a projection
-constexpr double everywhere = 1e6;  // m
-constexpr double on_time = 0.9;     // share of the list margin within which every sphere has had its turn
-constexpr double too_early = 0.1;   // share of it before which a turn is passed on
-constexpr int direct_capacity = 4096;  // packets that a listing can find
+constexpr double no_move = 1e-8;       // m: shallower overlaps are solver rounding and are not projected
+constexpr double everywhere = 1e6;     // m
+constexpr double on_time = 0.9;        // fraction of the list margin by which every sphere has been relisted
+constexpr double too_early = 0.1;      // fraction below which a scheduled sphere is skipped
+constexpr int direct_capacity = 4096;  // maximum number of packets found by one listing
 
 std::size_t index(int i) {
     return static_cast<std::size_t>(i);
 }
 
-// A sphere must not be through the wall, out of its own reach, while its list is good.
+// Limits the margins so that a sphere cannot pass through the wall while its list is valid.
 SphereCollisionOptions within_radii(SphereCollisionOptions options, const std::vector<double>& radii) {
     for (const double radius : radii) {
         if (radius > 0) options.list_margin = std::min(options.list_margin, 0.5 * radius);
@@ -28,7 +28,7 @@ SphereCollisionOptions within_radii(SphereCollisionOptions options, const std::v
     return options;
 }
 
-// A centre that can be looked up: finite, also in single precision.
+// True if a centre can be looked up: finite, also in single precision.
 bool usable(const Vector3& centre) {
     return centre.allFinite() && centre.cwiseAbs().maxCoeff() < everywhere;
 }
@@ -43,13 +43,15 @@ SphereCollision::SphereCollision(const CavityModel* cavity, SphereChainShape cha
       pairs_(chain_.arc_lengths, chain_.radii, options_.rest_exclusion, options_.list_margin,
              options_.contact_margin, options_.near_row_capacity) {
     if (chain_.radii.size() != chain_.arc_lengths.size()) {
-        throw InputError("sphere chain", "radii", "not as many as arc lengths", "give one of each a sphere");
+        throw InputError("sphere chain", "radii",
+                         "the number of radii differs from the number of arc lengths",
+                         "give one radius and one arc length per sphere");
     }
     for (std::size_t i = 0; i < chain_.radii.size(); ++i) {
         if (!(chain_.radii[i] > 0) || !std::isfinite(chain_.radii[i]) ||
             !std::isfinite(chain_.arc_lengths[i])) {
             throw InputError("sphere chain", std::to_string(i),
-                             "a radius is not positive or a value not finite",
+                             "a radius is not positive or a value is not finite",
                              "give radii in metres, above 0");
         }
     }
@@ -91,8 +93,8 @@ std::size_t SphereCollision::bytes() const {
            index(options_.pair_capacity) * sizeof(SphereContact);
 }
 
-// Puts what a listing found into the sphere's list, by bands of sleep. Where there are too many the sphere's
-// free motion ends before the first that was left out could wake.
+// Stores the result of a listing in the sphere's list, in bands of sleep distance. If there are too many, the
+// free motion of the sphere ends before the first dropped packet could wake.
 void SphereCollision::bin(int sphere, int count, Lists& lists) const {
     const std::size_t i = index(sphere);
     const int capacity = options_.list_capacity;
@@ -120,27 +122,27 @@ void SphereCollision::bin(int sphere, int count, Lists& lists) const {
     for (int k = 0; k < count; ++k) ++ends[band_of(found[k].sleep)];
     for (int b = 1; b < bands; ++b) ends[b] += ends[b - 1];
     for (int k = count - 1; k >= 0; --k) packets[--ends[band_of(found[k].sleep)]] = found[k].packet;
-    // Filling has moved every end to its band's beginning.
+    // Filling advanced every end to the next band's start.
     for (int b = 0; b + 1 < bands; ++b) ends[b] = ends[b + 1];
     ends[bands - 1] = count;
 }
 
-// Lists a sphere again from the hierarchy when it has moved further than that share of what its list is good
-// for.
+// Relists a sphere from the hierarchy if it has moved further than the given fraction of its list's validity
+// range.
 bool SphereCollision::refresh(int sphere, const Vector3& centre, Lists& lists, double good_for) const {
     const std::size_t i = index(sphere);
     const double motion2 = (centre - lists.listed_at[i]).squaredNorm();
     const double free = good_for * lists.free_motion[i];
     if (lists.counts[i] != never_listed && motion2 < free * free) return false;
-    // In front of the wall at the last listing and moved by less than the radius since: if it is behind now,
-    // it is near enough for gather() to see.
-    // (Without packets and without free motion it was far behind.)
+    // In front of the wall at the last listing and moved by less than the radius since: if it is behind the
+    // wall now, it is near enough for gather() to detect it. (Without packets and without free motion it was
+    // far behind.)
     const bool known_in_front =
         lists.counts[i] >= 0 && lists.free_motion[i] > 0 && motion2 < chain_.radii[i] * chain_.radii[i];
     const double reach = chain_.radii[i] + options_.contact_margin;
     lists.listed_at[i] = centre;
     lists.free_motion[i] = options_.list_margin;
-    // Where the wall is too fine for its work space, the margin gives way.
+    // If the wall is too fine for the work space, the margin is reduced.
     int boxes = 0, count = 0;
     for (double margin = options_.list_margin;; margin *= 0.5) {
         lists.free_motion[i] = margin;
@@ -154,7 +156,7 @@ bool SphereCollision::refresh(int sphere, const Vector3& centre, Lists& lists, d
         }
     }
     if (boxes == 0) {
-        // Far from the wall: free until it could come near. Far behind the wall: asked again at every step.
+        // Far from the wall: free until it could come near. Far behind the wall: queried at every step.
         const CavityPoint wall = cavity_->closest(centre, everywhere);
         lists.counts[i] = 0;
         lists.band[i] = everywhere;
@@ -162,8 +164,8 @@ bool SphereCollision::refresh(int sphere, const Vector3& centre, Lists& lists, d
         lists.free_motion[i] = std::max(0.0, wall.distance - reach);
         return true;
     }
-    // In front of the wall at listing, a sphere stays within reach of the wall while the list is good. Behind
-    // it, it may be anywhere, and only the way back matters.
+    // A sphere listed in front of the wall stays within reach of the wall while its list is valid. Behind the
+    // wall it may be anywhere, and only the path back matters.
     if (!known_in_front && cavity_->closest(centre, everywhere).distance < 0) {
         lists.counts[i] = behind_wall;
         lists.free_motion[i] = 0;
@@ -173,8 +175,8 @@ bool SphereCollision::refresh(int sphere, const Vector3& centre, Lists& lists, d
     return true;
 }
 
-// Spheres are listed in turn before they must be, as many a step as their motion asks for: a chain that moves
-// as one would otherwise be listed in one step.
+// Relists spheres in rotation before they must be, as many per step as their motion requires; otherwise a
+// chain that moves as a rigid body would be relisted in a single step.
 int SphereCollision::refresh_early(const Vector3* centres, Lists& lists) const {
     double sum2 = 0;
     for (int i = 0; i < spheres(); ++i) {
@@ -184,7 +186,7 @@ int SphereCollision::refresh_early(const Vector3* centres, Lists& lists) const {
     }
     const double turns =
         std::sqrt(sum2 / std::max(1, spheres())) / (on_time * std::max(options_.list_margin, 1e-9));
-    if (!(turns < 1)) return 0;  // nothing is coherent about that
+    if (!(turns < 1)) return 0;  // motion too fast for coherence
     const auto quota = static_cast<int>(std::ceil(turns * spheres()));
     int relisted = 0;
     for (int k = 0; k < spheres() && relisted < quota; ++k) {
@@ -196,8 +198,8 @@ int SphereCollision::refresh_early(const Vector3* centres, Lists& lists) const {
     return relisted;
 }
 
-// All patches of the wall within the radius and the contact margin, nearest first.
-// Only the nearest of them if that is all that is asked for.
+// All patches of the wall within the radius and the contact margin, nearest first; only the nearest if
+// only_nearest is set.
 void SphereCollision::gather(int sphere, const Vector3& centre, Lists& lists, bool only_nearest,
                              Candidates& found) const {
     const std::size_t i = index(sphere);
@@ -207,12 +209,12 @@ void SphereCollision::gather(int sphere, const Vector3& centre, Lists& lists, bo
     const double reach2 = reach * reach;
     int count = lists.counts[i];
     if (count == overflowed) {
-        // Without a list of its own it asks the hierarchy for everything.
+        // Without a valid list it queries the hierarchy.
         int boxes = 0;
         count = cavity_->list(centre, reach, 0.0, lists.direct.data(), direct_capacity, boxes);
         found.overflow = count > direct_capacity;
     } else if (count == behind_wall || (count == 0 && !(lists.free_motion[i] > 0))) {
-        // Behind the wall for the way out alone.
+        // Behind the wall: find the exit only.
         const CavityPoint wall = cavity_->closest(centre, everywhere);
         if (wall.triangle >= 0 && wall.distance < reach) found.points[found.count++] = wall;
         return;
@@ -267,13 +269,13 @@ void SphereCollision::gather(int sphere, const Vector3& centre, Lists& lists, bo
         found.points[found.count++] = cavity_->closest_on(nearest.triangle, centre);
         return;
     }
-    if (nearest.distance < 0) found.count = 0;  // behind the wall only the way out matters
+    if (nearest.distance < 0) found.count = 0;  // behind the wall only the exit matters
     if (found.count == candidate_capacity) --found.count;
     found.points[found.count++] = nearest;
     keep_distinct(found);
 }
 
-// Sorts by distance and joins patches that face the same way. Independent of the order of the list.
+// Sorts by distance and merges patches that face the same way. Independent of the order of the list.
 void SphereCollision::keep_distinct(Candidates& found) const {
     std::sort(found.points, found.points + found.count, [](const CavityPoint& a, const CavityPoint& b) {
         return a.distance < b.distance || (a.distance <= b.distance && a.triangle < b.triangle);
@@ -304,7 +306,7 @@ int SphereCollision::depths(const Vector3* centres, Lists& lists, SphereDepth* r
     return relisted;
 }
 
-// Reports a sphere's patches as planes, with the gap at the start; only_new leaves out those it has.
+// Adds a sphere's patches as planes, with the gap at the start; only_new skips planes that it already has.
 void SphereCollision::add_planes(int sphere, const Vector3& start, const Candidates& found, bool only_new,
                                  SphereContacts& contacts) const {
     if (found.overflow) contacts.plane_overflow = true;
@@ -340,8 +342,8 @@ void SphereCollision::touching_pairs(const Vector3* centres, Lists& lists, Spher
     contacts.pair_overflow = lists.pairs.overflow || count > options_.pair_capacity;
 }
 
-// Moves overlapping spheres out along the planes' normals, a few times; new planes met on the way are
-// reported too.
+// Moves overlapping spheres out along the planes' normals for a few iterations; also reports new planes
+// encountered during the motion.
 void SphereCollision::project(Lists& lists, SphereContacts& contacts, const Vector3* centres) const {
     Candidates found;
     for (int iteration = 0; iteration < options_.projection_iterations; ++iteration) {
@@ -360,7 +362,7 @@ void SphereCollision::project(Lists& lists, SphereContacts& contacts, const Vect
             const SphereContact& contact = contacts.pairs[index(k)];
             if (contact.gap >= 0 &&
                 lists.moved[index(contact.first)] + lists.moved[index(contact.second)] == 0)
-                continue;  // as far apart as it was found
+                continue;  // already separated
             Vector3& first = lists.projected[index(contact.first)];
             Vector3& second = lists.projected[index(contact.second)];
             const Vector3 between = first - second;

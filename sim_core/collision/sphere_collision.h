@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sphere chain against the cavity and against itself, by projection (Pan et al. 2011, Fig. 9;
-// docs/THEORY.md 2).
+// Collision of the sphere chain with the cavity and with itself, by projection (Pan et al. 2011, Fig. 9;
+// docs/THEORY.md, section 2).
 //
-// Projection finds the contacts, the rod's solve keeps them: each contact is the plane of a unilateral
+// Projection finds the contacts, the rod's solve keeps them. Each contact is the plane of a unilateral
 // constraint
 //     g = n . (c - p) - rho >= 0            (cavity)
 //     g = n . (c_i - c_j) - (rho_i + rho_j) >= 0   (spheres of the chain)
-// Coherence: each sphere keeps the list of all triangles that could hold its closest point or a contact
-// before it has moved by m, each with the motion before which it cannot (the planes that tell it off change
-// by at most the sphere's motion): a step looks only at those that the motion since has woken. While the
-// sphere has moved less than m the list is complete, so closest point and every contacting patch are exact.
-// Otherwise it is listed again from FCL's hierarchy, some spheres each step before they must, so that a
-// chain that moves as one is not listed in one step. Pairs of spheres likewise. What comes out does not
-// depend on the lists' history. Model (const) / state / result; nothing allocates after construction,
-// nothing throws: world thread.
+// Coherence: each sphere keeps a list of all triangles that could hold its closest point or a contact before
+// it has moved by m. Each entry has the motion below which it cannot matter (the plane distances change by at
+// most the sphere's motion), so a step looks only at the entries that the motion since listing has woken.
+// While the sphere has moved less than m the list is complete, and closest point and all contact patches are
+// exact. Otherwise it is listed again from FCL's hierarchy. Some spheres are relisted early in each step, so
+// that a chain that moves as a rigid body is not relisted in one step. Pairs of spheres work likewise. The
+// result does not depend on the history of the lists. Model (const) / state / result; no allocation after
+// construction, no exceptions: world thread.
 #pragma once
 
 #include <vector>
@@ -25,21 +25,22 @@ namespace fulcrum {
 
 struct SphereCollisionOptions {
     double list_margin =
-        0.003;  ///< m of motion before a sphere is listed again; at most half the least radius
+        0.003;  ///< m of motion before a sphere is listed again; at most half the smallest radius
     double contact_margin =
-        0.001;  ///< m: planes with a gap below it are reported, so that the solve sees them coming
+        0.001;  ///< m: planes with a gap below it are reported, so that the solve can anticipate them
     double distinct_cosine =
         0.94;  ///< two patches are one where their normals' cosine is above this (20 degrees)
     double rest_exclusion =
         3.141592653589793;  ///< pairs closer than this many radii along the rest line are left out
     int projection_iterations = 3;
-    int list_capacity = 512;    ///< packets of triangles a sphere; more: the least urgent wait for the next
-    int planes_per_sphere = 6;  ///< cavity planes a sphere
-    int pair_capacity = 512;    ///< pairs of spheres in contact
-    int near_row_capacity = 2048;  ///< spheres against eight others near them (SpherePairs)
+    int list_capacity =
+        512;  ///< packets of triangles per sphere; beyond it the least urgent wait for the next
+    int planes_per_sphere = 6;     ///< cavity planes per sphere
+    int pair_capacity = 512;       ///< pairs of spheres in contact
+    int near_row_capacity = 2048;  ///< rows of one sphere against eight near ones (SpherePairs)
 };
 
-/// The chain: rest arc lengths (rising) and radii, m.
+/// The chain: rest arc lengths (ascending) and radii, m.
 struct SphereChainShape {
     std::vector<double> arc_lengths, radii;
 };
@@ -52,33 +53,33 @@ struct CavityContact {
     double gap = 0;                    ///< m at the centre given, < 0 penetrating
 };
 
-/// What a query found. Vectors have their capacity from the start; the counts say what is valid.
+/// Result of a query. Vectors have their full capacity from the start; the counts give the valid part.
 struct SphereContacts {
     std::vector<CavityContact> cavity;
     std::vector<SphereContact> pairs;
     int cavity_count = 0, pair_count = 0;
-    double deepest_cavity = 0;   ///< m, deepest penetration of the wall, >= 0, at the centres given
-    double deepest_pair = 0;     ///< m, of spheres, >= 0
-    double residual_cavity = 0;  ///< m, deepest after the projection iterations, >= 0
-    double residual_pair = 0;    ///< m
-    int relisted = 0;            ///< spheres listed again
-    bool list_overflow =
-        false;  ///< list_capacity too small at this pose: those spheres asked the hierarchy, exact but slow
-    bool plane_overflow = false;  ///< planes_per_sphere too small: the shallowest were left out
-    bool pair_overflow = false;   ///< pair_capacity or near_row_capacity too small: pairs were left out
+    double deepest_cavity = 0;    ///< m, deepest penetration of the wall, >= 0, at the given centres
+    double deepest_pair = 0;      ///< m, of spheres, >= 0
+    double residual_cavity = 0;   ///< m, deepest after the projection iterations, >= 0
+    double residual_pair = 0;     ///< m
+    int relisted = 0;             ///< spheres listed again
+    bool list_overflow = false;   ///< list_capacity too small at this pose: those spheres queried the
+                                  ///< hierarchy (exact but slow)
+    bool plane_overflow = false;  ///< planes_per_sphere too small: the shallowest were dropped
+    bool pair_overflow = false;   ///< pair_capacity or near_row_capacity too small: pairs were dropped
 };
 
-/// Signed closest point of one sphere; triangle -1 where the wall is further than rho + contact_margin.
+/// Signed closest point of one sphere; triangle -1 if the wall is further away than rho + contact_margin.
 struct SphereDepth {
     CavityPoint closest;
-    double depth = 0;  ///< m, rho - signed distance; <= 0 apart
+    double depth = 0;  ///< m, rho - signed distance; <= 0 if separated
 };
 
-/// Operations so far, for size sweeps.
+/// Operation counts so far, for size sweeps.
 struct CollisionCounts {
-    std::uint64_t packets = 0;    ///< of eight triangles, looked at by steps
+    std::uint64_t packets = 0;    ///< of eight triangles, tested by steps
     std::uint64_t triangles = 0;  ///< measured exactly
-    std::uint64_t listed = 0;     ///< packets looked at by listings
+    std::uint64_t listed = 0;     ///< packets tested by listings
 };
 
 class SphereCollision {
@@ -94,33 +95,34 @@ class SphereCollision {
 
     /// The lists: a cache, not part of the world's state.
     struct Lists {
-        std::vector<std::int32_t> packets;    ///< [sphere * list_capacity + k], by sleep in bands
-        std::vector<std::int32_t> band_ends;  ///< [sphere * bands + b]: end of those that wake in band b
-        std::vector<double> band;             ///< m, of each sphere: width of a band
-        std::vector<ListedPacket> direct;     ///< work space of a listing
-        std::vector<std::int32_t> counts;     ///< a sphere: packets listed; < 0: ask the hierarchy
-        std::vector<Vector3> listed_at;       ///< m
-        std::vector<Vector3> last_at;         ///< m, at the call before
-        std::vector<double> free_motion;      ///< m the sphere may move before it is listed again
+        std::vector<std::int32_t> packets;  ///< [sphere * list_capacity + k], in bands of sleep distance
+        std::vector<std::int32_t>
+            band_ends;                     ///< [sphere * bands + b]: end of the packets that wake in band b
+        std::vector<double> band;          ///< m, of each sphere: width of a band
+        std::vector<ListedPacket> direct;  ///< work space of a listing
+        std::vector<std::int32_t> counts;  ///< per sphere: packets listed; < 0: query the hierarchy
+        std::vector<Vector3> listed_at;    ///< m
+        std::vector<Vector3> last_at;      ///< m, at the previous call
+        std::vector<double> free_motion;   ///< m the sphere may move before it is listed again
         SpherePairs::Lists pairs;
         CollisionCounts counts_so_far;
         std::vector<Vector3> projected;   ///< centres during and after projection
-        std::vector<std::uint8_t> moved;  ///< a sphere: 1 if the last projection moved it
-        std::vector<double> depth;        ///< m, of each sphere in the wall
+        std::vector<std::uint8_t> moved;  ///< per sphere: 1 if the last projection moved it
+        std::vector<double> depth;        ///< m, penetration of each sphere in the wall
         std::int32_t turn = 0;            ///< sphere whose early listing is next
     };
     Lists make_lists() const;
 
-    /// Contacts at the centres given (one a sphere), plus those that projection met on its way; ordered by
-    /// sphere. Projected centres are left in lists.projected. A centre that is not finite or further than
-    /// 1,000 km off is left out.
+    /// Contacts at the given centres (one per sphere), plus those encountered during projection; ordered by
+    /// sphere. Projected centres are stored in lists.projected. A centre that is not finite or further away
+    /// than 1,000 km is skipped.
     void collide(const Vector3* centres, Lists& lists, SphereContacts& contacts) const;
 
-    /// Cavity only, centres as given, no projection: closest point and depth of each sphere (results: one a
+    /// Cavity only, centres as given, no projection: closest point and depth of each sphere (results: one per
     /// sphere). Returns the number of spheres listed again.
     int depths(const Vector3* centres, Lists& lists, SphereDepth* results) const;
 
-    /// The chain against itself only, centres as given, no projection: fills pairs, pair_count, pair_overflow
+    /// The chain against itself only, centres as given, no projection: sets pairs, pair_count, pair_overflow
     /// and deepest_pair.
     void touching_pairs(const Vector3* centres, Lists& lists, SphereContacts& contacts) const;
 

@@ -18,7 +18,7 @@ std::size_t index(int i) {
     return static_cast<std::size_t>(i);
 }
 
-// Rounding of a gap in single precision at a coordinate of that size, m.
+// Rounding error of a gap in single precision at a coordinate of the given size, m.
 float slack_at(float coordinate) {
     return 1e-6F * (1.0F + std::abs(coordinate));
 }
@@ -64,8 +64,8 @@ bool SpherePairs::excluded(int a, int b) const {
     return along < rest_exclusion_ * std::max(radii_[index(a)], radii_[index(b)]);
 }
 
-// Rows that could touch before two spheres have moved by the margin each: eights by their boxes, then each
-// sphere of the one against the other.
+// Rows that could touch before both spheres have moved by the margin: groups of eight by their boxes, then
+// each sphere of one group against the other group.
 void SpherePairs::list(const Vector3* centres, Lists& lists) const {
     ++lists.listings;
     lists.count = 0;
@@ -92,7 +92,8 @@ void SpherePairs::list(const Vector3* centres, Lists& lists) const {
             radius_[index(i)] + static_cast<float>(largest_radius_ * (1 + 1e-6)) + far + slack;
         const float p[3] = {x, y, z};
         for (int e = i / width; e < eights(); ++e) {
-            // The last pair of this eight that is far enough along the line decides whether it counts at all.
+            // The last pair of this group that is far enough along the line decides whether the group is
+            // tested.
             const int last = std::min((e + 1) * width, spheres()) - 1;
             if (last <= i) continue;
             bool near = true;
@@ -131,15 +132,15 @@ void SpherePairs::list(const Vector3* centres, Lists& lists) const {
 int SpherePairs::find(const Vector3* centres, Lists& lists, SphereContact* found, int capacity,
                       double& deepest) const {
     deepest = 0;
-    double furthest2 = 0;  // motion since the listing
+    double furthest2 = 0;  // largest squared motion since the listing
     for (int i = 0; i < spheres(); ++i) {
         const std::size_t k = index(i);
         lists.x[k] = static_cast<float>(centres[i].x());
         lists.y[k] = static_cast<float>(centres[i].y());
         lists.z[k] = static_cast<float>(centres[i].z());
         const double motion2 = (centres[i] - lists.listed_at[k]).squaredNorm();
-        // A centre that is not finite moves nothing; one that was not when it was listed has come from
-        // anywhere.
+        // A centre that is not finite contributes no motion; one that was not finite when listed may have
+        // come from anywhere.
         if (motion2 > furthest2) furthest2 = motion2;
         if (!(motion2 >= 0) && centres[i].allFinite()) furthest2 = std::numeric_limits<double>::infinity();
     }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sphere chain against itself: which spheres touch or nearly touch, by coherence from step to step.
+// Self-collision of the sphere chain: which spheres touch or nearly touch, with coherence between steps.
 //
-// Spheres are taken eight at a time along the chain, each eight in a box. A row is one sphere against one
-// eight; rows that could touch before some sphere has moved by the margin are listed, each with the gap that
-// the motion has to close first, and a step looks only at those that it could have closed. Pairs nearer along
-// the rest line than rest_exclusion radii are left out. What comes out, and its order, does not depend on the
-// list's history. Model (const) / state; nothing allocates after construction, nothing throws: world thread.
+// Spheres are grouped in eights along the chain, each group with a bounding box. A row is one sphere against
+// one group. Rows that could touch before a sphere has moved by the margin are listed, each with the gap that
+// the motion has to close first, and a step tests only the rows that the motion could have closed. Pairs
+// nearer along the rest line than rest_exclusion radii are skipped. The result and its order do not depend on
+// the history of the list. Model (const) / state; no allocation after construction, no exceptions: world
+// thread.
 #pragma once
 
 #include <cstdint>
@@ -26,32 +27,32 @@ class SpherePairs {
   public:
     static constexpr int width = 8;
 
-    /// m; arc_lengths rise. margin: motion before the rows are listed again.
+    /// m; arc_lengths ascending. margin: motion before the rows are listed again.
     SpherePairs(const std::vector<double>& arc_lengths, const std::vector<double>& radii,
                 double rest_exclusion, double margin, double contact_margin, int row_capacity);
 
-    /// One sphere against one eight.
+    /// One sphere against one group of eight.
     struct Row {
         std::int32_t sphere = -1, eight = -1;
-        std::uint32_t lanes = 0;  ///< those that may touch at all
-        float gap = 0;            ///< m, least of them when listed, rounded down
+        std::uint32_t lanes = 0;  ///< lanes that may touch at all
+        float gap = 0;            ///< m, smallest gap when listed, rounded down
     };
     /// The lists: a cache, not part of the world's state.
     struct Lists {
-        std::vector<float> x, y, z;                 ///< m, of each sphere now; filled up to eights
-        std::vector<float> low[3], high[3];         ///< m, of each eight when listed
+        std::vector<float> x, y, z;  ///< m, current position of each sphere; padded to a multiple of eight
+        std::vector<float> low[3], high[3];         ///< m, box of each group when listed
         std::vector<Vector3> listed_at;             ///< m
-        std::vector<Row> rows;                      ///< by sphere, then by eight
+        std::vector<Row> rows;                      ///< by sphere, then by group
         std::int32_t count = -1;                    ///< rows listed; -1: never
-        bool overflow = false;                      ///< row_capacity too small: pairs were left out
+        bool overflow = false;                      ///< row_capacity too small: pairs were dropped
         std::uint64_t rows_seen = 0, listings = 0;  ///< so far, for operation counts
     };
     Lists make_lists() const;
     std::size_t bytes() const;
 
-    /// Writes every pair with a gap below contact_margin, first rising, then second rising. Returns how many
-    /// there are; only the first `capacity` are written. deepest: m, >= 0. Centres that are not finite touch
-    /// nothing.
+    /// Writes every pair with a gap below contact_margin, ascending by first, then by second. Returns their
+    /// number; only the first `capacity` are written. deepest: m, >= 0. Centres that are not finite are
+    /// skipped.
     int find(const Vector3* centres, Lists& lists, SphereContact* found, int capacity, double& deepest) const;
 
   private:
@@ -61,7 +62,7 @@ class SpherePairs {
     bool excluded(int a, int b) const;
 
     std::vector<double> arc_lengths_, radii_;
-    std::vector<float> radius_;  ///< m, filled up to eights, rounded up
+    std::vector<float> radius_;  ///< m, padded to a multiple of eight, rounded up
     double rest_exclusion_ = 0, margin_ = 0, contact_margin_ = 0, largest_radius_ = 0;
     int row_capacity_ = 0;
 };

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double far_apart = -1e9;  // m
 
-// The box's normal leads to the other shape; `into_first` turns it round where the box is the first.
+// The box's normal points to the other shape; it is reversed if the box is the first shape.
 void keep_deeper(const Separation& found, double radius, bool box_is_first, SolidContact& deepest) {
     const double depth = found.overlap > 0 ? radius + found.overlap : radius - found.distance;
     if (!(depth > deepest.depth)) return;
@@ -60,20 +60,21 @@ SolidContact collide_shapes(const ToolShape& first, const ToolShape& second) {
         const Vector3 across = (first.tip - first.trocar).cross(second.tip - second.trocar);
         if (across.norm() > 1e-12) deepest.normal = across.normalized();
     }
-    // What a ball around the jaw cannot reach deeper than is known already, the jaw cannot.
-    const auto hopeless = [&](const OrientedBox& jaw, const Vector3& other, double radius) {
+    // A jaw cannot penetrate deeper than a ball around it: skip it if the ball is no deeper than the best so
+    // far.
+    const auto cannot_improve = [&](const OrientedBox& jaw, const Vector3& other, double radius) {
         return jaw.half.norm() + radius - (jaw.centre - other).norm() < deepest.depth;
     };
     const auto jaw_on_shaft = [&](const OrientedBox& jaw, const ToolShape& shaft, bool jaw_is_first) {
         const SegmentPair near = closest_points_of_segments(shaft.trocar, shaft.tip, jaw.centre, jaw.centre);
-        if (hopeless(jaw, near.on_first, shaft.radius)) return;
+        if (cannot_improve(jaw, near.on_first, shaft.radius)) return;
         keep_deeper(separate_segment(jaw, shaft.trocar, shaft.tip), shaft.radius, jaw_is_first, deepest);
     };
     for (int k = 0; k < first.jaws; ++k) jaw_on_shaft(first.jaw[k], second, true);
     for (int m = 0; m < second.jaws; ++m) jaw_on_shaft(second.jaw[m], first, false);
     for (int k = 0; k < first.jaws; ++k) {
         for (int m = 0; m < second.jaws; ++m) {
-            if (hopeless(first.jaw[k], second.jaw[m].centre, second.jaw[m].half.norm())) continue;
+            if (cannot_improve(first.jaw[k], second.jaw[m].centre, second.jaw[m].half.norm())) continue;
             keep_deeper(separate_boxes(first.jaw[k], second.jaw[m]), 0.0, true, deepest);
         }
     }

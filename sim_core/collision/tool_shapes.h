@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An instrument as solids: the shaft a capsule, each jaw a box (tools against bowel, tool against
-// tool). Any thread; no allocation, no exception.
+// An instrument as solids: the shaft is a capsule, each jaw a box. Used for tools against bowel and tool
+// against tool. Any thread; no allocation, no exception.
 #pragma once
 
 #include "sim_core/geometry/oriented_box.h"
@@ -8,9 +8,9 @@
 
 namespace fulcrum {
 
-/// Shaft from the trocar to the tip, jaws from the hinge (jaw_length before the tip) open by jaw_angle, half
-/// of it to either side along tool y. Closed jaws together are the tip box of Eq. 4, as long as the jaws. A
-/// probe has none.
+/// Shaft from the trocar to the tip; jaws from the hinge (jaw_length before the tip), opened by jaw_angle,
+/// half of it to either side along tool y. The two closed jaws are the tip box of Eq. 4, as long as the jaws.
+/// A probe has no jaws.
 struct ToolShape {
     Vector3 trocar = Vector3::Zero(), tip = Vector3::Zero();  ///< m
     double radius = 0;                                        ///< m, of the shaft
@@ -21,20 +21,20 @@ ToolShape tool_shape(const InstrumentModel& instrument, const ToolKinematics& to
 
 /// Deepest overlap of two shapes.
 struct SolidContact {
-    double depth = 0;                   ///< m; <= 0 apart
+    double depth = 0;                   ///< m; <= 0 if separated
     Vector3 normal = Vector3::UnitZ();  ///< unit, from the second into the first
-    Vector3 point = Vector3::Zero();    ///< m, where they meet
-    bool by_jaw = false;                ///< a jaw takes part
+    Vector3 point = Vector3::Zero();    ///< m, contact point
+    bool by_jaw = false;                ///< a jaw is one of the two shapes
 };
 
 /// Two instruments: shafts, jaws against shafts, jaws against jaws; exact.
 SolidContact collide_shapes(const ToolShape& first, const ToolShape& second);
 
-/// An instrument against a sphere (of the bowel's chain), exact.
+/// An instrument against a sphere (of the bowel's chain); exact.
 SolidContact collide_sphere(const ToolShape& tool, const Vector3& centre, double radius);
 
-/// The jaws against a triangle (of the bowel's surface), exact; depth 0 or less: apart. The shaft is left to
-/// the dynamic point.
+/// The jaws against a triangle (of the bowel's surface), exact; depth <= 0: separated. Shaft contact is the
+/// dynamic point's task.
 SolidContact collide_triangle(const ToolShape& tool, const Vector3& a, const Vector3& b, const Vector3& c);
 
 }  // namespace fulcrum

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eight triangles side by side, in single precision: what tells most triangles around a point off, so that
-// one instruction serves eight. Any thread; no allocation.
+// Eight triangles side by side, in single precision: the test that rejects most triangles around a point, one
+// instruction for all eight. Any thread; no allocation.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace fulcrum {
 
 inline constexpr int packet_size = 8;
 
-/// A point in single precision: the test's own rounding covers it.
+/// A point in single precision; the tolerance of the test covers its rounding.
 struct FloatPoint {
     explicit FloatPoint(const Vector3& point)
         : x(static_cast<float>(point.x())),
@@ -25,17 +25,18 @@ struct FloatPoint {
     float x, y, z;
 };
 
-/// Of each triangle four planes: its own, and one through each edge, outward and upright on it. A lane
-/// without a triangle (triangle -1) has planes that nothing is near.
+/// Four planes per triangle: its own, and one through each edge, perpendicular to it, pointing outward. A
+/// lane without a triangle (triangle -1) has planes that no point is near.
 struct alignas(32) TrianglePacket {
     float x[4][packet_size], y[4][packet_size], z[4][packet_size], offset[4][packet_size];
-    /// Of each edge that keeps feet on it: the sine of the ridge's angle, so that the wedge in which feet
-    /// fall on it is at most distance times it wide (a rim: 1e9); -1e9 where the triangle beyond has such
-    /// feet.
+    /// For each edge that keeps the feet that fall on it: sine of the ridge angle; the wedge in which feet
+    /// fall on the edge is at most distance times it wide (a border: 1e9). -1e9 if the triangle beyond the
+    /// edge keeps them.
     float wedge[3][packet_size];
     std::int32_t triangle[packet_size];
 
-    static constexpr float slack = 2e-6F;  ///< m, rounding of a plane's height for coordinates below 1 m
+    static constexpr float slack =
+        2e-6F;  ///< m, rounding error of a plane's height for coordinates below 1 m
 
     void clear(int lane) {
         for (int plane = 0; plane < 4; ++plane) {
@@ -60,11 +61,12 @@ struct alignas(32) TrianglePacket {
         return x[plane][lane] * at.x + y[plane][lane] * at.y + z[plane][lane] * at.z - offset[plane][lane];
     }
 
-    /// Whether a point must be held against each triangle: those with concern < 0. A triangle is left out
-    /// only where its foot of the point is further than reach, or is the foot of a neighbour that is at least
-    /// as near: across an edge that is flat or a valley as seen from the free side the triangle beyond is
-    /// nearer; on a ridge the lower number answers for both. Points behind a triangle's plane always concern
-    /// it. Changes by at most the point's motion. Returns the lanes with concern < limit, a bit each.
+    /// Tells for each triangle whether a point must be tested against it: yes if concern < 0. A triangle is
+    /// skipped only if its foot of the point is further away than reach, or belongs to a neighbour that is at
+    /// least as near. Across an edge that is flat or a valley as seen from the free side the neighbour is
+    /// nearer; on a ridge the lower number is responsible. Points behind a triangle's plane are always
+    /// tested. The value changes by at most the point's motion. Returns a bit mask of the lanes with concern
+    /// < limit.
     unsigned concern(const FloatPoint& at, float reach, float limit, float (&result)[packet_size]) const;
 };
 
@@ -87,7 +89,7 @@ inline unsigned TrianglePacket::concern(const FloatPoint& at, float reach, float
         kept = _mm256_max_ps(kept, _mm256_min_ps(out, left));
     }
     const __m256 height = height_over(0);
-    // Somebody else's: in front, beyond an edge, and in no wedge that this triangle keeps.
+    // The neighbour's: in front, beyond an edge, and in no wedge that this triangle keeps.
     const __m256 front = _mm256_min_ps(_mm256_min_ps(height, passed), _mm256_xor_ps(kept, sign));
     const __m256 worst = _mm256_max_ps(_mm256_sub_ps(_mm256_andnot_ps(sign, height), far),
                                        _mm256_sub_ps(front, _mm256_set1_ps(slack)));
@@ -115,7 +117,7 @@ inline unsigned TrianglePacket::concern(const FloatPoint& at, float reach, float
 }
 #endif
 
-/// The lanes with value < limit, a bit each.
+/// Bit mask of the lanes with value < limit.
 inline unsigned lanes_below(const float (&value)[packet_size], float limit) {
 #if defined(__AVX__)
     return static_cast<unsigned>(

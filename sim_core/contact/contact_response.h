@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The spring, damper and friction between a proxy and what it rests on.
+// Spring, damper and friction between a proxy and the surface that it touches.
 #pragma once
 
 #include <algorithm>
@@ -8,15 +8,16 @@
 
 namespace fulcrum {
 
-/// One contact of a tool: depth m, n unit out of the tissue, relative velocity of the tool against the tissue
-/// m/s.
+/// One contact of a tool: depth m, n unit normal out of the tissue, velocity of the tool relative to the
+/// tissue m/s.
 struct ContactResponse {
     double stiffness = 0, damping = 0;  ///< N/m, N s/m
     double friction = 0;
-    double onset_depth = 0.0005;  ///< m over which damping comes in, so that touching is no jump
+    double onset_depth =
+        0.0005;  ///< m over which damping rises to its full value, so that first contact causes no jump
 
-    /// Force of the tool on the tissue, N: never pulls, its tangential part at most friction times the normal
-    /// one.
+    /// Force of the tool on the tissue, N. Never attractive; its tangential part is at most friction times
+    /// the normal part.
     Vector3 force_on_tissue(double depth, const Vector3& n, const Vector3& velocity) const {
         if (!(depth > 0)) return Vector3::Zero();
         const double share = std::min(1.0, depth / onset_depth);

@@ -9,10 +9,11 @@
 namespace fulcrum {
 namespace {
 
-constexpr double blend_band = 0.1;  // share of a threshold on each side over which two grades' weights blend
+constexpr double blend_band =
+    0.1;  // fraction of a threshold, on each side, over which two grades are blended
 constexpr double second_threshold = 4;  // Eq. 3: grade 2 above four local triangles
 
-// Two rings around the contact vertex: the vertex, then its first ring, then its second; each rising.
+// Two rings around the contact vertex: the vertex, its first ring, its second ring; each ascending.
 struct Neighbourhood {
     std::int32_t count = 0;
     std::int32_t ring_end[3] = {0, 0, 0};
@@ -62,7 +63,7 @@ void add_grade(const SurfaceView& surface, const Neighbourhood& around, int grad
     for (std::int32_t i = 1; i < count; ++i) {
         const auto n = static_cast<std::size_t>(i);
         const double distance_squared = (surface.positions[result.vertex[n]] - centre).squaredNorm();
-        // sigma 0 (all edges of zero length) leaves coincident vertices with equal shares.
+        // sigma 0 (all edges of zero length) gives coincident vertices equal weights.
         const double exponent = sigma > 0.0 ? distance_squared / (2.0 * sigma * sigma) : 0.0;
         value[n] = math::exp(-exponent);
         sum += value[n];
@@ -77,7 +78,7 @@ double smooth_step(double u) {
     return u * u * u * (6.0 * u * u - 15.0 * u + 10.0);
 }
 
-// Share of the upper grade around a threshold: 0 below its band, 1 above.
+// Weight of the upper grade around a threshold: 0 below its band, 1 above.
 double upper_share(double area, double threshold) {
     const double half = blend_band * threshold;
     if (half <= 0.0) return area > threshold ? 1.0 : 0.0;
@@ -112,7 +113,7 @@ void filter_force(const SurfaceView& surface, std::int32_t vertex, double area, 
     result.local_triangle_area = local_area;
     result.weight.fill(0.0);
 
-    double share_1 = 0.0, share_2 = 0.0;  // of grades 1 and 2; the rest is grade 0's
+    double share_1 = 0.0, share_2 = 0.0;  // of grades 1 and 2; the remainder is that of grade 0
     if (options.mode == FilterMode::adaptive) {
         result.grade = filter_grade(area, local_area);
         const double above_first = upper_share(area, local_area);

@@ -10,7 +10,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr double bite_margin = 0.003;  // m around the jaws from which closing draws tissue in
+constexpr double bite_margin = 0.003;  // m around the jaws from which tissue is drawn in when they close
 constexpr double least_area = 1e-6;    // m2
 
 }  // namespace

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The local contact model: what the world hands to the haptic tick, so that the tick can make force without
-// reading world state (docs/THEORY.md 4). One a hand; fixed capacities, so that a copy allocates nothing;
+// The local contact model: data from the world with which the haptic tick computes force without reading
+// world state (docs/THEORY.md, section 4). One per hand; fixed capacities, so that a copy does not allocate;
 // written in place in a TripleBuffer slot by the world, read by the tick.
 //
-// Surface mode carries a patch of the bowel: its rings with their velocities, and the skinning rows of the
-// vertices near the tool. The tick moves the rings on by velocity times age, skins what it touches and finds
-// the contact anew at every tick. The dent is not part of the patch: the wall's Winkler bed is the model's
-// stiffness, so that the force is measured from the undented surface and the dent of that force is what is
-// drawn.
+// Surface mode contains a patch of the bowel: its rings with their velocities, and the skinning rows of the
+// vertices near the tool. At every tick the haptic thread extrapolates the rings by velocity times age, skins
+// the vertices that it needs and finds the contact again. The dent is not part of the patch: the Winkler bed
+// of the wall is the stiffness of the model, so the force is measured from the undented surface and the dent
+// that this force causes is what is drawn. drawn.
 #pragma once
 
 #include <array>
@@ -27,26 +27,27 @@ inline constexpr int patch_neighbour_capacity = 3584;
 inline constexpr int target_capacity = 64;
 
 enum class LocalMode : std::uint8_t {
-    none,     ///< no tissue near: only targets and wall
+    none,     ///< no tissue nearby: only targets and wall
     surface,  ///< patch
-    grasp,    ///< the jaws hold tissue; a patch may be there too, for its numbers, and makes no force
+    grasp,    ///< the jaws hold tissue; a patch may be present too, for its numbers, but exerts no force
 };
 
-/// How a tissue answers a tool.
+/// Contact properties of a tissue.
 struct TissueContact {
     std::int16_t tissue = -1;           ///< index into the scene's tissue table
     double stiffness_per_area = 1.6e7;  ///< N/m3, Winkler bed of wall and backing
-    double least_stiffness = 100;       ///< N/m, bounds of the local model's K
-    double most_stiffness = 800;        ///< N/m; Eq. 8 is checked for it
+    double least_stiffness = 100;       ///< N/m, lower bound of the local model's K
+    double most_stiffness = 800;        ///< N/m, upper bound of K; Eq. 8 is checked for it
     double damping = 0.4;               ///< N s/m
     double friction = 0.1;              ///< of a tool that slides over it
-    /// Layers that answer in place of the Winkler bed; null: none. Immutable, so the tick may read it.
+    /// Layered wall that replaces the Winkler bed; null: none. Immutable, so the tick may read it.
     const LayeredWall* wall = nullptr;
-    double puncture_force = std::numeric_limits<double>::infinity();  ///< N, of the attempt; with a wall
+    double puncture_force =
+        std::numeric_limits<double>::infinity();  ///< N, for this attempt; used with `wall`
 };
 
-/// A patch of the deforming surface. Triangles and adjacency are in patch numbers; *_id are the surface's,
-/// rising.
+/// A patch of the deforming surface. Triangles and adjacency are in patch numbers; *_id are surface numbers,
+/// ascending.
 struct SurfacePatch {
     std::int32_t ring_count = 0, vertex_count = 0, triangle_count = 0;
     std::int32_t first_ring = 0;  ///< surface number of rings[0]
@@ -66,24 +67,23 @@ struct SurfacePatch {
     std::array<std::int32_t, patch_vertex_capacity + 1> vertex_neighbour_offsets;
     std::array<std::int32_t, patch_neighbour_capacity> vertex_neighbours;
     TissueContact contact;
-    double curvature_radius = 0.016;  ///< m, of the tube here: the step length along the shaft
+    double curvature_radius = 0.016;  ///< m, of the tube here; sets the step length along the shaft
     std::int32_t seed_triangle =
-        -1;  ///< patch number, where the world's full search found the surface nearest the tool
-    double seed_shaft = 1.0;   ///< fraction of the shaft there
+        -1;  ///< patch number where the world's full search found the surface nearest to the tool
+    double seed_shaft = 1.0;   ///< fraction of the shaft at the seed
     double seed_distance = 0;  ///< m, signed, shaft axis to surface
     bool overflow = false;     ///< a capacity was too small: the patch is smaller than asked
-    double cover =
-        1;  ///< share of its stiffness that the contact has: less where ground was cut away, 0: none
+    double cover = 1;  ///< fraction of the contact's stiffness: less where tissue was cut away, 0: none
 
-    /// Patch number of a surface triangle or vertex, -1 when it is not in the patch (binary search).
+    /// Patch number of a surface triangle or vertex, -1 if it is not in the patch (binary search).
     std::int32_t find_triangle(std::int32_t id) const;
     std::int32_t find_vertex(std::int32_t id) const;
 };
 
-/// A held wall point, about the world's solution of it. Force on tissue = lambda + K (x - x0) + B (v - v0), x
-/// the hold point of the jaws.
+/// A held wall point, linearised about the world's solution. Force on tissue = lambda + K (x - x0) + B (v -
+/// v0), x the hold point of the jaws.
 struct GraspModel {
-    Vector3 point = Vector3::Zero();        ///< x0, m: where the wall point was held at the model's tick
+    Vector3 point = Vector3::Zero();        ///< x0, m: position of the held wall point at the model's tick
     Vector3 velocity = Vector3::Zero();     ///< v0, m/s
     Vector3 reaction = Vector3::Zero();     ///< lambda, N, jaw on tissue
     Vector3 hold_offset = Vector3::Zero();  ///< m, tool frame, the hold point relative to the tip
@@ -91,30 +91,31 @@ struct GraspModel {
     double damping = 0;                     ///< B, N s/m
     double friction = 0.5;                  ///< of the jaw faces
     std::int32_t vertex = -1;               ///< surface vertex nearest the held point
-    double area = 0;                        ///< m2, jaw contact area (jaws.h), passed on to the samples
+    double area = 0;                        ///< m2, jaw contact area (jaws.h), recorded in the samples
     std::int16_t tissue = -1, tissue_patch = -1;
 };
 
-/// Jaws that press as boxes (fidelity level "jaws"), about the world's solution of it: what they do beside
-/// the shaft. Force on tissue = force + K (x - x0), x the tip; none where that would pull.
+/// Jaws that press as boxes (fidelity level "jaws"), linearised about the world's solution: the force of the
+/// jaws in addition to that of the shaft. Force on tissue = force + K (x - x0), x the tip; none where it
+/// would be attractive.
 struct JawPushModel {
     Vector3 tip = Vector3::Zero();        ///< x0, m, at the model's tick
-    Vector3 point = Vector3::Zero();      ///< m, centre of the pressed places
+    Vector3 point = Vector3::Zero();      ///< m, centre of the pressed areas
     Vector3 force = Vector3::Zero();      ///< N, jaws on tissue
     Matrix3 stiffness = Matrix3::Zero();  ///< K, N/m, symmetric; no eigenvalue above the tissue's stiffness
     std::int16_t tissue = -1;             ///< index into the scene's tissue table, -1: no jaw presses
 };
 
-/// A sheet under the tip, or about a blade, about the world's solution of it. Across the sheet it only
-/// pushes: push - K along the normal; along it drag + K' of the way made, at most grip + friction times the
-/// push.
+/// A sheet under the tip, or around a blade, linearised about the world's solution. Normal to the sheet:
+/// push - K times displacement, never attractive. Tangential: drag + K' times displacement, at most grip +
+/// friction times the push.
 struct SheetContactModel {
-    std::int16_t tissue = -1;            ///< index into the scene's tissue table, -1: no sheet near
+    std::int16_t tissue = -1;            ///< index into the scene's tissue table, -1: no sheet nearby
     Vector3 tip = Vector3::Zero();       ///< m, of the tool at the model's tick
     Vector3 normal = Vector3::UnitZ();   ///< unit, of the sheet towards the tool
     Vector3 velocity = Vector3::Zero();  ///< m/s, of the sheet there
     bool pushes = false;                 ///< false: a blade is in it
-    double push = 0;                     ///< N at that pose; below 0: the tip is that much over K away
+    double push = 0;                     ///< N at that pose; negative: the tip is away by that value over K
     double stiffness = 0, damping = 0;   ///< N/m, N s/m
     Vector3 drag = Vector3::Zero();      ///< N, tool on sheet, along it, at that pose
     double drag_stiffness = 0;           ///< N/m
@@ -129,26 +130,28 @@ struct TargetModel {
     double stiffness = 600, damping = 0.5;  ///< N/m, N s/m
     std::int32_t id = -1;
     std::int16_t tissue = -1;
-    bool solid = true;  ///< false: passed through
+    bool solid = true;  ///< false: the tool passes through it
 };
 
 struct LocalModel {
-    std::uint32_t step = 0;  ///< world step that made it
-    std::uint32_t tick = 0;  ///< tick whose poses it holds for; age = now - tick
+    std::uint32_t step = 0;  ///< world step that produced it
+    std::uint32_t tick = 0;  ///< tick of the poses that it is valid for; age = now - tick
     std::uint32_t topology_version =
-        0;  ///< of the surface's triangles; another number voids remembered triangles
+        0;  ///< of the surface's triangles; a change invalidates remembered triangles
     LocalMode mode = LocalMode::none;
-    bool energises = true;  ///< false: what the hand holds now gives no energy, whatever its pedal says
+    bool energises =
+        true;  ///< false: the instrument in this hand gives no energy, even if its pedal is pressed
     SurfacePatch patch;
     GraspModel grasp;
     JawPushModel jaws;
     SheetContactModel sheet;
     std::int32_t target_count = 0;
     std::array<TargetModel, target_capacity> targets;
-    std::int32_t cavity_seed = -1;  ///< cavity triangle nearest the tip, -1: further than the builder looked
+    std::int32_t cavity_seed =
+        -1;  ///< cavity triangle nearest the tip, -1: further away than the search radius
 };
 
-/// Both hands' models, as they are handed over.
+/// Both hands' models, as handed to the tick.
 struct LocalModels {
     LocalModel hand[hand_count];
 };

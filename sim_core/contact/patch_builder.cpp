@@ -9,11 +9,10 @@
 namespace fulcrum {
 namespace {
 
-constexpr int search_intervals =
-    3;  // ring gaps on each side of the nearest ring whose vertices are looked at
-constexpr double ahead_step = 0.004;    // m between the places of a fast tool's way that are looked at
-constexpr double surely_inside = 0.25;  // of a ring's radius
-constexpr int most_ahead_places = 128;  // faster than any hand: the places lie further apart
+constexpr int search_intervals = 3;   // ring gaps on each side of the nearest ring whose vertices are tested
+constexpr double ahead_step = 0.004;  // m between the sampled positions on a fast tool's path
+constexpr double surely_inside = 0.25;  // fraction of a ring's radius
+constexpr int most_ahead_places = 128;  // for tools faster than any hand the samples are further apart
 
 std::size_t index(std::int32_t i) {
     return static_cast<std::size_t>(i);
@@ -70,7 +69,7 @@ PatchBuilder::Scratch PatchBuilder::make_scratch() const {
     return scratch;
 }
 
-// Distance of the shaft to the tube, m, < 0 inside, and the ring where it is least.
+// Distance of the shaft to the tube, m, < 0 inside, and the ring where it is smallest.
 double PatchBuilder::nearest_ring(const RingMotion* rings, const ToolKinematics& tool, int& nearest) const {
     double nearest_distance = 1e30;
     for (int r = 0; r < skin_.rings(); ++r) {
@@ -84,8 +83,8 @@ double PatchBuilder::nearest_ring(const RingMotion* rings, const ToolKinematics&
     return nearest_distance;
 }
 
-// A tool that flies through its reach within the horizon would be past the tube before the next model: moves
-// it on to the first place of its way that is surely in the tube, or to the nearest.
+// A tool that crosses its reach within the horizon would be past the tube before the next model. This moves
+// it to the first position on its path that is surely in the tube, or to the nearest one.
 void PatchBuilder::look_ahead(const RingMotion* rings, const PatchRequest& request,
                               ToolKinematics& tool) const {
     const double way = request.horizon * tool.tip_velocity.norm();
@@ -101,7 +100,7 @@ void PatchBuilder::look_ahead(const RingMotion* rings, const PatchRequest& reque
         if (distance >= least) continue;
         least = distance;
         tool.tip = there.tip;
-        // A ring's radius is its largest: a shaft just within it may still pass by.
+        // The stored radius of a ring is its largest: a shaft just within it may still pass by.
         if (distance < -surely_inside * ring_radius_[index(nearest)]) return;
     }
 }
@@ -114,7 +113,7 @@ void PatchBuilder::build(const RingMotion* rings, const PatchRequest& request, S
     const int ring_total = skin_.rings();
     if (!request.tool.inside || ring_total < skin_rings) return;
 
-    // Nearest ring: where the tool holds on, or where the shaft comes nearest to the tube.
+    // Nearest ring: at the tool's contact vertex if it has one, else where the shaft is nearest to the tube.
     struct Frames {
         const RingMotion* rings;
         const RingFrame& operator[](std::size_t r) const { return rings[r].frame; }
@@ -122,7 +121,7 @@ void PatchBuilder::build(const RingMotion* rings, const PatchRequest& request, S
     const Frames frames{rings};
     bool holds = request.contact_vertex >= 0 && request.contact_vertex < skin_.vertices();
     if (holds) {
-        // A tool that has jumped away has let go, whatever the tick still reported.
+        // A tool that has jumped away is no longer in contact, even if the tick still reported it.
         const Vector3 held = skin_vertex(skin_.rows()[index(request.contact_vertex)], frames);
         holds = to_shaft(request.tool, held).distance2 < options_.radius * options_.radius;
     }
@@ -135,7 +134,7 @@ void PatchBuilder::build(const RingMotion* rings, const PatchRequest& request, S
         if (!(nearest_ring(rings, tool, nearest) < options_.reach)) return;
     }
 
-    // Rings: a window around it; vertices: those whose four rings lie in the window.
+    // Rings: a window around it. Vertices: those whose four rings are all in the window.
     const int window = std::min(ring_total, patch_ring_capacity);
     patch.first_ring = std::clamp(nearest - window / 2, 0, ring_total - window);
     patch.ring_count = window;
@@ -169,7 +168,7 @@ void PatchBuilder::build(const RingMotion* rings, const PatchRequest& request, S
         }
     }
 
-    // The nearest of them, by rising number.
+    // The nearest of them, in ascending order.
     std::int32_t within = 0;
     const double radius2 = options_.radius * options_.radius;
     for (std::int32_t k = 0; k < candidates; ++k) {
@@ -204,7 +203,7 @@ void PatchBuilder::build(const RingMotion* rings, const PatchRequest& request, S
     patch.vertex_count = within;
     connect(scratch, patch);
 
-    // Seed: a whole triangle at the vertex nearest to the shaft.
+    // Seed: a triangle completely in the patch at the vertex nearest to the shaft.
     best2 = 1e30;
     std::int32_t seed = -1;
     for (std::int32_t v = 0; v < within; ++v) {
@@ -236,7 +235,7 @@ void PatchBuilder::connect(Scratch& scratch, SurfacePatch& patch) const {
         const std::int32_t id = patch.vertex_id[index(v)];
         for (const std::int32_t t : adjacency.triangles_of(id)) {
             const Triangle& corner = triangles[index(t)];
-            // Once: at its lowest vertex.
+            // Each triangle once: at its lowest vertex.
             if (id != std::min({corner[0], corner[1], corner[2]})) continue;
             if (scratch.local[index(corner[0])] < 0 || scratch.local[index(corner[1])] < 0 ||
                 scratch.local[index(corner[2])] < 0) {
@@ -293,7 +292,7 @@ std::vector<std::int16_t> divide_into_patches(const BowelSkin& skin, int rings_p
     std::vector<std::int16_t> patches;
     patches.reserve(static_cast<std::size_t>(skin.vertices()));
     for (const Vector3& vertex : skin.rest().vertices) {
-        // The rest pose lies along +x with d1 = +y, d2 = +z.
+        // The rest pose is along +x with d1 = +y, d2 = +z.
         const auto& arcs = skin.cage().arc_lengths;
         const auto next = std::upper_bound(arcs.begin(), arcs.end(), vertex.x());
         const auto ring = std::clamp<std::ptrdiff_t>(next - arcs.begin() - 1, 0, skin.rings() - 1);

@@ -8,8 +8,8 @@
 namespace fulcrum {
 namespace {
 
-// Rotation that a turning vector (rad) makes, by Cayley's formula: a rotation to the last bit without a sine,
-// and right to the third order of the angle.
+// Rotation for a rotation vector (rad), by Cayley's formula: an exact rotation without a sine, correct to
+// third order of the angle.
 Matrix3 small_rotation(const Vector3& turn) {
     const Vector3 h = 0.5 * turn;
     Matrix3 cross;
@@ -38,7 +38,7 @@ PatchSurface::PatchSurface(const SurfacePatch& patch, double seconds, ToolContac
         scratch.rings[r].position = ring.frame.position + seconds * ring.velocity;
         scratch.rings[r].rotation = small_rotation(seconds * ring.angular_velocity) * ring.frame.rotation;
     }
-    if (++scratch.stamp == 0) {  // wrapped around: old stamps could look new
+    if (++scratch.stamp == 0) {  // wrapped around: old stamps could appear current
         scratch.position_stamp.fill(0);
         scratch.normal_stamp.fill(0);
         scratch.stamp = 1;

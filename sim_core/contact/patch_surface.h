@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A patch of the bowel as the walk wants it: vertices are skinned, and normals made, the first time they are
-// asked for in a tick. Haptic thread (and the world's, for jaws): no allocation.
+// A patch of the bowel in the form that the surface walk needs: vertices are skinned and normals computed the
+// first time they are needed in a tick. Haptic thread (and world thread, for jaws): no allocation.
 #pragma once
 
 #include "sim_core/contact/local_model.h"
@@ -10,7 +10,7 @@ namespace fulcrum {
 
 class PatchSurface {
   public:
-    /// Moves the rings on by `seconds` of their velocity and forgets all positions.
+    /// Extrapolates the rings by `seconds` of their velocity and invalidates all positions.
     PatchSurface(const SurfacePatch& patch, double seconds, ToolContactScratch& scratch);
 
     const Triangle& corner(std::int32_t triangle) const {
@@ -23,9 +23,9 @@ class PatchSurface {
     const Vector3& normal(std::int32_t vertex);
     /// Velocity of a vertex with its rings, m/s.
     Vector3 velocity(std::int32_t vertex) const;
-    /// Makes sure that the positions of a vertex and of its first two rings are there.
+    /// Computes the positions of a vertex and of its first two rings if they are missing.
     void skin_neighbourhood(std::int32_t vertex);
-    /// The patch as a view; only positions asked for before are valid.
+    /// The patch as a view; only positions computed before are valid.
     SurfaceView view() const;
 
   private:
@@ -33,7 +33,7 @@ class PatchSurface {
     ToolContactScratch& scratch_;
 };
 
-/// The static wall as the walk wants it.
+/// The static wall in the form that the surface walk needs.
 class WallSurface {
   public:
     explicit WallSurface(const CavityModel& cavity) : cavity_(cavity) {}

@@ -15,14 +15,14 @@ namespace fulcrum {
 namespace {
 
 constexpr double wall_shaft =
-    0.040;  // m of the shaft behind the tip that feel the wall; the rest is in the trocar
+    0.040;  // m of the shaft behind the tip that touch the wall; the rest is in the trocar
 constexpr double wall_search = 0.020;     // m around the tip that a lost contact is searched in
 constexpr double wall_curvature = 0.030;  // m
 
-constexpr double shaft_friction = 0.1;  // of one shaft on another
+constexpr double shaft_friction = 0.1;  // between two shafts
 
-// How much of the wall there is at a place: 0 on an open rim, 1 from the next row of triangles on, so that a
-// tip that slides over the rim is let go of gradually.
+// Solid fraction of the wall at a point: 0 on an open border, 1 from the next row of triangles on, so that a
+// tip sliding over the border is released gradually.
 double solid_share(const CavityModel& wall, std::int32_t triangle, const Vector3& barycentric) {
     const MeshAdjacency& adjacency = wall.adjacency();
     const auto on_rim = [&](std::int32_t vertex) {
@@ -99,8 +99,8 @@ void touch_wall(const ToolContactModel& model, const LocalModel& local, const To
         if (walk.at_border || (!seeded.at_border && seeded.distance < walk.distance)) walk = seeded;
     }
     if (walk.at_border && state.touching_wall) {
-        // Lost, as at a fan of slivers: the exact closest point of the tip serves until the walk finds its
-        // feet.
+        // Lost, for example at a fan of slivers: use the exact closest point of the tip until the walk
+        // recovers.
         const CavityPoint exact = model.cavity->closest(tool.tip, wall_search);
         walk = walk_from(exact.triangle, Vector3::Constant(1.0 / 3));
         if (walk.at_border && exact.triangle >= 0) {
@@ -144,7 +144,7 @@ void seed_wall(const CavityModel* cavity, const ToolKinematics& tool, double rea
 
 namespace {
 
-// The fractions of both shafts nearest to a point of a jaw.
+// The fractions of both shafts nearest to a point on a jaw.
 SegmentPair fractions_at(const Vector3& point, const ToolKinematics& left, const ToolKinematics& right) {
     SegmentPair pair;
     pair.s = closest_points_of_segments(left.trocar, left.tip, point, point).s;
@@ -174,7 +174,7 @@ double collide_tools(const ToolContactModel& left, const ToolKinematics& left_to
     response.friction = shaft_friction;
     const Vector3 velocity = left_tool.shaft_velocity(pair.s) - right_tool.shaft_velocity(pair.t);
     if (before.touching && before.normal.dot(normal) < 0) {
-        // One is more than half way through the other: it is as deep as before and what it went on since.
+        // One is more than half way through the other: depth as before plus the advance since.
         normal = before.normal;
         depth = before.depth - left.instrument.tick_period * velocity.dot(normal);
         if (!(depth > 0)) return depth;

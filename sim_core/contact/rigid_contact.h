@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of a tool's contact that do not give way: targets and the wall. Haptic thread, no allocation.
+// Contact of a tool with rigid objects: targets and the wall. Haptic thread, no allocation.
 #pragma once
 
 #include "sim_core/contact/tool_contact.h"
@@ -10,8 +10,8 @@ namespace fulcrum {
 void touch_targets(const ToolContactModel& model, const LocalModel& local, const ToolKinematics& tool,
                    ToolContactResult& result);
 
-/// The last few centimetres of the shaft against the static wall: wall_force. Walks on the immutable cavity
-/// from the triangle of the tick before, or from the model's seed.
+/// The last few centimetres of the shaft against the static wall: sets wall_force. Walks on the immutable
+/// cavity from the triangle of the previous tick, or from the model's seed.
 void touch_wall(const ToolContactModel& model, const LocalModel& local, const ToolKinematics& tool,
                 ToolContactState& state, ToolContactResult& result);
 

@@ -8,7 +8,7 @@ namespace fulcrum {
 
 Matrix3 stiffness_in_series(const Matrix3& tissue, double wall) {
     const Matrix3 rigid = wall * Matrix3::Identity();
-    // Beyond it the wall alone answers to the last digit, and squares stay finite.
+    // Above this the series equals the wall to the last digit, and squares stay finite.
     constexpr double largest = 1e30;
     if (!tissue.allFinite() || tissue.cwiseAbs().maxCoeff() > largest) return rigid;
     const Eigen::SelfAdjointEigenSolver<Matrix3> solver(0.5 * (tissue + tissue.transpose()));

@@ -15,7 +15,7 @@ void touch_sheet(const ToolContactModel& model, const LocalModel& local, const T
     double push = 0;
     if (sheet.pushes) {
         push = sheet.push - sheet.stiffness * along;
-        // The damper comes in with the depth, so that touching is no jump.
+        // Damping rises with the depth, so that first contact causes no jump.
         const double depth = push / std::max(1e-9, sheet.stiffness);
         const double share = std::clamp(depth / model.onset_depth, 0.0, 1.0);
         push = push > 0 ? std::max(0.0, push - share * sheet.damping * approach) : 0.0;
@@ -29,7 +29,7 @@ void touch_sheet(const ToolContactModel& model, const LocalModel& local, const T
     result.sheet_force = force;
     result.force += force;
     result.torque += (tool.tip - tool.trocar).cross(force);
-    if (!result.touching_surface) {  // the bowel's own contact is where its load acts
+    if (!result.touching_surface) {  // otherwise the bowel's own contact gives the point of load
         result.point = tool.tip;
         result.normal = n;
     }

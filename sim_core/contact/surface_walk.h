@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The dynamic point of Maciel and De (2008), on a segment: it walks from the last triangle through adjacency
-// to the point of the surface that the shaft is nearest to, or deepest below.
+// to the point of the surface that the shaft is nearest to, or penetrates deepest.
 //
-// The point q of the surface that belongs to a point x of the shaft is the one whose smooth normal passes
+// The point q of the surface that corresponds to a point x of the shaft is the one whose smooth normal passes
 // through x:
 //     x = q + phi n(q),   n the interpolated vertex normals.
-// It is a god-object without friction: it stays on the side from which it came, and because n is continuous
-// over the mesh so are q and the signed distance phi (a closest point would jump between facets below the
-// surface). Along the shaft phi is lowest where n is perpendicular to it, or at the tip.
+// It is a god-object without friction: it stays on the side from which it came. Because n is continuous over
+// the mesh, so are q and the signed distance phi (a closest point would jump between facets below the
+// surface). Along the shaft phi is smallest where n is perpendicular to it, or at the tip.
 //
-// A surface gives corner(t), position(v), normal(v) and neighbour(t, edge); edges as in MeshAdjacency. No
-// allocation, no exception; whatever the surface, the walk ends.
+// A surface provides corner(t), position(v), normal(v) and neighbour(t, edge); edges as in MeshAdjacency. No
+// allocation, no exception; the walk ends on every surface.
 #pragma once
 
 #include <algorithm>
@@ -21,13 +21,14 @@
 namespace fulcrum {
 
 struct WalkOptions {
-    int iterations = 16;              ///< steps across triangles and along the shaft in one tick
-    double tolerance = 1e-7;          ///< m, motion of the point at which the walk ends
-    double curvature_radius = 0.016;  ///< m, of the surface across the shaft: Newton's step along the shaft
-    double longest_step = 0.004;      ///< m along the shaft in one iteration
+    int iterations = 16;      ///< steps across triangles and along the shaft in one tick
+    double tolerance = 1e-7;  ///< m, motion of the point at which the walk ends
+    double curvature_radius =
+        0.016;                    ///< m, of the surface across the shaft; sets Newton's step along the shaft
+    double longest_step = 0.004;  ///< m along the shaft in one iteration
 };
 
-/// Where the walk stands; copyable. Triangle numbers are the surface's own.
+/// State of the walk; copyable. Triangle numbers are those of the surface.
 struct WalkPoint {
     std::int32_t triangle = -1;
     Vector3 barycentric = Vector3(1.0 / 3, 1.0 / 3, 1.0 / 3);
@@ -37,12 +38,12 @@ struct WalkPoint {
     Vector3 on_shaft = Vector3::Zero();  ///< x, m
     double distance = 0;                 ///< phi, m, < 0 below the surface
     int iterations = 0;
-    bool at_border =
-        false;  ///< the walk wanted to leave the mesh, or met a triangle without area: search again
+    bool at_border = false;  ///< the walk reached the mesh border or a triangle without area: search again
     bool converged = false;
 };
 
-/// Walks point from its triangle, barycentric and shaft fraction for the segment from `from` (0) to `to` (1).
+/// Moves point from its triangle, barycentric coordinates and shaft fraction, for the segment from `from` (0)
+/// to `to` (1).
 template <typename Surface>
 void walk_surface(Surface& surface, const Vector3& from, const Vector3& to, const WalkOptions& options,
                   WalkPoint& point) {
@@ -69,7 +70,8 @@ void walk_surface(Surface& surface, const Vector3& from, const Vector3& to, cons
                          weight[2] * surface.normal(corner[2]);
         const double size = normal.norm();
         const double lean = face.dot(normal);
-        // Where the smooth normal lies almost in the triangle (a fold), the triangle's own serves.
+        // Where the smooth normal is almost in the triangle's plane (a fold), the triangle's own normal is
+        // used.
         if (size > 1e-6 && std::abs(lean) > 0.2 * size * std::sqrt(face2)) {
             normal /= size;
         } else {
@@ -108,7 +110,7 @@ void walk_surface(Surface& surface, const Vector3& from, const Vector3& to, cons
                 continue;
             }
             if (next < 0) point.at_border = true;
-            // Two triangles point at each other across their edge: the point is on it.
+            // Two triangles point at each other across their edge: the point is on the edge.
         }
         came_from = -1;
         placed = true;
@@ -132,7 +134,7 @@ void walk_surface(Surface& surface, const Vector3& from, const Vector3& to, cons
         }
         last = point.position;
     }
-    if (!placed) point.at_border = true;  // too far for the iterations allowed
+    if (!placed) point.at_border = true;  // too far for the allowed iterations
 }
 
 }  // namespace fulcrum

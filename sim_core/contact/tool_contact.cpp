@@ -14,10 +14,11 @@
 namespace fulcrum {
 namespace {
 
-constexpr double longest_carry = 0.020;  // s: rings are moved on by their velocity no longer than this
-constexpr double tip_blend = 0.005;      // m over which the proxy's radius goes from the tip's to the shaft's
+constexpr double longest_carry =
+    0.020;                           // s: maximum time over which rings are extrapolated by their velocity
+constexpr double tip_blend = 0.005;  // m over which the proxy's radius changes from the tip's to the shaft's
 
-// A pose that force can be made of: finite, and so are its squares.
+// True for a pose that a force can be computed from: finite, with finite squares.
 bool can_touch(const ToolKinematics& tool) {
     constexpr double furthest = 1e6, fastest = 1e6;  // m, m/s
     return tool.rotation.allFinite() && tool.tip.allFinite() && tool.tip.cwiseAbs().maxCoeff() < furthest &&
@@ -48,11 +49,11 @@ bool touches_border(const SurfacePatch& patch, std::int32_t triangle) {
 void walk_patch(PatchSurface& surface, const SurfacePatch& patch, const ToolKinematics& tool,
                 const WalkOptions& options, WalkPoint& walk) {
     walk_surface(surface, tool.trocar, tool.tip, options, walk);
-    // Normals of border vertices know only some of their triangles.
+    // Normals of border vertices include only some of their triangles.
     if (touches_border(patch, walk.triangle)) walk.at_border = true;
 }
 
-// Full search of the patch: the vertex nearest to the shaft, then the walk from a triangle at it.
+// Full search of the patch: the vertex nearest to the shaft, then the walk from a triangle at that vertex.
 WalkPoint search_patch(PatchSurface& surface, const SurfacePatch& patch, const ToolKinematics& tool,
                        const WalkOptions& options) {
     const Vector3 shaft = tool.tip - tool.trocar;
@@ -74,7 +75,7 @@ WalkPoint search_patch(PatchSurface& surface, const SurfacePatch& patch, const T
     return walk;
 }
 
-// The dynamic point of this tick; at_border where there is none.
+// The dynamic point of this tick; at_border if there is none.
 WalkPoint find_point(const ToolContactModel& model, const LocalModel& local, const ToolKinematics& tool,
                      PatchSurface& surface, const ToolContactState& state, ToolContactResult& result) {
     const SurfacePatch& patch = local.patch;
@@ -94,15 +95,15 @@ WalkPoint find_point(const ToolContactModel& model, const LocalModel& local, con
         walk.shaft = state.shaft;
         walk_patch(surface, patch, tool, options, walk);
     }
-    // Without contact a new model's seed may know of a nearer place; a lost point starts from it in any case.
+    // Without contact, the seed of a new model may be nearer; a lost point always restarts from the seed.
     const bool new_seed = !state.touching && state.model_step != local.step;
     if (walk.at_border || new_seed || (!state.touching && walk.distance > model.start_reach)) {
         WalkPoint seeded = start_at_seed(patch);
         walk_patch(surface, patch, tool, options, seeded);
         if (walk.at_border || (!seeded.at_border && seeded.distance < walk.distance)) walk = seeded;
     }
-    // The seed has grown old, by time or by the way of a fast tool, or stands at the border: look at every
-    // vertex, once.
+    // The seed is outdated, by time or by the path of a fast tool, or at the border: search all vertices,
+    // once.
     const double since = result.age * model.instrument.tick_period;
     const bool outrun = tool.tip_velocity.norm() * since > model.start_reach;
     if (walk.at_border && (state.touching || known >= 0 || outrun)) {
@@ -127,14 +128,14 @@ void filter_at(const ToolContactModel& model, const SurfacePatch& patch, const T
     result.tissue_patch = patch.tissue_patch[static_cast<std::size_t>(vertex)];
 }
 
-// From patch numbers to the surface's.
+// Converts patch numbers to surface numbers.
 void number_by_surface(const SurfacePatch& patch, FilteredForce& filtered) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(filtered.count); ++i) {
         filtered.vertex[i] = patch.vertex_id[static_cast<std::size_t>(filtered.vertex[i])];
     }
 }
 
-/// What the wall under the contact answers, N/m: force over depth, and its slope (0 where the slope is the
+/// Response of the wall under the contact, N/m: force over depth, and its slope (0 where the slope is the
 /// secant, relaxed or not).
 struct SecantStiffness {
     double secant = 0, tangent = 0;
@@ -155,7 +156,7 @@ SecantStiffness wall_stiffness(const SurfacePatch& patch, const Triangle& corner
     for (int k = 0; k < 3; ++k)
         nodule +=
             barycentric[k] * patch.nodule[static_cast<std::size_t>(corner[static_cast<std::size_t>(k)])];
-    // At no depth the secant is the tangent there.
+    // At zero depth the secant is the tangent.
     constexpr double least_depth = 1e-6;
     const double at = std::max(depth, least_depth);
     const Indentation answer = contact.wall->indent(at, result.area, contact.puncture_force, nodule);
@@ -210,9 +211,10 @@ void touch_surface(const ToolContactModel& model, const LocalModel& local, const
     wall.secant *= patch.cover;
     wall.tangent *= patch.cover;
     number_by_surface(patch, result.filtered);
-    // K follows its footprint with a delay, so that a step to another vertex is no step of the force.
+    // K follows its footprint with a delay, so that a step to another vertex causes no step in the force.
     const double period = instrument.tick_period;
-    // (A layered wall's secant follows the depth itself, and its area is Eq. 4's, which has no steps.)
+    // (The secant of a layered wall follows the depth itself, and its area is that of Eq. 4, which is
+    // continuous.)
     state.stiffness =
         state.touching && patch.contact.wall == nullptr
             ? state.stiffness + (wall.secant - state.stiffness) * period / (model.stiffness_time + period)
@@ -249,7 +251,7 @@ void hold_tissue(const ToolContactModel& model, const LocalModel& local, const T
     const Vector3 closing = tool.rotation.col(1);
     result.slip_ratio = slip_ratio(force, closing, tool.grip, grasp.friction);
     if (result.slip_ratio > 1) {
-        // The faces hold no more than the cone: the rest slides through.
+        // The faces hold no more than the friction cone allows: the rest slides through.
         const Vector3 pressed = force.dot(closing) * closing;
         force = pressed + (force - pressed) / result.slip_ratio;
         result.slipping = true;
@@ -276,7 +278,7 @@ void hold_tissue(const ToolContactModel& model, const LocalModel& local, const T
 
 void press_jaws(const JawPushModel& jaws, const ToolKinematics& tool, ToolContactResult& result) {
     const Vector3 force = jaws.force + jaws.stiffness * (tool.tip - jaws.tip);
-    if (!(force.dot(jaws.force) > 0)) return;  // opened since: it does not pull
+    if (!(force.dot(jaws.force) > 0)) return;  // opened since: no attractive force
     result.jaw_force = force;
     result.force += force;
     result.torque += (jaws.point - tool.trocar).cross(force);
@@ -356,7 +358,7 @@ void step_tool_contact(const ToolContactModel& model, const LocalModel& local, c
 
 Vector3 predict_force(const ToolContactResult& last, const Vector3& motion) {
     const Vector3 force = last.force + last.stiffness * motion;
-    // A contact that the motion opens gives nothing; it does not pull.
+    // A contact that the motion opens exerts no force; it does not attract.
     if (!last.grasping && force.dot(last.force) < 0) return Vector3::Zero();
     return force;
 }

@@ -7,7 +7,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr double most_length = 1e6;  // m: beyond it squares lose their meaning
+constexpr double most_length = 1e6;  // m: beyond it squares lose precision
 constexpr double cosine_22 = 0.92387953251128674, sine_22 = 0.38268343236508977;  // 22.5 degrees
 
 bool usable(const Vector3& v) {
@@ -55,7 +55,7 @@ BladeFault make_region(const BladeStep& step, BladeRegion& region) {
     const double half_length = 0.5 * length + region.half_width;
     region.radius = std::sqrt(half_length * half_length + region.half_width * region.half_width +
                               region.reach * region.reach);
-    // The borders first: what lies beyond them is not split again by the ends.
+    // The borders first: the ends do not split again what is beyond the borders.
     add(region, region.left, region.left.dot(step.from) + region.half_width);
     add(region, -region.left, -region.left.dot(step.from) + region.half_width);
     if (step.start == BladeEnd::round)
@@ -116,7 +116,7 @@ bool BladeRegion::meets(const Vector3& a, const Vector3& b, const Vector3& c, do
     return true;
 }
 
-double BladeRegion::distance_from_way(const Vector3& x, double& side) const {
+double BladeRegion::distance_from_path(const Vector3& x, double& side) const {
     const double length = along.dot(to - from);
     const double s = std::clamp(along.dot(x - from), 0.0, length);
     side = left.dot(x - from);

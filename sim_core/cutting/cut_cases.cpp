@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fig. 12: what a stroke does to the triangles that were visible when it began, by their corners.
+// Fig. 12: classifies by their corners the triangles that were visible when a stroke began.
 #include <cmath>
 
 #include "sim_core/cutting/cut_mesh.h"
@@ -54,7 +54,7 @@ void CutMesh::note_cases() {
             else if (deepest <= tolerance_)
                 row.on_border[c] = true;
             double side = 0;
-            const double distance = region_.distance_from_way(corners[i], side);
+            const double distance = region_.distance_from_path(corners[i], side);
             if (distance > row.distance[i]) continue;
             row.distance[i] = distance;
             row.side[c] = side >= 0 ? 1 : -1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The invariants of docs/THEORY.md 5: on what a transaction touched, and from scratch on everything.
+// The invariants of docs/THEORY.md, section 5: on what a transaction touched, and on the whole surface.
 #include <algorithm>
 #include <cmath>
 
@@ -25,9 +25,9 @@ const char* CutEditor::wrong_here() {
             const std::int32_t v = vertex_at(row, i);
             if (v < 0 || v >= state_->vertex_count || v == vertex_at(row, i + 1)) return "vertices";
             const CutVertex& vertex = state_->vertices[v];
-            if (vertex.triangle < 0 || !visible(vertex.triangle)) return "a vertex that is gone";
-            if (!finite(vertex, positions_, v)) return "not finite";
-            if (!barycentric_in(*model_, vertex, row.root, at[i])) return "a vertex outside its root";
+            if (vertex.triangle < 0 || !visible(vertex.triangle)) return "a triangle uses a deleted vertex";
+            if (!finite(vertex, positions_, v)) return "a vertex is not finite";
+            if (!barycentric_in(*model_, vertex, row.root, at[i])) return "a vertex is outside its root";
             if (counted_stamp_[v] != checks_) {
                 counted_stamp_[v] = checks_;
                 fan_count_[v] = 0;
@@ -35,13 +35,14 @@ const char* CutEditor::wrong_here() {
             ++fan_count_[v];
             const std::int32_t n = neighbour_at(row, i);
             if (n < 0) continue;
-            if (!visible(n)) return "a hidden neighbour";
+            if (!visible(n)) return "a neighbour is not visible";
             const int back = edge_of(state_->triangles[n], vertex_at(row, i + 1), v);
             if (back < 0 || neighbour_at(state_->triangles[n], back) != t) return "neighbours disagree";
         }
         const double share = share_of(at[0], at[1], at[2]);
-        if (std::abs(share - row.share) > 1e-12) return "share";
-        if (!model_->flat[static_cast<std::size_t>(row.root)] && !(share > least_share)) return "no area";
+        if (std::abs(share - row.share) > 1e-12) return "a stored area share is wrong";
+        if (!model_->flat[static_cast<std::size_t>(row.root)] && !(share > least_share))
+            return "a triangle has no area";
     }
     for (const std::int32_t t : touched_triangles_) {
         if (!visible(t)) continue;
@@ -50,7 +51,7 @@ const char* CutEditor::wrong_here() {
             bool closed = false;
             std::int32_t there = 0;
             for (const std::int32_t s : fan(v, closed)) there += touched(s) ? 1 : 0;
-            if (there != fan_count_[v]) return "a vertex joins two fans";
+            if (there != fan_count_[v]) return "a vertex joins two triangle fans";
             fan_count_[v] = -1;
         }
     }
@@ -61,22 +62,22 @@ const char* CutEditor::wrong_here() {
             sum += state_->triangles[t].share;
             ++count;
         }
-        if (std::abs(sum - 1) > 1e-10) return "area";
-        if (count != state_->roots[r].visible_count) return "list of a root";
+        if (std::abs(sum - 1) > 1e-10) return "the area of a root does not add up";
+        if (count != state_->roots[r].visible_count) return "the triangle list of a root is wrong";
     }
     return nullptr;
 }
 
 const char* CutCheck::complaint() const {
-    if (!finite) return "not finite";
-    if (!no_zero_area) return "a triangle without area";
-    if (!conforming) return "not conforming";
-    if (!manifold_edges) return "an edge with more than two triangles";
-    if (!one_fan) return "a vertex joins two fans";
-    if (!rims_closed) return "a rim is not closed";
-    if (!oriented) return "a triangle is turned over";
-    if (!area_kept) return "area is lost";
-    if (!hierarchy) return "hierarchy";
+    if (!finite) return "a position is not finite";
+    if (!no_zero_area) return "a triangle has no area";
+    if (!conforming) return "the surface is not conforming";
+    if (!manifold_edges) return "an edge has more than two triangles";
+    if (!one_fan) return "a vertex joins two triangle fans";
+    if (!rims_closed) return "a border is not a closed loop";
+    if (!oriented) return "a triangle is flipped";
+    if (!area_kept) return "area is not conserved";
+    if (!hierarchy) return "the triangle hierarchy is inconsistent";
     return "";
 }
 
@@ -149,7 +150,7 @@ CutCheck check_cut(const CutMesh& mesh, const Vector3* positions) {
         if (named != find(e.to, e.from)) bad(check.conforming, e.triangle);
         if (named < 0) rim.push_back(e);
     }
-    // One fan: going around each vertex from its own triangle finds all its corners.
+    // One fan: a walk around each vertex from its own triangle finds all its corners.
     for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
         const std::int32_t seed = mesh.vertex(v).triangle;
         const std::int32_t expected = corners[static_cast<std::size_t>(v)];
@@ -168,7 +169,7 @@ CutCheck check_cut(const CutMesh& mesh, const Vector3* positions) {
         }
         if (count != expected) bad(check.one_fan, v);
     }
-    // Rims: one edge leaves and one reaches each of their vertices, so that they are loops.
+    // Borders: one edge leaves and one reaches each of their vertices, so that they are loops.
     std::vector<std::int32_t> leaves(corners.size(), 0), reaches(corners.size(), 0);
     for (const Edge& e : rim) {
         ++leaves[static_cast<std::size_t>(e.from)];
@@ -176,8 +177,8 @@ CutCheck check_cut(const CutMesh& mesh, const Vector3* positions) {
     }
     for (std::size_t v = 0; v < leaves.size(); ++v)
         if (leaves[v] != reaches[v] || leaves[v] > 1) bad(check.rims_closed, static_cast<std::int32_t>(v));
-    // No vertex inside another visible edge: rim edges against the vertices of their root, and of the roots
-    // beside it as far as they lie on the edge between, by barycentric coordinates.
+    // No vertex inside another visible edge: border edges against the vertices of their root, and of the
+    // adjacent roots if the vertex is on the shared edge, by barycentric coordinates.
     for (const Edge& e : rim) {
         const std::int32_t root = mesh.triangle(e.triangle).root;
         if (model.flat[static_cast<std::size_t>(root)]) continue;

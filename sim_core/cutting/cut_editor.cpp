@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Transaction, journal and the records' bookkeeping; the operations are in cut_operations.cpp.
+// Transaction, journal and bookkeeping of the records; the operations are in cut_operations.cpp.
 #include "sim_core/cutting/cut_editor.h"
 
 #include <algorithm>
@@ -69,7 +69,7 @@ void CutEditor::begin(const CutModel& model, CutState& state, Vector3* positions
 }
 
 void CutEditor::commit() {
-    // What was made and dropped within this transaction can be used again; nobody has seen it.
+    // Records created and dropped within this transaction can be reused; nothing else has seen them.
     for (const std::int32_t t : touched_triangles_)
         if (state_->triangles[t].state == CutTriangleState::vacant) state_->free_triangles.push(t);
     std::int32_t kept = 0;
@@ -301,7 +301,8 @@ const CutList<std::int32_t>& CutEditor::fan(std::int32_t vertex, bool& closed) {
         closed = false;
         return fan_;
     };
-    // Clockwise to the rim, or once around; each neighbour must name the triangle it is reached from.
+    // Clockwise to the border, or once around; each neighbour must refer back to the triangle it is reached
+    // from.
     std::int32_t t = seed;
     const std::int32_t most = state_->visible_count + 1;
     for (std::int32_t turns = 0;; ++turns) {
@@ -316,10 +317,10 @@ const CutList<std::int32_t>& CutEditor::fan(std::int32_t vertex, bool& closed) {
         closed = t == seed;
         if (closed) break;
     }
-    // The seed is the first of a fan that closes, the last found of one that ends at a rim.
+    // The seed is the first of a closed fan, and the last found of one that ends at a border.
     std::reverse(&fan_[closed ? 1 : 0], &fan_[0] + fan_.size());
     if (closed) return fan_;
-    // From the seed on to the other rim.
+    // From the seed to the other border.
     t = seed;
     for (;;) {
         const CutTriangle& row = state_->triangles[t];

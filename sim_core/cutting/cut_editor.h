@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-// Primitive operations on a cut surface, inside a transaction: each keeps the surface conforming, and the
-// journal keeps the old record of everything that is touched, so that roll_back() restores every bit.
+// Primitive operations on a cut surface, inside a transaction. Each keeps the surface conforming; the journal
+// keeps the previous record of everything that is touched, so that roll_back() restores every bit.
 //
-// World thread; nothing here allocates after construction, throws or does I/O. An operation that lacks room
-// changes nothing, returns its failure value and names what was full.
+// World thread; no allocation after construction, no exceptions, no I/O. An operation that lacks room changes
+// nothing, returns its failure value and reports which table was full.
 #pragma once
 
 #include "sim_core/cutting/cut_state.h"
 
 namespace fulcrum {
 
-/// What never changes: the mesh as it was made.
+/// Constant part: the original mesh.
 struct CutModel {
     TriangleMesh mesh;
     MeshAdjacency adjacency;
     std::vector<double> areas;     ///< m2 of each root
     std::vector<Vector3> centres;  ///< m, of each root at rest
-    std::vector<double> radii;     ///< m, of a ball about the centre that holds the root
-    std::vector<bool> flat;        ///< the root has no area to speak of: its children's shape is not judged
+    std::vector<double> radii;     ///< m, of a ball about the centre that contains the root
+    std::vector<bool> flat;        ///< the root has negligible area: the shape of its children is not checked
     CutCapacity capacity;
     std::int32_t original_vertices = 0, root_count = 0;
     double area = 0;  ///< m2
 };
 
-/// Of a root that has area: below it a triangle has none.
+/// Smallest share of a root's area (for a root that has area): a triangle below it counts as having none.
 inline constexpr double least_share = 1e-11;
 
 enum class CutLimit : std::uint8_t { none, vertices, triangles, fragments };
@@ -33,32 +33,33 @@ class CutEditor {
     CutEditor() = default;
     explicit CutEditor(const CutModel& model);
 
-    /// Starts a transaction on a state. `positions`: where every vertex is now, m, room for all the capacity.
+    /// Starts a transaction on a state. `positions`: current position of every vertex, m, with room for all
+    /// the capacity.
     void begin(const CutModel& model, CutState& state, Vector3* positions);
     void commit();
-    /// Plays the journal backwards: the state is bit for bit what it was at begin(), but for the counts of
-    /// transactions begun and rolled back.
+    /// Replays the journal backwards: the state is bit for bit what it was at begin(), except for the counts
+    /// of transactions begun and rolled back.
     void roll_back();
     CutLimit lacking() const { return lacking_; }
-    /// Number of the transaction within this editor, never used twice.
+    /// Number of the transaction within this editor, unique.
     std::uint32_t stamp() const { return stamp_; }
 
     // Operations. Edge e of (a, b, c) is ab, bc, ca for e = 0, 1, 2.
 
-    /// Splits an edge at `share` of the way from its first to its second vertex: two triangles become four
-    /// (at a rim one becomes two). Returns the new vertex or -1.
+    /// Splits an edge at `share` between its first and its second vertex: two triangles become four (at a
+    /// border one becomes two). Returns the new vertex or -1.
     std::int32_t split_edge(std::int32_t triangle, int edge, double share);
-    /// Removes triangles and divides every vertex whose triangles then no longer form one fan. The removed
-    /// ground is counted. False without room.
+    /// Removes triangles and divides every vertex whose remaining triangles no longer form one fan. The
+    /// removed area is counted. False without room.
     bool remove(const CutList<std::int32_t>& doomed);
-    /// Turns the edge between two triangles of one root. False without room or where a triangle would turn
-    /// over.
+    /// Flips the edge between two triangles of one root. False without room or if a triangle would turn over.
     bool flip(std::int32_t triangle, int edge);
-    /// Moves vertex `from` onto its neighbour `to` and drops the triangles between. The caller has made sure
-    /// that the union stays (see cut_tidy.cpp). False without room or where the surface would fold.
+    /// Moves vertex `from` onto its neighbour `to` and drops the triangles between. The caller must have
+    /// checked that the union is unchanged (see cut_tidy.cpp). False without room or if the surface would
+    /// fold.
     bool collapse(std::int32_t from, std::int32_t to);
 
-    // Journaled writing for the rooms of this folder.
+    // Journaled write access for this folder.
     CutTriangle& edit_triangle(std::int32_t triangle);
     CutVertex& edit_vertex(std::int32_t vertex);
     CutRoot& edit_root(std::int32_t root);
@@ -81,11 +82,11 @@ class CutEditor {
     const CutList<std::int32_t>& new_vertices() const { return new_vertices_; }
     /// Triangles that split_edge made since the list was last cleared.
     CutList<std::int32_t>& made() { return made_; }
-    /// Triangles around a vertex, counterclockwise; at a rim the first has the rim before it. closed: the fan
-    /// has no rim. The list is valid until the next call. Empty where the records contradict each other.
+    /// Triangles around a vertex, counterclockwise; at a border the first one has the border before it.
+    /// closed: the fan has no border.
     const CutList<std::int32_t>& fan(std::int32_t vertex, bool& closed);
-    /// The invariants of docs/THEORY.md 5, on everything this transaction touched: nullptr, or what is
-    /// wrong and forbids to commit.
+    /// Checks the invariants of docs/THEORY.md, section 5, on everything that this transaction touched:
+    /// nullptr, or the violation that forbids the commit.
     const char* wrong_here();
     std::uint64_t bytes() const;
 
@@ -100,8 +101,8 @@ class CutEditor {
     bool has_room(std::int32_t vertices, std::int32_t triangles);
     void show(std::int32_t triangle);
     void hide(std::int32_t triangle, CutTriangleState as);
-    /// The record to give a changed shape: the triangle itself where this transaction made it, else a new
-    /// child of it. Adds it to made().
+    /// Record for a changed shape: the triangle itself if this transaction created it, else a new child of
+    /// it. Adds it to made().
     std::int32_t reshape(std::int32_t triangle);
     std::int32_t sibling(std::int32_t triangle);
     void link(std::int32_t triangle, int edge, std::int32_t neighbour);
@@ -128,7 +129,7 @@ class CutEditor {
     } before_;
 };
 
-/// Barycentric coordinates of a vertex in a root that it lies in or on; false where it does not.
+/// Barycentric coordinates of a vertex in a root that contains it (border included); false otherwise.
 bool barycentric_in_other(const CutModel& model, const CutVertex& vertex, std::int32_t root,
                           Vector3& coordinates);
 inline bool barycentric_in(const CutModel& model, const CutVertex& vertex, std::int32_t root,
@@ -147,7 +148,7 @@ inline int corner_of(const CutTriangle& triangle, std::int32_t vertex) {
         if (triangle.vertices[static_cast<std::size_t>(i)] == vertex) return i;
     return -1;
 }
-/// Edge that runs from one vertex to another, -1 where there is none.
+/// Edge that runs from one vertex to another, -1 if there is none.
 inline int edge_of(const CutTriangle& triangle, std::int32_t from, std::int32_t to) {
     const int i = corner_of(triangle, from);
     return i >= 0 && triangle.vertices[static_cast<std::size_t>((i + 1) % 3)] == to ? i : -1;

@@ -8,8 +8,8 @@
 namespace fulcrum {
 
 bool CutMesh::sort_fragments() {
-    // Each touched root anew: its connected parts by shared edges; of the parts of one fragment that with the
-    // greatest area keeps the number.
+    // Recomputes each touched root: its parts connected by shared edges. Of the parts of one fragment the one
+    // with the largest area keeps the number.
     for (const std::int32_t r : editor_.touched_roots()) {
         parts_.clear();  // first triangle of each part
         ++mark_;
@@ -30,7 +30,7 @@ bool CutMesh::sort_fragments() {
                 }
             }
         }
-        // Fragments that this root had: all those its triangles inherited, and one of which nothing is left.
+        // Fragments of this root: all that its triangles inherited, and any that have no triangle left.
         for (std::int32_t f = r; f >= 0;) {
             std::int32_t best = -1;
             double best_share = -1;
@@ -134,12 +134,12 @@ std::int32_t CutMesh::find_pieces() {
 }
 
 std::int32_t CutMesh::find_parted(std::int32_t* firsts, std::int32_t room) {
-    // From every triangle of what the cut touched at once, breadth first: sides that meet are one.
+    // Breadth first from all triangles that the cut touched at once: sides that meet are one piece.
     sides_met_.clear();
     queue_.clear();
     ++mark_;
     std::int32_t undecided = 0;
-    bool held = false;  // of one side it is known; without, the last undecided one must be
+    bool held = false;  // one side is known to be held; otherwise the last undecided one must be
     const auto take = [&](std::int32_t t, std::int32_t side) {
         triangle_mark_[t] = mark_;
         piece_of_[t] = side;
@@ -180,7 +180,7 @@ std::int32_t CutMesh::find_parted(std::int32_t* firsts, std::int32_t room) {
         }
         Side& here = sides_met_[side];
         if (--here.open > 0 || here.fixed) continue;
-        --undecided;  // all of it was seen
+        --undecided;  // all of it was visited
         if (parted < room) firsts[parted] = here.first;
         ++parted;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Making, reading and saving; cutting itself is in cut_step.cpp.
+// Construction, queries and saving; cutting itself is in cut_step.cpp.
 #include "sim_core/cutting/cut_mesh.h"
 
 #include <algorithm>
@@ -18,26 +18,28 @@ namespace {
 }
 
 void require_manifold(const TriangleMesh& mesh) {
-    if (mesh.triangles.empty()) refuse("", "it has no triangle", "give a surface");
+    if (mesh.triangles.empty()) refuse("", "the mesh has no triangle", "give a surface");
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
         if (!mesh.vertices[v].allFinite())
-            refuse("vertex " + std::to_string(v), "not finite", "give finite coordinates");
+            refuse("vertex " + std::to_string(v), "a coordinate is not finite", "give finite coordinates");
     const auto count = static_cast<std::int32_t>(mesh.vertices.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const Triangle& v = mesh.triangles[t];
         if (*std::min_element(v.begin(), v.end()) < 0 || *std::max_element(v.begin(), v.end()) >= count)
-            refuse("triangle " + std::to_string(t), "names a vertex that is not there",
+            refuse("triangle " + std::to_string(t), "the triangle uses a vertex that does not exist",
                    "use vertices 0 to " + std::to_string(count - 1));
         if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0])
-            refuse("triangle " + std::to_string(t), "names a vertex twice", "leave the triangle out");
+            refuse("triangle " + std::to_string(t), "the triangle uses a vertex twice",
+                   "remove the triangle");
     }
     const MeshReport report = check_mesh(mesh);
     if (!report.manifold_edges) refuse("", "an edge has more than two triangles", "split the surface there");
     if (!report.oriented)
-        refuse("", "two neighbours run their common edge in the same sense", "orient all triangles alike");
+        refuse("", "two neighbouring triangles have opposite orientation",
+               "orient all triangles the same way");
     if (!report.manifold_vertices)
-        refuse("vertex " + std::to_string(report.first_bad_vertex), "joins two fans of triangles",
-               "give each fan a vertex of its own");
+        refuse("vertex " + std::to_string(report.first_bad_vertex),
+               "the vertex joins two separate triangle fans", "give each fan a vertex of its own");
 }
 
 std::shared_ptr<const CutModel> make_model(const TriangleMesh& mesh, const CutCapacity& capacity) {
@@ -50,7 +52,7 @@ std::shared_ptr<const CutModel> make_model(const TriangleMesh& mesh, const CutCa
     model->capacity = capacity;
     if (capacity.vertices < model->original_vertices || capacity.triangles < model->root_count ||
         capacity.fragments < model->root_count || capacity.stroke_triangles < 0)
-        refuse("capacity", "below what the mesh itself needs", "use CutMesh::capacity_for");
+        refuse("capacity", "the capacity is smaller than the mesh itself needs", "use CutMesh::capacity_for");
     for (const Triangle& t : mesh.triangles) {
         const Vector3& a = mesh.vertices[static_cast<std::size_t>(t[0])];
         const Vector3& b = mesh.vertices[static_cast<std::size_t>(t[1])];
@@ -108,7 +110,8 @@ CutMesh::CutMesh(const TriangleMesh& mesh, const std::vector<std::int32_t>& fixe
     state_.stroke_place = CutTable<std::int32_t>(capacity.triangles, 0);
     for (const std::int32_t v : fixed) {
         if (v < 0 || v >= model_->original_vertices)
-            refuse("fixed", "vertex " + std::to_string(v) + " is not there", "name vertices of the mesh");
+            refuse("fixed", "vertex " + std::to_string(v) + " does not exist",
+                   "use vertex numbers of the mesh");
         state_.vertices[v].fixed = true;
     }
     reset();

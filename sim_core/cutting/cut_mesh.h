@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// A surface that can be cut (Pan et al. 2011, Triangle subdivision, Figs. 10, 12, 13; docs/THEORY.md 5).
+// A surface that can be cut (Pan et al. 2011, Triangle subdivision, Figs. 10, 12, 13; docs/THEORY.md,
+// section 5).
 //
-// One rule cuts all: triangles that the blade's band meets and that hang together with the blade along the
-// surface are split where a border crosses their edges (once an edge, so that both its triangles agree), what
-// lies inside is removed, vertices left between two fans are divided, and what remains is tidied within its
-// root (collapse and flip of children only, where the union stays). Every step is a transaction: validated
-// against the invariants below on all it touched, then committed with a new version, or played back bit for
-// bit and tried again with borders that move to near vertices; if that fails too the tissue stays uncut and
-// the report says so. A band too thin for the triangles it meets (a thousandth of their size) is widened, and
-// a border that would leave a part without area goes through the next vertex: both count as cut.
+// One rule for all cuts: triangles that the blade's band meets and that are connected to the blade along the
+// surface are split where a border crosses their edges (once per edge, so that both its triangles agree), the
+// inside is removed, vertices left between two fans are divided, and the remainder is tidied within its root
+// (collapse and flip of children only, where the union stays the same). Every step is a transaction: it is
+// validated against the invariants below on all it touched, then committed with a new version, or rolled back
+// bit for bit and tried again with borders moved to nearby vertices. If that fails too, the tissue stays
+// uncut and the report says so. A band too thin for the triangles it meets (a thousandth of their size) is
+// widened, and a border that would leave a part without area goes through the next vertex; both count as cut.
 //
-// Invariants after every commit: finite; no visible triangle without area; conforming (neighbours name each
-// other across one directed edge, at most two triangles an edge, orientation kept); the triangles of a vertex
-// form one fan, so rims are closed loops; rest area made = visible + removed.
+// Invariants after every commit: finite; no visible triangle without area; conforming (neighbours refer to
+// each other across one directed edge, at most two triangles per edge, orientation kept); the triangles of a
+// vertex form one fan, so borders are closed loops; rest area at the start = visible + removed.
 //
-// Threads: one thread at a time (the world's). cut() and all queries: no allocation, no lock, no exceptions,
-// no trigonometry; deterministic. Construction throws InputError. m, m2; positions in any one frame.
+// Threads: one at a time (the world's). cut() and all queries: no allocation, lock, exception or
+// trigonometry; deterministic. Construction throws InputError. m, m2; positions in any one frame.
 #pragma once
 
 #include <memory>
@@ -27,73 +28,75 @@ namespace fulcrum {
 
 enum class CutOutcome : std::uint8_t {
     cut,          ///< committed
-    nothing,      ///< the band met no visible ground, or the step has no length
-    rolled_back,  ///< no attempt was valid: the tissue is as before
-    full,         ///< no room: the tissue is as before; CutReport::lacking names what to raise
-    invalid,      ///< the step or a position is not finite, or the band has no width: nothing done
+    nothing,      ///< the band met no visible tissue, or the step has no length
+    rolled_back,  ///< no attempt was valid: the tissue is unchanged
+    full,         ///< no room: the tissue is unchanged; CutReport::lacking names the capacity to raise
+    invalid,      ///< the step or a position is not finite, or the band has no width: the tissue is unchanged
 };
 
 struct CutReport {
     CutOutcome outcome = CutOutcome::nothing;
     CutLimit lacking = CutLimit::none;
-    std::int32_t roll_backs = 0;  ///< attempts played back in this call
+    std::int32_t roll_backs = 0;  ///< attempts rolled back in this call
     std::int32_t met = 0;         ///< visible triangles on the cutting list
     double removed_area = 0;      ///< m2 at rest, by this call
-    double width = 0;             ///< m, of the band: the step's, more where the surface is too coarse for it
-    std::int32_t root = -1;       ///< root to begin the next step's search from; -1: nothing was met
+    double width = 0;  ///< m, of the band: that of the step, or more if the surface is too coarse for it
+    std::int32_t root = -1;  ///< root from which the next step's search starts; -1: nothing was met
 };
 
-/// Fig. 12: [0] = 12a ... [9] = 12j. Triangles that were visible when the stroke began and that its band met.
-/// a-c: the triangle the stroke starts or ends in, with no corner in the band, one on its border, one in it.
-/// Others, and start or end triangles with more corners in: two corners in with the third left (d) or right
-/// (e); one in, the others both left (f), both right (g), one on each side (h); none in (i); all in (j).
+/// Cases of Fig. 12: [0] = 12a ... [9] = 12j. They count triangles that were visible when the stroke began
+/// and that its band met. a-c: the triangle in which the stroke starts or ends, with no corner in the band,
+/// one on its border, one in it. Others, and start or end triangles with more corners in the band: two
+/// corners in with the third left (d) or right (e); one in, the others both left (f), both right (g), one on
+/// each side (h); none in (i); all in (j).
 struct CutCases {
     std::array<std::int32_t, 10> count = {};
-    std::int32_t unnamed = 0;  ///< triangles beyond CutCapacity::stroke_triangles
+    std::int32_t unnamed = 0;  ///< triangles not classified, beyond CutCapacity::stroke_triangles
 };
 
 /// A connected part of the visible surface (by shared edges).
 struct CutPiece {
     std::int32_t triangles = 0;
-    std::int32_t first = -1;  ///< a triangle of it
+    std::int32_t first = -1;  ///< one of its triangles
     double area = 0;          ///< m2 at rest
     bool fixed = false;       ///< it has a fixed vertex
 };
 
-/// Where two fragments (or a fragment and nothing) meet along an edge of their roots.
+/// Contact of two fragments (or of a fragment and a border) along an edge of their roots.
 struct FragmentContact {
     int edge = 0;             ///< 0: corners 0 and 1 of the root, 1: 1 and 2, 2: 2 and 0
-    std::int32_t other = -1;  ///< fragment across; -1: rim
+    std::int32_t other = -1;  ///< fragment across; -1: border
     double length_share = 0;  ///< of the root's edge
 };
 
 class CutMesh {
   public:
-    /// fixed: vertices that are held. Throws InputError where the mesh is empty, not finite, names a vertex
-    /// twice in a triangle, has an edge with more than two triangles, neighbours of opposite orientation or a
-    /// vertex that joins two fans; and where a capacity is below what the mesh itself needs.
+    /// fixed: vertices that are held. Throws InputError if the mesh is empty, not finite, uses a vertex twice
+    /// in a triangle, has an edge with more than two triangles, neighbours of opposite orientation or a
+    /// vertex that joins two fans, or if a capacity is smaller than the mesh itself needs.
     CutMesh(const TriangleMesh& mesh, const std::vector<std::int32_t>& fixed, const CutCapacity& capacity);
-    /// Room for the mesh and `steps` steps of some twenty triangles each.
+    /// Capacity for the mesh and `steps` steps of about twenty triangles each.
     static CutCapacity capacity_for(const TriangleMesh& mesh, std::int32_t steps);
 
-    // -- Cutting. `positions`: where every vertex is now, room for capacity().vertices; new vertices are
+    // -- Cutting. `positions`: current position of every vertex, with room for capacity().vertices; new
+    // vertices are
     //    appended to it by interpolation.
 
     void begin_stroke();
     CutReport cut(const BladeStep& step, Vector3* positions);
-    /// Cases of the stroke so far; the end triangle is the one its latest step ended in.
+    /// Cases of the stroke so far; the end triangle is the one in which its latest step ended.
     CutCases cases() const;
-    /// Removes a connected part (find_pieces() of this version), its ground counted as removed.
+    /// Removes a connected part (number from find_pieces() of this version); its area counts as removed.
     CutReport remove_piece(std::int32_t piece, Vector3* positions);
-    /// Joins nothing, cuts nothing: back to the mesh as it was made.
+    /// Restores the original mesh.
     void reset();
 
-    // -- What is there.
+    // -- Queries.
 
     const TriangleMesh& mesh() const { return model_->mesh; }
     const CutModel& model() const { return *model_; }
     const CutCapacity& capacity() const { return model_->capacity; }
-    /// Vertices and triangles have numbers below these; some are gone or hidden.
+    /// Upper bounds of vertex and triangle numbers; some of them are deleted or hidden.
     std::int32_t vertex_count() const { return state_.vertex_count; }
     std::int32_t triangle_count() const { return state_.triangle_count; }
     const CutVertex& vertex(std::int32_t v) const { return state_.vertices[v]; }
@@ -107,36 +110,38 @@ class CutMesh {
     double area_removed() const { return state_.area_removed; }
     std::uint64_t version() const { return state_.version; }
     std::uint64_t rolled_back() const { return state_.rolled_back; }
-    /// Of the latest commit: roots that changed, and vertices it made.
+    /// Roots changed and vertices created by the latest commit.
     const CutList<std::int32_t>& touched_roots() const { return editor_.touched_roots(); }
     const CutList<std::int32_t>& new_vertices() const { return editor_.new_vertices(); }
-    /// Visible triangles with their vertices' numbers, rising by triangle.
+    /// Visible triangles with their vertex numbers, in ascending order of triangle.
     std::vector<Triangle> visible_triangles() const;
-    /// Root near a point: that of the nearest visible triangle, -1 where nothing is left. O(triangles).
+    /// Root near a point: that of the nearest visible triangle, -1 if nothing is left. O(triangles).
     std::int32_t nearest_root(const Vector3& point, const Vector3* positions) const;
 
-    // -- Fragments: what the springs hang on. Numbers are stable; fragment r is root r before any cut. All
-    // that
-    //    a root r ever had: for (f = r; f >= 0; f = fragment(f).next_of_root); without triangles it is gone.
+    // -- Fragments: the units that springs connect. Numbers are stable; fragment r is root r before any cut.
+    // All
+    //    that a root r ever had: for (f = r; f >= 0; f = fragment(f).next_of_root); one without triangles is
+    //    gone.
 
     std::int32_t fragment_count() const { return state_.fragment_count; }
     const CutFragment& fragment(std::int32_t f) const { return state_.fragments[f]; }
     std::int32_t fragment_of_triangle(std::int32_t t) const { return state_.triangles[t].fragment; }
-    /// Fragment that a vertex belongs to (any of those around it), -1 where the vertex is gone.
+    /// Fragment that a vertex belongs to (any of those around it), -1 if the vertex is deleted.
     std::int32_t fragment_of_vertex(std::int32_t v) const;
-    /// Which neighbour a fragment meets over how much of each edge of its root, rims included (-1). Fills at
-    /// most `room` rows, returns how many there are.
+    /// Neighbours of a fragment and the length of contact on each edge of its root, borders included (-1).
+    /// Writes at most `room` rows, returns how many there are.
     std::int32_t contacts_of(std::int32_t fragment, FragmentContact* contacts, std::int32_t room) const;
 
-    // -- Pieces, by shared edges. Valid until the next change.
+    // -- Pieces, connected by shared edges. Valid until the next change.
 
     std::int32_t find_pieces();
     const CutPiece& piece(std::int32_t p) const { return pieces_[p]; }
     std::int32_t piece_of_triangle(std::int32_t t) const { return piece_of_[t]; }
-    /// Pieces without a fixed vertex that the latest commit parted from the rest: a triangle of each (at most
-    /// `room`) and how many there are. Looks no further than to where the sides of the cut meet again, so a
-    /// cut that parts nothing costs what it touched. The surface must have hung on a fixed vertex before,
-    /// pieces that were loose already are found again when they are cut. find_pieces() is void afterwards.
+    /// Pieces without a fixed vertex that the latest commit separated: a triangle of each (at most `room`)
+    /// and how many there are. Searches only as far as where the sides of the cut meet again, so a cut that
+    /// separates nothing costs no more than what it touched. Assumes that the surface was connected to a
+    /// fixed vertex before; pieces that were loose already are found again when they are cut. Invalidates
+    /// find_pieces().
     std::int32_t find_parted(std::int32_t* firsts, std::int32_t room);
 
     // -- Saving.
@@ -149,7 +154,7 @@ class CutMesh {
     std::uint64_t bytes() const;
 
   private:
-    /// Of which planes a vertex lies outside or inside by more than the tolerance, a bit each.
+    /// Bit masks of the planes that a vertex is outside or inside of by more than the tolerance.
     struct VertexSides {
         std::uint32_t stamp = 0;
         std::uint16_t outside = 0, inside = 0;
@@ -186,10 +191,10 @@ class CutMesh {
     CutList<std::int32_t> queue_, met_, band_, around_, parts_;
     CutTable<std::int32_t> piece_of_;
     CutList<CutPiece> pieces_;
-    /// A side of the latest cut while find_parted() looks how far it reaches.
+    /// One side of the latest cut, while find_parted() determines how far it extends.
     struct Side {
-        std::int32_t first = -1, parent = -1;  ///< parent: that it has met, -1: its own
-        std::int32_t open = 0;                 ///< triangles whose neighbours were not looked at
+        std::int32_t first = -1, parent = -1;  ///< parent: side that it has met, -1: none
+        std::int32_t open = 0;                 ///< triangles whose neighbours were not visited
         bool fixed = false;
     };
     std::int32_t side_of(std::int32_t side) const {
@@ -199,16 +204,16 @@ class CutMesh {
     CutList<Side> sides_met_;
 };
 
-/// Everything docs/THEORY.md 5 asks of a surface, checked from scratch over all of it, geometry included.
+/// All requirements of docs/THEORY.md, section 5, on a surface, checked on all of it, geometry included.
 struct CutCheck {
     bool finite = true;
-    bool no_zero_area = true;     ///< share of each visible triangle above 0 in a root that has area
-    bool conforming = true;       ///< neighbours name each other; no vertex lies inside another visible edge
-    bool manifold_edges = true;   ///< at most two triangles an edge, in opposite senses
+    bool no_zero_area = true;  ///< share of each visible triangle above 0 in a root that has area
+    bool conforming = true;    ///< neighbours refer to each other; no vertex lies inside another visible edge
+    bool manifold_edges = true;   ///< at most two triangles per edge, in opposite directions
     bool one_fan = true;          ///< the triangles of each vertex form one fan
-    bool rims_closed = true;      ///< following the rim from any edge of it leads back
-    bool oriented = true;         ///< no triangle is turned over in its root
-    bool area_kept = true;        ///< made = visible + removed, relative error at most 1e-9
+    bool rims_closed = true;      ///< every border is a closed loop
+    bool oriented = true;         ///< no triangle is flipped in its root
+    bool area_kept = true;        ///< original = visible + removed, relative error at most 1e-9
     bool hierarchy = true;        ///< a split triangle has children or is covered, visible ones are listed
     double area_error = 0;        ///< relative
     std::int32_t first_bad = -1;  ///< triangle or vertex
@@ -218,7 +223,7 @@ struct CutCheck {
     }
     const char* complaint() const;
 };
-/// O(n log n), allocates: for tests and studies. positions may be null (rest is checked alone).
+/// O(n log n), allocates: for tests and studies. positions may be null (then only the rest shape is checked).
 CutCheck check_cut(const CutMesh& mesh, const Vector3* positions);
 
 }  // namespace fulcrum

@@ -65,7 +65,7 @@ std::int32_t CutEditor::split_edge(std::int32_t triangle, int edge, double share
 bool CutEditor::remove(const CutList<std::int32_t>& doomed) {
     ++removal_;
     for (const std::int32_t t : doomed) doomed_stamp_[t] = removal_;
-    // Vertices first, while the way around them is still whole.
+    // Vertices first, while the fans around them are still complete.
     for (const std::int32_t t : doomed) {
         for (const std::int32_t v : state_->triangles[t].vertices) {
             if (divided_stamp_[v] == removal_) continue;
@@ -76,7 +76,7 @@ bool CutEditor::remove(const CutList<std::int32_t>& doomed) {
             if (count == 0) continue;
             std::int32_t start = 0;
             while (start < count && doomed_stamp_[around[start]] != removal_) ++start;
-            std::int32_t name = -1;  // of the vertex for the run of kept triangles at hand
+            std::int32_t name = -1;  // vertex for the current run of kept triangles
             bool first_run = true, in_run = false;
             const std::int32_t begin = closed ? start : 0;
             for (std::int32_t k = 0; k < count; ++k) {
@@ -140,7 +140,7 @@ bool CutEditor::flip(std::int32_t triangle, int edge) {
         return false;
     const double one = share_of(at_a, at_d, at_c), two = share_of(at_d, at_b, at_c);
     if (!(one > least_share) || !(two > least_share)) return false;
-    // The new edge must not be there already: d and c would then be joined twice.
+    // The new edge must not exist yet: d and c would then be joined twice.
     bool closed = false;
     for (const std::int32_t s : fan(c, closed))
         if (corner_of(state_->triangles[s], d) >= 0) return false;
@@ -187,7 +187,7 @@ bool CutEditor::collapse(std::int32_t from, std::int32_t to) {
             for (std::int32_t k = 0; k < between; ++k)
                 opposite = opposite || corner_of(state_->triangles[gone[k]], v) >= 0;
             if (opposite) continue;
-            // v is in the ring of `from` alone, unless a triangle of its own fan holds `to`.
+            // v is in the ring of `from` only, unless a triangle of its own fan contains `to`.
             const std::int32_t seed = state_->vertices[v].triangle;
             std::int32_t s = seed;
             for (int way = 0; way < 2; ++way) {
@@ -223,7 +223,7 @@ bool CutEditor::collapse(std::int32_t from, std::int32_t to) {
     const double area_of_root = model_->areas[static_cast<std::size_t>(touched_root)];
     if (std::abs(after - before) > 1e-12 * area_of_root) return false;
 
-    // Each triangle between them disappears and its two other neighbours meet.
+    // Each triangle between them disappears and its two other neighbours become adjacent.
     for (std::int32_t k = 0; k < between; ++k) {
         const CutTriangle old = state_->triangles[gone[k]];
         const int i = corner_of(old, from), j = corner_of(old, to);
@@ -233,7 +233,7 @@ bool CutEditor::collapse(std::int32_t from, std::int32_t to) {
         const std::int32_t beyond = neighbour_at(old, edge_to), kept = neighbour_at(old, edge_from);
         const std::int32_t corner = vertex_at(old, x);
         hide(gone[k], CutTriangleState::split);
-        // Every kept triangle of the fan is in `around`; reshaping it follows. Point the two at each other.
+        // Every kept triangle of the fan is in `around` and is reshaped later. Link the two to each other.
         if (kept >= 0) {
             CutTriangle& row = edit_triangle(kept);
             for (std::int32_t& n : row.neighbours)

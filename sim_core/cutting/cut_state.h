@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a cut surface is made of: plain records that can be copied, compared and restored.
+// Records of a cut surface: plain data that can be copied, compared and restored.
 //
-// Roots are the triangles of the mesh as it was made and stay for ever. A triangle is visible (it is drawn,
-// it carries), split (its children are drawn instead), removed (ground that the blade took) or vacant. A
-// vertex lies in one root at barycentric coordinates, so that texture, weights and rest position follow from
-// the root's corners; vertices 0 .. n - 1 are the mesh's own. Lengths in m at rest.
+// Roots are the triangles of the original mesh and are permanent. A triangle is visible (drawn,
+// load-carrying), split (its children are drawn instead), removed (taken by the blade) or vacant. A vertex is
+// in one root at barycentric coordinates, so that texture, weights and rest position follow from the root's
+// corners; vertices 0 .. n - 1 are those of the mesh. Lengths in m at rest.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@
 
 namespace fulcrum {
 
-/// A table of fixed length that is indexed as meshes are, with std::int32_t. Copying between tables of the
-/// same length allocates nothing.
+/// A table of fixed length, indexed with std::int32_t like the meshes. Copies between tables of the same
+/// length do not allocate.
 template <typename Row>
 class CutTable {
   public:
@@ -32,7 +32,7 @@ class CutTable {
     std::vector<Row> rows_;
 };
 
-/// A list of at most as many entries as it was made for.
+/// A list with a fixed capacity.
 template <typename Entry>
 class CutList {
   public:
@@ -41,7 +41,7 @@ class CutList {
     void clear() { count_ = 0; }
     void resize(std::int32_t count) { count_ = count; }
     bool full() const { return count_ == entries_.size(); }
-    /// False where there is no room.
+    /// False if it is full.
     bool push(const Entry& entry) {
         if (full()) return false;
         entries_[count_++] = entry;
@@ -64,14 +64,14 @@ enum class CutTriangleState : std::uint8_t { vacant, visible, split, removed };
 
 struct CutTriangle {
     Triangle vertices = {-1, -1, -1};                       ///< counterclockwise from outside
-    std::array<std::int32_t, 3> neighbours = {-1, -1, -1};  ///< across ab, bc, ca; -1 at a rim
+    std::array<std::int32_t, 3> neighbours = {-1, -1, -1};  ///< across ab, bc, ca; -1 at a border
     std::int32_t root = -1;
-    std::int32_t parent = -1;  ///< the triangle that was visible before the cut that made this one
+    std::int32_t parent = -1;  ///< triangle that was visible before the cut that created this one
     std::int32_t first_child = -1, next_sibling = -1;
     std::int32_t next_in_root = -1, previous_in_root = -1;  ///< visible triangles of a root
     std::int32_t fragment = -1;
-    std::int32_t stroke = 0;    ///< number of the stroke that made it, 0 for roots
-    std::uint32_t attempt = 0;  ///< number of the transaction that made it, 0 for roots
+    std::int32_t stroke = 0;    ///< number of the stroke that created it, 0 for roots
+    std::uint32_t attempt = 0;  ///< number of the transaction that created it, 0 for roots
     CutTriangleState state = CutTriangleState::vacant;
     double share = 0;  ///< of the root's area
 };
@@ -80,9 +80,9 @@ struct CutVertex {
     Vector3 rest = Vector3::Zero();         ///< m
     Vector3 barycentric = Vector3::Zero();  ///< in root, of its corners; exact zeros on its edges
     std::int32_t root = -1;
-    std::int32_t triangle = -1;  ///< a visible triangle at this vertex; -1: the vertex is gone
+    std::int32_t triangle = -1;  ///< a visible triangle at this vertex; -1: the vertex is deleted
     bool fixed = false;
-    bool divided = false;  ///< others lie at the same place: it joined several fans once
+    bool divided = false;  ///< other vertices are at the same position: it once joined several fans
 };
 
 struct CutRoot {
@@ -91,27 +91,27 @@ struct CutRoot {
     double removed_share = 0;  ///< of its area
 };
 
-/// Visible triangles of one root that hang together by shared edges. Fragment r is root r before any cut; a
-/// fragment that falls apart keeps its number for the part with the greatest area.
+/// Visible triangles of one root connected by shared edges. Fragment r is root r before any cut; a fragment
+/// that falls apart keeps its number for the part with the largest area.
 struct CutFragment {
     std::int32_t root = -1;
-    std::int32_t from = -1;          ///< fragment that it came off, -1 for the first of a root
-    std::int32_t next_of_root = -1;  ///< the next fragment ever made of this root, -1: none
-    std::int32_t triangles = 0;      ///< visible ones; 0: nothing is left of it
+    std::int32_t from = -1;          ///< fragment that it separated from, -1 for the first of a root
+    std::int32_t next_of_root = -1;  ///< the next fragment ever created in this root, -1: none
+    std::int32_t triangles = 0;      ///< number of visible triangles; 0: nothing is left
     double share = 0;                ///< of the root's area
 };
 
-/// What a stroke has done so far to a triangle that was visible when it began (for the ten cases).
+/// Effect of a stroke so far on a triangle that was visible when it began (for the ten cases).
 struct StrokeTriangle {
     std::int32_t triangle = -1;
-    std::array<std::int8_t, 3> side = {0, 0, 0};  ///< corners: +1 left of the blade, -1 right, 0 not known
+    std::array<std::int8_t, 3> side = {0, 0, 0};  ///< corners: +1 left of the blade, -1 right, 0 unknown
     std::array<bool, 3> inside = {false, false, false}, on_border = {false, false, false};
-    Vector3 distance = Vector3::Zero();  ///< m from the blade's way, of the side's latest word
+    Vector3 distance = Vector3::Zero();  ///< m from the blade's path, when `side` was last set
     bool start = false;
-    std::int32_t end_step = -1;  ///< latest step that ended in this triangle
+    std::int32_t end_step = -1;  ///< last step that ended in this triangle
 };
 
-/// How much a surface can hold; nothing allocates once it is made.
+/// Capacities of a surface; no allocation after construction.
 struct CutCapacity {
     std::int32_t vertices = 0, triangles = 0, fragments = 0;
     std::int32_t stroke_triangles = 0;  ///< triangles met by one stroke
@@ -123,9 +123,10 @@ struct CutState {
     CutTable<CutVertex> vertices;
     CutTable<CutRoot> roots;
     CutTable<CutFragment> fragments;
-    CutList<std::int32_t> free_triangles, free_vertices;  ///< made and dropped within one transaction
+    CutList<std::int32_t> free_triangles, free_vertices;  ///< created and dropped within one transaction
     CutList<StrokeTriangle> stroke_triangles;
-    CutTable<std::int32_t> stroke_place;  ///< of a triangle in stroke_triangles, if that row names it
+    CutTable<std::int32_t>
+        stroke_place;  ///< index of a triangle in stroke_triangles, if that row refers to it
     std::int32_t vertex_count = 0, triangle_count = 0, fragment_count = 0;
     std::int32_t visible_count = 0;
     std::int32_t stroke = 0, stroke_step = 0;

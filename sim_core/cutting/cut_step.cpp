@@ -8,16 +8,17 @@
 namespace fulcrum {
 namespace {
 
-// A vertex this near to a border lies on it; each retry moves borders further to near vertices. In widths,
-// but at least so much of the coarsest root met (of its radius): triangles smaller both ways have no area to
-// speak of in their root (least_share).
+// A vertex this near to a border counts as on it; each retry moves borders further to nearby vertices. In
+// widths, but at least this fraction of the radius of the coarsest root met: triangles smaller in both
+// directions have negligible area in their root (least_share).
 struct Snap {
     double of_width, of_root;
 };
 constexpr Snap snaps[] = {{2e-3, 2e-5}, {2e-2, 5e-5}, {1e-1, 1e-4}};
-constexpr double least_width = 1e-3;  // of a band, of the coarsest root met: what its corners need
-// A part with a smaller share is not made: the border goes through the edge's nearer end, where that lies
-// within so much of the width, or of the coarsest root.
+constexpr double least_width =
+    1e-3;  // of a band, as a fraction of the coarsest root met: needed by its corners
+// A part with a smaller share is not created: the border goes through the nearer end of the edge if that end
+// is within this fraction of the width, or of the coarsest root.
 constexpr double meagre = 4 * least_share;
 constexpr double give_of_width = 0.5, give_of_root = 3e-3;
 
@@ -53,7 +54,7 @@ CutOutcome CutMesh::attempt(const BladeStep& step, Vector3* positions, double of
                             CutReport& report) {
     const double removed_before = state_.area_removed;
     double tolerance = of_width * report.width, coarsest = 0, depth = region_.reach;
-    // A wider band may meet a coarser root yet: once more for each.
+    // A wider band may meet a coarser root: repeat.
     for (;;) {
         if (!list_triangles(step.root, tolerance, positions)) return CutOutcome::invalid;
         for (const std::int32_t t : met_)
@@ -100,8 +101,8 @@ CutOutcome CutMesh::attempt(const BladeStep& step, Vector3* positions, double of
 }
 
 bool CutMesh::list_triangles(std::int32_t root, double inset, const Vector3* positions) {
-    // Along the surface from root to root: over ground that the band comes near, and over roots that have
-    // lost ground, as far as the band could reach at rest.
+    // Search along the surface from root to root: over triangles near the band, and over roots that have lost
+    // area, as far as the band could reach at rest.
     met_.clear();
     queue_.clear();
     ++mark_;
@@ -205,7 +206,7 @@ bool CutMesh::clip_by(int plane) {
             made.clear();
             const std::int32_t m = editor_.split_edge(t, edge, at_a / (at_a - at_b));
             if (m < 0) return false;
-            // On this plane by making, and on every plane that holds both ends of the edge.
+            // On this plane by construction, and on every plane that contains both ends of the edge.
             sides(m);
             const unsigned off = sides_[a].outside | sides_[a].inside | sides_[b].outside | sides_[b].inside;
             sides_[m].outside = static_cast<std::uint16_t>(sides_[m].outside & off & ~bit);
@@ -219,7 +220,7 @@ bool CutMesh::clip_by(int plane) {
             }
         }
     }
-    // What lies beyond this plane is kept as it is.
+    // Triangles beyond this plane are kept unchanged.
     for (std::int32_t i = 0; i < band_.size(); ++i) {
         const std::int32_t t = band_[i];
         bool beyond = !editor_.visible(t);

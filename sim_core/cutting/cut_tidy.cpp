@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a cut leaves is tidied within its roots: children only, and only where the union of the triangles
-// stays (docs/THEORY.md 5): a vertex inside one root may go to any neighbour, one on the edge of two roots
-// along that edge, one on the rim along a straight rim.
+// Tidies the triangles of a cut within their roots: children only, and only where the union of the triangles
+// stays the same (docs/THEORY.md, section 5). A vertex inside one root may move to any neighbour, one on the
+// edge of two roots along that edge, one on the border along a straight border.
 #include <algorithm>
 #include <cmath>
 
@@ -10,9 +10,9 @@
 namespace fulcrum {
 namespace {
 
-constexpr double good_enough = 0.25;  // quality that no collapse has to better; 1: equilateral
-constexpr double sliver = 0.1;        // quality below which the 1/8-area rule looks at a triangle
-constexpr double straight = 1e-13;    // share of a root that a collapse along the rim may be off
+constexpr double good_enough = 0.25;  // quality above which no collapse is needed; 1: equilateral
+constexpr double sliver = 0.1;        // quality below which the 1/8-area rule applies to a triangle
+constexpr double straight = 1e-13;    // share of a root by which a collapse along the border may change area
 
 }  // namespace
 
@@ -41,7 +41,7 @@ double CutMesh::quality(std::int32_t root, std::int32_t a, std::int32_t b, std::
 }
 
 double CutMesh::worst_after(std::int32_t from, std::int32_t to, double enough) const {
-    // around_ holds the triangles of `from`; what falls below `enough` need not be known better.
+    // around_ holds the triangles of `from`; the search stops once the quality falls below `enough`.
     double after = 1;
     for (const std::int32_t t : around_) {
         const CutTriangle& row = state_.triangles[t];
@@ -56,7 +56,7 @@ double CutMesh::worst_after(std::int32_t from, std::int32_t to, double enough) c
 
 bool CutMesh::tidy_vertex(std::int32_t vertex) {
     const CutVertex& here = state_.vertices[vertex];
-    // A vertex that was divided stays: its other half would come to lie inside an edge.
+    // A vertex that was divided stays: otherwise its other half would be inside an edge.
     if (vertex < model_->original_vertices || here.triangle < 0 || here.divided) return true;
     bool closed = false;
     around_.clear();
@@ -115,7 +115,7 @@ bool CutMesh::tidy_vertex(std::int32_t vertex) {
 }
 
 bool CutMesh::tidy() {
-    // Vertices of everything touched, in the order it was touched.
+    // All vertices that were touched, in the order in which they were touched.
     ++mark_;
     parts_.clear();
     for (const std::int32_t t : editor_.touched_triangles()) {
@@ -132,8 +132,8 @@ bool CutMesh::tidy() {
 }
 
 bool CutMesh::tidy_slivers() {
-    // The 1/8-area rule: where a root's visible children are that small on average, the shortest edge of each
-    // obtuse sliver among them is collapsed where that is allowed.
+    // The 1/8-area rule: if a root's visible children are that small on average, the shortest edge of each
+    // obtuse sliver among them is collapsed where allowed.
     for (std::int32_t i = 0; i < editor_.touched_roots().size(); ++i) {
         const std::int32_t r = editor_.touched_roots()[i];
         const CutRoot& root = state_.roots[r];
@@ -165,7 +165,7 @@ bool CutMesh::tidy_slivers() {
 }
 
 bool CutMesh::turn_edges() {
-    // Diagonals within a root, where that betters the worse of two triangles.
+    // Flips diagonals within a root if that improves the worse of two triangles.
     parts_.clear();
     for (const std::int32_t t : editor_.touched_triangles())
         if (editor_.visible(t)) parts_.push(t);

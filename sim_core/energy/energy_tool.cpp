@@ -7,7 +7,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr double half_depth = 0.002;   // m of blood that takes half of the power; provisional
+constexpr double half_depth = 0.002;   // m of blood that absorbs half of the power; provisional
 constexpr double most_tension = 1e3;   // N
 constexpr double hottest_blade = 1e4;  // K
 

@@ -14,8 +14,8 @@ constexpr double tolerance = 1e-14;  // of the residual, relative to the right-h
 constexpr double least_right = 1e-300;
 constexpr double damage_limit = 1e6;
 constexpr double harmless =
-    39;  // degrees C: below it, as of dose, damage counts as at rest (less than 3e-7 1/s)
-constexpr double hottest = 1e6;  // K, beyond which no input leads
+    39;  // degrees C: below it damage, like dose, counts as zero (rate below 3e-7 1/s)
+constexpr double hottest = 1e6;  // K, upper bound for any input
 
 double usable(double value, double most) {
     return value > 0 ? std::min(value, most) : 0.0;
@@ -84,8 +84,8 @@ HeatReport step_heat(const HeatModel& model, const HeatInputs& inputs, double dt
         given += power;
     }
 
-    // Conjugate gradients, preconditioned by the diagonal, from the last temperatures: a handful of rounds
-    // where steps are short.
+    // Conjugate gradients, preconditioned by the diagonal, started from the last temperatures: a few
+    // iterations for short steps.
     multiply(model, state, scratch.diagonal, scratch.next, scratch.product);
     for (std::size_t i = 0; i < count; ++i) scratch.residual[i] = scratch.right[i] - scratch.product[i];
     const double scale = std::sqrt(dot(scratch.right, scratch.right));

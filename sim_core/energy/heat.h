@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Heat in a small graph of tissue patches: conduction between them, perfusion, water that boils off, and what
-// the heat leaves behind (dose, damage). Model (const) / state / scratch; no allocation in a step, no
-// exception, always finite.
+// Heat in a small graph of tissue patches: conduction between them, perfusion, vaporisation of water, and the
+// thermal dose and damage. Model (const) / state / scratch; no allocation in a step, no exception, always
+// finite.
 //
 // Pennes' bioheat equation, lumped: C dT/dt = sum_j G_ij (T_j - T_i) - P (T - T_body) + q + h (T_c - T), by
 // implicit Euler, which is stable for every time step. A patch at the boiling point stays there while it has
-// water: what it would rise above is what boils off.
+// water: the excess heat vaporises water.
 #pragma once
 
 #include <cstdint>
@@ -33,20 +33,20 @@ struct HeatModel {
 };
 
 struct HeatState {
-    std::vector<double> rise;          ///< K above the body's temperature
-    std::vector<double> water;         ///< kg left
+    std::vector<double> rise;          ///< K above body temperature
+    std::vector<double> water;         ///< kg remaining
     std::vector<double> dose;          ///< CEM43, min
     std::vector<double> damage;        ///< Arrhenius integral, see damage_rate()
-    std::vector<std::uint8_t> parted;  ///< 1: this link conducts no longer
+    std::vector<std::uint8_t> parted;  ///< 1: this link no longer conducts
     double given = 0, perfused = 0,
-           boiled = 0;  ///< J since the start: into the patches, out with blood, out with steam
+           boiled = 0;  ///< J since the start: into the patches, removed by blood, removed by steam
 };
 
-/// What heats the patches during a step; one entry a patch.
+/// Heat sources during a step; one entry per patch.
 struct HeatInputs {
-    std::vector<double> power;         ///< q, W; what is not finite or below 0 counts as 0
-    std::vector<double> contact;       ///< h, W/K, of a hot thing that touches
-    std::vector<double> contact_rise;  ///< K above the body's temperature, of that thing
+    std::vector<double> power;         ///< q, W; non-finite or negative values count as 0
+    std::vector<double> contact;       ///< h, W/K, conductance to a hot object in contact
+    std::vector<double> contact_rise;  ///< K above body temperature, of that object
 };
 
 struct HeatScratch {
@@ -57,27 +57,27 @@ struct HeatReport {
     int iterations = 0;
     double residual = 0;      ///< relative
     double steam = 0;         ///< kg boiled off in this step
-    double from_contact = 0;  ///< J that the touching things gave in this step
+    double from_contact = 0;  ///< J received from objects in contact in this step
 };
 
 HeatState make_heat_state(const HeatModel& model);
 HeatInputs make_heat_inputs(const HeatModel& model);
 HeatScratch make_heat_scratch(const HeatModel& model);
 
-/// One step of dt seconds; dt that is not above 0 does nothing.
+/// One step of dt seconds; no effect unless dt > 0.
 HeatReport step_heat(const HeatModel& model, const HeatInputs& inputs, double dt, HeatState& state,
                      HeatScratch& scratch) noexcept;
 
-/// J in the patches above the body's temperature.
+/// Heat stored in the patches above body temperature, J.
 double stored_heat(const HeatModel& model, const HeatState& state);
 
-/// Cumulative equivalent minutes at 43 degrees C in one minute at `temperature`: R^(43 - T), R = 0.5 from 43,
-/// 0.25 from 39 to 43, nothing below 39 (Sapareto and Dewey 1984). Saturates at dose_limit.
+/// Cumulative equivalent minutes at 43 degrees C per minute at `temperature`: R^(43 - T), R = 0.5 from 43,
+/// 0.25 from 39 to 43, zero below 39 (Sapareto and Dewey 1984). Saturates at dose_limit.
 double dose_rate(double temperature);
 inline constexpr double dose_limit = 1e9;
 
 /// 1/s, A exp(-Ea / (R T)) with A 3.1e98 1/s and Ea 6.28e5 J/mol (Henriques and Moritz 1947). 1 -
-/// exp(-integral) is the share of protein that has coagulated. Saturates at 1e6.
+/// exp(-integral) is the coagulated fraction of protein. Saturates at 1e6.
 double damage_rate(double temperature);
 /// 1 - exp(-damage), 0 .. 1.
 double coagulated_share(double damage);

@@ -24,7 +24,7 @@ TriangleFeature edge_feature(double t, TriangleFeature from, TriangleFeature to,
     return t <= 0.0 ? from : (t >= 1.0 ? to : edge);
 }
 
-// The three edges one by one: for triangles without a usable plane.
+// Tests the three edges separately, for triangles without a usable plane.
 TrianglePoint closest_on_edges(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c) {
     const SegmentPoint ab = closest_on_segment(p, a, b), bc = closest_on_segment(p, b, c),
                        ca = closest_on_segment(p, c, a);
@@ -59,7 +59,7 @@ TrianglePoint closest_point_on_triangle(const Vector3& p, const Vector3& a, cons
     const double vc = d1 * d4 - d3 * d2;
     const double vb = d5 * d2 - d1 * d6;
     const double va = d3 * d6 - d5 * d4;
-    // Twice the area squared; a sliver's sub-areas are rounding noise and its plane means nothing.
+    // Twice the area, squared. For a sliver the sub-areas are rounding noise and the plane is undefined.
     const double sum = va + vb + vc;
     const double scale = std::max(ab.squaredNorm(), ac.squaredNorm());
     if (!(sum > 1e-20 * scale * scale)) return closest_on_edges(p, a, b, c);
@@ -94,7 +94,7 @@ SegmentPair closest_points_of_segments(const Vector3& p0, const Vector3& p1, con
             pair.s = std::clamp(-c / a, 0.0, 1.0);
         } else {
             const double b = d1.dot(d2), denominator = a * e - b * b;
-            // Parallel within rounding: any s serves, take the start.
+            // Parallel within rounding: every s is equally close, use the start.
             pair.s = denominator > 1e-14 * a * e ? std::clamp((b * f - c * e) / denominator, 0.0, 1.0) : 0.0;
             pair.t = (b * pair.s + f) / e;
             if (pair.t < 0.0) {

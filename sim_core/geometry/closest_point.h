@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Closest point of a triangle, with the feature it lies on (Ericson, Real-Time Collision Detection, 5.1.5:
-// Voronoi regions).
+// Closest point on a triangle and the feature (face, edge, vertex) that it lies on (Ericson, Real-Time
+// Collision Detection, 5.1.5: Voronoi regions).
 #pragma once
 
 #include "sim_core/numerics/types.h"
@@ -15,13 +15,13 @@ struct TrianglePoint {
     TriangleFeature feature = TriangleFeature::face;
 };
 
-/// Point of triangle abc closest to p. Degenerate triangles are answered by their longest edge or their
-/// single point.
+/// Point of triangle abc closest to p. A degenerate triangle is treated as its longest edge or its single
+/// point.
 TrianglePoint closest_point_on_triangle(const Vector3& p, const Vector3& a, const Vector3& b,
                                         const Vector3& c);
 
-/// Closest points of the segments p0 p1 and q0 q1: parameters in [0, 1]; parallel and zero-length segments
-/// included.
+/// Closest points of the segments p0 p1 and q0 q1, as parameters in [0, 1]. Parallel and zero-length segments
+/// are handled.
 struct SegmentPair {
     double s = 0.0, t = 0.0;
     Vector3 on_first = Vector3::Zero(), on_second = Vector3::Zero();

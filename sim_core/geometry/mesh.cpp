@@ -63,7 +63,8 @@ MeshAdjacency build_adjacency(const TriangleMesh& mesh) {
             const auto a = triangle[e], b = triangle[(e + 1) % 3];
             if (a < 0 || static_cast<std::size_t>(a) >= vertex_count) {
                 throw InputError(
-                    "mesh", "triangle " + std::to_string(t), "vertex " + std::to_string(a) + " is not there",
+                    "mesh", "triangle " + std::to_string(t),
+                    "vertex " + std::to_string(a) + " does not exist",
                     "use vertices 0 to " + std::to_string(static_cast<std::int64_t>(vertex_count) - 1));
             }
             edges.push_back({edge_key(a, b), static_cast<std::int32_t>(3 * t + e)});
@@ -95,8 +96,8 @@ MeshAdjacency build_adjacency(const TriangleMesh& mesh) {
         if ((edges[i].key >> 32) != (edges[i].key & 0xffffffffu)) unique.push_back(edges[i].key);
         i = end;
     }
-    // Sorted by (smaller, larger), each vertex meets its smaller neighbours first: every row comes out
-    // rising.
+    // Sorted by (smaller, larger), so each vertex meets its smaller neighbours first and every row is
+    // ascending.
     for (const auto key : unique) {
         ++result.vertex_neighbour_offsets[key >> 32];
         ++result.vertex_neighbour_offsets[key & 0xffffffffu];
@@ -184,7 +185,7 @@ std::vector<Vector3> vertex_normals(const TriangleMesh& mesh) {
 double enclosed_volume(const std::vector<Vector3>& vertices, const std::vector<Triangle>& triangles) {
     if (vertices.empty()) return 0.0;
     const Vector3& origin =
-        vertices.front();  // close to the mesh: less cancellation than the frame's own origin
+        vertices.front();  // a point close to the mesh: less cancellation than with the frame's origin
     double sum = 0.0;
     for (const auto& triangle : triangles) {
         const Vector3 a = vertices[static_cast<std::size_t>(triangle[0])] - origin;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The triangle mesh every room shares, its adjacency, and a view of both that a patch or a whole surface can
-// fill. Lengths in m; frames are the owner's. Triangles run counterclockwise seen from outside.
+// Triangle mesh used in all rooms, its adjacency, and a view of both for a patch or a whole surface. Lengths
+// in m, in the frame of the mesh's owner. Triangles are counterclockwise seen from outside.
 #pragma once
 
 #include <array>
@@ -14,14 +14,14 @@ namespace fulcrum {
 
 using Triangle = std::array<std::int32_t, 3>;
 
-/// Vertices and triangles; texture coordinates are optional (empty, or one a vertex).
+/// Vertices and triangles; texture coordinates are optional (empty, or one per vertex).
 struct TriangleMesh {
     std::vector<Vector3> vertices;    ///< m
     std::vector<Triangle> triangles;  ///< vertex indices, counterclockwise from outside
     std::vector<Eigen::Vector2d> texture_coordinates;
 };
 
-/// A run of indices inside a larger array; valid as long as that array.
+/// A range of indices inside a larger array; valid as long as that array.
 struct IndexSpan {
     const std::int32_t* first = nullptr;
     std::int32_t count = 0;
@@ -31,23 +31,23 @@ struct IndexSpan {
     std::int32_t operator[](std::int32_t i) const { return first[i]; }
 };
 
-/// Who touches whom, in compressed rows. Edge e of triangle (a, b, c) is ab, bc, ca for e = 0, 1, 2.
+/// Neighbourhood lists in compressed rows. Edge e of triangle (a, b, c) is ab, bc, ca for e = 0, 1, 2.
 struct MeshAdjacency {
     std::vector<std::int32_t> triangle_neighbours;      ///< [3 t + e]: triangle across edge e, -1 at a border
     std::vector<std::int32_t> vertex_triangle_offsets;  ///< vertex_count + 1
-    std::vector<std::int32_t> vertex_triangles;         ///< triangles around each vertex, rising
+    std::vector<std::int32_t> vertex_triangles;         ///< triangles around each vertex, ascending
     std::vector<std::int32_t> vertex_neighbour_offsets;  ///< vertex_count + 1
-    std::vector<std::int32_t> vertex_neighbours;         ///< first ring of each vertex, rising
+    std::vector<std::int32_t> vertex_neighbours;         ///< first ring of each vertex, ascending
 
     IndexSpan triangles_of(std::int32_t vertex) const;
     IndexSpan neighbours_of(std::int32_t vertex) const;
 };
 
-/// Builds the adjacency in O(n log n). An edge shared by more than two triangles keeps the first two
-/// (check_mesh reports it). Throws InputError if a triangle names a vertex that is not there.
+/// Builds the adjacency in O(n log n). If more than two triangles share an edge, the first two are kept
+/// (check_mesh reports it). Throws InputError if a triangle refers to a vertex that does not exist.
 MeshAdjacency build_adjacency(const TriangleMesh& mesh);
 
-/// Positions and adjacency of a surface or of a patch of one, owned by somebody else. Cheap to copy; any
+/// Non-owning view of the positions and adjacency of a surface or of a patch of one. Cheap to copy; any
 /// thread.
 struct SurfaceView {
     const Vector3* positions = nullptr;
@@ -74,19 +74,19 @@ struct SurfaceView {
     }
 };
 
-/// View of a mesh, with other (deformed) positions where given: as many as the mesh has vertices.
+/// View of a mesh, optionally with other (deformed) positions: one per mesh vertex.
 SurfaceView view_of(const TriangleMesh& mesh, const MeshAdjacency& adjacency,
                     const Vector3* positions = nullptr);
 
 /// Twice the area of a triangle times its unit normal.
 Vector3 area_vector(const Vector3& a, const Vector3& b, const Vector3& c);
-/// m2.
+/// Area of a triangle, m2.
 double triangle_area(const Vector3& a, const Vector3& b, const Vector3& c);
 /// Area-weighted unit normal at a vertex; zero where all triangles around it have no area.
 Vector3 vertex_normal(const SurfaceView& surface, std::int32_t vertex);
-/// Mean area of the triangles around a vertex, m2 (Eq. 3's a-bar); 0 for a lone vertex.
+/// Mean area of the triangles around a vertex, m2 (Eq. 3's a-bar); 0 for an isolated vertex.
 double mean_triangle_area(const SurfaceView& surface, std::int32_t vertex);
-/// Mean length of the edges that meet at a vertex, m; 0 for a lone vertex.
+/// Mean length of the edges that meet at a vertex, m; 0 for an isolated vertex.
 double mean_edge_length(const SurfaceView& surface, std::int32_t vertex);
 /// Area-weighted unit normals of all vertices.
 std::vector<Vector3> vertex_normals(const TriangleMesh& mesh);
@@ -95,14 +95,14 @@ double enclosed_volume(const std::vector<Vector3>& vertices, const std::vector<T
 /// Total area, m2.
 double surface_area(const TriangleMesh& mesh);
 
-/// What check_mesh found; indices are -1 where there is nothing to name.
+/// Result of check_mesh; indices are -1 if there is no bad element.
 struct MeshReport {
-    bool indices_valid = true;      ///< every triangle names three different, present vertices
+    bool indices_valid = true;      ///< every triangle has three different, existing vertices
     bool finite = true;             ///< no NaN or infinity
     bool closed = true;             ///< every edge has exactly two triangles
     bool manifold_edges = true;     ///< no edge has more than two
     bool manifold_vertices = true;  ///< the triangles around every vertex form one fan
-    bool oriented = true;           ///< neighbours run their common edge in opposite senses
+    bool oriented = true;           ///< neighbours traverse their common edge in opposite directions
     bool no_zero_area = true;       ///< no triangle without area
     bool no_stray_vertex = true;    ///< every vertex belongs to a triangle
     std::int32_t first_bad_triangle = -1;
@@ -111,13 +111,13 @@ struct MeshReport {
     int components = 0;
     double volume = 0.0;  ///< m3, > 0 where closed and oriented outward
 
-    /// Closed, manifold, consistently oriented, without zero-area triangles. Self-intersection is
-    /// find_self_intersection's.
+    /// Closed, manifold, consistently oriented, without zero-area triangles. Self-intersection is checked by
+    /// find_self_intersection.
     bool watertight() const {
         return indices_valid && finite && closed && manifold_edges && manifold_vertices && oriented &&
                no_zero_area;
     }
-    /// One line naming the first thing wrong; empty where watertight.
+    /// One line that names the first defect; empty if watertight.
     std::string complaint() const;
 };
 

@@ -8,7 +8,7 @@
 namespace fulcrum {
 namespace {
 
-// Below this ratio of height to longest edge a triangle is a line or a point to double precision.
+// A triangle whose height over longest edge is below this is a line or a point in double precision.
 constexpr double zero_area_ratio = 1e-13;
 
 struct DirectedEdge {
@@ -170,14 +170,14 @@ MeshReport check_mesh(const TriangleMesh& mesh) {
 std::string MeshReport::complaint() const {
     const auto triangle = " (triangle " + std::to_string(first_bad_triangle) + ")";
     const auto vertex = " (vertex " + std::to_string(first_bad_vertex) + ")";
-    if (!indices_valid) return "a triangle names a vertex twice or one that is not there" + triangle;
+    if (!indices_valid) return "a triangle uses a vertex twice or one that does not exist" + triangle;
     if (!finite) return "a coordinate is not a finite number" + vertex;
     if (!no_zero_area) return "a triangle has no area" + triangle;
     if (!manifold_edges) return "an edge has more than two triangles" + triangle;
     if (!closed)
-        return first_bad_triangle < 0 ? "there are no triangles" : "the surface has a hole" + triangle;
-    if (!oriented) return "two neighbours face opposite ways" + triangle;
-    if (!manifold_vertices) return "two fans meet at one vertex" + vertex;
+        return first_bad_triangle < 0 ? "the mesh has no triangles" : "the surface has a hole" + triangle;
+    if (!oriented) return "two neighbouring triangles have opposite orientation" + triangle;
+    if (!manifold_vertices) return "two separate triangle fans share one vertex" + vertex;
     return {};
 }
 

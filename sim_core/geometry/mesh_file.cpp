@@ -38,7 +38,7 @@ double read_number(std::string_view token, const std::string& name, std::size_t 
     if (token.empty() || error != std::errc() || end != token.data() + token.size() ||
         !std::isfinite(value)) {
         throw InputError(name, std::to_string(line),
-                         "'" + std::string(token.substr(0, 40)) + "' is no finite number",
+                         "'" + std::string(token.substr(0, 40)) + "' is not a finite number",
                          "write three coordinates in metres after v, two after vt");
     }
     return value;
@@ -50,8 +50,8 @@ struct Scan {
     std::vector<std::size_t> face_lines;
 };
 
-// The loader accepts text where a number belongs and rounds loosely; this pass refuses the one and keeps
-// exact values.
+// The OBJ loader accepts text where a number is required and rounds inexactly. This pass rejects such text
+// and keeps the exact values.
 Scan scan_lines(const std::string& text, const std::string& name, const MeshLimits& limits) {
     Scan scan;
     std::size_t line_number = 0, begin = 0;
@@ -61,7 +61,7 @@ Scan scan_lines(const std::string& text, const std::string& name, const MeshLimi
         std::string_view line(text.data() + begin, end - begin);
         begin = end + 1;
         if (line.find('\0') != std::string_view::npos) {
-            throw InputError(name, std::to_string(line_number), "a zero byte",
+            throw InputError(name, std::to_string(line_number), "the line contains a zero byte",
                              "give a text file in OBJ format");
         }
         const std::string_view keyword = next_token(line);
@@ -69,8 +69,8 @@ Scan scan_lines(const std::string& text, const std::string& name, const MeshLimi
             Vector3 vertex;
             for (int i = 0; i < 3; ++i) vertex[i] = read_number(next_token(line), name, line_number);
             if (vertex.cwiseAbs().maxCoeff() > limits.coordinate_m) {
-                throw InputError(name, std::to_string(line_number), "a coordinate is beyond the limit",
-                                 "give metres");
+                throw InputError(name, std::to_string(line_number), "a coordinate exceeds 1000 m",
+                                 "give coordinates in metres");
             }
             if (scan.vertices.size() >= limits.vertices) {
                 throw InputError(name, std::to_string(line_number), "too many vertices",
@@ -83,7 +83,7 @@ Scan scan_lines(const std::string& text, const std::string& name, const MeshLimi
             std::size_t corners = 0;
             while (!next_token(line).empty()) ++corners;
             if (corners < 3) {
-                throw InputError(name, std::to_string(line_number), "a face with fewer than three corners",
+                throw InputError(name, std::to_string(line_number), "a face has fewer than three corners",
                                  "give at least three vertex numbers after f");
             }
             scan.corners += corners;
@@ -101,7 +101,7 @@ Scan scan_lines(const std::string& text, const std::string& name, const MeshLimi
 
 TriangleMesh parse_obj(const std::string& text, const std::string& name, const MeshLimits& limits) {
     if (text.size() > limits.bytes) {
-        throw InputError(name, "", "larger than " + std::to_string(limits.bytes) + " bytes",
+        throw InputError(name, "", "the file is larger than " + std::to_string(limits.bytes) + " bytes",
                          "give a smaller mesh");
     }
     Scan scan = scan_lines(text, name, limits);
@@ -114,7 +114,7 @@ TriangleMesh parse_obj(const std::string& text, const std::string& name, const M
         tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &stream, nullptr, false, false);
     if (!read || !error.empty()) {
         while (!error.empty() && (error.back() == '\n' || error.back() == ' ')) error.pop_back();
-        throw InputError(name, "", error.empty() ? "not readable as OBJ" : error,
+        throw InputError(name, "", error.empty() ? "the file is not valid OBJ" : error,
                          "number vertices from 1 in faces");
     }
     TriangleMesh mesh;
@@ -133,7 +133,7 @@ TriangleMesh parse_obj(const std::string& text, const std::string& name, const M
                 if (index.vertex_index < 0 ||
                     static_cast<std::size_t>(index.vertex_index) >= mesh.vertices.size()) {
                     throw InputError(name, place(),
-                                     "vertex " + std::to_string(index.vertex_index + 1) + " is not there",
+                                     "vertex " + std::to_string(index.vertex_index + 1) + " does not exist",
                                      "use vertices 1 to " + std::to_string(mesh.vertices.size()));
                 }
                 if (texture_count > 0 && index.texcoord_index >= 0 && index.texcoord_index < texture_count) {
@@ -154,25 +154,28 @@ TriangleMesh parse_obj(const std::string& text, const std::string& name, const M
         }
     }
     if (face_number != scan.face_lines.size()) {
-        throw InputError(name, "", "a face was not understood",
+        throw InputError(name, "", "a face could not be parsed",
                          "write f with vertex numbers, v, v/vt or v/vt/vn");
     }
-    if (mesh.vertices.empty()) throw InputError(name, "", "no vertices", "give lines that begin with v");
+    if (mesh.vertices.empty())
+        throw InputError(name, "", "the file has no vertices", "give lines that begin with v");
     return mesh;
 }
 
 TriangleMesh read_obj(const std::string& path, const MeshLimits& limits) {
     std::ifstream file(path, std::ios::binary | std::ios::ate);
-    if (!file) throw InputError(path, "", "cannot be opened", "check the name and that it may be read");
+    if (!file)
+        throw InputError(path, "", "the file cannot be opened", "check the path and the read permission");
     const std::streamoff size = file.tellg();
     if (size < 0 || static_cast<std::uint64_t>(size) > limits.bytes) {
-        throw InputError(path, "", "not a file of at most " + std::to_string(limits.bytes) + " bytes",
+        throw InputError(path, "", "this is not a file of at most " + std::to_string(limits.bytes) + " bytes",
                          "give a smaller mesh");
     }
     std::string text(static_cast<std::size_t>(size), '\0');
     file.seekg(0);
     file.read(text.data(), size);
-    if (!file) throw InputError(path, "", "cannot be read", "check that it is a file and complete");
+    if (!file)
+        throw InputError(path, "", "the file cannot be read", "check that it is a regular, complete file");
     return parse_obj(text, path, limits);
 }
 

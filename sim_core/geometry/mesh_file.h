@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading and writing Wavefront OBJ. The edge of the program: everything wrong in a file throws InputError.
+// Reading and writing Wavefront OBJ. Every defect in a file throws InputError.
 #pragma once
 
 #include <iosfwd>
@@ -9,23 +9,23 @@
 
 namespace fulcrum {
 
-/// Limits on what comes from outside.
+/// Limits on input files.
 struct MeshLimits {
     std::size_t bytes = 256u << 20;
     std::size_t vertices = 4'000'000;
     std::size_t triangles = 8'000'000;
-    double coordinate_m = 1e3;  ///< no coordinate beyond this: a mesh in millimetres is caught at once
+    double coordinate_m = 1e3;  ///< largest coordinate; detects a mesh in millimetres
 };
 
-/// Reads positions, texture coordinates (one a vertex: a vertex used with several keeps the first) and faces;
-/// polygons become fans. Vertices keep the file's order and number. Throws InputError naming file, line or
-/// element, and hint.
+/// Reads positions, texture coordinates (one per vertex: a vertex used with several keeps the first) and
+/// faces; polygons are split into fans. Vertices keep the order and numbers of the file. Throws InputError
+/// with file, line or element, and hint.
 TriangleMesh read_obj(const std::string& path, const MeshLimits& limits = {});
 
-/// The same from a text in memory; name stands for the file in errors.
+/// Parses a text in memory; `name` is used as the file name in errors.
 TriangleMesh parse_obj(const std::string& text, const std::string& name, const MeshLimits& limits = {});
 
-/// Writes v, vt where present, f; seventeen digits, so that reading gives the same doubles.
+/// Writes v, vt if present, and f, with seventeen digits so that reading returns the same doubles.
 void write_obj(std::ostream& out, const TriangleMesh& mesh);
 
 }  // namespace fulcrum

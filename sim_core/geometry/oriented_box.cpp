@@ -10,7 +10,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr double least_axis = 1e-9;  // sine below which two directions are parallel and their product no axis
+constexpr double least_axis = 1e-9;  // sine below which two directions count as parallel and give no axis
 
 Vector3 into(const OrientedBox& box, const Vector3& point) {
     return box.axes.transpose() * (point - box.centre);
@@ -19,7 +19,7 @@ Vector3 out_of(const OrientedBox& box, const Vector3& local) {
     return box.centre + box.axes * local;
 }
 
-// Fills distance and normal from the two points.
+// Sets distance and normal from the two points.
 Separation between(const Vector3& on_box, const Vector3& on_other) {
     Separation found;
     found.on_box = on_box;
@@ -36,8 +36,8 @@ double outside2(const Vector3& half, const Vector3& local, Vector3& nearest) {
     return (local - nearest).squaredNorm();
 }
 
-// Intervals of two shapes along an axis: keeps the axis of least overlap. Returns false if the axis parts
-// them.
+// Overlap of the projections of two shapes on an axis; keeps the axis of least overlap. Returns false if the
+// axis separates them.
 struct LeastOverlap {
     double size = std::numeric_limits<double>::infinity();
     Vector3 normal = Vector3::UnitZ();  // local, out of the box
@@ -45,7 +45,7 @@ struct LeastOverlap {
     bool take(const Vector3& axis, double box_reach, double low, double high) {
         const double length = axis.norm();
         if (!(length > least_axis)) return true;
-        const double up = box_reach - low, down = high + box_reach;  // ways out along +axis and -axis
+        const double up = box_reach - low, down = high + box_reach;  // exit distances along +axis and -axis
         if (up < 0 || down < 0) return false;
         if (std::min(up, down) < size * length) {
             size = std::min(up, down) / length;
@@ -55,8 +55,8 @@ struct LeastOverlap {
     }
 };
 
-// True if the box (centred, upright) and the convex hull of the points meet, by the axes that their edges
-// give.
+// True if the box (centred, axis-aligned) and the convex hull of the points intersect, tested on the cross
+// products of their edges.
 template <int points, int edges>
 bool meet(const Vector3& half, const Vector3 (&point)[points], const Vector3 (&edge)[edges],
           const Vector3* normals, int normal_count, LeastOverlap& least) {
@@ -113,7 +113,7 @@ Separation separate_point(const OrientedBox& box, const Vector3& point) {
 
 Separation separate_segment(const OrientedBox& box, const Vector3& p, const Vector3& q) {
     const Vector3 from = into(box, p), along = into(box, q) - from;
-    // Places where the segment passes the planes of the faces, in order.
+    // Parameters at which the segment crosses the planes of the faces, ascending.
     double place[8];
     int places = 0;
     place[places++] = 0.0;
@@ -132,7 +132,7 @@ Separation separate_segment(const OrientedBox& box, const Vector3& p, const Vect
         outside2(box.half, local, nearest);
         return (local - nearest).dot(along);
     };
-    // The derivative rises with t: its zero lies in the first interval at whose end it is not negative.
+    // The derivative increases with t: its zero is in the first interval whose end value is not negative.
     double best = 1.0, before = slope(0.0);
     if (!(before < 0)) {
         best = 0.0;
@@ -189,7 +189,7 @@ Separation separate_boxes(const OrientedBox& box, const OrientedBox& other) {
     if (meet(box.half, points, edges, edges, 3, least)) return meeting(box, least, into(box, other.centre));
     Separation best;
     best.distance = std::numeric_limits<double>::infinity();
-    // The twelve edges of each against the other: corners that differ in one bit.
+    // The twelve edges of each box against those of the other: corners that differ in one bit.
     for (int k = 0; k < 8; ++k) {
         for (int bit = 1; bit < 8; bit <<= 1) {
             if ((k & bit) != 0) continue;

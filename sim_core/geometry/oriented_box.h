@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A box in any direction, and its exact distance from points, segments, triangles and other boxes. Any
-// thread; no allocation, no exception; inputs are finite.
+// Oriented box and its exact distance to points, segments, triangles and other boxes. Any thread; no
+// allocation, no exception; inputs must be finite.
 #pragma once
 
 #include "sim_core/numerics/types.h"
@@ -19,7 +19,8 @@ struct OrientedBox {
     }
 };
 
-/// Two nearest points. overlap: m, how far the shapes must part along `normal` where they meet; 0 apart.
+/// Two nearest points. overlap: m, depth by which the shapes must separate along `normal` if they intersect;
+/// 0 otherwise.
 struct Separation {
     double distance = 0;                                           ///< m, >= 0
     double overlap = 0;                                            ///< m, >= 0; only one of the two is not 0
@@ -27,22 +28,22 @@ struct Separation {
     Vector3 normal = Vector3::UnitZ();                             ///< unit, out of the box towards the other
 };
 
-/// Point against the box; inside, overlap is the way out through the nearest face.
+/// Point against the box. Inside, overlap is the exit distance through the nearest face.
 Separation separate_point(const OrientedBox& box, const Vector3& point);
 
-/// Nearest points of the box and the segment p q. The squared distance along a segment is convex with a
-/// derivative linear between the places where the segment passes a face's plane: its zero is found, not
-/// searched for. A segment that enters the box: distance 0, overlap the least way out of a face for all of
-/// it.
+/// Nearest points of the box and the segment p q. The squared distance along a segment is convex and its
+/// derivative is linear between the crossings of face planes, so its zero is computed directly, without
+/// iteration. A segment that enters the box has distance 0; overlap is then the least distance that moves the
+/// whole segment out through a face.
 Separation separate_segment(const OrientedBox& box, const Vector3& p, const Vector3& q);
 
-/// Nearest points of the box and the triangle a b c. They are at an edge of the triangle or at a corner of
-/// the box, unless the two meet; that is told by the thirteen separating axes (Akenine-Moeller 2001;
-/// Gottschalk et al. 1996), whose least overlap is reported. Triangles without area are their segments.
+/// Nearest points of the box and the triangle a b c: at an edge of the triangle or at a corner of the box,
+/// unless the two intersect. Intersection is tested on the thirteen separating axes (Akenine-Moeller 2001;
+/// Gottschalk et al. 1996); the least overlap is reported. A triangle without area is treated as its edges.
 Separation separate_triangle(const OrientedBox& box, const Vector3& a, const Vector3& b, const Vector3& c);
 
-/// Nearest points of two boxes: at an edge of the one or of the other, unless they meet (fifteen axes).
-/// normal: out of the first.
+/// Nearest points of two boxes: at an edge of either, unless they intersect (fifteen axes). normal: outward
+/// from the first box.
 Separation separate_boxes(const OrientedBox& box, const OrientedBox& other);
 
 }  // namespace fulcrum

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The clutch: after a pause or a loss an instrument goes on from where it was held, wherever its device
-// stands by then. Sums of device counts stop at the ends of their range: a device or a record may say
-// anything.
+// The clutch: after a pause or a loss of the device an instrument continues from the pose at which it was
+// held, wherever the device is by then. Sums of device counts saturate at the ends of their range, because a
+// device or a record may contain any value.
 #pragma once
 
 #include <algorithm>
@@ -16,12 +16,12 @@ inline std::int32_t limited_count(std::int64_t count) noexcept {
                                                               std::numeric_limits<std::int32_t>::max()));
 }
 
-/// Counts from the device to what is held.
+/// Offset from the device's counts to the held counts.
 inline std::int32_t clutch_offset(std::int32_t held, std::int32_t device) noexcept {
     return limited_count(static_cast<std::int64_t>(held) - device);
 }
 
-/// The device's count with the clutch's offset.
+/// The device's count plus the clutch offset.
 inline std::int32_t clutched(std::int32_t device, std::int32_t offset) noexcept {
     return limited_count(static_cast<std::int64_t>(device) + offset);
 }

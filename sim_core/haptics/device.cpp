@@ -6,7 +6,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr double jump_limit = 0.2;  // m between two ticks: 200 m/s, no hand does that
+constexpr double jump_limit = 0.2;  // m between two ticks: 200 m/s, impossible for a hand
 
 // Rounds to counts; the caller has checked that the value is finite.
 std::int32_t to_counts(double value, double unit) {

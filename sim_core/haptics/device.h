@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The device interface: what the hands did, as integers, before anything uses it.
+// The device interface: hand input as integers, quantised before anything uses it.
 //
 // A device is sampled once a haptic tick by the haptic thread. What it returns is quantised here
 // (0.1 um, 1e-6 rad, 1 mN) and only the quantised sample is ever used or recorded, so an attempt is a
@@ -33,8 +33,8 @@ enum DeviceButton : std::uint16_t {
 struct DeviceSample {
     std::int32_t handle[3] = {0, 0, 0};  ///< 0.1 um
     std::int32_t roll = 0;               ///< 1e-6 rad, about the shaft, positive from trocar to tip
-    std::int32_t jaw = 0;                ///< 1e-6 rad, asked jaw opening angle, 0 closed
-    std::int32_t grip = 0;               ///< mN, closing force asked of the jaws, >= 0
+    std::int32_t jaw = 0;                ///< 1e-6 rad, requested jaw opening angle, 0 closed
+    std::int32_t grip = 0;               ///< mN, requested closing force of the jaws, >= 0
     std::uint16_t buttons = 0;           ///< DeviceButton mask
     std::uint8_t present = 1;            ///< 0: the device did not answer this tick
     std::uint8_t faulty =
@@ -42,8 +42,8 @@ struct DeviceSample {
 };
 static_assert(sizeof(DeviceSample) == 28, "no hidden padding: the sample is hashed and stored");
 
-/// Everything that enters the simulation at one tick. Decisions that hang on the wall clock (pause, loss, who
-/// was late) are inputs too, so that a replay repeats them.
+/// All inputs of the simulation at one tick. Decisions that depend on the wall clock (pause, loss, which
+/// thread was late) are inputs too, so that a replay repeats them.
 struct RigSample {
     std::uint32_t tick = 0;
     std::uint32_t flags = 0;  ///< RigFlag mask
@@ -70,19 +70,20 @@ struct DeviceReading {
 /// keeps the previous pose and is marked faulty. Never throws; any thread.
 DeviceSample quantise(const DeviceReading& reading, const DeviceSample& previous);
 
-/// A rig of two hands and a camera. Called by the haptic thread only, once a tick, and must not block,
-/// allocate or throw.
+/// A rig of two hands and a camera. Called only by the haptic thread, once per tick; must not block, allocate
+/// or throw.
 class Rig {
   public:
     virtual ~Rig() = default;
-    /// Fills hands, camera and the flags it is responsible for. `tick` is the haptic tick being started.
+    /// Sets hands, camera and the flags that this rig is responsible for. `tick` is the haptic tick that
+    /// starts.
     virtual void read(std::uint32_t tick, RigSample& sample) = 0;
     /// The force to render on a hand's device (N, patient frame), after safety. Devices without force ignore
     /// it.
     virtual void write_force(Hand hand, const Vector3& force) = 0;
     /// True if the hand can feel force.
     virtual bool has_force(Hand hand) const = 0;
-    /// Device damping b in N s/m for Eq. 8; negative where unknown or not applicable.
+    /// Device damping b in N s/m for Eq. 8; negative if unknown or not applicable.
     virtual double damping(Hand hand) const = 0;
 };
 

@@ -7,14 +7,14 @@
 namespace fulcrum {
 namespace {
 
-constexpr double largest_sensible = 1e12;  // N: beyond it squares overflow sooner than they help
-constexpr double least_share = 0.1;  // of the slew that a difference decays by, however fast the hand moves
+constexpr double largest_sensible = 1e12;  // N: larger forces are scaled down before squares overflow
+constexpr double least_share = 0.1;  // of the slew by which a difference decays, however fast the hand moves
 
 bool usable(const Vector3& force) {
     return force.allFinite() && force.cwiseAbs().maxCoeff() < largest_sensible;
 }
 
-// Takes a length off a vector without changing its direction; true while something is left.
+// Shortens a vector by a length without changing its direction; true while something remains.
 bool shrink(Vector3& vector, double length) {
     const double norm = vector.norm();
     if (!(norm > length * (1 + 1e-9))) {
@@ -66,9 +66,9 @@ SafetyOutput step_safety(const SafetyLimits& limits, const SafetyInput& input, S
         gain = limits.ramp_ticks == 0 ? 1.0 : static_cast<double>(state.ramp) / limits.ramp_ticks;
     }
     const Vector3 target = live ? clamp_force(gain * input.force, limits.force) : Vector3(Vector3::Zero());
-    // A change of what makes the force keeps what is sent and lets the difference decay.
+    // A change of the force's source keeps the sent force and lets the difference decay.
     const double most = limits.slew * limits.tick_period;
-    double own = 0;  // N, of this tick's change that the hand made
+    double own = 0;  // N, part of this tick's change caused by the hand
     if (live != state.live) {
         state.difference = state.sent - target;
     } else if (live) {

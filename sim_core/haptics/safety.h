@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands between the model's force and a hand (docs/THEORY.md 4, Safety).
+// Safety layer between the model's force and a hand (docs/THEORY.md, section 4, Safety).
 //
 //  * Size: clamped to the limit, direction kept.
-//  * Slew (0.3 N/ms): acts on changes of the model, on loss and on resume. Each such change leaves the sent
-//  force where
-//    it was and lets the difference decay at the slew rate; a moving hand's own force is not slowed.
+//  * Slew (0.3 N/ms): acts on changes of the model, on loss and on resume. Each such change keeps the sent
+//  force
+//    and lets the difference decay at the slew rate; the force from a moving hand is not slowed.
 //  * Jumps: a force that changes by more than the hand's own motion can explain (another facet, another shaft
-//  or the other
-//    side of one) has changed its model too: what is not explained decays like a swap's difference. The own
-//    motion's change counts against the slew first, so that both together stay within it.
-//  * Start ramp: after a start or resume the force grows from 0 over ramp_ticks.
-//  * Watchdog: a model older than age_limit ticks, an absent device, a pause or a force that is not finite
-//  lead to
-//    force 0 by the slew rate.
-// Logged and scored force is the model's, before this. Haptic thread: no allocation, lock or exception; the
-// result is finite and within the limit whatever comes in.
+//  or
+//    the other side of one) counts as a change of model: the unexplained part decays like the difference of a
+//    swap. The change due to the hand's motion counts against the slew first, so that both together stay
+//    within it.
+//  * Start ramp: after a start or resume the force rises from 0 over ramp_ticks.
+//  * Watchdog: a model older than age_limit ticks, an absent device, a pause or a non-finite force reduces
+//  the
+//    force to 0 at the slew rate.
+// Logged and scored force is the model's, before this layer. Haptic thread: no allocation, lock or exception;
+// the result is finite and within the limit for every input.
 #pragma once
 
 #include <cstdint>
@@ -36,11 +37,12 @@ struct SafetyLimits {
 struct SafetyInput {
     Vector3 force = Vector3::Zero();  ///< N, force on the hand that the model in use gives at this pose
     Vector3 old_force =
-        Vector3::Zero();  ///< N, what the model used before gives at this pose; read when model_changed
-    bool model_changed = false;   ///< the force comes from another model than the tick before
+        Vector3::Zero();          ///< N, force of the previous model at this pose; read if model_changed
+    bool model_changed = false;   ///< the force comes from a different model than at the previous tick
     std::uint32_t model_age = 0;  ///< ticks since the pose of the model
-    bool connected = true;        ///< the device is there and the attempt is not paused
-    /// N, by which the hands' motion since the last tick can have changed the force; infinity: not known.
+    bool connected = true;        ///< the device answers and the attempt is not paused
+    /// N, largest change of the force that the hands' motion since the last tick can cause; infinity:
+    /// unknown.
     double explained = std::numeric_limits<double>::infinity();
 };
 
@@ -61,14 +63,14 @@ struct SafetyOutput {
 struct SafetyState {
     Vector3 sent = Vector3::Zero();        ///< N, last force sent
     Vector3 difference = Vector3::Zero();  ///< N, decaying
-    Vector3 target = Vector3::Zero();      ///< N, what the model asked for at the last tick
+    Vector3 target = Vector3::Zero();      ///< N, force of the model at the last tick
     std::uint32_t ramp = 0;                ///< ticks since the start or resume
     bool live = false;                     ///< the last tick rendered the model
 };
 
 SafetyOutput step_safety(const SafetyLimits& limits, const SafetyInput& input, SafetyState& state);
 
-/// Shortens a force to the limit, direction kept; what is not finite becomes zero.
+/// Shortens a force to the limit, keeping its direction; a non-finite force becomes zero.
 Vector3 clamp_force(const Vector3& force, double limit, bool* clamped = nullptr);
 
 }  // namespace fulcrum

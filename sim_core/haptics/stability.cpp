@@ -27,8 +27,8 @@ Vector3 PassivityController::step(const Vector3& force, const Vector3& hand_velo
         stored -= returned;
         return force;
     }
-    // returned > stored >= 0, so the hand moves and the force pushes it along: its part along the motion
-    // shrinks.
+    // returned > stored >= 0, so the hand moves and the force pushes it along: reduce the part along the
+    // motion.
     const double keep = stored / returned;
     const Vector3 direction = hand_velocity.normalized();
     Vector3 cut = force - (1.0 - keep) * force.dot(direction) * direction;
@@ -61,8 +61,7 @@ PassivityCheck check_passivity(double stiffness, double damping, double device_d
         return check;
     }
     check.limited = true;
-    // What damping would have to be for this stiffness; where even none is not enough, the stiffness gives
-    // way.
+    // Damping required for this stiffness; if even zero damping is too much, the stiffness is reduced.
     const double allowed = distance_from_bound * (device_damping - 0.5 * check.stiffness * period);
     if (allowed >= 0) {
         check.damping = std::min(check.damping, allowed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one haptic tick leaves behind: the record's sample and what the world must know of the contact.
+// Output of one haptic tick: the sample for the record and the contact report for the world.
 #pragma once
 
 #include "sim_core/haptics/device.h"
@@ -8,11 +8,11 @@
 
 namespace fulcrum {
 
-/// One hand's contact as the world needs it; fixed size, crosses the input ring.
+/// One hand's contact as reported to the world; fixed size, crosses the input ring.
 struct ContactReport {
     ToolKinematics tool;
     std::int32_t vertex = -1;  ///< surface vertex of the contact
-    bool slipping = false;     ///< the jaws cannot hold what they pull
+    bool slipping = false;     ///< the traction exceeds what the jaws can hold
 };
 
 struct TickOutput {

@@ -9,8 +9,8 @@
 namespace fulcrum {
 namespace {
 
-constexpr double shortest_handle = 1e-3;  // m: nearer to the pivot the direction means nothing
-constexpr double least_axis_z = 0.1;      // 84 degrees off the nominal direction: no trocar turns further
+constexpr double shortest_handle = 1e-3;  // m: nearer to the pivot the direction is undefined
+constexpr double least_axis_z = 0.1;      // 84 degrees off the nominal direction: limit of any trocar
 
 Vector3 sample_handle(const DeviceSample& sample) {
     return device_length_unit * Vector3(sample.handle[0], sample.handle[1], sample.handle[2]);

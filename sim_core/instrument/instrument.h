@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Instruments and the scope through their trocars: from the handle that a device reports to a tip in the
-// body.
+// Kinematics of instruments and scope through their trocars: from the handle that a device reports to a tip
+// in the body.
 //
 // Handle h in the trocar frame (origin at the pivot, z into the body along the nominal shaft, y up, x = y x
 // z):
 //     axis = -h / |h|,   insertion = shaft_length - |h|,   tip = trocar + R0 (axis * insertion).
-// Hand motion is therefore mirrored and scaled by the lever arm (the fulcrum effect) without a rule of its
-// own. Tool frame: z along the axis, x and y carried from the trocar frame by the smallest rotation, then
-// turned by the roll about z. Everything here is a pure function of quantised samples: any thread, no
+// Hand motion is therefore mirrored and scaled by the lever arm (the fulcrum effect) without a separate rule.
+// Tool frame: z along the axis, x and y transported from the trocar frame by the smallest rotation, then
+// turned by the roll about z. All functions are pure functions of quantised samples: any thread, no
 // allocation, no exception, always finite.
 #pragma once
 
@@ -33,7 +33,7 @@ Trocar make_trocar(const TrocarSpec& spec);
 /// at the pivot gives the nominal direction.
 Vector3 handle_for_tip(const Trocar& trocar, const Vector3& target);
 
-/// What an instrument is; constant.
+/// Constant properties of an instrument.
 struct InstrumentModel {
     Trocar trocar;
     double shaft_radius = 0.0025;                    ///< m
@@ -41,7 +41,7 @@ struct InstrumentModel {
     Vector3 tip_box = Vector3(0.020, 0.005, 0.005);  ///< m, edges a (along the shaft), b (tool x), c (tool y)
     double jaw_length = 0.020;                       ///< m
     double jaw_opening = 1.0;                        ///< rad
-    double grip_limit = 16.0;                        ///< N, asked jaw forces above it are cut
+    double grip_limit = 16.0;                        ///< N, requested jaw forces above it are limited
     double tick_period = 1e-3;                       ///< s
     bool has_jaws = true;                            ///< false for a probe
 };
@@ -55,8 +55,8 @@ struct ToolKinematics {
     Vector3 trocar = Vector3::Zero();            ///< m
     Matrix3 rotation = Matrix3::Identity();      ///< columns: tool x, y, z = axis
     double roll = 0;                             ///< rad
-    double jaw_angle = 0;                        ///< rad, asked opening, 0 .. jaw_opening
-    double grip = 0;                             ///< N, asked jaw force
+    double jaw_angle = 0;                        ///< rad, requested opening, 0 .. jaw_opening
+    double grip = 0;                             ///< N, requested jaw force
     double insertion = 0;                        ///< m, > 0 inside
     Vector3 tip_velocity = Vector3::Zero();      ///< m/s
     Vector3 angular_velocity = Vector3::Zero();  ///< rad/s, of the shaft about the pivot (roll included)
@@ -71,17 +71,17 @@ struct ToolKinematics {
     ToolPose pose() const;
 };
 
-/// What an instrument remembers from tick to tick.
+/// State of an instrument between ticks.
 struct InstrumentState {
     DeviceSample last;  ///< last sample used
     bool started = false;
 };
 
-/// Pose of a sample alone, velocities zero.
+/// Pose of a single sample, velocities zero.
 ToolKinematics tool_pose(const InstrumentModel& model, const DeviceSample& sample);
 
 /// One tick: pose, and velocities from the difference to the last quantised sample (zero in the first tick
-/// and on the tick after an absence, so that a device that comes back does not kick).
+/// and in the tick after an absence, so that a device that comes back causes no jump).
 ToolKinematics step_instrument(const InstrumentModel& model, const DeviceSample& sample,
                                InstrumentState& state);
 
@@ -94,20 +94,20 @@ struct ScopeModel {
     Trocar trocar;
     double angle = 0.5235987755982988;          ///< rad, shaft to view direction
     double field_of_view = 1.2217304763960306;  ///< rad, full angle of the round image
-    double near_limit = 0.002;                  ///< m, nearer than this nothing is seen
+    double near_limit = 0.002;                  ///< m, nearer objects are not seen
 };
 
 ScopeModel make_scope(const CameraSpec& spec);
 
 /// The camera head is held upright while the light post turns with the sample's roll: the roll moves the
-/// direction of view around the shaft and leaves the horizon (Yamaguchi et al. 2004 model). At roll 0 a 30
+/// direction of view around the shaft and keeps the horizon (model of Yamaguchi et al. 2004). At roll 0 a 30
 /// degree scope looks down, away from the light post.
 CameraPose scope_pose(const ScopeModel& model, const DeviceSample& sample);
 
 /// Unit direction of view, patient frame.
 Vector3 view_direction(const CameraPose& camera);
 
-/// True if the point lies in front of the lens and inside the round image.
+/// True if the point is in front of the lens and inside the round image.
 bool in_view(const CameraPose& camera, const Vector3& point, double near_limit = 0.002);
 
 }  // namespace fulcrum

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double pi = 3.141592653589793;
 constexpr double most_pressure =
-    4e6;  // Pa, end of the table: far beyond what any wall bears (0.3 to 0.6 MPa)
+    4e6;  // Pa, end of the table: far above the strength of any wall (0.3 to 0.6 MPa)
 
 void require(bool good, const char* what) {
     if (!good) throw std::invalid_argument(what);
@@ -76,7 +76,7 @@ LayeredWall::LayeredWall(const LayeredWallSpec& spec) : spec_(spec) {
         return 1 / (modulus_factor_ * exp2_tangent({young, exponent}, e));
     };
     for (std::size_t i = 0; i < points; ++i) {
-        // Close where the curve bends (small pressures), wide where it is steep.
+        // Dense where the curve bends (small pressures), coarse where it is steep.
         const double u = static_cast<double>(i) / (points - 1), p = most_pressure * u * u * u;
         pressure_[i] = p;
         depth_[i] = depth_at(p, 0);
@@ -96,8 +96,8 @@ LayeredWall::LayeredWall(const LayeredWallSpec& spec) : spec_(spec) {
 }
 
 double LayeredWall::strain(double young, double exponent, double pressure) const {
-    // e exp(a e^2) = q rises and is convex: Newton from the right side of the root descends to it. Started
-    // where the exponential alone or the linear part alone would already give q.
+    // e exp(a e^2) = q is increasing and convex, so Newton started right of the root descends to it. The
+    // start is where the exponential alone or the linear term alone reaches q.
     const double q = pressure / (modulus_factor_ * young);
     if (q <= 0) return 0;
     const double by_power = q > 1 ? std::sqrt(math::log(q) / exponent) + 1 / std::sqrt(exponent) : q;
@@ -136,7 +136,7 @@ void LayeredWall::pressure_at(double depth, double nodule_height, double& pressu
     const auto depth_of = [&](std::size_t i) { return depth_[i] + h * relief_[i]; };
     const auto rate_of = [&](std::size_t i) { return 1 / (depth_slope_[i] + h * relief_slope_[i]); };
     pressure = slope = 0;
-    if (!(depth > 0)) return;  // NaN is no depth
+    if (!(depth > 0)) return;  // also catches NaN
     const std::size_t last = points - 1;
     if (depth >= depth_of(last)) {
         slope = rate_of(last);

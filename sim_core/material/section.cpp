@@ -16,7 +16,7 @@ struct Hyperbolic {
 };
 
 Hyperbolic hyperbolic(const Lanes& v, const Lanes& zeta) {
-    // Series, each 1 + r_1 x (1 + r_2 x (...)) from its ratios of neighbouring terms; exact to rounding for
+    // Series, each 1 + r_1 x (1 + r_2 x (...)) from the ratios of neighbouring terms; exact to rounding for
     // v <= 1/2 and zeta <= 1.
     Lanes e = all_lanes(1), c = e, s = e, t = e;
     for (int k = 15; k >= 2; --k) e = 1.0 + v * (1.0 / k) * e;
@@ -41,8 +41,8 @@ Hyperbolic hyperbolic(const Lanes& v, const Lanes& zeta) {
 }  // namespace
 
 TubeSection::TubeSection(const std::vector<WallLayer>& layers, double outer_radius) {
-    (void)tube_stiffness(layers, outer_radius, 0.0);  // checks them
-    // Gauss points in u = r^2, by which a ring's area is uniform: 3 points integrate r^10 exactly.
+    (void)tube_stiffness(layers, outer_radius, 0.0);  // checks the layers
+    // Gauss points in u = r^2, in which the area of a ring is uniform: 3 points integrate r^10 exactly.
     static const double place3[3] = {0.5 - std::sqrt(0.15), 0.5, 0.5 + std::sqrt(0.15)};
     static constexpr double weight3[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
     const std::size_t radii = layers.size() == 1 ? 3 : 1;

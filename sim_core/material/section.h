@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a tube's cross-section answers under EXP2 to stretch and bending together (docs/THEORY.md 1.1): energy
-// per rest length w(e, k) = integral of W(e + k y) over the wall, by quadrature over 16 angles and Gauss
-// points in the radius squared (48 points of a plain wall, 16 a layer of a layered one), not by a scaled EI.
+// Response of a tube's cross-section under EXP2 to combined stretch and bending (docs/THEORY.md,
+// section 1.1): energy per rest length w(e, k) = integral of W(e + k y) over the wall, by quadrature over 16
+// angles and Gauss points in the squared radius (48 points for a plain wall, 16 per layer for a layered one),
+// not by a scaled EI.
 //
-// With x = k^2 every term is smooth in x, k = 0 included: two points at +-y give
+// With x = k^2 every term is smooth in x, including at k = 0: two points at +-y give
 //     W(e + k y) + W(e - k y) = E0/a (exp(a (e^2 + x y^2)) cosh(2 a e y k) - 1),
 // and w is given in two parts, axial w(e, 0) and bending w(e, k) - w(e, 0), each with its derivatives to
-// second order. Twist is linear, G0 J. SI units; const after construction; no allocation in the responses.
+// second order. Twist is linear, G0 J. SI units; constant after construction; the responses do not allocate.
 #pragma once
 
 #include <vector>
@@ -22,7 +23,7 @@ struct AxialResponse {
     double tangent = 0;  ///< N, > 0
 };
 
-/// w(e, k) - w(e, 0) and its derivatives by strain e and by x = k^2.
+/// w(e, k) - w(e, 0) and its derivatives with respect to strain e and to x = k^2.
 struct BendingResponse {
     double energy = 0;            ///< J/m
     double by_strain = 0;         ///< N
@@ -38,9 +39,9 @@ class TubeSection {
     /// Throws std::invalid_argument as tube_stiffness does.
     TubeSection(const std::vector<WallLayer>& layers, double outer_radius);
 
-    int points() const { return points_; }  ///< of the quadrature
+    int points() const { return points_; }  ///< number of quadrature points
     AxialResponse axial(double strain) const;
-    /// square: curvature squared, 1/m2; below 0 counts as 0.
+    /// square: squared curvature, 1/m2; negative values count as 0.
     BendingResponse bending(double strain, double square) const;
 
   private:

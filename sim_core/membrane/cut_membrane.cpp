@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The uncut sheet: edges, what makes each spring, the bound on the frequencies; the state at rest.
+// The uncut sheet: edges, sources of the springs, the bound on the frequencies; the state at rest.
 #include "sim_core/membrane/cut_membrane.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ std::int8_t corner_of(const Triangle& corners, std::int32_t vertex) {
     return -1;
 }
 
-// Slots from `first` on, the lowest taken first.
+// Free slots from `first` on; the lowest is taken first.
 std::int32_t fill_free(std::vector<std::int32_t>& free, std::int32_t first, std::int32_t capacity) {
     free.assign(at(capacity), -1);
     std::int32_t count = 0;
@@ -40,13 +40,14 @@ CutMembrane::CutMembrane(const TriangleMesh& mesh, const MembraneMaterial& mater
     springs_ = derive_springs(mesh, material_);
     const auto roots = static_cast<std::int32_t>(triangles_.size());
     if (most_pieces < roots || most_pieces > 10000000)
-        throw InputError("membrane", "most_pieces", "fewer pieces than triangles, or more than 1e7",
-                         "give room for each triangle and its pieces");
+        throw InputError("membrane", "most_pieces",
+                         "the number of pieces is below the number of triangles or above 1e7",
+                         "give at least one piece per triangle");
     attachment_.assign(rest_.size(), 0.0);
     for (const Attachment& a : attachments) {
         if (a.vertex < 0 || at(a.vertex) >= rest_.size() || !(a.stiffness > 0))
             throw InputError("membrane", "attachments",
-                             "a vertex that is not there, or a stiffness not above 0",
+                             "an attachment has a vertex that does not exist, or a stiffness not above 0",
                              "give vertex numbers of the mesh and stiffnesses in N/m");
         attachment_[at(a.vertex)] = a.stiffness;
     }
@@ -58,7 +59,7 @@ CutMembrane::CutMembrane(const TriangleMesh& mesh, const MembraneMaterial& mater
     for (std::size_t r = 0; r < root_area_.size(); ++r) {
         if (!(root_area_[r] > 1e-9 * area / roots))
             throw InputError("membrane", "triangles/" + std::to_string(r),
-                             "a triangle without area cannot be cut", "remove it");
+                             "the triangle has no area and cannot be cut", "remove it");
         root_mass_.push_back(material_.mass * root_area_[r] / area);
     }
     density_ = material_.mass / area;
@@ -90,8 +91,9 @@ void CutMembrane::derive_edges() {
             Edge& edge = edges_[at(place->second)];
             const std::size_t side = edge.roots[0] < 0 ? 0 : 1;
             if (edge.roots[side] >= 0)
-                throw InputError("membrane", "triangles/" + std::to_string(r), "an edge has three triangles",
-                                 "a sheet that is cut has at most two triangles at an edge");
+                throw InputError("membrane", "triangles/" + std::to_string(r),
+                                 "an edge has more than two triangles",
+                                 "give a sheet with at most two triangles per edge");
             edge.roots[side] = static_cast<std::int32_t>(r);
             edge.local[side] = static_cast<std::int8_t>(e);
             root_edges_.back()[e] = place->second;
@@ -114,7 +116,7 @@ void CutMembrane::derive_sources() {
         }
         return -1;
     };
-    // The root of an edge that has it run from a to b, and the other one.
+    // Root of an edge that traverses it from a to b, or the other one.
     const auto side_root = [&](std::int32_t edge, std::int32_t a, std::int32_t b, bool along) {
         for (const std::int32_t root : edges_[at(edge)].roots) {
             if (root < 0) continue;
@@ -166,8 +168,8 @@ void CutMembrane::derive_sources() {
 }
 
 void CutMembrane::bound_frequency() {
-    // A piece of share a puts at most a times this stiffness on its copy of a corner and exactly a times a
-    // third of the root's mass; by Gershgorin no squared frequency is above twice the largest ratio.
+    // A piece of share a adds at most a times this stiffness to its copy of a corner and exactly a times a
+    // third of the root's mass; by Gershgorin no squared frequency exceeds twice the largest ratio.
     std::vector<std::array<double, 3>> on_corner(triangles_.size(), {0, 0, 0});
     for (std::size_t s = 0; s < springs_.size(); ++s) {
         const Source& source = sources_[s];

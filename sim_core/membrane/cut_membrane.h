@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// A membrane that a blade may part (docs/THEORY.md 3 and 5): nodes, springs and masses that belong to the
+// A membrane that can be cut (docs/THEORY.md, sections 3 and 5): nodes, springs and masses are part of the
 // state.
 //
 // Virtual nodes: every piece that a cut leaves of a root triangle keeps a copy of the root's three nodes;
-// copies of pieces that still meet along an edge are one node. A piece of area share a carries a times the
-// root's mass and a times its part of each spring, a spring across an edge the share of the edge along which
-// both sides still meet. So what is stored can only fall at a cut, nothing moves or changes its speed, and
-// no frequency rises above safe_frequency(), however thin a sliver: element by element stiffness and mass
-// shrink together.
+// copies of pieces that still meet along an edge are one node. A piece of area share a has a times the root's
+// mass and a times its part of each spring; a spring across an edge has the share of the edge along which
+// both sides still meet. So a cut can only lower the stored energy, moves nothing and changes no velocity,
+// and no frequency rises above safe_frequency() however thin a sliver: stiffness and mass shrink together,
+// element by element.
 //
-// Symplectic Euler, the step divided as safe_frequency() asks. Model (const) / state (copyable) / scratch
-// (one a thread). part and step neither allocate, lock nor throw, and give the same bits for the same bytes
-// in. SI units; patient frame.
+// Symplectic Euler, with substeps as safe_frequency() requires. Model (const) / state (copyable) / scratch
+// (one per thread). part and step do not allocate, lock or throw, and give the same output bits for the same
+// input bits. SI units; patient frame.
 #pragma once
 
 #include <array>
@@ -26,24 +26,24 @@
 
 namespace fulcrum {
 
-/// What a cut left of a root triangle in one place.
+/// A piece of a root triangle after a cut.
 struct MembranePiece {
-    std::int32_t slot = -1;  ///< its number, the caller's: free, or that of a piece of a touched root
+    std::int32_t slot = -1;  ///< its number, chosen by the caller: free, or that of a piece of a touched root
     std::int32_t root = -1;
-    std::int32_t from = -1;    ///< piece of this root, before the cut, that it was a part of
+    std::int32_t from = -1;    ///< piece of this root that it was part of before the cut
     double share = 0;          ///< of the root's area, above 0
-    std::uint8_t corners = 0;  ///< bit c: the root's corner c belongs to it
-    std::uint8_t edges = 0;    ///< bit e: it has a part of root edge e (corner e to e + 1)
+    std::uint8_t corners = 0;  ///< bit c: it contains the root's corner c
+    std::uint8_t edges = 0;    ///< bit e: it contains a part of root edge e (corner e to e + 1)
 };
 
-/// Where two pieces still meet along an edge of two roots.
+/// Contact of two pieces along an edge of two roots.
 struct PieceContact {
     std::int32_t first = -1, second = -1;  ///< pieces
     std::int32_t edge = -1;                ///< root edge of the first's root: 0, 1, 2
     double share = 0;                      ///< of the edge's length
 };
 
-/// A cut's outcome for the springs. Every piece that a touched root has now is named, and every contact along
+/// Result of a cut for the springs. It lists every present piece of a touched root, and every contact along
 /// an edge of one, once.
 struct MembraneCut {
     std::vector<std::int32_t> roots;  ///< touched, each once
@@ -56,15 +56,15 @@ struct MembraneCut {
     }
 };
 
-/// Everything a membrane that may be cut remembers. Copyable; same-capacity copies allocate nothing.
+/// Complete state of a membrane that can be cut. Copyable; copies of the same capacity do not allocate.
 struct CutMembraneState {
     struct Piece {
         std::int32_t root = -1;  ///< -1: the slot is free
-        std::int32_t next = -1;  ///< of the same root
+        std::int32_t next = -1;  ///< next piece of the same root
         double share = 0;
         std::array<std::int32_t, 3> nodes = {-1, -1, -1};
         std::uint8_t corners = 0, edges = 0;
-        bool isolated = false;  ///< no path to anything that holds the sheet
+        bool isolated = false;  ///< no path to any attachment
     };
     struct Contact {
         std::int32_t next = -1, first = -1, second = -1;  ///< first: of the edge's first root
@@ -72,68 +72,69 @@ struct CutMembraneState {
     };
     std::vector<Vector3> positions, velocities;  ///< m, m/s, by node
     std::vector<double> masses;                  ///< kg; 0: the node is not in use
-    std::vector<std::int32_t> vertex;            ///< of the mesh that it is a copy of; -1 not in use
-    std::vector<std::uint8_t> held;              ///< 1: in the class that keeps the vertex's attachment
+    std::vector<std::int32_t> vertex;            ///< mesh vertex that it is a copy of; -1 not in use
+    std::vector<std::uint8_t> held;              ///< 1: the node keeps the vertex's attachment
     std::vector<std::uint8_t> isolated;
     std::vector<Piece> pieces;
     std::vector<std::int32_t> first_piece;  ///< by root, -1 none
     std::vector<Contact> contacts;
     std::vector<std::int32_t> first_contact;  ///< by root edge of the mesh
-    // Springs by slot; one not in use has no stiffness.
+    // Springs by slot; an unused one has no stiffness.
     std::vector<std::int32_t> first, second, next_spring;
     std::vector<double> stiffness, rest;
     std::vector<std::int32_t> first_spring;  ///< by spring of the uncut sheet
-    std::int32_t spring_end = 0;             ///< slots from here on were never used; a multiple of four
+    std::int32_t spring_end = 0;             ///< slots from this one on were never used; a multiple of four
     // Free slots, taken from the end.
     std::vector<std::int32_t> free_nodes, free_contacts, free_springs;
     std::int32_t free_node_count = 0, free_contact_count = 0, free_spring_count = 0;
     std::uint32_t topology = 0;
     double removed_mass = 0;      ///< kg
-    std::int32_t node_end = 0;    ///< nodes from here on were never used
+    std::int32_t node_end = 0;    ///< nodes from this one on were never used
     std::int32_t bend_count = 0;  ///< bend springs in use
 };
 
-/// A spring between a place on a piece and something outside: jaws, the tip of a tool, a blade.
+/// A spring between a point on a piece and an external object: jaws, the tip of a tool, a blade.
 struct CutMembraneLink {
     std::int32_t piece = -1;  ///< slot
     Vector3 barycentric = Vector3::Constant(1.0 / 3);
     double stiffness = 0;                                       ///< N/m
     Vector3 start = Vector3::Zero(), target = Vector3::Zero();  ///< m, at the step's start and end
-    /// Unit, or zero: along it the link only pushes, towards -normal, and its part across is at most `grip` +
-    /// friction times the push. Zero: the whole pull is at most `grip`.
+    /// Unit, or zero. If not zero, the link only pushes along it, towards -normal, and its part across is at
+    /// most `grip` + friction times the push. Zero: the total force is at most `grip`.
     Vector3 normal = Vector3::Zero();
     double friction = 0;
     double grip = 0;                     ///< N; infinity: no limit
-    bool push = true;                    ///< with a normal: false leaves out what acts along it
+    bool push = true;                    ///< with a normal: false omits the force along it
     Vector3 reaction = Vector3::Zero();  ///< out: N, mean over the step, on the membrane
 };
 
-/// A vertex held without give whose place is moved over a step. Every node that is still held there goes with
+/// A rigidly held vertex with a prescribed motion over a step. Every node that is still held there moves with
 /// it.
 struct DrivenVertex {
     std::int32_t vertex = -1;          ///< with an attachment of infinite stiffness
     Vector3 target = Vector3::Zero();  ///< m, at the step's end
     Vector3 reaction =
-        Vector3::Zero();  ///< out: N, mean over the step, of what holds it on the membrane, inertia included
+        Vector3::Zero();  ///< out: N, mean over the step, support on the membrane, inertia included
 };
 
 struct CutMembraneInputs {
-    Vector3 gravity = Vector3::Zero();           ///< m/s2, of what hangs in the sheet
-    Vector3 isolated_gravity = Vector3::Zero();  ///< m/s2, of what is cut out
+    Vector3 gravity = Vector3::Zero();           ///< m/s2, of attached parts
+    Vector3 isolated_gravity = Vector3::Zero();  ///< m/s2, of isolated parts
     std::vector<CutMembraneLink> links;
-    std::vector<DrivenVertex> driven;  ///< each vertex once; one that is not named stays where it is
+    std::vector<DrivenVertex> driven;  ///< each vertex once; vertices not listed stay where they are
 };
 
 class CutMembraneScratch;
 
 class CutMembrane {
   public:
-    /// What holds a vertex: stiffness infinite, it stays; finite, a spring of no length to its place at rest.
+    /// Attachment of a vertex: infinite stiffness fixes it; finite is a zero-length spring to its position at
+    /// rest.
     struct Attachment {
         std::int32_t vertex = -1;
         double stiffness = 0;  ///< N/m, above 0
     };
-    /// most_pieces: capacity, at least one a triangle. Throws InputError on a bad mesh (a triangle without
+    /// most_pieces: capacity, at least one per triangle. Throws InputError on a bad mesh (a triangle without
     /// area, an edge with three triangles), material, attachment or capacity.
     CutMembrane(const TriangleMesh& mesh, const MembraneMaterial& material,
                 const std::vector<Attachment>& attachments, std::int32_t most_pieces);
@@ -141,29 +142,29 @@ class CutMembrane {
     CutMembraneState make_state() const;
     CutMembraneScratch make_scratch() const;
 
-    /// Whether the state has room for it.
+    /// True if the state has room for the cut.
     bool fits(const CutMembraneState& state, const MembraneCut& cut) const noexcept;
-    /// Takes a cut over; false (and nothing done) where it does not fit.
+    /// Applies a cut; false (and no change) if it does not fit.
     bool part(CutMembraneState& state, const MembraneCut& cut, CutMembraneScratch& scratch) const noexcept;
 
-    /// One step; substepped is no fault here. refused: input not finite, or more than most_substeps;
-    /// frozen: the result was not finite, the sheet stands where it was.
+    /// One step. Substepping is not reported as a fault. refused: input not finite, or more than
+    /// most_substeps needed; frozen: the result was not finite, the sheet keeps its previous positions.
     MembraneReport step(CutMembraneState& state, CutMembraneInputs& inputs, double dt,
                         CutMembraneScratch& scratch, int most_substeps = 4096) const noexcept;
 
     MembraneEnergy energy(const CutMembraneState& state) const;
     double mass(const CutMembraneState& state) const;
     Vector3 momentum(const CutMembraneState& state) const;
-    /// rad/s: bound on every frequency, in every shape, after every cut.
+    /// Bound on every frequency, in every shape, after every cut, rad/s.
     double safe_frequency() const { return safe_frequency_; }
     double safe_time_step() const;  ///< s
-    /// m, place of a point of a root in a piece's nodes.
+    /// Position of a point of a root in a piece's nodes, m.
     static Vector3 point(const CutMembraneState& state, std::int32_t piece,
                          const Vector3& barycentric) noexcept;
     static Vector3 velocity(const CutMembraneState& state, std::int32_t piece,
                             const Vector3& barycentric) noexcept;
-    /// Sum of x (x) force of the springs within `radius` (m) of a place, over the area of root triangles
-    /// there: line tension, N/m, symmetric. Zero where nothing is.
+    /// Sum of x (x) force of the springs within `radius` (m) of a position, over the area of root triangles
+    /// there: line tension, N/m, symmetric. Zero if there are none.
     Matrix3 tension(const CutMembraneState& state, const Vector3& place, double radius) const noexcept;
 
     const std::vector<Triangle>& triangles() const { return triangles_; }
@@ -178,10 +179,12 @@ class CutMembrane {
 
   private:
     friend class CutMembraneScratch;
-    /// What makes a spring: structural: an edge; shear: the corners across an edge; bend: two edges in a row.
+    /// Origin of a spring: structural: an edge; shear: the corners across an edge; bend: two consecutive
+    /// edges.
     struct Source {
         std::int32_t edge = -1;  ///< structural and shear
-        /// bend: by side, the roots of the two edges with the far corner's number in each and the middle's.
+        /// bend: per side, the roots of the two edges, with the number of the far corner and of the middle in
+        /// each.
         struct Side {
             std::int32_t near = -1, far = -1;
             std::int8_t near_corner = 0, near_middle = 0, far_corner = 0, far_middle = 0;
@@ -223,7 +226,7 @@ class CutMembrane {
     std::vector<std::int32_t> around_offsets_, around_;  ///< roots around each vertex
     std::vector<MembraneSpring> springs_;
     std::vector<Source> sources_;
-    std::vector<std::int32_t> use_offsets_, uses_;  ///< springs that a root has to do with
+    std::vector<std::int32_t> use_offsets_, uses_;  ///< springs that depend on a root
     double safe_frequency_ = 0;
     std::vector<double> vertex_mass_;
     std::int32_t most_nodes_ = 0, most_pieces_ = 0, most_contacts_ = 0, most_springs_ = 0, most_bends_ = 0;

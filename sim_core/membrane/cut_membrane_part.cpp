@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cut taken into the springs: pieces, nodes, masses, what holds them, what has come loose.
+// Applies a cut to the springs: pieces, nodes, masses, attachments, isolated parts.
 #include <algorithm>
 
 #include "sim_core/membrane/cut_membrane.h"
@@ -36,7 +36,8 @@ bool CutMembrane::fits(const CutMembraneState& state, const MembraneCut& cut) co
     for (const std::int32_t root : cut.roots) {
         for (const std::int32_t edge : root_edges_[at(root)]) {
             for (std::int32_t c = state.first_contact[at(edge)]; c >= 0; c = state.contacts[at(c)].next) {
-                // An edge between two touched roots is met from both: its contacts are counted by the first.
+                // An edge between two touched roots is visited from both: its contacts are counted by the
+                // first.
                 const std::int32_t owner = edges_[at(edge)].roots[0];
                 const bool by_owner = std::find(cut.roots.begin(), cut.roots.end(), owner) != cut.roots.end();
                 if (owner == root || !by_owner) ++contacts;
@@ -61,7 +62,7 @@ void CutMembrane::add_spring(CutMembraneState& state, std::size_t spring, std::i
     }
     if (state.free_spring_count == 0) return;
     const bool bend = springs_[spring].kind == SpringKind::bend;
-    if (bend && state.bend_count >= most_bends_) return;  // less stiffness, never more
+    if (bend && state.bend_count >= most_bends_) return;  // full: dropping a spring only lowers the stiffness
     if (bend) ++state.bend_count;
     const std::int32_t slot = state.free_springs[at(--state.free_spring_count)];
     state.first[at(slot)] = a;
@@ -120,8 +121,8 @@ void CutMembrane::make_springs(CutMembraneState& state, std::size_t spring) cons
         return;
     }
     // Across the edge: the share of the edge along which both sides meet, times the smaller one's share of
-    // its root's area: so the contacts of a piece together weigh no more than its mass, and none ever weighs
-    // more than it did before a cut.
+    // its root's area. So the contacts of a piece together weigh no more than its mass, and none weighs more
+    // than before the cut.
     const auto opposite = [&](std::size_t side, std::int32_t piece) {
         return state.pieces[at(piece)].nodes[at((edge.local[side] + 2) % 3)];
     };
@@ -148,7 +149,7 @@ void CutMembrane::collect(const CutMembraneState& state, std::int32_t vertex,
             i.node = piece.nodes[at(corner)];
             i.new_node = -1;
             i.mass = piece.share * root_mass_[at(root)] / 3;
-            // What holds a vertex holds the material there, and an edge between two held vertices.
+            // An attachment holds the material at its vertex, and an edge between two held vertices.
             i.held = false;
             if (attachment_[at(vertex)] > 0) {
                 const std::int32_t next = triangles_[at(root)][at((corner + 1) % 3)],
@@ -189,7 +190,7 @@ void CutMembrane::split_vertex(CutMembraneState& state, std::int32_t vertex,
         all[at(head)].mass += all[at(i)].mass;
         all[at(head)].held = all[at(head)].held || all[at(i)].held;
     }
-    // The heaviest class of a node keeps its number.
+    // The heaviest class of a node keeps the node's number.
     for (std::int32_t i = 0; i < count; ++i) {
         if (parent(i) != i) continue;
         bool keeps = true;
@@ -219,7 +220,7 @@ bool CutMembrane::part(CutMembraneState& state, const MembraneCut& cut,
     if (!fits(state, cut)) return false;
     const std::uint32_t stamp = ++scratch.stamp_;
     scratch.vertices_.clear();
-    // What was there goes; its nodes are remembered by slot.
+    // Removes the old pieces; their nodes are remembered by slot.
     for (const std::int32_t root : cut.roots) {
         for (std::int32_t slot = state.first_piece[at(root)]; slot >= 0;) {
             CutMembraneState::Piece& piece = state.pieces[at(slot)];
@@ -244,7 +245,7 @@ bool CutMembrane::part(CutMembraneState& state, const MembraneCut& cut,
             scratch.vertices_.push_back(v);
         }
     }
-    // First every old slot is read, then pieces are laid in: a new one may take an old one's slot.
+    // Read all old slots before writing new pieces: a new piece may reuse an old one's slot.
     for (const std::int32_t root : cut.roots) state.first_piece[at(root)] = -1;
     for (const MembranePiece& from : cut.pieces) {
         CutMembraneState::Piece& piece = state.pieces[at(from.slot)];
@@ -269,7 +270,7 @@ bool CutMembrane::part(CutMembraneState& state, const MembraneCut& cut,
         contact.next = state.first_contact[at(edge)];
         state.first_contact[at(edge)] = c;
     }
-    // Nodes that no piece has any more.
+    // Nodes that no piece uses any more.
     for (const std::int32_t v : scratch.vertices_) {
         collect(state, v, scratch);
         for (const auto& incidence : scratch.incidences_) scratch.node_stamp_[at(incidence.node)] = stamp;

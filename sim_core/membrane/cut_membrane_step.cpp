@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Symplectic Euler on what is left of a sheet.
+// Symplectic Euler on the remaining sheet.
 #include <algorithm>
 #include <cmath>
 
@@ -51,7 +51,7 @@ bool finite(const CutMembraneState& state) {
     return true;
 }
 
-// Force of a link on the membrane that would draw it over `way` (m) to its target with stiffness k.
+// Force of a link on the membrane for a displacement `way` (m) to its target with stiffness k.
 Lanes link_force(const CutMembraneLink& link, const Lanes& way, double k) {
     const Lanes pull = all_lanes(k) * way, n = lanes_of(link.normal);
     if (!(sum_lanes(n * n) > 0)) {
@@ -114,7 +114,7 @@ MembraneReport CutMembrane::step(CutMembraneState& state, CutMembraneInputs& inp
     const Lanes weight[2] = {lanes_of(inputs.gravity), lanes_of(inputs.isolated_gravity)};
     const membrane_detail::SpringEnds ends{state.first.data(), state.second.data(), at(state.spring_end)};
     const Lanes step = all_lanes(h);
-    const auto carried = [&](std::size_t n) {  // where the node will be with the forces so far
+    const auto carried = [&](std::size_t n) {  // position of the node with the forces so far
         return x[n] + step * (v[n] - all_lanes(h * inverse[n]) * g[n]);
     };
     for (int k = 0; k < report.substeps; ++k) {
@@ -129,12 +129,12 @@ MembraneReport CutMembrane::step(CutMembraneState& state, CutMembraneInputs& inp
             const double share = anchor[n] / (1 + h * h * anchor[n] * inverse[n]);
             g[n] -= all_lanes(share) * (lanes_of(rest_[at(state.vertex[n])]) - carried(n));
         }
-        // By the force at the substep's end, one link after the other: stable however stiff.
+        // By the force at the end of the substep, one link after the other: stable for any stiffness.
         const double done = static_cast<double>(k + 1) / report.substeps;
         for (CutMembraneLink& link : inputs.links) {
             const auto& corner = state.pieces[at(link.piece)].nodes;
             Lanes end = all_lanes(0);
-            double give = 0;  // 1/kg
+            double give = 0;  // 1/kg, mobility of the point
             for (int c = 0; c < 3; ++c) {
                 const std::size_t n = at(corner[at(c)]);
                 end += all_lanes(link.barycentric[c]) * carried(n);

@@ -12,8 +12,8 @@ using namespace membrane_detail;
 
 namespace {
 
-constexpr double strongest = 1e9;  // N and m/s2, a load beyond it is not one
-constexpr double farthest = 1e4;   // m, a vertex beyond it has left all bounds
+constexpr double strongest = 1e9;  // N and m/s2, larger loads are refused
+constexpr double farthest = 1e4;   // m, positions beyond it are out of bounds
 constexpr double fastest = 1e9;    // m/s
 
 }  // namespace
@@ -81,7 +81,7 @@ bool usable(const Membrane& membrane, const MembraneState& state, const Membrane
     return true;
 }
 
-// Writes the result back; support = what holds the attached nodes against springs, loads and their own
+// Writes the result back; support = force that holds the attached nodes against springs, loads and their own
 // inertia.
 void store_step(const Membrane& membrane, MembraneState& state, MembraneInputs& inputs, double dt,
                 bool symplectic, Data& d) {
@@ -108,7 +108,7 @@ void store_step(const Membrane& membrane, MembraneState& state, MembraneInputs& 
     for (MembraneHold& hold : inputs.holds) {
         if (t.node_of[at(hold.vertex)] >= t.free) {
             hold.reaction.setZero();
-        } else if (!symplectic) {  // which has summed it up by itself
+        } else if (!symplectic) {  // which has already summed it
             hold.reaction = hold.stiffness * (hold.target - state.positions[at(hold.vertex)]);
         }
     }
@@ -119,9 +119,10 @@ void forget_reactions(MembraneInputs& inputs) {
     for (MembraneHold& hold : inputs.holds) hold.reaction.setZero();
 }
 
-// A held sheet starts from where its velocity leads (d.position), or from where it is if that lies lower: its
-// velocity may be noise that its springs undo within the step. (Its acceleration leads nowhere: what few
-// iterations leave uncorrected, extrapolation carries on, and after 450 frames it was wrong by 11 %.)
+// A held sheet starts from its velocity extrapolation (d.position), or from its present position if that has
+// the lower potential: its velocity may be noise that the springs cancel within the step. (Extrapolating with
+// the acceleration does not work: it amplifies the error that few iterations leave; after 450 frames the
+// result was wrong by 11 %.)
 void choose_start(const Membrane::Tables& t, Data& d) {
     const auto free = static_cast<std::ptrdiff_t>(t.free);
     std::copy(d.position.begin(), d.position.end(), d.trial.begin());
@@ -162,7 +163,7 @@ MembraneReport Membrane::step(MembraneState& state, MembraneInputs& inputs, doub
     const bool symplectic = solve.integrator == MembraneIntegrator::symplectic;
     load_step(*this, state, inputs, dt, d);
     if (symplectic) {
-        for (std::size_t s = 0; s < d.stiffness.size(); ++s) {  // dampers act by themselves here
+        for (std::size_t s = 0; s < d.stiffness.size(); ++s) {  // dampers are separate here
             d.stiffness[s] = d.stiffness[s] > 0 ? tables_->stiffness[s] : 0;
             d.rest[s] = tables_->rest[s];
         }
@@ -176,8 +177,9 @@ MembraneReport Membrane::step(MembraneState& state, MembraneInputs& inputs, doub
             freeze(state, inputs, d, report);
             return report;
         }
-        // A free membrane starts from where inertia and loads take it: its momentum is right from the first
-        // iterate on. A held one from where its velocity takes it: loads and springs are near balance.
+        // A free membrane starts from its motion under inertia and loads, so its momentum is right from the
+        // first iterate on. A held one starts from its velocity extrapolation: loads and springs are nearly
+        // balanced.
         for (std::int32_t k = 0; k < tables_->free; ++k) {
             d.position[at(k)] = d.target[at(k)];
             if (attached_.empty()) d.position[at(k)] += all_lanes(1 / d.inertia[at(k)]) * d.load[at(k)];

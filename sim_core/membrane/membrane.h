@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// A membrane: masses and springs on a triangle mesh (docs/THEORY.md 3), with three ways to step it.
+// A membrane: masses and springs on a triangle mesh (docs/THEORY.md, section 3), with three integrators.
 //
 // symplectic: v += h a(x, v), x += h v. Stable for h < (2/w)(sqrt(1 + z^2) - z), w the highest frequency, z
 // its
-//   damping ratio; enforced: the step is divided, or refused and said so, never let go.
-// global_local: minimises implicit Euler's incremental potential with one matrix for every shape, made ready
-//   beforehand: a bound of the springs' stiffness (each spring's local problem, its direction, is solved
-//   exactly); its inverse by a cycle of multigrid, O(n). Quasi-Newton memory and a line search on top. A
+//   damping ratio. The limit is enforced: the step is divided, or refused with a report.
+// global_local: minimises the incremental potential of implicit Euler with one precomputed matrix for every
+//   shape: a bound of the springs' stiffness (each spring's local problem, its direction, is solved exactly).
+//   Its inverse is approximated by a multigrid cycle, O(n), with quasi-Newton memory and a line search. A
 //   fixed number of iterations, or until a tolerance.
-// implicit: the same potential by Newton's method; inner systems by conjugate gradients behind the same
-// matrix.
+// implicit: the same potential by Newton's method; inner systems by conjugate gradients preconditioned with
+// the
+//   same matrix.
 //
-// Model (Membrane, const) / state (MembraneState, copyable: what is cut is part of it) / scratch (one a
-// thread). step and solve neither allocate, lock nor throw, and give the same bits for the same bytes in. SI
-// units; vectors in the patient frame; vertex numbers are the mesh's.
+// Model (Membrane, const) / state (MembraneState, copyable; includes the cuts) / scratch (one per thread).
+// step and solve do not allocate, lock or throw, and give the same output bits for the same input bits. SI
+// units; vectors in the patient frame; vertex numbers are those of the mesh.
 #pragma once
 
 #include <cstdint>
@@ -28,52 +29,52 @@ namespace fulcrum {
 
 enum class MembraneIntegrator : std::uint8_t { symplectic, global_local, implicit };
 
-/// What a step has to say for itself. From `refused` on the state is not the result of a step.
+/// Outcome of a step. From `refused` on the state is not the result of a step.
 enum class MembraneFault : std::uint8_t {
     none,
     substepped,   ///< symplectic: the step was above the limit and was divided
-    unconverged,  ///< implicit: the tolerance was not reached; finite, momentum kept, energy not at its least
-    refused,  ///< nothing was done: input not finite or beyond 1e9 (loads) and 1e4 m, step outside 1e-9 .. 1
-              ///< s or too far above the limit
-    frozen    ///< the result was not finite or left all bounds: last good positions, at rest
+    unconverged,  ///< implicit: the tolerance was not reached; finite, momentum conserved, energy not minimal
+    refused,  ///< not computed: input not finite or beyond 1e9 (loads) and 1e4 m, step outside 1e-9 .. 1 s or
+              ///< too far above the limit
+    frozen    ///< the result was not finite or out of bounds: last good positions, at rest
 };
 const char* name_of(MembraneFault fault);
 
-/// Everything a membrane remembers. Copyable; same-size copies allocate nothing.
+/// Complete state of a membrane. Copyable; copies of the same size do not allocate.
 struct MembraneState {
-    std::vector<Vector3> positions;   ///< m, one a vertex
+    std::vector<Vector3> positions;   ///< m, one per vertex
     std::vector<Vector3> velocities;  ///< m/s
-    std::vector<std::uint8_t> cut;    ///< one a spring, in Membrane::springs() order: 1 where it is gone
-    std::uint32_t topology = 0;       ///< raise it with every change of `cut`
+    std::vector<std::uint8_t> cut;    ///< one per spring, in Membrane::springs() order: 1 if it is cut
+    std::uint32_t topology = 0;       ///< increment it with every change of `cut`
 };
 
-/// A vertex that jaws hold: drawn to a place by a spring of no length that the step solves with the others.
+/// A vertex held by jaws: a zero-length spring to a target, solved implicitly with the others.
 struct MembraneHold {
-    std::int32_t vertex = -1;            ///< nothing happens at an attached one
+    std::int32_t vertex = -1;            ///< no effect at an attached vertex
     double stiffness = 0;                ///< N/m, 0 .. 1e9
     Vector3 target = Vector3::Zero();    ///< m, at the end of the step
     Vector3 reaction = Vector3::Zero();  ///< out: N, hold on membrane
 };
 
-/// What acts on a membrane in one step.
+/// Loads on a membrane in one step.
 struct MembraneInputs {
     Vector3 gravity = Vector3::Zero();  ///< m/s2
-    std::vector<Vector3> forces;        ///< N, empty or one a vertex; dead
-    /// Where the attached vertices shall be at the end of the step, in Membrane::attached() order; empty:
-    /// where they are.
+    std::vector<Vector3> forces;        ///< N, empty or one per vertex; dead loads
+    /// Positions of the attached vertices at the end of the step, in Membrane::attached() order; empty:
+    /// unchanged.
     std::vector<Vector3> attachments;
-    /// Out: N, support on membrane, same order (sized by the caller; not written where the size differs).
-    /// Their sum and the forces change the momentum of the whole membrane, attached vertices included.
+    /// Out: N, support on membrane, same order (sized by the caller; not written if the size differs).
+    /// Together with the forces they change the momentum of the whole membrane, attached vertices included.
     std::vector<Vector3> reactions;
     std::vector<MembraneHold> holds;  ///< at most Membrane::most_holds; a vertex may be held twice
 };
 
 struct MembraneSolve {
     MembraneIntegrator integrator = MembraneIntegrator::global_local;
-    int iterations = 0;  ///< at most; 0: global_local 4 a step and 500 static, implicit 50
+    int iterations = 0;  ///< limit; 0: global_local 4 per step and 500 static, implicit 50
     double tolerance =
         0;  ///< on MembraneReport::residual; 0: global_local 0 (all iterations), implicit 1e-10
-    int most_substeps = 256;  ///< symplectic refuses beyond
+    int most_substeps = 256;  ///< symplectic refuses a step that needs more
 };
 
 struct MembraneReport {
@@ -82,11 +83,11 @@ struct MembraneReport {
     double energy = 0;    ///< J, of the springs
     double potential =
         0;  ///< J, incremental potential that was minimised (static: springs minus work of dead loads)
-    int iterations = 0;        ///< linear systems' outer iterations
+    int iterations = 0;        ///< outer iterations
     int inner_iterations = 0;  ///< conjugate gradient steps
     int substeps = 1;
     bool converged = true;
-    bool finite = true;  ///< false: input or result was not; the state is finite in any case
+    bool finite = true;  ///< false: input or result was not finite; the state is finite in any case
     MembraneFault fault = MembraneFault::none;
 };
 
@@ -95,17 +96,17 @@ struct MembraneEnergy {
     double elastic() const { return structural + shear + bend; }
 };
 
-/// Highest frequency and what it allows.
+/// Highest frequency and the step limits that follow from it.
 struct MembraneLimit {
     double frequency = 0;  ///< rad/s, of the tangent at the given state (Lanczos), from below within 1 %
     double safe_frequency =
-        0;  ///< rad/s, bound that no shape exceeds; 1 to 2 times the former on meshes at rest
+        0;  ///< rad/s, bound that no shape exceeds; 1 to 2 times `frequency` on meshes at rest
     double damping_ratio = 0;   ///< of that mode
     double time_step = 0;       ///< s, (2/w)(sqrt(1 + z^2) - z) for `frequency`; infinite without stiffness
-    double safe_time_step = 0;  ///< s, the same for `safe_frequency`: what is enforced
+    double safe_time_step = 0;  ///< s, the same for `safe_frequency`; this limit is enforced
 };
 
-/// Work space and multigrid of one thread. Made by Membrane::make_scratch.
+/// Work space and multigrid for one thread. Made by Membrane::make_scratch.
 class MembraneScratch {
   public:
     MembraneScratch();
@@ -115,10 +116,10 @@ class MembraneScratch {
     struct Data;
     Data& data() { return *data_; }
     std::size_t bytes() const;
-    /// How often the matrix was made, and changes of one edge or diagonal entry since.
+    /// Number of matrix builds, and of changed edges or diagonal entries since the last one.
     int builds() const, updates() const;
-    /// Multiplications: of making the matrix's levels; of one cycle (each of four lanes); and springs. For
-    /// the size sweep.
+    /// Multiplications: for building the levels; for one cycle (each of four lanes); and springs. For the
+    /// size sweep.
     struct Operations {
         std::int64_t build = 0, solve = 0, springs = 0;
     };
@@ -131,7 +132,7 @@ class MembraneScratch {
 
 class Membrane {
   public:
-    /// attached: vertices whose positions are given (fixed or moved), rising or not, no two equal. Throws
+    /// attached: vertices with prescribed positions (fixed or moved), in any order, all different. Throws
     /// InputError on a bad mesh, material or vertex number.
     Membrane(const TriangleMesh& mesh, const MembraneMaterial& material, std::vector<std::int32_t> attached);
     ~Membrane();
@@ -141,42 +142,41 @@ class Membrane {
     const std::vector<MembraneSpring>& springs() const { return springs_; }
     const std::vector<Triangle>& triangles() const { return triangles_; }
     const std::vector<std::int32_t>& attached() const { return attached_; }
-    /// Whether a corner is not attached.
+    /// True if a corner is not attached.
     bool any_free(const Triangle& corners) const noexcept;
     const std::vector<double>& masses() const { return masses_; }  ///< kg
     const MembraneMaterial& material() const { return material_; }
     std::size_t bytes() const;
 
-    /// The mesh as given, at rest.
+    /// The given mesh, at rest.
     MembraneState make_state() const;
-    /// With the matrix of steps of dt seconds made (another dt later costs making it in the step).
+    /// Builds the matrix for steps of dt seconds (a different dt later rebuilds it in the step).
     MembraneScratch make_scratch(double dt = 0.005) const;
 
-    /// One step of dt seconds. Springs cut since the last step leave the matrix one by one, at most
-    /// `updates_per_step` of them each step: until then it is stiffer than need be.
+    /// One step of dt seconds. Springs cut since the last step are removed from the matrix gradually, at most
+    /// `updates_per_step` per step; until then the matrix is stiffer than necessary.
     static constexpr int updates_per_step = 48;
     static constexpr int most_holds = 16;
     MembraneReport step(MembraneState& state, MembraneInputs& inputs, double dt, MembraneScratch& scratch,
                         const MembraneSolve& solve = {}) const noexcept;
-    /// Static equilibrium from the given state (velocities become zero); something must be attached, else
-    /// refused.
+    /// Static equilibrium from the given state (velocities become zero); refused if nothing is attached.
     MembraneReport solve(MembraneState& state, MembraneInputs& inputs, MembraneScratch& scratch,
                          const MembraneSolve& solve = {}) const noexcept;
 
     MembraneEnergy energy(const MembraneState& state) const;
-    /// Incremental potential of a step of dt from `start` to `end` (implicit Euler's step is its least): what
-    /// the 1 % of the reference workloads is measured in. dt = 0: static, springs minus work of the loads
-    /// from start.
+    /// Incremental potential of a step of dt from `start` to `end` (minimised by an implicit Euler step). The
+    /// 1 % of the reference workloads is measured in this value. dt = 0: static, springs minus work of the
+    /// loads from start.
     double incremental_potential(const MembraneState& start, const MembraneState& end,
                                  const MembraneInputs& inputs, double dt, MembraneScratch& scratch) const;
-    /// Minus gradient of the springs' energy, N, one a vertex (attached ones too).
+    /// Negative gradient of the springs' energy, N, one per vertex (attached ones included).
     void forces(const MembraneState& state, std::vector<Vector3>& forces) const;
-    /// Tangent (second derivative of the energy) times `direction`, N, one a vertex.
+    /// Tangent (second derivative of the energy) times `direction`, N, one per vertex.
     void tangent_times(const MembraneState& state, const std::vector<Vector3>& direction,
                        std::vector<Vector3>& product) const;
     MembraneLimit limit(const MembraneState& state, MembraneScratch& scratch) const;
     static bool finite(const MembraneState& state);
-    /// Every velocity zero.
+    /// Sets every velocity to zero.
     static void stop(MembraneState& state) noexcept;
 
     struct Tables;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a membrane is made of before its first step: checks, tables, states and scratch.
+// Construction of a membrane: checks, tables, states and scratch.
 #include <algorithm>
 #include <map>
 
@@ -16,8 +16,8 @@ namespace {
 void check(const MembraneMaterial& m) {
     const auto within = [](double value, double least, double most, const char* name) {
         if (!(value >= least && value <= most))
-            throw InputError("membrane", name, "out of range",
-                             "give a finite value within the range of the header");
+            throw InputError("membrane", name, "the value is out of range",
+                             "give a finite value within the range stated in springs.h");
     };
     within(m.structural_stiffness, 0, 1e12, "structural_stiffness");
     within(m.shear_stiffness, 0, 1e12, "shear_stiffness");
@@ -39,7 +39,7 @@ std::unique_ptr<Membrane::Tables> make_tables(const std::vector<Vector3>& rest,
     std::vector<std::uint8_t> held(rest.size(), 0);
     for (const std::int32_t v : attached) held[at(v)] = 1;
 
-    // Edges that carry the bound, by vertices.
+    // Edges of the bounding matrix, by vertices.
     std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> edge_number;
     std::vector<GraphEdge> by_vertex;
     const auto edge_of = [&](std::int32_t a, std::int32_t b) {
@@ -53,7 +53,7 @@ std::unique_ptr<Membrane::Tables> make_tables(const std::vector<Vector3>& rest,
         if (spring.between[0] < 0) {
             t.shares.push_back({edge_of(spring.first, spring.second), spring.stiffness});
         } else {
-            // |a - b|^2 <= 2 |a - c|^2 + 2 |c - b|^2, halved where there are two ways round.
+            // |a - b|^2 <= 2 |a - c|^2 + 2 |c - b|^2, halved if there are two paths.
             const double weight = spring.between[1] < 0 ? 2 * spring.stiffness : spring.stiffness;
             for (const std::int32_t c : spring.between) {
                 if (c < 0) continue;
@@ -96,7 +96,7 @@ std::unique_ptr<Membrane::Tables> make_tables(const std::vector<Vector3>& rest,
         if (edge[1] < t.free) t.inner_edges.push_back(edge);
     }
 
-    // Springs in the order of their nodes, so that neighbours in memory are neighbours in the sheet.
+    // Springs in the order of their nodes, so that neighbours in the sheet are neighbours in memory.
     std::vector<std::int32_t> by_node(springs.size());
     for (std::size_t s = 0; s < springs.size(); ++s) by_node[s] = static_cast<std::int32_t>(s);
     const auto ends = [&](std::int32_t s) {
@@ -157,10 +157,10 @@ Membrane::Membrane(const TriangleMesh& mesh, const MembraneMaterial& material,
     std::vector<std::uint8_t> seen(mesh.vertices.size(), 0);
     for (const std::int32_t v : attached_) {
         if (v < 0 || at(v) >= seen.size())
-            throw InputError("membrane", "attached", "a vertex that is not there",
+            throw InputError("membrane", "attached", "an attached vertex does not exist",
                              "give vertex numbers of the mesh, from 0");
         if (seen[at(v)]++ != 0)
-            throw InputError("membrane", "attached", "a vertex is named twice", "name it once");
+            throw InputError("membrane", "attached", "an attached vertex is listed twice", "list it once");
     }
     springs_ = derive_springs(mesh, material_);
     masses_ = lumped_masses(mesh, material_.mass);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The incremental potential minimised by Newton's method, its directions by conjugate gradients.
+// Minimises the incremental potential by Newton's method, with directions from conjugate gradients.
 #include <algorithm>
 #include <cmath>
 
@@ -14,8 +14,8 @@ void add_scaled(double a, const Lanes* x, Lanes* y, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) y[i] += scale * x[i];
 }
 
-/// Direction of the tangent system by conjugate gradients behind the multigrid cycle. Where the tangent is
-/// not positive the direction so far is kept, at least that cycle's; then false.
+/// Direction of the tangent system by conjugate gradients preconditioned with the multigrid cycle. If the
+/// tangent is not positive the direction so far is kept, at least that of the cycle; then returns false.
 bool conjugate_gradients(const Membrane::Tables& t, Data& d, double tolerance, int most,
                          MembraneReport& report) {
     const auto count = at(t.free);
@@ -69,7 +69,7 @@ void minimise_newton(const Membrane::Tables& t, Data& d, int iterations, double 
             break;
         }
         if (!std::isfinite(report.residual) || idle > 3) break;
-        // So near, a Newton step that gains nothing has met rounding.
+        // This near, a Newton step without gain has reached rounding.
         if (report.residual < 1e-6 && report.residual > 0.5 * last && ++idle > 2) break;
         const double forcing = std::min(0.1, std::max(1e-8, 0.5 * std::min(report.residual, last)));
         last = report.residual;
@@ -87,7 +87,7 @@ void minimise_newton(const Membrane::Tables& t, Data& d, int iterations, double 
                 d.trial[i] = d.position[i] - all_lanes(length) * d.direction[i];
             for (std::size_t i = count; i < at(t.nodes); ++i) d.trial[i] = d.position[i];
             next = potential(t, d, d.trial.data(), d.trial_gradient.data());
-            // Near the bottom the value is lost in rounding before the gradient is.
+            // Near the minimum, rounding hides the change of the value before that of the gradient.
             lower = next <= value + 1e-4 * length * slope ||
                     (std::abs(slope) < 1e-11 * std::abs(value) &&
                      dot(d.trial_gradient.data(), d.trial_gradient.data(), count) <
@@ -97,7 +97,7 @@ void minimise_newton(const Membrane::Tables& t, Data& d, int iterations, double 
         if (!lower) {
             ++idle;
             if (idle > 1) break;
-            // The true tangent may point where rounding hides the descent; the cycle never does.
+            // Rounding may make the direction of the tangent an ascent; that of the cycle never is.
             std::copy(d.gradient.begin(), d.gradient.begin() + static_cast<std::ptrdiff_t>(count),
                       d.direction.begin());
             apply_inverse(t, d, d.direction.data());

@@ -9,10 +9,10 @@
 namespace fulcrum::membrane_detail {
 namespace {
 
-// Of the bound, what the matrix of a static solve takes: springs across which nothing pulls resist less than
-// it says, and with all of it a gap of 1 % takes 10 iterations where this takes 8 (measured on held sheets).
-// The line search sees to the rest. A frame takes all of it: few iterations then stay on the safe side of the
-// step's end, and make no energy there.
+// Fraction of the bound that the matrix of a static solve uses: springs without a force across them resist
+// less than the bound, and with all of it a gap of 1 % takes 10 iterations instead of 8 (measured on held
+// sheets). The line search handles the rest. A frame uses the full bound: few iterations then stay on the
+// safe side of the step's end and create no energy there.
 constexpr double static_share = 2.0 / 3;
 
 }  // namespace
@@ -39,8 +39,8 @@ void load_step(const Membrane& membrane, const MembraneState& state, const Membr
         for (std::size_t a = 0; a < membrane.attached().size(); ++a)
             d.position[at(t.node_of[at(membrane.attached()[a])])] = lanes_of(inputs.attachments[a]);
     }
-    // A held node's spring and its inertia are one parabola about a place between the two; what they differ
-    // by is a constant, and the potential leaves it out.
+    // Spring and inertia of a held node form one parabola about a point between the two; they differ by a
+    // constant, which the potential omits.
     d.held_count = 0;
     for (const MembraneHold& hold : inputs.holds) {
         const std::int32_t node = t.node_of[at(hold.vertex)];
@@ -54,7 +54,7 @@ void load_step(const Membrane& membrane, const MembraneState& state, const Membr
         if (k == d.held_count) d.held[at(d.held_count++)] = {node, 0.0};
         d.held[at(k)].stiffness += hold.stiffness;
     }
-    // Stiffness-proportional damping in implicit Euler is one more spring to the length at the start of the
+    // In implicit Euler, stiffness-proportional damping is one more spring to the length at the start of the
     // step: 1/2 k (l - r)^2 + (k b / 2h) (l - l_0)^2 has the form of one spring again.
     const double damping = dt > 0 ? material.stiffness_damping / dt : 0;
     for (std::size_t s = 0; s < t.first.size(); ++s) {
@@ -95,9 +95,9 @@ double scaled_residual(const Membrane::Tables& t, const Data& d, const Lanes* x,
         inertial += sum_lanes(carried * carried);
         internal += sum_lanes(spring * spring);
     }
-    // What is held pulls back with the springs' force there.
+    // Attached nodes: include the spring forces on them.
     for (std::int32_t k = t.free; k < t.nodes; ++k) internal += sum_lanes(gradient[at(k)] * gradient[at(k)]);
-    // Forces of one part in ten thousand of strain: what lies 1e-10 below that is rounding of the positions.
+    // Forces at a strain of 1e-4: below 1e-10 of that is rounding of the positions.
     double slight = 0;
     for (std::size_t s = 0; s < d.rest.size(); ++s) {
         const double force = 1e-4 * d.stiffness[s] * d.rest[s];
@@ -109,8 +109,8 @@ double scaled_residual(const Membrane::Tables& t, const Data& d, const Lanes* x,
 
 namespace {
 
-// What jaws took or let go since the matrix was made goes into it as one entry of the diagonal each. False:
-// not positive definite.
+// Grasps and releases since the matrix was built change one diagonal entry each. False: not positive
+// definite.
 bool follow_holds(Data& d) {
     const auto begin = d.held.begin(), end = begin + d.held_count;
     const auto old_begin = d.built_held.begin(), old_end = old_begin + d.built_held_count;
@@ -141,8 +141,8 @@ void apply_inverse(const Membrane::Tables& t, Data& d, Lanes* x) {
         d.multigrid.solve(x);
         return;
     }
-    // Nothing attached: a motion of the whole meets inertia (and holds) alone. Taken out before and put right
-    // after, so that both together stay symmetric.
+    // Nothing attached: a motion of the whole is resisted by inertia (and holds) only. It is removed before
+    // and corrected after, so that both together stay symmetric.
     Lanes pull = all_lanes(0), moved = all_lanes(0);
     double inertia = 0;
     for (std::size_t i = 0; i < free; ++i) {
@@ -165,11 +165,11 @@ bool refresh_matrix(const Membrane& membrane, const MembraneState& state, double
     bool whole = other_step || !follow_holds(d);
     if (!whole && d.built_topology == state.topology && !d.cuts_behind) return true;
     int budget = Membrane::updates_per_step;
-    // So many edges later the nodes are gathered anew, by what is left: a few cycles' work, once in so many.
+    // After so many changed edges the aggregates are rebuilt: the cost of a few cycles, rarely.
     whole = whole || d.updates_since > t.free;
     if (!whole) {
-        // Fewer springs than before: take each change of an edge into the matrix. What does not fit into this
-        // step stays in. A spring that came back has to be in at once.
+        // Fewer springs than before: apply each change of an edge to the matrix. What does not fit into this
+        // step stays in. A spring that came back has to be added at once.
         d.cuts_behind = false;
         for (std::size_t s = 0; s < state.cut.size() && !whole; ++s) {
             if (state.cut[s] == d.built_cut[s]) continue;
@@ -222,7 +222,7 @@ bool refresh_matrix(const Membrane& membrane, const MembraneState& state, double
             d.diagonal[at(t.edges[e][0])] += weight;
         }
     }
-    // Statics: a part that hangs on nothing any more would make the matrix singular; this much holds it.
+    // Statics: a part without any attachment would make the matrix singular; this small term holds it.
     for (std::int32_t k = 0; k < t.free; ++k) d.diagonal[at(k)] += 1e-9 * largest;
     ++d.builds;
     d.updates_since = 0;
@@ -237,10 +237,10 @@ namespace {
 
 using History = std::array<const double*, Data::memory>;  ///< newest first
 constexpr Lanes three = {1, 1, 1,
-                         0};  // a node's numbers in the packed history; behind them lies the next node's
+                         0};  // a node's numbers in the packed history, followed by those of the next node
 
-// The whole memory is read at once, where the textbook's two loops go through it a pair at a time: at 50,000
-// nodes it fits into no near cache, and those loops took longer than a cycle.
+// The whole memory is read at once, where the standard two-loop form goes through it a pair at a time: at
+// 50,000 nodes it exceeds the caches, and those loops took longer than a cycle.
 
 /// products[k] = history[k] . x
 template <int pairs>
@@ -253,8 +253,8 @@ void dots_of(const History& history, const Lanes* x, std::size_t count, double* 
     for (int k = 0; k < pairs; ++k) products[k] = sum_lanes(sum[k] * three);
 }
 
-/// x + sum of shares[k] history[k], written to y, or where there is a place taken off that; returns its
-/// product with z.
+/// x + sum of shares[k] history[k], written to y, or subtracted if there is a destination for that; returns
+/// its product with z.
 template <int pairs>
 double combine_of(const History& history, const double* shares, const Lanes* x, const Lanes* z,
                   const Lanes* place, Lanes* y, std::size_t count) {
@@ -295,8 +295,8 @@ void minimise_quasi_newton(const Membrane::Tables& t, Data& d, int iterations, d
     const auto count = at(t.free);
     d.remembered = 0;
     d.newest = -1;
-    double along[Data::memory] = {};  // moved . gradient, by slot, of the iteration before
-    bool fresh = false;               // the newest pair's products with the gradients are still to be taken
+    double along[Data::memory] = {};  // moved . gradient, by slot, of the previous iteration
+    bool fresh = false;               // the newest pair's products with the gradients are not computed yet
     double value = potential(t, d, d.position.data(), d.gradient.data());
     report.converged = tolerance <= 0;
     for (report.iterations = 0; report.iterations < iterations; ++report.iterations) {
@@ -318,7 +318,7 @@ void minimise_quasi_newton(const Membrane::Tables& t, Data& d, int iterations, d
         double products[Data::memory], share[Data::memory], minus[Data::memory];
         dots(pairs, moved, d.gradient.data(), count, products);
         for (int k = 0; k < pairs; ++k) {
-            // An earlier step on the last change of the gradient: the difference of two products at hand.
+            // An earlier step on the last change of the gradient: the difference of two known products.
             if (fresh && k > 0) d.products[slot[k]][slot[0]] = products[k] - along[slot[k]];
             along[slot[k]] = products[k];
             double sum = products[k];
@@ -339,7 +339,7 @@ void minimise_quasi_newton(const Membrane::Tables& t, Data& d, int iterations, d
             -combine(pairs, moved, share, p, d.gradient.data(), d.position.data(), d.trial.data(), count);
         if (!(slope < 0)) {
             if (!std::isfinite(slope)) break;
-            if (d.remembered == 0) break;  // at the bottom to working accuracy
+            if (d.remembered == 0) break;  // at the minimum to working accuracy
             d.remembered = 0;
             continue;
         }
@@ -354,7 +354,7 @@ void minimise_quasi_newton(const Membrane::Tables& t, Data& d, int iterations, d
             if (lower) break;
         }
         if (!lower) {
-            if (d.remembered == 0) break;  // rounding is all that is left
+            if (d.remembered == 0) break;  // only rounding remains
             d.remembered = 0;
             continue;
         }
@@ -370,7 +370,7 @@ void minimise_quasi_newton(const Membrane::Tables& t, Data& d, int iterations, d
             pack(turned_by, change + 3 * i);
         }
         const double product = sum_lanes(across);
-        // The oldest pair's slot was written over: without a new pair in it, it is forgotten.
+        // The oldest pair's slot was overwritten: without a new pair in it, it is dropped.
         d.remembered = std::min(d.remembered, Data::memory - 1);
         if (product > 1e-21 * sum_lanes(squared) && product > 0) {
             for (int k = 0; k < pairs; ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Spring energy, gradient, dampers and tangent, four springs abreast.
+// Spring energy, gradient, dampers and tangent, four springs at a time.
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +8,7 @@
 namespace fulcrum::membrane_detail {
 namespace {
 
-constexpr double shortest = 1e-12;  // m: below it a spring has no direction; its force goes to zero with it
+constexpr double shortest = 1e-12;  // m: below it a spring has no direction; its force vanishes with it
 
 struct Four {
     Lanes difference[4];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Symplectic Euler and the limit of its step.
+// Symplectic Euler and its step limit.
 #include <algorithm>
 #include <cmath>
 
@@ -9,13 +9,13 @@ namespace fulcrum {
 namespace membrane_detail {
 
 double bounding_eigenvalue(const Membrane::Tables& tables, const double* stiffness, Data& data) {
-    // In every shape a spring's tangent lies below stiffness times the identity, so the tangent below the
-    // springs' Laplacian, and that below the same matrix with positive entries; for a positive vector u the
-    // largest ratio (B u)_i / (m_i u_i) bounds its spectrum (Collatz and Wielandt). Power iteration only
-    // makes u better.
+    // In every shape a spring's tangent is below stiffness times the identity, so the tangent is below the
+    // springs' Laplacian, and that is below the same matrix with positive entries; for a positive vector u
+    // the largest ratio (B u)_i / (m_i u_i) bounds its spectrum (Collatz and Wielandt). Power iteration only
+    // improves u.
     const auto free = static_cast<std::size_t>(tables.free);
     if (free == 0) return 0;
-    std::vector<double>&u = data.diagonal, &b = data.inertia;  // both are set anew by every step
+    std::vector<double>&u = data.diagonal, &b = data.inertia;  // every step sets both again
     for (std::size_t i = 0; i < free; ++i) u[i] = 1;
     double bound = 0;
     for (int round = 0; round < 24; ++round) {
@@ -56,7 +56,7 @@ void step_symplectic(const Membrane& membrane, MembraneInputs& inputs, double sa
     const double h = dt / report.substeps;
     for (std::int32_t n = t.free; n < t.nodes; ++n)
         d.start_velocity[at(n)] = all_lanes(1 / dt) * (d.position[at(n)] - d.start[at(n)]);
-    // d.position holds the attachments' targets; d.trial is what moves.
+    // d.position holds the attachments' targets; d.trial is the moving state.
     std::copy(d.start.begin(), d.start.end(), d.trial.begin());
     for (int k = 0; k < report.substeps; ++k) {
         for (std::int32_t n = 0; n < t.nodes; ++n) {
@@ -69,8 +69,8 @@ void step_symplectic(const Membrane& membrane, MembraneInputs& inputs, double sa
                         material.stiffness_damping, d.trial.data(), d.start_velocity.data(),
                         d.gradient.data());
         const double share = static_cast<double>(k + 1) / report.substeps;
-        // What jaws hold is drawn by its spring's force at the substep's end: however stiff, that is stable.
-        // A node that two jaws hold takes one after the other.
+        // A held node is pulled by its spring's force at the end of the substep: stable for any stiffness. If
+        // two jaws hold a node, they act one after the other.
         for (MembraneHold& hold : inputs.holds) {
             const std::int32_t node = t.node_of[at(hold.vertex)];
             if (k == 0) hold.reaction.setZero();
@@ -90,7 +90,7 @@ void step_symplectic(const Membrane& membrane, MembraneInputs& inputs, double sa
         }
         for (std::int32_t n = t.free; n < t.nodes; ++n)
             d.trial[at(n)] = d.start[at(n)] + all_lanes(share) * (d.position[at(n)] - d.start[at(n)]);
-        for (std::int32_t n = t.free; n < t.nodes; ++n)  // mean pull on what is held
+        for (std::int32_t n = t.free; n < t.nodes; ++n)  // mean force on attached nodes
             d.residual[at(n)] = (k == 0 ? all_lanes(0) : d.residual[at(n)]) + d.gradient[at(n)];
     }
     for (std::int32_t n = t.free; n < t.nodes; ++n)
@@ -111,7 +111,7 @@ MembraneLimit Membrane::limit(const MembraneState& state, MembraneScratch& scrat
     limit.safe_frequency = std::sqrt(bounding_eigenvalue(t, d.stiffness.data(), d));
     make_tangent(t, d.stiffness.data(), d.rest.data(), d.position.data(), false, d);
     // Lanczos on M^-1/2 K M^-1/2 from a fixed, uneven start; the largest Ritz value by bisection of the
-    // tridiagonal.
+    // tridiagonal matrix.
     constexpr int steps = 60;
     double alpha[steps], beta[steps + 1] = {};
     std::fill(d.direction.begin(), d.direction.end(), all_lanes(0));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The membrane's private side: nodes in the order of sweeps (free ones first), springs four abreast, and the
+// Implementation of Membrane: nodes in sweep order (free ones first), springs in groups of four, and the
 // potential that a step minimises.
 #pragma once
 
@@ -21,9 +21,8 @@ struct Membrane::Tables {
     std::vector<std::int32_t> first, second;
     std::vector<double> stiffness, rest;
     std::vector<std::int32_t> spring_of;  ///< number in springs(), -1 for padding
-    std::vector<std::int32_t> place_of;   ///< the reverse
-    /// Edges that carry the bound of the springs' stiffness; weight of edge e is the sum of its springs'
-    /// shares.
+    std::vector<std::int32_t> place_of;   ///< inverse of spring_of
+    /// Edges of the bound of the springs' stiffness; the weight of edge e is the sum of its springs' shares.
     std::vector<GraphEdge> edges;  ///< node numbers, lower first; the second may be an attached node
     struct Share {
         std::int32_t edge;
@@ -31,9 +30,9 @@ struct Membrane::Tables {
     };
     std::vector<std::int32_t> share_offsets;  ///< by number in springs()
     std::vector<Share> shares;
-    std::vector<std::int32_t> inner_edge;  ///< place in inner_edges, -1 where one end is attached
+    std::vector<std::int32_t> inner_edge;  ///< index in inner_edges, -1 if one end is attached
     std::vector<GraphEdge> inner_edges;    ///< between free nodes
-    double bounding = 0;                   ///< 1/s2, bounding_eigenvalue with every spring there
+    double bounding = 0;                   ///< 1/s2, bounding_eigenvalue with no spring cut
 };
 
 struct MembraneScratch::Data {
@@ -41,18 +40,18 @@ struct MembraneScratch::Data {
     std::vector<Lanes> start, start_velocity, position, trial, target, gradient, trial_gradient, direction,
         load, product, residual, preconditioned, search;
     std::vector<double> inertia;  ///< N/m, mass / dt^2 with mass damping; 0 where attached or static
-    // By spring place.
-    std::vector<double> stiffness, rest;  ///< of the step: damping included, cut ones 0
+    // By spring index.
+    std::vector<double> stiffness, rest;  ///< for the step: damping included, cut springs 0
     std::vector<double> across;           ///< N/m, tangent: share of the identity
-    std::vector<Lanes> along;             ///< root of the rest of the tangent times the direction
-    // The matrix that stands for the stiffness, and what is in it.
+    std::vector<Lanes> along;             ///< square root of the rest of the tangent, times the direction
+    // The matrix that approximates the stiffness, and its contents.
     MeshMultigrid multigrid;
     double built_dt = -1;
     std::vector<std::uint8_t> built_cut;
     std::uint32_t built_topology = 0;
-    bool cuts_behind = false;  ///< cut springs are not all in it yet
-    int updates_since = 0;     ///< edges changed since it was built
-    /// Free nodes that are held, each once with all that holds it: in this step, and in the matrix.
+    bool cuts_behind = false;  ///< not all cut springs are applied yet
+    int updates_since = 0;     ///< edges changed since the last build
+    /// Held free nodes, each once with all that holds it: in this step, and in the matrix.
     struct Held {
         std::int32_t node = -1;
         double stiffness = 0;
@@ -64,9 +63,9 @@ struct MembraneScratch::Data {
     int held_count = 0, built_held_count = 0;
     std::vector<double> edge_weight, inner_weight, diagonal;
     int builds = 0, updates = 0;
-    // Quasi-Newton memory: steps and changes of the gradient, three numbers a node and one behind the last;
+    // Quasi-Newton memory: steps and changes of the gradient, three numbers per node and one after the last;
     // and product[i][j] = moved[i] . turned[j].
-    static constexpr int memory = 2;  // six gain nothing (measured) and take three times the traffic
+    static constexpr int memory = 2;  // six bring no gain (measured) and three times the memory traffic
     std::array<std::vector<double>, memory> moved, turned;
     std::array<std::array<double, memory>, memory> products = {};
     int remembered = 0, newest = -1;
@@ -91,7 +90,7 @@ inline Vector3 vector_of(const Lanes& v) {
     return Vector3(v[0], v[1], v[2]);
 }
 
-/// Ends of springs by node numbers; count a multiple of four, padded with springs of no stiffness.
+/// Ends of springs by node numbers; count is a multiple of four, padded with springs of no stiffness.
 struct SpringEnds {
     const std::int32_t *first = nullptr, *second = nullptr;
     std::size_t count = 0;
@@ -104,27 +103,27 @@ double add_springs(const Membrane::Tables& tables, const double* stiffness, cons
 /// Spring dampers: gradient += damping * stiffness * (n . (v_i - v_j)) n.
 void add_dampers(const SpringEnds& ends, const double* stiffness, double damping, const Lanes* x,
                  const Lanes* v, Lanes* gradient);
-/// Prepares tangent products at x; `clamped` leaves out what compressed springs take away across their
-/// direction.
+/// Prepares tangent products at x; `clamped` omits the negative part that compressed springs have across
+/// their direction.
 void make_tangent(const Membrane::Tables& tables, const double* stiffness, const double* rest, const Lanes* x,
                   bool clamped, Data& data);
-/// product = tangent * p (springs alone).
+/// product = tangent * p (springs only).
 void multiply_tangent(const Membrane::Tables& tables, const Data& data, const Lanes* p, Lanes* product);
 
 /// Loads the state, the step's springs, inertia and loads. dt = 0: static.
 void load_step(const Membrane& membrane, const MembraneState& state, const MembraneInputs& inputs, double dt,
                Data& data);
-/// Potential at x and its gradient (zero at attached nodes; `support` then holds the springs' pull on them).
+/// Potential at x and its gradient (zero at attached nodes; `support` then holds the spring forces on them).
 double potential(const Membrane::Tables& tables, const Data& data, const Lanes* x, Lanes* gradient);
-/// Brings the matrix to this dt, to what is cut and to what is held. False: not positive definite.
+/// Updates the matrix for this dt, the cuts and the holds. False: not positive definite.
 bool refresh_matrix(const Membrane& membrane, const MembraneState& state, double dt, Data& data);
-/// x = about the matrix's inverse times x, at the free nodes; exact for a motion of the whole where nothing
-/// is attached, so that linear momentum is kept however few the iterations.
+/// x = approximate inverse of the matrix times x, at the free nodes; exact for a motion of the whole if
+/// nothing is attached, so that linear momentum is conserved for any number of iterations.
 void apply_inverse(const Membrane::Tables& tables, Data& data, Lanes* x);
 double scaled_residual(const Membrane::Tables& tables, const Data& data, const Lanes* x,
                        const Lanes* gradient);
 
-/// The limited-memory quasi-Newton method behind that inverse, and Newton's.
+/// Minimisers: limited-memory quasi-Newton with that inverse, and Newton.
 void minimise_quasi_newton(const Membrane::Tables& tables, Data& data, int iterations, double tolerance,
                            MembraneReport& report);
 void minimise_newton(const Membrane::Tables& tables, Data& data, int iterations, double tolerance,

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cycle, and changes of the matrix taken into its levels. How the levels are made:
-// mesh_multigrid_build.cpp.
+// The cycle, and updates of the matrix in its levels. Construction of the levels: mesh_multigrid_build.cpp.
 #include "sim_core/membrane/mesh_multigrid.h"
 
 #include <algorithm>
@@ -31,7 +30,7 @@ void MeshMultigrid::solve(Lanes* x) noexcept {
     cycle(0, x);
 }
 
-// right becomes the solution.
+// Overwrites right with the solution.
 void MeshMultigrid::cycle(std::size_t depth, Lanes* right) noexcept {
     Level& level = levels_[depth];
     const bool last = depth + 1 == used_;
@@ -47,7 +46,7 @@ void MeshMultigrid::cycle(std::size_t depth, Lanes* right) noexcept {
     for (std::int32_t i = 0; i < nodes; ++i)
         x[i] = all_lanes(inverse[i]) * (right[i] - product(values, columns, offsets[i], middle[i], x));
     if (!last) {
-        // A forward sweep from zero leaves the upper half's products and nothing else.
+        // A forward sweep from zero leaves only the products of the upper half.
         Level& coarse = levels_[depth + 1];
         Lanes* below = coarse.right.data();
         std::fill(below, below + coarse.nodes + 1, all_lanes(0));
@@ -70,10 +69,10 @@ void MeshMultigrid::cycle(std::size_t depth, Lanes* right) noexcept {
     }
 }
 
-// A coarser level's equation, level.right to its solution: two cycles, the second on what the first leaves;
-// one where it is solved exactly. With one, a finer mesh takes more iterations: 13 of conjugate gradients to
-// 1e-10 at 1,000 nodes and 19 at 50,000, where two take 11 and 12 (measured on held sheets), for 30 % fewer
-// operations.
+// Solves a coarser level's equation, level.right to its solution: two cycles, the second on the residual of
+// the first; one if the level is solved exactly. With one cycle a finer mesh takes more iterations: 13 of
+// conjugate gradients to 1e-10 at 1,000 nodes and 19 at 50,000, compared with 11 and 12 (measured on held
+// sheets), for 30 % fewer operations.
 void MeshMultigrid::visit(std::size_t depth) noexcept {
     Level& level = levels_[depth];
     Lanes* right = level.right.data();
@@ -118,7 +117,7 @@ bool MeshMultigrid::factor_coarsest() noexcept {
             row[j] = scaled;
         }
         if (!std::isfinite(pivot)) return false;
-        // Lost in rounding: a part that hangs on next to nothing. The finer levels alone move it.
+        // Lost in rounding: an almost detached part. Only the finer levels move it.
         row[i] = pivot > 1e-13 * level.diagonal[i] ? 1 / pivot : 0;
     }
     return true;
@@ -137,8 +136,8 @@ void MeshMultigrid::solve_coarsest(Lanes* right) const noexcept {
     }
 }
 
-// A level's matrix is P^T A P of the finer one's: the change is delta p p^T on each, p there P^T p, and only
-// entries that are there change.
+// A level's matrix is P^T A P of the finer one: the change is delta p p^T on each, p being P^T p on the next,
+// and only existing entries change.
 bool MeshMultigrid::update(std::int32_t i, std::int32_t j, double delta) noexcept {
     constexpr int most = 64;
     std::int32_t node[most] = {i, j};
@@ -197,7 +196,7 @@ std::int64_t MeshMultigrid::solve_operations() const {
             break;
         }
         if (depth > 0) {
-            operations += visits * (entries + level.nodes);  // what the first of two cycles leaves
+            operations += visits * (entries + level.nodes);  // residual of the first of two cycles
             visits *= 2;
         }
         operations += visits * 2 * (entries + level.nodes);

@@ -2,9 +2,9 @@
 // Multigrid for a matrix diag + sum of w (e_i - e_j)(e_i - e_j)^T over the edges of a mesh, four right-hand
 // sides at once: smoothed aggregation (Vanek, Mandel and Brezina 1996), Gauss-Seidel forward before and
 // backward after the coarser level, which is visited twice (a W-cycle), so that a cycle is symmetric and
-// positive definite. It stands for the inverse in quasi-Newton and conjugate gradients. Making it and a cycle
-// cost O(n); a change of a few edges or diagonal entries is taken into every level at once, O(1) work on
-// each.
+// positive definite. Used as approximate inverse in quasi-Newton and conjugate gradients. Building it and a
+// cycle cost O(n); a change of a few edges or diagonal entries is applied to every level at once, O(1) work
+// on each.
 #pragma once
 
 #include <array>
@@ -17,27 +17,27 @@ namespace fulcrum {
 
 using GraphEdge = std::array<std::int32_t, 2>;
 
-/// An order of nodes for quick sweeps: by colour, no two of one colour joined, so that neighbouring steps of
-/// a sweep need not wait for each other; within a colour outward from the first node, so that near nodes stay
-/// near in memory. The k-th entry is the node at place k. Deterministic.
+/// An order of nodes for fast sweeps: by colour, with no two connected nodes of one colour, so that
+/// consecutive steps of a sweep need not wait for each other; within a colour outward from the first node, so
+/// that near nodes stay near in memory. Entry k is the node at position k. Deterministic.
 std::vector<std::int32_t> sweep_order(std::int32_t nodes, const std::vector<GraphEdge>& edges);
 
-/// Copyable; allocates only when constructed. One thread at a time: solve works in the levels' own vectors.
+/// Copyable; allocates only in the constructor. One thread at a time: solve works in the levels' own vectors.
 class MeshMultigrid {
   public:
     MeshMultigrid() = default;
-    /// For nodes 0 .. nodes-1 and these edges, none twice. A matrix must be built before it is used.
+    /// For nodes 0 .. nodes-1 and these edges, all different. A matrix must be built before use.
     MeshMultigrid(std::int32_t nodes, const std::vector<GraphEdge>& edges);
 
-    /// Sets the matrix; diagonal: one a node (what joins a node to something held belongs into it);
-    /// edge_weight: one an edge, 0 or more. False where a diagonal entry of the whole is not above 0 or not
-    /// finite; then it must not be used.
+    /// Sets the matrix; diagonal: one per node (including connections to attached nodes); edge_weight: one
+    /// per edge, >= 0. False if a diagonal entry of the whole is not above 0 or not finite; then it must not
+    /// be used.
     bool build(const double* diagonal, const double* edge_weight) noexcept;
-    /// x = about A^-1 x: one cycle. Linear in x to rounding.
+    /// x = approximately A^-1 x: one cycle. Linear in x to rounding.
     void solve(Lanes* x) noexcept;
-    /// A += delta (e_i - e_j)(e_i - e_j)^T, or delta e_i e_i^T where j < 0; the pair must be one of the
-    /// edges. How nodes are gathered stays. False where A would stop being positive definite (it is then
-    /// unusable until built again).
+    /// A += delta (e_i - e_j)(e_i - e_j)^T, or delta e_i e_i^T if j < 0; the pair must be one of the edges.
+    /// The aggregates stay unchanged. False if A would no longer be positive definite (it is then unusable
+    /// until built again).
     bool update(std::int32_t i, std::int32_t j, double delta) noexcept;
 
     int levels() const { return static_cast<int>(used_); }
@@ -47,14 +47,14 @@ class MeshMultigrid {
     std::int64_t build_operations() const { return build_operations_; }
 
   private:
-    /// One level. Rows have a lower and an upper half, each filled up to a multiple of four entries with
-    /// entries of value 0 in the column after the last: loops without remainders, which cost more than those.
+    /// One level. Rows have a lower and an upper half, each padded to a multiple of four with entries of
+    /// value 0 in the column after the last: loops without remainders are faster.
     struct Level {
         std::int32_t nodes = 0;
-        std::vector<std::int32_t> offsets, middle, columns;  ///< columns rise within a half
+        std::vector<std::int32_t> offsets, middle, columns;  ///< columns ascend within a half
         std::vector<double> values, diagonal, inverse_diagonal;
-        /// From the next coarser level to this one: `widest` entries a row, none negative, of sum 1, filled
-        /// up as above; or of sum 0.
+        /// Interpolation from the next coarser level to this one: `widest` entries per row, none negative, of
+        /// sum 1, padded as above; or of sum 0.
         std::vector<std::int32_t> gather_columns;
         std::vector<double> gather_values;
         std::vector<Lanes> solution, right, kept, first;
@@ -73,10 +73,11 @@ class MeshMultigrid {
     std::vector<Level> levels_;
     std::size_t used_ = 0;
     std::vector<GraphEdge> edges_;
-    std::vector<std::int32_t> edge_slots_;  ///< an edge's two places in the finest level's values
+    std::vector<std::int32_t> edge_slots_;  ///< an edge's two indices in the finest level's values
     bool dense_ = false, coarsest_behind_ = false;
     std::vector<double> coarsest_;  ///< dense L D L^T of the coarsest level, inverse pivots on the diagonal
-    // Work space of building: aggregate of a node; marks and sums by coarse node; the gathering by columns.
+    // Work space of building: aggregate of a node; marks and sums by coarse node; the interpolation by
+    // columns.
     std::vector<std::int32_t> aggregate_, mark_, row_offsets_, rows_;
     std::vector<double> row_values_, sum_;
     std::int64_t build_operations_ = 0;

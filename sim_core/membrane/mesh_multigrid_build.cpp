@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Orders, gathers and forms the levels.
+// Orders nodes, builds the interpolation and the levels.
 #include <algorithm>
 #include <cmath>
 
@@ -12,12 +12,12 @@ std::size_t at(std::int32_t i) {
     return static_cast<std::size_t>(i);
 }
 
-constexpr std::int32_t dense_nodes = 48;  // a level of so few is solved exactly
+constexpr std::int32_t dense_nodes = 48;  // a level of this size or smaller is solved exactly
 constexpr std::size_t most_levels = 24;
 // Measured on held sheets of 1,000 to 50,000 nodes: from 0.02 to 0.5, and from 0.7 to 1, conjugate gradients
-// differ by an iteration or two.
-constexpr double strong = 0.25;    // a coupling is strong from this share of its row's strongest on
-constexpr double smoothing = 0.9;  // of the gathering: the share of a damped Jacobi step
+// differ by one or two iterations.
+constexpr double strong = 0.25;    // a coupling is strong from this fraction of its row's strongest on
+constexpr double smoothing = 0.9;  // of the interpolation: fraction of a damped Jacobi step
 
 std::size_t padded(std::size_t entries) {
     return (entries + 3) / 4 * 4;
@@ -76,7 +76,7 @@ void MeshMultigrid::Level::size(std::size_t most_nodes, std::size_t entries) {
     inverse_diagonal.assign(most_nodes, 0);
     gather_columns.assign(at(widest) * most_nodes, 0);
     gather_values.assign(at(widest) * most_nodes, 0);
-    solution.assign(most_nodes + 1, all_lanes(0));  // the last one stays 0: where a row is filled up
+    solution.assign(most_nodes + 1, all_lanes(0));  // the last one stays 0: target of the padding
 }
 
 MeshMultigrid::MeshMultigrid(std::int32_t nodes, const std::vector<GraphEdge>& edges)
@@ -119,8 +119,8 @@ MeshMultigrid::MeshMultigrid(std::int32_t nodes, const std::vector<GraphEdge>& e
     row_values_.assign(at(widest) * at(nodes), 0);
     sum_.assign(at(nodes) + 1, 0);
     coarsest_.assign(at(dense_nodes) * at(dense_nodes), 0);
-    // A level has a sixth of the nodes of the one before or fewer, on whole meshes; half leaves room for what
-    // cuts do to that. What does not fit in is left to Gauss-Seidel.
+    // On whole meshes a level has at most a sixth of the nodes of the one before; half leaves room for the
+    // effect of cuts. What does not fit is left to Gauss-Seidel.
     for (std::size_t room = at(nodes) / 2; 2 * room > at(dense_nodes) && levels_.size() < most_levels;
          room /= 2) {
         entries = std::max(entries / 2, at(dense_nodes) * at(dense_nodes));
@@ -133,8 +133,9 @@ MeshMultigrid::MeshMultigrid(std::int32_t nodes, const std::vector<GraphEdge>& e
     }
 }
 
-// Greedy: a node none of whose strong neighbours is taken makes an aggregate with them; what is left joins
-// the one it couples to the most. A node without couplings is in none: Gauss-Seidel solves it exactly.
+// Greedy: a node none of whose strong neighbours is taken forms an aggregate with them; a remaining node
+// joins the aggregate it couples to most. A node without couplings is in none: Gauss-Seidel solves it
+// exactly.
 std::int32_t MeshMultigrid::aggregate(const Level& level) noexcept {
     std::int32_t* of = aggregate_.data();
     std::fill(of, of + level.nodes + 1, -1);
@@ -159,7 +160,7 @@ std::int32_t MeshMultigrid::aggregate(const Level& level) noexcept {
         }
         ++count;
     }
-    // Joined nodes are marked -2 - aggregate at first, so that joining does not spread.
+    // Joined nodes are first marked -2 - aggregate, so that joining does not spread.
     for (std::int32_t i = 0; i < level.nodes; ++i) {
         if (of[i] >= 0) continue;
         double most = 0;
@@ -185,8 +186,8 @@ std::int32_t MeshMultigrid::aggregate(const Level& level) noexcept {
     return count;
 }
 
-// A row: its own aggregate's share, and by one damped Jacobi step of the couplings those of its neighbours;
-// of these the largest. The sum is 1, so that what moves as a whole is gathered as a whole.
+// A row: the share of its own aggregate and, by one damped Jacobi step of the couplings, those of its
+// neighbours; the largest of these are kept. The sum is 1, so that a rigid motion is interpolated exactly.
 void MeshMultigrid::smooth_gathering(Level& level, std::int32_t coarse_nodes) noexcept {
     std::fill(mark_.begin(), mark_.begin() + coarse_nodes, -1);
     for (std::int32_t i = 0; i < level.nodes; ++i) {
@@ -231,9 +232,9 @@ void MeshMultigrid::smooth_gathering(Level& level, std::int32_t coarse_nodes) no
     build_operations_ += level.offsets[at(level.nodes)] + widest * level.nodes;
 }
 
-// coarse = P^T fine P, a row at a time. False where it does not fit into the room.
+// coarse = P^T fine P, one row at a time. False if it does not fit into the capacity.
 bool MeshMultigrid::form_coarse(const Level& fine, Level& coarse, std::int32_t nodes) noexcept {
-    // The gathering by columns.
+    // The interpolation by columns.
     std::fill(row_offsets_.begin(), row_offsets_.begin() + nodes + 2, 0);
     const std::int32_t entries = widest * fine.nodes;
     for (std::int32_t k = 0; k < entries; ++k) ++row_offsets_[at(fine.gather_columns[at(k)]) + 1];

@@ -20,32 +20,34 @@ Pair ordered(std::int32_t a, std::int32_t b) {
 void check(const TriangleMesh& mesh) {
     for (const Vector3& vertex : mesh.vertices) {
         if (!vertex.allFinite() || vertex.cwiseAbs().maxCoeff() > 1e6)
-            throw InputError("membrane", "vertices", "a vertex is not finite or beyond 1e6 m",
-                             "mend the mesh");
+            throw InputError("membrane", "vertices", "a vertex is not finite or exceeds 1e6 m",
+                             "correct the mesh; its unit is the metre");
     }
     const auto count = static_cast<std::int32_t>(mesh.vertices.size());
     for (const Triangle& t : mesh.triangles) {
         for (const std::int32_t v : t) {
             if (v < 0 || v >= count)
-                throw InputError("membrane", "triangles", "a triangle names a vertex that is not there",
-                                 "mend the mesh");
+                throw InputError("membrane", "triangles", "a triangle uses a vertex that does not exist",
+                                 "correct the mesh");
         }
         if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
-            throw InputError("membrane", "triangles", "a triangle names a vertex twice", "remove it");
+            throw InputError("membrane", "triangles", "a triangle uses a vertex twice",
+                             "remove the triangle");
     }
     if (mesh.triangles.empty())
-        throw InputError("membrane", "triangles", "the mesh has no triangle", "give at least one");
+        throw InputError("membrane", "triangles", "the mesh has no triangle", "give at least one triangle");
 }
 
 // Mean over the triangles of each edge.
 std::map<Pair, double> edge_zones(const TriangleMesh& mesh, const std::vector<double>& zones) {
     if (zones.size() != mesh.triangles.size())
-        throw InputError("membrane", "zones", "there is not one for each triangle",
-                         "give one a triangle or none");
+        throw InputError("membrane", "zones", "the number of zones differs from the number of triangles",
+                         "give one zone per triangle or none");
     std::map<Pair, std::pair<double, int>> sums;
     for (std::size_t t = 0; t < zones.size(); ++t) {
         if (!(zones[t] > 0 && zones[t] <= 1e6))
-            throw InputError("membrane", "zones", "a zone is not above 0", "give factors of the stiffness");
+            throw InputError("membrane", "zones", "a zone is not above 0",
+                             "give positive factors of the stiffness");
         for (std::size_t e = 0; e < 3; ++e) {
             auto& sum = sums[ordered(mesh.triangles[t][e], mesh.triangles[t][(e + 1) % 3])];
             sum.first += zones[t];

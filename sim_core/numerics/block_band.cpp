@@ -55,7 +55,7 @@ std::size_t BlockBandFactor::bytes() const {
 bool BlockBandFactor::factor(const BlockBand& matrix, double shift, const double* weights, double smallest) {
     const std::size_t n = blocks();
     if (n == 0) return true;
-    // What the two rows before have already taken from the blocks still to come.
+    // Contribution of the two previous rows to the blocks that are still to be factored.
     Block4 now = matrix.diagonal[0];
     Block4 next = n > 1 ? matrix.diagonal[1] : zero_block;
     Block4 below = matrix.first[0];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Symmetric block-pentadiagonal matrix of 4 x 4 blocks and its L D L^T factorisation: O(n), no allocation
-// after construction. Block row i couples with i - 1 and i - 2 only: what a chain gives whose energies span
-// three neighbours.
+// after construction. Block row i couples with rows i - 1 and i - 2 only, as in a chain whose energy terms
+// span three neighbours.
 #pragma once
 
 #include <cstddef>
@@ -29,14 +29,15 @@ class BlockBand {
     std::vector<Block4> second;    ///< block (i + 2, i)
 };
 
-/// Factor of a BlockBand; kept apart, so that the matrix stays for products and reactions.
+/// Factor of a BlockBand. Stored separately, so that the matrix itself stays available for products and
+/// reactions.
 class BlockBandFactor {
   public:
     explicit BlockBandFactor(std::size_t blocks = 0);
 
-    /// Factors matrix + shift * diag(weights) (4 blocks() entries; null: no shift). False at the first pivot
-    /// that is not above `smallest` times its original diagonal entry, or not finite: the matrix is not
-    /// positive definite to working accuracy.
+    /// Factors matrix + shift * diag(weights) (4 blocks() entries; null: no shift). Returns false at the
+    /// first pivot that is not finite or not above `smallest` times its original diagonal entry: the matrix
+    /// is then not positive definite to working accuracy.
     bool factor(const BlockBand& matrix, double shift = 0, const double* weights = nullptr,
                 double smallest = 1e-14);
     /// x = A^-1 b in place; 4 blocks() entries.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arguments are reduced with constants split so that every product with the quotient is exact; the rest is a
-// Taylor series long enough that its truncation lies below a tenth of an ulp. Only +, -, *, /, sqrt and floor
-// are used: each is correctly rounded by IEEE 754, and the build forbids contraction, so the bits depend on
-// nothing else.
+// Arguments are reduced with constants split so that every product with the quotient is exact; the remainder
+// is evaluated by a Taylor series whose truncation error is below a tenth of an ulp. Only +, -, *, /, sqrt
+// and floor are used: IEEE 754 rounds each correctly and the build forbids contraction, so the result bits
+// are the same on every machine.
 #include "sim_core/numerics/functions.h"
 
 #include <cmath>
@@ -104,8 +104,8 @@ void sin_cos(double x, double& sine, double& cosine) {
             sine = cosine = not_a_number;
             return;
         }
-        x = std::fmod(
-            x, pi_high + pi_high);  // exact remainder; the modulus itself is rounded: out of the stated range
+        x = std::fmod(x,
+                      pi_high + pi_high);  // exact remainder; the modulus is rounded, hence the stated range
     }
     const double quotient = std::floor(x * two_over_pi + 0.5);
     const double first = x - quotient * pio2_1, second = quotient * pio2_2;
@@ -175,7 +175,7 @@ double exp(double x) {
     p = p * r + 0.5;
     const double value = 1.0 + (r + (r * r * p + lost * (1.0 + r)));
     const int exponent = static_cast<int>(quotient);
-    const int half = exponent / 2;  // two steps: results below the normal range, and 2^1024 times a half
+    const int half = exponent / 2;  // two steps: handles subnormal results and 2^1024 times 0.5
     return value * power_of_two(half) * power_of_two(exponent - half);
 }
 

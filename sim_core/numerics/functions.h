@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elementary functions of the physics, compiled with the product: the C library picks its code by CPU and
-// changes bits. All: double in, double out, deterministic on every machine that runs this build; error below
-// 2 ulp in the range named.
+// Elementary functions for the physics, compiled with the product because the C library selects its code by
+// CPU and returns different bits. All take and return double, are deterministic on every machine that runs
+// this build, and have an error below 2 ulp in the stated range.
 #pragma once
 
 namespace fulcrum::math {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Four doubles side by side: what the rod's kernels compute with. Every operation is the IEEE one of each
-// lane.
+// Vector of four doubles, used by the rod's kernels. Every operation is the IEEE operation on each lane.
 #pragma once
 
 #include <cmath>
@@ -35,7 +34,7 @@ inline Lanes sqrt_lanes(const Lanes& value) {
 #endif
 }
 
-/// Rows become columns.
+/// Transposes the 4 x 4 matrix whose rows are a, b, c, d.
 inline void transpose_lanes(Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
 #if defined(__AVX__)
     const __m256d ab_low = _mm256_unpacklo_pd(a, b), ab_high = _mm256_unpackhi_pd(a, b);

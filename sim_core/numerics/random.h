@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random numbers that are the same on every machine: xoshiro256** (Blackman and Vigna 2018) seeded through
-// SplitMix64. The standard library's distributions are not used anywhere, their results differ between
-// libraries.
+// Random numbers that are the same on every machine: xoshiro256** (Blackman and Vigna 2018) seeded with
+// SplitMix64. The distributions of the standard library are not used, because their results differ between
+// implementations.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,7 @@
 
 namespace fulcrum {
 
-/// One stream of random numbers. Plain copyable state, no allocation, never throws; not shared between
+/// One stream of random numbers. Plain copyable state, no allocation, never throws. Do not share one between
 /// threads.
 class Random {
   public:
@@ -44,11 +44,11 @@ class Random {
     double uniform() noexcept { return static_cast<double>(bits() >> 11U) * 0x1.0p-53; }
     /// Uniform in [low, high).
     double uniform(double low, double high) noexcept { return low + (high - low) * uniform(); }
-    /// Uniform in 0 .. count-1; count >= 1. The bias is below 2^-32 for count < 2^31.
+    /// Uniform in 0 .. count-1; count >= 1. Bias below 2^-32 for count < 2^31.
     std::uint32_t below(std::uint32_t count) noexcept {
         return static_cast<std::uint32_t>(((bits() >> 32U) * static_cast<std::uint64_t>(count)) >> 32U);
     }
-    /// Normal, mean 0 and standard deviation 1 (Marsaglia's polar method; both values are used).
+    /// Normal, mean 0, standard deviation 1 (Marsaglia's polar method; both values of a pair are used).
     double normal() noexcept {
         if (has_spare_) {
             has_spare_ = false;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The vector and matrix types every room uses. Units are SI everywhere inside the program: m, kg, s, N, Pa,
-// rad.
+// Vector and matrix types used in all rooms. Units inside the program are SI: m, kg, s, N, Pa, rad.
 #pragma once
 
 #include <Eigen/Core>

@@ -15,12 +15,12 @@ SphereDepthResult sphere_depth(const Vector3& tip, double tip_radius, const Vect
 }
 
 std::vector<TargetSphere> place_targets(const TargetFieldSpec& field, std::uint64_t seed) {
-    constexpr int attempts = 200;  // draws before the distance is relaxed
+    constexpr int attempts = 200;  // draws before the minimum distance is relaxed
     const int per_hand = std::max(0, field.per_hand);
     std::vector<Vector3> centres[hand_count];
     for (int hand = 0; hand < hand_count; ++hand) {
         Random random(seed, 0x7A12U + static_cast<std::uint64_t>(hand));
-        // Every hand works through all depths once, in a drawn order.
+        // Every hand uses all depths once, in random order.
         std::vector<int> layer(static_cast<std::size_t>(per_hand));
         for (int i = 0; i < per_hand; ++i) layer[static_cast<std::size_t>(i)] = i;
         for (int i = per_hand - 1; i > 0; --i) {

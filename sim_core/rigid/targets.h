@@ -10,16 +10,16 @@
 
 namespace fulcrum {
 
-/// Depth of a sphere (the tool's tip) in a rigid sphere, and the direction out.
+/// Penetration of a sphere (the tool's tip) into a rigid sphere, and the outward direction.
 struct SphereDepthResult {
     double depth = 0;                   ///< m, > 0 overlapping
-    Vector3 normal = Vector3(0, 0, 1);  ///< unit, from the target to the tip; z where the centres coincide
+    Vector3 normal = Vector3(0, 0, 1);  ///< unit, from the target to the tip; z if the centres coincide
 };
 SphereDepthResult sphere_depth(const Vector3& tip, double tip_radius, const Vector3& centre, double radius);
 
-/// Draws per_hand targets a hand inside the field's box, hands in turn (left, right, left, ...), the depth
-/// stratified over the box so that every hand works near and far; centres of either hand at least
-/// minimum_distance apart (relaxed where the box is too small). Same seed, same targets.
+/// Draws per_hand targets per hand inside the field's box, hands alternating (left, right, left, ...), the
+/// depth stratified over the box so that every hand works near and far; centres of one hand at least
+/// minimum_distance apart (relaxed if the box is too small). Same seed, same targets.
 std::vector<TargetSphere> place_targets(const TargetFieldSpec& field, std::uint64_t seed);
 
 }  // namespace fulcrum

@@ -53,11 +53,11 @@ void check(const RodSpec& spec) {
             "rod: rest_nodes must be segments + 1");
     for (std::size_t i = 0; i + 1 < spec.rest_nodes.size(); ++i) {
         const double edge = (spec.rest_nodes[i + 1] - spec.rest_nodes[i]).norm();
-        require(std::isfinite(edge) && edge > 1e-9, "rod: rest_nodes must be finite and apart");
+        require(std::isfinite(edge) && edge > 1e-9, "rod: rest_nodes must be finite and distinct");
     }
 }
 
-// Rest shape, joint by joint, from uniform natural curvature: every joint turns by the same rotation.
+// Rest shape from uniform natural curvature: every joint turns by the same rotation.
 void roll_out(const RodSpec& spec, Rod::Tables& tables) {
     const auto n = static_cast<std::size_t>(spec.segments);
     const double cell = spec.length / spec.segments;
@@ -68,7 +68,7 @@ void roll_out(const RodSpec& spec, Rod::Tables& tables) {
     tables.rest_directors.assign(n, d1);
     tables.rest_ends[0].rotation = frame_of(d1, t);
     const auto turn = [&](double over) {
-        // Half the twist, then the bend, then the other half: the joint's own symmetric definition.
+        // Half the twist, then the bend, then the other half, as the joint's symmetric definition has it.
         const double half = 0.5 * spec.intrinsic_curvature[2] * over;
         const auto spin = [&](double angle) {
             d1 = (d1 * math::cos(angle) + t.cross(d1) * math::sin(angle)).normalized();
@@ -201,9 +201,9 @@ Rod::Rod(RodSpec spec) : spec_(std::move(spec)) {
     const double k1 = spec_.intrinsic_curvature[0], k2 = spec_.intrinsic_curvature[1];
     const double curvature = std::sqrt(k1 * k1 + k2 * k2);
     for (std::size_t i = 0; i <= n; ++i) {
-        // Weights of the quadrature over joints: the trapezoidal rule, which is what a clamp over half a cell
-        // means, with Gregory's end correction (5/12, 13/12) at a clamp. It takes the leading error of a bent
-        // cantilever away (order h^2 q L^2 / 8 EI).
+        // Quadrature weights over joints: the trapezoidal rule, which corresponds to a clamp over half a
+        // cell, with Gregory's end correction (5/12, 13/12) at a clamp. The correction removes the leading
+        // error of a bent cantilever (order h^2 q L^2 / 8 EI).
         const auto joint_cell = [&](std::size_t joint) {
             return joint == 0   ? 0.5 * tables->rest_length[0]
                    : joint == n ? 0.5 * tables->rest_length[n - 1]
@@ -223,10 +223,10 @@ Rod::Rod(RodSpec spec) : spec_(std::move(spec)) {
         if (!end || kind == RodEnd::clamped || kind == RodEnd::held)
             tables->twist[i] = torsional_stiffness_ / cell;
         if (!shaped) {
-            cell = joint_cell(i);  // natural angles are those of the shape itself
+            cell = joint_cell(i);  // the natural angles are those of the rest shape itself
             const double angle = curvature * cell;
             require(angle < 3.0,
-                    "rod: natural curvature turns by more than 3 rad a segment; use more segments");
+                    "rod: natural curvature turns by more than 3 rad per segment; use more segments");
             const double size = curvature > 0 ? 2 * math::tan(0.5 * angle) / curvature : 0;
             tables->rest_1[i] = k1 * size;
             tables->rest_2[i] = k2 * size;
@@ -249,9 +249,10 @@ Rod::Rod(RodSpec spec) : spec_(std::move(spec)) {
     const double scale =
         axial_stiffness_ / shortest + 12 * bending_stiffness_ / (shortest * shortest * shortest);
     tables->contact_penalty =
-        30 * scale;  // stiffer ones make the active set chatter; multipliers close the gap
+        30 * scale;  // a larger penalty makes the active set chatter; the multipliers close the gap
     tables->self_penalty = scale;
-    // What a jaw feels hardly depends on fine segments; stiffer would only raise the rounding of its force.
+    // The force at a jaw hardly depends on fine segments; a larger penalty would only amplify its rounding
+    // error.
     const double coarse = spec_.segments > 128 ? length_ / 128 : shortest;
     tables->grasp_penalty =
         1e4 * (axial_stiffness_ / coarse + 12 * bending_stiffness_ / (coarse * coarse * coarse));
@@ -291,7 +292,7 @@ RodState Rod::make_state(const std::vector<Vector3>& nodes) const {
     for (std::size_t j = 0; j < n; ++j) {
         const Vector3 next = (nodes[j + 1] - nodes[j]).normalized();
         require(next.allFinite() && t.dot(next) > -0.999,
-                "rod: nodes of a state must be finite, apart and not folded back");
+                "rod: nodes of a state must be finite, distinct and not folded back");
         d1 = transport(d1, t, next);
         d1 = (d1 - next * next.dot(d1)).normalized();
         t = next;

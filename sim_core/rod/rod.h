@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// The centre line: an extensible Kirchhoff rod (Pan et al. 2011, Eq. 5; docs/THEORY.md 1.1) of n segments.
+// The centre line: an extensible Kirchhoff rod (Pan et al. 2011, Eq. 5; docs/THEORY.md, section 1.1) of n
+// segments.
 //
-// Unknowns: node positions r_0 .. r_n and one twist angle a segment; the directors d1, d2 of a segment are
-// perpendicular to its tangent d3, carried by parallel transport and turned by the twist angle. Strains at
-// the joint between two segments: turning (2 tan(angle/2), isotropic) and the unwrapped twist; stretch lives
-// on segments. Every point of the rod, r(s) and R(s), follows the quadratic B-spline of the nodes: for s
-// between the midpoints of segments i-1 and i it depends on nodes i-1, i, i+1 alone.
+// Unknowns: node positions r_0 .. r_n and one twist angle per segment. The directors d1, d2 of a segment are
+// perpendicular to its tangent d3; they follow it by parallel transport and are rotated by the twist angle.
+// Strains: at the joint between two segments the turning (2 tan(angle/2), isotropic) and the unwrapped twist,
+// on segments the stretch. Every point of the rod, r(s) and R(s), follows the quadratic B-spline of the
+// nodes: for s between the midpoints of segments i-1 and i it depends on nodes i-1, i, i+1 only.
 //
 // Units SI; vectors in the patient frame; arc lengths s in rest length, 0 .. length (values outside are
-// clamped). Model (Rod, const) / state (RodState, copyable) / scratch (RodScratch, one a thread) are
-// separate: any number of states may share one Rod. step() and solve() neither allocate, lock nor throw once
-// the containers have had their largest size (reserve them), and give the same bits for the same bytes in.
-// Bad RodSpec values throw std::invalid_argument from the constructor.
+// clamped). Model (Rod, const), state (RodState, copyable) and scratch (RodScratch, one per thread) are
+// separate; any number of states may share one Rod. step() and solve() do not allocate, lock or throw once
+// the containers have reached their largest size (reserve them), and give the same output bits for the same
+// input bits. Invalid RodSpec values throw std::invalid_argument from the constructor.
 #pragma once
 
 #include <cstdint>
@@ -25,14 +26,14 @@
 namespace fulcrum {
 
 enum class RodEnd : std::uint8_t {
-    free,     ///< nothing held
-    pinned,   ///< position held, free to turn and to twist
-    held,     ///< position and twist held, bending free
-    clamped,  ///< position, direction and twist held (over the first half cell: second order in segment
+    free,     ///< nothing prescribed
+    pinned,   ///< position prescribed, direction and twist free
+    held,     ///< position and twist prescribed, bending free
+    clamped,  ///< position, direction and twist prescribed (over the first half cell: second order in segment
               ///< length)
 };
 
-/// What a rod is made of. Defaults: a bowel.
+/// Geometry and material of a rod. Defaults: a bowel.
 struct RodSpec {
     int segments = 64;              ///< 2 .. 4096
     double length = 0.9;            ///< m, at rest
@@ -44,19 +45,18 @@ struct RodSpec {
     /// linear.
     MaterialLaw law = MaterialLaw::linear;
     double exponent = 3.0;  ///< a of EXP2, 0.01 .. 100
-    /// Optional layers of the wall, lumen first: then inner_radius and young_modulus (and exponent) are
-    /// theirs. Their sum is at most outer_radius.
+    /// Optional layers of the wall, lumen first. If given, they replace inner_radius, young_modulus and
+    /// exponent. Their total thickness is at most outer_radius.
     std::vector<WallLayer> layers;
     double linear_density = 0.25;    ///< kg/m
     double mass_damping = 6.0;       ///< 1/s: force -c m v
     double stiffness_damping = 0.0;  ///< s: force -c K v, K the elastic tangent at the start of the step
     RodEnd ends[2] = {RodEnd::free, RodEnd::free};
-    /// Uniform intrinsic curvature about d1, d2 and twist, 1/m, 1/m, rad/m. Ignored where rest_nodes is
-    /// given.
+    /// Uniform intrinsic curvature about d1, d2 and twist, 1/m, 1/m, rad/m. Ignored if rest_nodes is given.
     double intrinsic_curvature[3] = {0, 0, 0};
-    /// Optional natural shape (segments + 1 nodes, no two equal): then segment lengths, natural curvature and
-    /// start shape are its own, without natural twist, and `length` is its polygon's length. Empty: straight
-    /// along +x from the origin, d1 = +y, d2 = +z.
+    /// Optional natural shape (segments + 1 distinct nodes). It then determines segment lengths, natural
+    /// curvature and start shape, without natural twist, and `length` becomes the length of its polygon.
+    /// Empty: straight along +x from the origin, d1 = +y, d2 = +z.
     std::vector<Vector3> rest_nodes;
 };
 
@@ -68,15 +68,15 @@ struct RodFrame {
 };
 
 /// RodFrame with its velocity. Power balance: force . velocity + moment . angular_velocity of a RodLoad at
-/// the same s is exactly the power that the load gives to the rod's unknowns.
+/// the same s is exactly the power of that load on the rod's unknowns.
 struct RodMotion {
     RodFrame frame;
     Vector3 velocity = Vector3::Zero();          ///< m/s
     Vector3 angular_velocity = Vector3::Zero();  ///< rad/s
 };
 
-/// Everything a rod remembers. Copyable; same-size copies allocate nothing. No padding in the arrays: may be
-/// hashed bytewise.
+/// Complete state of a rod. Copyable; copies of the same size do not allocate. The arrays have no padding and
+/// may be hashed bytewise.
 struct RodState {
     std::vector<Vector3> nodes;      ///< n + 1, m
     std::vector<Vector3> directors;  ///< n, d1 of each segment, unit, perpendicular to the segment
@@ -84,11 +84,11 @@ struct RodState {
         joint_twist;  ///< n + 1, rad, unwrapped, joint i before segment i; 0 and n against the end frames
     std::vector<Vector3> velocities;  ///< n + 1, m/s
     std::vector<double> spins;        ///< n, rad/s about the tangent
-    RodFrame ends[2];                 ///< frames the held ends were last brought to
+    RodFrame ends[2];                 ///< frames of the prescribed ends at the end of the last step
 };
 
 /// Dead load at arc length s: force through the centre line and moment (spatial). Applied with the directions
-/// of the step's start.
+/// at the start of the step.
 struct RodLoad {
     double s = 0;
     Vector3 force = Vector3::Zero();   ///< N
@@ -100,10 +100,10 @@ struct RodLoad {
 struct RodTether {
     double s = 0;
     Vector3 offset = Vector3::Zero();  ///< m, ring frame
-    Vector3 anchor = Vector3::Zero();  ///< m, where the anchor is at the end of the step
+    Vector3 anchor = Vector3::Zero();  ///< m, anchor position at the end of the step
     double stiffness = 0;              ///< N/m
     double rest_length = 0;            ///< m
-    double damping = 0;                ///< N s/m, acts while taut
+    double damping = 0;                ///< N s/m, acts only while taut
     Vector3 force = Vector3::Zero();   ///< out: N, spring on rod
 };
 
@@ -128,16 +128,16 @@ struct RodContact {
     Vector3 normal = Vector3::UnitZ();  ///< unit, towards the rod
     Vector3 point = Vector3::Zero();    ///< m, on the obstacle
     double radius = 0;                  ///< m, of the sphere
-    double friction = 0;  ///< Coulomb coefficient, regularised: full below friction_speed only in proportion
+    double friction = 0;  ///< Coulomb coefficient; below friction_speed it is scaled in proportion to speed
     double friction_speed = 0.005;               ///< m/s
     Vector3 surface_velocity = Vector3::Zero();  ///< m/s of the obstacle, for friction
     double lambda = 0;                           ///< in/out: N (warm start in; 0 for a new contact)
-    double gap = 0;                              ///< out: m, g at the end
+    double gap = 0;                              ///< out: m, g at the end of the step
 };
 
 /// Contact between two points of the same rod (self-collision): g = normal . (r(s) - r(other_s)) - distance
-/// >= 0. The other point's motion is lagged by one Newton iteration, so the band stays narrow; equal and
-/// opposite force lambda on both.
+/// >= 0. The motion of the other point lags by one Newton iteration, which keeps the matrix band narrow;
+/// equal and opposite force lambda on both.
 struct RodSelfContact {
     double s = 0, other_s = 0;
     Vector3 normal = Vector3::UnitZ();  ///< unit, from other_s to s
@@ -146,10 +146,10 @@ struct RodSelfContact {
     double gap = 0;                     ///< out: m
 };
 
-/// What acts on a rod in one step. Reserve the vectors once; the step writes only the fields marked out.
+/// All actions on a rod in one step. Reserve the vectors once; the step writes only the fields marked out.
 struct RodInputs {
     Vector3 gravity = Vector3::Zero();  ///< m/s2, on linear_density
-    RodFrame ends[2];                   ///< where held ends shall be at the end of the step
+    RodFrame ends[2];                   ///< prescribed frames of the ends at the end of the step
     std::vector<RodLoad> loads;
     std::vector<Vector3> nodal_forces;  ///< empty or n + 1, N, dead
     std::vector<RodTether> tethers;
@@ -158,7 +158,7 @@ struct RodInputs {
     std::vector<RodSelfContact> self_contacts;
 };
 
-/// How far to solve. Defaults: `newton` of docs/THEORY.md 8 to the residual of docs/QUALITY.md.
+/// Solver settings. Defaults: level `newton` of docs/THEORY.md, section 8 to the residual of docs/QUALITY.md.
 struct RodSolve {
     enum class Level : std::uint8_t { linearised, newton_k, newton };
     Level level = Level::newton;
@@ -168,7 +168,7 @@ struct RodSolve {
     double constraint_tolerance = 1e-9;  ///< m
 };
 
-/// How badly a step went. The ladder of docs/QUALITY.md: substep and retry, then freeze.
+/// Severity of a failed step. The sequence of docs/QUALITY.md: substep and retry, then freeze.
 enum class RodFault : std::uint8_t { none = 0, substepped = 1, frozen = 2 };
 
 struct RodReport {
@@ -177,7 +177,7 @@ struct RodReport {
     double constraint_residual = 0;  ///< m, largest over grasps
     double penetration = 0;          ///< m, deepest contact
     double contact_sum = 0;          ///< N, sum of lambda over contacts
-    int iterations = 0;              ///< linear systems solved
+    int iterations = 0;              ///< number of linear systems solved
     int substeps = 1;
     bool converged = false;
     bool finite = true;  ///< false: the inputs or the result were not finite; the state is the last good one
@@ -194,15 +194,16 @@ struct RodEnergy {
     double elastic() const { return bend + twist + stretch; }
 };
 
-/// Factorisation and work space of one thread. Made by Rod::make_scratch; holds the factor of the last system
-/// solved.
+/// Factorisation and work space for one thread. Made by Rod::make_scratch; holds the factor of the last
+/// system solved.
 class RodScratch {
   public:
     RodScratch();
     ~RodScratch();
     RodScratch(RodScratch&&) noexcept;
     RodScratch& operator=(RodScratch&&) noexcept;
-    /// A step goes on from a copy bit for bit; an assignment of the same rod's allocates nothing.
+    /// A step with a copy gives the same bits; assignment between scratches of the same rod does not
+    /// allocate.
     RodScratch(const RodScratch& other);
     RodScratch& operator=(const RodScratch& other);
     struct Data;
@@ -217,7 +218,7 @@ class RodScratch {
 
 class Rod {
   public:
-    /// Throws std::invalid_argument on values outside the ranges named in RodSpec.
+    /// Throws std::invalid_argument on values outside the ranges given in RodSpec.
     explicit Rod(RodSpec spec);
 
     const RodSpec& spec() const { return spec_; }
@@ -230,17 +231,17 @@ class Rod {
     double node_mass(int node) const { return node_mass_[static_cast<std::size_t>(node)]; }  ///< kg
     std::size_t bytes() const;
 
-    /// The rod at rest: straight along +x, or the rest shape; ends at its own end frames.
+    /// The rod at rest: straight along +x, or in the rest shape; ends at their own frames.
     RodState make_state() const;
-    /// A state with the given nodes (n + 1), at rest, directors carried along from the start frame without
+    /// A state with the given nodes (n + 1), at rest; directors transported from the start frame without
     /// twist.
     RodState make_state(const std::vector<Vector3>& nodes) const;
-    /// Work space for this rod with at most that many grasps, contacts and so on.
+    /// Work space for this rod with at most the given numbers of grasps, contacts and so on.
     RodScratch make_scratch(int tethers = 64, int grasps = 8, int contacts = 512,
                             int self_contacts = 256) const;
 
-    /// One implicit Euler step of dt seconds (1e-5 .. 0.1): inertia, damping, everything in `inputs`. Never
-    /// leaves a non-finite state.
+    /// One implicit Euler step of dt seconds (1e-5 .. 0.1): inertia, damping, everything in `inputs`. The
+    /// state is always finite afterwards.
     RodReport step(RodState& state, RodInputs& inputs, double dt, RodScratch& scratch,
                    const RodSolve& solve = {}) const;
     /// Static equilibrium from the given state (velocities are set to zero). Contacts and grasps as in step.
@@ -253,14 +254,14 @@ class Rod {
     /// The offset X with wall_point(state, s, X) = point.
     Vector3 wall_offset(const RodState& state, double s, const Vector3& point) const;
     /// Stiffness of the rod seen at a wall point, N/m, symmetric positive definite: inverse of the compliance
-    /// under the factor of the last step (inertia over dt, contacts, tethers and other grasps included; a
-    /// grasp of this very point left out).
+    /// with the factor of the last step (inertia over dt, contacts, tethers and other grasps included; a
+    /// grasp of this same point excluded).
     Matrix3 stiffness_at(const RodState& state, double s, const Vector3& offset, RodScratch& scratch) const;
     RodEnergy energy(const RodState& state, const RodInputs& inputs) const;
 
-    /// Turns every velocity off (freeze).
+    /// Sets every velocity to zero (freeze).
     static void stop(RodState& state);
-    /// True when every number of the state is finite.
+    /// True if every number of the state is finite.
     static bool finite(const RodState& state);
 
     struct Tables;  ///< per-segment and per-joint constants (rod_tables.h)

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What holds the rod: tethers (convex energy), grasps and contacts. Multipliers enter through a proximal
+// Constraints on the rod: tethers (convex energy), grasps and contacts. Multipliers enter in a proximal
 // (augmented Lagrangian) form,
-//     [H  J^T; J  -1/rho] [dx; dl] = -[grad + J^T l; c],  eliminated to  (H + rho J^T J) dx = -grad - J^T (l
-//     + rho c),
-// the multiplier of a grasp being brought to l + rho c after every Newton step, those of contacts once the
-// forces balance: the band of the chain stays, sixty contacts cost little, and at convergence c = 0 and l is
-// the reaction (proximal method of multipliers; Rockafellar 1976).
+//     [H  J^T; J  -1/rho] [dx; dl] = -[grad + J^T l; c],  eliminated to
+//     (H + rho J^T J) dx = -grad - J^T (l + rho c).
+// The multiplier of a grasp is set to l + rho c after every Newton step, those of contacts when the forces
+// balance. The matrix keeps its band, sixty contacts cost little, and at convergence c = 0 and l is the
+// reaction (proximal method of multipliers; Rockafellar 1976).
 #include <cmath>
 
 #include "sim_core/rod/rod_system.h"
@@ -23,13 +23,13 @@ inline Vector3 director(const RodShape& shape, std::size_t j) {
     return Vector3(shape.dx[j + 1], shape.dy[j + 1], shape.dz[j + 1]);
 }
 
-// Where block (joint - 1 + r, joint - 1 + c), r >= c, of the stencil lives.
+// Location of stencil block (joint - 1 + r, joint - 1 + c), r >= c.
 inline Block4& block(BlockBand& matrix, std::size_t base, std::size_t r, std::size_t c) {
     return r == c ? matrix.diagonal[base + c]
                   : (r == c + 1 ? matrix.first[base + c] : matrix.second[base + c]);
 }
 
-// A stiffness (symmetric) against the point's own motion, shared among its three nodes by their weights.
+// A symmetric stiffness acting on the motion of the point, distributed to its three nodes by their weights.
 inline void add_stiffness(BlockBand& matrix, const RodPoint& point, const Matrix3& stiffness) {
     const auto base = static_cast<std::size_t>(point.joint) - 1;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -104,7 +104,7 @@ void add_wall_geometric(const RodShape& shape, const RodPoint& point, const Vect
     add_geometric(shape, joint, offset, force, point.segment_weight[1], matrix);
 }
 
-// The same section without its place: what of a wall point turns.
+// The same section without the position weights: the part of a wall point that rotates.
 RodPoint turning_point(RodPoint point) {
     point.node_weight[0] = point.node_weight[1] = point.node_weight[2] = 0;
     return point;
@@ -130,8 +130,8 @@ double approach(const RodPoint& point, const Vector3& normal, const std::vector<
     return sum;
 }
 
-// How far a held section is from its target's rotation, and the derivative: c = 1/2 sum_k T_k x b_k, T the
-// target's axes and b the blended directors; for a section turned by phi about an axis u it is sin(phi) u.
+// Rotation error of a held section relative to its target, and the derivative: c = 1/2 sum_k T_k x b_k, T the
+// target's axes and b the blended directors. For a section turned by phi about an axis u it is sin(phi) u.
 Vector3 held_turn(const RodShape& shape, const RodPoint& turning, const Matrix3& target,
                   RodJacobian& jacobian) {
     RodJacobian by_axis;
@@ -241,7 +241,7 @@ void add_constraints(const Rod::Tables& tables, const RodShape& shape, RodInputs
         Matrix3 stiffness = (tether.stiffness - tension / distance) * (u * u.transpose());
         stiffness.diagonal().array() += tension / distance;
         if (tether.damping > 0 && data.dt > 0) {
-            // Damps the motion along the line since the step's start, where the line was taken.
+            // Damps the motion along the tether since the step's start, in the tether direction at that time.
             const Vector3& start = data.tether_start[i];
             const double rate = tether.damping / data.dt, moved = u.dot(away - start);
             const double pull = rate * moved > -tension ? rate * moved : -tension;
@@ -276,7 +276,7 @@ void add_constraints(const Rod::Tables& tables, const RodShape& shape, RodInputs
         add_gradient(jacobian, base, force, data.gradient);
         if (hessian) {
             add_hessian(jacobian, base, tables.grasp_penalty * Matrix3::Identity(), data.matrix);
-            // The multiplier alone, as in the Lagrangian: rho c is no force until the constraint is met.
+            // The multiplier alone, as in the Lagrangian: rho c is not a force before the constraint is met.
             add_wall_geometric(shape, point, grasp.offset, lambda, data.matrix);
         }
         if (grasp.hold_rotation) add_held_rotation(tables, shape, i, hessian, data);
@@ -332,8 +332,8 @@ void add_constraints(const Rod::Tables& tables, const RodShape& shape, RodInputs
     add_self_contacts(tables, shape, inputs, hessian, data);
 }
 
-// Both points' own blocks carry twice the stiffness: (a - b)^2 <= 2 a^2 + 2 b^2 keeps the band and never
-// overshoots.
+// The diagonal blocks of both points carry twice the stiffness: (a - b)^2 <= 2 a^2 + 2 b^2 keeps the band and
+// never overshoots.
 void add_self_contacts(const Rod::Tables& tables, const RodShape& shape, RodInputs& inputs, bool hessian,
                        RodScratch::Data& data) {
     const double penalty = tables.self_penalty;
@@ -381,7 +381,7 @@ void linear_reactions(const Rod::Tables& tables, const RodShape& shape, const Ro
         data.turn_force[i] = data.turn_lambda[i] + tables.turn_penalty * away;
     }
     const auto pressed = [](double lambda, double penalty, double gap, double change) {
-        // Only what was in the system has a force from it.
+        // Only contacts that were in the system have a force from it.
         const double after = lambda - penalty * (gap + change);
         return lambda - penalty * gap > 0 && after > 0 ? after : 0.0;
     };

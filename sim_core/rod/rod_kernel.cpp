@@ -125,7 +125,7 @@ inline void store_gradient(Lanes x, Lanes y, Lanes z, Lanes angle, double* to) {
     store_lanes(to + 12, angle);
 }
 
-// The natural curvature's part: F and G of docs/THEORY.md 1.1, from directors of edge a.
+// Contribution of the natural curvature: F and G of docs/THEORY.md, section 1.1, from directors of edge a.
 struct Natural {
     Vec f, g;            // whole
     Vec fa, ga, fb, gb;  // perpendicular to s, to t
@@ -138,9 +138,9 @@ bool pass(const Rod::Tables& tables, const RodShape& shape, const double* bend, 
     const std::size_t joints = static_cast<std::size_t>(tables.segments) + 1;
     Lanes bend_sum = all_lanes(0), twist_sum = all_lanes(0), smallest = all_lanes(2.0);
     const Lanes zero = all_lanes(0), one = all_lanes(1);
-    // 4 tan^2(a/2) - (1 - cos a)^2 2/3 = a^2 + O(a^6): the turning angle itself, which doubles the accuracy
-    // of a bent rod, with the wall against folding kept. Natural curvature is measured by 2 tan(a/2) and
-    // keeps it.
+    // 4 tan^2(a/2) - (1 - cos a)^2 2/3 = a^2 + O(a^6): equals the squared turning angle to higher order,
+    // which doubles the accuracy of a bent rod and keeps the barrier against folding. Natural curvature is
+    // measured by 2 tan(a/2) and keeps it.
     constexpr double flattening = curved ? 0.0 : 2.0 / 3.0;
     for (std::size_t i = 0; i < joints; i += 4) {
         const Vec s = load(shape.tx, shape.ty, shape.tz, i), t = load(shape.tx, shape.ty, shape.tz, i + 1);
@@ -153,7 +153,7 @@ bool pass(const Rod::Tables& tables, const RodShape& shape, const double* bend, 
         const Vec pa = t - s * c, pb = s - t * c;
         const Lanes ix2 = ix * ix, f1 = stiff * (flattening * (1.0 - c) - 4.0 * ix2);
         Lanes moment = torsion * offset;
-        // 1 - c without the cancellation that a nearly straight rod would suffer.
+        // 1 - c without cancellation in a nearly straight rod.
         const Lanes versine = 0.5 * dot(s - t, s - t);
         const Lanes bent = stiff * versine * (2.0 * ix - 0.5 * flattening * versine);
         bend_sum += bent;
@@ -161,7 +161,7 @@ bool pass(const Rod::Tables& tables, const RodShape& shape, const double* bend, 
         twist_sum += 0.5 * torsion * offset * offset;
 
         Natural q;
-        Lanes angle_shared = zero;  // equal derivative by both twist angles
+        Lanes angle_shared = zero;  // the part of the derivative common to both twist angles
         Vec grad_a = pa * f1, grad_b = pb * f1;
         if constexpr (curved) {
             const Lanes k1 = load_lanes(&tables.rest_1[i]), k2 = load_lanes(&tables.rest_2[i]);
@@ -195,7 +195,7 @@ bool pass(const Rod::Tables& tables, const RodShape& shape, const double* bend, 
         const Vec half_k = k * (0.5 * one);
         grad_a = (grad_a + half_k * moment) * scale_a;
         grad_b = (grad_b + half_k * moment) * scale_b;
-        // Twist angle of a: the frame's own turn g0 and -1 of m; of b: +1 of m.
+        // Twist angle of a: g0 from the frame itself and -1 of m; of b: +1 of m.
         store_gradient(grad_a.x, grad_a.y, grad_a.z, angle_shared - moment, &out.gradient_a[4 * i]);
         store_gradient(grad_b.x, grad_b.y, grad_b.z, moment, &out.gradient_b[4 * i]);
         if constexpr (!hessian) continue;

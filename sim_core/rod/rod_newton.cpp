@@ -8,7 +8,7 @@ namespace fulcrum {
 namespace {
 
 constexpr int free_changes =
-    10;  // Newton steps in which contacts may change sides without a descent (active set)
+    10;  // Newton steps in which contacts may switch without a decrease of the merit (active set)
 constexpr double contact_tolerance = 1e-6;  // m, multiplier change over penalty
 constexpr double near_target = 1e-3;        // m
 constexpr double free_motion = 1e-12;       // of the bending stiffness of a segment
@@ -25,7 +25,7 @@ double reaction_scale(const RodScratch::Data& data) {
     const double reactions = std::sqrt(squared),
                  acting = reactions > data.dead_norm ? reactions : data.dead_norm;
     if (acting > 0 || data.dt <= 0) return acting;
-    // Nothing acts on it: a free flight is measured by the force that would stop it within the step.
+    // No external action: a free flight is measured by the force that would stop it within the step.
     Lanes sum = all_lanes(0);
     for (std::size_t i = 0; i < data.inertia.size(); i += 4) {
         const Lanes carried = load_lanes(&data.inertia[i]) *
@@ -47,7 +47,7 @@ double boundary_distance(const RodShape& shape, const RodScratch::Data& data) {
     return largest;
 }
 
-// Largest share of the step that turns or stretches no segment by more than the bound.
+// Largest fraction of the step that turns or stretches no segment by more than the bound.
 double step_bound(const RodShape& shape, const RodScratch::Data& data, std::size_t segments) {
     double largest = 0;
     for (std::size_t j = 0; j < segments; ++j) {
@@ -60,7 +60,7 @@ double step_bound(const RodShape& shape, const RodScratch::Data& data, std::size
     return largest > largest_turn ? largest_turn / largest : 1.0;
 }
 
-// Factors the reduced matrix, shifted as little as makes it positive definite.
+// Factors the reduced matrix with the smallest shift that makes it positive definite.
 bool factor(RodScratch::Data& data, bool& shifted) {
     shifted = false;
     data.block_factors += data.matrix.blocks();
@@ -68,8 +68,8 @@ bool factor(RodScratch::Data& data, bool& shifted) {
         data.shift *= 0.1;
         return true;
     }
-    // Statics may have motions that cost nothing (the spin of a rod pinned at both ends, a pendulum's swing):
-    // a hair tells them from negative curvature.
+    // A static problem may have motions that cost nothing (the spin of a rod pinned at both ends, the swing
+    // of a pendulum); a tiny shift tells them from negative curvature.
     data.block_factors += data.matrix.blocks();
     if (data.dt <= 0 && data.factor.factor(data.matrix, free_motion, data.shift_weight.data())) return true;
     shifted = true;
@@ -107,7 +107,7 @@ NewtonResult newton(const Rod::Tables& tables, RodInputs& inputs, RodScratch::Da
             return result;
         }
         if (i == 0 && !full_steps && data.dt <= 0 && done(data.shape)) {
-            // Statics may start at the answer; the matrix still tells whether it is a minimum.
+            // A static solve may start at the solution; the matrix still shows whether it is a minimum.
             bool shifted = false;
             reduce(data.shape, data);
             result.positive_definite = factor(data, shifted) && !shifted;
@@ -146,7 +146,7 @@ NewtonResult newton(const Rod::Tables& tables, RodInputs& inputs, RodScratch::Da
             }
         }
         if (!accepted) {
-            // No descent left above rounding: what was reached is what there is.
+            // No further decrease above rounding: keep the result so far.
             evaluate(tables, data.shape, inputs, false, data);
             result.converged = done(data.shape);
             result.positive_definite = !shifted;
@@ -155,8 +155,8 @@ NewtonResult newton(const Rod::Tables& tables, RodInputs& inputs, RodScratch::Da
         std::swap(data.shape, data.trial);
         const bool finished = done(data.shape);
         if (full_steps) linear_reactions(tables, data.trial, inputs, data);
-        // The multipliers of contacts move only once the forces balance, those of grasps once the wall point
-        // is near its target: the overshoot of an iterate is no force.
+        // The multipliers of contacts are updated only once the forces balance, those of grasps once the wall
+        // point is near its target: the overshoot of an iterate is not a force.
         const bool balanced = result.force_residual <= 10 * tolerance * reaction_scale(data);
         update_multipliers(inputs, data.constraint_residual < near_target,
                            balanced && data.multiplier_change > contact_tolerance, data);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Newton's method on the rod's merit function: safeguarded by a shift of the matrix, a bound on the turn of
-// any segment and a line search; prescribed motions and multipliers enter the linear systems.
+// Newton's method on the rod's merit function, safeguarded by a shift of the matrix, a bound on the turn of
+// any segment and a line search. Prescribed motions and multipliers enter the linear systems.
 #pragma once
 
 #include "sim_core/rod/rod_system.h"
@@ -16,7 +16,7 @@ struct NewtonResult {
     double force_residual = 0;  ///< N
 };
 
-/// Starts from data.shape and leaves the result there. `full_steps`: no line search (linearised).
+/// Starts from data.shape and stores the result there. `full_steps`: no line search (linearised).
 NewtonResult newton(const Rod::Tables& tables, RodInputs& inputs, RodScratch::Data& data, int limit,
                     double tolerance, double constraint_tolerance, bool full_steps);
 

@@ -11,7 +11,7 @@ RodPoint locate(const Rod::Tables& tables, double s) {
     const auto& node_s = tables.node_s;
     const double length = node_s[static_cast<std::size_t>(n)];
     s = s > 0 ? (s < length ? s : length) : 0;  // NaN becomes 0
-    // Segment that holds s; equal segments make the guess exact, unequal ones are walked to.
+    // Segment that contains s: the guess is exact for equal segments; for unequal ones step to it.
     int j = std::min(n - 1, static_cast<int>(s / length * n));
     while (j > 0 && s < node_s[static_cast<std::size_t>(j)]) --j;
     while (j < n - 1 && s > node_s[static_cast<std::size_t>(j) + 1]) ++j;

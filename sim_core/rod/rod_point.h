@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A material point of the centre line: which nodes and segments it follows, and how.
+// A material point of the centre line: the nodes and segments it depends on, and their weights.
 #pragma once
 
 #include "sim_core/rod/rod_tables.h"
@@ -16,13 +16,13 @@ struct RodPoint {
 /// s in m of rest length, clamped to the rod; NaN counts as 0.
 RodPoint locate(const Rod::Tables& tables, double s);
 
-/// v turned as the shortest rotation turns unit `from` into unit `to`. Not for opposite directions.
+/// v rotated by the shortest rotation from unit `from` to unit `to`. Not for opposite directions.
 inline Vector3 transport(const Vector3& v, const Vector3& from, const Vector3& to) {
     return v - (from + to) * (v.dot(to) / (1.0 + from.dot(to))) -
            (from + to) * (v.dot(from) / (1.0 + from.dot(to))) + to * (2.0 * v.dot(from));
 }
 
-/// Any unit vector perpendicular to unit t; the same for the same t.
+/// A unit vector perpendicular to unit t; deterministic in t.
 Vector3 perpendicular(const Vector3& t);
 
 }  // namespace fulcrum

@@ -6,7 +6,7 @@
 namespace fulcrum {
 namespace {
 
-// Strain that a joint sees, from the edges on either side; end frames are no edges.
+// Strain at a joint, from the edges on either side; end frames do not count as edges.
 struct JointStrain {
     double strain, by_length;  // mean strain; its derivative by either edge's length, 1/m
     bool has_a, has_b;
@@ -68,8 +68,8 @@ bool section_terms(const Rod::Tables& tables, const RodShape& shape, bool hessia
         work.force[j] = axial.force;
         work.tangent[j] = axial.tangent / rest;
     }
-    // The stiffness that each joint has at this shape goes through the linear kernel; what the section's own
-    // derivatives add to it comes after.
+    // The stiffness of each joint at this shape goes through the linear kernel; the terms from the section's
+    // own derivatives are added afterwards.
     for (std::size_t i = 0; i <= n; ++i) {
         if (tables.unit[i] == 0) continue;
         const double cell = tables.cell[i];

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rod's elastic energy under EXP2: the section's response (material/section.h) at every joint and
+// Elastic energy of the rod under EXP2: the section's response (material/section.h) at every joint and
 // segment.
 //
-// A segment of strain e has the axial part, length w(e, 0); a joint of cell c has the bending part c (w(em,
-// k) - w(em, 0)), em the strain of the two segments beside it together, k^2 = 2 u / c^2 with u half the
-// squared turn that the linear law takes too (so frame invariance, natural curvature and folding stay as they
-// are). With no exponent left it is the linear rod.
+// A segment of strain e has the axial part, length w(e, 0). A joint of cell c has the bending part c (w(em,
+// k)
+// - w(em, 0)), with em the mean strain of the two adjacent segments and k^2 = 2 u / c^2, u half the squared
+// turning of the linear law (so frame invariance, natural curvature and folding are unchanged). With exponent
+// 0 it reduces to the linear rod.
 #pragma once
 
 #include <vector>
@@ -14,7 +15,7 @@
 
 namespace fulcrum {
 
-/// Work space of section_terms, and what it says of the segments.
+/// Work space of section_terms and its results per segment.
 struct RodSectionTerms {
     RodJointTerms unit;                     ///< half the squared turn by joint, and its gradient
     std::vector<BendingResponse> response;  ///< per joint
@@ -27,8 +28,8 @@ struct RodSectionTerms {
     std::size_t bytes() const;
 };
 
-/// Gradient and second derivative in edge variables as joint_terms gives them, coupling included. False where
-/// a joint is folded or an energy is not finite.
+/// Gradient and second derivative in edge variables as joint_terms gives them, coupling included. Returns
+/// false if a joint is folded or an energy is not finite.
 bool section_terms(const Rod::Tables& tables, const RodShape& shape, bool hessian, RodSectionTerms& work,
                    RodJointTerms& out);
 

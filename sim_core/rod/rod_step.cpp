@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The dynamic step (implicit Euler) and the static solve: what enters the system, how far it is solved, and
-// the ladder when it fails.
+// The dynamic step (implicit Euler) and the static solve: assembly of the inputs, solver level, and the
+// fallback sequence after a failure.
 #include <algorithm>
 #include <cmath>
 
@@ -38,7 +38,7 @@ bool finite_inputs(const RodInputs& inputs) {
     return ok;
 }
 
-// Which points the constraints follow; grows scratch only when there are more than it was made for.
+// Locates the points of all constraints; the scratch grows only if there are more than it was made for.
 void locate_all(const Rod::Tables& tables, RodInputs& inputs, RodScratch::Data& d) {
     const auto grow = [](auto& array, std::size_t size, const auto& value) {
         if (array.size() < size) array.resize(size, value);
@@ -79,7 +79,7 @@ void locate_all(const Rod::Tables& tables, RodInputs& inputs, RodScratch::Data& 
     }
 }
 
-// Dead forces by node, with the directions of d.shape.
+// Dead forces per node, with the directions of d.shape.
 void gather_loads(const Rod::Tables& tables, const RodInputs& inputs, RodScratch::Data& d) {
     const std::size_t nodes = tables.mass.size();
     for (std::size_t i = 0; i < nodes; ++i) {
@@ -115,7 +115,7 @@ void gather_loads(const Rod::Tables& tables, const RodInputs& inputs, RodScratch
     d.dead_norm = std::sqrt(sum_lanes(sum));
 }
 
-// Rotation of the section that a grasp holds, orthonormal, and the angle from it to the asked one.
+// Rotation of the section held by a grasp, orthonormal, and the angle from it to the requested one.
 Matrix3 held_rotation(const RodShape& shape, const RodPoint& point) {
     RodPoint turning = point;
     turning.node_weight[0] = turning.node_weight[1] = turning.node_weight[2] = 0;
@@ -127,8 +127,8 @@ Matrix3 held_rotation(const RodShape& shape, const RodPoint& point) {
     return now;
 }
 
-// Moment of a held rotation's multiplier: sum of b x (multiplier x T) / 2, the multiplier itself where the
-// section is as it was asked and its blend rigid.
+// Moment of a held rotation's multiplier: sum of b x (multiplier x T) / 2; equal to the multiplier itself if
+// the section is at its target and its blend rigid.
 Vector3 held_moment(const RodShape& shape, const RodPoint& point, const Matrix3& target,
                     const Vector3& multiplier) {
     RodPoint turning = point;
@@ -145,14 +145,14 @@ double angle_between(const Matrix3& a, const Matrix3& b) {
     return math::acos(0.5 * ((a.transpose() * b).trace() - 1));
 }
 
-// The rotation `share` of the way from one to the other, along the shortest way.
+// Rotation interpolated from `from` to `to` by `share`, along the shortest path.
 Matrix3 between(const Matrix3& from, const Matrix3& to, double share) {
     if (share >= 1) return to;
     const Matrix3 turn = to * from.transpose();
     const double angle = share * angle_between(from, to);
     Vector3 axis(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1));
     if (axis.norm() < 1e-9) {
-        // Half a turn has an axis of its own: the largest column of (R + 1).
+        // For half a turn the axis is the largest column of (R + 1).
         int largest = 0;
         for (int k = 1; k < 3; ++k) largest = turn(k, k) > turn(largest, largest) ? k : largest;
         axis = turn.col(largest) + Vector3(Vector3::Unit(largest));
@@ -168,9 +168,9 @@ Matrix3 between(const Matrix3& from, const Matrix3& to, double share) {
     return rotation;
 }
 
-// A segment that spins keeps its spin's direction: turning its tangent t at the rate t' takes the moment I s
-// t x t', which its neighbours give it. Without it the spin's own momentum is lost as the rod turns. It does
-// no work. Left out where damping takes momentum away in any case.
+// Gyroscopic term: a spinning segment whose tangent t turns at the rate t' needs the moment I s t x t', which
+// its neighbours supply. Without it the angular momentum of the spin is lost as the rod turns. It does no
+// work. Omitted if damping removes momentum anyway.
 void carry_spin(const Rod::Tables& tables, const RodState& state, RodScratch::Data& d) {
     for (std::size_t j = 0; j < state.spins.size(); ++j) {
         const Vector3 t(d.shape.tx[j + 1], d.shape.ty[j + 1], d.shape.tz[j + 1]);
@@ -184,7 +184,7 @@ void carry_spin(const Rod::Tables& tables, const RodState& state, RodScratch::Da
     }
 }
 
-// Everything of one solve that does not change while it iterates. dt 0: statics.
+// Everything that stays constant during the iterations of one solve. dt 0: statics.
 void prepare(const Rod& rod, const RodState& state, RodInputs& inputs, double dt, RodScratch::Data& d) {
     const Rod::Tables& tables = rod.tables();
     const RodSpec& spec = rod.spec();
@@ -265,7 +265,7 @@ void write_outputs(const Rod& rod, RodInputs& inputs, RodScratch::Data& d, RodRe
     }
 }
 
-// Back to where it was, at rest: what came out is not to be used.
+// Restores the previous shape, at rest: the result must not be used.
 void freeze_shape(RodState& state, const RodState& saved, RodReport& report) {
     state = saved;
     Rod::stop(state);
@@ -302,7 +302,7 @@ RodReport Rod::step(RodState& state, RodInputs& inputs, double dt, RodScratch& s
     const int limit =
         one ? 1
             : (solve.iterations > 0 ? solve.iterations : (solve.level == RodSolve::Level::newton ? 25 : 4));
-    // A grasp that leaps is followed in parts from the start.
+    // A grasp target that jumps is followed in parts from the start.
     double leap = 0;
     for (const RodGrasp& grasp : inputs.grasps) {
         const double distance = (grasp.target - wall_point(state, grasp.s, grasp.offset)).norm();
@@ -310,7 +310,7 @@ RodReport Rod::step(RodState& state, RodInputs& inputs, double dt, RodScratch& s
     }
     leap *= spec_.segments / length_;
     for (const RodGrasp& grasp : inputs.grasps) {
-        // A section that shall turn by more than a radian has no constraint force towards it.
+        // A section that has to turn by more than a radian has no constraint force towards its target.
         if (!grasp.hold_rotation) continue;
         const double turn = angle_between(frame_at(state, grasp.s).frame.rotation, grasp.target_rotation);
         leap = 2 * turn > leap ? 2 * turn : leap;
@@ -401,8 +401,8 @@ RodReport Rod::solve(RodState& state, RodInputs& inputs, RodScratch& scratch, co
         turn = angle > turn ? angle : turn;
     }
     NewtonResult result;
-    // A section that shall turn far is turned there in parts: beyond a right angle it has no force towards
-    // it.
+    // A section that has to turn far is turned in parts: beyond a right angle there is no force towards the
+    // target.
     for (int parts = 1 + static_cast<int>(turn); parts >= 1; --parts) {
         for (std::size_t i = 0; i < inputs.grasps.size(); ++i) {
             if (!inputs.grasps[i].hold_rotation) continue;

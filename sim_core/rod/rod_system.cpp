@@ -11,7 +11,7 @@ namespace {
 
 constexpr double two_pi = 6.283185307179586;
 
-struct Small {  // three doubles without the vector library's temporaries, for the hot loops
+struct Small {  // three doubles without the temporaries of the vector library, for the inner loops
     double x, y, z;
 };
 inline Small operator+(const Small& a, const Small& b) {
@@ -36,8 +36,8 @@ inline Small director(const RodShape& shape, std::size_t i) {
     return {shape.dx[i], shape.dy[i], shape.dz[i]};
 }
 
-/// Angle from the director of segment entry i, carried to entry i + 1, to that one's; the multiple of 2 pi
-/// nearest to `expected`.
+/// Angle from the director of segment entry i, transported to entry i + 1, to the director there; the
+/// multiple of 2 pi nearest to `expected`.
 double joint_angle(const RodShape& shape, std::size_t i, double expected) {
     const Small s = tangent(shape, i), t = tangent(shape, i + 1), a = director(shape, i),
                 b = director(shape, i + 1);
@@ -99,7 +99,7 @@ void shape_from_state(const Rod::Tables& tables, const RodSpec& spec, const RodS
         shape.length[at] = 1;
     }
     for (std::size_t i = 0; i <= n; ++i) shape.twist[i] = state.joint_twist[i];
-    // End frames may have turned since: the twist against them follows, by less than a turn.
+    // End frames may have turned since then: the twist against them follows, by less than a turn.
     for (const std::size_t i : {std::size_t{0}, n}) {
         if (tables.twist[i] > 0) shape.twist[i] = joint_angle(shape, i, state.joint_twist[i]);
     }
@@ -117,7 +117,7 @@ void state_from_shape(const RodShape& shape, RodState& state) {
 
 namespace {
 
-// Nodes from one end along segments that were turned and stretched by the step as rigid bodies.
+// Node positions accumulated from one end along segments that the step turns and stretches as rigid bodies.
 void turn_segments(const RodShape& base, std::size_t n, const double* step, double factor, int anchor,
                    RodShape& out) {
     const std::size_t start = anchor == 0 ? 0 : n;
@@ -187,7 +187,7 @@ bool retract(const Rod::Tables& tables, const RodShape& base, const double* step
             math::sin_cos(angle, sine, cosine);
             carried = carried * cosine + cross(to, carried) * sine;
         }
-        // Rounding must not build up over thousands of frames.
+        // Prevents rounding errors from accumulating over thousands of frames.
         carried = carried - to * dot(carried, to);
         carried = carried * (1.0 / std::sqrt(dot(carried, carried)));
         out.dx[j] = carried.x;

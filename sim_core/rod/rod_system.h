@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The system that one implicit step or static solve minimises: elastic energy, inertia, dead loads, tethers,
-// and the augmented Lagrangian of grasps and contacts. Everything lives in scratch; nothing allocates.
+// Objective function of one implicit step or static solve: elastic energy, inertia, dead loads, tethers, and
+// the augmented Lagrangian of grasps and contacts. All data is in scratch; nothing allocates.
 #pragma once
 
 #include <vector>
@@ -16,32 +16,32 @@ namespace fulcrum {
 struct RodScratch::Data {
     RodShape shape, trial, start;
     RodJointTerms joints;
-    RodSectionTerms section;  ///< EXP2 alone
+    RodSectionTerms section;  ///< EXP2 only
     BlockBand matrix, reduced;
     BlockBandFactor factor;
-    std::vector<double> gradient;      ///< 4 a node: of the whole merit function at the last evaluated shape
-    std::vector<double> step;          ///< 4 a node: Newton step
-    std::vector<double> inertia;       ///< 4 a node: (mass / dt2 + damping / dt), spin likewise; 0 in statics
-    std::vector<double> predicted;     ///< 4 a node: where inertia and damping alone would leave the node
-    std::vector<double> dead;          ///< 4 a node: gravity, loads
-    std::vector<double> shift_weight;  ///< 4 a node: scale of the safeguard shift
-    std::vector<double> column;        ///< 4 a node: right-hand side of compliance
-    std::vector<double> damping_force;  ///< 4 a node, work
+    std::vector<double> gradient;   ///< 4 per node: of the whole merit function at the last evaluated shape
+    std::vector<double> step;       ///< 4 per node: Newton step
+    std::vector<double> inertia;    ///< 4 per node: (mass / dt2 + damping / dt), spin likewise; 0 in statics
+    std::vector<double> predicted;  ///< 4 per node: position under inertia and damping only
+    std::vector<double> dead;       ///< 4 per node: gravity, loads
+    std::vector<double> shift_weight;   ///< 4 per node: scale of the safeguard shift
+    std::vector<double> column;         ///< 4 per node: right-hand side of compliance
+    std::vector<double> damping_force;  ///< 4 per node, work
     BlockBand damping;                  ///< elastic tangent at the start, stiffness-proportional damping
     bool fixed[2] = {false, false};     ///< end positions prescribed
-    Vector3 target[2];                  ///< where prescribed ends shall be
+    Vector3 target[2];                  ///< prescribed positions of the ends
     std::vector<RodPoint> tether_points, grasp_points, contact_points, self_points;
     std::vector<Vector3> grasp_lambda, grasp_force, grasp_target, tether_start, contact_start;
     std::vector<Vector3> turn_lambda, turn_force;  ///< N m, of held rotations
     std::vector<Matrix3> turn_target;
     std::vector<double> contact_lambda, contact_force, contact_start_lambda, self_lambda, self_force;
     std::vector<char> contact_active;  ///< active in the last matrix
-    int active_changes = 0;            ///< contacts that changed side since, at the last evaluation
-    int anchor = -1;   ///< statics of a rod held at one end only: that end; segments then turn as wholes
-    double dt = 0;     ///< 0 in statics
+    int active_changes = 0;            ///< contacts that have switched since then, at the last evaluation
+    int anchor = -1;  ///< statics of a rod held at one end only: that end; segments then turn as rigid bodies
+    double dt = 0;    ///< 0 in statics
     double shift = 0;  ///< last safeguard shift that was needed
     double dead_norm = 0;
-    std::uint64_t joint_evaluations = 0;  ///< since the scratch was made; with or without matrix
+    std::uint64_t joint_evaluations = 0;  ///< since the scratch was made; with or without the matrix
     std::uint64_t block_factors = 0;      ///< rows of blocks factored since
     double energy = 0, energy_noise = 0, gradient_noise = 0;
     double bend = 0, twist = 0, stretch = 0;
@@ -51,44 +51,42 @@ struct RodScratch::Data {
     std::vector<double> saved_lambda, saved_self_lambda;
 };
 
-/// Copies a state into a shape, with the end frames.
+/// Copies a state into a shape, including the end frames.
 void shape_from_state(const Rod::Tables& tables, const RodSpec& spec, const RodState& state,
                       const RodFrame ends[2], RodShape& shape);
 void state_from_shape(const RodShape& shape, RodState& state);
 
-/// out = base moved by factor * step (4 a node). False where a segment turns over or vanishes. With an anchor
-/// (0: first, 1: last node) the step's first-order turn and stretch of every segment are carried out in full
-/// and the nodes follow from that end, so that a large turn does not stretch.
+/// out = base moved by factor * step (4 per node). Returns false if a segment turns over or vanishes. With an
+/// anchor (0: first, 1: last node) the step's first-order turn and stretch of every segment are applied in
+/// full and the nodes follow from that end, so that a large turn does not stretch the rod.
 bool retract(const Rod::Tables& tables, const RodShape& base, const double* step, double factor,
              RodShape& out, int anchor = -1);
 
 /// Merit and its gradient at `shape` (and, with hessian, the matrix) under the multipliers in scratch; false
-/// when not finite.
+/// if not finite.
 bool evaluate(const Rod::Tables& tables, const RodShape& shape, RodInputs& inputs, bool hessian,
               RodScratch::Data& data);
 
-/// Tethers, grasps, contacts: adds to energy, gradient and matrix.
+/// Adds tethers, grasps and contacts to energy, gradient and matrix.
 void add_constraints(const Rod::Tables& tables, const RodShape& shape, RodInputs& inputs, bool hessian,
                      RodScratch::Data& data);
 
-/// Contacts of the rod with itself.
+/// Adds contacts of the rod with itself.
 void add_self_contacts(const Rod::Tables& tables, const RodShape& shape, RodInputs& inputs, bool hessian,
                        RodScratch::Data& data);
 
-/// The multipliers of grasps and of contacts, where asked, become the forces of the last evaluation.
+/// Sets the selected multipliers (grasps, contacts) to the forces of the last evaluation.
 void update_multipliers(const RodInputs& inputs, bool grasps, bool contacts, RodScratch::Data& data);
 
-/// The forces of grasps and contacts as the linear system of data.step, set up at `shape`, has them: l + rho
-/// (c
-/// + J dx). A full step leaves c of second order in dx, which the penalty would turn into forces that nobody
-/// exerted.
+/// Forces of grasps and contacts in the linear system of data.step, set up at `shape`: l + rho (c + J dx).
+/// After a full step c is of second order in dx; the penalty must not turn that remainder into a force.
 void linear_reactions(const Rod::Tables& tables, const RodShape& shape, const RodInputs& inputs,
                       RodScratch::Data& data);
 
 /// Stiffness-proportional damping: the elastic tangent at data.shape times spec.stiffness_damping / dt.
 void add_damping(const Rod::Tables& tables, const RodSpec& spec, double dt, RodScratch::Data& data);
 
-/// Stretching energy of one segment and of the joints; without any constraint. Used by the energy report.
+/// Stretching energy of one segment and of the joints, without constraints. Used by the energy report.
 double stretch_energy(const Rod::Tables& tables, const RodShape& shape);
 
 Vector3 point_position(const RodShape& shape, const RodPoint& point);
@@ -102,10 +100,10 @@ struct RodJacobian {
 void wall_jacobian(const RodShape& shape, const RodPoint& point, const Vector3& offset,
                    RodJacobian& jacobian);
 
-/// rhs and matrix with prescribed ends eliminated; `step` receives -gradient and the prescribed increments.
+/// Eliminates prescribed ends from rhs and matrix; `step` receives -gradient and the prescribed increments.
 void reduce(const RodShape& shape, RodScratch::Data& data);
 
-/// Largest free residual, N (twist entries per radius of gyration are left in N m: they enter as they are).
+/// Largest free residual, N (twist entries, per radius of gyration, stay in N m).
 double free_residual(const RodScratch::Data& data);
 
 }  // namespace fulcrum

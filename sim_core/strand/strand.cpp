@@ -10,7 +10,7 @@ namespace {
 
 constexpr int most_rounds = 20;
 constexpr int most_halvings = 12;
-constexpr double enough = 1e-7;    // N, left over on a node
+constexpr double enough = 1e-7;    // N, residual force on a node
 constexpr double fastest = 50.0;   // m/s
 constexpr double shortest = 1e-9;  // m, below which a segment has no direction
 constexpr int inner = strand_nodes - 2;
@@ -158,7 +158,7 @@ StrandReport step_strand(const StrandModel& model, const StrandHold (&holds)[han
             next = energy(problem, trial);
             if (next <= value) break;
         }
-        if (halvings == most_halvings || !std::isfinite(next)) break;  // as low as digits allow
+        if (halvings == most_halvings || !std::isfinite(next)) break;  // minimum to working precision
         x = trial;
         value = next;
     }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// An elastic strand between two posts: a chain of nodes whose ends stay, held by jaws at any node, parted
+// An elastic strand between two posts: a chain of nodes with fixed ends, held by jaws at any node, divided
 // between any two. Model (const) / state; fixed capacity, no allocation, no exception, always finite.
 //
-// Each segment is a spring that only pulls, of force k (l - L0); a step is implicit Euler, the minimum of
+// Each segment is a tension-only spring, of force k (l - L0); a step is implicit Euler, the minimum of
 //     sum m/2 |x - y|^2 / dt^2 + sum k/2 max(0, l - L0)^2 + sum K/2 |x_h - target|^2,     y = x + v dt + g
 //     dt^2,
-// by Newton with the positive part of each spring's tangent and a step that never raises that energy: a block
-// tridiagonal solve a round.
+// by Newton with the positive part of each spring's tangent and a step that never raises that energy: one
+// block tridiagonal solve per iteration.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ struct StrandModel {
     Vector3 gravity = Vector3(0, 0, -9.81);  ///< m/s2
 };
 
-/// A hand's hold of one node.
+/// Grasp of one node by one hand.
 struct StrandHold {
     int node = -1;                     ///< -1: none
     Vector3 target = Vector3::Zero();  ///< m
@@ -36,28 +36,29 @@ struct StrandHold {
 
 struct StrandState {
     std::array<Vector3, strand_nodes> position, velocity;  ///< m, m/s; the first and last never move
-    std::uint32_t parted = 0;                              ///< bit s: segment s carries nothing
+    std::uint32_t parted = 0;                              ///< bit s: segment s is divided
     bool is_parted(int segment) const { return (parted >> static_cast<unsigned>(segment) & 1U) != 0; }
 };
 
 struct StrandReport {
     int rounds = 0;
-    double residual = 0;  ///< N, largest force left over on a node
-    bool settled = true;  ///< false: the rounds were too few
+    double residual = 0;  ///< N, largest residual force on a node
+    bool settled = true;  ///< false: the iteration limit was reached
 };
 
-/// At rest, straight between two points.
+/// State at rest, straight between two points.
 StrandState make_strand_state(const Vector3& first, const Vector3& last);
-/// One step of dt s (0 < dt; anything else does nothing). Targets that are not finite count as no hold.
+/// One step of dt s (no effect unless dt > 0). Non-finite targets count as no hold.
 StrandReport step_strand(const StrandModel& model, const StrandHold (&holds)[hand_count], double dt,
                          StrandState& state) noexcept;
-/// N, tension of a segment; 0 where it is parted or slack.
+/// Tension of a segment, N; 0 if it is divided or slack.
 double strand_tension(const StrandModel& model, const StrandState& state, int segment) noexcept;
-/// N, of the jaws on the strand.
+/// Force of the jaws on the strand, N.
 Vector3 hold_force(const StrandHold& hold, const StrandState& state) noexcept;
-/// N/m, of the strand as it is seen at a node with everything else at rest: what its two neighbours give.
+/// Stiffness of the strand at a node with everything else at rest, N/m: that of its two neighbouring
+/// segments.
 double strand_stiffness(const StrandModel& model, const StrandState& state, int node) noexcept;
-/// The point of the strand nearest to a place: the nearest node and the distance to the line there, m.
+/// The point of the strand nearest to a position: the nearest node and the distance to the line there, m.
 int nearest_node(const StrandState& state, const Vector3& place, double& distance) noexcept;
 
 }  // namespace fulcrum

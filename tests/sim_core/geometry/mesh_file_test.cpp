@@ -44,17 +44,17 @@ struct Broken {
 TEST(MeshFile, RefusesBrokenInputWithPlaceAndMend) {
     const Broken cases[] = {
         {"", "", "no vertices"},
-        {"v 0 0\n", "1", "no finite number"},
-        {"v 0 0 0\nv 1 x 0\n", "2", "'x' is no finite number"},
-        {"v 0 0 nan\n", "1", "no finite number"},
-        {"v 0 0 inf\n", "1", "no finite number"},
-        {"v 0 0 1e999\n", "1", "no finite number"},
-        {"v 0 0 5000\n", "1", "beyond the limit"},
+        {"v 0 0\n", "1", "not a finite number"},
+        {"v 0 0 0\nv 1 x 0\n", "2", "'x' is not a finite number"},
+        {"v 0 0 nan\n", "1", "not a finite number"},
+        {"v 0 0 inf\n", "1", "not a finite number"},
+        {"v 0 0 1e999\n", "1", "not a finite number"},
+        {"v 0 0 5000\n", "1", "exceeds 1000 m"},
         {"v 0 0 0\nv 1 0 0\nf 1 2\n", "3", "fewer than three"},
-        {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "face 1", "is not there"},
+        {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "face 1", "does not exist"},
         {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "", ""},
         {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf a b c\n", "", ""},
-        {"v 0 0 0\nvt 0 q\n", "2", "no finite number"},
+        {"v 0 0 0\nvt 0 q\n", "2", "not a finite number"},
         {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -9\n", "", ""},
     };
     for (const auto& broken : cases) {

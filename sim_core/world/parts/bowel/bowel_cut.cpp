@@ -451,7 +451,7 @@ void BowelCut::size_snapshot(WorldSnapshot& snapshot) const {
 
 void BowelCut::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
     BowelCutView& view = snapshot.bowel_cut;
-    for (std::size_t k = 0; k < view.fallen.size(); ++k) view.fallen[k] = skin_.loose()[k].way;
+    for (std::size_t k = 0; k < view.fallen.size(); ++k) view.fallen[k] = skin_.loose()[k].displacement;
     const auto version = static_cast<std::uint32_t>(skin_.version());
     if (view.topology != version) {
         const CutMesh& surface = skin_.surface();
