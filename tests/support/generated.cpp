@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/generated.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "tests/support/support.h"
+
+namespace fulcrum::test {
+namespace {
+
+constexpr const char* begin_mark = "<!-- generated: begin -->\n";
+constexpr const char* end_mark = "<!-- generated: end -->\n";
+
+}  // namespace
+
+std::string text_of(const std::string& relative) {
+    std::ifstream file(source_path(relative), std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+std::string in_cell(const std::string& text) {
+    std::string cell;
+    for (const char c : text) {
+        if (c == '|') cell += '\\';
+        cell += c;
+    }
+    return cell;
+}
+
+void expect_generated(const std::string& document, const std::string& generated) {
+    std::string text = text_of("docs/" + document);
+    const std::size_t begin = text.find(begin_mark), end = text.find(end_mark);
+    ASSERT_NE(begin, std::string::npos) << document << " has no mark where the generated part begins";
+    ASSERT_NE(end, std::string::npos) << document << " has no mark where the generated part ends";
+    const std::size_t from = begin + std::string(begin_mark).size();
+    if (std::getenv("FULCRUM_WRITE_REFERENCES") != nullptr) {
+        text.replace(from, end - from, generated);
+        std::ofstream(source_path("docs/" + document), std::ios::binary | std::ios::trunc) << text;
+        return;
+    }
+    EXPECT_TRUE(text.substr(from, end - from) == generated)
+        << "docs/" << document
+        << " is not what its source gives; run this test with FULCRUM_WRITE_REFERENCES=1";
+}
+
+}  // namespace fulcrum::test

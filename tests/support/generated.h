@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Documents of which a part is generated: tests compare that part with what its source gives now.
+#pragma once
+
+#include <string>
+
+namespace fulcrum::test {
+
+/// The bytes of a file of the repository.
+std::string text_of(const std::string& relative);
+
+/// A table cell of Markdown.
+std::string in_cell(const std::string& text);
+
+/// docs/`document` holds `generated` between its two marks. With FULCRUM_WRITE_REFERENCES in the environment
+/// it is written instead; what is outside the marks is written by hand and kept.
+void expect_generated(const std::string& document, const std::string& generated);
+
+}  // namespace fulcrum::test
