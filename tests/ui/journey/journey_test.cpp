@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole way of issue 2 through the window, with real key and mouse events: programme, people, attempts
+// The main workflow through the window, with real key and mouse events: programme, people, attempts
 // (completed, abandoned, device gone), debrief, replay, comment, void, cohort table, exports.
 #include <gtest/gtest.h>
 
