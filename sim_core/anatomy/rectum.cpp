@@ -23,7 +23,7 @@ constexpr double wall_spacing = 0.0035;  // m
 
 void check(const RectumParameters& p) {
     const auto refuse = [](const char* place, const char* range) {
-        throw InputError("rectum parameters", place, "out of range", range);
+        throw InputError("rectum parameters", place, "the value is out of range", range);
     };
     if (!(p.length >= 0.05 && p.length <= 0.3)) refuse("length", "give 0.05 to 0.3 m");
     if (!(p.curve.rectum_radius >= 0.005 && p.curve.rectum_radius <= 0.03))
@@ -126,7 +126,7 @@ TriangleMesh make_presacral_wall(const RectumParameters& p) {
     for (std::int32_t r = 0; r < curved + straight; ++r) {
         for (std::int32_t c = 0; c < columns; ++c) {
             const std::int32_t a = r * (columns + 1) + c, b = a + 1, d = a + columns + 1, e = d + 1;
-            // Columns to the left, rows cranially: this sense faces the rectum.
+            // Columns to the left, rows cranially: this orientation faces the rectum.
             mesh.triangles.push_back({a, b, e});
             mesh.triangles.push_back({a, e, d});
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The textures: colour from seeded noise and grown vessels, relief from the same fields, so that a vessel
-// that is seen is also raised.
+// The textures: colour from seeded noise and grown vessels, relief from the same fields, so that a visible
+// vessel is also raised.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -83,7 +83,7 @@ double taenia_at(double u, double wobble) {
 TissueTexture serosa(std::uint64_t seed, int size) {
     const int width = size, height = 2 * size;
     VesselField vessels(width, height);
-    // Vasa recta come round the tube from the mesenteric side and branch towards the free side.
+    // Vasa recta run around the tube from the mesenteric side and branch towards the antimesenteric side.
     VesselGrowth growth;
     growth.trees = 26;
     growth.trunk_radius = 0.0032;
@@ -109,8 +109,8 @@ TissueTexture serosa(std::uint64_t seed, int size) {
         Texel texel;
         const double cloud = field_0(u, v);
         const double fine = field_1(u, v);
-        const double fibres = field_2(u, v);  // drawn out along the tube
-        const double rings = field_3(u, v);   // circular muscle shining through
+        const double fibres = field_2(u, v);  // stretched along the tube
+        const double rings = field_3(u, v);   // circular muscle visible through the serosa
         const double taenia = taenia_at(u, 0.05 * field_4(u, v));
         texel.colour = blend(salmon, pink, 0.55 + 0.75 * cloud);
         texel.colour = blend(texel.colour, pale, 0.22 + 0.35 * fine);
@@ -217,7 +217,8 @@ TissueTexture steel(std::uint64_t seed, int size) {
 
 void check_size(int size) {
     if (size < 128 || size > 2048 || (size & (size - 1)) != 0)
-        throw InputError("texture parameters", "size", "out of range", "give a power of two, 128 to 2048");
+        throw InputError("texture parameters", "size", "the value is out of range",
+                         "give a power of two, 128 to 2048");
 }
 
 }  // namespace
@@ -226,8 +227,8 @@ TissueTexture make_areolar_texture(std::uint64_t seed, int size) {
     check_size(size);
     const Colour yellow(212, 164, 92), film(214, 178, 160), fibre(246, 236, 226), deep(172, 92, 70);
     const TiledNoise cloud(3, 3, 4, 0.55, seed + 51), density(5, 5, 2, 0.5, seed + 55);
-    // Fibres: crests of noise drawn out along one direction each, bent by the clouds, dense here and sparse
-    // there.
+    // Fibres: crests of noise stretched along one direction each, bent by the cloud noise, with varying
+    // density.
     const TiledNoise lengthwise(2, 17, 4, 0.62, seed + 52), crosswise(13, 3, 4, 0.62, seed + 53);
     const TiledNoise fine(60, 60, 2, 0.6, seed + 54);
     return bake(size, size, 40, 40, [&](int, int, double u, double v) {

@@ -25,7 +25,7 @@ VesselField::VesselField(int width, int height)
       height_(height),
       values_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0.0F) {}
 
-// A soft disc: its middle is as strong as it is wide, its rim half a pixel soft.
+// A soft disc: its centre is as strong as it is wide, its edge half a pixel soft.
 void VesselField::stroke(const Eigen::Vector2d& centre, double radius) {
     const double strength = std::min(1.0, 0.35 + 0.65 * radius / (2.2 * least_radius));
     const double drawn = std::max(radius, least_radius);
@@ -49,7 +49,7 @@ void VesselField::grow(const VesselGrowth& growth) {
     std::vector<Branch> waiting;
     for (int tree = 0; tree < growth.trees; ++tree) {
         Branch trunk;
-        // One to a cell of a shaken lattice: even cover without a pattern.
+        // One per cell of a jittered lattice: even cover without a pattern.
         const double cells = std::sqrt(static_cast<double>(growth.trees) * width_ / height_);
         const int across = std::max(1, static_cast<int>(std::lround(cells)));
         const int down = std::max(1, (growth.trees + across - 1) / across);
@@ -71,8 +71,7 @@ void VesselField::grow(const VesselGrowth& growth) {
         const double whole = branch.length;
         while (branch.length > 0) {
             const double step = std::max(0.5, 0.45 * branch.radius);
-            // A wandering bend, drawn back to the branch's own direction: vessels meander, they do not turn
-            // round.
+            // A random bend, pulled back to the branch's own direction: vessels meander but do not reverse.
             const double off = preferred_x * branch.direction.y() - preferred_y * branch.direction.x();
             bend = 0.94 * bend + random.normal(0, 0.028) - 0.012 * off;
             branch.direction = turned(branch.direction, bend * step * 0.35).normalized();
@@ -80,7 +79,7 @@ void VesselField::grow(const VesselGrowth& growth) {
             branch.length -= step;
             until_fork -= step;
             double taper = 0.45 + 0.55 * std::max(0.0, branch.length / whole);
-            // Trunks rise from the depth, so they begin thin.
+            // Trunks emerge from the depth, so they begin thin.
             if (branch.generation == 0) taper *= std::min(1.0, 0.1 + 4 * (whole - branch.length) / whole);
             stroke(branch.place, branch.radius * taper);
             if (until_fork > 0 || branch.generation >= most_generations || branch.radius < 0.4) continue;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Branching vessels on a tile that repeats in both directions, drawn as a field of 0 (none) to 1 (middle of a
-// vessel).
+// Branching vessels on a periodic tile, drawn as a field from 0 (none) to 1 (middle of a vessel).
 #pragma once
 
 #include <cstdint>
@@ -11,12 +10,12 @@
 
 namespace fulcrum {
 
-/// Lengths are shares of the tile's width.
+/// Lengths are fractions of the tile's width.
 struct VesselGrowth {
     int trees = 10;               ///< started at random places
     double trunk_radius = 0.005;  ///< shrinks by Murray's law at each fork
     double reach = 0.4;           ///< length of a trunk
-    Eigen::Vector2d along{1, 0};  ///< direction that trunks keep to, either way
+    Eigen::Vector2d along{1, 0};  ///< axis that trunks follow, in either direction
     std::uint64_t seed = 1;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The wall's own texture: three projections of the peritoneum blended once, so that a picture needs one look
+// Texture of the wall: three projections of the peritoneum blended once, so that rendering needs one look-up
 // instead of three.
 #include <algorithm>
 #include <array>
@@ -11,8 +11,8 @@
 namespace fulcrum {
 namespace {
 
-constexpr double tile = 0.12;             // m, as the peritoneum's
-constexpr double plane_threshold = 0.52;  // weight below which a projection does not show
+constexpr double tile = 0.12;             // m, as for the peritoneum
+constexpr double plane_threshold = 0.52;  // weight below which a projection is not visible
 
 std::size_t offset(const Image& image, int i, int j) {
     return static_cast<std::size_t>(image.channels) *
@@ -20,7 +20,7 @@ std::size_t offset(const Image& image, int i, int j) {
             static_cast<std::size_t>(i));
 }
 
-// Four channels, half the size: the mean of four pixels each.
+// Four channels, half the size: each pixel is the mean of four.
 Image halved(const Image& image) {
     Image half{image.width / 2, image.height / 2, 4, {}};
     half.pixels.resize(image.pixels.size() / 4);
@@ -40,7 +40,7 @@ Image halved(const Image& image) {
 
 using Pixel = Eigen::Array4f;
 
-// Between the four nearest pixels of a tile that repeats; u and v in tiles.
+// Bilinear sample of a periodic tile; u and v in tiles.
 Pixel sample(const Image& image, double u, double v) {
     const double x = (u - std::floor(u)) * image.width - 0.5, y = (v - std::floor(v)) * image.height - 0.5;
     const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
@@ -54,7 +54,7 @@ Pixel sample(const Image& image, double u, double v) {
            fy * ((1 - fx) * at(i, j + 1) + fx * at(i + 1, j + 1));
 }
 
-// A closed tube of rows between two poles, as make_cavity lays it out.
+// A closed tube of rows between two poles, as created by make_cavity.
 struct Rows {
     explicit Rows(const TriangleMesh& mesh) : mesh_(mesh) {
         const auto last = static_cast<std::int32_t>(mesh.vertices.size()) - 1;
@@ -63,13 +63,13 @@ struct Rows {
         }
         if (columns_ < 3 || (last - 1) % columns_ != 0 ||
             mesh.texture_coordinates.size() != mesh.vertices.size())
-            throw InputError("wall texture", "mesh", "is no tube of rows between two poles",
-                             "give a cavity as make_cavity makes it");
+            throw InputError("wall texture", "mesh", "the mesh is not a tube of rows between two poles",
+                             "give a cavity made by make_cavity");
         for (const Triangle& triangle : mesh.triangles) {
             for (const auto vertex : triangle) {
                 if (vertex < 0 || vertex > last)
-                    throw InputError("wall texture", "mesh", "names a vertex that is not there",
-                                     "give a whole mesh");
+                    throw InputError("wall texture", "mesh", "a triangle uses a vertex that does not exist",
+                                     "give a complete mesh");
             }
         }
         normals_ = vertex_normals(mesh);
@@ -86,7 +86,7 @@ struct Rows {
         if (row > rows_) return mesh_.vertices.size() - 1;
         return static_cast<std::size_t>(1 + (row - 1) * columns_ + column % columns_);
     }
-    // Row below the height v, and how far v lies above it, 0 .. 1.
+    // Row below the height v, and the fraction of v above it, 0 .. 1.
     std::pair<int, double> below(double v) const {
         const auto above = std::upper_bound(heights_.begin() + 1, heights_.end() - 1, v);
         const auto row = static_cast<std::size_t>(above - heights_.begin()) - 1;
@@ -114,10 +114,10 @@ struct Rows {
 
 TissueTexture make_wall_texture(const CavityShape& cavity, const TissueTexture& peritoneum, int width) {
     if (width < 128 || width > 4096)
-        throw InputError("texture parameters", "width", "out of range", "give 128 to 4096");
+        throw InputError("texture parameters", "width", "the value is out of range", "give 128 to 4096");
     const Rows rows(cavity.mesh);
     Image albedo = peritoneum.albedo, relief = peritoneum.normal;
-    // Finer than the wall's own pixels the tile would only sparkle.
+    // A tile finer than the wall's own pixels would only cause sparkle.
     const double pixel = rows.girth() / width;
     while (2 * tile / albedo.width <= pixel && albedo.width % 2 == 0 && albedo.width > 16) {
         albedo = halved(albedo);
@@ -160,7 +160,7 @@ TissueTexture make_wall_texture(const CavityShape& cavity, const TissueTexture& 
                 raised[first] += weight[axis] * static_cast<double>(slope[0]);
                 raised[second] += weight[axis] * static_cast<double>(slope[1]);
             }
-            // Fat beneath the film: yellow where there is much of it. Light adds up in linear, not in sRGB.
+            // Fat beneath the film: yellow where there is much of it. Light adds linearly, not in sRGB.
             const Eigen::Array3f plain = (colour.head<3>() / 255.0F).square();
             const Eigen::Array3f yellow =
                 plain * Eigen::Array3f(1.10F, 1.02F, 0.62F) + Eigen::Array3f(0.10F, 0.055F, 0.0F);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The cage: rings of eight vertices around the centre line, a sphere template at each sphere and a middle
-// template halfway between two, joined into a closed tube with end caps (docs/THEORY.md 1.3; Pan et al. 2011,
-// Fig. 8). Built in the extended rest pose: the tube lies along +x from the origin, d3 = +x, d1 = +y, d2 =
-// +z.
+// template halfway between two, joined into a closed tube with end caps (docs/THEORY.md, section 1.3; Pan et
+// al. 2011, Fig. 8). Built in the extended rest pose: the tube lies along +x from the origin, d3 = +x, d1 =
+// +y, d2 = +z.
 #pragma once
 
 #include <array>

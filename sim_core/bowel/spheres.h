@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sphere chain: the bowel's collision shape, rigidly attached to the centre line (docs/THEORY.md 1.2; Pan
-// et al. 2011, Fig. 6). It is sampled along the line independently of the rod's nodes.
+// The sphere chain: the bowel's collision shape, rigidly attached to the centre line (docs/THEORY.md,
+// section 1.2; Pan et al. 2011, Fig. 6). It is sampled along the line independently of the rod's nodes.
 #pragma once
 
 #include <functional>

@@ -87,9 +87,9 @@ double PatchBuilder::nearest_ring(const RingMotion* rings, const ToolKinematics&
 // it to the first position on its path that is surely in the tube, or to the nearest one.
 void PatchBuilder::look_ahead(const RingMotion* rings, const PatchRequest& request,
                               ToolKinematics& tool) const {
-    const double way = request.horizon * tool.tip_velocity.norm();
-    if (!(way > options_.reach)) return;
-    const int places = static_cast<int>(std::min<double>(most_ahead_places, std::ceil(way / ahead_step)));
+    const double travel = request.horizon * tool.tip_velocity.norm();
+    if (!(travel > options_.reach)) return;
+    const int places = static_cast<int>(std::min<double>(most_ahead_places, std::ceil(travel / ahead_step)));
     const Vector3 start = tool.tip;
     double least = 1e30;
     for (int k = 0; k <= places; ++k) {

@@ -156,13 +156,13 @@ CutCheck check_cut(const CutMesh& mesh, const Vector3* positions) {
         const std::int32_t expected = corners[static_cast<std::size_t>(v)];
         std::int32_t count = 0;
         if (seed >= 0 && mesh.visible(seed)) {
-            for (int way = 0; way < 2; ++way) {
+            for (int sense = 0; sense < 2; ++sense) {
                 std::int32_t t = seed;
                 do {
                     const int i = corner_of(mesh.triangle(t), v);
                     if (i < 0) break;
-                    if (way == 0 || t != seed) ++count;
-                    t = neighbour_at(mesh.triangle(t), way == 0 ? i + 2 : i);
+                    if (sense == 0 || t != seed) ++count;
+                    t = neighbour_at(mesh.triangle(t), sense == 0 ? i + 2 : i);
                 } while (t >= 0 && t != seed && count <= expected);
                 if (t == seed) break;
             }

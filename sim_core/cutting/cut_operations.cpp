@@ -190,14 +190,14 @@ bool CutEditor::collapse(std::int32_t from, std::int32_t to) {
             // v is in the ring of `from` only, unless a triangle of its own fan contains `to`.
             const std::int32_t seed = state_->vertices[v].triangle;
             std::int32_t s = seed;
-            for (int way = 0; way < 2; ++way) {
+            for (int sense = 0; sense < 2; ++sense) {
                 s = seed;
                 do {
                     const CutTriangle& row = state_->triangles[s];
                     if (corner_of(row, to) >= 0) return false;
                     const int i = corner_of(row, v);
                     if (i < 0) return false;
-                    s = neighbour_at(row, way == 0 ? i : i + 2);
+                    s = neighbour_at(row, sense == 0 ? i : i + 2);
                 } while (s >= 0 && s != seed);
                 if (s == seed) break;
             }

@@ -24,9 +24,9 @@ Separation between(const Vector3& on_box, const Vector3& on_other) {
     Separation found;
     found.on_box = on_box;
     found.on_other = on_other;
-    const Vector3 way = on_other - on_box;
-    found.distance = way.norm();
-    if (found.distance > 0) found.normal = way / found.distance;
+    const Vector3 difference = on_other - on_box;
+    found.distance = difference.norm();
+    if (found.distance > 0) found.normal = difference / found.distance;
     return found;
 }
 

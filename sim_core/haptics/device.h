@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The device interface: hand input as integers, quantised before anything uses it.
 //
-// A device is sampled once a haptic tick by the haptic thread. What it returns is quantised here
-// (0.1 um, 1e-6 rad, 1 mN) and only the quantised sample is ever used or recorded, so an attempt is a
-// pure function of its record.
+// A device is sampled once per haptic tick by the haptic thread. The reading is quantised here (0.1 um, 1e-6
+// rad, 1 mN) and only the quantised sample is used or recorded, so an attempt is a pure function of its
+// record.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ enum DeviceButton : std::uint16_t {
 
 /// One device at one tick. The handle position is that of the instrument's handle in its trocar's frame
 /// (origin at the pivot, +z into the body along the nominal shaft, +y up, +x completing a right-handed
-/// frame): a handle outside the body has z < 0, and the tip lies on the other side of the pivot (the fulcrum
+/// frame): a handle outside the body has z < 0, and the tip is on the other side of the pivot (the fulcrum
 /// effect).
 struct DeviceSample {
     std::int32_t handle[3] = {0, 0, 0};  ///< 0.1 um

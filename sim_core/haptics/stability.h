@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Haptic stability (docs/THEORY.md 6; Eq. 8 with Colgate's |B|).
+// Haptic stability (docs/THEORY.md, section 6; Eq. 8 with Colgate's |B|).
 #pragma once
 
 #include "sim_core/numerics/types.h"

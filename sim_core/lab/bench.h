@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reference workloads of `fulcrum lab bench`: the product's own code, timed beside the yardstick in one
-// process.
+// The reference workloads of `fulcrum lab bench`: the product's own code, timed in one process together with
+// the yardstick.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct WorkloadResult {
     double worst_budget_mg = 0;   ///< of the worst sample; 0: none is set
     std::optional<double> error;  ///< against the reference that `error_unit` names
     std::string error_unit;
-    std::uint64_t bytes = 0;          ///< state and tables of the workload
+    std::uint64_t bytes = 0;          ///< size of the workload's state and tables
     double allocations_per_step = 0;  ///< after warm-up
     double median_mg() const { return 1000.0 * median_us / yardstick_us; }
     double p99_mg() const { return 1000.0 * p99_us / yardstick_us; }
@@ -30,8 +30,8 @@ struct WorkloadResult {
     }
 };
 
-/// A workload: `prepare` builds it and returns the step to time; the step must do the same work each time it
-/// is called.
+/// A workload: `prepare` builds it and returns the step to time; the step must do the same work in every
+/// call.
 struct Workload {
     std::string name;
     double budget_mg = 0, worst_budget_mg = 0;
@@ -46,16 +46,15 @@ struct Workload {
     std::function<Prepared()> prepare;
 };
 
-/// Number of heap allocations of this process so far; the program that links a counter registers it here
-/// (none: 0 is reported).
+/// Number of heap allocations of this process so far. A program that links a counter registers it here
+/// (without one, 0 is reported).
 using AllocationCounter = std::uint64_t (*)();
 void set_allocation_counter(AllocationCounter counter);
 
 /// Times one workload: warm-up, then samples with the yardstick run between groups of them.
 WorkloadResult run_workload(const Workload& workload);
 
-/// Every workload whose part exists, in the order of docs/FORMATS.md; one registration function a room,
-/// listed in bench.cpp.
+/// All workloads, in the order of docs/FORMATS.md; one registration function per room, listed in bench.cpp.
 std::vector<Workload> reference_workloads();
 
 void add_rod_workloads(std::vector<Workload>& workloads);

@@ -14,7 +14,7 @@ struct Catenary {
 
 /// Horizontal part of the tension, N; the one unknown of the closed form, by bisection.
 double catenary_tension(const Catenary& catenary);
-/// Where the point at unstretched arc length s hangs: x from the left support, z (negative) below it, m.
+/// Position of the point at unstretched arc length s: x from the left support, z (negative) below it, m.
 struct CatenaryPoint {
     double x = 0, z = 0;
 };

@@ -31,7 +31,7 @@ void draw_axes(Svg& svg, const ChartAxis& x, const ChartAxis& y, double left, do
     }
 }
 
-// A curve's parts inside the plot; where it leaves, it is cut on the border.
+// The parts of a curve inside the plot; where it leaves the plot it ends at the border.
 void draw_curve(Svg& svg, const ChartSeries& series, const ChartAxis& x, const ChartAxis& y,
                 const std::string& colour, double width) {
     std::string part;
@@ -184,7 +184,7 @@ std::string svg_map(const CategoryMap& map) {
     Svg svg(std::max(right + 16 + legend_width(names), title_width(map.title, left)),
             bottom + (map.note.empty() ? 56 : 78));
     svg.text(left, 26, map.title, 15, "start", 0, ink, true);
-    // Cells reach half-way to their neighbours.
+    // Cells extend half-way to their neighbours.
     const auto borders = [](const std::vector<double>& values, bool logarithmic) {
         std::vector<double> v;
         for (const double value : values) v.push_back(logarithmic ? std::log10(value) : value);
@@ -225,7 +225,7 @@ std::string svg_map(const CategoryMap& map) {
                          y1 = y.at(y_edges[j]);
             const auto category = static_cast<std::size_t>(std::clamp(cell.category, 0, 3));
             svg.rectangle(x0, y0, x1 - x0, y1 - y0, fills[category], "#ffffff");
-            // A mark as well, for prints without colour.
+            // A mark as well, for greyscale prints.
             const double mark = std::min(4.0, 0.22 * std::min(x1 - x0, y1 - y0));
             if (category == 1) svg.marker(0.5 * (x0 + x1), 0.5 * (y0 + y1), 5, mark, "#444444", false);
             if (category >= 2) svg.marker(0.5 * (x0 + x1), 0.5 * (y0 + y1), 4, mark, "#ffffff", true);

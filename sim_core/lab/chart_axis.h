@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One axis of a chart: range, ticks, and where a value lies.
+// One axis of a chart: range, ticks, and the position of a value.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@ namespace fulcrum::lab {
 
 class ChartAxis {
   public:
-    /// Range over the values given (those that are finite, and positive where logarithmic), opened by a
-    /// little on each side.
+    /// Range over the given values (those that are finite, and positive if logarithmic), slightly widened on
+    /// each side.
     ChartAxis(const std::vector<double>& values, bool logarithmic);
-    /// Pixels between which the range lies; first belongs to the least value.
+    /// Pixel range of the axis; `first` corresponds to the smallest value.
     void place(double first, double last);
 
-    bool takes(double value) const;     ///< finite, and positive where logarithmic
-    bool inside(double value) const;    ///< takes it and it lies in the range
+    bool takes(double value) const;     ///< finite, and positive if logarithmic
+    bool inside(double value) const;    ///< accepted and within the range
     double at(double value) const;      ///< pixel
-    double scaled(double value) const;  ///< 0 at the least, 1 at the largest value
+    double scaled(double value) const;  ///< 0 at the smallest, 1 at the largest value
     double unscaled(double share) const;
 
     struct Tick {

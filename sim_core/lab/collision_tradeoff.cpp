@@ -19,10 +19,10 @@ TradeoffLevel measure(const std::string& family, double margin, int iterations) 
     options.collision.projection_iterations = iterations;
     const auto run = make_collision_run(options);
     Random random(7);
-    // The same push at every level and frame of one sphere: coherence is not disturbed.
+    // Each sphere gets the same push at every level and in every frame, so that coherence is not disturbed.
     std::vector<Vector3> pushes(run->depths.size());
-    for (Vector3& way : pushes) {
-        for (int k = 0; k < 3; ++k) way[k] = random.uniform(-push, push);
+    for (Vector3& offset : pushes) {
+        for (int k = 0; k < 3; ++k) offset[k] = random.uniform(-push, push);
     }
     std::vector<Vector3> pushed(pushes.size());
     double sum = 0;
@@ -61,7 +61,7 @@ std::vector<TradeoffStudy> collision_tradeoff() {
                  {"brute", 0.0}};
     for (const auto& list : lists) {
         for (const int iterations : {1, 2, 3, 4, 8, 16}) {
-            // The margin costs time alone: its other values are measured at the standard number of
+            // The margin affects time only: its other values are measured at the standard number of
             // projections.
             const bool named = std::string(list.family) == "coherent" || std::string(list.family) == "brute";
             if (!named && iterations != 3) continue;

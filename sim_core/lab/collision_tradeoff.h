@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the levels of collision cost and what they leave: projections a step and list margin, coherent or
-// listed anew.
+// Cost and residual overlap of the collision levels: projections per step and list margin, coherent or listed
+// again.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,9 @@
 
 namespace fulcrum::lab {
 
-/// One study: the reference chain brought out of a push of 1 mm into wall and neighbours; error: the deepest
-/// overlap left after projection, mean over frames. "coherent" and "brute" are the names that a scene's
-/// fidelity uses (fidelity.collision, fidelity.projection_iterations); they leave the same and differ in
-/// time.
+/// One study: the reference chain pushed by 1 mm into wall and neighbours; error: deepest overlap after
+/// projection, mean over frames. "coherent" and "brute" are the names in a scene's fidelity
+/// (fidelity.collision, fidelity.projection_iterations); both have the same result and differ in time.
 std::vector<TradeoffStudy> collision_tradeoff();
 
 }  // namespace fulcrum::lab

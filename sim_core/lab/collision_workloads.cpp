@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reference workloads spheres_cavity and spheres_self (docs/QUALITY.md) on the reference chain of
-// collision_run.h: 200 spheres that lie on the wall of 20,480 triangles and on each other, moved by 0.25 mm a
-// frame. spheres_cavity asks for closest point and depth of each sphere, spheres_self for every touching pair
-// with normal and depth, both without projection; spheres_project is all of it with projection and residual,
-// as a world step calls it.
+// collision_run.h: 200 spheres that touch the wall of 20,480 triangles and each other, moved by 0.25 mm per
+// frame. spheres_cavity computes closest point and depth of each sphere, spheres_self every touching pair
+// with normal and depth, both without projection; spheres_project does all of it with projection and
+// residual, as in a world step.
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -16,7 +16,7 @@ constexpr double length = 0.9, mean_radius = 0.016;
 
 }  // namespace
 
-// The bowel sways; a ring's velocity is the derivative.
+// The bowel oscillates; a ring's velocity is the derivative.
 void ContactRun::move_rings(double t) {
     double sine = 0, cosine = 1;
     math::sin_cos(3.14159265358979 * t, sine, cosine);
@@ -28,7 +28,7 @@ void ContactRun::move_rings(double t) {
     }
 }
 
-// To and fro along the bowel, weaving over its back.
+// Back and forth along the bowel, weaving over its back.
 void ContactRun::move_tool(double t, double lift) {
     const double along = 0.45 + 0.05 * math::sin(1.2 * t), weave = 0.3 * math::sin(2.0 * t);
     const double height = mean_radius + 0.0015 + lift - 0.001 * math::sin(5 * t);

@@ -10,8 +10,7 @@ struct Resolution {
     int sections, around;
 };
 
-// Force (N) over 2 s of sliding: the mean size of the difference to the run that has a new model at every
-// tick.
+// Force (N) over 2 s of sliding: mean absolute difference to the run with a new model at every tick.
 double force_error(std::uint32_t age) {
     const auto aged = build_contact_run(), fresh = build_contact_run();
     double sum = 0;

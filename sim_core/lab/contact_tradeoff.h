@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows `tool_contact` and `haptic_model_age` of `fulcrum lab tradeoff` (docs/THEORY.md 8).
+// Rows `tool_contact` and `haptic_model_age` of `fulcrum lab tradeoff` (docs/THEORY.md, section 8).
 #pragma once
 
 #include "sim_core/lab/tradeoff.h"
@@ -10,8 +10,8 @@ namespace fulcrum::lab {
 /// triangles.
 TradeoffStudy tool_contact_tradeoff();
 
-/// Age of the local model, 1 to 40 ticks; error: force against the fully synchronous step (a new model at
-/// every tick); time: one tick with its share of building the model.
+/// Age of the local model, 1 to 40 ticks; error: force compared with the fully synchronous step (a new model
+/// at every tick); time: one tick including its share of building the model.
 TradeoffStudy model_age_tradeoff();
 
 }  // namespace fulcrum::lab

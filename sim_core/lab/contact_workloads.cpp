@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reference workloads tool_contact and proxy (docs/QUALITY.md): one tool and tick against the deforming
-// surface of 20,000 triangles, and the world's part, patch_build.
+// Reference workloads tool_contact and proxy (docs/QUALITY.md): one tool and tick on the deforming surface of
+// 20,000 triangles, and the world's part, patch_build.
 #include <memory>
 
 #include "sim_core/lab/bench.h"
@@ -83,7 +83,7 @@ void add_contact_sweeps(std::vector<SweepCase>& sweeps) {
         const auto skinned = std::make_shared<double>(0);
         SweepRun run;
         run.elements = contact->skin->vertices();
-        // What the tick before has skinned is still marked.
+        // Vertices skinned by the previous tick are still marked.
         run.between = [contact, skinned] {
             for (const std::uint32_t stamp : contact->tick_scratch.position_stamp)
                 *skinned += stamp == contact->tick_scratch.stamp ? 1 : 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fig. 12 of Pan et al. 2011 by the product's own rule: the ten ways a stroke divides a triangle, each by an
-// example.
+// Fig. 12 of Pan et al. 2011 by the product's own rule: one example for each of the ten cases in which a
+// stroke divides a triangle.
 #pragma once
 
 #include <vector>
@@ -10,10 +10,10 @@
 
 namespace fulcrum::lab {
 
-/// A stroke over one triangle that Fig. 12 names.
+/// A stroke over one triangle for one case of Fig. 12.
 struct CutExample {
     char letter = 'a';                                     ///< Fig. 12a ... j
-    const char* what = "";                                 ///< in words
+    const char* what = "";                                 ///< description
     Vector3 from = Vector3::Zero(), to = Vector3::Zero();  ///< m
     double width = 0;                                      ///< m
 };

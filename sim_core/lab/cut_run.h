@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// A blade that divides a sheet row by row in steps of 2 mm, for workloads and benchmarks of the topology.
+// A blade that cuts a sheet row by row in steps of 2 mm, for workloads and benchmarks of the topology.
 #pragma once
 
 #include "sim_core/cutting/cut_mesh.h"
 
 namespace fulcrum::lab {
 
-/// Square sheet of about `triangles` triangles with edges of 3 mm; a band of 1 mm is cut along waving rows
-/// 9 mm apart, and when the sheet is used up it is made whole again.
+/// Square sheet of about `triangles` triangles with edges of 3 mm; a band of 1 mm is cut along wavy rows 9 mm
+/// apart, and when no row is left the sheet is reset.
 class CutRun {
   public:
     static constexpr double cell = 0.003, width = 0.001, advance = 0.002;  // m
     explicit CutRun(int triangles);
-    /// Leads the blade on to its next step; not part of what is timed.
+    /// Moves the blade to its next step; not part of the timed work.
     void advance_blade();
     CutReport cut() { return mesh.cut(step, positions.data()); }
     CutMesh mesh;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stress cases of docs/QUALITY.md for cuts: whatever the mesh and the blade, every invariant holds after
-// each step and what could not be done is said.
+// Stress cases of docs/QUALITY.md for cuts: for any mesh and blade, every invariant holds after each step and
+// whatever could not be cut is reported.
 #include <algorithm>
 #include <cmath>
 
@@ -97,14 +97,14 @@ class Stress {
         if (u + w > 1) u = 1 - u, w = 1 - w;
         const Vector3 &a = at(corners[0]), &b = at(corners[1]), &c = at(corners[2]);
         step.from = where == 0 ? anywhere : where == 1 ? Vector3(a + u * (b - a) + w * (c - a)) : a;
-        const Vector3 way = direction(random_).cwiseProduct(Vector3(1, 1, 0.1));
+        const Vector3 heading = direction(random_).cwiseProduct(Vector3(1, 1, 0.1));
         const double length = which_ == one_metre ? 1.0 : between(random_, 1e-4, 2.0);
         if (where == 3) {
-            // Two blades in turn: every step begins, ends or passes at the same corner of the mesh.
+            // Two blades alternating: every step begins, ends or passes at the same corner of the mesh.
             const Vector3& vertex = positions_[mesh_.mesh().vertices.size() / 2];
-            step.from = vertex - std::array<double, 3>{0, 0.5, 1}[random_.below(3)] * length * way;
+            step.from = vertex - std::array<double, 3>{0, 0.5, 1}[random_.below(3)] * length * heading;
         }
-        step.to = step.from + length * way;
+        step.to = step.from + length * heading;
         step.width = between(random_, 1e-7, 0.1);
         step.depth = between(random_, 1e-6, 0.1);
         step.normal = Vector3(0.3 * random_.normal(), 0.3 * random_.normal(), 1);
@@ -157,10 +157,10 @@ class Stress {
         const std::uint64_t before = mesh_.version();
         ++tally_.refused;
         if (mesh_.cut(step, positions_.data()).outcome != CutOutcome::invalid)
-            return fails("a bad step is taken");
-        return mesh_.version() == before || fails("a bad step cuts");
+            return fails("an invalid step is accepted");
+        return mesh_.version() == before || fails("an invalid step cuts");
     }
-    /// False where the run ends: nothing is left to cut, or an invariant is broken.
+    /// False if the run ends: nothing is left to cut, or an invariant is violated.
     bool cuts(const BladeStep& step) {
         tally_.count(mesh_.cut(step, positions_.data()), step.width);
         const CutCheck check = check_cut(mesh_, positions_.data());

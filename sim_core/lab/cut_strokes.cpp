@@ -15,7 +15,7 @@
 namespace fulcrum::lab {
 namespace {
 
-constexpr int steps_before_reset = 900;  // that the capacity is made for
+constexpr int steps_before_reset = 900;  // number of steps that the capacity is sized for
 constexpr int strokes_before_reset = 150;
 
 // A smooth shape that moves with time: stretches of up to a third, bends, turns.
@@ -107,29 +107,29 @@ class Strokes {
         step.from =
             at(corners[0]) + u * (at(corners[1]) - at(corners[0])) + w * (at(corners[2]) - at(corners[0]));
         step.normal = normal_of(t);
-        Vector3 way = tangent(step.normal);
-        if (where == 2) way = (at(corners[1]) - at(corners[0])).normalized();  // along an edge
+        Vector3 heading = tangent(step.normal);
+        if (where == 2) heading = (at(corners[1]) - at(corners[0])).normalized();  // along an edge
         if (where == 2) step.from = at(corners[0]);
         const int steps = static_cast<int>(1 + random_.below(4));
         const double length = between(random_, 0.0003, 0.02);
         for (int k = 0; k < steps; ++k) {
-            step.to = step.from + length * way;
+            step.to = step.from + length * heading;
             const double begin = processor_time_us();
             const CutReport report = mesh_.cut(step, positions_.data());
             tally.step_us.push_back(static_cast<float>(processor_time_us() - begin));
             tally.count(report, step.width);
             if (mesh_.visible_count() == 0) return;
-            // Onwards along the surface, at times back.
+            // Forward along the surface, sometimes back.
             step.root = mesh_.nearest_root(step.to, positions_.data());
             step.normal = normal_of(mesh_.root(step.root).first_visible);
             step.from = step.to;
             step.start = BladeEnd::round;
-            if (random_.below(5) == 0) way = -way;
+            if (random_.below(5) == 0) heading = -heading;
             const Vector3 n = step.normal.normalized();
-            way += 0.4 * inside_unit_box(random_);
-            way -= n.dot(way) * n;
-            if (way.norm() < 1e-3) way = tangent(n);
-            way.normalize();
+            heading += 0.4 * inside_unit_box(random_);
+            heading -= n.dot(heading) * n;
+            if (heading.norm() < 1e-3) heading = tangent(n);
+            heading.normalize();
         }
     }
     void drop(StrokeTally& tally) {
@@ -140,7 +140,7 @@ class Strokes {
                 ++tally.pieces;
             } else {
                 ++tally.violations;
-                tally.complaint = "a piece is not removed";
+                tally.complaint = "a piece was not removed";
             }
             return;
         }

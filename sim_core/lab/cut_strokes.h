@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random strokes over surfaces that can be cut, at rest and while their shape moves, and the extremes of
-// docs/QUALITY.md: every step is validated where it touched, the whole surface from scratch every tenth
-// stroke (extremes: after every step). The property tests run few, `fulcrum lab strokes` many. Deterministic
-// but for the times.
+// Random strokes over cuttable surfaces, at rest and deforming, and the extremes of docs/QUALITY.md: every
+// step is validated where it touched the surface, the whole surface every tenth stroke (extremes: after every
+// step). The property tests run few strokes, `fulcrum lab strokes` many. Deterministic except for the times.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +15,12 @@ namespace fulcrum::lab {
 
 struct StrokeTally {
     int strokes = 0, steps = 0, refused = 0, cuts = 0, nothing = 0, full = 0;
-    int roll_backs = 0;  ///< attempts played back
-    int retried = 0;     ///< steps cut at a later attempt
-    int uncut = 0;       ///< steps of which no attempt was valid
+    int roll_backs = 0;  ///< attempts rolled back
+    int retried = 0;     ///< steps that succeeded on a later attempt
+    int uncut = 0;       ///< steps without a valid attempt
     int widened = 0;     ///< bands too thin for the triangles they met
-    int violations = 0;  ///< of any invariant; the run ends at the first
-    int pieces = 0;      ///< dropped
+    int violations = 0;  ///< violated invariants; the run ends at the first
+    int pieces = 0;      ///< pieces dropped
     int flat = 0;        ///< roots without area
     std::string complaint;
     double area_error = 0;       ///< worst, relative
@@ -30,7 +29,7 @@ struct StrokeTally {
     void add(const StrokeTally& other);
 };
 
-/// Icosahedron halved `times`, radius in m.
+/// Icosahedron subdivided `times` times, radius in m.
 TriangleMesh make_sphere(int times, double radius);
 
 struct StrokeSurface {
@@ -41,15 +40,16 @@ struct StrokeSurface {
 std::vector<StrokeSurface> stroke_surfaces();
 
 /// Strokes of one to four steps of a blade 0.2 to 6 mm wide that begin anywhere: inside a triangle, at a
-/// vertex, on or along an edge. deform: the shape flows on from stroke to stroke, stretched by up to a third.
+/// vertex, on or along an edge. deform: the shape changes from stroke to stroke, with stretches of up to a
+/// third.
 StrokeTally run_strokes(const TriangleMesh& mesh, bool deform, int strokes, std::uint64_t seed);
 
-/// The cases of the stress list.
+/// Names of the stress cases.
 std::vector<std::string> stress_names();
-/// One mesh of a case of the list, cut with blades from 0.1 um to 100 mm, not finite ones among them.
+/// One mesh of a stress case, cut with blades from 0.1 um to 100 mm, including non-finite ones.
 void run_stress(std::size_t which, std::uint64_t seed, StrokeTally& tally);
 
-/// `fulcrum lab strokes [N]`: N strokes over the surfaces, a thirtieth as many meshes over the stress list.
+/// `fulcrum lab strokes [N]`: N strokes over the surfaces, N/30 meshes over the stress cases.
 ResultPage cut_strokes_page(int strokes);
 
 }  // namespace fulcrum::lab

@@ -27,17 +27,19 @@ std::vector<std::vector<Vector3>> strokes_of(const JsonDocument& study) {
     if (!root.contains("strokes"))
         study.fail("", "the key \"strokes\" is missing", "give a list of strokes, each a list of points");
     if (!root["strokes"].is_array())
-        study.fail("/strokes", "not a list", "give a list of strokes, each a list of points [x, y, z] in m");
+        study.fail("/strokes", "the value is not a list",
+                   "give a list of strokes, each a list of points [x, y, z] in m");
     std::vector<std::vector<Vector3>> strokes;
     std::size_t points = 0;
     for (std::size_t i = 0; i < root["strokes"].size(); ++i) {
         const auto& stroke = root["strokes"][i];
         const std::string place = "/strokes/" + std::to_string(i);
         if (!stroke.is_array() || stroke.empty())
-            study.fail(place, "not a list of points", "give points [x, y, z] in m, one at least");
+            study.fail(place, "the stroke is not a list of points",
+                       "give points [x, y, z] in m, at least one");
         points += stroke.size();
         if (points > most_points)
-            study.fail(place, "too many points",
+            study.fail(place, "the strokes have too many points",
                        "give at most " + std::to_string(most_points) + " in all strokes together");
         strokes.emplace_back();
         for (std::size_t k = 0; k < stroke.size(); ++k) {
@@ -49,7 +51,7 @@ std::vector<std::vector<Vector3>> strokes_of(const JsonDocument& study) {
                 good = std::abs(point[c]) <= most_m;
             }
             if (!good)
-                study.fail(place + "/" + std::to_string(k), "not a point",
+                study.fail(place + "/" + std::to_string(k), "this is not a point",
                            "give three finite numbers of at most 1000 m");
             strokes.back().push_back(point);
         }
@@ -68,9 +70,9 @@ RestBlade::RestBlade(const TriangleMesh& mesh, const std::vector<std::int32_t>& 
     std::copy(mesh.vertices.begin(), mesh.vertices.end(), positions_.begin());
 }
 
-std::int32_t RestBlade::steps_of(const std::vector<Vector3>& way, double width) {
+std::int32_t RestBlade::steps_of(const std::vector<Vector3>& path, double width) {
     std::int32_t steps = 0;
-    for (std::size_t i = 0; i + 1 < way.size(); ++i) steps += steps_of_leg(way[i], way[i + 1], width);
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) steps += steps_of_leg(path[i], path[i + 1], width);
     return steps;
 }
 
@@ -119,22 +121,22 @@ std::int32_t RestBlade::follow(const Vector3& point, double near, Vector3& foot,
     return root;
 }
 
-bool RestBlade::stroke(const std::vector<Vector3>& way, double width, BladeEnd ends, Tally& tally) {
+bool RestBlade::stroke(const std::vector<Vector3>& path, double width, BladeEnd ends, Tally& tally) {
     mesh_.begin_stroke();
     root_ = -1;
-    for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-        const std::int32_t steps = steps_of_leg(way[i], way[i + 1], width);
-        const double length = (way[i + 1] - way[i]).norm() / steps;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        const std::int32_t steps = steps_of_leg(path[i], path[i + 1], width);
+        const double length = (path[i + 1] - path[i]).norm() / steps;
         for (std::int32_t k = 0; k < steps; ++k) {
             const auto share = [steps](std::int32_t n) { return static_cast<double>(n) / steps; };
             BladeStep step;
-            step.from = way[i] + share(k) * (way[i + 1] - way[i]);
-            step.to = way[i] + share(k + 1) * (way[i + 1] - way[i]);
+            step.from = path[i] + share(k) * (path[i + 1] - path[i]);
+            step.to = path[i] + share(k + 1) * (path[i + 1] - path[i]);
             step.width = width;
             step.depth = 2 * std::max(width, length);
             step.start = i == 0 && k == 0 ? ends : BladeEnd::round;
-            step.end = i + 2 == way.size() && k + 1 == steps ? ends : BladeEnd::square;
-            // On to the surface along its normal alone: a stroke beyond the rim stays beyond it.
+            step.end = i + 2 == path.size() && k + 1 == steps ? ends : BladeEnd::square;
+            // Onto the surface along its normal only: a stroke beyond the border stays beyond it.
             Vector3 foot;
             const Vector3 middle = 0.5 * (step.from + step.to);
             step.root = follow(middle, 2 * (length + width), foot, step.normal);
@@ -161,7 +163,7 @@ bool RestBlade::stroke(const std::vector<Vector3>& way, double width, BladeEnd e
 }
 
 void RestBlade::drop_pieces(Tally& tally) {
-    // Removing one gives the others new numbers.
+    // Removing a piece renumbers the others.
     for (bool dropped = true; dropped;) {
         dropped = false;
         const std::int32_t pieces = mesh_.find_pieces();
@@ -205,16 +207,17 @@ nlohmann::json run_cut_study(const JsonDocument& study) {
     const std::vector<std::int32_t> fixed = vertex_list_of(study, "fixed", mesh.vertices.size());
     const std::string ends = study.root().contains("ends") ? text_of(study, "ends") : "square";
     if (ends != "square" && ends != "round")
-        study.fail("/ends", "no such ends", "give \"square\" or \"round\"");
+        study.fail("/ends", "unknown end shape", "give \"square\" or \"round\"");
 
     std::int32_t steps = 0;
-    for (const auto& way : strokes) steps += RestBlade::steps_of(way, width);
+    for (const auto& path : strokes) steps += RestBlade::steps_of(path, width);
     CutCapacity capacity = CutMesh::capacity_for(mesh, std::min(steps, 2000));
     for (;;) {
         RestBlade blade(mesh, fixed, capacity);
         RestBlade::Tally tally;
-        for (const auto& way : strokes)
-            if (!blade.stroke(way, width, ends == "round" ? BladeEnd::round : BladeEnd::square, tally)) break;
+        for (const auto& path : strokes)
+            if (!blade.stroke(path, width, ends == "round" ? BladeEnd::round : BladeEnd::square, tally))
+                break;
         if (tally.full) {
             capacity.vertices *= 2;
             capacity.triangles *= 2;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reference workload cut_topology (docs/QUALITY.md): one step of 2 mm by a blade of 1 mm through a sheet,
-// with the validation of all it touched, on 10,000 and 100,000 triangles.
+// including the validation of everything it touched, on 10,000 and 100,000 triangles.
 #include <cmath>
 #include <memory>
 

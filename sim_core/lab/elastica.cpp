@@ -11,14 +11,14 @@ struct Unknowns {
 };
 
 Unknowns rate(const Cantilever& c, double s, const Unknowns& u) {
-    // The section at s carries everything beyond it: a force downwards, known because the loads are dead.
+    // The section at s carries everything beyond it: a downward force, known because the loads are dead.
     const double force = -(c.distributed * (c.length - s) + c.tip_force);
     const double cosine = std::cos(u.angle), sine = std::sin(u.angle);
     const double stretch = c.axial_stiffness > 0 ? 1 + force * sine / c.axial_stiffness : 1;
     return {u.moment / c.bending_stiffness, -stretch * cosine * force, stretch * cosine, stretch * sine};
 }
 
-// From the tip back to the clamp; the angle there must vanish.
+// Integrates from the tip back to the clamp; the angle there must vanish.
 Unknowns shoot(const Cantilever& c, double tip_angle, int steps) {
     Unknowns u{tip_angle, 0, 0, 0};
     const double h = -c.length / steps;
@@ -40,9 +40,9 @@ Unknowns shoot(const Cantilever& c, double tip_angle, int steps) {
 }  // namespace
 
 CantileverTip solve_cantilever(const Cantilever& cantilever, int steps) {
-    // Continued in load from 1: of several equilibria of a heavy load, the one that grows from the straight
-    // rod. As the load grows the tip turns towards the vertical; from the last load's tip angle, steeper ones
-    // are tried until the clamp's angle, which starts above 0 there, changes sign.
+    // Continuation in the load, from 1: of several equilibria under a large load, selects the one that grows
+    // from the straight rod. As the load grows the tip turns towards the vertical; from the last load's tip
+    // angle on, steeper angles are tried until the angle at the clamp, which starts positive, changes sign.
     constexpr double vertical = 1.5707963267948966;
     const double l = cantilever.length;
     const double size =

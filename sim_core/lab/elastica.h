@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reference for the rod: the extensible elastica of a cantilever under dead loads in its plane, solved as a
-// boundary-value problem by shooting from the tip. Shares nothing with the rod's own code.
+// boundary-value problem by shooting from the tip. Shares no code with the rod.
 #pragma once
 
 namespace fulcrum::lab {

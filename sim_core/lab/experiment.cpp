@@ -35,7 +35,7 @@ ExperimentResult run_experiment(const std::string& path) {
     result.id = text_of(file, "id");
     for (const char c : result.id) {
         const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
-        if (!plain) file.fail("/id", "becomes a file name", "use small letters, digits and _ only");
+        if (!plain) file.fail("/id", "the id is used as a file name", "use small letters, digits and _ only");
     }
     result.figure = text_of(file, "figure");
     result.caption = text_of(file, "caption");
@@ -48,10 +48,11 @@ ExperimentResult run_experiment(const std::string& path) {
         }
         known += std::string(known.empty() ? "" : ", ") + kind.name;
     }
-    file.fail("/kind", "no experiment of kind \"" + name.substr(0, 40) + "\"", "give one of: " + known);
+    file.fail("/kind", "unknown kind of experiment \"" + name.substr(0, 40) + "\"", "use one of: " + known);
 }
 
-// The bowel held at one end, its other end led round a quarter, a half or more of a circle; cage and surface.
+// The bowel held at one end while the other end is moved around a quarter, a half or more of a circle; cage
+// and surface.
 void run_bend_experiment(const JsonDocument& file, ExperimentResult& result) {
     ExperimentBowelSpec spec;
     spec.length = number_of(file, "length_m", 0.32, 0.1, 2);
@@ -103,7 +104,7 @@ void run_bend_experiment(const JsonDocument& file, ExperimentResult& result) {
     result.columns = 2;
 }
 
-// The intestine hangs from its two ends and is let go: it falls to the ground and onto itself.
+// The intestine is suspended from its two ends and released: it falls to the ground and onto itself.
 void run_fall_experiment(const JsonDocument& file, ExperimentResult& result) {
     ExperimentBowelSpec spec;
     spec.length = number_of(file, "length_m", 0.9, 0.2, 2);
@@ -116,7 +117,7 @@ void run_fall_experiment(const JsonDocument& file, ExperimentResult& result) {
                  height = number_of(file, "height_m", 0.5, 0.1, 3);
     const double span = number_of(file, "span_m", 0.16, 0.05, 1.5);
     ExperimentBowel bowel(spec);
-    // Hung from both ends: a static solve from a U in a slightly tilted plane, so that it does not fall
+    // Suspended from both ends: a static solve from a U in a slightly tilted plane, so that it does not fall
     // exactly onto its own line.
     const auto n = static_cast<std::size_t>(spec.segments);
     std::vector<Vector3> nodes;
@@ -145,7 +146,7 @@ void run_fall_experiment(const JsonDocument& file, ExperimentResult& result) {
     }
     for (int i = 0; i < 600; ++i) bowel.rod().step(bowel.state(), hung, 0.005, bowel.scratch());
     Rod::stop(bowel.state());
-    // Not a perfect plane: a breath of air moves the middle aside.
+    // Not exactly a plane: a small disturbance moves the middle sideways.
     for (std::size_t i = 0; i <= n; ++i) {
         const double share = static_cast<double>(i) / static_cast<double>(n);
         bowel.state().velocities[i] =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The experiments of Pan et al. 2011: scenes run without a window that leave meshes, drawn side by side
-// (`fulcrum lab experiment`). sim_core makes the meshes and curves; whoever draws them needs nothing else.
+// The experiments of Pan et al. 2011: scenes run without a window whose result is meshes, drawn side by side
+// (`fulcrum lab experiment`). sim_core provides meshes and curves, which contain all data for drawing.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ struct ExperimentMesh {
     bool smooth = true;                                   ///< vertex normals; false: facets show
 };
 
-/// One picture of the row: what is seen, and from where.
+/// One picture of the row: meshes and viewpoint.
 struct ExperimentPanel {
     std::string title;
     std::vector<ExperimentMesh> meshes;
@@ -29,23 +29,23 @@ struct ExperimentPanel {
     double field_of_view = 0.5;  ///< rad, full vertical angle
 };
 
-/// Figures measured along the way, printed under the picture and in the JSON.
+/// Values measured during the run, printed under the picture and in the JSON.
 struct ExperimentFigure {
     std::string name, unit;
     double value = 0;
 };
 
-/// A chart beside the picture.
+/// A chart next to the picture.
 struct ExperimentChart {
     std::string name, alternative, svg;
 };
 
-/// What an experiment leaves.
+/// Result of an experiment.
 struct ExperimentResult {
     std::string id;       ///< file name of the picture, for example "fig03_force_filter"
     std::string figure;   ///< the figure of Pan et al. 2011, for example "Figs. 3 and 5"
-    std::string caption;  ///< what is seen
-    int columns = 3;      ///< panels a row
+    std::string caption;  ///< description of the picture
+    int columns = 3;      ///< panels per row
     std::vector<ExperimentPanel> panels;
     std::vector<ExperimentChart> charts;
     std::vector<ExperimentFigure> figures;

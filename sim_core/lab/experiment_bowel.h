@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A whole bowel in free space for experiments: rod, spheres, cage, surface, collision with a floor and with
-// itself.
+// A complete bowel in free space for experiments: rod, spheres, cage, surface, collision with a floor and
+// with itself.
 #pragma once
 
 #include <memory>
@@ -19,7 +19,7 @@ struct ExperimentBowelSpec {
     int segments = 90;
     int sections = 260, around = 40;  ///< of the surface
     RodEnd ends[2] = {RodEnd::free, RodEnd::free};
-    bool floor = false;  ///< z = 0, bodies above it
+    bool floor = false;  ///< floor at z = 0, bodies above it
 };
 
 class ExperimentBowel {
@@ -33,7 +33,7 @@ class ExperimentBowel {
 
     /// One implicit Euler step with the contacts found at its start.
     RodReport step(double dt);
-    /// m, deepest overlap of spheres, and into the floor, at the centre line as it stands.
+    /// m, deepest overlap of spheres, and into the floor, at the present centre line.
     double self_overlap();
     double floor_overlap();
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-// Visible triangles, each vertex where `corners` (positions of the uncut mesh's vertices) carry it.
+// Visible triangles, each vertex interpolated from `corners` (positions of the uncut mesh's vertices).
 TriangleMesh cut_surface(const CutMesh& cut, const std::vector<Vector3>& corners) {
     TriangleMesh mesh;
     std::vector<std::int32_t> number(static_cast<std::size_t>(cut.vertex_count()), -1);
@@ -55,13 +55,13 @@ void figures_of(const RestBlade& blade, const RestBlade::Tally& tally, Experimen
                                   static_cast<double>(tally.cases.count[k])});
 }
 
-// Thin bars along a way, lifted a little off the surface.
-std::vector<ExperimentMesh> route(const std::vector<Vector3>& way, double width, const Vector3& lift) {
+// Thin bars along a path, raised slightly off the surface.
+std::vector<ExperimentMesh> route(const std::vector<Vector3>& path, double width, const Vector3& lift) {
     std::vector<ExperimentMesh> bars;
-    for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
         ExperimentMesh bar;
         bar.name = "route";
-        bar.mesh = make_bar(way[i] + lift, way[i + 1] + lift, width);
+        bar.mesh = make_bar(path[i] + lift, path[i + 1] + lift, width);
         bar.colour = {0.75F, 0.02F, 0.02F};
         bar.smooth = false;
         bars.push_back(bar);
@@ -71,7 +71,7 @@ std::vector<ExperimentMesh> route(const std::vector<Vector3>& way, double width,
 
 }  // namespace
 
-// A few triangles, the route of a blade over them, and what they become stage by stage.
+// A few triangles, the route of a blade over them, and the subdivision stage by stage.
 void run_subdivision_experiment(const JsonDocument& file, ExperimentResult& result) {
     const double edge = number_of(file, "edge_m", 0.010, 0.001, 0.1),
                  width = number_of(file, "width_m", 0.0012, 1e-5, 0.02);
@@ -90,11 +90,11 @@ void run_subdivision_experiment(const JsonDocument& file, ExperimentResult& resu
             mesh.triangles.push_back(j % 2 == 0 ? Triangle{b, d, c} : Triangle{a, d, c});
         }
     }
-    std::vector<Vector3> way;
+    std::vector<Vector3> path;
     constexpr int points = 48;
     for (int k = 0; k <= points; ++k) {
         const double share = static_cast<double>(k) / points;
-        way.emplace_back(edge * (0.9 + 3.5 * share), edge * (1.25 + 0.55 * std::sin(2.6 * pi * share)), 0);
+        path.emplace_back(edge * (0.9 + 3.5 * share), edge * (1.25 + 0.55 * std::sin(2.6 * pi * share)), 0);
     }
     ExperimentPanel panel;
     panel.target = 0.5 * (mesh.vertices.front() + mesh.vertices.back());
@@ -113,32 +113,33 @@ void run_subdivision_experiment(const JsonDocument& file, ExperimentResult& resu
         edges.colour = {0.10F, 0.08F, 0.08F};
         panel.meshes = {face, edges};
         if (until > 1)
-            for (ExperimentMesh& bar : route({way.begin(), way.begin() + static_cast<std::ptrdiff_t>(until)},
-                                             0.02 * edge, Vector3(0, 0, 0.02 * edge)))
+            for (ExperimentMesh& bar :
+                 route({path.begin(), path.begin() + static_cast<std::ptrdiff_t>(until)}, 0.02 * edge,
+                       Vector3(0, 0, 0.02 * edge)))
                 panel.meshes.push_back(std::move(bar));
         result.panels.push_back(panel);
     };
-    show("the mesh and the blade's route", mesh, way.size());
+    show("the mesh and the blade's route", mesh, path.size());
     for (int stage = 1; stage <= stages; ++stage) {
         const std::size_t until =
-            1 + way.size() * static_cast<std::size_t>(stage) / static_cast<std::size_t>(stages + 1);
-        const std::vector<Vector3> part(way.begin(), way.begin() + static_cast<std::ptrdiff_t>(until));
+            1 + path.size() * static_cast<std::size_t>(stage) / static_cast<std::size_t>(stages + 1);
+        const std::vector<Vector3> part(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(until));
         RestBlade blade(mesh, {}, CutMesh::capacity_for(mesh, RestBlade::steps_of(part, width) + 8));
         RestBlade::Tally tally;
         blade.stroke(part, width, BladeEnd::square, tally);
         show("subdivided behind the blade, stage " + std::to_string(stage),
              cut_surface(blade.mesh(), mesh.vertices), until);
     }
-    RestBlade blade(mesh, {}, CutMesh::capacity_for(mesh, RestBlade::steps_of(way, width) + 8));
+    RestBlade blade(mesh, {}, CutMesh::capacity_for(mesh, RestBlade::steps_of(path, width) + 8));
     RestBlade::Tally tally;
-    blade.stroke(way, width, BladeEnd::square, tally);
+    blade.stroke(path, width, BladeEnd::square, tally);
     show("the result", cut_surface(blade.mesh(), mesh.vertices), 0);
     figures_of(blade, tally, result);
     result.columns = 2;
 }
 
-// A bowel cut along its wall: the cut was made at rest; the cage's frames carry what is left through a bend,
-// as they carry the uncut surface.
+// A bowel cut along its wall: the cut is made at rest; the cage's frames then carry the remaining surface
+// through a bend, as they carry an uncut surface.
 void run_cut_bowel_experiment(const JsonDocument& file, ExperimentResult& result) {
     ExperimentBowelSpec spec;
     spec.length = number_of(file, "length_m", 0.24, 0.1, 1);
@@ -152,19 +153,19 @@ void run_cut_bowel_experiment(const JsonDocument& file, ExperimentResult& result
                  most = number_of(file, "bend_deg", 90, 0, 200) * pi / 180;
     ExperimentBowel bowel(spec);
     bowel.inputs().gravity.setZero();
-    // The blade goes along the wall on the outside of the bend and waving about it. The tube lies along +x at
-    // rest.
-    std::vector<Vector3> way;
+    // The blade goes along the wall on the outside of the bend, oscillating about it. At rest the tube is
+    // along +x.
+    std::vector<Vector3> path;
     constexpr int points = 60;
     for (int k = 0; k <= points; ++k) {
         const double share = static_cast<double>(k) / points, angle = 2.5 + 0.5 * std::sin(3 * pi * share);
-        way.emplace_back(spec.length * (0.25 + 0.5 * share), spec.radius * std::cos(angle),
-                         spec.radius * std::sin(angle));
+        path.emplace_back(spec.length * (0.25 + 0.5 * share), spec.radius * std::cos(angle),
+                          spec.radius * std::sin(angle));
     }
     const TriangleMesh& rest = bowel.skin().rest();
-    RestBlade blade(rest, {}, CutMesh::capacity_for(rest, RestBlade::steps_of(way, width) + 64));
+    RestBlade blade(rest, {}, CutMesh::capacity_for(rest, RestBlade::steps_of(path, width) + 64));
     RestBlade::Tally tally;
-    blade.stroke(way, width, BladeEnd::round, tally);
+    blade.stroke(path, width, BladeEnd::round, tally);
     const RodFrame start = bowel.state().ends[1];
     constexpr int steps = 40;
     for (int i = 1; i <= steps && most > 0; ++i) {
@@ -176,7 +177,7 @@ void run_cut_bowel_experiment(const JsonDocument& file, ExperimentResult& result
     }
     ExperimentMesh before = bowel.surface(), after = before;
     after.mesh = cut_surface(blade.mesh(), before.mesh.vertices);
-    // What the gap shows: the uncut wall again, deeper and paler.
+    // Visible through the gap: the uncut wall again, deeper and paler.
     ExperimentMesh beneath = before;
     beneath.colour = {0.93F, 0.78F, 0.66F};
     const std::vector<Vector3> normals = vertex_normals(before.mesh);

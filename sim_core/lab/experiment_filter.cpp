@@ -72,10 +72,10 @@ void run_filter_experiment(const JsonDocument& file, ExperimentResult& result) {
             panel.meshes = {surface, lines};
             ExperimentMesh tool;
             tool.name = "tool";
-            // A needle stands in the dent that it makes, which may be one vertex wide; a grasper may come
-            // aslant.
-            const Vector3 way = pulling ? Vector3(normal + Vector3(0.35, 0.1, 0)).normalized() : normal;
-            tool.mesh = make_bar(tip + 0.0004 * normal, tip + 0.05 * way, pulling ? 0.0022 : 0.0005);
+            // A needle is drawn in the dent that it makes, which may be one vertex wide; a grasper may come
+            // at an angle.
+            const Vector3 direction = pulling ? Vector3(normal + Vector3(0.35, 0.1, 0)).normalized() : normal;
+            tool.mesh = make_bar(tip + 0.0004 * normal, tip + 0.05 * direction, pulling ? 0.0022 : 0.0005);
             tool.colour = {0.45F, 0.48F, 0.52F};
             tool.smooth = false;
             panel.meshes.push_back(tool);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One function a kind of experiment; experiment.cpp lists them.
+// One function per kind of experiment; experiment.cpp lists them.
 #pragma once
 
 #include "sim_core/lab/experiment.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fig. 7: the linear law and EXP2, as Pan et al. 2011 draw them (stress over strain) and on two rods under
-// the same pull.
+// Fig. 7: the linear law and EXP2, as drawn by Pan et al. 2011 (stress over strain) and on two rods under the
+// same tension.
 #include <algorithm>
 #include <cmath>
 
@@ -83,8 +83,7 @@ void run_law_experiment(const JsonDocument& file, ExperimentResult& result) {
         {result.id + "_stress", "stress over strain of a linear and an EXP2 rod", svg_chart(chart)});
     result.figures.push_back({"stress of the two laws apart at 22 % strain", "%", 100 * at_22});
     result.figures.push_back({"strain from which they are 20 % apart", "%", 100 * parted});
-    // Seen on the bowel: linear in front (blue), EXP2 behind (red), both pulled along and down by the same
-    // force.
+    // On the bowel: linear in front (blue), EXP2 behind (red), both pulled along and down by the same force.
     const BowelSkin skin = make_skin(length, radius, radius, 100, 40, haustral_radius(radius));
     result.columns = 3;
     for (const double strain : {0.10, 0.22, 0.40}) {
@@ -117,7 +116,7 @@ void run_law_experiment(const JsonDocument& file, ExperimentResult& result) {
         panel.title +=
             ": linear +" + short_number(100 * reach[0]) + " %, EXP2 +" + short_number(100 * reach[1]) + " %";
         panel.target = Vector3(0.8 * length, 0, 0);
-        // From afar through a narrow lens: the rod in front is drawn no longer than the one behind.
+        // From a distance through a narrow lens: the rod in front must not look longer than the one behind.
         panel.eye = panel.target + 20 * Vector3(0, -0.16, 0.42);
         panel.field_of_view = 2 * std::atan(std::tan(0.19) / 20);
         result.panels.push_back(panel);

@@ -16,7 +16,7 @@ FilterMode mode_of(const JsonDocument& study) {
     if (value == "0" || value == 0) return FilterMode::grade_0;
     if (value == "1" || value == 1) return FilterMode::grade_1;
     if (value == "2" || value == 2) return FilterMode::grade_2;
-    study.fail("/grade", "no such grade", "give \"auto\", \"0\", \"1\" or \"2\"");
+    study.fail("/grade", "unknown grade", "give \"auto\", \"0\", \"1\" or \"2\"");
 }
 
 TipBox tip_of(const JsonDocument& study) {
@@ -29,7 +29,8 @@ TipBox tip_of(const JsonDocument& study) {
     }
     const auto rotation = numbers_of(study, "tip_rotation", 4, {1.0, 0.0, 0.0, 0.0}, 1e6);
     const Quaternion quaternion(rotation[0], rotation[1], rotation[2], rotation[3]);
-    if (!(quaternion.norm() > 1e-9)) study.fail("/tip_rotation", "a zero quaternion", "give [w, x, y, z]");
+    if (!(quaternion.norm() > 1e-9))
+        study.fail("/tip_rotation", "the quaternion is zero", "give [w, x, y, z]");
     tip.axes = quaternion.normalized().toRotationMatrix();
     return tip;
 }
@@ -43,7 +44,7 @@ nlohmann::json run_filter_study(const JsonDocument& study) {
     const double vertex_number = number_of(study, "vertex", 0.0, last);
     const auto vertex = static_cast<std::int32_t>(vertex_number);
     if (vertex != vertex_number)
-        study.fail("/vertex", "not a whole number", "give the number of a vertex, from 0");
+        study.fail("/vertex", "the vertex is not a whole number", "give the number of a vertex, from 0");
     const auto components = numbers_of(study, "force_n", 3, {}, 1e6);
     const Vector3 force(components[0], components[1], components[2]);
     FilterOptions options;
@@ -53,7 +54,8 @@ nlohmann::json run_filter_study(const JsonDocument& study) {
     FilteredForce filtered;
     filter_force(view_of(mesh, adjacency), vertex, tip_of(study), options, filtered);
     if (filtered.overflow) {
-        study.fail("/vertex", "more than " + std::to_string(filter_capacity) + " vertices in two rings",
+        study.fail("/vertex",
+                   "the contact has more than " + std::to_string(filter_capacity) + " vertices in two rings",
                    "choose a vertex with fewer neighbours");
     }
     std::map<std::int32_t, Vector3> forces;

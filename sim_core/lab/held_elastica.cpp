@@ -36,7 +36,8 @@ struct Shooter {
         }
         return at;
     }
-    // Unknown at the start of each of the three spans: angle, moment, force; where the spans start is known.
+    // Unknowns at the start of each of the three spans: angle, moment, force; the start points of the spans
+    // are known.
     Vector12 miss(const Vector12& unknown, double share, HeldElasticaSolution* solution) const {
         const double starts[4] = {0, problem.held_at[0], problem.held_at[1], problem.length};
         const auto place = [&](std::size_t point) {
@@ -66,7 +67,7 @@ struct Shooter {
                 solution->middle_x = half[0];
                 solution->middle_z = half[1];
             }
-            // Balance of a held point: force beyond + reaction = force before.
+            // Equilibrium of a held point: force beyond + reaction = force before.
             if (span < 2)
                 solution->reaction[span] = {unknown[u + 2] - unknown[u + 6], unknown[u + 3] - unknown[u + 7]};
         }

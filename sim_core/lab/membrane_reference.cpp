@@ -65,11 +65,11 @@ void HeldSheet::move_edge(int frames) {
     const MembraneState rest = membrane.make_state();
     double sine = 0, cosine = 1;
     math::sin_cos(5.0 * 0.005 * (frames % 100000), sine, cosine);
-    const Vector3 way = 0.010 * Vector3(0, sine, 1 - cosine);
+    const Vector3 displacement = 0.010 * Vector3(0, sine, 1 - cosine);
     inputs.attachments.resize(membrane.attached().size());
     for (std::size_t a = 0; a < inputs.attachments.size(); ++a) {
         inputs.attachments[a] = rest.positions[static_cast<std::size_t>(membrane.attached()[a])];
-        if (a % 2 == 1) inputs.attachments[a] += way;
+        if (a % 2 == 1) inputs.attachments[a] += displacement;
     }
 }
 

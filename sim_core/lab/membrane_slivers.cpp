@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where symplectic Euler stays bounded as the mesh turns to slivers, and the limit that theory sets.
+// Stability range of symplectic Euler for meshes with slivers, and the theoretical limit.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -14,7 +14,7 @@ constexpr int side = 9, steps = 40;
 constexpr double stiffness = 10;  // N/m
 constexpr double damping = 1e-5;  // s
 
-/// A sheet held at two corners, rows drawn together to slivers of the given aspect, displaced and let go.
+/// A sheet held at two corners, rows compressed to slivers of the given aspect, displaced and released.
 struct Case {
     Membrane membrane;
     explicit Case(double aspect) : membrane(mesh(aspect), material(), {0, side - 1}) {}

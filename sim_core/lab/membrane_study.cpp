@@ -16,7 +16,7 @@ MembraneIntegrator integrator_of(const JsonDocument& study) {
     if (name == "symplectic") return MembraneIntegrator::symplectic;
     if (name == "global_local") return MembraneIntegrator::global_local;
     if (name == "implicit") return MembraneIntegrator::implicit;
-    study.fail("/integrator", "no such integrator", "give \"symplectic\", \"global_local\" or \"implicit\"");
+    study.fail("/integrator", "unknown integrator", "give \"symplectic\", \"global_local\" or \"implicit\"");
 }
 
 nlohmann::json finite_or_null(double value) {
@@ -39,7 +39,8 @@ nlohmann::json run_membrane_study(const JsonDocument& study) {
     const double dt = number_of(study, "dt_s", 1e-9, 1);
     const double steps_given = number_of(study, "steps", 0, 1e7);
     const auto steps = static_cast<int>(steps_given);
-    if (steps != steps_given) study.fail("/steps", "not a whole number", "give a whole number of steps");
+    if (steps != steps_given)
+        study.fail("/steps", "the number of steps is not a whole number", "give a whole number of steps");
     const auto pull = numbers_of(study, "gravity", 3, {0, 0, -9.81}, 1e6);
     const std::vector<std::int32_t> fixed = vertex_list_of(study, "fixed", mesh.vertices.size());
     MembraneSolve solve;
@@ -47,10 +48,10 @@ nlohmann::json run_membrane_study(const JsonDocument& study) {
     const int usual = solve.integrator == MembraneIntegrator::global_local ? (steps > 0 ? 10 : 500) : 0;
     solve.iterations = static_cast<int>(number_of(study, "iterations", usual, 0, 1e6));
     if (steps == 0 && (fixed.empty() || solve.integrator == MembraneIntegrator::symplectic))
-        study.fail("/steps", "statics need a fixed vertex and a solver",
+        study.fail("/steps", "a static solve needs a fixed vertex and a solver",
                    "fix a vertex and use \"implicit\" or \"global_local\", or give steps");
 
-    // The damping ratio belongs to the stiffest mode, which is known once the membrane is.
+    // The damping ratio refers to the stiffest mode, which is known once the membrane is built.
     double frequency = 0;
     {
         const Membrane bare(mesh, material, fixed);

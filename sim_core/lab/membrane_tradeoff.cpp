@@ -67,7 +67,7 @@ TradeoffStudy frames() {
                     sheet.move_edge(++count);
                 });
             judge_last();
-            // Sheets of different size are different problems: each has a front of its own.
+            // Sheets of different size are different problems: each has its own front.
             row.error_unit = "worst energy gap of a frame / (E_start - E_reference), " + row.family;
             study.levels.push_back(row);
             sheet.move_edge(0);
@@ -76,8 +76,8 @@ TradeoffStudy frames() {
     return study;
 }
 
-// Static sag in the middle against a finer sheet of the same tissue. Springs of one mesh are no material: the
-// sag of a finer mesh with the same springs is what the refinement converges to.
+// Static sag in the middle compared with a finer sheet of the same tissue. The springs of one mesh do not
+// define a material: the refinement converges to the sag of a finer mesh with the same springs.
 TradeoffStudy resolution() {
     TradeoffStudy study;
     study.model = "membrane_resolution";
@@ -157,7 +157,7 @@ std::vector<StabilityMap> membrane_stability() {
                     cell.finite = cell.finite && Membrane::finite(state);
                     double farthest = 0;
                     for (const Vector3& p : state.positions) farthest = std::max(farthest, p.norm());
-                    // Free fall of the whole run and the sheet's own size bound it.
+                    // Bounded by free fall over the whole run and the sheet's own size.
                     const double fall = 0.5 * 9.81 * (24 * dt) * (24 * dt);
                     if (!cell.finite || report.fault == MembraneFault::refused ||
                         report.fault == MembraneFault::frozen || farthest > 1.0 + 2 * fall) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each integrator of the membrane costs and how far it is from the reference; where each stays bounded.
+// Cost and error of each membrane integrator compared with the reference, and the stability range of each.
 #pragma once
 
 #include <vector>
@@ -13,10 +13,10 @@ namespace fulcrum::lab {
 /// against a 4 times finer sheet (sag).
 std::vector<TradeoffStudy> membrane_tradeoff();
 
-/// Symplectic Euler: time step against slivers up to aspect 1e6, its limit drawn in.
+/// Symplectic Euler: time step against slivers up to aspect 1e6, with the theoretical limit.
 StabilityMap membrane_sliver_map();
 
-/// Time step against stiffness for each integrator, the symplectic limit drawn in; and the sliver map.
+/// Time step against stiffness for each integrator, with the symplectic limit; and the sliver map.
 std::vector<StabilityMap> membrane_stability();
 
 }  // namespace fulcrum::lab

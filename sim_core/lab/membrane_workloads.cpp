@@ -30,7 +30,7 @@ struct Bench {
     }
 };
 
-/// Static equilibrium from the flat sheet, the matrix made with the membrane; error: energy gap to Newton at
+/// Static equilibrium from the flat sheet, the matrix built with the membrane; error: energy gap to Newton at
 /// 1e-10.
 Workload::Prepared prepare_static(int side) {
     auto bench = std::make_shared<Bench>(side, 0.0);
@@ -54,8 +54,8 @@ Workload::Prepared prepare_static(int side) {
     return prepared;
 }
 
-/// A frame of 5 ms, one edge carried round a circle at 50 mm/s; error: the worst of ten frames spread over
-/// half of it against implicit Euler at 1e-10.
+/// A frame of 5 ms, one edge moved around a circle at 50 mm/s; error: the worst of ten frames spread over
+/// half of it, compared with implicit Euler at 1e-10.
 Workload::Prepared prepare_frame(int side) {
     auto bench = std::make_shared<Bench>(side, frame);
     bench->quick.iterations = 30;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time that this thread had a processor: what other programs take of the machine is not in it.
+// Processor time of the calling thread: time used by other programs is not included.
 #pragma once
 
 #include <time.h>

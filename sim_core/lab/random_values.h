@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Generated values from far apart, for studies and tests.
+// Random values over a wide range, for studies and tests.
 #pragma once
 
 #include <cmath>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cavity in closed form for workloads: a bumpy ellipsoid without poles, and a chain of spheres that lies in
-// it.
+// A cavity in closed form for workloads: a bumpy ellipsoid without poles, and a chain of spheres inside it.
 #pragma once
 
 #include <vector>
@@ -13,8 +12,7 @@ namespace fulcrum::lab {
 /// that relative height; closed, outward.
 TriangleMesh make_bowl(const Vector3& half_axes, int level, double bump);
 
-/// `count` centres `spacing` apart on a helix about x that lies against the bowl's wall; phase moves it
-/// along, m.
+/// `count` centres `spacing` apart on a helix about x along the bowl's wall; phase shifts it along, m.
 std::vector<Vector3> coil(int count, double spacing, double radius, double width, double phase);
 
 }  // namespace fulcrum::lab

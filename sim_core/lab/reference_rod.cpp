@@ -46,8 +46,8 @@ RodReport hold_as(const HeldElastica& problem, RestingRod& resting) {
     constexpr int parts = 20;
     for (int part = 0; part < parts; ++part) {
         for (std::size_t h = 0; h < 2; ++h) {
-            const Vector3 way(problem.moved[h][0], 0, problem.moved[h][1]);
-            resting.inputs.grasps[resting.inputs.grasps.size() - 2 + h].target += way / parts;
+            const Vector3 displacement(problem.moved[h][0], 0, problem.moved[h][1]);
+            resting.inputs.grasps[resting.inputs.grasps.size() - 2 + h].target += displacement / parts;
         }
         report = resting.rod.solve(resting.state, resting.inputs, resting.scratch);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bowel simple enough for studies, cases and tests: the closed reference tube on its cage, and centre lines
-// in closed form to bend it along.
+// A simple bowel for studies, validation cases and tests: the closed reference tube on its cage, and centre
+// lines in closed form to bend it along.
 #pragma once
 
 #include "sim_core/bowel/bowel_skin.h"

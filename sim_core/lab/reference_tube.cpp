@@ -15,7 +15,7 @@ TriangleMesh make_tube(double length, int sections, int around, const TubeRadius
     for (int i = 0; i <= sections; ++i) {
         const double x = length * i / sections;
         for (int k = 0; k < around; ++k) {
-            // Each circle is turned by half a step against the last: near-equilateral triangles.
+            // Each circle is rotated by half a step relative to the last: near-equilateral triangles.
             const double angle = 2.0 * pi * (k + 0.5 * (i % 2)) / around;
             const double r = radius(x, angle);
             mesh.vertices.emplace_back(x, r * math::cos(angle), r * math::sin(angle));

@@ -102,8 +102,8 @@ std::vector<std::string> ResultPage::write(const std::string& folder, const Mach
         out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
         out.close();
         if (!out)
-            throw InputError("command line", "--output", "cannot write " + path,
-                             "name a folder that can be written");
+            throw InputError("command line", "--output", "cannot write the file " + path,
+                             "give a writable folder");
         paths.push_back(path);
     };
     put(id_ + ".md", text(machine));

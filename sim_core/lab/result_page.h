@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A measured page for people and programs: Markdown, JSON, CSV tables, SVG charts, with machine and commit.
-// Written by commands, never by hand.
+// A page of measurements for people and programs: Markdown, JSON, CSV tables, SVG charts, with machine and
+// commit. Always written by a command.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,7 +12,7 @@
 namespace fulcrum::lab {
 
 struct ResultTable {
-    std::string name;  ///< file NAME.csv; empty: in the page alone
+    std::string name;  ///< file NAME.csv; empty: in the page only
     std::vector<std::string> columns;
     std::vector<std::vector<std::string>> rows;
 };
@@ -24,25 +24,25 @@ struct ResultFile {
 
 class ResultPage {
   public:
-    /// id: file name without extension; command: what makes the page again.
+    /// id: file name without extension; command: the command that generates the page.
     ResultPage(std::string id, std::string title, std::string command);
 
     void heading(const std::string& text);
     void paragraph(const std::string& text);
-    /// In the page; also as CSV where it has a name.
+    /// Adds a table to the page; also as CSV if it has a name.
     void table(const ResultTable& table);
-    /// As CSV alone.
+    /// Adds a table as CSV only.
     void table_file(const ResultTable& table);
     /// SVG text as file NAME.svg, shown in the page.
     void chart(const std::string& name, const std::string& alternative, const std::string& svg);
-    /// Any other file beside the page; images are shown.
+    /// Adds any other file next to the page; images are shown in it.
     void file(const ResultFile& file, const std::string& alternative);
     /// The document of docs/FORMATS.md; written as ID.json with the machine added.
     void document(nlohmann::json json) { json_ = std::move(json); }
     const nlohmann::json& document() const { return json_; }
 
-    /// Writes everything into a folder (made when missing). Returns the paths. Throws InputError when it
-    /// cannot.
+    /// Writes everything into a folder (created if missing). Returns the paths. Throws InputError if a file
+    /// cannot be written.
     std::vector<std::string> write(const std::string& folder, const Machine& machine) const;
     /// The page itself, Markdown.
     std::string text(const Machine& machine) const;

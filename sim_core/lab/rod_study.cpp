@@ -25,32 +25,34 @@ class Reader {
         throw InputError(file_, place, wrong, hint);
     }
     double finite(const json& value, const std::string& place) const {
-        if (!value.is_number()) fail(place, "must be a number", "write it in SI units");
+        if (!value.is_number()) fail(place, "the value must be a number", "write it in SI units");
         const double number = value.get<double>();
         if (!std::isfinite(number) || std::fabs(number) > 1e12)
-            fail(place, "is out of range", "give a finite number up to 1e12");
+            fail(place, "the value is out of range", "give a finite number up to 1e12");
         return number;
     }
     double number(const char* key, double fallback) const {
         return study_.contains(key) ? finite(study_.at(key), "/" + std::string(key)) : fallback;
     }
     double number(const char* key) const {
-        if (!study_.contains(key)) fail("/" + std::string(key), "is missing", "add it");
+        if (!study_.contains(key)) fail("/" + std::string(key), "the key is missing", "add it");
         return finite(study_.at(key), "/" + std::string(key));
     }
     int integer(const char* key) const {
         const double value = number(key);
         if (value != std::floor(value) || value < 2 || value > 4096)
-            fail("/" + std::string(key), "must be a whole number from 2 to 4096", "change it");
+            fail("/" + std::string(key), "the value must be a whole number from 2 to 4096", "change it");
         return static_cast<int>(value);
     }
     std::string text(const char* key, const std::string& fallback) const {
         if (!study_.contains(key)) return fallback;
-        if (!study_.at(key).is_string()) fail("/" + std::string(key), "must be a text", "put it in quotes");
+        if (!study_.at(key).is_string())
+            fail("/" + std::string(key), "the value must be a string", "put it in quotes");
         return study_.at(key).get<std::string>();
     }
     Vector3 vector(const json& value, const std::string& place) const {
-        if (!value.is_array() || value.size() != 3) fail(place, "must be three numbers", "write [x, y, z]");
+        if (!value.is_array() || value.size() != 3)
+            fail(place, "the value must be three numbers", "write [x, y, z]");
         return Vector3(finite(value[0], place + "/0"), finite(value[1], place + "/1"),
                        finite(value[2], place + "/2"));
     }
@@ -72,7 +74,7 @@ RodEnd end_of(const Reader& reader, const json& value, const std::string& place)
     if (name == "pinned") return RodEnd::pinned;
     if (name == "free") return RodEnd::free;
     if (name == "held") return RodEnd::held;
-    reader.fail(place, "is not an end condition", "use \"clamped\", \"pinned\", \"free\" or \"held\"");
+    reader.fail(place, "this is not an end condition", "use \"clamped\", \"pinned\", \"free\" or \"held\"");
 }
 
 json row(const Vector3& v) {
@@ -92,13 +94,13 @@ void read_layers(const Reader& reader, RodSpec& spec) {
     if (!reader.has("layers")) return;
     const json& layers = reader["layers"];
     if (!layers.is_array() || layers.empty() || layers.size() > 8)
-        reader.fail("/layers", "must be a list of 1 to 8 layers",
+        reader.fail("/layers", "the value must be a list of 1 to 8 layers",
                     "write [{\"thickness_m\": .., \"young_pa\": ..}]");
     for (std::size_t i = 0; i < layers.size(); ++i) {
         const std::string place = "/layers/" + std::to_string(i);
         const json& layer = layers[i];
         if (!layer.is_object() || !layer.contains("thickness_m") || !layer.contains("young_pa"))
-            reader.fail(place, "must have thickness_m and young_pa",
+            reader.fail(place, "a layer must have thickness_m and young_pa",
                         "write {\"thickness_m\": .., \"young_pa\": ..}");
         WallLayer wall;
         wall.thickness = reader.finite(layer.at("thickness_m"), place + "/thickness_m");
@@ -124,7 +126,7 @@ Case read(const Reader& reader) {
         spec.law = MaterialLaw::exp2;
         spec.young_modulus = reader.number("young_pa", Exp2{}.rest_stiffness);
     } else if (law != "linear") {
-        reader.fail("/law", "is not a law", "use \"linear\" or \"exp2\"");
+        reader.fail("/law", "unknown law", "use \"linear\" or \"exp2\"");
     }
     spec.exponent = reader.number("exponent", Exp2{}.exponent);
     read_layers(reader, spec);
@@ -132,13 +134,13 @@ Case read(const Reader& reader) {
     if (level == "linearised") {
         c.solve.level = RodSolve::Level::linearised;
     } else if (level != "newton") {
-        reader.fail("/level", "is not a level", "use \"linearised\" or \"newton\"");
+        reader.fail("/level", "unknown level", "use \"linearised\" or \"newton\"");
     }
     if (reader.has("iterations")) c.solve.iterations = static_cast<int>(reader.number("iterations"));
     if (reader.has("ends")) {
         const json& ends = reader["ends"];
         if (!ends.is_array() || ends.size() != 2)
-            reader.fail("/ends", "must be two end conditions", "write [\"clamped\", \"free\"]");
+            reader.fail("/ends", "the value must be two end conditions", "write [\"clamped\", \"free\"]");
         for (std::size_t e = 0; e < 2; ++e)
             spec.ends[e] = end_of(reader, ends[e], "/ends/" + std::to_string(e));
     } else {
@@ -152,12 +154,12 @@ Case read(const Reader& reader) {
     return c;
 }
 
-// A load between nodes is split linearly.
+// A load between nodes is distributed linearly.
 void add_point_loads(const Reader& reader, const Rod& rod, RodInputs& inputs) {
     if (!reader.has("point_loads")) return;
     const json& loads = reader["point_loads"];
     if (!loads.is_array() || loads.size() > 10000)
-        reader.fail("/point_loads", "must be a list of at most 10000 loads",
+        reader.fail("/point_loads", "the value must be a list of at most 10000 loads",
                     "write [{\"s_m\": .., \"force_n\": [x, y, z]}]");
     const auto n = static_cast<std::size_t>(rod.segments());
     inputs.nodal_forces.assign(n + 1, Vector3::Zero());
@@ -165,11 +167,12 @@ void add_point_loads(const Reader& reader, const Rod& rod, RodInputs& inputs) {
         const std::string place = "/point_loads/" + std::to_string(i);
         const json& load = loads[i];
         if (!load.is_object() || !load.contains("s_m") || !load.contains("force_n")) {
-            reader.fail(place, "must have s_m and force_n", "write {\"s_m\": .., \"force_n\": [x, y, z]}");
+            reader.fail(place, "a load must have s_m and force_n",
+                        "write {\"s_m\": .., \"force_n\": [x, y, z]}");
         }
         const double s = reader.finite(load.at("s_m"), place + "/s_m");
         if (s < 0 || s > rod.length() * (1 + 1e-12))
-            reader.fail(place + "/s_m", "lies off the rod", "give 0 to length_m");
+            reader.fail(place + "/s_m", "the load is outside the rod", "give 0 to length_m");
         const Vector3 force = reader.vector(load.at("force_n"), place + "/force_n");
         const double x = std::min(s / rod.length(), 1.0) * static_cast<double>(n);
         const std::size_t j = std::min(n - 1, static_cast<std::size_t>(x));
@@ -206,12 +209,12 @@ json run_rod_study(const json& study, const std::string& file) {
     const bool driven = c.spec.ends[1] != RodEnd::free && (c.twist != 0 || !c.moved.isZero(0));
     if (c.spec.ends[1] == RodEnd::free && (c.twist != 0 || !c.moved.isZero(0))) {
         reader.fail("/ends/1", "a free end cannot be twisted or moved",
-                    "hold it, or leave end_twist_rad and end_displacement_m out");
+                    "hold it, or omit end_twist_rad and end_displacement_m");
     }
 
     const auto start = std::chrono::steady_clock::now();
-    // A driven end goes there in parts: a turn of more than half a revolution has no frame of its own, and a
-    // straight rod pushed together in one go would be pushed through itself.
+    // A driven end moves to its target in parts: a turn of more than half a revolution is ambiguous as a
+    // frame, and a straight rod compressed in one step would be pushed through itself.
     int parts = 1;
     if (driven) {
         const double turns = std::fabs(c.twist) / 0.25,
@@ -221,7 +224,7 @@ json run_rod_study(const json& study, const std::string& file) {
     RodReport report;
     int iterations = 0;
     if (c.solve.level == RodSolve::Level::linearised && !driven) {
-        // k equal load steps, one linear system each, about the state before.
+        // k equal load steps, one linear system each, about the previous state.
         const int steps = std::max(1, std::min(c.solve.iterations, 100000));
         RodSolve one = c.solve;
         one.iterations = 1;

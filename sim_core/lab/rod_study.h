@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `fulcrum lab run` for one rod alone: a JSON study in, its full result out (contract in docs/FORMATS.md).
+// `fulcrum lab run` for a single rod: a JSON study as input, its full result as output (format in
+// docs/FORMATS.md).
 #pragma once
 
 #include <nlohmann/json.hpp>

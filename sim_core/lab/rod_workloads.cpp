@@ -59,7 +59,7 @@ Workload::Prepared prepare_cold() {
     return prepared;
 }
 
-/// Both ends held, a grasped node moving to and fro at 50 mm/s, 5 ms frames.
+/// Both ends held, a grasped node moving back and forth at 50 mm/s, 5 ms frames.
 struct WarmRod : RestingRod {
     RodReport report;
     Vector3 home = Vector3::Zero();

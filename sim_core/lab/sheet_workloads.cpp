@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One step of a blade through a sheet with all that hangs on it: surface, invariants, fragments, nodes and
-// springs, places.
+// One complete blade step through a sheet: surface, invariants, fragments, nodes and springs, positions.
 #include <cmath>
 #include <memory>
 
@@ -32,7 +31,7 @@ struct Blade {
     SheetPart::State start = sheet.state();
     CutState uncut = sheet.surface().state();
     int next = 0;
-    /// Line by line across the sheet, a stroke each; the whole sheet again when it is cut up.
+    /// Line by line across the sheet, one stroke each; a new sheet when it is used up.
     void cut() {
         const int line = next / steps_a_line, along = next % steps_a_line;
         BladeStep blade;

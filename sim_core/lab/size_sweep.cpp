@@ -94,7 +94,7 @@ SizeSweep time_sweep(const SweepCase& sweep) {
     }
     for (int round = 0; round < rounds; ++round) {
         for (std::size_t i = 0; i < runs.size(); ++i) {
-            // The caches belong to this size again.
+            // Fills the caches with this size's data again.
             const double first = std::min(once_us(runs[i]), once_us(runs[i]));
             const int samples =
                 std::clamp(static_cast<int>(round_us / std::max(first, 0.1)), least_samples, most_samples);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Each model at growing sizes (docs/QUALITY.md, Reference workloads): operations, counted by the model itself
-// and so the same on every machine, and the time of a step. `fulcrum lab bench --sweep` prints them; tests
-// hold the counts against the limits.
+// and so equal on every machine, and the time of a step. `fulcrum lab bench --sweep` prints them; tests check
+// the counts against the limits.
 #pragma once
 
 #include <functional>
@@ -28,13 +28,13 @@ struct SweepCase {
     std::vector<int> sizes;
     std::function<SweepRun(int)> prepare;
     double exponent_limit = 1.05;  ///< of the operations
-    double ratio_limit = 2;        ///< time an element, largest size over smallest
+    double ratio_limit = 2;        ///< time per element, largest size over smallest
     int warm_up = 24, counted = 40;
 };
 
 struct SweepPoint {
-    double elements = 0, operations = 0;  ///< operations a step, mean of the counted steps
-    double time_us = 0;                   ///< median of a step; 0 where it was not timed
+    double elements = 0, operations = 0;  ///< operations per step, mean of the counted steps
+    double time_us = 0;                   ///< median of a step; 0 if not timed
 };
 
 struct SizeSweep {
@@ -44,18 +44,18 @@ struct SizeSweep {
     /// Slope of log(operations) over log(elements), least squares; of time likewise.
     double operation_exponent() const;
     double time_exponent() const;
-    /// Largest over smallest size: time an element, operations an element.
+    /// Largest over smallest size: time per element, operations per element.
     double time_ratio() const;
     double operation_ratio() const;
     bool within() const { return operation_exponent() <= exponent_limit && time_ratio() <= ratio_limit; }
 };
 
-/// Counts only, sizes up to the largest named.
+/// Counts only, for sizes up to `largest`.
 SizeSweep count_sweep(const SweepCase& sweep, int largest);
-/// Counts, and times all sizes in turn for several rounds: the least of the rounds' medians.
+/// Counts, and times all sizes in turn for several rounds: the smallest of the rounds' medians.
 SizeSweep time_sweep(const SweepCase& sweep);
 
-/// Every model: one registration function a room, as the workloads have.
+/// All models: one registration function per room, like the workloads.
 std::vector<SweepCase> size_sweeps();
 void add_rod_sweeps(std::vector<SweepCase>& sweeps);
 void add_collision_sweeps(std::vector<SweepCase>& sweeps);

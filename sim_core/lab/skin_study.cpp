@@ -16,7 +16,7 @@ double microseconds_since(std::chrono::steady_clock::time_point begin) {
     return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
 }
 
-// Ring of a vertex under one reading of the file's order; -1 for a cap centre.
+// Ring of a vertex under one interpretation of the file's order; -1 for a cap centre.
 struct Reading {
     int first, per_ring, rings;  // number of the first ring vertex
     int ring_of(std::int32_t vertex) const {
@@ -148,11 +148,11 @@ nlohmann::json run_skin_study(const JsonDocument& study) {
     if (!report.watertight())
         study.fail("/cage", "the cage is not closed: " + report.complaint(), "give a closed cage");
     if (deformed.vertices.size() != cage.vertices.size()) {
-        study.fail("/deformed_cage", "it has another number of vertices than the cage",
+        study.fail("/deformed_cage", "the deformed cage and the cage differ in their number of vertices",
                    "give the same vertices, moved");
     }
     if (scope != "global" && scope != "local")
-        study.fail("/scope", "no such scope", "give \"global\" or \"local\"");
+        study.fail("/scope", "unknown scope", "give \"global\" or \"local\"");
 
     const auto bind_begin = std::chrono::steady_clock::now();
     std::vector<Row> rows;
@@ -161,7 +161,7 @@ nlohmann::json run_skin_study(const JsonDocument& study) {
     } else {
         const auto layout = find_rings(cage);
         if (!layout) {
-            study.fail("/cage", "its vertices do not form rings",
+            study.fail("/cage", "the vertices of the cage do not form rings",
                        "write them ring by ring, cap centres last, or use the global scope");
         }
         rows = bind_local(cage, *layout, rest);

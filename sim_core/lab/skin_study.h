@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `fulcrum lab run` with "model": "skin": mean value coordinates of a mesh in a cage, applied to the cage
-// deformed (docs/FORMATS.md).
+// `fulcrum lab run` with "model": "skin": mean value coordinates of a mesh in a cage, applied to the deformed
+// cage (docs/FORMATS.md).
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -18,8 +18,8 @@ struct RingLayout {
     std::vector<std::int32_t> ring_vertices;  ///< ring by ring
 };
 
-/// Rings of a tube whose vertices are written ring by ring, with no, one trailing or one leading and trailing
-/// pair of cap centres. Nothing where the triangles do not join such rings.
+/// Rings of a tube whose vertices are in ring order, with no, one trailing or one leading and trailing pair
+/// of cap centres. Empty if the triangles do not join such rings.
 std::optional<RingLayout> find_rings(const TriangleMesh& cage);
 
 /// {"model": "skin", "cage", "rest", "deformed_cage", "scope": "global|local"} gives {"vertices",

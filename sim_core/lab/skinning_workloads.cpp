@@ -23,7 +23,7 @@ struct SkinningRun {
     std::vector<float> ring_floats, positions, normals;
 };
 
-// A quarter turn over the whole length with a twist on it, so that no ring keeps its rest frame.
+// A quarter turn over the whole length plus a twist, so that no ring keeps its rest frame.
 RingFrame deformed_frame(double s) {
     const double bend_radius = 2.0 * length / 3.14159265358979323846;
     double sine = 0.0, cosine = 1.0, twist_sine = 0.0, twist_cosine = 1.0;

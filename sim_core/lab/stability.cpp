@@ -79,7 +79,7 @@ std::string drawing(const StabilityMap& map) {
     drawn.x_logarithmic = map.axes[0].logarithmic;
     drawn.y_logarithmic = map.axes[1].logarithmic;
     drawn.categories = {"stable", "degraded", "fault"};
-    if (map.theory_note.size() < 90) drawn.note = map.theory_note;  // a longer one is in the page alone
+    if (map.theory_note.size() < 90) drawn.note = map.theory_note;  // a longer one is on the page only
     std::vector<double> panels = {0};
     if (map.axes.size() > 2) panels = map.axes[2].values;
     for (const double value : panels) {

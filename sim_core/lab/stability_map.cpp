@@ -21,11 +21,12 @@ constexpr int settle_ticks = 500, run_ticks = 4500;
 
 /// Exact motion of a damped mass (k = 0) or of one on a spring over one period under a held force.
 struct MotionLaw {
-    // x+ = a11 x + a12 v + g1 f, v+ = a21 x + a22 v + g2 f, x from the spring's end, f without the spring's
+    // x+ = a11 x + a12 v + g1 f, v+ = a21 x + a22 v + g2 f, x from the end of the spring, f without the
+    // spring's
     double a11 = 1, a12 = 0, a21 = 0, a22 = 1, g1 = 0, g2 = 0;
 
     MotionLaw(double mass, double damping, double spring, double period) {
-        // Sixteen terms of the exponential of the 3 x 3 block [A b; 0 0] T, in parts small enough for them.
+        // Sixteen terms of the exponential of the 3 x 3 block [A b; 0 0] T, subdivided so that they suffice.
         double largest = std::sqrt(spring / mass) + damping / mass;
         int parts = 1;
         while (largest * period / parts > 0.5) parts *= 2;
@@ -47,7 +48,7 @@ struct MotionLaw {
 
 struct DeviceAtContact::Parts : ToolOnSkin {
     SimulatedDevice device;
-    std::vector<double> waiting;  // positions on their way to the tick
+    std::vector<double> waiting;  // delayed positions
     double footprint = 0;         // m2, K over the wall's stiffness per area
     double damping = 0;
 
@@ -107,7 +108,7 @@ DeviceAtContact::DeviceAtContact(FilterMode grade, const SimulatedDevice& device
     request.tool = tool_pose(parts.model.instrument, quantise(reading, DeviceSample{}));
     parts.local.step = 1;
     parts.builder->build(parts.rings.data(), request, parts.scratch, parts.local);
-    // What of the wall the filter's footprint takes in: K is in proportion to the wall's stiffness per area.
+    // Area covered by the filter's footprint: K is proportional to the wall's stiffness per area.
     parts.footprint = 1.0;
     parts.start(1.0, 0, working_depth);
     parts.force(working_depth);
@@ -118,12 +119,12 @@ DeviceAtContact::~DeviceAtContact() {
     delete parts_;
 }
 
-// Displaced from balance and let go: does the swing after a second outlive the run?
+// Displaced from equilibrium and released: true if the oscillation has decayed by the end of the run.
 bool DeviceAtContact::Parts::dies_out(const MotionLaw& law, double stiffness, double tissue_damping,
                                       bool& finite) {
     start(stiffness, tissue_damping, working_depth);
     const double load = stiffness * working_depth;
-    double x = disturbance, v = 0;  // from balance; the hand's spring is at rest there
+    double x = disturbance, v = 0;  // from equilibrium, where the hand's spring is at rest
     double early = 0, late = 0;
     for (int tick = 0; tick < run_ticks; ++tick) {
         const double f = load - force(working_depth + x);
@@ -138,16 +139,17 @@ bool DeviceAtContact::Parts::dies_out(const MotionLaw& law, double stiffness, do
         if (tick >= settle_ticks && tick < 2 * settle_ticks) early = std::max(early, std::abs(x));
         if (tick >= run_ticks - settle_ticks) late = std::max(late, std::abs(x));
     }
-    // A swing of a few encoder steps is the encoder's, not the loop's.
+    // An oscillation of a few encoder steps comes from the encoder, not from the loop.
     return late < early || late < 4 * device.encoder_step;
 }
 
-// A hand that moves the device to and fro whatever the force: energy that it got back over whole swings,
-// beyond what the device's own damping takes. Whole swings leave every store as it was.
+// A hand that moves the device back and forth regardless of the force: energy returned to it over whole
+// periods, beyond the dissipation of the device's damping. After whole periods every energy store is
+// unchanged.
 double DeviceAtContact::Parts::energy_of(double stiffness, double tissue_damping, double frequency,
                                          double amplitude) {
     start(stiffness, tissue_damping, working_depth);
-    constexpr int from = 200, to = 600;  // ticks; 0.4 s are whole swings of any multiple of 2.5 Hz
+    constexpr int from = 200, to = 600;  // ticks; 0.4 s are whole periods of any multiple of 2.5 Hz
     const double turn = 2 * pi * frequency * device.period;
     PassivityObserver observer;
     double lost = 0;
@@ -155,7 +157,7 @@ double DeviceAtContact::Parts::energy_of(double stiffness, double tissue_damping
     for (int tick = 0; tick < to; ++tick) {
         const double before = amplitude * cosine;
         math::sin_cos(turn * (tick + 1), sine, cosine);
-        // Straight from one sample to the next: no other motion through the same samples loses less to the
+        // Linear from one sample to the next: no other motion through the same samples loses less to the
         // device's damping.
         const double speed = (amplitude * cosine - before) / device.period;
         const double f = force(working_depth + before);
@@ -215,7 +217,7 @@ std::vector<StabilityMap> haptic_stability_maps() {
     damping.logarithmic = false;
     StabilityCurve stable, passive;
     stable.name = "stability: K (T/2 + t_d) = b + B";
-    stable.formula = "docs/THEORY.md 6: a device alone, small B T / m";
+    stable.formula = "docs/THEORY.md, section 6: a device alone, small B T / m";
     passive.name = "passivity: K = 2 (b - |B|) / T";
     passive.formula = "Eq. 8 with Colgate's |B|: sufficient with any passive hand";
     for (double b = 0; b <= 1.0001; b += 0.05) {

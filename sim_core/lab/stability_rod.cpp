@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the rod stays bounded: implicit Euler steps of a bowel that is pulled, loaded, or slender.
+// Stability range of the rod: implicit Euler steps of a bowel that is pulled, loaded, or slender.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -22,10 +22,10 @@ std::vector<double> decades(double from, double to, int count) {
     return values;
 }
 
-/// Runs steps and judges: what the reports say, and whether the rod stayed within its reach.
+/// Runs steps and classifies them: from the reports, and whether the rod stayed within its reach.
 struct Judge {
     StabilityCell cell;
-    double reach = 0;  // m, farther from the origin no node may be
+    double reach = 0;  // m, largest allowed distance of a node from the origin
     void see(const Rod& rod, const RodState& state, const RodReport& report) {
         if (!Rod::finite(state)) {
             cell.finite = false;
@@ -43,8 +43,8 @@ struct Judge {
     }
 };
 
-// A bowel held at both ends over a floor, grasped in the middle and pulled 60 mm sideways and up at 0.5 m/s,
-// then let go.
+// A bowel held at both ends over a floor, grasped in the middle and moved 60 mm sideways and up at 0.5 m/s,
+// then released.
 StabilityCell pulled(double dt, double young) {
     Judge judge;
     judge.cell.at = {dt, young};
@@ -91,7 +91,7 @@ StabilityCell slender(double slenderness, int segments) {
     spec.inner_radius = 0;
     spec.linear_density = 0.25;
     spec.ends[0] = RodEnd::clamped;
-    // Stiff enough to droop by a tenth of its length.
+    // Stiff enough to deflect by a tenth of its length.
     spec.young_modulus = 10 * spec.linear_density * 9.81 * std::pow(spec.length, 3) /
                          (8 * pi / 4 * std::pow(spec.outer_radius, 4));
     RestingRod resting(spec);
@@ -102,7 +102,7 @@ StabilityCell slender(double slenderness, int segments) {
     return judge.cell;
 }
 
-// A force across the tip of a clamped bowel, suddenly there.
+// A force across the tip of a clamped bowel, applied suddenly.
 StabilityCell loaded(double dt, double force) {
     Judge judge;
     judge.cell.at = {dt, force};
@@ -110,7 +110,7 @@ StabilityCell loaded(double dt, double force) {
     spec.segments = 48;
     spec.ends[0] = RodEnd::clamped;
     const Rod rod(spec);
-    // However large the force: no farther than the static stretch allows, twice for the swing.
+    // For any force: no farther than the static stretch allows, times two for the oscillation.
     judge.reach = 2 * spec.length * (1 + force / rod.axial_stiffness());
     RodState state = rod.make_state();
     RodScratch scratch = rod.make_scratch();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The maps of each room; a new room is declared here and listed in stability.cpp.
+// The maps of each room; declare a new room here and list it in stability.cpp.
 #pragma once
 
 #include <vector>

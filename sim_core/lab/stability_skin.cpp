@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the surface on its cage stays good: slivers of the mesh against the sharpness of a bend.
+// Quality range of the surface on its cage: slivers of the mesh against the sharpness of a bend.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -12,8 +12,8 @@ namespace {
 
 constexpr double length = 0.32, radius = 0.016;
 
-// Every second circle of the tube moved to within an edge / aspect of the one before it: half of the
-// triangles become slivers.
+// Every second circle of the tube moved to within an edge / aspect of the previous one, which turns half of
+// the triangles into slivers.
 TriangleMesh sliver_tube(double aspect) {
     constexpr int sections = 80, around = 32;
     TriangleMesh mesh = make_tube(length, sections, around, plain_radius(radius));
@@ -26,7 +26,7 @@ TriangleMesh sliver_tube(double aspect) {
     return mesh;
 }
 
-// Share of the surface, by rest area, whose outside looks at the centre line: folded. Caps are left out.
+// Fraction of the surface, by rest area, whose outside faces the centre line (folded). Caps are skipped.
 double folded_share(const BowelSkin& skin, const std::vector<RingFrame>& frames,
                     const std::vector<Vector3>& positions) {
     double folded = 0, all = 0;

@@ -17,14 +17,14 @@ namespace {
 struct Study {
     const char* model;
     nlohmann::json (*run)(const JsonDocument& study);
-    std::vector<const char*> keys;  ///< beside "model"
+    std::vector<const char*> keys;  ///< in addition to "model"
 };
 
 nlohmann::json run_rod(const JsonDocument& study) {
     return run_rod_study(study.root(), study.file());
 }
 
-/// Every model that can be run alone.
+/// All models that can be run separately.
 const std::vector<Study>& studies() {
     static const std::vector<Study> all = {
         {"cut", run_cut_study, {"mesh", "width_m", "strokes", "fixed", "ends"}},
@@ -45,7 +45,7 @@ const std::vector<Study>& studies() {
     return all;
 }
 
-/// A misspelt key would be left out without a word, and the result be that of another study.
+/// A misspelt key must not be ignored silently: the result would be that of another study.
 void refuse_unknown_keys(const JsonDocument& document, const Study& study) {
     std::string known = "model";
     for (const char* key : study.keys) known += std::string(", ") + key;
@@ -73,8 +73,7 @@ nlohmann::json run_study(const std::string& path) {
         }
         known += std::string(known.empty() ? "" : ", ") + study.model;
     }
-    document.fail("/model", "no model \"" + model.substr(0, 40) + "\" can be run alone",
-                  "give one of: " + known);
+    document.fail("/model", "unknown model \"" + model.substr(0, 40) + "\"", "use one of: " + known);
 }
 
 }  // namespace fulcrum::lab

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `fulcrum lab run`: one model alone on given input, its full result.
+// `fulcrum lab run`: a single model with given input and its full result.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,8 +7,8 @@
 
 namespace fulcrum::lab {
 
-/// Reads a study file, runs the model it names, returns the result document of docs/FORMATS.md. Throws
-/// InputError with file, JSON pointer and hint.
+/// Reads a study file, runs its model, returns the result document of docs/FORMATS.md. Throws InputError with
+/// file, JSON pointer and hint.
 nlohmann::json run_study(const std::string& path);
 
 }  // namespace fulcrum::lab

@@ -10,7 +10,7 @@ namespace fulcrum::lab {
 namespace {
 
 const nlohmann::json* find(const JsonDocument& study, const std::string& key) {
-    if (!study.root().is_object()) study.fail("", "a study is an object", "write {\"model\": …}");
+    if (!study.root().is_object()) study.fail("", "a study must be a JSON object", "write {\"model\": …}");
     const auto place = study.root().find(key);
     return place == study.root().end() || place->is_null() ? nullptr : &*place;
 }
@@ -25,7 +25,7 @@ double checked(const JsonDocument& study, const std::string& pointer, const nloh
     const double number = value.is_number() ? value.get<double>() : std::nan("");
     if (!(number >= least && number <= most)) {
         study.fail(
-            pointer, "not a number within its range",
+            pointer, "the value is not a number within its range",
             "give a number from " + nlohmann::json(least).dump() + " to " + nlohmann::json(most).dump());
     }
     return number;
@@ -37,7 +37,7 @@ std::string text_of(const JsonDocument& study, const std::string& key) {
     const auto* value = find(study, key);
     if (value == nullptr) fail_missing(study, key);
     if (!value->is_string() || value->get<std::string>().empty())
-        study.fail("/" + key, "not a text", "give a text in quotes");
+        study.fail("/" + key, "the value is not a string", "give a text in quotes");
     return value->get<std::string>();
 }
 
@@ -61,7 +61,7 @@ std::vector<double> numbers_of(const JsonDocument& study, const std::string& key
         return fallback;
     }
     if (!value->is_array() || value->size() != count) {
-        study.fail("/" + key, "not an array of " + std::to_string(count) + " numbers",
+        study.fail("/" + key, "the value is not an array of " + std::to_string(count) + " numbers",
                    "give " + std::to_string(count) + " numbers in brackets");
     }
     std::vector<double> numbers;
@@ -76,12 +76,13 @@ std::vector<std::int32_t> vertex_list_of(const JsonDocument& study, const std::s
     std::vector<std::int32_t> numbers;
     const auto* list = find(study, key);
     if (list == nullptr) return numbers;
-    if (!list->is_array()) study.fail("/" + key, "not a list", "give vertex numbers in brackets");
+    if (!list->is_array())
+        study.fail("/" + key, "the value is not a list", "give vertex numbers in brackets");
     for (std::size_t i = 0; i < list->size(); ++i) {
         const auto& number = (*list)[i];
         if (!number.is_number_integer() || number.get<double>() < 0 ||
             number.get<double>() >= static_cast<double>(vertices))
-            study.fail("/" + key + "/" + std::to_string(i), "no vertex of the mesh",
+            study.fail("/" + key + "/" + std::to_string(i), "the mesh has no vertex of this number",
                        "give whole numbers from 0 to " + std::to_string(vertices - 1));
         numbers.push_back(number.get<std::int32_t>());
     }

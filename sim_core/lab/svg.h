@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The marks charts are made of; nothing outside SVG Tiny 1.2, which Qt draws.
+// Drawing primitives of charts; only SVG Tiny 1.2, which Qt renders.
 #pragma once
 
 #include <string>
 
 namespace fulcrum::lab {
 
-/// Text of an SVG file in the making. Coordinates in pixels, y down.
+/// Text of an SVG file under construction. Coordinates in pixels, y down.
 class Svg {
   public:
     Svg(double width, double height);
@@ -28,7 +28,7 @@ class Svg {
 
 /// Pixel coordinate with two decimals.
 std::string pixel(double value);
-/// Colour of a series, in turn.
+/// Colour of a series, cycling through the palette.
 const char* series_colour(std::size_t index);
 
 }  // namespace fulcrum::lab

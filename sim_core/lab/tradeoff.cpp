@@ -65,7 +65,7 @@ nlohmann::json to_json(const std::vector<TradeoffStudy>& studies,
 
 namespace {
 
-// One chart an error unit: points of a family are joined, the front is ringed.
+// One chart per error unit: points of a family are joined, the front is ringed.
 void add_charts(ResultPage& page, const TradeoffStudy& study, std::size_t number) {
     std::vector<std::string> units;
     for (const TradeoffLevel& level : study.levels) {

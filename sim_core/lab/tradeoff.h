@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `fulcrum lab tradeoff`: what each level of a model costs and how far it is from a stated reference
-// (docs/THEORY.md 8).
+// `fulcrum lab tradeoff`: cost of each level of a model and its error against a stated reference
+// (docs/THEORY.md, section 8).
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ struct TradeoffLevel {
     std::string level;   ///< unique in its study, for example "newton, 64 segments"
     std::string family;  ///< the level without its resolution: points of one family are joined in the chart
     double error = 0;    ///< against the study's reference, in `error_unit`; finite, not negative
-    std::string error_unit;  ///< what the error is, for example "m, mean over nodes"
+    std::string error_unit;  ///< meaning of the error, for example "m, mean over nodes"
     double time_us = 0;      ///< median time of one step, measured
     bool pareto = false;     ///< set by mark_pareto
 };
@@ -27,12 +27,12 @@ struct TradeoffLevel {
 struct TradeoffStudy {
     std::string model;      ///< "rod", "material", "skinning", "membrane", "collision", "tool_contact",
                             ///< "haptic_model_age"
-    std::string reference;  ///< what the error is measured against
+    std::string reference;  ///< reference of the errors
     std::vector<TradeoffLevel> levels;
 };
 
-/// Marks the levels that no other level beats in both error and time. Levels with different error units are
-/// compared within their unit.
+/// Marks the levels that no other level beats in both error and time. Only levels with the same error unit
+/// are compared.
 void mark_pareto(TradeoffStudy& study);
 
 /// Median time in us of `step`, run `warm_up` times first and then `samples` times; `between` runs untimed
@@ -54,10 +54,11 @@ double median_time_us(int warm_up, int samples, Step&& step, Between&& between) 
     return *middle;
 }
 
-/// Every study of sim_core, a model a line in tradeoff.cpp, Pareto front marked. Takes a minute or two.
+/// All studies of sim_core, one model per line in tradeoff.cpp, Pareto front marked. Takes one to two
+/// minutes.
 std::vector<TradeoffStudy> tradeoff_studies();
 
-/// How one metric of one attempt moves when the same operator does the same task at another fidelity.
+/// Change of one metric of one attempt when the same operator does the same task at another fidelity.
 struct ScoreSensitivity {
     std::string task, operator_name, fidelity, metric;  ///< metric: id and hand
     double value = 0, reference_value = 0;              ///< reference: the fidelity "fine"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each level of the rod and of its material costs, and how far it is from the reference (docs/THEORY.md
-// 8).
+// Cost of each level of the rod and of its material, and the error against the reference (docs/THEORY.md,
+// section 8).
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -78,7 +78,7 @@ TradeoffStudy cold() {
     return study;
 }
 
-// A bowel held at both ends, its middle led around at 50 mm/s for a second in frames of 5 ms: shape at the
+// A bowel held at both ends, its middle moved around at 50 mm/s for a second in frames of 5 ms: shape at the
 // end of each tenth of a second.
 struct Frames {
     std::vector<Vector3> points;
@@ -97,7 +97,7 @@ Frames led_around(int segments, const RodSolve& solve, bool timed) {
     inputs.ends[0] = state.ends[0];
     inputs.ends[1] = state.ends[1];
     inputs.ends[1].position.x() -= 0.1;
-    // Everyone starts from the same converged hang.
+    // All levels start from the same converged shape.
     for (int i = 1; i <= 20; ++i) {
         inputs.ends[1].position.x() = 0.9 - 0.005 * i;
         rod.solve(state, inputs, scratch);
@@ -172,7 +172,7 @@ TradeoffStudy material() {
         spec.length = 0.3;
         spec.ends[0] = RodEnd::clamped;
         spec.law = law;
-        // The best line on strains of 0 to 0.20 for EXP2 with 30.0 kPa at rest (docs/THEORY.md 1.1).
+        // The best line on strains of 0 to 0.20 for EXP2 with 30.0 kPa at rest (docs/THEORY.md, section 1.1).
         spec.young_modulus = law == MaterialLaw::linear ? 32.3e3 : 30.0e3;
         return spec;
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The trade-off studies of each room; a new room is declared here (or in its own header) and listed in
+// The trade-off studies of each room; declare a new room here (or in its own header) and list it in
 // tradeoff.cpp.
 #pragma once
 

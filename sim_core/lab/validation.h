@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `fulcrum lab validate`: a model's figure held against a closed form or against a solution by another
+// `fulcrum lab validate`: values of the models compared with a closed form or with a solution by another
 // method. The tests assert the same cases that the command prints.
 #pragma once
 
@@ -10,15 +10,15 @@
 
 namespace fulcrum::lab {
 
-/// One figure beside its reference.
+/// One value and its reference.
 struct ValidationCase {
     std::string model;     ///< "rod", "skinning", "filter", "haptics", "membrane", "collision", "wall"
-    std::string name;      ///< what is done, for example "cantilever, qL^3/EI = 10"
-    std::string quantity;  ///< what is compared, with unit
+    std::string name;      ///< for example "cantilever, qL^3/EI = 10"
+    std::string quantity;  ///< compared quantity, with unit
     double value = 0;
     double reference = 0;
-    std::string source;  ///< where the reference comes from; never the model itself
-    double error = 0;    ///< as `error_unit` says
+    std::string source;  ///< source of the reference; never the model itself
+    double error = 0;    ///< in the sense of `error_unit`
     std::string error_unit;
     double tolerance = 0;
     bool passed = false;
@@ -32,7 +32,7 @@ ValidationCase absolute_case(std::string model, std::string name, std::string qu
                              double reference, std::string source, double tolerance, double scale = 1,
                              std::string error_unit = "absolute");
 
-/// Every case, a room a function (add a line in validation.cpp for a new one). Takes less than 30 s.
+/// All cases, one function per room (for a new one add a line in validation.cpp). Takes less than 30 s.
 std::vector<ValidationCase> validation_cases();
 
 /// {"cases": [...]} of docs/FORMATS.md.

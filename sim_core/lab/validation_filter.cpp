@@ -57,7 +57,7 @@ void sum_and_continuity(std::vector<ValidationCase>& cases) {
     cases.push_back(smooth);
 }
 
-// Power of the filtered forces on the moving surface against that of the rod's loads on the moving rod.
+// Power of the filtered forces on the moving surface compared with that of the rod's loads on the moving rod.
 void power(std::vector<ValidationCase>& cases) {
     const BowelSkin skin = make_skin(0.32, 0.016, 0.016, 160, 48, haustral_radius(0.016));
     RodSpec spec;

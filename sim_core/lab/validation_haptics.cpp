@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A simulated device at the product's contact: where it becomes unstable, and that what Eq. 8 allows is
-// passive (docs/THEORY.md 6).
+// A simulated device at the product's contact: its stability boundary, and passivity within Eq. 8
+// (docs/THEORY.md, section 6).
 #include <string>
 
 #include "sim_core/lab/chart.h"
@@ -17,7 +17,7 @@ std::vector<ValidationCase> haptic_validation() {
         DeviceAtContact contact(FilterMode::adaptive, device);
         for (const double damping : {0.0, 0.4}) {
             if (delay > 0 && damping > 0)
-                continue;  // not small against the delay: the linear bound is no reference there
+                continue;  // not small compared with the delay: the linear bound is not a reference there
             cases.push_back(relative_case(
                 "haptics",
                 "device of 0.1 kg and 0.5 N s/m at 1 kHz, B = " + short_number(damping, 2) +

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The wall's laws and layers through the rod: EXP2 in stretch and bending, composite stiffness, indentation.
+// Material laws and layers of the wall through the rod: EXP2 in stretch and bending, composite stiffness,
+// indentation.
 #include <algorithm>
 #include <cmath>
 
@@ -36,7 +37,7 @@ double stress(MaterialLaw law, double strain) {
     return rod.solve(state, inputs, scratch).end_force[1].x() / (pi * (outer * outer - inner * inner));
 }
 
-// Force and moment of the ring section by chords across it (Simpson's rule), not by rings and angles.
+// Force and moment of the ring section by chords across it (Simpson's rule), independent of rings and angles.
 void chords(double strain, double curvature, double& force, double& moment) {
     force = moment = 0;
     for (const double radius : {outer, -inner}) {
@@ -110,8 +111,7 @@ void laws(std::vector<ValidationCase>& cases) {
     }
 }
 
-// Pieces of every layer as small rectangles, each with its own moment and that of its distance (parallel
-// axes).
+// Small rectangles of every layer, each with its own moment and that of its distance (parallel axes).
 void layers(std::vector<ValidationCase>& cases) {
     const std::vector<WallLayer> wall = bowel_wall_layers();
     const double rim = 0.016, poisson = 0.35;

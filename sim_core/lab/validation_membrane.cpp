@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Membrane: the global-local solve against implicit Euler by Newton to 1e-10, both on the same springs;
-// supports against the weight.
+// Membrane: the global-local solve compared with implicit Euler by Newton to 1e-10, both on the same springs;
+// support forces compared with the weight.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -11,7 +11,7 @@
 namespace fulcrum::lab {
 namespace {
 
-// A node between two springs in a line and a third below, loaded down.
+// A node between two springs in a line and a third below, loaded downward.
 ValidationCase loaded_string() {
     TriangleMesh mesh;
     mesh.vertices = {Vector3(0, 0, 0), Vector3(0.05, 0, 0), Vector3(0.1, 0, 0), Vector3(0.05, 0, -0.05)};
@@ -24,20 +24,19 @@ ValidationCase loaded_string() {
     MembraneState state = membrane.make_state();
     MembraneInputs inputs;
     inputs.forces.assign(4, Vector3::Zero());
-    // Vertex 3 is held straight below: its spring pulls along the same line as the load and enters the
-    // balance too.
+    // Vertex 3 is held straight below: its spring acts along the line of the load and is part of the balance.
     inputs.forces[1] = Vector3(0, 0, -0.5);
     MembraneSolve solve;
     solve.integrator = MembraneIntegrator::implicit;
     membrane.solve(state, inputs, scratch, solve);
-    // The two in a line and the one below, shortened by the way z: 2 k (l - l0) z / l + k z = F.
+    // The two in a line, and the one below shortened by the displacement z: 2 k (l - l0) z / l + k z = F.
     double low = 0, high = 0.05;
     for (int i = 0; i < 200; ++i) {
         const double z = 0.5 * (low + high), l = std::sqrt(0.05 * 0.05 + z * z);
         const double pull = 2 * 50 * (l - 0.05) * z / l + 50 * z;
         (pull < 0.5 ? low : high) = z;
     }
-    return relative_case("membrane", "node between three springs under 0.5 N", "way, m",
+    return relative_case("membrane", "node between three springs under 0.5 N", "displacement, m",
                          -state.positions[1].z(), 0.5 * (low + high), "balance of forces by bisection", 1e-9);
 }
 
@@ -93,7 +92,8 @@ std::vector<ValidationCase> membrane_validation() {
         const MembraneState start = state;
         MembraneState ideal = start;
         converged = membrane.step(ideal, sheet.inputs, dt, frames, exact).converged && converged;
-        // The edge starts at full speed in the first frame: no frame before it lends its curvature.
+        // The edge starts at full speed in the first frame, without curvature information from a previous
+        // frame.
         quick.iterations = frame == 1 ? 12 : 8;
         membrane.step(state, sheet.inputs, dt, frames, quick);
         const double gap = energy_gap(membrane, start, state, ideal, sheet.inputs, dt, frames);

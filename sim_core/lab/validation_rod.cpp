@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rod without constraints, against closed forms and against the elastica by shooting.
+// The rod without constraints, compared with closed forms and with the elastica by shooting.
 #include <cmath>
 #include <string>
 
@@ -29,7 +29,8 @@ double distance_from(const RodState& state, const CantileverTip& tip) {
     return std::hypot(state.nodes.back().x() - tip.x, state.nodes.back().z() - tip.z);
 }
 
-// value and reference are the tip's drop; the error is the whole distance of the two tips over the length.
+// value and reference are the deflection of the tip; the error is the distance of the two tips over the
+// length.
 ValidationCase tip_case(const std::string& name, const SolvedRod& solved, double length, double x, double z,
                         const std::string& source, double tolerance) {
     const Vector3& last = solved.state.nodes.back();
@@ -97,7 +98,7 @@ void helix(std::vector<ValidationCase>& cases) {
     spec.intrinsic_curvature[0] = curvature;
     spec.intrinsic_curvature[2] = torsion;
     const Rod rod(spec);
-    // Started straight, so that the solver has to find the helix.
+    // Started straight, so that the solver must find the helix.
     RodState straight = rod.make_state();
     for (std::size_t i = 0; i < straight.nodes.size(); ++i)
         straight.nodes[i] = Vector3(rod.node_arc_lengths()[i], 0, 0);
@@ -175,7 +176,7 @@ void rigid_rotation(std::vector<ValidationCase>& cases) {
 
 void chain(std::vector<ValidationCase>& cases) {
     RodSpec spec = cantilever_spec(128, 1.0, 0.001);
-    spec.ends[0] = spec.ends[1] = RodEnd::held;  // twist held: nothing else would stop the rod from spinning
+    spec.ends[0] = spec.ends[1] = RodEnd::held;  // twist prescribed: otherwise the rod would be free to spin
     spec.young_modulus = 323e3;
     spec.linear_density = 0.01;
     const Rod rod(spec);

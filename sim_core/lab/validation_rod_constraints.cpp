@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ends and grasps that hold, a floor that carries; buckling as zeros of the tangent's smallest eigenvalue.
+// Prescribed ends, grasps and floor contact of the rod; buckling as zeros of the tangent's smallest
+// eigenvalue.
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -103,7 +104,7 @@ void floor_carries(std::vector<ValidationCase>& cases) {
                                   "unilateral contact: g >= 0, lambda >= 0, lambda g = 0", 1e-6));
 }
 
-// Smallest eigenvalue of the tangent on a shape, free unknowns only.
+// Smallest eigenvalue of the tangent at a shape, free unknowns only.
 double smallest_eigenvalue(const Rod& rod, const RodState& state, RodScratch& scratch,
                            const std::vector<int>& held) {
     RodScratch::Data& d = scratch.data();
@@ -129,7 +130,7 @@ double smallest_eigenvalue(const Rod& rod, const RodState& state, RodScratch& sc
     return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense, Eigen::EigenvaluesOnly).eigenvalues()[0];
 }
 
-/// First zero of a falling function between low and high; NaN where it does not change sign.
+/// First zero of a decreasing function between low and high; NaN if it does not change sign.
 template <class Function>
 double first_zero(double low, double high, Function&& lowest) {
     if (!(lowest(low) > 0) || !(lowest(high) < 0)) return std::nan("");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cases of each room; a new room is declared here and listed in validation.cpp.
+// The cases of each room; declare a new room here and list it in validation.cpp.
 #pragma once
 
 #include <vector>

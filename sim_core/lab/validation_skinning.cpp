@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surface on its cage: coordinates, rest pose, what a bend shows across rings, volume (docs/THEORY.md 1.3
-// and 1.4).
+// The surface on its cage: coordinates, rest pose, what a bend shows across rings, volume (docs/THEORY.md,
+// section 1.3 and 1.4).
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -21,7 +21,7 @@ struct Solid {
     std::vector<Triangle> triangles;
 };
 
-// A dented star: not convex, so that planes of some triangles pass through the inside.
+// A dented star: not convex, so that the planes of some triangles pass through its inside.
 Solid star() {
     Solid solid;
     solid.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
@@ -58,7 +58,7 @@ void coordinates(std::vector<ValidationCase>& cases) {
     for (int i = 0; i < 2000; ++i)
         check(0.2 * Vector3(random.uniform(), random.uniform(), random.uniform()) +
               Vector3(0.05, 0.05, 0.05));
-    // Towards faces, edges and vertices, down to rounding; and through the planes of the triangles.
+    // Towards faces, edges and vertices, down to rounding distance; and through the planes of the triangles.
     for (const Triangle& triangle : solid.triangles) {
         const Vector3 &a = solid.vertices[static_cast<std::size_t>(triangle[0])],
                       &b = solid.vertices[static_cast<std::size_t>(triangle[1])],
@@ -92,8 +92,8 @@ void rest_pose(std::vector<ValidationCase>& cases, const BowelSkin& skin) {
                                   unity, 0, "partition of unity", 1e-12));
 }
 
-// Lines along the tube, sampled finely across each ring in a bend of 30 mm radius: the surface must neither
-// tear nor crease there.
+// Lines along the tube, sampled finely across each ring in a bend of 30 mm radius: the surface must not tear
+// or crease there.
 void across_rings(std::vector<ValidationCase>& cases) {
     const BowelSkin skin = make_skin(length, mean_radius, spacing, 80, 32, plain_radius(mean_radius));
     const Cage& cage = skin.cage();
@@ -124,7 +124,7 @@ void across_rings(std::vector<ValidationCase>& cases) {
     cases.push_back(absolute_case("skinning", name, "largest jump, m", jump, 0,
                                   "a surface that does not tear", 1e-9, 1, "m"));
     ValidationCase crease = absolute_case("skinning", name, "turn at a ring over the turn beside it", kink, 1,
-                                          "a smooth surface: at most 1.2 (docs/THEORY.md 1.4)", 0.2);
+                                          "a smooth surface: at most 1.2 (docs/THEORY.md, section 1.4)", 0.2);
     crease.error = std::max(0.0, kink - 1);
     crease.passed = crease.error <= crease.tolerance;
     cases.push_back(crease);

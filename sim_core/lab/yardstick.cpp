@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// This file alone is compiled with -O3 -march=native -DEigen=EigenYardstick (sim_core/CMakeLists.txt):
-// Eigen's templates get names of their own here, so that no wide-vector instantiation can replace one of the
+// Only this file is compiled with -O3 -march=native -DEigen=EigenYardstick (sim_core/CMakeLists.txt): Eigen's
+// templates get a separate namespace here, so that no wide-vector instantiation can replace one of the
 // product's at link time.
 #include "sim_core/lab/yardstick.h"
 

@@ -51,9 +51,9 @@ bool finite(const CutMembraneState& state) {
     return true;
 }
 
-// Force of a link on the membrane for a displacement `way` (m) to its target with stiffness k.
-Lanes link_force(const CutMembraneLink& link, const Lanes& way, double k) {
-    const Lanes pull = all_lanes(k) * way, n = lanes_of(link.normal);
+// Force of a link on the membrane for a displacement `displacement` (m) to its target with stiffness k.
+Lanes link_force(const CutMembraneLink& link, const Lanes& displacement, double k) {
+    const Lanes pull = all_lanes(k) * displacement, n = lanes_of(link.normal);
     if (!(sum_lanes(n * n) > 0)) {
         const double size = std::sqrt(sum_lanes(pull * pull));
         return size > link.grip ? all_lanes(link.grip / size) * pull : pull;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Springs of a membrane, derived from its triangle mesh (docs/THEORY.md 3).
+// Springs of a membrane, derived from its triangle mesh (docs/THEORY.md, section 3).
 //
 // structural: every mesh edge. shear: the two vertices opposite a common edge of two triangles. bend: every
 // vertex with the one two edges further on, if that path is straight to within 40 degrees at rest. A pair of

@@ -121,8 +121,8 @@ struct RodGrasp {
     double residual = 0;                 ///< out: m, distance of the wall point from the target
 };
 
-/// Unilateral contact g = normal . (r(s) - point) - radius >= 0, lambda >= 0, lambda g = 0 (docs/THEORY.md
-/// 2).
+/// Unilateral contact g = normal . (r(s) - point) - radius >= 0, lambda >= 0, lambda g = 0 (docs/THEORY.md,
+/// section 2).
 struct RodContact {
     double s = 0;
     Vector3 normal = Vector3::UnitZ();  ///< unit, towards the rod

@@ -35,7 +35,7 @@ BandsSpec read_bands_spec(const JsonDocument& document, const json& node) {
     copy(node, "tissue", bands.tissue);
     scene_json::copy_field(node, bands);
     if (bands.vessels > bands.count) {
-        document.fail("/bands/vessels", "more vessels than bands", "give at most \"count\"");
+        document.fail("/bands/vessels", "there are more vessels than bands", "give at most \"count\"");
     }
     if (bands.half_extent.x() < bands.length + 2 * bands.jitter ||
         bands.half_extent.y() < 0.003 * bands.count) {
@@ -43,11 +43,11 @@ BandsSpec read_bands_spec(const JsonDocument& document, const json& node) {
                       "give a wider bed, fewer bands or shorter ones");
     }
     if (bands.half_extent.maxCoeff() > 0.3 || bands.half_extent.z() < 0) {
-        document.fail("/bands/half_extent", "the bed is above 0.6 m or its rim lies below its middle",
+        document.fail("/bands/half_extent", "the bed is larger than 0.6 m or its rim is below its middle",
                       "give half edges in metres");
     }
     if (bands.nerve_gap >= bands.height) {
-        document.fail("/bands/nerve_gap", "the nerve lies beneath the bed", "give a gap below \"height\"");
+        document.fail("/bands/nerve_gap", "the nerve is below the bed", "give a gap below \"height\"");
     }
     return bands;
 }

@@ -34,7 +34,7 @@ void check(const std::string& file, const std::string& tissue, const std::string
         std::string known;
         for (const CuttingKey& one : cutting_keys)
             known += (known.empty() ? "" : ", ") + std::string(one.key);
-        throw InputError(file, place, "no such value of a tissue that is cut", "name one of " + known);
+        throw InputError(file, place, "this is not a cutting value", "use one of  " + known);
     }
     const CuttingRange range = cutting_range(key);
     const bool low = range.above ? !(value > range.minimum) : !(value >= range.minimum);
@@ -42,7 +42,7 @@ void check(const std::string& file, const std::string& tissue, const std::string
         throw InputError(file, place, in_words(value) + " is out of range", "give a number " + range.words);
 }
 
-/// The node of a tissue that is cut. Throws InputError listing those there are.
+/// The node of a tissue with cutting values. Throws InputError listing those there are.
 json& cutting_of(json& scene, const std::string& file, const std::string& label) {
     std::string known;
     for (json& tissue : scene.at("tissues")) {
@@ -50,8 +50,8 @@ json& cutting_of(json& scene, const std::string& file, const std::string& label)
         if (tissue.at("label") == label) return tissue.at("cutting");
         known += (known.empty() ? "" : ", ") + tissue.at("label").get<std::string>();
     }
-    throw InputError(file, "/tissues/" + label, "the scene has no such tissue that is cut",
-                     known.empty() ? "choose a task whose tissue is cut" : "name one of " + known);
+    throw InputError(file, "/tissues/" + label, "the scene has no tissue of this name with cutting values",
+                     known.empty() ? "choose a task in which tissue is cut" : "use one of  " + known);
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ CuttingRange cutting_range(const std::string& key) {
 std::string with_cutting_values(const std::string& scene_text, const std::string& file,
                                 const CuttingValues& values) {
     if (values.empty()) return scene_text;
-    parse_scene(scene_text, file);  // what is wrong in the file itself is told with its own line
+    parse_scene(scene_text, file);  // reports errors in the file itself with their own line
     json scene = json::parse(scene_text);
     for (const auto& [tissue, given] : values) {
         json& cutting = cutting_of(scene, file, tissue);
@@ -92,14 +92,14 @@ std::string with_cutting_values(const std::string& scene_text, const std::string
         }
     }
     const std::string text = scene.dump(2) + "\n";
-    parse_scene(text, file);  // values that do not go together
+    parse_scene(text, file);  // reports inconsistent values
     return text;
 }
 
 std::string cutting_difference(const CuttingValues& here, const CuttingValues& there) {
     for (const auto& [tissue, values] : here) {
         const auto other = there.find(tissue);
-        if (other == there.end()) return tissue + ": cut here, not there";
+        if (other == there.end()) return tissue + ": cutting values in the first scene only";
         for (const auto& [key, value] : values) {
             const auto found = other->second.find(key);
             if (found == other->second.end() || found->second != value)
@@ -108,7 +108,7 @@ std::string cutting_difference(const CuttingValues& here, const CuttingValues& t
         }
     }
     for (const auto& [tissue, values] : there) {
-        if (here.find(tissue) == here.end()) return tissue + ": cut there, not here";
+        if (here.find(tissue) == here.end()) return tissue + ": cutting values in the second scene only";
     }
     return {};
 }

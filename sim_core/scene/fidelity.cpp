@@ -28,7 +28,8 @@ Fidelity named_fidelity(const std::string& id) {
         fidelity.membrane_iterations = 30;
         return fidelity;
     }
-    throw InputError("command line", "--fidelity", "no fidelity '" + id + "'", "use fast, standard or fine");
+    throw InputError("command line", "--fidelity", "unknown fidelity '" + id + "'",
+                     "use fast, standard or fine");
 }
 
 }  // namespace fulcrum

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Named fidelities: one choice for every row of the speed-accuracy table.
+// Named fidelities: one level for every row of the speed-accuracy table.
 #pragma once
 
 #include <string>

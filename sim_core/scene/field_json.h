@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The keys that "bands" and "structures" of a scene file share.
+// Keys shared by "bands" and "structures" of a scene file.
 #pragma once
 
 #include "sim_core/scene/field_spec.h"

@@ -14,8 +14,8 @@ int line_of_byte(const std::string& text, std::size_t byte) {
     return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
 }
 
-// Deepest nesting of brackets outside strings, and the line where `limit` is first passed (0: nowhere). Runs
-// before the parser, so that no recursion ever sees a hostile depth.
+// Line at which the nesting of brackets outside strings first exceeds `limit` (0: nowhere). Runs before the
+// parser, so that hostile input cannot cause deep recursion.
 int line_too_deep(const std::string& text, int limit) {
     int depth = 0;
     bool in_string = false, escaped = false;
@@ -53,7 +53,7 @@ std::string pointer_token(const std::string& key) {
     return token;
 }
 
-// Walks text that the parser has already accepted and notes the line of every value.
+// Walks text that the parser has already accepted and records the line of every value.
 class LineIndex {
   public:
     LineIndex(const std::string& text, std::map<std::string, int>& lines) : text_(text), lines_(lines) {}
@@ -78,7 +78,7 @@ class LineIndex {
   private:
     char at() const { return position_ < text_.size() ? text_[position_] : '\0'; }
     void blanks() {
-        // A byte order mark may stand before the first value; the parser skips it too.
+        // A byte order mark may precede the first value; the parser skips it too.
         while (position_ < text_.size() && (std::string(" \t\r\n").find(at()) != std::string::npos ||
                                             static_cast<unsigned char>(at()) >= 0x80U)) {
             if (at() == '\n') ++line_;
@@ -133,7 +133,7 @@ class LineIndex {
     std::string duplicate_;
 };
 
-// The parser's complaint without its own prefix and position, which we give as a line.
+// The parser's message without its own prefix and position, which are reported as a line.
 std::string syntax_text(const std::string& what) {
     const std::size_t bracket = what.find("] ");
     std::string text = bracket == std::string::npos ? what : what.substr(bracket + 2);
@@ -171,7 +171,7 @@ JsonDocument JsonDocument::parse(const std::string& text, const std::string& fil
     }
     if (const int line = line_too_deep(text, limits.depth); line > 0) {
         throw InputError(file, std::to_string(line),
-                         "nested deeper than " + std::to_string(limits.depth) + " levels",
+                         "the text is nested deeper than " + std::to_string(limits.depth) + " levels",
                          "check for a bracket that is never closed");
     }
     JsonDocument document;
@@ -180,10 +180,10 @@ JsonDocument JsonDocument::parse(const std::string& text, const std::string& fil
         document.root_ = nlohmann::json::parse(text);
     } catch (const nlohmann::json::parse_error& error) {
         throw InputError(file, std::to_string(line_of_byte(text, error.byte > 0 ? error.byte - 1 : 0)),
-                         "not valid JSON: " + syntax_text(error.what()),
+                         "the text is not valid JSON: " + syntax_text(error.what()),
                          "correct the text at this line or just before it");
     } catch (const nlohmann::json::exception& error) {
-        throw InputError(file, "1", "not valid JSON: " + syntax_text(error.what()),
+        throw InputError(file, "1", "the text is not valid JSON: " + syntax_text(error.what()),
                          "use numbers that a double can hold");
     }
     LineIndex index(text, document.lines_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Schema check by valijson, its findings turned into one complaint that a person can act on.
+// Schema check by valijson; its findings become one error that the user can act on.
 #ifndef VALIJSON_USE_EXCEPTIONS
 #define VALIJSON_USE_EXCEPTIONS 1
 #endif
@@ -28,7 +28,7 @@ const json& resolve(const json& schema, const json& node) {
     return *at;
 }
 
-// The part of the schema that speaks about a place in the document; the root schema where there is none.
+// The part of the schema for a place in the document; the root schema if there is none.
 const json& schema_at(const json& schema, const std::vector<std::string>& tokens) {
     const json* at = &resolve(schema, schema);
     for (const std::string& token : tokens) {
@@ -61,7 +61,7 @@ std::string keys_of(const json& node) {
     return text;
 }
 
-// A schema names one type or several.
+// A schema lists one type or several.
 std::string type_words(const json& node) {
     if (!node.contains("type")) return "another value";
     const json& type = node.at("type");
@@ -71,7 +71,7 @@ std::string type_words(const json& node) {
     return words;
 }
 
-// What a legal value looks like: type, range, choices and the schema's own description.
+// Description of a legal value: type, range, choices and the schema's own description.
 std::string legal_value(const json& node) {
     std::string text = "give ";
     if (node.contains("enum")) {
@@ -151,14 +151,14 @@ void JsonDocument::check_schema(const char* schema_text) const {
         valijson::SchemaParser parser;
         parser.populateSchema(Adapter(schema_json), schema);
     } catch (const std::exception& error) {
-        throw std::logic_error(std::string("the program's own schema is broken: ") + error.what());
+        throw std::logic_error(std::string("the built-in schema is not valid: ") + error.what());
     }
     valijson::Validator validator;
     valijson::ValidationResults results;
     if (validator.validate(schema, Adapter(root_), &results)) return;
 
     // A violation is reported once at its own place and again by every parent: the deepest is the one to
-    // mend.
+    // report.
     valijson::ValidationResults::Error worst;
     for (const auto& error : results) {
         if (worst.context.empty() || error.context.size() > worst.context.size()) worst = error;

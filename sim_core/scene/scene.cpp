@@ -74,7 +74,7 @@ class SceneReader {
                 document_.fail(place + "/label", "the tissue \"" + tissue.label + "\" is given twice",
                                "give every tissue its own label");
             }
-            // A spread of half the median would draw limits near zero for some attempts.
+            // A spread of half the median would give limits near zero in some attempts.
             if (tissue.perforation_spread > 0.4 * tissue.perforation_force) {
                 document_.fail(place + "/perforation_spread", "the spread is above 0.4 of perforation_force",
                                "give a smaller spread or a larger perforation_force");
@@ -87,13 +87,13 @@ class SceneReader {
         CuttingSpec cutting;
         for (const CuttingKey& key : cutting_keys) copy(node, key.key, cutting.*key.value);
         if (cutting.dynamic_friction > cutting.static_friction) {
-            document_.fail(place + "/dynamic_friction_n",
-                           "a blade that moves would be held more than one that stands",
-                           "give at most static_friction_n");
+            document_.fail(place + "/dynamic_friction_n", "dynamic_friction_n is above static_friction_n",
+                           "give at most the value of static_friction_n");
         }
         if (!(tissue.friction > 0)) {
-            document_.fail(place, "no force along a tissue without friction, so no blade ever breaks through",
-                           "give the tissue a friction above 0");
+            document_.fail(
+                place, "a tissue without friction carries no force along it, so no blade can break through",
+                "give the tissue a friction above 0");
         }
         return cutting;
     }
@@ -123,8 +123,8 @@ class SceneReader {
     void check_insertion(double insertion, const TrocarSpec& trocar, const std::string& place) {
         if (insertion > 0.9 * trocar.shaft_length) {
             document_.fail(place + "/start_insertion",
-                           "the start insertion is above 0.9 of the shaft's length",
-                           "start less deep or give a longer shaft_length");
+                           "the start insertion exceeds 0.9 of the shaft's length",
+                           "give a smaller start_insertion or a longer shaft_length");
         }
     }
 
@@ -192,12 +192,12 @@ class SceneReader {
             document_.fail("/targets/half_extent", "the box has an edge of 0 or above 0.6 m",
                            "give three half edges in metres, each above 0");
         }
-        // Random packing of points with spheres of half the distance succeeds well below a fill of 0.2;
-        // beyond that it may never end.
+        // Random packing of spheres of half the distance succeeds for fill ratios well below 0.2; above that
+        // it may never end.
         const double box = 8 * targets.half_extent.prod();
         const double filled = 2 * targets.per_hand * 0.5236 * std::pow(targets.minimum_distance, 3);
         if (filled > 0.32 * box) {
-            document_.fail("/targets/per_hand", "so many targets so far apart do not fit into the box",
+            document_.fail("/targets/per_hand", "the box has no room for this many targets at this distance",
                            "give fewer targets, a smaller minimum_distance or a larger half_extent");
         }
         return targets;
@@ -235,8 +235,7 @@ class SceneReader {
 
     NoduleSpec read_nodule(const json& node, const BowelSpec& bowel) {
         if (bowel.layers.empty()) {
-            document_.fail("/bowel/nodule", "a nodule lies between the layers of a wall",
-                           "give the bowel \"layers\"");
+            document_.fail("/bowel/nodule", "a nodule needs a wall with layers", "give the bowel \"layers\"");
         }
         NoduleSpec nodule;
         copy(node, "at", nodule.at);
@@ -247,8 +246,7 @@ class SceneReader {
         copy(node, "radius", nodule.shape.radius);
         copy(node, "young_modulus", nodule.shape.young);
         if (nodule.shape.height > bowel.layers.front().thickness) {
-            document_.fail("/bowel/nodule/height",
-                           "the nodule is thicker than the layer whose place it takes",
+            document_.fail("/bowel/nodule/height", "the nodule is thicker than the layer that it replaces",
                            "give a height of at most the first layer's thickness");
         }
         return nodule;
@@ -281,7 +279,8 @@ class SceneReader {
                            "give a wall thinner than outer_radius");
         }
         if (bowel.sphere_spacing > 4 * bowel.outer_radius || bowel.sphere_spacing < bowel.length / 1000) {
-            document_.fail("/bowel/sphere_spacing", "the spheres leave gaps or number more than 1000",
+            document_.fail("/bowel/sphere_spacing",
+                           "the spheres would leave gaps, or there would be more than 1000",
                            "give a spacing near outer_radius, below four times it");
         }
         return bowel;
@@ -296,10 +295,10 @@ class SceneReader {
         copy(node, "damping", tethers.damping);
         copy(node, "slack", tethers.slack);
         if (!document_.root().contains("bowel")) {
-            document_.fail("/tethers", "tethers without a bowel", "add a \"bowel\" or remove \"tethers\"");
+            document_.fail("/tethers", "tethers need a bowel", "add a \"bowel\" or remove \"tethers\"");
         }
         if (tethers.first >= tethers.last) {
-            document_.fail("/tethers/first", "first is not below last",
+            document_.fail("/tethers/first", "first must be below last",
                            "give first < last, fractions of the bowel's length");
         }
         return tethers;
@@ -322,11 +321,11 @@ class SceneReader {
             copy(node, "weight", membrane.weight);
             const std::string place = "/membranes/" + std::to_string(i);
             if (!scene_.bowel || !scene_.cavity) {
-                document_.fail(place, "a membrane without a bowel and a cavity to hang between",
+                document_.fail(place, "a membrane needs a bowel and a cavity to attach to",
                                "add \"bowel\" and \"cavity\" or remove \"membranes\"");
             }
             if (membrane.first >= membrane.last) {
-                document_.fail(place + "/first", "first is not below last",
+                document_.fail(place + "/first", "first must be below last",
                                "give first < last, fractions of the bowel's length");
             }
             scene_.membranes.push_back(membrane);
@@ -368,7 +367,7 @@ class SceneReader {
         }
         sheet.across -= sheet.along * sheet.along.dot(sheet.across);
         if (sheet.across.norm() < 0.1) {
-            document_.fail("/sheet/across", "across runs along the marked line",
+            document_.fail("/sheet/across", "across is parallel to the marked line",
                            "give a direction at right angles to \"along\"");
         }
         sheet.across.normalize();
@@ -378,9 +377,10 @@ class SceneReader {
         }
         if (sheet.spacing > 0.25 * std::min(sheet.length, sheet.width) ||
             sheet.length / sheet.spacing * (sheet.width / sheet.spacing) > 20000) {
-            document_.fail("/sheet/spacing",
-                           "fewer than five vertices along an edge, or more than 20000 in all",
-                           "give a spacing that suits length and width");
+            document_.fail(
+                "/sheet/spacing",
+                "the sheet would have fewer than five vertices along an edge, or more than 20000 in total",
+                "give a spacing that suits length and width");
         }
         return sheet;
     }
@@ -389,26 +389,26 @@ class SceneReader {
         const bool rectum = scene_.bowel && scene_.bowel->layout == "rectum";
         if (root.contains("presacral")) {
             if (!scene_.bowel)
-                document_.fail("/presacral", "a presacral wall without a rectum",
+                document_.fail("/presacral", "a presacral wall needs a rectum",
                                "add a bowel of layout \"rectum\"");
             scene_.presacral = read_presacral_spec(document_, root.at("presacral"), scene_.bowel->length);
             check_tissue("/presacral", scene_.presacral->tissue);
         }
         if (rectum != scene_.presacral.has_value()) {
             document_.fail(rectum ? "/bowel/layout" : "/presacral",
-                           "a rectum and the presacral wall behind it belong together",
+                           "a rectum and a presacral wall need each other",
                            "give the bowel the layout \"rectum\" and the scene \"presacral\", or neither");
         }
         if (rectum && (scene_.cavity || scene_.tethers || !scene_.membranes.empty() || scene_.targets)) {
-            document_.fail("/presacral", "the sacral hollow is the rectum's cavity, and septa hold it",
-                           "remove cavity, tethers, membranes and targets");
+            document_.fail(
+                "/presacral",
+                "a scene with a presacral wall cannot have a cavity, tethers, membranes or targets",
+                "remove cavity, tethers, membranes and targets");
         }
         if (!root.contains("septa")) return;
         if (!rectum || scene_.sheet) {
-            document_.fail(
-                "/septa",
-                "septa hang between a rectum and its presacral wall, and are the scene's only sheet",
-                "add \"presacral\" and a bowel of layout \"rectum\", and remove \"sheet\"");
+            document_.fail("/septa", "septa need a rectum and a presacral wall, and exclude a sheet",
+                           "add \"presacral\" and a bowel of layout \"rectum\", and remove \"sheet\"");
         }
         scene_.septa = read_septa_spec(document_, root.at("septa"), *scene_.presacral, scene_.bowel->length,
                                        scene_.bowel->outer_radius);
@@ -423,10 +423,8 @@ class SceneReader {
             check_tissue("/bands", label);
         }
         if (scene_.bowel || scene_.cavity || scene_.targets || scene_.sheet) {
-            document_.fail(
-                "/bands",
-                "bands have a bed of their own and share it with no bowel, cavity, sheet or targets",
-                "remove those parts or \"bands\"");
+            document_.fail("/bands", "bands cannot be combined with a bowel, cavity, sheet or targets",
+                           "remove those parts or \"bands\"");
         }
     }
 
@@ -437,11 +435,11 @@ class SceneReader {
             check_tissue("/structures", label);
         }
         if (!scene_.presacral) {
-            document_.fail("/structures", "structures without the wall that they run in",
+            document_.fail("/structures", "structures need a presacral wall",
                            "add \"presacral\" or remove \"structures\"");
         }
         if (scene_.bands) {
-            document_.fail("/structures", "bands have nerve and vessels of their own",
+            document_.fail("/structures", "bands and structures cannot be combined",
                            "remove \"bands\" or \"structures\"");
         }
     }

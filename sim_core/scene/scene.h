@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is modelled, and how finely. A scene is read from JSON (assets/scenes, schema
-// assets/schemas/scene.schema.json); the world is built from this list alone: a part that is absent here is
-// not built, not stepped and costs nothing. Frames: patient frame (origin at the pelvic inlet's middle, +x
-// patient's left, +y cranial, +z anterior). SI units.
+// Content and level of detail of a scene. A scene is read from JSON (assets/scenes, schema
+// assets/schemas/scene.schema.json); the world is built only from this list: an absent part is not built, not
+// stepped and costs nothing. Frames: patient frame (origin at the middle of the pelvic inlet, +x patient's
+// left, +y cranial, +z anterior). SI units.
 #pragma once
 
 #include <optional>
@@ -17,16 +17,17 @@
 
 namespace fulcrum {
 
-/// When a blade goes into a tissue and on in it (Eqs. 6 and 7, docs/THEORY.md 5). Set by the surgeon.
+/// Conditions under which a blade enters a tissue and advances in it (Eqs. 6 and 7, docs/THEORY.md, section
+/// 5). Set by the surgeon.
 struct CuttingSpec {
-    double penetrate = 0.3;        ///< N, across the tissue, above which a blade breaks through
-    double static_friction = 0.1;  ///< N, along it, above which it does so
+    double penetrate = 0.3;        ///< N, force across the tissue above which a blade breaks through
+    double static_friction = 0.1;  ///< N, force along the tissue above which it breaks through
     double dynamic_friction =
-        0.06;                    ///< N, along it, above which a blade in it moves on; at most static_friction
-    double energy_factor = 0.4;  ///< share of these that a blade under power needs; provisional
+        0.06;  ///< N, force along the tissue above which it advances; at most static_friction
+    double energy_factor = 0.4;  ///< fraction of these forces needed with energy on; provisional
 };
 
-/// A tissue that instruments can touch. Limits of 0 or less mean: none.
+/// A tissue that instruments can touch. A limit <= 0 means no limit.
 struct TissueSpec {
     std::string label;                ///< as in traces: "bowel", "wall", "target"
     double force_limit = 0;           ///< N, contact or traction force above it is over-force
@@ -37,7 +38,7 @@ struct TissueSpec {
     double friction = 0.5;            ///< jaw friction coefficient
     double stiffness = 400;           ///< N/m, wall stiffness of a tip contact of the instrument's own area
     double damping = 0.4;             ///< N s/m
-    std::optional<CuttingSpec> cutting;  ///< absent: no blade cuts it
+    std::optional<CuttingSpec> cutting;  ///< absent: the tissue cannot be cut
 };
 
 /// A trocar: the pivot of an instrument or of the scope.
@@ -80,7 +81,7 @@ struct TargetFieldSpec {
     double radius = 0.006;                            ///< m
     Vector3 centre = Vector3::Zero();                 ///< m
     Vector3 half_extent = Vector3(0.05, 0.04, 0.03);  ///< m
-    double minimum_distance = 0.02;                   ///< m between centres, whichever hand they are for
+    double minimum_distance = 0.02;                   ///< m between centres, for all hands together
     std::string tissue = "target";
     double stiffness = 600;  ///< N/m
     double damping = 0.5;    ///< N s/m
@@ -107,21 +108,21 @@ struct BowelSpec {
     double young_modulus = 32.3e3;  ///< Pa
     double poisson_ratio = 0.35;
     std::vector<WallLayer> layers;     ///< of the wall, lumen first; then wall_thickness is their sum and
-                                       ///< young_modulus the tube's mean
+                                       ///< young_modulus the mean of the tube
     std::optional<NoduleSpec> nodule;  ///< with layers only
     double luminal_bulk_modulus = 0;   ///< Pa, of contents that fill the lumen and cannot leave; 0: none
     double linear_density = 0.25;      ///< kg/m
     double damping = 6.0;              ///< 1/s, mass-proportional
     int segments = 64;
     double sphere_spacing = 0.016;  ///< m
-    int surface_vertices = 20000;   ///< asked, the generator rounds
+    int surface_vertices = 20000;   ///< requested, the generator rounds
     std::uint64_t seed = 1;
     std::string tissue = "bowel";
     double floor_friction = 0.3;
     std::string layout = "colon";  ///< "colon": the rectosigmoid in a cavity; "rectum": along the sacral
                                    ///< hollow, needs presacral
-    double weight = 1;             ///< share of its weight that what lies beneath does not carry
-    double blade_width = 0.0006;   ///< m, of the ground that a blade takes; its surface can be cut where its
+    double weight = 1;             ///< fraction of its weight not carried by the tissue beneath
+    double blade_width = 0.0006;   ///< m, of the band that a blade removes; its surface can be cut if its
                                    ///< tissue has `cutting`
 };
 
@@ -135,8 +136,8 @@ struct TetherSpec {
     double slack = 1.15;               ///< rest length over the distance at rest
 };
 
-/// A membrane of masses and springs from the bowel's wall to the wall of the cavity: the mesentery in place
-/// of tethers.
+/// A membrane of masses and springs from the bowel's wall to the wall of the cavity: the mesentery, as an
+/// alternative to tethers.
 struct MembraneSpec {
     std::string kind = "mesentery";    ///< "mesentery", the only one
     double first = 0.10, last = 0.90;  ///< fractions of the bowel's length that carry it
@@ -147,11 +148,11 @@ struct MembraneSpec {
     double pre_strain = 0;            ///< -0.5 .. 1; below 0: slack
     double stiffness_damping = 5e-5;  ///< s
     double mass_damping = 4;          ///< 1/s
-    double weight = 0;                ///< share of its weight that the wall beneath does not carry
+    double weight = 0;                ///< fraction of its weight not carried by the wall beneath
 };
 
-/// A rectangle of layered tissue between a fixed edge and a flap, to be held taut and divided along a marked
-/// line (B2).
+/// A rectangle of layered tissue between a fixed edge and a flap, to be held under traction and divided along
+/// a marked line (B2).
 struct SheetSpec {
     std::string kind = "areolar";  ///< "areolar", the only one
     std::string tissue = "areolar";
@@ -163,7 +164,7 @@ struct SheetSpec {
     double thickness = 0.0015;           ///< m
     double line_length = 0.10;           ///< m, in the middle of the length
     double line_at = 0.5;                ///< fraction of the width from the fixed edge
-    double flap_stiffness = 300;         ///< N/m, of what the whole flap edge hangs on
+    double flap_stiffness = 300;         ///< N/m, of the support of the whole flap edge
     double structural_stiffness = 20;    ///< N/m each spring, as shear and bend
     double shear_stiffness = 8;
     double bend_stiffness = 1;
@@ -171,12 +172,12 @@ struct SheetSpec {
     double pre_strain = 0.06;
     double stiffness_damping = 3e-5;  ///< s
     double mass_damping = 12;         ///< 1/s
-    double weight = 0.3;              ///< share of its weight that what lies beneath does not carry
-    double blade_width = 0.0006;      ///< m, of the ground that a blade takes
-    std::optional<FibreSpec> fibres;  ///< absent: they part by a blade alone
+    double weight = 0.3;              ///< fraction of its weight not carried by the tissue beneath
+    double blade_width = 0.0006;      ///< m, of the band that a blade removes
+    std::optional<FibreSpec> fibres;  ///< absent: only a blade divides the tissue
 };
 
-/// One choice for every row of the speed-accuracy table (docs/THEORY.md 8).
+/// One choice for every row of the speed-accuracy table (docs/THEORY.md, section 8).
 struct Fidelity {
     std::string id = "standard";
     std::string rod = "newton_k";  ///< linearised | newton_k | newton
@@ -187,7 +188,7 @@ struct Fidelity {
     int projection_iterations = 3;
     std::string tool_contact = "dynamic_point";  ///< dynamic_point | query | jaws
     std::string membrane = "global_local";       ///< symplectic | global_local | implicit
-    int membrane_iterations = 6;                 ///< of global_local, a step
+    int membrane_iterations = 6;                 ///< of global_local, per step
     std::string filter = "adaptive";             ///< off | 0 | 1 | 2 | adaptive
 };
 
@@ -198,11 +199,12 @@ struct Scene {
     Vector3 gravity = Vector3(0, 0, -9.81);  ///< m/s2
     int tick_rate = 1000;                    ///< Hz
     int ticks_per_step = 5;
-    double force_limit = 10.0;       ///< N, largest force sent to a hand
-    bool passivity_control = false;  ///< the hand never gets back more energy than it gave
-    double slew_limit = 300.0;       ///< N/s, on changes of the model, on loss and on resume
+    double force_limit = 10.0;  ///< N, largest force sent to a hand
+    bool passivity_control =
+        false;                  ///< the device never returns more energy to the hand than the hand put in
+    double slew_limit = 300.0;  ///< N/s, on changes of the model, on loss and on resume
     std::vector<TissueSpec> tissues;
-    std::vector<InstrumentSpec> instruments;  ///< at most one a hand
+    std::vector<InstrumentSpec> instruments;  ///< at most one per hand
     std::optional<CameraSpec> camera;
     std::optional<TargetFieldSpec> targets;
     std::optional<CavitySpec> cavity;
@@ -218,12 +220,12 @@ struct Scene {
 
     double tick_period() const { return 1.0 / tick_rate; }
     double step_period() const { return static_cast<double>(ticks_per_step) / tick_rate; }
-    int tissue_index(const std::string& label) const;  ///< -1 when unknown
+    int tissue_index(const std::string& label) const;  ///< -1 if unknown
     const InstrumentSpec* instrument(Hand hand) const;
     const FieldSpec* field() const;  ///< of bands or structures; null without
 };
 
-/// Reads and checks a scene file. Throws InputError naming file, place (line or JSON pointer) and hint.
+/// Reads and checks a scene file. Throws InputError with file, place (line or JSON pointer) and hint.
 Scene load_scene(const std::string& path);
 /// As load_scene, from text; `file` names the source in errors.
 Scene parse_scene(const std::string& text, const std::string& file);

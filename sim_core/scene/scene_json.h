@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Copying keys of a scene that the schema has checked; a key that is absent keeps its default.
+// Copies scene keys that the schema has checked; an absent key keeps its default.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -26,11 +26,11 @@ StructuresSpec read_structures_spec(const JsonDocument& document, const nlohmann
                       "give at most \"vessel_radius\"");
     }
     if (structures.nerve_height < structures.nerve_radius) {
-        document.fail("/structures/nerve_height", "the nerves lie in the fascia",
+        document.fail("/structures/nerve_height", "the nerves would be inside the fascia",
                       "give at least \"nerve_radius\"");
     }
     if (structures.wander > 0.5 * structures.vein_lateral) {
-        document.fail("/structures/wander", "veins that wander so far run into each other",
+        document.fail("/structures/wander", "veins that wander this far would intersect",
                       "give at most half of \"vein_lateral\"");
     }
     return structures;

@@ -7,8 +7,8 @@
 
 namespace fulcrum {
 
-/// The schema has checked types and ranges. Throws InputError naming place and hint for what makes no sense
-/// together; tissue labels are the caller's to check.
+/// The schema has checked types and ranges. Throws InputError with place and hint for inconsistent values;
+/// the caller checks tissue labels.
 StructuresSpec read_structures_spec(const JsonDocument& document, const nlohmann::json& node);
 
 }  // namespace fulcrum

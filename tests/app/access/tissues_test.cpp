@@ -218,7 +218,7 @@ TEST_F(SiteTissue, TheCommandLineReadsAndSetsAsTheTableSays) {
     }
     const std::pair<std::vector<std::string>, const char*> bad[] = {
         {{"tissues", "B2", "--set", "areolar.penetrate_n=50", "--reason", "x"}, "at most 20"},
-        {{"tissues", "B2", "--set", "bone.penetrate_n=1", "--reason", "x"}, "name one of areolar"},
+        {{"tissues", "B2", "--set", "bone.penetrate_n=1", "--reason", "x"}, "use one of areolar"},
         {{"tissues", "B2", "--set", "areolar.penetrate_n=0.2"}, "no reason"},
         {{"tissues", "B2", "--set", "areolar.penetrate_n", "--reason", "x"}, "write TISSUE.KEY=NUMBER"},
         {{"tissues", "B2", "--set", "areolar.penetrate_n=0.11", "--reason", "x"}, "in force already"},

@@ -115,7 +115,7 @@ TEST(Experiment, SaysWhatIsWrongWithAFile) {
         return "";
     };
     EXPECT_NE(complaint(R"({"id": "a", "figure": "b", "caption": "c", "kind": "dance"})")
-                  .find("give one of: filter, laws, bend, fall"),
+                  .find("use one of: filter, laws, bend, fall"),
               std::string::npos);
     EXPECT_NE(complaint(R"({"id": "../a", "figure": "b", "caption": "c", "kind": "bend"})").find("/id"),
               std::string::npos);

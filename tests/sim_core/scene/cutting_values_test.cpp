@@ -61,20 +61,20 @@ TEST(CuttingValues, WhatDoesNotFitNamesFileTissueKeyAndMend) {
             << words;
         EXPECT_NE(words.find("give a number above 0, at most 20"), std::string::npos) << words;
     }
-    EXPECT_NE(refusal({{"bone", {{"penetrate_n", 1.0}}}}).find("name one of areolar"), std::string::npos);
-    EXPECT_NE(refusal({{"areolar", {{"hardness", 1.0}}}}).find("name one of penetrate_n"), std::string::npos);
+    EXPECT_NE(refusal({{"bone", {{"penetrate_n", 1.0}}}}).find("use one of areolar"), std::string::npos);
+    EXPECT_NE(refusal({{"areolar", {{"hardness", 1.0}}}}).find("use one of penetrate_n"), std::string::npos);
     const std::string together = refusal({{"areolar", {{"dynamic_friction_n", 5.0}}}});
     EXPECT_NE(together.find("dynamic_friction_n"), std::string::npos) << together;
-    EXPECT_NE(together.find("give at most static_friction_n"), std::string::npos) << together;
+    EXPECT_NE(together.find("give at most the value of static_friction_n"), std::string::npos) << together;
 }
 
-TEST(CuttingValues, DifferencesAreToldInWords) {
+TEST(CuttingValues, DifferencesAreDescribedInWords) {
     const CuttingValues soft{{"areolar", {{"penetrate_n", 0.08}}}},
         tough{{"areolar", {{"penetrate_n", 0.12}}}};
     EXPECT_EQ(cutting_difference(soft, soft), "");
     EXPECT_EQ(cutting_difference(tough, soft), "areolar: penetrate_n 0.12, there 0.08");
-    EXPECT_EQ(cutting_difference({}, soft), "areolar: cut there, not here");
-    EXPECT_EQ(cutting_difference(soft, {}), "areolar: cut here, not there");
+    EXPECT_EQ(cutting_difference({}, soft), "areolar: cutting values in the second scene only");
+    EXPECT_EQ(cutting_difference(soft, {}), "areolar: cutting values in the first scene only");
 }
 
 }  // namespace
