@@ -31,7 +31,7 @@
 #include "database/records/people.h"
 #include "sim_core/lab/result_page.h"
 #include "sim_core/lab/yardstick.h"
-#include "tests/sim_core/bowel_cut/bowel_cut_rig.h"
+#include "tests/sim_core/world/parts/bowel/bowel_cut_rig.h"
 #include "ui/theatre/renderer/offscreen.h"
 #include "ui/theatre/renderer/picture.h"
 #include "ui/theatre/renderer/scene_assembler.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "own_folder.h"
+#include "tests/support/own_folder.h"
 
 #include <cstdlib>
 #include <stdexcept>

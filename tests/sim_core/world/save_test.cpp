@@ -2,7 +2,7 @@
 // A world saved in mid-attempt goes on from there bit for bit, whatever its scene lists.
 #include <gtest/gtest.h>
 
-#include "tests/sim_core/sheet/sheet_rig.h"
+#include "tests/sim_core/world/parts/sheet/sheet_rig.h"
 
 namespace fulcrum {
 namespace {

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every command that reads or writes people's data, as every role, on every kind of person: allowed or
+// refused as docs/MANUAL.md says, scope included.   The commands run in this process by the call that main()
+// makes.
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <sstream>
+
+#include "app/cli/commands.h"
+#include "database/rows/connection.h"
+#include "sim_core/numerics/input_error.h"
+#include "tests/app/access_programme.h"
+
+namespace fulcrum::app::test {
+namespace {
+
+constexpr Role people_roles[] = {Role::trainee, Role::educator, Role::director, Role::administrator};
+
+class CommandLine : public ::testing::Test {
+  protected:
+    CommandLine() {
+        programme.store.reset();
+        password_file = file("password.txt");
+        QFile out(QString::fromStdString(password_file));
+        EXPECT_TRUE(out.open(QIODevice::WriteOnly));
+        out.write(database::test::password);
+        out.close();
+        keep();
+    }
+    /// The store as it is now, to be put back between cells.
+    void keep() {
+        QFile::remove(QString::fromStdString(file("kept.db")));
+        const Store store = Store::open(programme.path);
+        store.backup(programme.asker(Role::administrator), file("kept.db"));
+    }
+    void restore() {
+        for (const char* suffix : {"", "-wal", "-shm"})
+            QFile::remove(QString::fromStdString(programme.path + suffix));
+        ASSERT_TRUE(
+            QFile::copy(QString::fromStdString(file("kept.db")), QString::fromStdString(programme.path)));
+    }
+    std::size_t scores(const Target& target) {
+        const Store store = Store::open(programme.path);
+        return Attempts(store).scores(programme.asker(Role::director), target.attempt).size();
+    }
+    std::string file(const std::string& name) const {
+        return programme.folder.filePath(QString::fromStdString(name)).toStdString();
+    }
+    std::vector<std::string> as(Role role) const {
+        if (role == Role::station) return {};
+        return {"--as",       AccessProgramme::login_of(role), "--role", role_name(role), "--password-file",
+                password_file};
+    }
+    /// True: done. False: refused for who asks. Anything else fails the test.
+    bool allowed(std::vector<std::string> words, Role role, const std::string& cell) const {
+        for (const std::string& word : as(role)) words.push_back(word);
+        words.insert(words.end(), {"--db", programme.path});
+        std::ostringstream output;
+        std::streambuf* const before = std::cout.rdbuf(output.rdbuf());
+        bool done = false;
+        try {
+            const int status = run_command(words);
+            EXPECT_EQ(status, 0) << cell;
+            done = true;
+        } catch (const AccessDenied& error) {
+            EXPECT_NE(std::string(error.what()).find(';'), std::string::npos) << cell;
+        } catch (const UsageError& error) {  // commands that the station may not give ask for --as
+            EXPECT_NE(std::string(error.what()).find("--as"), std::string::npos)
+                << cell << ": " << error.what();
+        } catch (const InputError& error) {  // who may not list a person learns no more than that
+            EXPECT_NE(std::string(error.what()).find("may read"), std::string::npos)
+                << cell << ": " << error.what();
+        }
+        std::cout.rdbuf(before);
+        return done;
+    }
+    static std::string cell(Operation operation, Role role, const Target& target) {
+        return std::string(operation_name(operation)) + " as " + role_name(role) + " on " + target.login;
+    }
+
+    AccessProgramme programme;
+    std::string password_file;
+};
+
+TEST_F(CommandLine, ReplaysAttemptsAsTheTableSays) {
+    int done = 0, refused = 0;
+    for (const Role role : all_roles) {
+        for (const Target* target : {&programme.ann, &programme.eve, &programme.synthetic}) {
+            const bool expected =
+                expected_allowed(Operation::read_trace, role, programme.relation(role, *target));
+            const std::string name = cell(Operation::read_trace, role, *target);
+            EXPECT_EQ(allowed({"replay", target->attempt}, role, name), expected) << name;
+            ++(expected ? done : refused);
+        }
+    }
+    EXPECT_EQ(done, 1 + 1 + 3 + 0 + 1);
+    EXPECT_EQ(refused, 9);
+}
+
+TEST_F(CommandLine, ReportsPeopleAndCohortsAsTheTableSays) {
+    for (const Role role : all_roles) {
+        for (const Target* target : {&programme.ann, &programme.eve, &programme.synthetic}) {
+            const std::string path = file("person.json");
+            const std::string name = cell(Operation::export_person, role, *target);
+            // The station has the right to synthetic people, and no report without somebody who asks for it.
+            const bool expected =
+                role != Role::station &&
+                expected_allowed(Operation::export_person, role, programme.relation(role, *target));
+            EXPECT_EQ(
+                allowed({"report", "--person", target->login, "--format", "json", "-o", path}, role, name),
+                expected)
+                << name;
+            EXPECT_EQ(QFile::remove(QString::fromStdString(path)), expected) << name;
+        }
+        for (const Target* target : {&programme.ann, &programme.eve}) {
+            const std::string path = file("cohort.json");
+            const std::string name = cell(Operation::export_cohort, role, *target);
+            const bool expected = expected_allowed(Operation::export_cohort, role,
+                                                   AccessProgramme::cohort_relation(role, *target));
+            EXPECT_EQ(
+                allowed({"report", "--cohort", target->cohort, "--format", "json", "-o", path}, role, name),
+                expected)
+                << name;
+            EXPECT_EQ(QFile::remove(QString::fromStdString(path)), expected) << name;
+        }
+    }
+}
+
+TEST_F(CommandLine, ChecksAndBacksUpTheStoreAsTheTableSays) {
+    for (const Role role : all_roles) {
+        const std::string check = std::string("check_store as ") + role_name(role);
+        EXPECT_EQ(allowed({"db", "check"}, role, check), expected_allowed(Operation::check_store, role, {}))
+            << check;
+        const std::string backup = std::string("backup as ") + role_name(role);
+        const std::string path = file(std::string("copy-") + role_name(role) + ".db");
+        const bool expected = expected_allowed(Operation::backup, role, {});
+        EXPECT_EQ(allowed({"db", "backup", path}, role, backup), expected) << backup;
+        EXPECT_EQ(QFile::exists(QString::fromStdString(path)), expected) << backup;
+    }
+}
+
+TEST_F(CommandLine, ShowsTheAuditLogAsTheTableSays) {
+    for (const Role role : all_roles) {
+        const std::string name = std::string("view_audit as ") + role_name(role);
+        EXPECT_EQ(allowed({"db", "audit"}, role, name), expected_allowed(Operation::view_audit, role, {}))
+            << name;
+    }
+}
+
+TEST_F(CommandLine, RecomputesScoresAsTheTableSays) {
+    for (const Role role : all_roles) {
+        for (const Target* target : {&programme.ann, &programme.eve, &programme.synthetic}) {
+            const std::string name = cell(Operation::recompute_score, role, *target);
+            const bool expected =
+                expected_allowed(Operation::recompute_score, role, programme.relation(role, *target));
+            EXPECT_EQ(scores(*target), 1U) << name;
+            EXPECT_EQ(allowed({"db", "recompute", "--person", target->login}, role, name), expected) << name;
+            EXPECT_EQ(scores(*target), expected ? 2U : 1U) << name;
+            restore();
+        }
+    }
+}
+
+TEST_F(CommandLine, RecomputingTwiceAddsOneScoreAndLeavesTheOneInForce) {
+    const std::string cell = "as the educator";
+    ASSERT_TRUE(allowed({"db", "recompute"}, Role::educator, cell));
+    ASSERT_TRUE(allowed({"db", "recompute"}, Role::educator, cell));
+    const Store store = Store::open(programme.path);
+    const Attempts attempts(store);
+    for (const Target* target : {&programme.ann, &programme.own}) {
+        const auto all = attempts.scores(programme.asker(Role::director), target->attempt);
+        ASSERT_EQ(all.size(), 2U) << target->login;
+        EXPECT_TRUE(all[0].in_force);
+        EXPECT_EQ(all[0].points, 60);
+        EXPECT_FALSE(all[1].in_force);
+        EXPECT_NE(all[1].limits, all[0].limits);
+        EXPECT_GT(all[1].metrics.size(), all[0].metrics.size());
+    }
+    EXPECT_EQ(attempts.scores(programme.asker(Role::director), programme.eve.attempt).size(), 1U);
+    EXPECT_TRUE(store.check(store.station_session()).ok);
+}
+
+TEST_F(CommandLine, ScoresWhatWasInterruptedAsTheTableSays) {
+    const Target* targets[] = {&programme.ann, &programme.eve, &programme.own, &programme.synthetic};
+    std::map<std::string, std::string> interrupted;
+    for (const Target* target : targets) {
+        const Session& performer = target == &programme.ann   ? programme.session("ann")
+                                   : target == &programme.eve ? programme.session("eve")
+                                   : target == &programme.own ? *programme.teacher
+                                                              : programme.session("station");
+        AttemptMeta meta = example_meta(target->person);
+        if (target == &programme.synthetic) meta.device_class = "synthetic";
+        Recorder recorder(programme.path, performer, meta, programme.clock.options());
+        Programme::append_second(recorder);
+        recorder.flush();
+        interrupted[target->login] = recorder.attempt_id();
+    }
+    Store::open(programme.path);  // the next start closes them
+    keep();
+    for (const Role role : all_roles) {
+        const std::string name = std::string("score_interrupted as ") + role_name(role);
+        EXPECT_EQ(allowed({"db", "score"}, role, name),
+                  expected_scope(Operation::score_interrupted, role) != Scope::none)
+            << name;
+        {
+            const Store store = Store::open(programme.path);
+            const Attempts attempts(store);
+            for (const Target* target : targets) {
+                const bool expected =
+                    expected_allowed(Operation::score_interrupted, role, programme.relation(role, *target));
+                const Session& reader = programme.asker(Role::director);
+                EXPECT_EQ(attempts.scores(reader, interrupted[target->login]).size(), expected ? 1U : 0U)
+                    << cell(Operation::score_interrupted, role, *target);
+            }
+        }
+        restore();
+    }
+}
+
+TEST_F(CommandLine, WrongInputOfTheNewActionsNamesPlaceAndMend) {
+    const std::vector<std::vector<std::string>> wrong = {
+        {"db", "audit", "--from", "yesterday"},
+        {"db", "audit", "--from", "2026-02-30"},
+        {"db", "audit", "--until", "2026-11-21T25:00:00Z"},
+        {"db", "audit", "--from", "2026-11-21", "--until", "2026-11-20"},
+        {"db", "audit", "--limit", "0"},
+        {"db", "audit", "--limit", "many"},
+        {"db", "audit", "--kind", "attempt.voided"},
+        {"db", "audit", "--person", "nobody"},
+        {"db", "audit", "extra"},
+        {"db", "audit", "--format", "pdf"},
+        {"db", "audit", "--role", "king"},
+        {"db", "check", "--kind", "attempt"},
+        {"db", "backup"},
+        {"db", "backup", programme.path},
+    };
+    for (const std::vector<std::string>& words : wrong) {
+        std::vector<std::string> all = words;
+        if (std::find(words.begin(), words.end(), "--role") == words.end())
+            all.insert(all.end(), {"--role", "administrator"});
+        all.insert(all.end(),
+                   {"--as", "administrator", "--password-file", password_file, "--db", programme.path});
+        std::string said;
+        try {
+            run_command(all);
+        } catch (const std::exception& error) {
+            said = error.what();
+        }
+        EXPECT_NE(said.find(';'), std::string::npos) << words[1] << ' ' << words.back() << ": " << said;
+        const std::string place = words.size() > 2 ? words[2] : words[1];
+        EXPECT_NE(said.find(place), std::string::npos) << said;
+    }
+    EXPECT_THROW(run_command({"db", "recompute", "--person", "nobody", "--db", programme.path}), InputError);
+    EXPECT_THROW(run_command({"db", "recompute", "extra", "--db", programme.path}), UsageError);
+    EXPECT_THROW(run_command({"db", "score", "--limit", "3", "--db", programme.path}), UsageError);
+    EXPECT_THROW(run_command({"db", "audit", "--db", programme.path}), UsageError);
+    EXPECT_THROW(run_command({"db", "--json"}), UsageError);
+}
+
+TEST_F(CommandLine, TheAuditLogEndsInOneWhereItsChainIsBroken) {
+    {
+        const Store store = Store::open(programme.path);
+        store.connection().execute("DROP TRIGGER audit_entry_is_fixed");
+        store.connection().execute("UPDATE audit_entry SET time = time + 1 WHERE sequence = 4");
+    }
+    std::ostringstream output;
+    std::streambuf* const before = std::cout.rdbuf(output.rdbuf());
+    std::vector<std::string> words = {"db",  "audit",  "--kind", "attempt",     "--person",
+                                      "eve", "--json", "--db",   programme.path};
+    for (const std::string& word : as(Role::administrator)) words.push_back(word);
+    const int status = run_command(words);
+    std::cout.rdbuf(before);
+    EXPECT_EQ(status, 1);
+    const auto document = nlohmann::json::parse(output.str());
+    EXPECT_FALSE(document["chain"]["ok"].get<bool>());
+    EXPECT_NE(document["chain"]["problems"][0].get<std::string>().find("audit row 4"), std::string::npos);
+    ASSERT_EQ(document["entries"].size(), 2U);
+    for (const auto& entry : document["entries"]) {
+        EXPECT_EQ(entry["person_name"], "Eve Elsewhere");
+        EXPECT_EQ(entry["role"], "trainee");
+        EXPECT_NE(entry["payload"].get<std::string>().find("withheld"), std::string::npos);
+    }
+    EXPECT_EQ(document["entries"][0]["operation"], "attempt.request_correction");
+    EXPECT_EQ(document["entries"][1]["operation"], "attempt.finish");
+}
+
+TEST_F(CommandLine, ReadsExpertsForABenchmarkAsTheTableSays) {
+    for (const Role role : all_roles) {
+        for (const Target* target : {&programme.ann, &programme.eve}) {
+            const std::string name = cell(Operation::read_attempt, role, *target);
+            const bool expected =
+                role != Role::station &&
+                expected_allowed(Operation::read_attempt, role, programme.relation(role, *target));
+            // One attempt makes no benchmark: who may read it is told so (status 1), who may not is refused.
+            std::vector<std::string> words = {"benchmark", "build", "A2", "--experts", target->login};
+            for (const std::string& word : as(role)) words.push_back(word);
+            words.insert(words.end(), {"--db", programme.path, "--json"});
+            std::ostringstream output;
+            std::streambuf* const before = std::cout.rdbuf(output.rdbuf());
+            bool read = false;
+            try {
+                EXPECT_EQ(run_command(words), 1) << name;
+                read = true;
+            } catch (const AccessDenied&) {
+            } catch (const UsageError&) {
+                EXPECT_EQ(role, Role::station) << name;
+            } catch (const InputError& error) {
+                EXPECT_NE(std::string(error.what()).find(target->login), std::string::npos) << name;
+            }
+            std::cout.rdbuf(before);
+            EXPECT_EQ(read, expected) << name;
+        }
+    }
+}
+
+TEST_F(CommandLine, PerformsForSyntheticPeopleOnly) {
+    // create_synthetic and perform_attempt: the station's alone; no option lets a person in a role use it.
+    std::ostringstream output;
+    std::streambuf* const before = std::cout.rdbuf(output.rdbuf());
+    EXPECT_THROW(run_command({"perform", "A2", "--person", "ann", "--db", programme.path}), UsageError);
+    for (const Role role : people_roles) {
+        std::vector<std::string> words = {"perform", "A2", "--db", programme.path};
+        for (const std::string& word : as(role)) words.push_back(word);
+        EXPECT_THROW(run_command(words), UsageError) << role_name(role);
+    }
+    EXPECT_EQ(run_command({"perform", "A2", "--operator", "expert", "--seed", "5", "--person", "robot-2",
+                           "--db", programme.path}),
+              0);
+    std::cout.rdbuf(before);
+}
+
+}  // namespace
+}  // namespace fulcrum::app::test

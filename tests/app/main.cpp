@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QStandardPaths>
+#include <cstring>
+
+#include "tests/app/counters.h"
+#include "ui/style/palette.h"
+
+int main(int argc, char** argv) {
+    const auto asked = [&](const char* child) { return argc == 5 && std::strcmp(argv[1], child) == 0; };
+    if (asked("--use-window-until-killed")) {
+        QApplication application(argc, argv);
+        fulcrum::ui::apply_theme(application, fulcrum::ui::Theme::light);
+        return fulcrum::app::test::use_window_until_killed(argv[2], argv[3],
+                                                           std::strtoul(argv[4], nullptr, 10));
+    }
+    if (asked("--perform-until-killed")) {
+        QCoreApplication application(argc, argv);
+        return fulcrum::app::test::perform_until_killed(argv[2], argv[3], std::strtoul(argv[4], nullptr, 10));
+    }
+    testing::InitGoogleTest(&argc, argv);
+    QStandardPaths::setTestModeEnabled(true);
+    QApplication application(argc, argv);
+    QCoreApplication::setOrganizationName(QStringLiteral("fulcrum-test"));
+    fulcrum::ui::apply_theme(application, fulcrum::ui::Theme::light);
+    return RUN_ALL_TESTS();
+}

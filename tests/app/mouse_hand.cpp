@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/mouse_hand.h"
+
+#include <QApplication>
+#include <QCursor>
+#include <QElapsedTimer>
+#include <QWheelEvent>
+#include <QtTest>
+#include <cmath>
+
+#include "ui/theatre/mouse_keyboard_input.h"
+#include "ui/theatre/theatre_view.h"
+
+namespace fulcrum::app::test {
+namespace {
+
+constexpr double metres_per_pixel = 0.35e-3,
+                 metres_per_wheel_unit = 4e-3 / 120;  // of the handle, as the help says
+constexpr double near_enough = 0.6e-3;                // m of the handle
+
+Vector3 handle_of(const DeviceSample& sample) {
+    return device_length_unit * Vector3(sample.handle[0], sample.handle[1], sample.handle[2]);
+}
+
+class PointingMind : public ObservingRig {
+  public:
+    PointingMind(const Scene& scene, double depth) : depth_(depth) {
+        for (const InstrumentSpec& spec : scene.instruments) {
+            const auto h = static_cast<std::size_t>(spec.hand);
+            trocar_[h] = make_trocar(spec.trocar);
+            tip_radius_[h] = spec.tip_radius;
+            point_[h] = trocar_[h].position + trocar_[h].rotation.col(2) * spec.start_insertion;
+        }
+    }
+    void observe(const WorldSnapshot& world, const TaskDisplay& display) noexcept override {
+        asked_ = display.active_target >= 0 &&
+                 static_cast<std::size_t>(display.active_target) < world.targets.size();
+        if (asked_) target_ = world.targets[static_cast<std::size_t>(display.active_target)];
+    }
+    void read(std::uint32_t, RigSample& sample) override {
+        if (asked_) approach(static_cast<std::size_t>(target_.hand));
+        for (std::size_t h = 0; h < hand_count; ++h) {
+            DeviceReading reading;
+            reading.handle = handle_for_tip(trocar_[h], point_[h]);
+            sample.hand[h] = quantise(reading, sample.hand[h]);
+        }
+    }
+    void write_force(Hand, const Vector3&) override {}
+    bool has_force(Hand) const override { return false; }
+    double damping(Hand) const override { return -1; }
+
+  private:
+    void approach(std::size_t h) {
+        const Vector3 out = (trocar_[h].position - target_.centre).normalized();
+        const Vector3 contact = target_.centre + out * (target_.radius + tip_radius_[h] + 0.3e-3 - depth_);
+        const Vector3 away = point_[h] - contact;
+        const bool beside = (away - out * out.dot(away)).norm() > 5e-3;
+        const Vector3 way = (beside ? Vector3(contact + 0.018 * out) : contact) - point_[h];
+        const double speed = beside || way.norm() > 8e-3 ? 0.22e-3 : 0.05e-3;  // m a tick
+        point_[h] += way.norm() > speed ? Vector3(way * (speed / way.norm())) : way;
+    }
+    Trocar trocar_[hand_count];
+    double tip_radius_[hand_count] = {0, 0};
+    Vector3 point_[hand_count] = {Vector3::Zero(), Vector3::Zero()};
+    TargetSphere target_;
+    double depth_;
+    bool asked_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<ObservingRig> make_pointing_mind(const Scene& scene, double depth) {
+    return std::make_unique<PointingMind>(scene, depth);
+}
+
+bool MouseHand::work_until(const std::function<bool()>& done, int milliseconds) {
+    QElapsedTimer timer;
+    timer.start();
+    ui::TheatreView* view = theatre_.view();
+    if (!view->rect().contains(view->mapFromGlobal(QCursor::pos())))
+        QTest::mouseMove(view, view->rect().center());
+    while (timer.elapsed() < milliseconds) {
+        QTest::qWait(8);
+        if (theatre_.session() == nullptr || done()) return true;
+        if (theatre_.session()->phase() != ui::AttemptPhase::running) continue;
+        think();
+        jaws();
+        buttons();
+        scope();
+        steer();
+    }
+    return false;
+}
+
+void MouseHand::think() {
+    const ui::AttemptSession& session = *theatre_.session();
+    mind_.observe(session.snapshot(), session.display());
+    const std::uint32_t now = session.health().ticks;
+    while (tick_ < now) {
+        const RigSample before = wish_;
+        mind_.read(++tick_, wish_);
+        for (int h = 0; h < hand_count; ++h) {  // a press is short, and the screen slow
+            const auto pressed = [h](const RigSample& sample) {
+                return (sample.hand[h].buttons & button_exchange) != 0;
+            };
+            asks_exchange_[h] = asks_exchange_[h] || (pressed(wish_) && !pressed(before));
+        }
+    }
+}
+
+void MouseHand::take(int hand) {
+    if (static_cast<int>(theatre_.input()->active_hand()) == hand) return;
+    QTest::mouseClick(theatre_.view(), Qt::RightButton, {}, theatre_.view()->mapFromGlobal(QCursor::pos()));
+    ++events_;
+}
+
+void MouseHand::buttons() {
+    const auto& bands = theatre_.session()->snapshot().bands;
+    for (int h = 0; h < hand_count; ++h) {
+        const bool pedal = (wish_.hand[h].buttons & button_energy) != 0;
+        if (pedal) take(h);
+        if (pedal != pedal_ && (pedal || static_cast<int>(theatre_.input()->active_hand()) == h)) {
+            pedal ? QTest::keyPress(theatre_.view(), Qt::Key_B)
+                  : QTest::keyRelease(theatre_.view(), Qt::Key_B);
+            pedal_ = pedal;
+            ++events_;
+        }
+        if (!asks_exchange_[h] || bands.empty()) continue;
+        asks_exchange_[h] = false;
+        if (bands[0].tools[h].exchange_left > 0) continue;  // it is coming
+        take(h);
+        QTest::keyPress(theatre_.view(), Qt::Key_T);
+        const bool coming = QTest::qWaitFor(
+            [&] {
+                return theatre_.session() == nullptr || theatre_.session()->snapshot().bands.empty() ||
+                       theatre_.session()->snapshot().bands[0].tools[h].exchange_left > 0;
+            },
+            1000);
+        asks_exchange_[h] = !coming;  // once more, if it was not seen
+        if (theatre_.session() != nullptr) QTest::keyRelease(theatre_.view(), Qt::Key_T);
+        ++events_;
+    }
+}
+
+void MouseHand::jaws() {
+    const InstrumentSpec* specs[] = {theatre_.session()->scene().instrument(Hand::left),
+                                     theatre_.session()->scene().instrument(Hand::right)};
+    for (int h = 0; h < hand_count; ++h) {
+        if (specs[h] == nullptr || specs[h]->kind == "probe") continue;
+        // A blade cuts while its button is held: the window's jaws and button are one.
+        const auto& bands = theatre_.session()->snapshot().bands;
+        const bool blade = bands.empty() ? specs[h]->cuts()
+                                         : bands[0].tools[h].kind == ToolKind::scissors ||
+                                               bands[0].tools[h].kind == ToolKind::hook;
+        const bool closed = blade ? (wish_.hand[h].buttons & button_primary) != 0
+                                  : device_angle_unit * wish_.hand[h].jaw < 0.3 * specs[h]->jaw_opening;
+        if (closed == theatre_.input()->jaws_closed(static_cast<Hand>(h))) continue;
+        QTest::keyClick(theatre_.view(), h == 0 ? Qt::Key_X : Qt::Key_M);
+        ++events_;
+    }
+}
+
+void MouseHand::scope() {
+    const Scene& scene = theatre_.session()->scene();
+    if (!scene.camera || wish_.camera.handle[2] == 0) return;
+    const Vector3 error = handle_of(wish_.camera) - theatre_.input()->targets().camera.handle;
+    const Vector3 seen = theatre_.session()->snapshot().camera.orientation.inverse() *
+                         (make_trocar(scene.camera->trocar).rotation * error);
+    // The scope's arrows look: its handle goes the other way.
+    int key = 0;
+    const double least = scope_key_ != 0 ? 0.006 : 0.016;
+    if (std::max(std::abs(seen.x()), std::abs(seen.y())) > least) {
+        key = std::abs(seen.x()) > std::abs(seen.y()) ? (seen.x() > 0 ? Qt::Key_Left : Qt::Key_Right)
+                                                      : (seen.y() > 0 ? Qt::Key_Down : Qt::Key_Up);
+    }
+    if (key == scope_key_) return;
+    if (scope_key_ != 0) QTest::keyRelease(theatre_.view(), static_cast<Qt::Key>(scope_key_));
+    if (key != 0) QTest::keyPress(theatre_.view(), static_cast<Qt::Key>(key));
+    scope_key_ = key;
+    ++events_;
+}
+
+void turn_wheel(ui::TheatreView& view, int units) {
+    const QPointF place = view.mapFromGlobal(QCursor::pos());
+    QWheelEvent event(place, view.mapToGlobal(place.toPoint()), QPoint(), QPoint(0, units), Qt::NoButton,
+                      Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&view, &event);
+}
+
+void MouseHand::steer() {
+    const ui::AttemptSession& session = *theatre_.session();
+    const ui::MouseKeyboardInput& input = *theatre_.input();
+    ui::TheatreView* view = theatre_.view();
+    double error[hand_count] = {0, 0};
+    for (int h = 0; h < hand_count; ++h) {
+        if (session.scene().instrument(static_cast<Hand>(h)) != nullptr)
+            error[h] = (handle_of(wish_.hand[h]) - input.targets().hand[h].handle).norm();
+    }
+    auto h = static_cast<int>(input.active_hand());
+    if (error[1 - h] > near_enough && error[1 - h] > 1.5 * error[h]) {
+        QTest::mouseClick(view, Qt::RightButton, {}, view->mapFromGlobal(QCursor::pos()));
+        h = static_cast<int>(input.active_hand());
+        ++events_;
+    }
+    if (error[h] < near_enough) return;
+    const Vector3 is = input.targets().hand[h].handle, wish = handle_of(wish_.hand[h]);
+    const auto units = static_cast<int>(std::lround((is.norm() - wish.norm()) / metres_per_wheel_unit));
+    if (std::abs(units) >= 4) {
+        turn_wheel(*view, units);
+        ++events_;
+    }
+    // Across the shaft: what of the mouse's two directions, seen through the scope, brings the handle there.
+    const Matrix3 to_trocar =
+        make_trocar(session.scene().instrument(static_cast<Hand>(h))->trocar).rotation.transpose() *
+        session.snapshot().camera.orientation.toRotationMatrix();
+    const Vector3 along = is.normalized();
+    const auto across = [&](const Vector3& v) { return Vector3(v - along * along.dot(v)); };
+    const Vector3 right = across(to_trocar.col(0)), up = across(to_trocar.col(1)),
+                  step = across(wish.normalized() * is.norm() - is);
+    const double a = right.dot(right) + 1e-3, b = right.dot(up), c = up.dot(up) + 1e-3;
+    const double r = right.dot(step), u = up.dot(step), determinant = a * c - b * b;
+    const QPoint pixels(static_cast<int>(std::lround((c * r - b * u) / determinant / metres_per_pixel)),
+                        -static_cast<int>(std::lround((a * u - b * r) / determinant / metres_per_pixel)));
+    if (pixels.isNull()) return;
+    const QPoint limited(std::clamp(pixels.x(), -220, 220), std::clamp(pixels.y(), -180, 180));
+    QTest::mouseMove(view, view->mapFromGlobal(QCursor::pos()) + limited);
+    ++events_;
+}
+
+}  // namespace fulcrum::app::test

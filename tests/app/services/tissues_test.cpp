@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A site's tissue values from the educator's page and the command line to the attempts that begin afterwards:
+// what they are performed in, replayed in, and held against.
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QTableWidget>
+#include <iostream>
+#include <sstream>
+
+#include "app/cli/commands.h"
+#include "app/live/performance.h"
+#include "app/services/application.h"
+#include "app/site_tissues.h"
+#include "database/records/tissues.h"
+#include "sim_core/numerics/input_error.h"
+#include "tests/app/access_programme.h"
+#include "tests/ui/hands.h"
+#include "ui/shell/main_window.h"
+
+namespace fulcrum::app::test {
+namespace {
+
+using namespace fulcrum::ui;
+using namespace fulcrum::ui::test;
+
+constexpr Role people_roles[] = {Role::trainee, Role::educator, Role::director, Role::administrator};
+/// Nothing of a table is cut off at its right.
+bool shown_whole(const QTableWidget& table) {
+    const QAbstractItemView& view = table;
+    const int last = table.columnCount() - 1;
+    return table.horizontalHeader()->length() <= table.viewport()->width() &&
+           view.sizeHintForColumn(last) <= table.columnWidth(last);
+}
+
+const TissueValues tough{{"areolar", {{"penetrate_n", 0.11}}}};
+
+class SiteTissue : public ::testing::Test {
+  protected:
+    SiteTissue() : store(*programme.store) {}
+    void set(const TissueValues& values, const std::string& why) {
+        const int seen = Tissues(store).in_force(*programme.educator, "B2").version;
+        set_site_tissues(store, *programme.educator, "B2", seen, values, why);
+    }
+    AccessProgramme programme;
+    const Store& store;
+};
+
+TEST_F(SiteTissue, AnAttemptIsPerformedAndReplayedInTheTissueItBeganIn) {
+    set(tough, "as in our patients");
+    const Session& station = programme.session("station");
+    PerformRequest request;
+    request.loaded = load_site_task(store, station, "B2");
+    EXPECT_EQ(request.loaded.scene.tissues[0].cutting->penetrate, 0.11);
+    request.operator_name = "expert";
+    request.seed = 7;
+    request.keep_going = [](double time) { return time < 14; };
+    AttemptMeta meta =
+        attempt_meta(request.loaded, request.seed, "practice", "synthetic", "synthetic operator", nullptr);
+    meta.person_id = programme.synthetic.person;
+    Recorder recorder(programme.path, station, meta);
+    const Performed performed = perform(request, &recorder, nullptr);
+    ASSERT_TRUE(std::any_of(performed.record.events.begin(), performed.record.events.end(),
+                            [](const Event& event) { return event.kind == EventKind::cut_advance; }))
+        << "the values are met by cutting alone";
+
+    set({{"areolar", {{"penetrate_n", 0.2}, {"static_friction_n", 0.2}}}}, "tougher still");
+    const Attempts attempts(store);
+    const AttemptSummary summary = attempts.read(station, recorder.attempt_id());
+    const LoadedTask recorded = load_recorded(attempts, station, summary);
+    EXPECT_EQ(recorded.scene.tissues[0].cutting->penetrate, 0.11);
+    AttemptEngine engine(recorded.scene, recorded.task, summary.meta.seed);
+    const ReplayOutcome replayed = replay_record(engine, performed.record);
+    EXPECT_TRUE(replayed.identical) << "from " << replayed.first_divergence_s;
+    EXPECT_EQ(replayed.state_hash, performed.outcome.state_hash);
+
+    const LoadedTask shipped = load_task_and_scene("B2");
+    AttemptEngine other(shipped.scene, shipped.task, summary.meta.seed);
+    EXPECT_FALSE(replay_record(other, performed.record).identical) << "the values change what the hands felt";
+    EXPECT_EQ(load_site_task(store, station, "B2").scene.tissues[0].cutting->penetrate, 0.2);
+}
+
+TEST_F(SiteTissue, LimitsMadeInOtherTissueDoNotScoreAnAttempt) {
+    const std::optional<BenchmarkSet> shipped = benchmark_in_force("B2");
+    ASSERT_TRUE(shipped);
+    const LoadedTask own = load_task_and_scene("B2");
+    EXPECT_EQ(why_not_comparable(*shipped, own.scene, own.task.scene), "");
+    EXPECT_EQ(site_tissues(store, *programme.educator, "B2").limits_note, "");
+    set(tough, "as in our patients");
+    const LoadedTask here = load_site_task(store, *programme.educator, "B2");
+    const std::string why = why_not_comparable(*shipped, here.scene, here.task.scene);
+    EXPECT_NE(why.find("areolar: penetrate_n 0.11, there 0.04"), std::string::npos) << why;
+    EXPECT_EQ(site_tissues(store, *programme.educator, "B2").limits_note, why);
+    BenchmarkSet built_here = *shipped;
+    built_here.cutting = cutting_values(here.scene);
+    EXPECT_EQ(why_not_comparable(built_here, here.scene, here.task.scene), "");
+    EXPECT_NE(why_not_comparable(built_here, own.scene, own.task.scene), "");
+    EXPECT_EQ(parse_benchmark(benchmark_to_json(built_here).dump(), "set").cutting, built_here.cutting);
+
+    TaskDefinition task = own.task;
+    task.gates.resize(1);
+    ASSERT_EQ(task.gates[0].kind, "benchmark");
+    ScoreInput input{task, {}};
+    input.why_no_benchmark = why;
+    const Score score = score_attempt(input);
+    EXPECT_FALSE(score.passed);
+    EXPECT_NE(score.not_scored_because.find("cut otherwise"), std::string::npos) << score.not_scored_because;
+}
+
+TEST_F(SiteTissue, EducatorsSetThemOnTheirPageAndTheBriefingSaysSo) {
+    programme.store.reset();
+    const auto services = make_services(programme.folder.path().toStdString());
+    MainWindow window(*services);
+    window.resize(1280, 800);
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    window.start();
+    window.context().set_session(*programme.educator);
+    click(window, "rail_tissues");
+    auto* state = find<QLabel>(window, "tissue_state");
+    EXPECT_TRUE(state->text().contains("scene's own"));
+    auto* table = find<QTableWidget>(window, "tissue_table");
+    ASSERT_GE(table->rowCount(), 3);
+    const auto* tasks = find<QListWidget>(window, "tissue_tasks");
+    EXPECT_LE(tasks->sizeHintForColumn(0), tasks->viewport()->width()) << "titles are shown whole";
+    EXPECT_TRUE(shown_whole(*table));
+
+    type(window, "value_areolar_penetrate_n", "much");
+    click(window, "save_tissues");
+    EXPECT_TRUE(find<QLabel>(window, "message_text")->text().contains("is no number; give a number above 0"));
+    type(window, "value_areolar_penetrate_n", "50");
+    type(window, "tissue_reason", "as in our patients");
+    click(window, "save_tissues");
+    const QString refusal = find<QLabel>(window, "message_text")->text();
+    EXPECT_TRUE(refusal.contains("/tissues/areolar/cutting/penetrate_n")) << refusal.toStdString();
+    EXPECT_TRUE(refusal.contains("at most 20")) << refusal.toStdString();
+    type(window, "value_areolar_penetrate_n", "0.11");
+    type(window, "tissue_reason", " ");
+    click(window, "save_tissues");
+    EXPECT_TRUE(find<QLabel>(window, "message_text")->text().contains("no reason was given"));
+    EXPECT_EQ(find<QTableWidget>(window, "tissue_versions")->rowCount(), 0);
+
+    type(window, "tissue_reason", "as in our patients");
+    QTest::keyClick(find<QLineEdit>(window, "tissue_reason"), Qt::Key_Return);
+    EXPECT_TRUE(state->text().contains("version 1")) << state->text().toStdString();
+    EXPECT_TRUE(find<QLabel>(window, "tissue_limits")->text().contains("there 0.04"));
+    EXPECT_EQ(find<QTableWidget>(window, "tissue_versions")->rowCount(), 1);
+    EXPECT_TRUE(shown_whole(*find<QTableWidget>(window, "tissue_versions")));
+    keep_picture(window, "tissues");
+    EXPECT_EQ(Tissues(*services->store()).in_force(*programme.educator, "B2").values, tough)
+        << "what equals the scene's own is left to the scene";
+
+    window.context().set_session(programme.session("ann"));
+    EXPECT_FALSE(sees(window, "rail_tissues"));
+    emit window.context().briefing_wanted("B2");
+    const QString note = find<QLabel>(window, "tissue_note")->text();
+    EXPECT_TRUE(note.contains("version 1") && note.contains("not scored")) << note.toStdString();
+    keep_picture(window, "tissues_briefing");
+    emit window.context().briefing_wanted("A2");
+    EXPECT_FALSE(sees(window, "tissue_note"));
+
+    window.context().set_session(programme.session("director"));
+    click(window, "rail_tissues");
+    EXPECT_TRUE(find<QLineEdit>(window, "value_areolar_penetrate_n")->isReadOnly());
+    EXPECT_FALSE(sees(window, "save_tissues"));
+
+    window.context().set_session(*programme.educator);
+    click(window, "rail_tissues");
+    type(window, "tissue_reason", "back");
+    click(window, "scene_tissues");
+    EXPECT_TRUE(find<QLabel>(window, "tissue_state")->text().contains("scene's own"));
+    EXPECT_EQ(find<QTableWidget>(window, "tissue_versions")->rowCount(), 2);
+    EXPECT_FALSE(sees(window, "tissue_limits"));
+    window.context().sign_out();
+}
+
+TEST_F(SiteTissue, TheCommandLineReadsAndSetsAsTheTableSays) {
+    programme.store.reset();
+    const std::string password_file = programme.folder.filePath("password.txt").toStdString();
+    QFile out(QString::fromStdString(password_file));
+    ASSERT_TRUE(out.open(QIODevice::WriteOnly));
+    out.write(database::test::password);
+    out.close();
+    const auto run = [&](std::vector<std::string> words, Role role) {
+        if (role != Role::station)
+            words.insert(words.end(), {"--as", AccessProgramme::login_of(role), "--role", role_name(role),
+                                       "--password-file", password_file});
+        words.insert(words.end(), {"--db", programme.path, "--json"});
+        std::ostringstream output;
+        std::streambuf* const before = std::cout.rdbuf(output.rdbuf());
+        std::string refused;
+        try {
+            EXPECT_EQ(run_command(words), 0);
+        } catch (const std::exception& error) {
+            refused = error.what();
+        }
+        std::cout.rdbuf(before);
+        return std::pair(refused, output.str());
+    };
+    for (const Role role : all_roles) {
+        const auto [no_read, read] = run({"tissues", "B2"}, role);
+        EXPECT_EQ(no_read.empty(), expected_scope(Operation::read_tissues, role) != Scope::none)
+            << role_name(role);
+        const auto [no_set, after] = run(
+            {"tissues", "B2", "--set", "areolar.penetrate_n=0.11", "--reason", "as in our patients"}, role);
+        EXPECT_EQ(no_set.empty(), expected_scope(Operation::set_tissues, role) != Scope::none)
+            << role_name(role);
+        if (!no_set.empty()) continue;
+        const nlohmann::json document = nlohmann::json::parse(after);
+        EXPECT_EQ(document["version"], 1);
+        EXPECT_EQ(document["comparable"], false);
+        EXPECT_EQ(document["history"][0]["reason"], "as in our patients");
+        EXPECT_EQ(document["values"][0]["value"], 0.11);
+    }
+    const std::pair<std::vector<std::string>, const char*> bad[] = {
+        {{"tissues", "B2", "--set", "areolar.penetrate_n=50", "--reason", "x"}, "at most 20"},
+        {{"tissues", "B2", "--set", "bone.penetrate_n=1", "--reason", "x"}, "use one of areolar"},
+        {{"tissues", "B2", "--set", "areolar.penetrate_n=0.2"}, "no reason"},
+        {{"tissues", "B2", "--set", "areolar.penetrate_n", "--reason", "x"}, "write TISSUE.KEY=NUMBER"},
+        {{"tissues", "B2", "--set", "areolar.penetrate_n=0.11", "--reason", "x"}, "in force already"},
+        {{"tissues", "Z9"}, "no task"},
+    };
+    for (const auto& [words, hint] : bad) {
+        const std::string refused = run(words, Role::educator).first;
+        EXPECT_NE(refused.find(hint), std::string::npos) << refused;
+        EXPECT_NE(refused.find(';'), std::string::npos) << refused;
+    }
+    EXPECT_EQ(run({"tissues", "B2", "--scene-values", "--reason", "back"}, Role::educator).first, "");
+}
+
+}  // namespace
+}  // namespace fulcrum::app::test

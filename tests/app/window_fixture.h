@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program's own window over its own services, threads, world, recorder and store, and a person in front
+// of it.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QTemporaryDir>
+
+#include "database/records/attempts.h"
+#include "tests/app/forwarding_services.h"
+#include "tests/ui/hands.h"
+#include "ui/review/debrief_page.h"
+#include "ui/shell/main_window.h"
+#include "ui/theatre/mouse_keyboard_input.h"
+#include "ui/theatre/theatre_page.h"
+#include "ui/theatre/theatre_view.h"
+
+namespace fulcrum::app::test {
+
+/// A rig that passes a hand's own device on and spoils it when asked to: the device interface is where real
+/// devices fail.
+class SpoiltRig : public Rig {
+  public:
+    enum class Fault { none, not_a_number, jump, silence };
+    explicit SpoiltRig(std::shared_ptr<Rig> rig) : rig_(std::move(rig)) {}
+    void spoil(Fault fault) { fault_.store(fault); }
+    /// m, added to the left handle: as if it had been put down elsewhere.
+    void displace(double along) { displaced_.store(along); }
+    void read(std::uint32_t tick, RigSample& sample) override;
+    void write_force(Hand hand, const Vector3& force) override;
+    bool has_force(Hand) const override { return true; }
+    double damping(Hand) const override { return -1; }
+    double sent(Hand hand) const { return sent_[static_cast<int>(hand)].load(); }
+    /// m between a hand's handle and where it is wanted: the rest of a way that it goes even without its
+    /// device.
+    double behind(Hand hand, const ui::HandTargets& wanted) const;
+
+  private:
+    std::shared_ptr<Rig> rig_;
+    std::atomic<Fault> fault_{Fault::none};
+    std::atomic<double> displaced_{0}, sent_[hand_count] = {{0}, {0}};
+    std::atomic<double> handle_[hand_count][3] = {};
+    DeviceSample last_;
+};
+
+/// The program's services over devices that can be spoilt.
+class ServicesWithRig : public ForwardingServices {
+  public:
+    explicit ServicesWithRig(const std::string& folder) : ForwardingServices(folder) {
+        between = [this](std::shared_ptr<Rig> own) -> std::shared_ptr<Rig> {
+            if (!spoils_devices) return own;
+            rig = std::make_shared<SpoiltRig>(std::move(own));
+            return rig;
+        };
+    }
+    bool spoils_devices = false;
+    std::shared_ptr<SpoiltRig> rig;  ///< of the attempt that was started last, where devices are spoilt
+};
+
+class Window : public ::testing::Test {
+  protected:
+    Window();
+    void expect_page(const char* name);
+    QString shown(const char* name) { return ui::test::find<QLabel>(window, name)->text(); }
+    void create_programme();
+    /// Returns the one-time password.
+    QString add_person(const QString& name, const QString& login, const char* role);
+    void switch_user();
+    void sign_in(const QString& login, const QString& password);
+    void first_sign_in(const QString& login, const QString& once, const QString& password);
+    /// Alma, the administrator, makes the programme and Tara, who signs in.
+    void create_programme_and_trainee();
+    /// From home through the briefing into the theatre, until the attempt is on the clock.
+    void start(const char* task, bool assessed);
+    ui::TheatrePage& theatre() { return *static_cast<ui::TheatrePage*>(window.current_page()); }
+    /// What the picture says of a device that is back; back is false while it says nothing.
+    ui::Realignment aligned() { return theatre().view()->realignment().value_or(ui::Realignment()); }
+    /// Moves both hands until the attempt has seen it.
+    void move_hands(int moves);
+    void abandon();
+    ui::DebriefPage& wait_for_debrief();
+    void home();
+    database::AttemptSummary newest_attempt();
+    /// A fresh engine runs the stored record bit for bit.
+    void expect_replays(const std::string& attempt_id);
+
+    QTemporaryDir folder;
+    ServicesWithRig services;
+    ui::MainWindow window;
+};
+
+}  // namespace fulcrum::app::test

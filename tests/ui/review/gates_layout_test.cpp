@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The gates' table shows every word of where a limit comes from.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QTableWidget>
+
+#include "tests/ui/painted_words.h"
+#include "ui/review/attempt_model.h"
+#include "ui/review/gates_card.h"
+#include "ui/style/palette.h"
+
+namespace fulcrum::ui::test {
+namespace {
+
+TEST(GatesLayout, TheWholeSourceOfALimitIsPainted) {
+    apply_theme(*qApp, Theme::light);
+    const std::vector<std::string> sources = {
+        "Training limit of this task, provisional: half of the cut within half a millimetre of the plane",
+        "Training limit of this task, provisional: tension in the band for half of the cutting time",
+        "A circumferential margin of 1 mm or less is positive",
+        "Training limit of this task, provisional: seven of ten activations in view, in the tissue to be "
+        "divided and 2 mm clear of the nerves"};
+    AttemptModel model;
+    model.score.emplace();
+    for (const std::string& source : sources) {
+        database::GateRow gate;
+        gate.metric = "duration";
+        gate.value = 0.313;
+        gate.unit = "mm";
+        gate.limit = 0.5;
+        gate.limit_source = source;
+        gate.passed = true;
+        model.score->gates.push_back(gate);
+    }
+    for (const int width : {760, 880, 940, 1005, 1120, 1400}) {
+        GatesCard card;
+        card.resize(width, 900);
+        card.open(model);
+        card.show();
+        QCoreApplication::processEvents();
+        auto* table = card.findChild<QTableWidget*>(QStringLiteral("gates_table"));
+        ASSERT_NE(table, nullptr);
+        WordsDevice device(table->viewport()->size());
+        table->viewport()->render(&device, {}, {}, QWidget::DrawChildren);
+        if (const QString folder = qEnvironmentVariable("FULCRUM_PICTURES"); !folder.isEmpty())
+            card.grab().save(folder + QStringLiteral("/gates-%1.png").arg(width));
+        QString painted;
+        for (const PaintedWords& line : device.words()) painted += line.words.trimmed() + QLatin1Char(' ');
+        EXPECT_FALSE(painted.contains(QStringLiteral("…"))) << width << ": " << painted.toStdString();
+        for (const std::string& source : sources)
+            EXPECT_TRUE(painted.contains(QString::fromStdString(source)))
+                << width << ": " << painted.toStdString();
+    }
+}
+
+}  // namespace
+}  // namespace fulcrum::ui::test

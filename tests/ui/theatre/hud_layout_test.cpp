@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the head-up display writes never lies over something else that it writes, at any size of the picture.
+#include <gtest/gtest.h>
+
+#include <QImage>
+#include <QPainter>
+#include <limits>
+
+#include "tests/support/support.h"
+#include "tests/ui/painted_words.h"
+#include "ui/theatre/hud.h"
+
+namespace fulcrum::ui::test {
+namespace {
+
+/// All that can be said at once of a goal of this kind.
+struct Shown {
+    TaskDefinition task;
+    HudState hud;
+};
+
+/// What is said at once, beside the goal.
+void say_all(HudState& hud) {
+    hud.place = QStringLiteral("replay ×0.5");
+    hud.shows_active_hand = true;
+    hud.force_felt = false;
+    hud.tool[0] = QStringLiteral("grasper");
+    hud.tool[1] = QStringLiteral("hook, in 1.2 s");
+    hud.tool_active[1] = true;
+    hud.display.goal_progress = 0.6;
+    hud.display.hold_progress = 0.4;
+    hud.display.run_covered_m = 0.142;
+    hud.display.lift_height_m = 0.016;
+    hud.display.cut_divided_m = 0.142;
+    hud.display.blood_ml = 120.5F;
+    hud.display.traction_n_m = 1;
+    hud.display.traction_warning = -1;
+    hud.display.critical = true;
+    hud.display.elapsed_s = 78;
+    hud.display.remaining_s = 70.6;
+    for (int h = 0; h < hand_count; ++h) {
+        hud.display.force[h] = 2.4F;
+        hud.display.force_limit[h] = 3;
+        hud.display.warning[h] = true;
+    }
+}
+
+Shown everything(GoalKind kind) {
+    Shown shown;
+    Goal goal;
+    goal.kind = kind;
+    goal.text = "Divide the plane level by level down to the levator, taut";
+    goal.count = 10;
+    goal.length_m = 0.224;
+    goal.height_m = 0.03;
+    goal.hold_s = 3;
+    goal.traction_low_n_m = 8;
+    goal.traction_high_n_m = 18;
+    shown.task.goals = {goal, goal, goal};
+    shown.hud.display.goal = 1;
+    say_all(shown.hud);
+    if (kind == GoalKind::divide_line) shown.hud.display.hold_progress = 0;
+    return shown;
+}
+
+/// px: lines of one paragraph stand closer by what ascent and descent are rounded up, in pixels of the
+/// layout.
+double rounding_at(int dots_per_inch) {
+    return std::max(1.0, dots_per_inch / 96.0);
+}
+
+/// Nothing lies over anything, nothing is cut off.
+void expect_apart(Shown& shown, QSize size, int dots_per_inch, const std::string& what) {
+    shown.hud.task = &shown.task;
+    WordsDevice device(size, dots_per_inch);
+    QPainter painter(&device);
+    paint_hud(painter, QRectF(QPointF(0, 0), QSizeF(size)), shown.hud);
+    painter.end();
+    if (const QString folder = qEnvironmentVariable("FULCRUM_PICTURES"); !folder.isEmpty()) {
+        QImage picture(size, QImage::Format_RGB32);
+        picture.setDotsPerMeterX(qRound(dots_per_inch / 0.0254));
+        picture.setDotsPerMeterY(qRound(dots_per_inch / 0.0254));
+        picture.fill(Qt::black);
+        QPainter brush(&picture);
+        paint_hud(brush, picture.rect(), shown.hud);
+        brush.end();
+        picture.save(QStringLiteral("%1/hud-%2-%3-%4.png")
+                         .arg(folder, QString::fromStdString(what))
+                         .arg(size.width())
+                         .arg(dots_per_inch));
+    }
+    const std::string where = what + ", " + std::to_string(size.width()) + " x " +
+                              std::to_string(size.height()) + " at " + std::to_string(dots_per_inch) + ": ";
+    const auto& words = device.words();
+    ASSERT_GT(words.size(), 8U) << where;
+    const double rounding = rounding_at(dots_per_inch);
+    const QRectF whole(QPointF(0, 0), QSizeF(size));
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        EXPECT_TRUE(whole.contains(words[i].place)) << where << words[i].words.toStdString();
+        EXPECT_TRUE(words[i].whole) << where << "cut off: " << words[i].words.toStdString();
+        for (std::size_t j = i + 1; j < words.size(); ++j) {
+            const QRectF both = words[i].place & words[j].place;
+            EXPECT_LE(std::min(both.width(), both.height()), rounding)
+                << where << "'" << words[i].words.toStdString() << "' and '" << words[j].words.toStdString()
+                << "'";
+        }
+        for (const QRectF& shape : device.shapes()) {
+            const QRectF both = words[i].place & shape;
+            EXPECT_LE(std::min(both.width(), both.height()), rounding)
+                << where << "'" << words[i].words.toStdString() << "' on a bar at " << shape.top();
+        }
+    }
+}
+
+/// The debrief's picture at the smallest window, a wider one, the theatre's sizes.
+const QSize sizes[] = {QSize(557, 360),  QSize(700, 400),  QSize(800, 480),  QSize(1000, 600),
+                       QSize(1280, 720), QSize(1280, 800), QSize(1920, 1080)};
+/// Text at 75, 100, 125 and 150 % of the desktop's usual size.
+const int text_scales[] = {72, 96, 120, 144};
+
+const GoalKind goal_kinds[] = {GoalKind::touch_targets, GoalKind::run_bowel,    GoalKind::lift_and_hold,
+                               GoalKind::take_tension,  GoalKind::divide_line,  GoalKind::let_go,
+                               GoalKind::divide_bands,  GoalKind::stop_bleeding};
+
+TEST(HudLayout, NothingLiesOverAnythingWhateverIsToBeDone) {
+    for (const GoalKind kind : goal_kinds) {
+        Shown shown = everything(kind);
+        for (const QSize size : sizes)
+            for (const int scale : text_scales)
+                expect_apart(shown, size, scale, "goal-" + std::to_string(static_cast<int>(kind)));
+    }
+}
+
+// Each goal of each task in its own words, with its own instruments, warnings and modes.
+TEST(HudLayout, NothingLiesOverAnythingInAnyTask) {
+    const QString places[] = {QString(), QStringLiteral("demonstration: synthetic expert"),
+                              QStringLiteral("replay ×0.25")};
+    int goals = 0;
+    for (const char* id : {"A2", "B1", "B2", "B3", "C4"}) {
+        const TaskDefinition task =
+            load_task(fulcrum::test::source_path(std::string("assets/tasks/") + id + ".json"));
+        for (std::size_t g = 0; g < task.goals.size(); ++g, ++goals) {
+            for (const QString& place : places) {
+                for (int warning = -1; warning <= 1; ++warning) {
+                    Shown shown;
+                    shown.task = task;
+                    say_all(shown.hud);
+                    HudState& hud = shown.hud;
+                    hud.place = place;
+                    hud.became_practice = warning == 0;
+                    hud.assessed = warning == 1;
+                    hud.shows_active_hand = place.isEmpty();
+                    hud.active_hand = warning == 0 ? Hand::left : Hand::right;
+                    const bool replay = place.startsWith(QLatin1String("replay"));
+                    if (!replay) hud.health = QStringLiteral("12345 of 234567 ticks missed");
+                    hud.display.goal = static_cast<std::int32_t>(g);
+                    hud.display.traction_warning = static_cast<std::int8_t>(warning);
+                    hud.display.distance_warning = warning == 0;
+                    hud.display.cut_distance_m = 0.0123;
+                    hud.display.traction_n_m = 123;
+                    HandToolView tool;
+                    tool.kind = warning < 0 ? ToolKind::scissors : ToolKind::clip_applier;
+                    tool.clips_left = 10;
+                    tool.exchange_left = 1.5F;
+                    hud.tool[0] = hud.tool[1] = tool_words(tool);
+                    for (const int scale : {text_scales[0], text_scales[3]})
+                        for (const QSize size : {QSize(1280, 720), QSize(557, 360)})
+                            if (replay || size.width() > 1000)
+                                expect_apart(shown, size, scale,
+                                             id + ("-" + std::to_string(g)) + "-" + std::to_string(warning) +
+                                                 (place.isEmpty() ? "" : "-" + place.left(4).toStdString()));
+                }
+            }
+        }
+    }
+    EXPECT_GE(goals, 12);
+}
+
+TEST(HudLayout, ForcesStandStillWhenAWarningComes) {
+    const auto hand_at = [](Shown& shown) {
+        shown.hud.task = &shown.task;
+        WordsDevice device(QSize(557, 360));
+        QPainter painter(&device);
+        paint_hud(painter, QRectF(0, 0, 557, 360), shown.hud);
+        painter.end();
+        for (const PaintedWords& painted : device.words())
+            if (painted.words.contains(QLatin1String("Left"))) return painted.place.top();
+        return std::numeric_limits<double>::quiet_NaN();
+    };
+    Shown loud = everything(GoalKind::divide_line), quiet = loud;
+    quiet.hud.display.traction_warning = 0;
+    quiet.hud.display.traction_n_m = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(hand_at(loud), hand_at(quiet));
+}
+
+}  // namespace
+}  // namespace fulcrum::ui::test
