@@ -167,7 +167,7 @@ class Journey : public Window {
             values += number ? 1 : 0;
         }
         EXPECT_GT(values, 20);
-        page.say("figures of the attempt that are the same in debrief and CSV", std::to_string(values));
+        page.say("values of the attempt that are the same in debrief and CSV", std::to_string(values));
     }
 
     JourneyPage page{window, "journey"};
@@ -215,7 +215,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     page.step("A2-debrief", "The debrief of A2");
     replay(debrief);
     bring(*find<QWidget>(window, "event_list"));
-    page.step("A2-replay", "Its replay, at an event");
+    page.step("A2-replay", "Replay of A2, at an event");
     expect_replays(first.meta.id);
     const QString by_trainee = folder.filePath("tara.csv");
     click(window, "rail_progress");
@@ -231,12 +231,12 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     start("B1", true);
     move_hands(10);
     ASSERT_TRUE(wait_for([&] { return theatre().session()->display().elapsed_s > 1.5; }, 60000));
-    page.step("B1-begun", "B1");
+    page.step("B1-begun", "B1 at the start");
     abandon();
     const database::AttemptSummary abandoned = newest_attempt();
     EXPECT_EQ(abandoned.state, "abandoned");
     EXPECT_TRUE(shown("advice").contains("abandoned")) << shown("advice").toStdString();
-    page.step("B1-abandoned", "B1, abandoned");
+    page.step("B1-abandoned", "Debrief of an abandoned B1");
     replay(wait_for_debrief());
     expect_replays(abandoned.meta.id);
     home();
@@ -245,14 +245,14 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     ASSERT_TRUE(wait_for([&] { return theatre().session()->display().elapsed_s > 1.5; }, 60000));
     services.rig->spoil(SpoiltRig::Fault::silence);
     ASSERT_TRUE(wait_for([&] { return sees(window, "theatre_panel"); }));
-    page.step("device-gone", "The device is gone: the force is zero, the clock stands");
+    page.step("device-gone", "The device is lost: the force is zero, the timer is stopped");
     if (!whole) click(window, "panel_abandon");
     // Left alone it is closed when its minute is over.
     ASSERT_TRUE(wait_for([&] { return window.current_page()->objectName() == "debrief_page"; }, 240000));
     DebriefPage& of_lost = wait_for_debrief();
     const database::AttemptSummary lost = newest_attempt();
     EXPECT_EQ(lost.state, whole ? "interrupted" : "abandoned");
-    page.step("device-gone-debrief", "Its debrief");
+    page.step("device-gone-debrief", "Debrief of the interrupted attempt");
     replay(of_lost);
     expect_replays(lost.meta.id);
     home();
@@ -283,7 +283,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     click(window, "void_attempt");
     ASSERT_TRUE(wait_for([&] { return sees(window, "verdict") && shown("verdict") == "voided"; }, 60000));
     wait_for_debrief();
-    page.step("educator-void", "The educator voids the attempt that was abandoned, with a reason");
+    page.step("educator-void", "The educator voids the abandoned attempt, with a reason");
     switch_user();
 
     sign_in("tara", "tara's password");
@@ -293,7 +293,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     EXPECT_NEAR(wait_for_debrief().moment(), moment, 1e-9);
     EXPECT_EQ(shown("comment_words"), "Slow down before you touch.");
     bring(*find<QWidget>(window, "comment_words"));
-    page.step("comment-read", "and reads it where it was made");
+    page.step("comment-read", "The trainee reads the comment at its moment of the replay");
     home();
     EXPECT_FALSE(sees(window, "unread_comment"));
     click(window, "rail_attempts");
@@ -338,7 +338,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     EXPECT_NE(pdf.find("Spring"), std::string::npos);
     page.say("points of the first A2 in debrief, progress, list, table, PDF, CSV and JSON",
              plain(first_points));
-    page.say("its time in debrief and progress", plain(first_time));
+    page.say("time of the first A2 in debrief and progress", plain(first_time));
     if (whole && !HasFailure())
         page.write(page_folder, "journey", "The main workflow, end to end", "Journey.*",
                    "One run of the program's window under Xvfb (software rendering) with its own services, "

@@ -177,7 +177,7 @@ void write_page(const char* page_folder, const Toll& toll) {
     };
     lab::ResultPage page("kills", "Killed " + std::to_string(toll.kills) + " times during an attempt",
                          "FULCRUM_KILLS=" + std::to_string(toll.kills) + " FULCRUM_KILLS_PAGE=" +
-                             page_folder + " test_app_kills --gtest_filter=*TheWholeWindow*");
+                             page_folder + " test_app --gtest_filter=*TheWholeWindow*");
     page.paragraph(
         "The window of the program runs under Xvfb with its haptic, world and recorder threads and its "
         "store. Mouse and key events act as a trainee: sign in, perform A2 as an assessed attempt, abandon "

@@ -218,7 +218,7 @@ TEST_F(Window, KeepsItsClockAndLosesNothingWhileItDrawsAndTheHandsDragBowel) {
     if (const char* page_folder = std::getenv("FULCRUM_SOAK_PAGE")) {
         lab::ResultPage page("soak", "In real time for " + std::to_string(seconds) + " s",
                              "FULCRUM_SOAK_S=" + std::to_string(seconds) + " FULCRUM_SOAK_PAGE=" +
-                                 page_folder + " test_app_window --gtest_filter=*KeepsItsClock*");
+                                 page_folder + " test_app --gtest_filter=*KeepsItsClock*");
         const char* beside = std::getenv("FULCRUM_SOAK_BESIDE");
         page.paragraph(std::string("B1 in the real window under Xvfb, with drawing. Mouse and key events "
                                    "make both hands grasp and drag the bowel. Running at the same time: ") +
