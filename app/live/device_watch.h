@@ -13,7 +13,7 @@
 
 #include <cstdint>
 
-#include "sim_core/haptics/device.h"
+#include "sim_core/instrument/device.h"
 
 namespace fulcrum::app {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim_core/haptics/device.h"
+#include "sim_core/instrument/device.h"
 #include "sim_core/scene/scene.h"
 
 namespace fulcrum::app {

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "sim_core/haptics/device.h"
+#include "sim_core/instrument/device.h"
 
 namespace fulcrum::app {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "sim_core/world/state_hash.h"
+#include "sim_core/numerics/state_hash.h"
 
 namespace fulcrum {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "assessment/operators/skill.h"
-#include "sim_core/haptics/device.h"
+#include "sim_core/instrument/device.h"
 #include "sim_core/instrument/instrument.h"
 
 namespace fulcrum {

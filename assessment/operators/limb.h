@@ -6,7 +6,7 @@
 #include <array>
 
 #include "assessment/operators/skill.h"
-#include "sim_core/haptics/device.h"
+#include "sim_core/instrument/device.h"
 #include "sim_core/instrument/instrument.h"
 #include "sim_core/numerics/random.h"
 

@@ -9,7 +9,7 @@
 
 #include "assessment/task/monitor.h"
 #include "assessment/task/task.h"
-#include "sim_core/haptics/device.h"
+#include "sim_core/instrument/device.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/world/snapshot.h"
 

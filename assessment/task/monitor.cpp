@@ -9,7 +9,7 @@
 #include "assessment/task/band_monitor.h"
 #include "assessment/task/goal_monitor.h"
 #include "assessment/task/hand_monitor.h"
-#include "sim_core/haptics/device.h"
+#include "sim_core/instrument/device.h"
 #include "sim_core/scene/perforation.h"
 
 namespace fulcrum {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "sim_core/haptics/device.h"
+#include "sim_core/instrument/device.h"
 #include "sim_core/telemetry/event.h"
 #include "sim_core/telemetry/sample.h"
 

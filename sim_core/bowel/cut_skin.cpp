@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "sim_core/world/state_hash.h"
+#include "sim_core/numerics/state_hash.h"
 
 namespace fulcrum {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <array>
 
+#include "sim_core/bowel/force_filter.h"
 #include "sim_core/bowel/skin.h"
-#include "sim_core/contact/force_filter.h"
 
 namespace fulcrum {
 

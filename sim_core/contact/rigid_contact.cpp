@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim_core/collision/tool_shapes.h"
 #include "sim_core/contact/contact_response.h"
 #include "sim_core/contact/patch_surface.h"
 #include "sim_core/contact/surface_walk.h"
 #include "sim_core/geometry/closest_point.h"
+#include "sim_core/instrument/tool_shapes.h"
 #include "sim_core/rigid/targets.h"
 
 namespace fulcrum {

@@ -9,8 +9,8 @@
 // Model (const) / state / scratch / result; haptic thread: no allocation, lock, exception; always finite.
 #pragma once
 
+#include "sim_core/bowel/force_filter.h"
 #include "sim_core/collision/cavity.h"
-#include "sim_core/contact/force_filter.h"
 #include "sim_core/contact/local_model.h"
 #include "sim_core/contact/surface_walk.h"
 #include "sim_core/instrument/instrument.h"

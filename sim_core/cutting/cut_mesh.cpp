@@ -8,7 +8,7 @@
 
 #include "sim_core/geometry/closest_point.h"
 #include "sim_core/numerics/input_error.h"
-#include "sim_core/world/state_hash.h"
+#include "sim_core/numerics/state_hash.h"
 
 namespace fulcrum {
 namespace {

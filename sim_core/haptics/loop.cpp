@@ -25,12 +25,6 @@ void store(const Vector3& value, double unit, std::int32_t (&out)[3]) {
 
 }  // namespace
 
-DeviceSample start_sample(const TrocarSpec& trocar, double insertion) {
-    DeviceReading reading;
-    reading.handle = Vector3(0, 0, -(trocar.shaft_length - insertion));
-    return quantise(reading, DeviceSample{});
-}
-
 struct HapticLoop::Parts {
     Scene scene;
     ToolContactModel contact[hand_count];

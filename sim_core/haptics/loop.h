@@ -6,19 +6,16 @@
 #include <memory>
 
 #include "sim_core/contact/tool_contact.h"
-#include "sim_core/haptics/device.h"
 #include "sim_core/haptics/safety.h"
 #include "sim_core/haptics/stability.h"
-#include "sim_core/haptics/tick_output.h"
+#include "sim_core/instrument/device.h"
 #include "sim_core/instrument/instrument.h"
+#include "sim_core/instrument/tick_output.h"
 #include "sim_core/scene/scene.h"
 
 namespace fulcrum {
 
 class World;
-
-/// The sample of a device whose instrument stands at the given insertion along its nominal direction.
-DeviceSample start_sample(const TrocarSpec& trocar, double insertion);
 
 class HapticLoop {
   public:

@@ -124,6 +124,12 @@ ToolPose ToolKinematics::pose() const {
     return pose;
 }
 
+DeviceSample start_sample(const TrocarSpec& trocar, double insertion) {
+    DeviceReading reading;
+    reading.handle = Vector3(0, 0, -(trocar.shaft_length - insertion));
+    return quantise(reading, DeviceSample{});
+}
+
 ToolKinematics tool_pose(const InstrumentModel& model, const DeviceSample& sample) {
     ToolKinematics tool;
     const ShaftLine line = shaft_line(model.trocar, sample_handle(sample));

@@ -11,10 +11,10 @@
 // allocation, no exception, always finite.
 #pragma once
 
-#include "sim_core/haptics/device.h"
+#include "sim_core/instrument/device.h"
+#include "sim_core/instrument/poses.h"
 #include "sim_core/numerics/types.h"
 #include "sim_core/scene/scene.h"
-#include "sim_core/world/snapshot.h"
 
 namespace fulcrum {
 
@@ -76,6 +76,9 @@ struct InstrumentState {
     DeviceSample last;  ///< last sample used
     bool started = false;
 };
+
+/// The sample of a device whose instrument is at the given insertion along its nominal direction.
+DeviceSample start_sample(const TrocarSpec& trocar, double insertion);
 
 /// Pose of a single sample, velocities zero.
 ToolKinematics tool_pose(const InstrumentModel& model, const DeviceSample& sample);

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "sim_core/contact/force_filter.h"
+#include "sim_core/bowel/force_filter.h"
 #include "sim_core/lab/study_input.h"
 
 namespace fulcrum::lab {

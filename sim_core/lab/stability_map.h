@@ -10,7 +10,7 @@
 
 #include <vector>
 
-#include "sim_core/contact/force_filter.h"
+#include "sim_core/bowel/force_filter.h"
 #include "sim_core/lab/stability.h"
 
 namespace fulcrum::lab {

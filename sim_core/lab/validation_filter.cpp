@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "sim_core/contact/force_filter.h"
+#include "sim_core/bowel/force_filter.h"
 #include "sim_core/lab/reference_skin.h"
 #include "sim_core/lab/validation_rooms.h"
 #include "sim_core/rod/rod.h"

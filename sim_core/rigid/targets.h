@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "sim_core/numerics/random.h"
+#include "sim_core/rigid/target_sphere.h"
 #include "sim_core/scene/scene.h"
-#include "sim_core/world/snapshot.h"
 
 namespace fulcrum {
 

@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include "sim_core/cutting/blade.h"
-#include "sim_core/haptics/device.h"
+#include "sim_core/instrument/device.h"
 #include "sim_core/instrument/instrument.h"
 #include "sim_core/scene/scene.h"
 

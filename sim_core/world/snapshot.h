@@ -10,28 +10,13 @@
 
 #include "sim_core/bowel/skin.h"
 #include "sim_core/geometry/mesh.h"
+#include "sim_core/instrument/poses.h"
 #include "sim_core/numerics/types.h"
+#include "sim_core/rigid/target_sphere.h"
 #include "sim_core/telemetry/event.h"
 #include "sim_core/world/bands_view.h"
 
 namespace fulcrum {
-
-struct ToolPose {
-    Vector3 tip = Vector3::Zero();                    ///< m, patient frame
-    Vector3 axis = Vector3(0, 0, -1);                 ///< unit, trocar to tip
-    Vector3 trocar = Vector3::Zero();                 ///< m
-    Quaternion orientation = Quaternion::Identity();  ///< tool frame: z along the axis, roll applied
-    double roll = 0, jaw_angle = 0;                   ///< rad
-    double jaw_force = 0;                             ///< N
-    double insertion = 0;                             ///< m
-    bool inside = false;
-};
-
-struct CameraPose {
-    Vector3 position = Vector3::Zero();               ///< scope tip, m
-    Quaternion orientation = Quaternion::Identity();  ///< camera (-z forward, +y up) to patient frame
-    double field_of_view = 1.2;                       ///< rad, full angle of the round image
-};
 
 /// What a pair of jaws holds.
 struct GraspState {
@@ -43,12 +28,6 @@ struct GraspState {
     std::int32_t patch = -1;             ///< of the bowel's wall; -1 of a membrane
     bool slipped =
         false;  ///< the last hold ended because its reaction left the friction cone, not by opening the jaws
-};
-
-struct TargetSphere {
-    Vector3 centre = Vector3::Zero();  ///< m
-    double radius = 0;                 ///< m
-    Hand hand = Hand::left;
 };
 
 /// A membrane to be drawn: open sheet, seen from both sides.

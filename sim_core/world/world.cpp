@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "sim_core/haptics/loop.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/rigid/targets.h"
 #include "sim_core/scene/perforation.h"

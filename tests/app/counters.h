@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "sim_core/haptics/device.h"
+#include "sim_core/instrument/device.h"
 
 namespace fulcrum::app::test {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Skinning and force filter: the product's reference workloads under Google Benchmark.
-#include "sim_core/contact/force_filter.h"
+#include "sim_core/bowel/force_filter.h"
 #include "sim_core/lab/reference_tube.h"
 #include "tests/benchmarks/workloads.h"
 

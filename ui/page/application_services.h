@@ -18,7 +18,7 @@
 #include "database/records/attempt_records.h"
 #include "database/records/tissues.h"
 #include "database/store/store.h"
-#include "sim_core/haptics/device.h"
+#include "sim_core/instrument/device.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/telemetry/sample.h"
 #include "sim_core/world/snapshot.h"

@@ -13,7 +13,7 @@
 #include <QSet>
 #include <memory>
 
-#include "sim_core/haptics/device.h"
+#include "sim_core/instrument/device.h"
 #include "sim_core/instrument/instrument.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/telemetry/ring.h"

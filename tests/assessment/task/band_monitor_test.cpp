@@ -9,7 +9,7 @@
 
 #include "assessment/task/band_monitor.h"
 #include "assessment/task/monitor.h"
-#include "sim_core/haptics/device.h"
+#include "sim_core/instrument/device.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/support.h"

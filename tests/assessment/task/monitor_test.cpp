@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "sim_core/haptics/device.h"
+#include "sim_core/instrument/device.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/support.h"

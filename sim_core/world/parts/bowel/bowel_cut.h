@@ -18,9 +18,9 @@
 
 #include "sim_core/bowel/cut_skin.h"
 #include "sim_core/contact/tool_contact.h"
+#include "sim_core/numerics/state_hash.h"
 #include "sim_core/world/blade_rules.h"
 #include "sim_core/world/snapshot.h"
-#include "sim_core/world/state_hash.h"
 #include "sim_core/world/step_events.h"
 
 namespace fulcrum {

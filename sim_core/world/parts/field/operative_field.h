@@ -18,11 +18,11 @@
 #include "sim_core/collision/cavity.h"
 #include "sim_core/energy/energy_tool.h"
 #include "sim_core/energy/heat.h"
-#include "sim_core/haptics/tick_output.h"
+#include "sim_core/instrument/tick_output.h"
+#include "sim_core/numerics/state_hash.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/world/bands_view.h"
 #include "sim_core/world/parts/field/field_bed.h"
-#include "sim_core/world/state_hash.h"
 
 namespace fulcrum {
 

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "sim_core/membrane/membrane.h"
+#include "sim_core/numerics/state_hash.h"
 #include "sim_core/rod/rod.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/world/snapshot.h"
-#include "sim_core/world/state_hash.h"
 
 namespace fulcrum {
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 
 #include "sim_core/instrument/instrument.h"
+#include "sim_core/numerics/state_hash.h"
 #include "sim_core/numerics/types.h"
-#include "sim_core/world/state_hash.h"
 
 namespace fulcrum {
 

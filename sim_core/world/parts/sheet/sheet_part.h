@@ -20,13 +20,13 @@
 #include "sim_core/cutting/cut_mesh.h"
 #include "sim_core/instrument/instrument.h"
 #include "sim_core/membrane/cut_membrane.h"
+#include "sim_core/numerics/state_hash.h"
 #include "sim_core/rod/rod.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/world/blade_rules.h"
 #include "sim_core/world/parts/sheet/sheet_fibres.h"
 #include "sim_core/world/parts/sheet/sheet_layout.h"
 #include "sim_core/world/snapshot.h"
-#include "sim_core/world/state_hash.h"
 #include "sim_core/world/step_events.h"
 
 namespace fulcrum {

@@ -19,12 +19,12 @@
 #include <vector>
 
 #include "sim_core/contact/local_model.h"
-#include "sim_core/haptics/tick_output.h"
+#include "sim_core/instrument/tick_output.h"
+#include "sim_core/numerics/state_hash.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/world/parts/field/operative_field.h"
 #include "sim_core/world/parts/structures/structures_layout.h"
 #include "sim_core/world/snapshot.h"
-#include "sim_core/world/state_hash.h"
 
 namespace fulcrum {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Instruments as solids: capsule and boxes against spheres and against each other, by FCL.
-#include "sim_core/collision/tool_shapes.h"
+#include "sim_core/instrument/tool_shapes.h"
 
 #include <fcl/fcl.h>
 #include <gtest/gtest.h>

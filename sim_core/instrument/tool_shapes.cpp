@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim_core/collision/tool_shapes.h"
+#include "sim_core/instrument/tool_shapes.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 // Output of one haptic tick: the sample for the record and the contact report for the world.
 #pragma once
 
-#include "sim_core/haptics/device.h"
+#include "sim_core/instrument/device.h"
 #include "sim_core/instrument/instrument.h"
 #include "sim_core/telemetry/sample.h"
 

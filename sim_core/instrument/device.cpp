@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim_core/haptics/device.h"
+#include "sim_core/instrument/device.h"
 
 #include <cmath>
 

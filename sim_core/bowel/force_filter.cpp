@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim_core/contact/force_filter.h"
+#include "sim_core/bowel/force_filter.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "sim_core/haptics/device.h"
+#include "sim_core/instrument/device.h"
 
 namespace fulcrum {
 namespace {

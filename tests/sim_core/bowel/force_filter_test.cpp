@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "sim_core/contact/force_filter.h"
+#include "sim_core/bowel/force_filter.h"
 #include "sim_core/lab/reference_tube.h"
 #include "tests/support/allocation_count.h"
 
