@@ -184,9 +184,15 @@ class Stress {
 }  // namespace
 
 std::vector<std::string> stress_names() {
-    return {"slivers of aspect 1e6", "coincident vertices, edges of no length", "every vertex in one point",
-            "folded over itself",    "one sliver among good triangles",         "a single triangle",
-            "a plain sheet",         "every triangle cut, both ways",           "two blades on one vertex",
+    return {"slivers of aspect 1e6",
+            "coincident vertices, edges of zero length",
+            "every vertex in one point",
+            "folded over itself",
+            "one sliver among good triangles",
+            "a single triangle",
+            "a plain sheet",
+            "every triangle cut, both ways",
+            "two blades on one vertex",
             "steps of a metre"};
 }
 

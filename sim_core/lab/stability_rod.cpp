@@ -144,15 +144,15 @@ std::vector<StabilityMap> rod_stability() {
     std::vector<StabilityMap> maps;
     const std::vector<double> time_steps = decades(5e-5, 0.05, 10);
     {
-        StabilityMap map = mapped("a bowel grasped, pulled and let go, time step against stiffness",
+        StabilityMap map = mapped("a bowel grasped, pulled and released, time step against stiffness",
                                   {"time_step_s", "s", time_steps, true},
                                   {"young_pa", "Pa", decades(1, 1e9, 10), true}, pulled);
         StabilityCurve curve;
         curve.name = "explicit limit";
         curve.formula =
             "2 / omega_max of the stretching modes, dt = h sqrt(mu / EA), h the segment's length and mu the "
-            "mass a length: an explicit step diverges "
-            "to its right. Implicit Euler is unconditionally stable and has no such bound";
+            "mass per length: an explicit step diverges to the right of it. Implicit Euler is "
+            "unconditionally stable and has no such bound";
         const double area = pi * (0.015 * 0.015 - 0.012 * 0.012), h = 0.9 / 48;
         for (const double young : decades(1, 1e9, 40)) {
             curve.x.push_back(h * std::sqrt(0.25 / (young * area)));
@@ -172,9 +172,8 @@ std::vector<StabilityMap> rod_stability() {
         curve.name = "rounding = tolerance";
         curve.formula =
             "n^2 (L/r_g)^2 2^-52 = 1e-6: condition number of the static tangent (stretching of one segment "
-            "against bending of the whole) times "
-            "rounding reaches the residual's tolerance; above it accuracy is not promised, finite results "
-            "are";
+            "against bending of the whole) times rounding reaches the tolerance of the residual; above it "
+            "results are finite but accuracy is not guaranteed";
         for (const double slenderness : decades(5, 1000, 30)) {
             curve.x.push_back(slenderness);
             curve.y.push_back(std::sqrt(1e-6 * 4503599627370496.0) / slenderness);
@@ -187,11 +186,10 @@ std::vector<StabilityMap> rod_stability() {
                                   {"time_step_s", "s", time_steps, true},
                                   {"force_n", "N", decades(1e-6, 1e3, 10), true}, loaded);
         StabilityCurve curve;
-        curve.name = "one segment a step";
+        curve.name = "one segment per step";
         curve.formula =
-            "F dt^2 / m = h: the force moves the end node by a whole segment within one step, a rough sign "
-            "of where one Newton solve has to search "
-            "(no bound of stability)";
+            "F dt^2 / m = h: the force moves the end node by a whole segment within one step; an indication "
+            "of where a Newton solve has to search, not a stability bound";
         const double h = 0.9 / 48;
         for (const double dt : decades(5e-5, 0.05, 30)) {
             curve.x.push_back(dt);

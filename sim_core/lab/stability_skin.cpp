@@ -91,13 +91,14 @@ std::vector<StabilityMap> skin_stability() {
     }
     StabilityCurve fold;
     fold.name = "inner side folds";
-    fold.formula = "bend radius = tube radius: the inner side of any tube has no length left and folds";
+    fold.formula =
+        "bend radius = tube radius: the inner side of the tube is compressed to zero length and folds";
     fold.x = {1, 1e6};
     fold.y = {1, 1};
     StabilityCurve promise;
-    promise.name = "accuracy promised above";
+    promise.name = "accuracy guaranteed above";
     promise.formula =
-        "bend radius = 3 tube radii: from here on no fold and a volume within 2 % are promised "
+        "bend radius = 3 tube radii: from here on no fold, and a volume within 2 %, are guaranteed "
         "(docs/QUALITY.md)";
     promise.x = {1, 1e6};
     promise.y = {3, 3};

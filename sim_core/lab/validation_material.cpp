@@ -90,7 +90,7 @@ void laws(std::vector<ValidationCase>& cases) {
                                   "largest |stress over its formula - 1|", worst, 0,
                                   "sigma = E0 e exp(3 e^2), E0 = 30.0 kPa", 1e-8));
     const double over = stress(MaterialLaw::exp2, 0.22) / stress(MaterialLaw::linear, 0.22);
-    cases.push_back(relative_case("rod", "EXP2 beside linear (32.3 kPa) at 22 % strain",
+    cases.push_back(relative_case("rod", "EXP2 compared with linear (32.3 kPa) at 22 % strain",
                                   "stress, EXP2 over linear", over, 30.0 / 32.3 * std::exp(3 * 0.22 * 0.22),
                                   "the two formulas", 1e-8));
     double low = 0.2, high = 0.4;
@@ -98,8 +98,9 @@ void laws(std::vector<ValidationCase>& cases) {
         const double middle = 0.5 * (low + high);
         (stress(MaterialLaw::exp2, middle) < 1.2 * stress(MaterialLaw::linear, middle) ? low : high) = middle;
     }
-    cases.push_back(relative_case("rod", "EXP2 beside linear, stretched", "strain where they part by 20 %",
-                                  low, std::sqrt(std::log(1.2 * 32.3 / 30.0) / 3), "the two formulas", 1e-6));
+    cases.push_back(relative_case("rod", "EXP2 compared with linear, stretched",
+                                  "strain where they part by 20 %", low,
+                                  std::sqrt(std::log(1.2 * 32.3 / 30.0) / 3), "the two formulas", 1e-6));
     for (const double strain : {0.0, 0.12}) {
         double force, moment;
         chords(strain, 8, force, moment);

@@ -111,10 +111,10 @@ void helix(std::vector<ValidationCase>& cases) {
     const Vector3 along = axis * axis.dot(t), across = t - along;
     const Vector3 tip = along * length + across * (std::sin(w * length) / w) +
                         axis.cross(across) * ((1 - std::cos(w * length)) / w);
-    ValidationCase result =
-        absolute_case("rod", "helix from natural curvature 15 / m and twist 12 rad / m, started straight",
-                      "distance of the ends, m", solved.state.nodes.back().norm(), tip.norm(),
-                      "closed form of the helix", 1e-3, length, "distance of the tips / L");
+    ValidationCase result = absolute_case(
+        "rod", "helix from natural curvature 15 / m and twist 12 rad / m, started from straight",
+        "distance of the ends, m", solved.state.nodes.back().norm(), tip.norm(), "closed form of the helix",
+        1e-3, length, "distance of the tips / L");
     result.error = (solved.state.nodes.back() - tip).norm() / length;
     result.passed = result.error <= result.tolerance && solved.report.converged;
     cases.push_back(result);
@@ -198,7 +198,7 @@ void chain(std::vector<ValidationCase>& cases) {
             worst, std::hypot(solved.state.nodes[i].x() - point.x, solved.state.nodes[i].z() - point.z));
     }
     ValidationCase result = absolute_case(
-        "rod", "chain between two supports that leave bending free, EI / (w L^3) = 3e-6, 128 segments",
+        "rod", "chain between two supports that do not restrain bending, EI / (w L^3) = 3e-6, 128 segments",
         "sag, m", -solved.state.nodes[64].z(), -catenary_point(catenary, tension, 0.5).z,
         "elastic catenary in closed form (Irvine 1981)", 1e-3, spec.length, "worst distance of a node / L");
     result.error = worst / spec.length;

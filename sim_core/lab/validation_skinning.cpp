@@ -121,10 +121,11 @@ void across_rings(std::vector<ValidationCase>& cases) {
         }
     }
     const std::string name = "across the rings of a bend of 30 mm radius";
-    cases.push_back(absolute_case("skinning", name, "largest jump, m", jump, 0,
-                                  "a surface that does not tear", 1e-9, 1, "m"));
-    ValidationCase crease = absolute_case("skinning", name, "turn at a ring over the turn beside it", kink, 1,
-                                          "a smooth surface: at most 1.2 (docs/THEORY.md, section 1.4)", 0.2);
+    cases.push_back(
+        absolute_case("skinning", name, "largest jump, m", jump, 0, "a continuous surface", 1e-9, 1, "m"));
+    ValidationCase crease =
+        absolute_case("skinning", name, "turn at a ring over the turn next to it", kink, 1,
+                      "a smooth surface: at most 1.2 (docs/THEORY.md, section 1.4)", 0.2);
     crease.error = std::max(0.0, kink - 1);
     crease.passed = crease.error <= crease.tolerance;
     cases.push_back(crease);
@@ -145,7 +146,7 @@ void volume(std::vector<ValidationCase>& cases, const BowelSkin& skin) {
             "volume at rest (divergence theorem)", 0.02));
     }
     const double gap = skin.cage().arc_lengths[1] - skin.cage().arc_lengths[0];
-    cases.push_back(relative_case("skinning", "twist of 10 degrees a ring gap", "volume, m3",
+    cases.push_back(relative_case("skinning", "twist of 10 degrees per ring gap", "volume, m3",
                                   under(twisted_frames(skin.cage(), 10 * pi / 180 / gap)), rest,
                                   "volume at rest (divergence theorem)", 0.01));
 }
