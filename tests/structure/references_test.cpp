@@ -135,7 +135,7 @@ TEST(References, ScenesAreThoseOfTheSchema) {
                 parts += (parts.empty() ? "" : ", ") + key;
         text += "| `assets/scenes/" + path.filename().string() + "` | " + parts + " |\n";
     }
-    expect_generated("SCENES.md", text + "\n" + schema_text(schema, "scene"));
+    expect_generated("SCENES.md", "scenes", text + "\n" + schema_text(schema, "scene"));
 }
 
 TEST(References, TasksAreThoseOfTheSchema) {
@@ -154,7 +154,7 @@ TEST(References, TasksAreThoseOfTheSchema) {
                 task["scene"].get<std::string>() + " | " + goals + " | " +
                 std::to_string(task["gates"].size()) + " | " + errors + " |\n";
     }
-    expect_generated("TASKS.md", text + "\n" + schema_text(schema, "task"));
+    expect_generated("TASKS.md", "tasks", text + "\n" + schema_text(schema, "task"));
 }
 
 /// Initial values of the fields of every struct in sim_core's headers, as written.

@@ -10,12 +10,6 @@
 #include "tests/support/support.h"
 
 namespace fulcrum::test {
-namespace {
-
-constexpr const char* begin_mark = "<!-- generated: begin -->\n";
-constexpr const char* end_mark = "<!-- generated: end -->\n";
-
-}  // namespace
 
 std::string text_of(const std::string& relative) {
     std::ifstream file(source_path(relative), std::ios::binary);
@@ -33,12 +27,14 @@ std::string in_cell(const std::string& text) {
     return cell;
 }
 
-void expect_generated(const std::string& document, const std::string& generated) {
+void expect_generated(const std::string& document, const std::string& part, const std::string& generated) {
+    const std::string begin_mark = "<!-- generated: " + part + " -->\n",
+                      end_mark = "<!-- end of " + part + " -->\n";
     std::string text = text_of("docs/" + document);
     const std::size_t begin = text.find(begin_mark), end = text.find(end_mark);
     ASSERT_NE(begin, std::string::npos) << document << " has no mark where the generated part begins";
     ASSERT_NE(end, std::string::npos) << document << " has no mark where the generated part ends";
-    const std::size_t from = begin + std::string(begin_mark).size();
+    const std::size_t from = begin + begin_mark.size();
     if (std::getenv("FULCRUM_WRITE_REFERENCES") != nullptr) {
         text.replace(from, end - from, generated);
         std::ofstream(source_path("docs/" + document), std::ios::binary | std::ios::trunc) << text;

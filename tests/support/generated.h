@@ -12,8 +12,9 @@ std::string text_of(const std::string& relative);
 /// A table cell of Markdown.
 std::string in_cell(const std::string& text);
 
-/// docs/`document` holds `generated` between its two marks. With FULCRUM_WRITE_REFERENCES in the environment
-/// it is written instead; what is outside the marks is written by hand and kept.
-void expect_generated(const std::string& document, const std::string& generated);
+/// docs/`document` holds `generated` between its marks <!-- generated: PART --> and <!-- end of PART -->.
+/// With FULCRUM_WRITE_REFERENCES in the environment it is written instead; what is outside the marks is
+/// written by hand and kept.
+void expect_generated(const std::string& document, const std::string& part, const std::string& generated);
 
 }  // namespace fulcrum::test

@@ -40,7 +40,7 @@ TEST(References, MetricsAreThoseOfTheRegistry) {
                 " | " + in_cell(short_filter(d.filter)) + " | " + in_cell(d.source) + " | " +
                 in_cell(d.explanation) + " |\n";
     }
-    test::expect_generated("METRICS.md", text);
+    test::expect_generated("METRICS.md", "metrics", text);
 }
 
 }  // namespace
