@@ -183,9 +183,10 @@ std::vector<lab::ScoreSensitivity> measure_score_sensitivity() {
     for (const std::string& id : task_ids()) {
         const LoadedTask loaded = load_task_and_scene(id);
         std::map<std::string, std::map<std::string, double>> values;  // fidelity, metric
-        for (const std::string& fidelity : fidelity_names()) {
+        for (const NameRow<FidelityLevel>& level : fidelity_levels) {
+            const std::string fidelity = level.name;
             Scene scene = loaded.scene;
-            scene.fidelity = named_fidelity(fidelity);
+            scene.fidelity = fidelity_of(level.kind);
             AttemptEngine engine(scene, loaded.task, sensitivity_seed);
             auto rig = make_operator("expert", loaded.task, scene, sensitivity_seed);
             Memory sink;
@@ -199,8 +200,9 @@ std::vector<lab::ScoreSensitivity> measure_score_sensitivity() {
                 values[fidelity][row.id + (row.hand.empty() ? "" : " " + row.hand)] = *row.value;
             }
         }
-        for (const std::string& fidelity : fidelity_names()) {
-            if (fidelity == "fine") continue;
+        for (const NameRow<FidelityLevel>& level : fidelity_levels) {
+            const std::string fidelity = level.name;
+            if (level.kind == FidelityLevel::fine) continue;
             for (const auto& [metric, value] : values[fidelity]) {
                 const auto reference = values["fine"].find(metric);
                 if (reference == values["fine"].end()) continue;

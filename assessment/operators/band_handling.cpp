@@ -141,7 +141,7 @@ class BandHandling : public Behaviour {
         Limb& right = *body.limb[1];
         open(*body.limb[0]);
         open(right);
-        const ToolKind kind = seen.tools[1].kind;
+        const InstrumentKind kind = seen.tools[1].kind;
         const int bleeding = worst_outlet(seen);
         if (bleeding >= 0) {
             outlet_ = bleeding;
@@ -151,7 +151,7 @@ class BandHandling : public Behaviour {
             outlet_ = -1;
         }
         if (outlet_ >= 0) {
-            wanted_ = ToolKind::clip_applier;
+            wanted_ = InstrumentKind::clip_applier;
             if (kind != wanted_ || seen.tools[1].exchange_left > 0) {
                 stage_ = Stage::swap;
                 return;
@@ -169,7 +169,7 @@ class BandHandling : public Behaviour {
             until_ = right.time() + 0.5;
             return;
         }
-        wanted_ = ToolKind::harmonic;
+        wanted_ = InstrumentKind::harmonic;
         if (kind != wanted_ || seen.tools[1].exchange_left > 0) {
             stage_ = Stage::swap;
             return;
@@ -305,7 +305,8 @@ class BandHandling : public Behaviour {
             stage_ = Stage::choose;
             return;
         }
-        if (tool.kind == ToolKind::suction && seen.smoke > smoke_that_disturbs && sucked_ < right.time()) {
+        if (tool.kind == InstrumentKind::suction && seen.smoke > smoke_that_disturbs &&
+            sucked_ < right.time()) {
             stage_ = Stage::suck;
             right.hold_buttons(button_energy);
             release_ = until_ = right.time() + suck_s;
@@ -352,7 +353,7 @@ class BandHandling : public Behaviour {
     Reach reaches_[hand_count];
     double jaw_length_[hand_count] = {0.016, 0.014};
     Stage stage_ = Stage::choose;
-    ToolKind wanted_ = ToolKind::harmonic;
+    InstrumentKind wanted_ = InstrumentKind::harmonic;
     bool begun_ = false, stopped_ = false, started_[hand_count] = {false, false};
     bool divided_ = false;  // what was held is through: the jaws wait for the pedal
     int band_ = 0, outlet_ = -1, hold_node_ = 9, cut_node_ = 4, node_[hand_count] = {9, 4}, attempts_ = 0;

@@ -22,7 +22,7 @@ class FieldTurn {
         outlet_ = worst_outlet(seen);
         turns_ += outlet_ >= 0 ? 1 : 0;
         clips_ = 0;
-        wanted_ = ToolKind::suction;
+        wanted_ = InstrumentKind::suction;
         stage_ = Stage::exchange;
     }
     /// True when the blade is back in the hand.
@@ -32,11 +32,11 @@ class FieldTurn {
         switch (stage_) {
             case Stage::exchange:
                 if (!exchanged(tool, limb)) return false;
-                if (wanted_ == ToolKind::hook) {
+                if (wanted_ == InstrumentKind::hook) {
                     over_ = limb.time();
                     return true;
                 }
-                if (wanted_ == ToolKind::clip_applier) open(limb);
+                if (wanted_ == InstrumentKind::clip_applier) open(limb);
                 if (outlet_ >= 0)
                     go(seen, body, limb, hover, Stage::above);
                 else
@@ -100,7 +100,7 @@ class FieldTurn {
     /// The pedal of the suction, or the jaws of the applier.
     void work(Limb& limb) noexcept {
         stage_ = Stage::work;
-        if (wanted_ == ToolKind::suction) {
+        if (wanted_ == InstrumentKind::suction) {
             limb.hold_buttons(button_energy);
             until_ = limb.time() + suck_s;
         } else {
@@ -113,7 +113,7 @@ class FieldTurn {
         const int bleeding = worst_outlet(seen);
         open(limb);
         const bool clip = bleeding >= 0 && tool.clips_left > 0 && clips_ < most_clips;
-        if (wanted_ == ToolKind::clip_applier && clip) {  // beside it, or another one
+        if (wanted_ == InstrumentKind::clip_applier && clip) {  // beside it, or another one
             ++clips_;
             outlet_ = bleeding;
             go(seen, body, limb, hover, Stage::above);
@@ -122,8 +122,9 @@ class FieldTurn {
         if (outlet_ >= 0)
             limb.carry(hover * (limb.trocar().position - limb.destination()).normalized(),
                        0.4 * skill_.duration_scale);
-        wanted_ = wanted_ == ToolKind::suction && clip ? ToolKind::clip_applier : ToolKind::hook;
-        outlet_ = wanted_ == ToolKind::clip_applier ? bleeding : -1;
+        wanted_ =
+            wanted_ == InstrumentKind::suction && clip ? InstrumentKind::clip_applier : InstrumentKind::hook;
+        outlet_ = wanted_ == InstrumentKind::clip_applier ? bleeding : -1;
         until_ = limb.time();
         stage_ = Stage::exchange;
     }
@@ -132,7 +133,7 @@ class FieldTurn {
     Skill skill_;
     Reach reach_;
     Stage stage_ = Stage::exchange;
-    ToolKind wanted_ = ToolKind::hook;
+    InstrumentKind wanted_ = InstrumentKind::hook;
     double over_ = -1e9, until_ = 0;
     int outlet_ = -1, turns_ = 0, clips_ = 0;
     bool pressing_ = false;

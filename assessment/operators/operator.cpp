@@ -113,7 +113,7 @@ std::unique_ptr<ObservingRig> make_operator(const std::string& preset, const Tas
     if (sheet) {
         int grasper = 0, blade = 0;
         for (const InstrumentSpec& spec : scene.instruments) {
-            grasper += spec.kind == "grasper" ? 1 : 0;
+            grasper += type_of(spec.kind).grasps ? 1 : 0;
             blade += spec.cuts() ? 1 : 0;
         }
         if (grasper != 1 || blade != 1) {

@@ -87,10 +87,18 @@ double upper_share(double area, double threshold) {
 
 }  // namespace
 
-FilterMode filter_mode(const std::string& level) {
-    if (level == "1") return FilterMode::grade_1;
-    if (level == "2") return FilterMode::grade_2;
-    if (level == "adaptive") return FilterMode::adaptive;
+FilterMode filter_mode(FilterLevel level) {
+    switch (level) {
+        case FilterLevel::off:
+        case FilterLevel::grade_0:
+            return FilterMode::grade_0;
+        case FilterLevel::grade_1:
+            return FilterMode::grade_1;
+        case FilterLevel::grade_2:
+            return FilterMode::grade_2;
+        case FilterLevel::adaptive:
+            return FilterMode::adaptive;
+    }
     return FilterMode::grade_0;
 }
 

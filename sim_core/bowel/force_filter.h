@@ -8,6 +8,7 @@
 #include <array>
 
 #include "sim_core/geometry/mesh.h"
+#include "sim_core/scene/fidelity_levels.h"
 
 namespace fulcrum {
 
@@ -40,9 +41,8 @@ struct FilterOptions {
     double sigma = 0.0;  ///< m; 0: grade times the mean edge length at the contact vertex
 };
 
-/// Mode for a fidelity level: off | 0 | 1 | 2 | adaptive. Without a filter the contact vertex carries the
-/// whole force, as with grade 0.
-FilterMode filter_mode(const std::string& level);
+/// Mode for a fidelity level. Without a filter the contact vertex carries the whole force, as with grade 0.
+FilterMode filter_mode(FilterLevel level);
 
 /// S = w1 S1 |n1.n0| + w2 S2 |n2.n0| + w3 S3 |n3.n0|, w = (0.5, 0.25, 0.25), S1 = bc, S2 = ac, S3 = ab (Eq.
 /// 4), m2.

@@ -3,11 +3,6 @@
 
 namespace fulcrum {
 
-SkinScope skin_scope(const std::string& level) {
-    if (level == "local2") return SkinScope::local2;
-    return level == "global" ? SkinScope::global : SkinScope::local;
-}
-
 WideSkin::WideSkin(const BowelSkin& skin, SkinScope scope) {
     const Cage& cage = skin.cage();
     std::vector<RingFrame> frames;

@@ -4,21 +4,12 @@
 // local scope (rows of BowelSkin), corrected to the finer position. Lengths in m; patient frame.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "sim_core/bowel/bowel_skin.h"
+#include "sim_core/bowel/skin_scope.h"
 
 namespace fulcrum {
-
-enum class SkinScope : std::uint8_t {
-    local,   ///< k = 1: the rows of BowelSkin
-    local2,  ///< k = 2
-    global,  ///< the whole closed cage
-};
-
-/// Scope for a fidelity level: local | local2 | global.
-SkinScope skin_scope(const std::string& level);
 
 /// One row per surface vertex, over as many rings as the scope needs. Constant after construction.
 class WideSkin {

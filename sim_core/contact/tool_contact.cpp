@@ -312,7 +312,7 @@ ToolContactModel make_tool_contact(const Scene& scene, const InstrumentModel& in
     ToolContactModel model;
     model.instrument = instrument;
     model.filter.mode = filter_mode(scene.fidelity.filter);
-    model.search_always = scene.fidelity.tool_contact == "query";
+    model.search_always = scene.fidelity.tool_contact == ToolContactLevel::query;
     return model;
 }
 

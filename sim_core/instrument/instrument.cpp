@@ -103,10 +103,8 @@ InstrumentModel make_instrument(const InstrumentSpec& spec, double tick_period) 
     model.grip_limit = 2.0 * spec.grip_force;
     model.tick_period = tick_period;
     // A hand that exchanges its hook for an applier has jaws: what has none pays no heed to them.
-    const auto jawed = [](const std::string& kind) { return kind != "probe" && kind != "hook"; };
-    model.has_jaws = jawed(spec.kind) ||
-                     std::any_of(spec.exchange.begin(), spec.exchange.end(),
-                                 [&](const std::string& kind) { return kind != "suction" && jawed(kind); });
+    const auto jawed = [](InstrumentKind kind) { return type_of(kind).jaws; };
+    model.has_jaws = jawed(spec.kind) || std::any_of(spec.exchange.begin(), spec.exchange.end(), jawed);
     return model;
 }
 

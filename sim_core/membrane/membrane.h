@@ -22,12 +22,11 @@
 #include <vector>
 
 #include "sim_core/geometry/mesh.h"
+#include "sim_core/membrane/integrator.h"
 #include "sim_core/membrane/springs.h"
 #include "sim_core/numerics/types.h"
 
 namespace fulcrum {
-
-enum class MembraneIntegrator : std::uint8_t { symplectic, global_local, implicit };
 
 /// Outcome of a step. From `refused` on the state is not the result of a step.
 enum class MembraneFault : std::uint8_t {

@@ -22,6 +22,7 @@
 
 #include "sim_core/material/layered_wall.h"
 #include "sim_core/numerics/types.h"
+#include "sim_core/rod/rod_level.h"
 
 namespace fulcrum {
 
@@ -160,7 +161,7 @@ struct RodInputs {
 
 /// Solver settings. Defaults: level `newton` of docs/THEORY.md, section 8 to the residual of docs/QUALITY.md.
 struct RodSolve {
-    enum class Level : std::uint8_t { linearised, newton_k, newton };
+    using Level = RodLevel;
     Level level = Level::newton;
     int iterations =
         0;  ///< newton_k: k; linearised: load steps (0: 1); newton: limit (0: 200 static, 25 dynamic)

@@ -9,8 +9,15 @@
 
 namespace fulcrum {
 
-/// "fast", "standard", "fine". Throws InputError listing the names for any other.
-Fidelity named_fidelity(const std::string& id);
-std::vector<std::string> fidelity_names();
+enum class FidelityLevel : std::uint8_t { fast, standard, fine };
+inline constexpr NameRow<FidelityLevel> fidelity_levels[] = {
+    {FidelityLevel::fast, "fast", QT_TRANSLATE_NOOP("fulcrum::fidelity", "fast")},
+    {FidelityLevel::standard, "standard", QT_TRANSLATE_NOOP("fulcrum::fidelity", "standard")},
+    {FidelityLevel::fine, "fine", QT_TRANSLATE_NOOP("fulcrum::fidelity", "fine")}};
+static_assert(in_order(fidelity_levels));
+
+Fidelity fidelity_of(FidelityLevel level);
+/// By its name. Throws InputError listing the names for any other.
+Fidelity named_fidelity(const std::string& name);
 
 }  // namespace fulcrum

@@ -7,6 +7,7 @@
 #include "sim_core/scene/bands_reader.h"
 #include "sim_core/scene/cutting_values.h"
 #include "sim_core/scene/json_document.h"
+#include "sim_core/scene/json_names.h"
 #include "sim_core/scene/scene_json.h"
 #include "sim_core/scene/septa_reader.h"
 #include "sim_core/scene/structures_reader.h"
@@ -133,15 +134,20 @@ class SceneReader {
             const json& node = list[i];
             const std::string place = "/instruments/" + std::to_string(i);
             InstrumentSpec instrument;
-            instrument.hand = node.at("hand").get<std::string>() == "left" ? Hand::left : Hand::right;
+            copy_named(document_, node, place, "hand", hand_names, instrument.hand);
             if (scene_.instrument(instrument.hand) != nullptr) {
                 document_.fail(
                     place + "/hand",
                     std::string("the ") + hand_name(instrument.hand) + " hand holds two instruments",
                     "give one instrument a hand");
             }
-            copy(node, "kind", instrument.kind);
-            copy(node, "exchange", instrument.exchange);
+            copy_named(document_, node, place, "kind", instrument_types, instrument.kind);
+            if (node.contains("exchange")) {
+                for (std::size_t k = 0; k < node.at("exchange").size(); ++k)
+                    instrument.exchange.push_back(named(document_, node.at("exchange")[k],
+                                                        place + "/exchange/" + std::to_string(k),
+                                                        instrument_types));
+            }
             if (!instrument.exchange.empty()) {
                 if (!document_.root().contains("bands") && !document_.root().contains("structures")) {
                     document_.fail(place + "/exchange",
@@ -447,16 +453,17 @@ class SceneReader {
     void read_fidelity(const json& node) {
         Fidelity& fidelity = scene_.fidelity;
         copy(node, "id", fidelity.id);
-        copy(node, "rod", fidelity.rod);
+        const std::string place = "/fidelity";
+        copy_named(document_, node, place, "rod", rod_levels, fidelity.rod);
         copy(node, "rod_iterations", fidelity.rod_iterations);
-        copy(node, "material", fidelity.material);
-        copy(node, "skinning", fidelity.skinning);
-        copy(node, "collision", fidelity.collision);
+        copy_named(document_, node, place, "material", material_laws, fidelity.material);
+        copy_named(document_, node, place, "skinning", skin_scopes, fidelity.skinning);
+        copy_named(document_, node, place, "collision", collision_searches, fidelity.collision);
         copy(node, "projection_iterations", fidelity.projection_iterations);
-        copy(node, "tool_contact", fidelity.tool_contact);
-        copy(node, "membrane", fidelity.membrane);
+        copy_named(document_, node, place, "tool_contact", tool_contact_levels, fidelity.tool_contact);
+        copy_named(document_, node, place, "membrane", membrane_integrators, fidelity.membrane);
         copy(node, "membrane_iterations", fidelity.membrane_iterations);
-        copy(node, "filter", fidelity.filter);
+        copy_named(document_, node, place, "filter", filter_levels, fidelity.filter);
     }
 
     void check_tissue(const std::string& place, const std::string& label) {

@@ -12,6 +12,8 @@
 #include "sim_core/material/layered_wall.h"
 #include "sim_core/numerics/types.h"
 #include "sim_core/scene/bands_spec.h"
+#include "sim_core/scene/fidelity_levels.h"
+#include "sim_core/scene/instrument_type.h"
 #include "sim_core/scene/septa_spec.h"
 #include "sim_core/scene/structures_spec.h"
 
@@ -51,12 +53,11 @@ struct TrocarSpec {
 
 struct InstrumentSpec {
     Hand hand = Hand::left;
-    std::string kind = "grasper";  ///< "grasper", "probe", "scissors", "hook" (these two cut sheets); with
-                                   ///< bands or structures also "harmonic", "clip_applier", "suction"
-    bool cuts() const { return kind == "scissors" || kind == "hook"; }
+    InstrumentKind kind = InstrumentKind::grasper;
+    bool cuts() const { return type_of(kind).blade != InstrumentBlade::none; }
     /// With bands or structures: kinds that this hand changes between, by a button of its device; the first
     /// is held at the start. Empty: `kind` alone.
-    std::vector<std::string> exchange;
+    std::vector<InstrumentKind> exchange;
     TrocarSpec trocar;
     double start_insertion = 0.12;                   ///< m, insertion the device is aligned to at the start
     double shaft_radius = 0.0025;                    ///< m
@@ -179,17 +180,17 @@ struct SheetSpec {
 
 /// One choice for every row of the speed-accuracy table (docs/THEORY.md, section 8).
 struct Fidelity {
-    std::string id = "standard";
-    std::string rod = "newton_k";  ///< linearised | newton_k | newton
+    std::string id = "standard";  ///< as records name it: a level of fidelity.h or the scene's own choice
+    RodLevel rod = RodLevel::newton_k;
     int rod_iterations = 8;
-    std::string material = "linear";     ///< linear | EXP2
-    std::string skinning = "local";      ///< local | local2 | global
-    std::string collision = "coherent";  ///< coherent | brute
+    MaterialLaw material = MaterialLaw::linear;
+    SkinScope skinning = SkinScope::local;
+    CollisionSearch collision = CollisionSearch::coherent;
     int projection_iterations = 3;
-    std::string tool_contact = "dynamic_point";  ///< dynamic_point | query | jaws
-    std::string membrane = "global_local";       ///< symplectic | global_local | implicit
-    int membrane_iterations = 6;                 ///< of global_local, per step
-    std::string filter = "adaptive";             ///< off | 0 | 1 | 2 | adaptive
+    ToolContactLevel tool_contact = ToolContactLevel::dynamic_point;
+    MembraneIntegrator membrane = MembraneIntegrator::global_local;
+    int membrane_iterations = 6;  ///< of global_local, a step
+    FilterLevel filter = FilterLevel::adaptive;
 };
 
 struct Scene {

@@ -8,18 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "sim_core/scene/instrument_type.h"
 #include "sim_core/strand/strand.h"
 
 namespace fulcrum {
-
-/// What a hand can hold where instruments are exchanged.
-enum class ToolKind : std::uint8_t { grasper, probe, harmonic, hook, clip_applier, suction, scissors };
-/// A scene's word for it; anything unknown is a probe.
-ToolKind tool_kind(const std::string& word) noexcept;
-const char* tool_kind_name(ToolKind kind) noexcept;
-constexpr bool gives_energy(ToolKind kind) {
-    return kind == ToolKind::harmonic || kind == ToolKind::hook;
-}
 
 /// What the power of an activation reaches; `fat`: of a sheet, what lies beyond the tissue that is to be
 /// divided.
@@ -71,7 +63,7 @@ struct OutletView {
 
 /// What a hand's exchangeable instrument is doing.
 struct HandToolView {
-    ToolKind kind = ToolKind::grasper;
+    InstrumentKind kind = InstrumentKind::grasper;
     std::int32_t index = 0;   ///< in InstrumentSpec::exchange
     float exchange_left = 0;  ///< s until it can be used
     bool active = false;      ///< energy or suction was on in this step

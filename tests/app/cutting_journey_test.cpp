@@ -166,13 +166,13 @@ TEST_F(CuttingJourney, PedalAndExchangeAnswerToKeys) {
     ASSERT_FALSE(world().bands.empty());
     const auto tool = [&]() -> const HandToolView& { return world().bands[0].tools[1]; };
     ASSERT_EQ(theatre().input()->active_hand(), Hand::right);
-    EXPECT_EQ(tool().kind, ToolKind::harmonic);
+    EXPECT_EQ(tool().kind, InstrumentKind::harmonic);
     QTest::keyPress(theatre().view(), Qt::Key_B);
     EXPECT_TRUE(wait_for([&] { return tool().active; }, patience)) << "the pedal";
     QTest::keyRelease(theatre().view(), Qt::Key_B);
     EXPECT_TRUE(wait_for([&] { return !tool().active; }, patience));
     QTest::keyPress(theatre().view(), Qt::Key_T);
-    EXPECT_TRUE(wait_for([&] { return tool().kind == ToolKind::clip_applier; }, patience))
+    EXPECT_TRUE(wait_for([&] { return tool().kind == InstrumentKind::clip_applier; }, patience))
         << "the next instrument";
     QTest::keyRelease(theatre().view(), Qt::Key_T);
     abandon();

@@ -146,12 +146,12 @@ void MouseHand::jaws() {
     const InstrumentSpec* specs[] = {theatre_.session()->scene().instrument(Hand::left),
                                      theatre_.session()->scene().instrument(Hand::right)};
     for (int h = 0; h < hand_count; ++h) {
-        if (specs[h] == nullptr || specs[h]->kind == "probe") continue;
+        if (specs[h] == nullptr || (!type_of(specs[h]->kind).jaws && !specs[h]->cuts())) continue;
         // A blade cuts while its button is held: the window's jaws and button are one.
         const auto& bands = theatre_.session()->snapshot().bands;
         const bool blade = bands.empty() ? specs[h]->cuts()
-                                         : bands[0].tools[h].kind == ToolKind::scissors ||
-                                               bands[0].tools[h].kind == ToolKind::hook;
+                                         : bands[0].tools[h].kind == InstrumentKind::scissors ||
+                                               bands[0].tools[h].kind == InstrumentKind::hook;
         const bool closed = blade ? (wish_.hand[h].buttons & button_primary) != 0
                                   : device_angle_unit * wish_.hand[h].jaw < 0.3 * specs[h]->jaw_opening;
         if (closed == theatre_.input()->jaws_closed(static_cast<Hand>(h))) continue;

@@ -173,9 +173,10 @@ void ReplayPanel::fill_hud() {
     hud.place = playing_ ? tr("replay ×%1").arg(factor_) : tr("replay");
     for (int h = 0; h < hand_count; ++h) {
         const InstrumentSpec* spec = source_->scene().instrument(static_cast<Hand>(h));
-        hud.has_jaws[h] = spec != nullptr && spec->kind != "probe";
+        hud.has_jaws[h] = spec != nullptr && type_of(spec->kind).jaws;
         const std::vector<BandsView>& bands = source_->snapshot().bands;
         if (spec != nullptr && !spec->exchange.empty() && !bands.empty()) {
+            hud.has_jaws[h] = type_of(bands[0].tools[h].kind).jaws;
             hud.tool[h] = tool_words(bands[0].tools[h]);
             hud.tool_active[h] = bands[0].tools[h].active;
         }

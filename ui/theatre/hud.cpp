@@ -199,30 +199,9 @@ void draw_traction(QPainter& painter, const QRectF& bar, const TaskDisplay& disp
 }  // namespace
 
 QString tool_words(const HandToolView& tool) {
-    QString words;
-    switch (tool.kind) {
-        case ToolKind::grasper:
-            words = tr("grasper");
-            break;
-        case ToolKind::probe:
-            words = tr("probe");
-            break;
-        case ToolKind::harmonic:
-            words = tr("shears");
-            break;
-        case ToolKind::hook:
-            words = tr("hook");
-            break;
-        case ToolKind::clip_applier:
-            words = tr("clips: %1").arg(tool.clips_left);
-            break;
-        case ToolKind::suction:
-            words = tr("suction");
-            break;
-        case ToolKind::scissors:
-            words = tr("scissors");
-            break;
-    }
+    const InstrumentType& type = type_of(tool.kind);
+    QString words = QCoreApplication::translate("fulcrum::instruments", type.title);
+    if (type.clips) words = tr("clips: %1").arg(tool.clips_left);
     if (tool.exchange_left > 0)
         words += tr(", in %1 s").arg(static_cast<double>(tool.exchange_left), 0, 'f', 1);
     return words;

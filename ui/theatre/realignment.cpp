@@ -34,7 +34,7 @@ void add_ghosts(SceneFrame& frame, const Scene& scene, const Realignment& realig
         if (spec == nullptr || !realignment.hand[hand].exists) continue;
         DrawnTool tool;
         tool.pose = realignment.hand[hand].device;
-        tool.end = tool_end(spec->kind);
+        tool.kind = spec->kind;
         tool.jaw_length = spec->jaw_length;
         tool.shaft_radius = spec->shaft_radius;
         frame.tools.push_back(tool);

@@ -15,8 +15,8 @@
 namespace fulcrum {
 namespace {
 
-constexpr std::array<ToolKind, 4> kinds = {ToolKind::hook, ToolKind::suction, ToolKind::clip_applier,
-                                           ToolKind::harmonic};
+constexpr std::array<InstrumentKind, 4> kinds = {InstrumentKind::hook, InstrumentKind::suction,
+                                                 InstrumentKind::clip_applier, InstrumentKind::harmonic};
 
 /// A right hand before one place that bleeds or not.
 class FieldStage {
@@ -34,9 +34,9 @@ class FieldStage {
         seen.tip[1] = limb->tip();
     }
     /// Until the blade is back; the kinds that the hand held, in order.
-    std::vector<ToolKind> turn(double longest_s) {
+    std::vector<InstrumentKind> turn(double longest_s) {
         FieldTurn field(skill);
-        std::vector<ToolKind> held{ToolKind::hook};
+        std::vector<InstrumentKind> held{InstrumentKind::hook};
         EXPECT_TRUE(field.wanted(seen, *limb));
         field.begin(seen);
         bool back = false, was_pressed = false, was_open = false;
@@ -48,11 +48,12 @@ class FieldStage {
             const double away = (seen.tip[1] - seen.outlets[0].position).norm();
             if (pressed && !was_pressed) held.push_back(kinds[held.size() % kinds.size()]);
             was_pressed = pressed;
-            const bool sucks = held.back() == ToolKind::suction && (sample.buttons & button_energy) != 0;
+            const bool sucks =
+                held.back() == InstrumentKind::suction && (sample.buttons & button_energy) != 0;
             if (sucks) seen.smoke *= 0.99;
             sucked_s += sucks ? 1e-3 : 0;
             sucked_there = sucked_there || (sucks && away < 0.008);
-            if (held.back() == ToolKind::clip_applier) {
+            if (held.back() == InstrumentKind::clip_applier) {
                 was_open = was_open || limb->jaw() > 0.4;
                 if (was_open && limb->jaw() < 0.2 && limb->grip() > 0.2) {
                     clipped_within = away;
@@ -78,10 +79,10 @@ class FieldStage {
 TEST(FieldTurn, SmokeIsSuckedWhereTheHandStands) {
     FieldStage stage("expert", 0, 0.5);
     const Vector3 before = stage.limb->destination();
-    const std::vector<ToolKind> held = stage.turn(30);
+    const std::vector<InstrumentKind> held = stage.turn(30);
     ASSERT_GE(held.size(), 5U);
-    EXPECT_EQ(held[1], ToolKind::suction);
-    EXPECT_EQ(held.back(), ToolKind::hook);
+    EXPECT_EQ(held[1], InstrumentKind::suction);
+    EXPECT_EQ(held.back(), InstrumentKind::hook);
     EXPECT_GT(stage.sucked_s, 0.5);
     EXPECT_LT(stage.seen.smoke, 0.1);
     EXPECT_LT((stage.limb->destination() - before).norm(), 1e-9);
@@ -90,8 +91,8 @@ TEST(FieldTurn, SmokeIsSuckedWhereTheHandStands) {
 TEST(FieldTurn, WhatBleedsIsSuckedAndClippedWhereItWellsUp) {
     for (const char* preset : {"expert", "intermediate", "novice"}) {
         FieldStage stage(preset, 2e-7, 0);
-        const std::vector<ToolKind> held = stage.turn(60);
-        EXPECT_EQ(held.back(), ToolKind::hook) << preset;
+        const std::vector<InstrumentKind> held = stage.turn(60);
+        EXPECT_EQ(held.back(), InstrumentKind::hook) << preset;
         EXPECT_TRUE(stage.sucked_there) << preset;
         EXPECT_LT(stage.clipped_within, 0.006) << preset;
         EXPECT_EQ(stage.seen.outlets[0].flow, 0.0) << preset;
@@ -101,7 +102,7 @@ TEST(FieldTurn, WhatBleedsIsSuckedAndClippedWhereItWellsUp) {
 TEST(FieldTurn, WithoutClipsTheWorkGoesOn) {
     FieldStage stage("expert", 2e-7, 0);
     stage.seen.tools[1].clips_left = 0;
-    EXPECT_EQ(stage.turn(30).back(), ToolKind::hook);
+    EXPECT_EQ(stage.turn(30).back(), InstrumentKind::hook);
     EXPECT_EQ(stage.clipped_within, 1.0);
 }
 

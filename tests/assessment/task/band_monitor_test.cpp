@@ -41,7 +41,7 @@ struct Stage {
         world.bands.resize(1);
         view().bands.resize(10);
         view().outlets.resize(6);
-        view().tools[1].kind = ToolKind::harmonic;
+        view().tools[1].kind = InstrumentKind::harmonic;
         view().tools[1].clips_left = 12;
     }
     BandsView& view() { return world.bands[0]; }
@@ -108,7 +108,7 @@ TEST(BandMonitor, AnActivationSaysWhatHeldThroughout) {
 
 TEST(BandMonitor, SuctionIsNoActivation) {
     Stage stage;
-    stage.view().tools[1].kind = ToolKind::suction;
+    stage.view().tools[1].kind = InstrumentKind::suction;
     stage.view().tools[1].index = 2;
     stage.view().tools[1].active = true;
     stage.step(10);
@@ -208,7 +208,7 @@ TEST(BandMonitor, AWallWithVeinsTellsTheSameEvents) {
     view.outlets.resize(field_outlet_capacity);
     view.nerves.resize(2);
     for (NerveView& nerve : view.nerves) nerve.dose.assign(4, 0.0F);
-    view.tools[1].kind = ToolKind::hook;
+    view.tools[1].kind = InstrumentKind::hook;
     view.tools[1].clips_left = scene.structures->clips;
     Kept sink;
     std::uint32_t tick = 0;
@@ -260,7 +260,7 @@ TEST(BandMonitor, AWallWithVeinsTellsTheSameEvents) {
     ASSERT_EQ(sink.of(EventKind::bleed_begin).size(), 1U);
     EXPECT_NEAR(static_cast<double>(sink.of(EventKind::bleed_begin)[0].value), 120, 1e-3);
     ASSERT_EQ(sink.of(EventKind::blood_loss).size(), 1U);
-    view.tools[1].kind = ToolKind::clip_applier;
+    view.tools[1].kind = InstrumentKind::clip_applier;
     view.tools[1].index = 2;
     view.tools[1].clips_fired = 1;
     view.tools[1].last_clip_outlet = 15;

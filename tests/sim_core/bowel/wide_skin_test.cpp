@@ -78,9 +78,6 @@ TEST(WideSkin, APatchStandsWhereItsScopePutsIt) {
             EXPECT_LT((skin_vertex(row, moved) - wide.vertex(v, moved)).norm(), 1e-12);
         }
     }
-    EXPECT_EQ(skin_scope("local"), SkinScope::local);
-    EXPECT_EQ(skin_scope("local2"), SkinScope::local2);
-    EXPECT_EQ(skin_scope("global"), SkinScope::global);
 }
 
 TEST(LuminalVolume, ContentsKeepTheVolumeOfATubeThatIsPulledLong) {

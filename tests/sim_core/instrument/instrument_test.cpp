@@ -185,20 +185,21 @@ TEST(Scope, ThePointLookedAtIsInViewUntilTheRoundBorder) {
 }
 
 TEST(Instrument, AHandHasJawsWhereAnyOfWhatItExchangesHas) {
-    const auto jaws = [](const char* kind, std::vector<std::string> exchange) {
+    const auto jaws = [](InstrumentKind kind, std::vector<InstrumentKind> exchange) {
         InstrumentSpec spec;
         spec.kind = kind;
         spec.exchange = std::move(exchange);
         const InstrumentModel model = make_instrument(spec, 1e-3);
         const DeviceSample sample = sample_at(Vector3(0, 0, 0.1), 0, 0.5, 2);
-        EXPECT_EQ(tool_pose(model, sample).grip > 0, model.has_jaws) << kind;
+        EXPECT_EQ(tool_pose(model, sample).grip > 0, model.has_jaws) << type_of(kind).name;
         return model.has_jaws;
     };
-    EXPECT_TRUE(jaws("grasper", {}));
-    EXPECT_FALSE(jaws("hook", {}));
-    EXPECT_FALSE(jaws("probe", {}));
-    EXPECT_FALSE(jaws("hook", {"hook", "suction"}));
-    EXPECT_TRUE(jaws("hook", {"hook", "suction", "clip_applier"}));
+    EXPECT_TRUE(jaws(InstrumentKind::grasper, {}));
+    EXPECT_FALSE(jaws(InstrumentKind::hook, {}));
+    EXPECT_FALSE(jaws(InstrumentKind::probe, {}));
+    EXPECT_FALSE(jaws(InstrumentKind::hook, {InstrumentKind::hook, InstrumentKind::suction}));
+    EXPECT_TRUE(jaws(InstrumentKind::hook,
+                     {InstrumentKind::hook, InstrumentKind::suction, InstrumentKind::clip_applier}));
 }
 
 }  // namespace

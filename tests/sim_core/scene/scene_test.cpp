@@ -63,7 +63,7 @@ TEST(Scene, ChoosesTheLawAndTheLayersOfTheWall) {
                     "\"layers\": [{\"name\": \"mucosa\", \"thickness\": 0.001, \"young_modulus\": 8000}, "
                     "{\"thickness\": 0.0005, \"young_modulus\": 80000, \"exponent\": 4}],");
     const Scene scene = parse_scene(text, "b1.json");
-    EXPECT_EQ(scene.fidelity.material, "EXP2");
+    EXPECT_EQ(scene.fidelity.material, MaterialLaw::exp2);
     ASSERT_EQ(scene.bowel->layers.size(), 2U);
     EXPECT_EQ(scene.bowel->layers[1].exponent, 4);
     EXPECT_NEAR(scene.bowel->wall_thickness, 0.0015, 1e-15);

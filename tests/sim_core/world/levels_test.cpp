@@ -97,8 +97,8 @@ TEST(Levels, TheFilterSpreadsTheForceAsItsLevelSays) {
     Scene scene = small_scene();
     int dented[3] = {0, 0, 0};
     std::set<std::uint64_t> hashes;
-    for (const char* level : {"off", "0", "1", "2", "adaptive"}) {
-        scene.fidelity.filter = level;
+    for (const auto& [filter, level, title] : filter_levels) {
+        scene.fidelity.filter = filter;
         const Press result = press(scene);
         expect_sound(result, level);
         const std::string name = level;
@@ -120,9 +120,9 @@ TEST(Levels, TheFilterSpreadsTheForceAsItsLevelSays) {
 
 TEST(Levels, ToolContactByQueryIsTheDynamicPointsContact) {
     Scene scene = small_scene();
-    scene.fidelity.tool_contact = "dynamic_point";
+    scene.fidelity.tool_contact = ToolContactLevel::dynamic_point;
     const Press walked = press(scene);
-    scene.fidelity.tool_contact = "query";
+    scene.fidelity.tool_contact = ToolContactLevel::query;
     const Press searched = press(scene);
     expect_sound(walked, "dynamic_point");
     expect_sound(searched, "query");
@@ -133,9 +133,9 @@ TEST(Levels, ToolContactByQueryIsTheDynamicPointsContact) {
 
 TEST(Levels, JawsAsBoxesPressTheBowelBesideTheShaft) {
     Scene scene = small_scene();
-    scene.fidelity.tool_contact = "dynamic_point";
+    scene.fidelity.tool_contact = ToolContactLevel::dynamic_point;
     const Press shaft = press(scene);
-    scene.fidelity.tool_contact = "jaws";
+    scene.fidelity.tool_contact = ToolContactLevel::jaws;
     const Press jaws = press(scene);
     expect_sound(jaws, "jaws");
     EXPECT_EQ(shaft.largest_by_jaws, 0);
@@ -154,8 +154,8 @@ TEST(Levels, FinerSkinningMovesTheSurfaceAndNotTheContact) {
     Scene scene = small_scene();
     std::set<std::uint64_t> hashes;
     double force = 0;
-    for (const char* level : {"local", "local2", "global"}) {
-        scene.fidelity.skinning = level;
+    for (const auto& [scope, level, title] : skin_scopes) {
+        scene.fidelity.skinning = scope;
         const Press result = press(scene);
         expect_sound(result, level);
         hashes.insert(result.hash);

@@ -91,7 +91,7 @@ TEST(World, TheBowelComesToRestAndIsCarried) {
 
 TEST(World, ASceneChoosesExp2AndALayeredWall) {
     Scene stiffening = scene("b1_bowel");
-    stiffening.fidelity.material = "EXP2";
+    stiffening.fidelity.material = MaterialLaw::exp2;
     stiffening.bowel->layers = bowel_wall_layers();
     Hands run(stiffening);
     double fastest = 0;

@@ -159,7 +159,7 @@ TEST(HudLayout, NothingLiesOverAnythingInAnyTask) {
                     hud.display.cut_distance_m = 0.0123;
                     hud.display.traction_n_m = 123;
                     HandToolView tool;
-                    tool.kind = warning < 0 ? ToolKind::scissors : ToolKind::clip_applier;
+                    tool.kind = warning < 0 ? InstrumentKind::scissors : InstrumentKind::clip_applier;
                     tool.clips_left = 10;
                     tool.exchange_left = 1.5F;
                     hud.tool[0] = hud.tool[1] = tool_words(tool);

@@ -134,8 +134,7 @@ SceneFrame& SceneAssembler::assemble(const WorldSnapshot& snapshot) {
         if (spec == nullptr) continue;
         DrawnTool tool;
         tool.pose = snapshot.tools[hand];
-        tool.end = tool_end(snapshot.bands.empty() ? spec->kind
-                                                   : tool_kind_name(snapshot.bands[0].tools[hand].kind));
+        tool.kind = snapshot.bands.empty() ? spec->kind : snapshot.bands[0].tools[hand].kind;
         tool.jaw_length = spec->jaw_length;
         tool.shaft_radius = spec->shaft_radius;
         i.frame.tools.push_back(tool);

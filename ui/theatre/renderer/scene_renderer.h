@@ -30,15 +30,10 @@ struct DrawnTarget {
     Hand hand = Hand::left;  ///< left: blue, right: orange
 };
 
-/// What an instrument ends in.
-enum class ToolEnd { grasper, scissors, harmonic, clip_applier, hook, suction, probe };
-/// Of an InstrumentSpec::kind.
-ToolEnd tool_end(const std::string& kind);
-
 struct DrawnTool {
     ToolPose pose;  ///< shaft from the trocar to the jaws; tip = end of the jaws
-    ToolEnd end = ToolEnd::grasper;
-    bool jaws() const { return end <= ToolEnd::clip_applier; }
+    InstrumentKind kind = InstrumentKind::grasper;
+    bool jaws() const { return type_of(kind).jaws; }
     double jaw_length = 0.020;     ///< m
     double shaft_radius = 0.0025;  ///< m
     double strain = 0;             ///< 0 .. 1: share of the force limit; colours the tip's contact

@@ -57,15 +57,6 @@ TargetPaint paint_of(const DrawnTarget& target) {
     return {0.62F * hue, 0.0F, 1.0F};
 }
 
-ToolEnd tool_end(const std::string& kind) {
-    if (kind == "scissors") return ToolEnd::scissors;
-    if (kind == "harmonic") return ToolEnd::harmonic;
-    if (kind == "clip_applier") return ToolEnd::clip_applier;
-    if (kind == "hook") return ToolEnd::hook;
-    if (kind == "suction") return ToolEnd::suction;
-    return kind == "probe" ? ToolEnd::probe : ToolEnd::grasper;
-}
-
 QVector3D SceneRenderer::project(const CameraPose& camera, const Vector3& point, QSize size) {
     const QVector3D local = camera_matrix(camera).map(vector(point));
     const float radius = 0.5F * static_cast<float>(std::min(size.width(), size.height()));

@@ -100,18 +100,18 @@ void add_tool_parts(const DrawnTool& tool, std::vector<ToolPart>& parts) {
     if (!tool.pose.inside) return;
     Bench bench(tool, parts);
     const float r = bench.radius();
-    switch (tool.end) {
-        case ToolEnd::grasper:
+    switch (tool.kind) {
+        case InstrumentKind::grasper:
             bench.shaft(0.012F, 0.86F, -r);
             bench.turned(ToolShape::clevis, 0.9F, steel);
             bench.pair(ToolShape::jaw, 1, 1, steel);
             break;
-        case ToolEnd::scissors:
+        case InstrumentKind::scissors:
             bench.shaft(0.012F, 0.86F, -r);
             bench.turned(ToolShape::clevis, 0.9F, steel);
             bench.pair(ToolShape::blade, 1, 1, steel);
             break;
-        case ToolEnd::harmonic:
+        case InstrumentKind::harmonic:
             // One arm with its pad closes on the bar that vibrates.
             bench.shaft(0.006F, 0.92F, -r);
             bench.turned(ToolShape::clevis, 0.9F, steel);
@@ -119,23 +119,23 @@ void add_tool_parts(const DrawnTool& tool, std::vector<ToolPart>& parts) {
             bench.arm(ToolShape::jaw, false, bench.opening(), 0.85F, 0.75F, 0.55F * steel);
             bench.arm(ToolShape::rod, false, bench.opening(), 0.9F, 0.45F, ceramic);
             break;
-        case ToolEnd::clip_applier:
+        case InstrumentKind::clip_applier:
             bench.shaft(0.030F, 0.95F, -r);
             bench.turned(ToolShape::clevis, 1.0F, brass);
             bench.pair(ToolShape::jaw, 1.35F, 0.75F, brass);
             break;
-        case ToolEnd::hook:
+        case InstrumentKind::hook:
             bench.shaft(0.0115F, 0.55F, -3.0F * r);
             bench.tube(-0.0125F, -0.0095F, 0.80F * r, false, ceramic);
             bench.turned(ToolShape::hook, 0.86F, steel);
             break;
-        case ToolEnd::suction:
+        case InstrumentKind::suction:
             bench.shaft(0.060F, 0.86F, -2.9F * r);
             bench.turned(ToolShape::tube_end, 0.86F, steel);
             for (int k = 0; k < 4; ++k)
                 bench.hole(-(4.5F + 2.2F * static_cast<float>(k % 2)) * r, 90.0F * static_cast<float>(k));
             break;
-        case ToolEnd::probe:
+        case InstrumentKind::probe:
             bench.shaft(0.020F, 0.86F, -3.0F * r);
             bench.turned(ToolShape::probe_end, 0.86F, steel);
             break;

@@ -29,7 +29,7 @@ void BandsPart::step_tool(int number, const TickOutput* outputs, std::size_t cou
         field_.measure_nerves(hand, tool);
         touch_with_blade(number, tool);
         if (pedal > 0) apply_energy(number, tool, pedal);
-    } else if (hand.kind() == ToolKind::suction && pedal > 0) {
+    } else if (type_of(hand.kind()).suction && pedal > 0) {
         hand.active = true;
         field_.suck(tool, dt);
     }
@@ -38,8 +38,7 @@ void BandsPart::step_tool(int number, const TickOutput* outputs, std::size_t cou
 void BandsPart::step_jaws(int number, const ToolKinematics& tool, double dt) noexcept {
     FieldHand& hand = field_.hand(number);
     Grip& grip = grips_[static_cast<std::size_t>(number)];
-    const ToolKind kind = hand.kind();
-    const bool holds = kind == ToolKind::grasper || kind == ToolKind::harmonic;
+    const InstrumentType& type = type_of(hand.kind());
     double opening = 0;
     const bool closed = field_.jaws_closed(hand, tool, opening);
     if (grip.band >= 0) {
@@ -52,9 +51,9 @@ void BandsPart::step_jaws(int number, const ToolKinematics& tool, double dt) noe
             grip.band = -1;
             grip.hold.node = -1;
         }
-    } else if (closed && (holds || kind == ToolKind::clip_applier)) {
+    } else if (closed && (type.grasps_strands || type.clips)) {
         hand.ready = false;
-        if (kind == ToolKind::clip_applier) {
+        if (type.clips) {
             fire_clip(number, tool);
             return;
         }

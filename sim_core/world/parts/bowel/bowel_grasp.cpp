@@ -197,7 +197,7 @@ void BowelPart::update_grasps(const ToolAction* actions, double dt) noexcept {
     for (int hand = 0; hand < hand_count; ++hand) {
         const ToolAction& action = actions[hand];
         HandGrasp& grasp = grasps_[hand];
-        if (action.instrument == nullptr || !action.tool.present || action.instrument->kind != "grasper")
+        if (action.instrument == nullptr || !action.tool.present || !type_of(action.instrument->kind).grasps)
             continue;
         const double opening = action.tool.jaw_angle / std::max(1e-9, action.instrument->jaw_opening);
         const bool closed = opening < close_share && action.tool.grip > least_grip;

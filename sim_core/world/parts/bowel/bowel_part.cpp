@@ -35,10 +35,10 @@ constexpr double unsolved_residual =
 
 RodSolve rod_solve(const Fidelity& fidelity) {
     RodSolve solve;
-    if (fidelity.rod == "linearised") {
+    if (fidelity.rod == RodLevel::linearised) {
         solve.level = RodSolve::Level::linearised;
         solve.iterations = 1;
-    } else if (fidelity.rod == "newton_k") {
+    } else if (fidelity.rod == RodLevel::newton_k) {
         solve.level = RodSolve::Level::newton_k;
         solve.iterations = fidelity.rod_iterations;
     }
@@ -55,7 +55,7 @@ RodSpec rod_spec(const Scene& scene, const std::vector<Vector3>& centre_line, bo
     spec.young_modulus = bowel.young_modulus;
     spec.poisson_ratio = bowel.poisson_ratio;
     spec.layers = bowel.layers;
-    if (scene.fidelity.material == "EXP2") {
+    if (scene.fidelity.material == MaterialLaw::exp2) {
         // The same tissue: the scene's moduli are those of the line that fits EXP2 best.
         spec.law = MaterialLaw::exp2;
         spec.young_modulus *= exp2_rest_share;
@@ -94,7 +94,7 @@ BowelPart::BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel
                                         build_cage(anatomy_.surface, anatomy_.length, spheres_));
     SphereCollisionOptions options;
     options.projection_iterations = scene.fidelity.projection_iterations;
-    if (scene.fidelity.collision == "brute") options.list_margin = 0.0;
+    if (scene.fidelity.collision == CollisionSearch::brute) options.list_margin = 0.0;
     collision_ = std::make_unique<SphereCollision>(
         cavity, SphereChainShape{spheres_.arc_lengths, spheres_.radii}, options);
     bed_ = winkler_bed(spec.young_modulus, spec.poisson_ratio, spec.wall_thickness, backing_stiffness,
@@ -132,7 +132,7 @@ BowelPart::BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel
         membranes_.emplace_back(scene, i, anatomy_.membranes[i], *rod_, state_, scene.step_period());
         hung += membranes_.back().attachments();
     }
-    with_jaws_ = scene.fidelity.tool_contact == "jaws";
+    with_jaws_ = scene.fidelity.tool_contact == ToolContactLevel::jaws;
     for (const InstrumentSpec& instrument : scene.instruments) {
         if (!with_jaws_) break;
         jaw_models_[static_cast<int>(instrument.hand)] = make_instrument(instrument, scene.step_period());
@@ -389,8 +389,8 @@ void BowelPart::update_rings(double /*dt*/) noexcept {
 // What the scene asks for beyond one constant stiffness and the local scope.
 void BowelPart::build_wall() {
     const BowelSpec& spec = *scene_.bowel;
-    if (skin_scope(scene_.fidelity.skinning) != SkinScope::local) {
-        wide_skin_ = std::make_unique<WideSkin>(*skin_, skin_scope(scene_.fidelity.skinning));
+    if (scene_.fidelity.skinning != SkinScope::local) {
+        wide_skin_ = std::make_unique<WideSkin>(*skin_, scene_.fidelity.skinning);
         patches_->set_scope(wide_skin_.get());
     }
     if (spec.luminal_bulk_modulus > 0) {

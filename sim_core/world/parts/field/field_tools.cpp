@@ -34,34 +34,6 @@ Vector3 heel(const FieldHand& hand, const ToolKinematics& tool) {
 
 }  // namespace
 
-ToolKind tool_kind(const std::string& word) noexcept {
-    for (const ToolKind kind : {ToolKind::grasper, ToolKind::harmonic, ToolKind::hook, ToolKind::clip_applier,
-                                ToolKind::suction, ToolKind::scissors}) {
-        if (word == tool_kind_name(kind)) return kind;
-    }
-    return ToolKind::probe;
-}
-
-const char* tool_kind_name(ToolKind kind) noexcept {
-    switch (kind) {
-        case ToolKind::grasper:
-            return "grasper";
-        case ToolKind::probe:
-            return "probe";
-        case ToolKind::harmonic:
-            return "harmonic";
-        case ToolKind::hook:
-            return "hook";
-        case ToolKind::clip_applier:
-            return "clip_applier";
-        case ToolKind::suction:
-            return "suction";
-        case ToolKind::scissors:
-            return "scissors";
-    }
-    return "probe";
-}
-
 double distance_to_blade(const FieldHand& hand, const ToolKinematics& tool, const Vector3& point) noexcept {
     const SegmentPair pair = closest_points_of_segments(heel(hand, tool), tool.tip, point, point);
     return (pair.on_first - point).norm();
@@ -145,8 +117,11 @@ bool OperativeField::is_blade(const FieldHand& hand, const ToolKinematics& tool,
                               bool energised) const noexcept {
     if (!tool.inside || !hand.usable()) return false;
     const bool primary = (tool.buttons & button_primary) != 0;
-    return hand.kind() == ToolKind::scissors ? primary
-                                             : hand.kind() == ToolKind::hook && (primary || energised);
+    // Shears part tissue by heat between their blades: what they do to a nerve is an injury by heat.
+    const InstrumentBlade blade = type_of(hand.kind()).blade;
+    return blade == InstrumentBlade::button
+               ? primary
+               : blade == InstrumentBlade::button_or_energy && (primary || energised);
 }
 
 void OperativeField::divide_nerves(int number, const ToolKinematics& tool, bool energised) noexcept {

@@ -77,11 +77,11 @@ OperativeField::OperativeField(const Scene& scene, const FieldSpec& spec, FieldM
     for (const InstrumentSpec& instrument : scene.instruments) {
         FieldHand& hand = hands_[static_cast<std::size_t>(instrument.hand)];
         hand.instrument = std::make_shared<const InstrumentSpec>(instrument);
-        hand.kinds[0] = tool_kind(instrument.kind);
+        hand.kinds[0] = instrument.kind;
         hand.kind_count =
             std::clamp(static_cast<int>(instrument.exchange.size()), 1, static_cast<int>(hand.kinds.size()));
         for (std::size_t i = 0; i < instrument.exchange.size() && i < hand.kinds.size(); ++i)
-            hand.kinds[i] = tool_kind(instrument.exchange[i]);
+            hand.kinds[i] = instrument.exchange[i];
     }
 }
 

@@ -74,7 +74,7 @@ struct FieldOutlet {
 /// What a hand's exchangeable instrument is and does.
 struct FieldHand {
     std::shared_ptr<const InstrumentSpec> instrument;  ///< as the scene has it; null: no such hand
-    std::array<ToolKind, 6> kinds{};
+    std::array<InstrumentKind, 6> kinds{};
     int kind_count = 1, index = 0;
     double exchange_left = 0;   ///< s
     std::uint16_t buttons = 0;  ///< of the last tick
@@ -89,7 +89,7 @@ struct FieldHand {
     int touched_count = 0;
     Vector3 last_tip = Vector3::Zero();  ///< m, where a blade was; means something while `cutting`
     bool cutting = false;                ///< a blade in the last step
-    ToolKind kind() const { return kinds[static_cast<std::size_t>(index)]; }
+    InstrumentKind kind() const { return kinds[static_cast<std::size_t>(index)]; }
     bool usable() const { return exchange_left <= 0; }
 };
 
@@ -127,7 +127,7 @@ class OperativeField {
     std::vector<FieldOutlet>& outlets() { return outlets_; }
     const std::vector<FieldOutlet>& outlets() const { return outlets_; }
     const EnergyToolModel& tool_model(const FieldHand& hand) const {
-        return hand.kind() == ToolKind::hook ? hook_ : shears_;
+        return type_of(hand.kind()).energy == InstrumentEnergy::monopolar ? hook_ : shears_;
     }
 
     void begin_step() noexcept;

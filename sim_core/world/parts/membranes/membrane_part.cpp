@@ -21,9 +21,9 @@ std::vector<std::int32_t> held(const MembraneSheet& sheet) {
 
 MembraneSolve solve_of(const Fidelity& fidelity) {
     MembraneSolve solve;
-    if (fidelity.membrane == "symplectic") {
+    if (fidelity.membrane == MembraneIntegrator::symplectic) {
         solve.integrator = MembraneIntegrator::symplectic;
-    } else if (fidelity.membrane == "implicit") {
+    } else if (fidelity.membrane == MembraneIntegrator::implicit) {
         solve.integrator = MembraneIntegrator::implicit;
         solve.tolerance = 1e-8;
         solve.iterations = 200;

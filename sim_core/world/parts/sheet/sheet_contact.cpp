@@ -290,7 +290,7 @@ void SheetPart::take(int number, const SheetAction& action) noexcept {
 bool SheetPart::closing(int number, const SheetAction& action) const noexcept {
     const HandState& hand = state_.hands[static_cast<std::size_t>(number)];
     const ToolKinematics& tool = action.tool;
-    if (action.instrument->kind != "grasper" || !tool.present || hand.held) return false;
+    if (!type_of(action.instrument->kind).grasps || !tool.present || hand.held) return false;
     const double opening = tool.jaw_angle / std::max(1e-9, action.instrument->jaw_opening);
     return opening < close_share && tool.grip > least_grip && hand.ready && tool.inside;
 }
@@ -298,7 +298,7 @@ bool SheetPart::closing(int number, const SheetAction& action) const noexcept {
 void SheetPart::update_jaws(int number, const SheetAction& action, double dt) noexcept {
     HandState& hand = state_.hands[static_cast<std::size_t>(number)];
     const ToolKinematics& tool = action.tool;
-    if (action.instrument->kind != "grasper" || !tool.present) return;
+    if (!type_of(action.instrument->kind).grasps || !tool.present) return;
     const double opening = tool.jaw_angle / std::max(1e-9, action.instrument->jaw_opening);
     if (opening > open_share) hand.ready = true;
     if (!hand.held) {

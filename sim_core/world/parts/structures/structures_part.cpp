@@ -125,8 +125,7 @@ StructuresPart::StructuresPart(const Scene& scene, const FieldWall& wall, const 
         for (std::size_t k = 0; k < hand.kinds.size(); ++k) {
             InstrumentSpec& spec = kinds_[static_cast<std::size_t>(number)][k];
             spec = *hand.instrument;
-            // Shears under power part a sheet as a hook does.
-            spec.kind = hand.kinds[k] == ToolKind::harmonic ? "hook" : tool_kind_name(hand.kinds[k]);
+            spec.kind = hand.kinds[k];
         }
     }
 }
@@ -141,7 +140,7 @@ HeldTool StructuresPart::held(int number, const ToolKinematics& tool) const noex
     held.tool.inside = tool.inside && hand.usable();
     if (held.energised) {
         held.tool.buttons = static_cast<std::uint16_t>(tool.buttons | button_primary);
-    } else if (hand.kind() == ToolKind::harmonic) {
+    } else if (type_of(hand.kind()).blade == InstrumentBlade::energy) {
         held.tool.buttons = static_cast<std::uint16_t>(tool.buttons & ~button_primary);
     }
     return held;
@@ -162,8 +161,8 @@ void StructuresPart::step_tool(int number, const TickOutput* outputs, std::size_
     FieldHand& hand = field_.hand(number);
     const ToolKinematics& tool = outputs[count - 1].contact[number].tool;
     // What jaws hold is let go of first.
-    const bool holds = hand.kind() == ToolKind::grasper &&
-                       tool.jaw_angle < jaw_rules::open_share * hand.instrument->jaw_opening;
+    const bool holds =
+        type_of(hand.kind()).grasps && tool.jaw_angle < jaw_rules::open_share * hand.instrument->jaw_opening;
     field_.exchange(number, outputs, count, holds, dt);
     field_.clear(hand);
     if (!tool.present || !tool.tip.allFinite()) {
@@ -171,7 +170,7 @@ void StructuresPart::step_tool(int number, const TickOutput* outputs, std::size_
         return;
     }
     double opening = 0, least = 0;
-    if (field_.jaws_closed(hand, tool, opening) && hand.kind() == ToolKind::clip_applier) {
+    if (field_.jaws_closed(hand, tool, opening) && type_of(hand.kind()).clips) {
         hand.ready = false;
         if (field_.clips_left()) field_.fire_clip(hand, tool, least);
     }
@@ -186,7 +185,7 @@ void StructuresPart::step_tool(int number, const TickOutput* outputs, std::size_
         if (root >= 0) field_.touch(hand, root_patch(root));
         field_.touch_nerves_and_bed(hand, tool);
         if (pedal > 0) apply_energy(number, tool, pedal);
-    } else if (hand.kind() == ToolKind::suction && pedal > 0) {
+    } else if (type_of(hand.kind()).suction && pedal > 0) {
         hand.active = true;
         field_.suck(tool, dt);
     }
@@ -258,7 +257,9 @@ Vector3 StructuresPart::root_centre(std::int32_t root) const noexcept {
 // A hook's current finds its way through water: tissue that has dried takes no more power.
 double StructuresPart::conducting_share(const FieldHand& hand, const EnergyReach& reach) const noexcept {
     const double whole = field_.model().heat.patches[reach.patch].water;
-    return hand.kind() == ToolKind::hook && whole > 0 ? field_.heat().water[reach.patch] / whole : 1.0;
+    return type_of(hand.kind()).energy == InstrumentEnergy::monopolar && whole > 0
+               ? field_.heat().water[reach.patch] / whole
+               : 1.0;
 }
 
 void StructuresPart::apply_energy(int number, const ToolKinematics& tool, double duty) noexcept {

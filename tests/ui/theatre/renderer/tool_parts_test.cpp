@@ -8,9 +8,9 @@
 namespace fulcrum::ui {
 namespace {
 
-std::vector<ToolPart> parts_of(ToolEnd end, double opening = 0.4) {
+std::vector<ToolPart> parts_of(InstrumentKind end, double opening = 0.4) {
     DrawnTool tool;
-    tool.end = end;
+    tool.kind = end;
     tool.pose.inside = true;
     tool.pose.trocar = Vector3(0.1, 0, 0);
     tool.pose.tip = Vector3::Zero();
@@ -22,7 +22,7 @@ std::vector<ToolPart> parts_of(ToolEnd end, double opening = 0.4) {
     return parts;
 }
 
-int moved(ToolEnd end) {
+int moved(InstrumentKind end) {
     const std::vector<ToolPart> narrow = parts_of(end, 0.1), wide = parts_of(end, 0.9);
     int count = 0;
     for (std::size_t k = 0; k < narrow.size(); ++k) count += narrow[k].pose == wide[k].pose ? 0 : 1;
@@ -30,16 +30,17 @@ int moved(ToolEnd end) {
 }
 
 TEST(ToolParts, JawsOpenOnBothSidesShearsOnOne) {
-    EXPECT_EQ(moved(ToolEnd::grasper), 2);
-    EXPECT_EQ(moved(ToolEnd::scissors), 2);
-    EXPECT_EQ(moved(ToolEnd::clip_applier), 2);
-    EXPECT_EQ(moved(ToolEnd::harmonic), 2);  // an arm and its pad; the bar stays
-    for (const ToolEnd end : {ToolEnd::hook, ToolEnd::suction, ToolEnd::probe}) EXPECT_EQ(moved(end), 0);
+    EXPECT_EQ(moved(InstrumentKind::grasper), 2);
+    EXPECT_EQ(moved(InstrumentKind::scissors), 2);
+    EXPECT_EQ(moved(InstrumentKind::clip_applier), 2);
+    EXPECT_EQ(moved(InstrumentKind::harmonic), 2);  // an arm and its pad; the bar stays
+    for (const InstrumentKind end : {InstrumentKind::hook, InstrumentKind::suction, InstrumentKind::probe})
+        EXPECT_EQ(moved(end), 0);
 }
 
 TEST(ToolParts, EachReachesItsTipAndIsHeldByAnInsulatedShaft) {
-    for (int k = 0; k <= static_cast<int>(ToolEnd::probe); ++k) {
-        const std::vector<ToolPart> parts = parts_of(static_cast<ToolEnd>(k), 0);
+    for (const InstrumentType& type : instrument_types) {
+        const std::vector<ToolPart> parts = parts_of(type.kind, 0);
         EXPECT_TRUE(
             std::any_of(parts.begin(), parts.end(), [](const ToolPart& part) { return part.insulated; }));
         double least = 1;  // m from any vertex to the tip

@@ -179,8 +179,8 @@ TEST(BandsPart, AVesselBleedsWhenItsBandPartsMoreUnderTensionAndAClipStopsIt) {
         stage.open(Hand::left);
         stage.open(Hand::right);
         stage.go(Hand::right, stage.tip[1] + Vector3(0, 0, 0.03));
-        stage.exchange_to(Hand::right, ToolKind::clip_applier);
-        ASSERT_EQ(stage.view().tools[1].kind, ToolKind::clip_applier);
+        stage.exchange_to(Hand::right, InstrumentKind::clip_applier);
+        ASSERT_EQ(stage.view().tools[1].kind, InstrumentKind::clip_applier);
         stage.go(Hand::right, stage.tip_for_jaws(Hand::right, branch.position + Vector3(0, 0, 0.003)));
         stage.close(Hand::right);
         EXPECT_EQ(stage.view().outlets[1].flow, 0.0);
@@ -202,14 +202,14 @@ TEST(BandsPart, AVesselBleedsWhenItsBandPartsMoreUnderTensionAndAClipStopsIt) {
 TEST(BandsPart, AClipBeforeDivisionKeepsTheTrunkDryAndHeatClosesTheRoot) {
     BandsStage stage;
     const std::size_t band = vessel_band(stage);
-    stage.exchange_to(Hand::right, ToolKind::clip_applier);
+    stage.exchange_to(Hand::right, InstrumentKind::clip_applier);
     const Vector3 root = stage.world.bands()->layout().bands[band].vessel_root;
     stage.go(Hand::right, stage.tip_for_jaws(Hand::right, root + Vector3(0, 0, 0.003)));
     stage.close(Hand::right);
     EXPECT_EQ(stage.view().tools[1].last_clip_outlet, 1);
     stage.open(Hand::right);
     stage.go(Hand::right, stage.tip[1] + Vector3(0, 0, 0.03));
-    stage.exchange_to(Hand::right, ToolKind::harmonic);
+    stage.exchange_to(Hand::right, InstrumentKind::harmonic);
     ASSERT_GT(divide(stage, band, 0.004), 0);
     EXPECT_EQ(stage.view().outlets[1].flow, 0.0);
 
@@ -252,7 +252,7 @@ TEST(BandsPart, SuctionTakesBloodAndSmoke) {
     stage.open(Hand::left);
     stage.open(Hand::right);
     stage.go(Hand::right, stage.tip[1] + Vector3(0, 0, 0.03));
-    stage.exchange_to(Hand::right, ToolKind::suction);
+    stage.exchange_to(Hand::right, InstrumentKind::suction);
     const double smoke = stage.view().smoke;
     const Vector3 place = stage.view().outlets[1].position;
     const double depth = stage.view().outlets[1].blood_depth;
@@ -288,8 +288,8 @@ TEST(BandsPart, AHookDividesWhatItsTipTouchesWithoutJaws) {
     BandsStage stage;
     std::size_t band = 0;
     while (stage.view().bands[band].vessel >= 0) ++band;
-    stage.exchange_to(Hand::right, ToolKind::hook);
-    ASSERT_EQ(stage.view().tools[1].kind, ToolKind::hook);
+    stage.exchange_to(Hand::right, InstrumentKind::hook);
+    ASSERT_EQ(stage.view().tools[1].kind, InstrumentKind::hook);
     const Vector3 place = stage.view().bands[band].position[strand_segments / 2];
     stage.go(Hand::right, place + Vector3(0, 0, 0.02));
     stage.go(Hand::right, place + Vector3(0, 0, 0.001));
@@ -311,7 +311,7 @@ TEST(BandsPart, AHookDividesWhatItsTipTouchesWithoutJaws) {
 
 TEST(BandsPart, AHookUnderPowerOnTheNerveBurnsItAndThroughItDividesIt) {
     BandsStage stage;
-    stage.exchange_to(Hand::right, ToolKind::hook);
+    stage.exchange_to(Hand::right, InstrumentKind::hook);
     const Vector3 nerve = stage.view().nerves[0].line[12];
     const double reach = stage.scene.instrument(Hand::right)->tip_radius + stage.view().nerve_radius;
     stage.go(Hand::right, nerve + Vector3(0, 0, 0.03));

@@ -92,7 +92,7 @@ class BandsStage {
         now = static_cast<std::uint16_t>(on ? now | mask : now & ~mask);
     }
     /// Presses the exchange button until the hand holds that kind and can use it.
-    void exchange_to(Hand hand, ToolKind kind) {
+    void exchange_to(Hand hand, InstrumentKind kind) {
         open(hand);
         for (int i = 0; i < 8 && view().tools[static_cast<int>(hand)].kind != kind; ++i) {
             press(hand, button_exchange, true);

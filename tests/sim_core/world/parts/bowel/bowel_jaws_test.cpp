@@ -17,7 +17,7 @@ namespace {
 
 constexpr double radius = 0.016;
 
-Scene scene_at(const std::string& level) {
+Scene scene_at(ToolContactLevel level) {
     Scene scene = load_scene(test::source_path("assets/scenes/b1_bowel.json"));
     scene.fidelity.tool_contact = level;
     scene.tethers.reset();
@@ -33,7 +33,7 @@ struct Bench {
     std::unique_ptr<BowelPart> bowel;
     ToolAction actions[hand_count];
 
-    explicit Bench(const std::string& level) : scene(scene_at(level)) {
+    explicit Bench(ToolContactLevel level) : scene(scene_at(level)) {
         BowelAnatomy anatomy;
         for (int i = 0; i <= 64; ++i)
             anatomy.centre_line.emplace_back(scene.bowel->length * i / 64, 0, radius);
@@ -87,7 +87,7 @@ TEST(BowelJaws, ABoxInASphereIsAsDeepAsItsFaceLies) {
 }
 
 TEST(BowelJaws, PressTheBowelWithTheWallsStiffnessAndTheFloorAnswers) {
-    Bench bench("jaws");
+    Bench bench(ToolContactLevel::jaws);
     const auto support = [&] {
         const RodReport& report = bench.bowel->report();
         return report.contact_sum + report.end_force[0].z() + report.end_force[1].z();
@@ -119,7 +119,7 @@ TEST(BowelJaws, PressTheBowelWithTheWallsStiffnessAndTheFloorAnswers) {
 }
 
 TEST(BowelJaws, AreNotThereAtTheOtherLevels) {
-    Bench bench("dynamic_point");
+    Bench bench(ToolContactLevel::dynamic_point);
     bench.actions[static_cast<int>(Hand::left)] =
         open_jaws(*bench.scene.instrument(Hand::left), 2 * radius + 0.006);
     for (int i = 0; i < 40; ++i) bench.step();
@@ -127,7 +127,7 @@ TEST(BowelJaws, AreNotThereAtTheOtherLevels) {
 }
 
 TEST(BowelJaws, AllocateNothing) {
-    Bench bench("jaws");
+    Bench bench(ToolContactLevel::jaws);
     bench.actions[static_cast<int>(Hand::left)] =
         open_jaws(*bench.scene.instrument(Hand::left), 2 * radius + 0.006);
     for (int i = 0; i < 20; ++i) bench.step();

@@ -42,7 +42,7 @@ struct Pair {
     Pair(RodEnd end, bool root_held, const MembraneSpec& spec)
         : rod(rod_spec(end)), state(rod.make_state()), scratch(rod.make_scratch()) {
         scene.membranes = {spec};
-        scene.fidelity.membrane = "implicit";
+        scene.fidelity.membrane = MembraneIntegrator::implicit;
         const int rows = 31, columns = 9;
         sheet.mesh = lab::make_sheet(columns, rows, 0.06, 0.24);
         for (Vector3& p : sheet.mesh.vertices) p = Vector3(0.03 + p.y(), 0.012 + p.x(), 0);
@@ -281,9 +281,9 @@ TEST(MembranePart, RefusesWhatTheRodCouldNotCarry) {
 }
 
 TEST(MembranePart, EveryIntegratorCarriesTheScene) {
-    for (const char* name : {"symplectic", "global_local", "implicit"}) {
+    for (const auto& [integrator, name, title] : membrane_integrators) {
         Scene scene = load_scene(test::source_path("assets/scenes/b1_mesentery.json"));
-        scene.fidelity.membrane = name;
+        scene.fidelity.membrane = integrator;
         const BowelAnatomy anatomy = bowel_anatomy(scene);
         ASSERT_EQ(anatomy.membranes.size(), 1U);
         RodSpec spec;

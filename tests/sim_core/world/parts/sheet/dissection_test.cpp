@@ -106,7 +106,7 @@ TEST(SheetWorld, ABladeDividesItAlongTheLineUnderTraction) {
 TEST(SheetWorld, WithoutForceOrButtonOrBladeItIsNotCut) {
     for (int lacking = 0; lacking < 3; ++lacking) {
         Scene scene = test::sheet_scene();
-        if (lacking == 2) scene.instruments[1].kind = "probe";
+        if (lacking == 2) scene.instruments[1].kind = InstrumentKind::probe;
         test::SheetRig rig(scene);
         rig.hold_flap(0, Vector3(0, 0.006, 0.008));
         rig.go(1, on_line(scene, 0.02, 0.02), 0.2);

@@ -77,7 +77,7 @@ TEST(PresacralVeins, WhatIsLostIsTheIntegralOfAFlowThatClotsAndAllOfItIsSomewher
     EXPECT_GT(view.blood[deepest], 0.001F);
 
     // Suction takes it; the balance holds.
-    stage.take(1, ToolKind::suction);
+    stage.take(1, InstrumentKind::suction);
     stage.tool[1].tip = Vector3(0, -0.07, stage.wall.height(0, -0.07) + 0.006);
     stage.press(1, button_energy, true);
     const double before = stage.view().removed;
@@ -163,7 +163,7 @@ TEST(PresacralVeins, AClipStopsThem) {
     StructuresStage stage;
     open_middle(stage);
     ASSERT_GT(stage.view().outlets[0].flow, 0.0);
-    stage.take(1, ToolKind::clip_applier);
+    stage.take(1, InstrumentKind::clip_applier);
     stage.tool[1].tip = stage.view().outlets[0].position + Vector3(0, 0, 0.002);
     stage.step();
     EXPECT_EQ(stage.view().tools[1].clips_fired, 0);
@@ -213,13 +213,13 @@ TEST(HypogastricNerves, ABladeDividesThemHoweverFastItCrossesAndNothingElseDoes)
     stage.go(0, nerve);
     EXPECT_FALSE(divided());
     // A suction tip with every button.
-    stage.take(1, ToolKind::suction);
+    stage.take(1, InstrumentKind::suction);
     stage.press(1, button_primary | button_energy, true);
     stage.go(1, nerve);
     EXPECT_FALSE(divided());
     stage.press(1, button_primary | button_energy, false);
     // Scissors beside it, then through it within one step.
-    stage.take(1, ToolKind::scissors);
+    stage.take(1, InstrumentKind::scissors);
     stage.tool[1].tip = before + Vector3(0, 0, 0.004);
     stage.press(1, button_primary, true);
     stage.step();
@@ -384,12 +384,12 @@ TEST(SheetUnderPower, WhatAHandHoldsDecidesWhetherItIsABlade) {
     EXPECT_TRUE(blade(button_primary));
     EXPECT_TRUE(blade(button_energy));
     EXPECT_TRUE(stage.part.held(1, tool).energised);
-    stage.take(1, ToolKind::suction);
+    stage.take(1, InstrumentKind::suction);
     EXPECT_FALSE(blade(button_primary | button_energy));
     EXPECT_FALSE(stage.part.held(1, tool).energised);
-    stage.take(1, ToolKind::clip_applier);
+    stage.take(1, InstrumentKind::clip_applier);
     EXPECT_FALSE(blade(button_primary | button_energy));
-    stage.take(1, ToolKind::harmonic);
+    stage.take(1, InstrumentKind::harmonic);
     EXPECT_FALSE(blade(button_primary));
     EXPECT_TRUE(blade(button_energy));
     // Under way through the trocar it is nothing.
@@ -400,7 +400,7 @@ TEST(SheetUnderPower, WhatAHandHoldsDecidesWhetherItIsABlade) {
     LocalModel model;
     stage.part.fill_local_model(1, model);
     EXPECT_FALSE(model.energises);
-    EXPECT_EQ(stage.part.held(0, stage.tool[0]).instrument->kind, "grasper");
+    EXPECT_EQ(stage.part.held(0, stage.tool[0]).instrument->kind, InstrumentKind::grasper);
 }
 
 /// Something of everything.

@@ -24,8 +24,9 @@ inline Scene structures_scene() {
     }
     for (InstrumentSpec& instrument : scene.instruments) {
         if (instrument.hand != Hand::right) continue;
-        instrument.kind = "hook";
-        instrument.exchange = {"hook", "suction", "clip_applier", "harmonic", "scissors"};
+        instrument.kind = InstrumentKind::hook;
+        instrument.exchange = {InstrumentKind::hook, InstrumentKind::suction, InstrumentKind::clip_applier,
+                               InstrumentKind::harmonic, InstrumentKind::scissors};
         instrument.jaw_length = 0.014;
     }
     return scene;
@@ -98,7 +99,7 @@ class StructuresStage {
         tool[hand].buttons =
             static_cast<std::uint16_t>(on ? tool[hand].buttons | mask : tool[hand].buttons & ~mask);
     }
-    void take(int hand, ToolKind kind) {
+    void take(int hand, InstrumentKind kind) {
         tool[hand].tip = away();
         for (int i = 0; i < 6 && view().tools[hand].kind != kind; ++i) {
             press(hand, button_exchange, true);
