@@ -57,7 +57,7 @@ std::vector<BenchmarkAttempt> run_operators(const LoadedTask& loaded, const std:
                 attempts[k].critical_errors = performed.scored.score.critical_errors;
                 const std::lock_guard<std::mutex> lock(output);
                 std::cerr << attempts[k].person << " seed " << jobs[k].seed << ": "
-                          << attempt_state_name(performed.scored.state) << " in "
+                          << row_of(attempt_states, performed.scored.state).name << " in "
                           << performed.scored.duration_s << " s\n";
             } catch (...) {
                 const std::lock_guard<std::mutex> lock(output);

@@ -70,8 +70,8 @@ int command_demonstrate(const std::vector<std::string>& words) {
         request.seed = seed;
         const Performed performed = perform(request, &recorder, benchmark ? &*benchmark : nullptr);
         duration = performed.scored.duration_s;
-        std::cerr << "performed " << task << ": " << attempt_state_name(performed.scored.state) << " after "
-                  << duration << " s, " << performed.wall_s << " s of work\n";
+        std::cerr << "performed " << task << ": " << row_of(attempt_states, performed.scored.state).name
+                  << " after " << duration << " s, " << performed.wall_s << " s of work\n";
 
         ui::ReportRequest report;
         report.person_id = performer.id;

@@ -83,7 +83,7 @@ nlohmann::json to_json(const database::AttemptMeta& meta, const std::string& att
             {"fidelity", meta.fidelity},
             {"duration_s", result.scored.duration_s},
             {"wall_s", result.wall_s},
-            {"state", attempt_state_name(result.scored.state)},
+            {"state", row_of(attempt_states, result.scored.state).name},
             {"passed", value_or_null(score.passed)},
             {"not_scored_because", text_or_null(score.not_scored_because)},
             {"points", value_or_null(score.points)},

@@ -123,7 +123,7 @@ database::AttemptMeta attempt_meta(const LoadedTask& loaded, std::uint64_t seed,
 database::AttemptResult attempt_result(const ScoredAttempt& scored, const RunOutcome& outcome, double wall_s,
                                        std::uint32_t missed, std::uint64_t lost, const std::string& limits) {
     database::AttemptResult result;
-    result.state = attempt_state_name(scored.state);
+    result.state = row_of(attempt_states, scored.state).name;
     result.duration_s = scored.duration_s;
     result.wall_s = wall_s;
     result.missed_ticks = missed;

@@ -11,12 +11,10 @@ namespace fulcrum {
 
 namespace {
 
-constexpr std::int32_t safe_bits = activation_in_view | activation_on_target | activation_clear;
-
 /// From begin to end of each activation of a row's hand, with what held throughout.
 struct ActivationSpan {
     TimeInterval when;
-    std::int32_t bits = 0;
+    Activation held;
     double distance = 0;  ///< m, least
 };
 
@@ -29,7 +27,7 @@ std::vector<ActivationSpan> activations(const Analysis& analysis, int hand) {
         if (event.kind == EventKind::activation_begin) begun[event.hand] = t;
         if (event.kind != EventKind::activation_end) continue;
         const double begin = begun[event.hand] >= 0 ? begun[event.hand] : t;
-        spans.push_back({{begin, t}, event.detail, static_cast<double>(event.value)});
+        spans.push_back({{begin, t}, activation_of(event), static_cast<double>(event.value)});
         begun[event.hand] = -1;
     }
     return spans;
@@ -41,11 +39,11 @@ Figure energy_safe(const Analysis& analysis, const Selection& row) {
     std::vector<ScoredInterval> unsafe;
     int safe = 0;
     for (const ActivationSpan& span : spans) {
-        if ((span.bits & safe_bits) == safe_bits) {
+        if (span.held.safe()) {
             ++safe;
         } else {
             // The nearer the named structure the worse; out of view and off target count as much as 2 mm.
-            unsafe.push_back({(span.bits & activation_clear) == 0 ? 1.0 - span.distance : 0.5, span.when});
+            unsafe.push_back({!span.held.clear ? 1.0 - span.distance : 0.5, span.when});
         }
     }
     Figure figure;
@@ -196,8 +194,8 @@ std::vector<Metric> energy_metrics() {
                "clip or seal a vessel before it is divided, and pull less"},
               counted<EventKind::vessel_injury>);
     add_count({"nerve_injury", "Nerve injured", "-", 1},
-              "event, critical: thermal dose of the marked nerve above its limit",
-              {"Number of injuries of the marked nerve by heat.",
+              "event, critical: thermal dose of the marked nerve above its limit, or a blade through it",
+              {"Number of injuries of the marked nerve, by heat or by a blade.",
                "the nerve was injured {value} times where {limit} are allowed",
                "divide on the side away from the nerve and let the blade cool"},
               counted<EventKind::nerve_injury>);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 
 #include "assessment/operators/behaviour.h"
 #include "assessment/operators/camera_hand.h"
@@ -16,17 +17,30 @@ namespace {
 constexpr std::uint64_t attempt_stream = 0x61747470;
 constexpr double decision_period = 0.01;  // s
 
-bool is_bowel_goal(const Goal& goal) {
-    return goal.kind == GoalKind::run_bowel || goal.kind == GoalKind::lift_and_hold;
+/// The one site that all goals of a task are at. Throws InputError where there are several.
+GoalSite site_of(const TaskDefinition& task) {
+    const GoalSite site = task.goals.empty() ? GoalSite::targets : type_of(task.goals.front().kind).site;
+    for (const Goal& goal : task.goals)
+        if (type_of(goal.kind).site != site)
+            throw InputError("operator", task.id,
+                             "an operator does not perform targets, bowel, a sheet and bands in one task",
+                             "choose a task whose goals are all of one site");
+    return site;
 }
 
-bool is_sheet_goal(const Goal& goal) {
-    return goal.kind == GoalKind::take_tension || goal.kind == GoalKind::divide_line ||
-           goal.kind == GoalKind::let_go;
-}
-
-bool is_bands_goal(const Goal& goal) {
-    return goal.kind == GoalKind::divide_bands || goal.kind == GoalKind::stop_bleeding;
+std::unique_ptr<Behaviour> make_behaviour(const TaskDefinition& task, const Scene& scene,
+                                          const Skill& skill) {
+    switch (site_of(task)) {
+        case GoalSite::targets:
+            return make_targeting(task, scene, skill);
+        case GoalSite::bowel:
+            return make_bowel_handling(task, scene, skill);
+        case GoalSite::sheet:
+            return make_sheet_division(task, scene, skill);
+        case GoalSite::bands:
+            return make_band_handling(task, scene, skill);
+    }
+    throw std::logic_error("a site without a behaviour");
 }
 
 class SyntheticOperator : public ObservingRig {
@@ -45,13 +59,7 @@ class SyntheticOperator : public ObservingRig {
         }
         body_.eyes = &eyes_;
         body_.view = camera_.view();
-        const bool bowel = std::any_of(task.goals.begin(), task.goals.end(), is_bowel_goal);
-        const bool sheet = std::any_of(task.goals.begin(), task.goals.end(), is_sheet_goal);
-        const bool bands = std::any_of(task.goals.begin(), task.goals.end(), is_bands_goal);
-        behaviour_ = sheet   ? make_sheet_division(task, scene, skill)
-                     : bands ? make_band_handling(task, scene, skill)
-                     : bowel ? make_bowel_handling(task, scene, skill)
-                             : make_targeting(task, scene, skill);
+        behaviour_ = make_behaviour(task, scene, skill);
     }
 
     void observe(const WorldSnapshot& world, const TaskDisplay& display) noexcept override {
@@ -99,18 +107,8 @@ std::unique_ptr<ObservingRig> make_operator(const std::string& preset, const Tas
                          "use novice, intermediate or expert");
     }
     draw_form(preset, attempt, skill);
-    const bool bowel = std::any_of(task.goals.begin(), task.goals.end(), is_bowel_goal);
-    const bool sheet = std::any_of(task.goals.begin(), task.goals.end(), is_sheet_goal);
-    const bool bands = std::any_of(task.goals.begin(), task.goals.end(), is_bands_goal);
-    const bool targets = std::any_of(task.goals.begin(), task.goals.end(), [](const Goal& goal) {
-        return !is_bowel_goal(goal) && !is_sheet_goal(goal) && !is_bands_goal(goal);
-    });
-    if (bowel + sheet + bands + targets > 1) {
-        throw InputError("operator", task.id,
-                         "an operator does not perform targets, bowel, a sheet and bands in one task",
-                         "choose a task with one kind of goal");
-    }
-    if (sheet) {
+    const GoalSite site = site_of(task);
+    if (site == GoalSite::sheet) {
         int grasper = 0, blade = 0;
         for (const InstrumentSpec& spec : scene.instruments) {
             grasper += type_of(spec.kind).grasps ? 1 : 0;
@@ -122,7 +120,7 @@ std::unique_ptr<ObservingRig> make_operator(const std::string& preset, const Tas
         }
     }
     for (const Hand hand : {Hand::left, Hand::right}) {
-        if ((bowel || bands) && scene.instrument(hand) == nullptr) {
+        if ((site == GoalSite::bowel || site == GoalSite::bands) && scene.instrument(hand) == nullptr) {
             throw InputError("operator", task.id,
                              std::string("the scene gives the ") + hand_name(hand) + " hand no instrument",
                              "add a grasper to the scene");

@@ -107,7 +107,7 @@ bool judged(const GateResult& gate) {
 }
 
 /// The worst gate of one kind that was not met; the first of equals.
-const GateResult* worst_gate(const Score& score, const char* kind) {
+const GateResult* worst_gate(const Score& score, GateKind kind) {
     const GateResult* worst = nullptr;
     double most = 0;
     for (const GateResult& gate : score.gates) {
@@ -143,7 +143,7 @@ Advice passed_advice(const ScoreInput& input, const Score& score) {
 
 Advice make_advice(const ScoreInput& input, const Score& score) {
     if (!score.critical_errors.empty()) return critical_advice(input, score.critical_errors.front());
-    for (const char* kind : {"absolute", "benchmark"})
+    for (const GateKind kind : {GateKind::absolute, GateKind::benchmark})
         if (const GateResult* gate = worst_gate(score, kind))
             return {sentence_of(input, *gate), gate->evidence};
     if (score.passed == true) return passed_advice(input, score);

@@ -90,7 +90,7 @@ Levels make_levels(const TaskDefinition& task, const BenchmarkRequest& request, 
     Levels out;
     const int fewest = without.empty() ? fewest_experts_left : fewest_experts_left - 1;
     for (const GateSpec& gate : task.gates) {
-        if (gate.kind != "benchmark") continue;
+        if (gate.kind != GateKind::benchmark) continue;
         const MetricDescriptor& d = *find_metric(gate.metric);
         const std::vector<ExpertValues> experts = values_by_person(request.experts, gate, d, without);
         BenchmarkLevel level;

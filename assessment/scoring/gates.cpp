@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "assessment/metrics/registry.h"
@@ -14,15 +13,9 @@ namespace {
 constexpr double least_novice_z = 0.5;
 constexpr int benchmark_gate_limit = 6;
 
-bool says_provisional(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text.find("provisional") != std::string::npos;
-}
-
 /// Holds a value against an absolute limit.
 void judge_absolute(GateResult& gate, const MetricDescriptor& descriptor, double limit) {
-    gate.kind = "absolute";
+    gate.kind = GateKind::absolute;
     gate.limit = limit;
     if (gate.value) gate.passed = keeps_limit(descriptor, gated_value(descriptor, *gate.value), limit);
 }
@@ -115,9 +108,9 @@ GateResult judge_gate(const GateSpec& spec, const std::vector<MetricResult>& met
         gate.value = result->value;
         gate.evidence = result->evidence;
     }
-    if (spec.kind == "absolute") {
+    if (spec.kind == GateKind::absolute) {
         gate.limit_source = spec.limit_source;
-        gate.provisional = says_provisional(spec.limit_source);
+        gate.provisional = spec.provisional;
         judge_absolute(gate, *descriptor, spec.limit);
     } else {
         const BenchmarkLevel* level =
@@ -145,7 +138,7 @@ nlohmann::json gates_to_json(const std::vector<GateResult>& gates) {
         rows.push_back({{"metric", gate.metric},
                         {"hand", text(gate.hand)},
                         {"tissue", text(gate.tissue)},
-                        {"kind", gate.kind},
+                        {"kind", row_of(gate_kinds, gate.kind).name},
                         {"value", number(gate.value)},
                         {"unit", gate.unit},
                         {"limit", number(gate.limit)},
@@ -179,7 +172,7 @@ void check_gates(const TaskDefinition& task, const std::string& file) {
             refuse("/hand", "'" + gate.metric + "' belongs to no single hand", "remove hand");
         if (!d->per_tissue && !gate.tissue.empty())
             refuse("/tissue", "'" + gate.metric + "' has no rows by tissue", "remove tissue");
-        if (gate.kind == "benchmark" && ++benchmark_gates > benchmark_gate_limit)
+        if (gate.kind == GateKind::benchmark && ++benchmark_gates > benchmark_gate_limit)
             refuse("", "more than " + std::to_string(benchmark_gate_limit) + " benchmark gates",
                    "show the others without a gate");
     }

@@ -23,7 +23,7 @@ bool stays_broken(const std::string& metric) {
 /// The task's own absolute gates that the recorded part of an interrupted attempt breaks for good.
 bool broke_absolute_limit(const ScoreInput& input, const std::vector<GateResult>& gates) {
     for (std::size_t i = 0; i < gates.size(); ++i)
-        if (input.task.gates[i].kind == "absolute" && gates[i].value && gates[i].passed == false &&
+        if (input.task.gates[i].kind == GateKind::absolute && gates[i].value && gates[i].passed == false &&
             stays_broken(gates[i].metric))
             return true;
     return false;
@@ -85,22 +85,6 @@ std::optional<double> attempt_points(const ScoreInput& input, const Score& score
 
 }  // namespace
 
-const char* attempt_state_name(AttemptState state) {
-    switch (state) {
-        case AttemptState::completed:
-            return "completed";
-        case AttemptState::timed_out:
-            return "timed_out";
-        case AttemptState::abandoned:
-            return "abandoned";
-        case AttemptState::interrupted:
-            return "interrupted";
-        case AttemptState::failed_simulation:
-            return "failed_simulation";
-    }
-    return "interrupted";
-}
-
 AttemptState attempt_state(const std::vector<Event>& events) {
     AttemptState state = AttemptState::interrupted;
     for (const Event& event : events) {
@@ -160,7 +144,7 @@ Score score_attempt(const ScoreInput& input) {
     for (const GateSpec& spec : input.task.gates) {
         score.gates.push_back(judge_gate(spec, input.metrics, input.benchmark));
         GateResult& gate = score.gates.back();
-        if (gate.kind == "benchmark" && !input.why_no_benchmark.empty())
+        if (gate.kind == GateKind::benchmark && !input.why_no_benchmark.empty())
             gate.absent_because = input.why_no_benchmark;
         score.provisional = score.provisional || score.gates.back().provisional;
     }

@@ -14,11 +14,7 @@
 
 namespace fulcrum {
 
-/// How an attempt ended, from its events. `voided` and `reassigned` are the store's business, not the
-/// score's.
-enum class AttemptState : std::uint8_t { completed, timed_out, abandoned, interrupted, failed_simulation };
-const char* attempt_state_name(AttemptState state);
-/// simulator_fault beats every end; no end event means interrupted.
+/// How an attempt ended, from its events: simulator_fault beats every end; no end event means interrupted.
 AttemptState attempt_state(const std::vector<Event>& events);
 
 /// A critical error as it happened.
@@ -35,7 +31,7 @@ std::vector<CriticalError> critical_errors(const TaskDefinition& task, const std
 /// One row of `gates`.
 struct GateResult {
     std::string metric, hand, tissue;
-    std::string kind;  ///< "benchmark" or "absolute"
+    GateKind kind = GateKind::benchmark;  ///< absolute also where a benchmark set gives such a limit
     std::optional<double> value;
     std::string unit;
     std::optional<double> limit;  ///< in `unit`; absent where no set has a level

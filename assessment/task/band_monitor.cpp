@@ -83,7 +83,7 @@ void BandMonitor::tick(const TickSample& sample) noexcept {
     if (!present_) return;
     for (std::size_t h = 0; h < hand_count; ++h) {
         const std::uint16_t flags = sample.hand[h].flags;
-        if ((flags & hand_energy) != 0 && (flags & hand_in_view) == 0) activations_[h].seen_in_view = false;
+        if ((flags & hand_energy) != 0 && (flags & hand_in_view) == 0) spans_[h].seen_in_view = false;
     }
 }
 
@@ -121,13 +121,13 @@ void BandMonitor::step_nerves(const BandsView& view, std::uint32_t tick, EventSi
         const auto number = static_cast<std::int32_t>(n);
         if (nerve_heated_[n] == 0 && static_cast<double>(worst) > nerve_limit_) {
             nerve_heated_[n] = 1;
-            emit(sink, tick, EventKind::nerve_injury, no_hand, nerve_tissue_, number,
-                 static_cast<double>(worst));
+            emit(sink, tick, EventKind::nerve_injury, no_hand, nerve_tissue_,
+                 detail_of(NerveInjury{number, InjuryCause::heat}), static_cast<double>(worst));
         }
         if (nerve_divided_[n] == 0 && nerve.divided) {
             nerve_divided_[n] = 1;
-            emit(sink, tick, EventKind::nerve_injury, no_hand, nerve_tissue_, number + nerve_was_divided,
-                 static_cast<double>(worst));
+            emit(sink, tick, EventKind::nerve_injury, no_hand, nerve_tissue_,
+                 detail_of(NerveInjury{number, InjuryCause::blade}), static_cast<double>(worst));
         }
     }
 }
@@ -135,7 +135,7 @@ void BandMonitor::step_nerves(const BandsView& view, std::uint32_t tick, EventSi
 void BandMonitor::step_hand(int hand, const BandsView& view, std::uint32_t tick, EventSink& sink) noexcept {
     const auto h = static_cast<std::size_t>(hand);
     const HandToolView& tool = view.tools[hand];
-    Activation& activation = activations_[h];
+    Span& span = spans_[h];
     clips_left_ = tool.clips_left;
     if (tool.index != tool_index_[h]) {
         tool_index_[h] = tool.index;
@@ -152,32 +152,31 @@ void BandMonitor::step_hand(int hand, const BandsView& view, std::uint32_t tick,
         const bool target = tool.target == EnergyTarget::band || tool.target == EnergyTarget::vessel ||
                             tool.target == EnergyTarget::sheet;
         const auto distance = static_cast<double>(tool.nerve_distance);
-        const std::int32_t bits = (activation.seen_in_view ? activation_in_view : 0) |
-                                  (target ? activation_on_target : 0) |
-                                  (distance >= safe_distance_ ? activation_clear : 0);
+        const Activation now{span.seen_in_view, target, distance >= safe_distance_};
         const std::int8_t tissue = tissue_of(tool.target);
-        if (!activation.on) {
-            activation.on = true;
-            activation.bits = bits;
-            activation.least_distance = distance;
-            activation.tissue = tissue;
-            emit(sink, tick, EventKind::activation_begin, hand, tissue, bits, distance);
+        if (!span.on) {
+            span.on = true;
+            span.held = now;
+            span.least_distance = distance;
+            span.tissue = tissue;
+            emit(sink, tick, EventKind::activation_begin, hand, tissue, detail_of(now), distance);
         } else {
-            activation.bits &= bits;
-            activation.least_distance = std::min(activation.least_distance, distance);
-            if (activation.tissue < 0) activation.tissue = tissue;
+            span.held.in_view = span.held.in_view && now.in_view;
+            span.held.on_target = span.held.on_target && now.on_target;
+            span.held.clear = span.held.clear && now.clear;
+            span.least_distance = std::min(span.least_distance, distance);
+            if (span.tissue < 0) span.tissue = tissue;
         }
-    } else if (activation.on) {
+    } else if (span.on) {
         end_activation(hand, tick, sink);
     }
-    if (!on) activation.seen_in_view = true;
+    if (!on) span.seen_in_view = true;
 }
 
 void BandMonitor::end_activation(int hand, std::uint32_t tick, EventSink& sink) noexcept {
-    Activation& activation = activations_[static_cast<std::size_t>(hand)];
-    emit(sink, tick, EventKind::activation_end, hand, activation.tissue, activation.bits,
-         activation.least_distance);
-    activation = Activation();
+    Span& span = spans_[static_cast<std::size_t>(hand)];
+    emit(sink, tick, EventKind::activation_end, hand, span.tissue, detail_of(span.held), span.least_distance);
+    span = Span();
 }
 
 void BandMonitor::step_outlets(const BandsView& view, std::uint32_t tick, EventSink& sink) noexcept {
@@ -223,7 +222,7 @@ void BandMonitor::tell_dose(std::uint32_t tick, EventSink& sink) noexcept {
 void BandMonitor::finish(std::uint32_t tick, EventSink& sink) noexcept {
     if (!present_) return;
     for (int hand = 0; hand < hand_count; ++hand) {
-        if (activations_[static_cast<std::size_t>(hand)].on) end_activation(hand, tick, sink);
+        if (spans_[static_cast<std::size_t>(hand)].on) end_activation(hand, tick, sink);
     }
     for (std::size_t i = 0; i < bleeding_.size(); ++i) {
         if (bleeding_[i] != 0)

@@ -29,9 +29,10 @@ class BandMonitor {
     int clips_left() const noexcept { return clips_left_; }
 
   private:
-    struct Activation {
+    /// An activation under way.
+    struct Span {
         bool on = false, seen_in_view = true;
-        std::int32_t bits = 0;
+        Activation held;            ///< throughout
         double least_distance = 1;  ///< m
         std::int8_t tissue = -1;
     };
@@ -47,7 +48,7 @@ class BandMonitor {
     double tick_period_ = 1e-3, safe_distance_ = 0.002, nerve_limit_ = 60;
     std::int8_t band_tissue_ = -1, bed_tissue_ = -1, nerve_tissue_ = -1, vessel_tissue_ = -1,
                 sheet_tissue_ = -1, fat_tissue_ = -1;
-    std::array<Activation, hand_count> activations_;
+    std::array<Span, hand_count> spans_;
     std::array<std::int32_t, hand_count> clips_fired_{}, tool_index_{};
     std::vector<std::uint8_t> band_divided_, bleeding_, injured_, nerve_heated_, nerve_divided_;
     std::vector<double> outlet_ml_;

@@ -43,8 +43,9 @@ void CutMonitor::event(const Event& event) noexcept {
     CutElement element;
     element.from = blade.position;
     element.from_distance = blade.distance;
-    element.to = blade.position = static_cast<double>(event.value);
-    element.distance = blade.distance = event.detail * 1e-6;
+    const CutPlace place = cut_place_of(event);
+    element.to = blade.position = place.along;
+    element.distance = blade.distance = place.distance;
     if (of_hand) distance_ = blade.distance;
     const bool went_on = blade.placed && !begins;
     blade.placed = true;

@@ -7,22 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "assessment/attempt/attempt_words.h"
 #include "assessment/pathology/pathology.h"
+#include "assessment/task/goal_type.h"
 #include "sim_core/numerics/types.h"
 
 namespace fulcrum {
-
-enum class GoalKind : std::uint8_t {
-    touch_targets,  ///< touch and hold each sphere of one hand, in order (A2)
-    run_bowel,      ///< run a length of bowel hand over hand (B1)
-    lift_and_hold,  ///< lift a stretch of bowel above its resting height and hold it (B1)
-    take_tension,   ///< take hold of the sheet and keep the traction across its marked line in the band (B2,
-                    ///< C4: the rectum is held)
-    divide_line,    ///< divide the sheet, or septum after septum, along its marked line (B2, C4)
-    let_go,         ///< hold nothing and cut nothing (B2, C4)
-    divide_bands,   ///< divide a number of bands (B3)
-    stop_bleeding,  ///< every vessel divided, none of them bleeding for a while (B3)
-};
 
 struct Goal {
     std::string id;
@@ -40,14 +30,21 @@ struct Goal {
     double traction_low_n_m = 0, traction_high_n_m = 0;  ///< take_tension, divide_line: N/m across the line
 };
 
+enum class GateKind : std::uint8_t { benchmark, absolute };
+inline constexpr NameRow<GateKind> gate_kinds[] = {
+    {GateKind::benchmark, "benchmark", QT_TRANSLATE_NOOP("fulcrum::gates", "benchmark")},
+    {GateKind::absolute, "absolute", QT_TRANSLATE_NOOP("fulcrum::gates", "absolute limit")}};
+static_assert(in_order(gate_kinds));
+
 /// A gate as the task names it; the limit of a benchmark gate comes from the benchmark set.
 struct GateSpec {
     std::string metric;
-    std::string hand;          ///< "left", "right" or ""
-    std::string tissue;        ///< label or "" for all
-    std::string kind;          ///< "benchmark" or "absolute"
+    std::string hand;    ///< "left", "right" or ""
+    std::string tissue;  ///< label or "" for all
+    GateKind kind = GateKind::benchmark;
     double limit = 0;          ///< absolute gates
-    std::string limit_source;  ///< absolute gates: where the figure comes from
+    std::string limit_source;  ///< absolute gates: where the limit comes from
+    bool provisional = false;  ///< absolute gates: the limit is our own and waits for a published one
 };
 
 struct TaskDefinition {
@@ -62,7 +59,7 @@ struct TaskDefinition {
     std::vector<std::string> metrics;  ///< metric ids shown
     std::vector<GateSpec> gates;
     std::vector<std::string> critical_errors;  ///< event names that fail the attempt
-    std::vector<std::string> device_classes;   ///< that count for the curriculum
+    std::vector<DeviceClass> device_classes;   ///< that count for the curriculum
     bool pathology = false;                    ///< a pathology report is made of the specimen
     std::optional<Tumour> tumour;              ///< of the report
 };

@@ -9,7 +9,6 @@ namespace fulcrum {
 
 namespace {
 
-constexpr double micrometre = 1e-6;
 constexpr int pieces_per_element = 8;
 
 /// One hand, or what parts by none, while its events are read.
@@ -21,8 +20,9 @@ struct Reading {
 
 void place(Reading& reading, double time, const Event& event) {
     reading.time = time;
-    reading.position = static_cast<double>(event.value);
-    reading.distance = event.detail * micrometre;
+    const CutPlace at = cut_place_of(event);
+    reading.position = at.along;
+    reading.distance = at.distance;
     reading.placed = true;
 }
 
@@ -72,8 +72,9 @@ std::vector<CutStroke> cut_strokes(const std::vector<Event>& events, double tick
                     element.end = time;
                     element.from = reading.position;
                     element.from_distance = reading.distance;
-                    element.to = static_cast<double>(event.value);
-                    element.distance = event.detail * micrometre;
+                    const CutPlace to = cut_place_of(event);
+                    element.to = to.along;
+                    element.distance = to.distance;
                     element.length =
                         std::hypot(element.to - element.from, element.distance - element.from_distance);
                     strokes[*reading.stroke].elements.push_back(element);
@@ -85,8 +86,9 @@ std::vector<CutStroke> cut_strokes(const std::vector<Event>& events, double tick
                 // It says under what traction, and how far, the blade came to the place just reported.
                 if (reading.stroke && !strokes[*reading.stroke].elements.empty()) {
                     CutElement& element = strokes[*reading.stroke].elements.back();
-                    element.traction = static_cast<double>(event.value);
-                    element.length = std::max(0, event.detail) * micrometre;
+                    const CutTraction told = cut_traction_of(event);
+                    element.traction = told.traction;
+                    element.length = told.length;
                 }
                 break;
             case EventKind::cut_end:

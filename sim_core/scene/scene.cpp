@@ -160,6 +160,9 @@ class SceneReader {
                 }
                 instrument.kind = instrument.exchange.front();
             }
+            const InstrumentType& type = type_of(instrument.kind);
+            instrument.jaw_length = type.jaw_length;
+            instrument.tip_box = Vector3(type.jaw_length, type.jaw_width, type.jaw_width);
             instrument.trocar = read_trocar(node.at("trocar"), place + "/trocar");
             copy(node, "start_insertion", instrument.start_insertion);
             copy(node, "shaft_radius", instrument.shaft_radius);

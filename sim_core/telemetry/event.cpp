@@ -1,112 +1,109 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim_core/telemetry/event.h"
 
+#include <algorithm>
+
+#include "sim_core/numerics/name_table.h"
+
 namespace fulcrum {
+namespace {
+
+struct EventRow {
+    EventKind kind;
+    const char* name;  // in exports (docs/FORMATS.md); screens have sentences of their own
+};
+constexpr EventRow event_kinds[] = {
+    {EventKind::attempt_begin, "attempt_begin"},
+    {EventKind::first_movement, "first_movement"},
+    {EventKind::phase_begin, "phase_begin"},
+    {EventKind::phase_end, "phase_end"},
+    {EventKind::target_shown, "target_shown"},
+    {EventKind::target_reached, "target_reached"},
+    {EventKind::grasp, "grasp"},
+    {EventKind::release, "release"},
+    {EventKind::slip, "slip"},
+    {EventKind::drop, "drop"},
+    {EventKind::regrasp, "regrasp"},
+    {EventKind::over_force_begin, "over_force_begin"},
+    {EventKind::over_force_end, "over_force_end"},
+    {EventKind::perforation, "perforation"},
+    {EventKind::tool_collision, "tool_collision"},
+    {EventKind::wall_contact, "wall_contact"},
+    {EventKind::pause, "pause"},
+    {EventKind::resume, "resume"},
+    {EventKind::device_lost, "device_lost"},
+    {EventKind::device_back, "device_back"},
+    {EventKind::device_fault, "device_fault"},
+    {EventKind::world_late, "world_late"},
+    {EventKind::simulator_fault, "simulator_fault"},
+    {EventKind::stability_limited, "stability_limited"},
+    {EventKind::goal_progress, "goal_progress"},
+    {EventKind::completed, "completed"},
+    {EventKind::abandoned, "abandoned"},
+    {EventKind::timed_out, "timed_out"},
+    {EventKind::interrupted, "interrupted"},
+    {EventKind::samples_lost, "samples_lost"},
+    {EventKind::tear, "tear"},
+    {EventKind::jaw_pressure, "jaw_pressure"},
+    {EventKind::cut_begin, "cut_begin"},
+    {EventKind::cut_end, "cut_end"},
+    {EventKind::cut_advance, "cut_advance"},
+    {EventKind::cut_traction, "cut_traction"},
+    {EventKind::cut_rolled_back, "cut_rolled_back"},
+    {EventKind::piece_fallen, "piece_fallen"},
+    {EventKind::activation_begin, "activation_begin"},
+    {EventKind::activation_end, "activation_end"},
+    {EventKind::band_divided, "band_divided"},
+    {EventKind::bleed_begin, "bleed_begin"},
+    {EventKind::bleed_end, "bleed_end"},
+    {EventKind::blood_loss, "blood_loss"},
+    {EventKind::clip_applied, "clip_applied"},
+    {EventKind::heat_dose, "heat_dose"},
+    {EventKind::vessel_injury, "vessel_injury"},
+    {EventKind::nerve_injury, "nerve_injury"},
+    {EventKind::tool_exchanged, "tool_exchanged"},
+    {EventKind::fibres_parted, "fibres_parted"},
+};
+static_assert(in_order(event_kinds));
+
+// As records have stored them from the first: bits of an activation; a nerve's number, and 256 more where a
+// blade divided it.
+constexpr std::int32_t in_view_bit = 1, on_target_bit = 2, clear_bit = 4;
+constexpr std::int32_t divided_by_blade = 256;
+constexpr double micrometre = 1e-6;
+
+}  // namespace
 
 const char* event_name(EventKind kind) {
-    switch (kind) {
-        case EventKind::attempt_begin:
-            return "attempt_begin";
-        case EventKind::first_movement:
-            return "first_movement";
-        case EventKind::phase_begin:
-            return "phase_begin";
-        case EventKind::phase_end:
-            return "phase_end";
-        case EventKind::target_shown:
-            return "target_shown";
-        case EventKind::target_reached:
-            return "target_reached";
-        case EventKind::grasp:
-            return "grasp";
-        case EventKind::release:
-            return "release";
-        case EventKind::slip:
-            return "slip";
-        case EventKind::drop:
-            return "drop";
-        case EventKind::regrasp:
-            return "regrasp";
-        case EventKind::over_force_begin:
-            return "over_force_begin";
-        case EventKind::over_force_end:
-            return "over_force_end";
-        case EventKind::perforation:
-            return "perforation";
-        case EventKind::tool_collision:
-            return "tool_collision";
-        case EventKind::wall_contact:
-            return "wall_contact";
-        case EventKind::pause:
-            return "pause";
-        case EventKind::resume:
-            return "resume";
-        case EventKind::device_lost:
-            return "device_lost";
-        case EventKind::device_back:
-            return "device_back";
-        case EventKind::device_fault:
-            return "device_fault";
-        case EventKind::world_late:
-            return "world_late";
-        case EventKind::simulator_fault:
-            return "simulator_fault";
-        case EventKind::stability_limited:
-            return "stability_limited";
-        case EventKind::goal_progress:
-            return "goal_progress";
-        case EventKind::completed:
-            return "completed";
-        case EventKind::abandoned:
-            return "abandoned";
-        case EventKind::timed_out:
-            return "timed_out";
-        case EventKind::interrupted:
-            return "interrupted";
-        case EventKind::samples_lost:
-            return "samples_lost";
-        case EventKind::tear:
-            return "tear";
-        case EventKind::jaw_pressure:
-            return "jaw_pressure";
-        case EventKind::cut_begin:
-            return "cut_begin";
-        case EventKind::cut_end:
-            return "cut_end";
-        case EventKind::cut_advance:
-            return "cut_advance";
-        case EventKind::cut_traction:
-            return "cut_traction";
-        case EventKind::cut_rolled_back:
-            return "cut_rolled_back";
-        case EventKind::piece_fallen:
-            return "piece_fallen";
-        case EventKind::activation_begin:
-            return "activation_begin";
-        case EventKind::activation_end:
-            return "activation_end";
-        case EventKind::band_divided:
-            return "band_divided";
-        case EventKind::bleed_begin:
-            return "bleed_begin";
-        case EventKind::bleed_end:
-            return "bleed_end";
-        case EventKind::blood_loss:
-            return "blood_loss";
-        case EventKind::clip_applied:
-            return "clip_applied";
-        case EventKind::heat_dose:
-            return "heat_dose";
-        case EventKind::vessel_injury:
-            return "vessel_injury";
-        case EventKind::nerve_injury:
-            return "nerve_injury";
-        case EventKind::tool_exchanged:
-            return "tool_exchanged";
-        case EventKind::fibres_parted:
-            return "fibres_parted";
-    }
-    return "unknown";
+    const auto number = static_cast<std::size_t>(kind);
+    return number < std::size(event_kinds) ? event_kinds[number].name : "unknown";
+}
+
+std::int32_t detail_of(const Activation& activation) {
+    return (activation.in_view ? in_view_bit : 0) | (activation.on_target ? on_target_bit : 0) |
+           (activation.clear ? clear_bit : 0);
+}
+
+Activation activation_of(const Event& event) {
+    return {(event.detail & in_view_bit) != 0, (event.detail & on_target_bit) != 0,
+            (event.detail & clear_bit) != 0};
+}
+
+std::int32_t detail_of(const NerveInjury& injury) {
+    return injury.nerve + (injury.cause == InjuryCause::blade ? divided_by_blade : 0);
+}
+
+NerveInjury nerve_injury_of(const Event& event) {
+    if (event.detail >= divided_by_blade) return {event.detail - divided_by_blade, InjuryCause::blade};
+    return {event.detail, InjuryCause::heat};
+}
+
+CutPlace cut_place_of(const Event& event) {
+    return {static_cast<double>(event.value), event.detail * micrometre};
+}
+
+CutTraction cut_traction_of(const Event& event) {
+    return {static_cast<double>(event.value), std::max(0, event.detail) * micrometre};
 }
 
 }  // namespace fulcrum

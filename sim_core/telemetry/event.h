@@ -48,28 +48,23 @@ enum class EventKind : std::uint16_t {
     cut_traction = 35,  ///< value: traction across the cut (N/m); detail: length of this advance (um)
     cut_rolled_back = 36,   ///< a step of the cut was invalid and undone; detail: retries
     piece_fallen = 37,      ///< tissue came free; value: area (m2)
-    activation_begin = 38,  ///< energy is on; value: distance to the named structure (m); detail: bits of
-                            ///< ActivationBit; tissue: what it reaches
-    activation_end = 39,    ///< value: least distance to the named structure (m); detail: bits that held
+    activation_begin = 38,  ///< energy is on; value: distance to the named structure (m); Activation; tissue:
+                            ///< what it reaches
+    activation_end = 39,    ///< value: least distance to the named structure (m); Activation, what held
                             ///< throughout; tissue: what it reached
     band_divided = 40,      ///< value: tension (N); detail: band
-    bleed_begin = 41,    ///< value: flow (mL/min); detail: outlet; of bands 2 v trunk and 2 v + 1 branch of
-                         ///< vessel v, of a wall in the order of opening
-    bleed_end = 42,      ///< value: blood lost from it so far (mL); detail: outlet
-    blood_loss = 43,     ///< value: blood lost so far (mL), all outlets
-    clip_applied = 44,   ///< value: distance to what it sits on (m); detail: outlet, -1 another place
-    heat_dose = 45,      ///< value: largest CEM43 over non-target patches so far (min); tissue: where
-    vessel_injury = 46,  ///< critical: torn, or divided before it was closed; detail: outlet
-    nerve_injury =
-        47,  ///< critical; value: CEM43 (min); detail: nerve, + nerve_was_divided where a blade did it
+    bleed_begin = 41,     ///< value: flow (mL/min); detail: outlet; of bands 2 v trunk and 2 v + 1 branch of
+                          ///< vessel v, of a wall in the order of opening
+    bleed_end = 42,       ///< value: blood lost from it so far (mL); detail: outlet
+    blood_loss = 43,      ///< value: blood lost so far (mL), all outlets
+    clip_applied = 44,    ///< value: distance to what it sits on (m); detail: outlet, -1 another place
+    heat_dose = 45,       ///< value: largest CEM43 over non-target patches so far (min); tissue: where
+    vessel_injury = 46,   ///< critical: torn, or divided before it was closed; detail: outlet
+    nerve_injury = 47,    ///< critical; value: CEM43 (min); NerveInjury
     tool_exchanged = 48,  ///< detail: index in the hand's list of instruments
     fibres_parted = 49,   ///< under tension, by no hand, from here to the cut_advance that follows; value,
                           ///< detail: as cut_begin
 };
-/// What an activation was like.
-enum ActivationBit : std::int32_t { activation_in_view = 1, activation_on_target = 2, activation_clear = 4 };
-/// Added to the detail of nerve_injury.
-inline constexpr std::int32_t nerve_was_divided = 256;
 const char* event_name(EventKind kind);
 
 /// hand: 0 left, 1 right, 255 none. tissue: index into the scene's tissue table, -1 none.
@@ -82,5 +77,40 @@ struct Event {
     float value = 0.0F;
 };
 static_assert(sizeof(Event) == 16);
+
+// What the detail of some kinds holds, as fields. Records and exports keep the number (docs/FORMATS.md,
+// events); nothing else takes it apart.
+
+/// Of activation_begin and activation_end.
+struct Activation {
+    bool in_view = false;    ///< the tip was in the camera image
+    bool on_target = false;  ///< it reached tissue that energy is for
+    bool clear = false;      ///< it kept the safe distance from the named structure
+    bool safe() const { return in_view && on_target && clear; }
+};
+std::int32_t detail_of(const Activation& activation);
+Activation activation_of(const Event& event);
+
+enum class InjuryCause : std::uint8_t { heat, blade };
+/// Of nerve_injury.
+struct NerveInjury {
+    std::int32_t nerve = 0;
+    InjuryCause cause = InjuryCause::heat;
+};
+std::int32_t detail_of(const NerveInjury& injury);
+NerveInjury nerve_injury_of(const Event& event);
+
+/// Of cut_begin, cut_advance, cut_end and fibres_parted: a place along the marked line.
+struct CutPlace {
+    double along = 0;     ///< m
+    double distance = 0;  ///< m, signed, positive towards the fixed side
+};
+CutPlace cut_place_of(const Event& event);
+/// Of cut_traction.
+struct CutTraction {
+    double traction = 0;  ///< N/m
+    double length = 0;    ///< m, of this advance
+};
+CutTraction cut_traction_of(const Event& event);
 
 }  // namespace fulcrum

@@ -276,7 +276,11 @@ lab::ResultFile cut_bowel_picture() {
     return {"theatre_cut_bowel.png", bytes.toStdString()};
 }
 
-constexpr const char* tasks[] = {"A2", "B1", "B2", "B3", "C4"};
+/// Every task of assets/tasks.
+const std::vector<std::string>& tasks() {
+    static const std::vector<std::string> ids = task_ids();
+    return ids;
+}
 
 /// Prints as usual and keeps what a page needs.
 class Keeper : public benchmark::ConsoleReporter {
@@ -314,14 +318,14 @@ class Keeper : public benchmark::ConsoleReporter {
                                              of("assembling_ms"), of("G_ms")});
             };
             add_pictures(cut_bowel);
-            for (const char* task : tasks) {
+            for (const std::string& task : tasks()) {
                 if (run.benchmark_name().rfind(std::string("theatre/window/") + task, 0) == 0) {
                     window.rows.push_back({task, of("drawing_ms"), of("drawing_p99_ms"), of("cpu_ms"),
                                            of("cpu_p5_ms"), of("frame_ms"), of("frame_p99_ms"),
                                            of("resolution_percent"), of("resolution_least_percent"),
                                            of("missed_by_program"), of("stolen_percent"), of("G_ms")});
                 }
-                add_pictures(task);
+                add_pictures(task.c_str());
             }
         }
     }
@@ -368,14 +372,14 @@ int main(int argc, char** argv) {
     QApplication application(argc, argv);
     double load = 0;
     if (getloadavg(&load, 1) != 1) load = 0;
-    for (const char* task : fulcrum::app::tasks) {
+    for (const std::string& task : fulcrum::app::tasks()) {
         benchmark::RegisterBenchmark((std::string("theatre/window/") + task).c_str(), fulcrum::app::window,
-                                     task)
+                                     task.c_str())
             ->UseManualTime()
             ->Unit(benchmark::kMillisecond)
             ->Iterations(240);
         benchmark::RegisterBenchmark((std::string("theatre/pictures/") + task).c_str(),
-                                     fulcrum::app::pictures, task)
+                                     fulcrum::app::pictures, task.c_str())
             ->UseManualTime()
             ->Unit(benchmark::kMillisecond)
             ->Iterations(120);

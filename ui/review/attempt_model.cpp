@@ -147,10 +147,9 @@ QString event_words(const Event& event, const std::vector<std::string>& tissues)
             words = tr("A piece of %1 mm² came free").arg(figure(static_cast<double>(event.value) * 1e6));
             break;
         case EventKind::activation_begin:
-            words = (event.detail & activation_clear) != 0
-                        ? tr("Energy on")
-                        : tr("Energy on %1 mm from the nerve")
-                              .arg(figure(static_cast<double>(event.value) * 1e3));
+            words = activation_of(event).clear ? tr("Energy on")
+                                               : tr("Energy on %1 mm from the nerve")
+                                                     .arg(figure(static_cast<double>(event.value) * 1e3));
             break;
         case EventKind::activation_end:
             words = tr("Energy off");
@@ -173,7 +172,8 @@ QString event_words(const Event& event, const std::vector<std::string>& tissues)
             words = tr("Vessel injured");
             break;
         case EventKind::nerve_injury:
-            words = tr("Nerve injured by heat");
+            words = nerve_injury_of(event).cause == InjuryCause::blade ? tr("Nerve divided by a blade")
+                                                                       : tr("Nerve injured by heat");
             break;
         case EventKind::tool_exchanged:
             words = tr("Instrument exchanged");

@@ -24,10 +24,9 @@ void show_progress(HudState& hud, double value) {
     if (hud.task == nullptr || index >= hud.task->goals.size()) return;
     const Goal& goal = hud.task->goals[index];
     double whole = goal.hold_s;
-    if (goal.kind == GoalKind::touch_targets || goal.kind == GoalKind::divide_bands ||
-        goal.kind == GoalKind::stop_bleeding)
-        whole = goal.count;
-    if (goal.kind == GoalKind::run_bowel || goal.kind == GoalKind::divide_line) whole = goal.length_m;
+    const GoalMeasure measure = type_of(goal.kind).measure;
+    if (measure == GoalMeasure::count) whole = goal.count;
+    if (measure == GoalMeasure::metres) whole = goal.length_m;
     hud.display.goal_progress = whole > 0 ? std::min(1.0, value / whole) : 0;
     if (goal.kind == GoalKind::run_bowel) hud.display.run_covered_m = value;
     if (goal.kind == GoalKind::divide_line) hud.display.cut_divided_m = value;

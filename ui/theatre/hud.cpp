@@ -242,6 +242,7 @@ void paint_hud(QPainter& painter, const QRectF& whole, const HudState& state) {
         const auto index =
             std::min(static_cast<std::size_t>(std::max(state.display.goal, 0)), state.task->goals.size() - 1);
         const Goal& goal = state.task->goals[index];
+        const GoalType& type = type_of(goal.kind);
         const QRectF box(area.right() - margin - 240, area.top() + 12, 240, 150);
         painter.setFont(hud_font(12));
         painter.setPen(p.muted);
@@ -272,9 +273,9 @@ void paint_hud(QPainter& painter, const QRectF& whole, const HudState& state) {
             draw_goal_bar(painter, QRectF(box.right() - 100, y + 7, 100, 8), state.display.hold_progress,
                           p.warning);
         }
-        if (state.display.hold_progress > 0 || goal.kind == GoalKind::take_tension) y += 22;
-        const bool pulls = (goal.kind == GoalKind::take_tension || goal.kind == GoalKind::divide_line) &&
-                           goal.traction_high_n_m > 0;
+        if (state.display.hold_progress > 0 || (type.traction && type.measure == GoalMeasure::seconds))
+            y += 22;
+        const bool pulls = type.traction && goal.traction_high_n_m > 0;
         if (pulls && std::isfinite(state.display.traction_n_m)) {
             painter.setPen(p.text);
             painter.drawText(QRectF(box.left(), y, box.width(), 22), Qt::AlignRight | Qt::AlignVCenter,

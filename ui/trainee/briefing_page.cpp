@@ -104,7 +104,7 @@ void BriefingPage::fill() {
         QString line = metric == nullptr ? text(gate.metric) : text(metric->name);
         if (!gate.hand.empty()) line += QStringLiteral(", ") + hand_text(gate.hand);
         if (!gate.tissue.empty()) line += QStringLiteral(", ") + text(gate.tissue);
-        if (gate.kind == "absolute") {
+        if (gate.kind == GateKind::absolute) {
             const bool higher = metric != nullptr && metric->direction == Direction::higher;
             line += (higher ? tr(": at least %1") : tr(": at most %1"))
                         .arg(figure_with_unit(gate.limit, metric == nullptr ? std::string() : metric->unit));

@@ -103,7 +103,7 @@ TEST_F(SiteTissue, LimitsMadeInOtherTissueDoNotScoreAnAttempt) {
 
     TaskDefinition task = own.task;
     task.gates.resize(1);
-    ASSERT_EQ(task.gates[0].kind, "benchmark");
+    ASSERT_EQ(task.gates[0].kind, GateKind::benchmark);
     ScoreInput input{task, {}};
     input.why_no_benchmark = why;
     const Score score = score_attempt(input);

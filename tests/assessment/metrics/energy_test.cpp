@@ -23,7 +23,7 @@ void set_energy(Trace& trace, Hand hand, const std::function<bool(double)>& on) 
     for (const double t : trace.t) h.energy.push_back(on(t) ? 1 : 0);
 }
 
-constexpr int all_bits = activation_in_view | activation_on_target | activation_clear;
+const int all = detail_of(Activation{true, true, true});
 
 TEST(EnergyTime, IsTheSumOfActivationsAtAnyRate) {
     for (const double rate : {1000.0, 200.0, 60.0}) {
@@ -61,10 +61,11 @@ TEST(EnergySafe, IsTheShareOfActivationsThatWereSafeThroughout) {
         events.push_back(told(t, EventKind::activation_begin, distance, begin, 1));
         events.push_back(told(t + 2, EventKind::activation_end, distance, end, 1));
     };
-    activation(1, all_bits, all_bits, 0.02);
-    activation(5, all_bits, all_bits & ~activation_clear, 0.001);  // safe at first, near the nerve later
-    activation(10, all_bits, all_bits, 0.003);
-    activation(15, all_bits, all_bits & ~activation_in_view, 0.02);
+    activation(1, all, all, 0.02);
+    activation(5, all, detail_of(Activation{true, true, false}),
+               0.001);  // safe at first, near the nerve later
+    activation(10, all, all, 0.003);
+    activation(15, all, detail_of(Activation{false, true, true}), 0.02);
     const MetricResult result = measure(trace, "energy_safe", "", events);
     EXPECT_NEAR(*result.value, 50.0, 1e-12);
     EXPECT_EQ(result.count, 4);

@@ -86,7 +86,7 @@ TEST(Specimen, AMarginThatIsGoneFailsAnInterruptedAttempt) {
     TaskDefinition task;
     task.id = "C4";
     task.metrics = {"crm_mm"};
-    task.gates = {{"crm_mm", "", "", "absolute", 1.0, "positive at 1 mm"}};
+    task.gates = {{"crm_mm", "", "", GateKind::absolute, 1.0, "positive at 1 mm"}};
     std::vector<Event> events = cut(0, 0.12, -8000);
     Event end;
     end.tick = 20000;

@@ -93,7 +93,7 @@ TEST(Advice, EveryMetricMakesASentenceWithoutLeftOverMarks) {
         if (d.direction == Direction::context) continue;
         TaskDefinition task = small_task();
         const std::string hand = d.hands == Hands::each ? "left" : "";
-        task.gates = {{d.id, hand, "", "absolute", d.direction == Direction::lower ? 1.0 : 3.0, "test"}};
+        task.gates = {{d.id, hand, "", GateKind::absolute, d.direction == Direction::lower ? 1.0 : 3.0, "test"}};
         const std::vector<MetricResult> metrics = {test::figure(d.id, hand, 2.0)};
         const Score score = score_attempt(ScoreInput{task, metrics});
         EXPECT_EQ(score.passed, false) << d.id;

@@ -91,7 +91,7 @@ TEST(ShippedTasks, CanBeGatedAndFitTheirSets) {
         EXPECT_EQ(set.task_version, task.version);
         EXPECT_GE(set.expert_pass_share, 1.0 - set.p0 - 1e-12);
         for (const GateSpec& gate : task.gates) {
-            if (gate.kind != "benchmark") continue;
+            if (gate.kind != GateKind::benchmark) continue;
             EXPECT_NE(set.find(gate.metric, gate.hand, gate.tissue), nullptr)
                 << task.id << " " << gate.metric;
         }

@@ -43,10 +43,10 @@ inline TaskDefinition small_task() {
     second.text = "Run the bowel";
     task.goals = {first, second};
     task.metrics = {"time", "sparc", "f_max", "drop"};
-    task.gates = {{"time", "", "", "benchmark", 0, ""},
-                  {"sparc", "right", "", "benchmark", 0, ""},
-                  {"f_max", "left", "", "absolute", 4.0, "training limit, provisional"},
-                  {"drop", "", "", "absolute", 1.0, "training limit"}};
+    task.gates = {{"time", "", "", GateKind::benchmark, 0, ""},
+                  {"sparc", "right", "", GateKind::benchmark, 0, ""},
+                  {"f_max", "left", "", GateKind::absolute, 4.0, "training limit", true},
+                  {"drop", "", "", GateKind::absolute, 1.0, "not provisional: any drop is one too many"}};
     task.critical_errors = {"perforation"};
     return task;
 }

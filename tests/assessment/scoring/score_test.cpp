@@ -122,7 +122,7 @@ TEST(Score, AbsoluteLevelsOfASetTakeNoZ) {
     const std::vector<MetricResult> good = figures(60, -1.5, 1, 0), bad = figures(60.1, -1.5, 1, 0);
     const Score score = score_attempt(ScoreInput{task, good, &set});
     EXPECT_EQ(score.passed, true);
-    EXPECT_EQ(score.gates[0].kind, "absolute");
+    EXPECT_EQ(score.gates[0].kind, GateKind::absolute);
     EXPECT_FALSE(score.gates[0].z);
     EXPECT_EQ(score_attempt(ScoreInput{task, bad, &set}).passed, false);
 }
@@ -193,14 +193,14 @@ TEST(CheckGates, RefusesWhatCannotBeGated) {
         }
         return std::string();
     };
-    EXPECT_EQ(refused({"nothing", "", "", "absolute", 1, "x"}), "/gates/0/metric");
-    EXPECT_EQ(refused({"n_moves", "left", "", "absolute", 1, "x"}), "/gates/0/metric");
-    EXPECT_EQ(refused({"path_len", "", "", "absolute", 1, "x"}), "/gates/0/hand");
-    EXPECT_EQ(refused({"time", "left", "", "absolute", 1, "x"}), "/gates/0/hand");
-    EXPECT_EQ(refused({"time", "", "bowel", "absolute", 1, "x"}), "/gates/0/tissue");
-    EXPECT_EQ(refused({"slip", "", "", "absolute", 1, "x"}), "");
+    EXPECT_EQ(refused({"nothing", "", "", GateKind::absolute, 1, "x"}), "/gates/0/metric");
+    EXPECT_EQ(refused({"n_moves", "left", "", GateKind::absolute, 1, "x"}), "/gates/0/metric");
+    EXPECT_EQ(refused({"path_len", "", "", GateKind::absolute, 1, "x"}), "/gates/0/hand");
+    EXPECT_EQ(refused({"time", "left", "", GateKind::absolute, 1, "x"}), "/gates/0/hand");
+    EXPECT_EQ(refused({"time", "", "bowel", GateKind::absolute, 1, "x"}), "/gates/0/tissue");
+    EXPECT_EQ(refused({"slip", "", "", GateKind::absolute, 1, "x"}), "");
     TaskDefinition task = small_task();
-    task.gates.assign(7, {"path_len", "left", "", "benchmark", 0, ""});
+    task.gates.assign(7, {"path_len", "left", "", GateKind::benchmark, 0, ""});
     EXPECT_THROW(check_gates(task, "t.json"), InputError);
 }
 

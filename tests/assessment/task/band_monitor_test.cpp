@@ -95,14 +95,14 @@ TEST(BandMonitor, AnActivationSaysWhatHeldThroughout) {
                              ended = stage.sink.of(EventKind::activation_end);
     ASSERT_EQ(begun.size(), 2U);
     ASSERT_EQ(ended.size(), 2U);
-    const int all = activation_in_view | activation_on_target | activation_clear;
+    const int all = detail_of(Activation{true, true, true});
     EXPECT_EQ(begun[0].detail, all);
     EXPECT_EQ(begun[0].hand, 1);
     EXPECT_EQ(begun[0].tissue, stage.scene.tissue_index("band"));
     EXPECT_EQ(ended[0].detail, all);
     EXPECT_NEAR(static_cast<double>(ended[0].value), 0.0035, 1e-7);
     EXPECT_EQ(ended[0].tick - begun[0].tick, 100U);
-    EXPECT_EQ(ended[1].detail, static_cast<std::int32_t>(activation_on_target));
+    EXPECT_EQ(ended[1].detail, detail_of(Activation{false, true, false}));
     EXPECT_NEAR(static_cast<double>(ended[1].value), 0.001, 1e-7);
 }
 
@@ -196,7 +196,7 @@ TEST(BandMonitor, InjuriesAreCriticalAndToldOnce) {
     other.view().nerves[0].divided = true;
     other.step(5);
     ASSERT_EQ(other.sink.of(EventKind::nerve_injury).size(), 2U);
-    EXPECT_EQ(other.sink.of(EventKind::nerve_injury)[1].detail, nerve_was_divided);
+    EXPECT_EQ(nerve_injury_of(other.sink.of(EventKind::nerve_injury)[1]).cause, InjuryCause::blade);
 }
 
 TEST(BandMonitor, AWallWithVeinsTellsTheSameEvents) {
@@ -226,10 +226,9 @@ TEST(BandMonitor, AWallWithVeinsTellsTheSameEvents) {
     view.tools[1].active = false;
     step();
     ASSERT_EQ(sink.of(EventKind::activation_end).size(), 1U);
-    EXPECT_EQ(sink.of(EventKind::activation_begin)[0].detail,
-              activation_in_view | activation_on_target | activation_clear);
+    EXPECT_EQ(sink.of(EventKind::activation_begin)[0].detail, detail_of(Activation{true, true, true}));
     EXPECT_EQ(sink.of(EventKind::activation_begin)[0].tissue, scene.tissue_index("areolar"));
-    EXPECT_EQ(sink.of(EventKind::activation_end)[0].detail, activation_in_view | activation_on_target);
+    EXPECT_EQ(sink.of(EventKind::activation_end)[0].detail, detail_of(Activation{true, true, false}));
 
     // In the mesorectum it is not, from the first moment or later on.
     for (const bool later : {false, true}) {
@@ -243,7 +242,7 @@ TEST(BandMonitor, AWallWithVeinsTellsTheSameEvents) {
         view.tools[1].active = false;
         step();
         ASSERT_EQ(sink.of(EventKind::activation_end).size(), 1U);
-        EXPECT_EQ(sink.of(EventKind::activation_end)[0].detail, activation_in_view | activation_clear);
+        EXPECT_EQ(sink.of(EventKind::activation_end)[0].detail, detail_of(Activation{true, false, true}));
         EXPECT_EQ(sink.of(EventKind::activation_begin)[0].tissue,
                   scene.tissue_index(later ? "areolar" : "fat"));
     }
@@ -283,7 +282,7 @@ TEST(BandMonitor, AWallWithVeinsTellsTheSameEvents) {
     ASSERT_EQ(sink.of(EventKind::heat_dose).size(), 1U);
     EXPECT_EQ(sink.of(EventKind::heat_dose)[0].tissue, scene.tissue_index("fat"));
     ASSERT_EQ(sink.of(EventKind::nerve_injury).size(), 1U);
-    EXPECT_EQ(sink.of(EventKind::nerve_injury)[0].detail, nerve_was_divided);
+    EXPECT_EQ(nerve_injury_of(sink.of(EventKind::nerve_injury)[0]).cause, InjuryCause::blade);
 }
 
 TEST(BandMonitor, WhatIsOpenAtTheEndIsClosed) {
@@ -300,7 +299,7 @@ TEST(BandMonitor, WhatIsOpenAtTheEndIsClosed) {
     last.rig_flags = rig_abandon;
     stage.monitor.on_step(&last, 1, stage.world, stage.sink);
     EXPECT_EQ(stage.sink.of(EventKind::activation_end).size(), 1U);
-    EXPECT_EQ(stage.sink.of(EventKind::activation_end)[0].detail & activation_on_target, 0);
+    EXPECT_FALSE(activation_of(stage.sink.of(EventKind::activation_end)[0]).on_target);
     EXPECT_EQ(stage.sink.of(EventKind::bleed_end).size(), 1U);
     ASSERT_EQ(stage.sink.of(EventKind::blood_loss).size(), 1U);
     EXPECT_EQ(stage.sink.events.back().kind, EventKind::abandoned);

@@ -56,6 +56,15 @@ TEST(EventLines, FibresThatPartInARowAreOneLine) {
     }
 }
 
+TEST(EventLines, ANerveUnderABladeIsNotInjuredByHeat) {
+    Event event;
+    event.kind = EventKind::nerve_injury;
+    event.detail = detail_of(NerveInjury{1, InjuryCause::blade});
+    EXPECT_EQ(event_words(event, {}), "Nerve divided by a blade");
+    event.detail = detail_of(NerveInjury{1, InjuryCause::heat});
+    EXPECT_EQ(event_words(event, {}), "Nerve injured by heat");
+}
+
 TEST(EventLines, CrumbsThatNobodySeesAreNone) {
     Event event;
     event.kind = EventKind::piece_fallen;

@@ -118,16 +118,12 @@ const QSize sizes[] = {QSize(557, 360),  QSize(700, 400),  QSize(800, 480),  QSi
 /// Text at 75, 100, 125 and 150 % of the desktop's usual size.
 const int text_scales[] = {72, 96, 120, 144};
 
-const GoalKind goal_kinds[] = {GoalKind::touch_targets, GoalKind::run_bowel,    GoalKind::lift_and_hold,
-                               GoalKind::take_tension,  GoalKind::divide_line,  GoalKind::let_go,
-                               GoalKind::divide_bands,  GoalKind::stop_bleeding};
-
 TEST(HudLayout, NothingLiesOverAnythingWhateverIsToBeDone) {
-    for (const GoalKind kind : goal_kinds) {
-        Shown shown = everything(kind);
+    for (const GoalType& type : goal_types) {
+        Shown shown = everything(type.kind);
         for (const QSize size : sizes)
             for (const int scale : text_scales)
-                expect_apart(shown, size, scale, "goal-" + std::to_string(static_cast<int>(kind)));
+                expect_apart(shown, size, scale, std::string("goal-") + type.name);
     }
 }
 
@@ -136,9 +132,8 @@ TEST(HudLayout, NothingLiesOverAnythingInAnyTask) {
     const QString places[] = {QString(), QStringLiteral("demonstration: synthetic expert"),
                               QStringLiteral("replay ×0.25")};
     int goals = 0;
-    for (const char* id : {"A2", "B1", "B2", "B3", "C4"}) {
-        const TaskDefinition task =
-            load_task(fulcrum::test::source_path(std::string("assets/tasks/") + id + ".json"));
+    for (const std::string& id : fulcrum::test::task_ids()) {
+        const TaskDefinition task = load_task(fulcrum::test::source_path("assets/tasks/" + id + ".json"));
         for (std::size_t g = 0; g < task.goals.size(); ++g, ++goals) {
             for (const QString& place : places) {
                 for (int warning = -1; warning <= 1; ++warning) {

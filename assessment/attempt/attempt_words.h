@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an attempt can be, as records and files name it and screens show it.
+#pragma once
+
+#include <cstdint>
+
+#include "sim_core/numerics/name_table.h"
+
+namespace fulcrum {
+
+enum class AttemptMode : std::uint8_t { practice, assessed };
+inline constexpr NameRow<AttemptMode> attempt_modes[] = {
+    {AttemptMode::practice, "practice", QT_TRANSLATE_NOOP("fulcrum::attempts", "practice")},
+    {AttemptMode::assessed, "assessed", QT_TRANSLATE_NOOP("fulcrum::attempts", "assessed")}};
+static_assert(in_order(attempt_modes));
+
+/// How an attempt ended. The last two are the store's: under way, and declared void by a person.
+enum class AttemptState : std::uint8_t {
+    completed,
+    timed_out,
+    abandoned,
+    interrupted,
+    failed_simulation,
+    voided,
+    running
+};
+inline constexpr NameRow<AttemptState> attempt_states[] = {
+    {AttemptState::completed, "completed", QT_TRANSLATE_NOOP("fulcrum::attempts", "completed")},
+    {AttemptState::timed_out, "timed_out", QT_TRANSLATE_NOOP("fulcrum::attempts", "timed out")},
+    {AttemptState::abandoned, "abandoned", QT_TRANSLATE_NOOP("fulcrum::attempts", "abandoned")},
+    {AttemptState::interrupted, "interrupted", QT_TRANSLATE_NOOP("fulcrum::attempts", "interrupted")},
+    {AttemptState::failed_simulation, "failed_simulation",
+     QT_TRANSLATE_NOOP("fulcrum::attempts", "simulator fault")},
+    {AttemptState::voided, "voided", QT_TRANSLATE_NOOP("fulcrum::attempts", "voided")},
+    {AttemptState::running, "running", QT_TRANSLATE_NOOP("fulcrum::attempts", "running")}};
+static_assert(in_order(attempt_states));
+
+/// What the hands moved.
+enum class DeviceClass : std::uint8_t { haptic, tracked, controller, mouse_keyboard, synthetic, external };
+inline constexpr NameRow<DeviceClass> device_classes[] = {
+    {DeviceClass::haptic, "haptic", QT_TRANSLATE_NOOP("fulcrum::devices", "haptic device")},
+    {DeviceClass::tracked, "tracked", QT_TRANSLATE_NOOP("fulcrum::devices", "tracked instruments")},
+    {DeviceClass::controller, "controller", QT_TRANSLATE_NOOP("fulcrum::devices", "game controller")},
+    {DeviceClass::mouse_keyboard, "mouse-keyboard",
+     QT_TRANSLATE_NOOP("fulcrum::devices", "mouse and keyboard")},
+    {DeviceClass::synthetic, "synthetic", QT_TRANSLATE_NOOP("fulcrum::devices", "synthetic operator")},
+    {DeviceClass::external, "external", QT_TRANSLATE_NOOP("fulcrum::devices", "external trace")}};
+static_assert(in_order(device_classes));
+
+}  // namespace fulcrum

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every kind of goal: its name in task files, what a task must say about it, what the scene must have, and
+// what follows its progress. A new kind is a row here, a tracker (assessment/task/goals), a behaviour of the
+// synthetic operators (assessment/operators) and its line on the HUD (ui/theatre/hud.cpp).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "sim_core/numerics/name_table.h"
+
+namespace fulcrum {
+
+struct Goal;
+struct Scene;
+struct GoalWatch;
+class GoalTracker;
+
+enum class GoalKind : std::uint8_t {
+    touch_targets,  ///< touch and hold each sphere of one hand, in order (A2)
+    run_bowel,      ///< run a length of bowel hand over hand (B1)
+    lift_and_hold,  ///< lift a stretch of bowel above its resting height and hold it (B1)
+    take_tension,   ///< take hold of the sheet and keep the traction across its marked line in the band (B2,
+                    ///< C4: the rectum is held)
+    divide_line,    ///< divide the sheet, or septum after septum, along its marked line (B2, C4)
+    let_go,         ///< hold nothing and cut nothing (B2, C4)
+    divide_bands,   ///< divide a number of bands (B3)
+    stop_bleeding,  ///< every vessel divided, none of them bleeding for a while (B3)
+};
+
+/// The part of a scene that a goal works on. Synthetic operators have one behaviour for each.
+enum class GoalSite : std::uint8_t { targets, bowel, sheet, bands };
+/// What goal_progress events of a goal count.
+enum class GoalMeasure : std::uint8_t { count, metres, seconds };
+
+/// A key that a task must give for a goal, and what it means.
+struct GoalKey {
+    const char* name = nullptr;
+    const char* meaning = nullptr;
+};
+/// What is wrong with a goal.
+struct GoalFault {
+    std::string key;  ///< of the task file, "" the goal as a whole
+    std::string problem, hint;
+};
+
+struct GoalType {
+    GoalKind kind;
+    const char* name;
+    const char* title;
+    GoalSite site;
+    GoalMeasure measure;
+    bool traction;  ///< the traction across the line is shown with its band
+    std::array<GoalKey, 6> keys;
+    /// What the keys cannot say; null: nothing.
+    std::optional<GoalFault> (*check)(const Goal&);
+    /// Whether a scene has what the goal needs beyond its site; null: nothing more.
+    std::optional<GoalFault> (*suits)(const Goal&, const Scene&);
+    std::unique_ptr<GoalTracker> (*tracker)(const Goal&, const GoalWatch&);
+};
+
+namespace goals {
+
+std::unique_ptr<GoalTracker> track_targets(const Goal& goal, const GoalWatch& watch);
+std::optional<GoalFault> targets_suit(const Goal& goal, const Scene& scene);
+
+std::unique_ptr<GoalTracker> track_run(const Goal& goal, const GoalWatch& watch);
+std::optional<GoalFault> check_run(const Goal& goal);
+std::optional<GoalFault> on_bowel(const Goal& goal, const Scene& scene);
+
+std::unique_ptr<GoalTracker> track_lift(const Goal& goal, const GoalWatch& watch);
+std::optional<GoalFault> check_stretch(const Goal& goal);
+
+std::unique_ptr<GoalTracker> track_tension(const Goal& goal, const GoalWatch& watch);
+std::unique_ptr<GoalTracker> track_line(const Goal& goal, const GoalWatch& watch);
+std::unique_ptr<GoalTracker> track_let_go(const Goal& goal, const GoalWatch& watch);
+std::optional<GoalFault> check_traction(const Goal& goal);
+std::optional<GoalFault> check_line(const Goal& goal);
+std::optional<GoalFault> line_suits(const Goal& goal, const Scene& scene);
+
+std::unique_ptr<GoalTracker> track_bands(const Goal& goal, const GoalWatch& watch);
+std::unique_ptr<GoalTracker> track_bleeding(const Goal& goal, const GoalWatch& watch);
+std::optional<GoalFault> enough_bands(const Goal& goal, const Scene& scene);
+std::optional<GoalFault> enough_vessels(const Goal& goal, const Scene& scene);
+
+inline constexpr GoalKey traction_low = {"traction_low_n_m", "the least traction across the line, N/m"};
+inline constexpr GoalKey traction_high = {"traction_high_n_m", "the most traction across the line, N/m"};
+
+}  // namespace goals
+
+inline constexpr GoalType goal_types[] = {
+    {GoalKind::touch_targets,
+     "touch_targets",
+     QT_TRANSLATE_NOOP("fulcrum::goals", "Touch targets"),
+     GoalSite::targets,
+     GoalMeasure::count,
+     false,
+     {{{"hand", "left or right"}, {"count", "how many spheres"}, {"hold_s", "seconds to hold each"}}},
+     nullptr,
+     goals::targets_suit,
+     goals::track_targets},
+    {GoalKind::run_bowel,
+     "run_bowel",
+     QT_TRANSLATE_NOOP("fulcrum::goals", "Run the bowel"),
+     GoalSite::bowel,
+     GoalMeasure::metres,
+     false,
+     {{{"length_m", "metres of bowel to run"},
+       {"from_m", "where to start"},
+       {"to_m", "where the run leads"},
+       {"minimum_step_m", "shortest step that counts"},
+       {"maximum_step_m", "longest step that counts"}}},
+     goals::check_run,
+     goals::on_bowel,
+     goals::track_run},
+    {GoalKind::lift_and_hold,
+     "lift_and_hold",
+     QT_TRANSLATE_NOOP("fulcrum::goals", "Lift and hold"),
+     GoalSite::bowel,
+     GoalMeasure::seconds,
+     false,
+     {{{"hold_s", "seconds to hold"},
+       {"from_m", "where the stretch begins"},
+       {"to_m", "where the stretch ends"},
+       {"height_m", "metres above the resting height"}}},
+     goals::check_stretch,
+     goals::on_bowel,
+     goals::track_lift},
+    {GoalKind::take_tension,
+     "take_tension",
+     QT_TRANSLATE_NOOP("fulcrum::goals", "Take tension"),
+     GoalSite::sheet,
+     GoalMeasure::seconds,
+     true,
+     {{{"hold_s", "seconds to keep the traction"}, goals::traction_low, goals::traction_high}},
+     goals::check_traction,
+     goals::line_suits,
+     goals::track_tension},
+    {GoalKind::divide_line,
+     "divide_line",
+     QT_TRANSLATE_NOOP("fulcrum::goals", "Divide the line"),
+     GoalSite::sheet,
+     GoalMeasure::metres,
+     true,
+     {{{"length_m", "metres of the marked line"},
+       {"tolerance_m", "metres from the line that are too far"},
+       {"corridor_m", "metres from the line within which a cut divides it"},
+       goals::traction_low,
+       goals::traction_high}},
+     goals::check_line,
+     goals::line_suits,
+     goals::track_line},
+    {GoalKind::let_go,
+     "let_go",
+     QT_TRANSLATE_NOOP("fulcrum::goals", "Let go"),
+     GoalSite::sheet,
+     GoalMeasure::seconds,
+     false,
+     {{{"hold_s", "seconds without a hold"}}},
+     nullptr,
+     goals::line_suits,
+     goals::track_let_go},
+    {GoalKind::divide_bands,
+     "divide_bands",
+     QT_TRANSLATE_NOOP("fulcrum::goals", "Divide bands"),
+     GoalSite::bands,
+     GoalMeasure::count,
+     false,
+     {{{"count", "how many bands"}}},
+     nullptr,
+     goals::enough_bands,
+     goals::track_bands},
+    {GoalKind::stop_bleeding,
+     "stop_bleeding",
+     QT_TRANSLATE_NOOP("fulcrum::goals", "Stop the bleeding"),
+     GoalSite::bands,
+     GoalMeasure::count,
+     false,
+     {{{"count", "how many vessels"}, {"hold_s", "seconds without bleeding"}}},
+     nullptr,
+     goals::enough_vessels,
+     goals::track_bleeding},
+};
+static_assert(in_order(goal_types));
+
+constexpr const GoalType& type_of(GoalKind kind) {
+    return row_of(goal_types, kind);
+}
+
+/// Whether the scene has a goal's site and what the goal needs there.
+std::optional<GoalFault> goal_fault(const Goal& goal, const Scene& scene);
+
+}  // namespace fulcrum
