@@ -10,7 +10,16 @@
 namespace fulcrum {
 
 /// In the table's order. Add at the end: world states are hashed with these numbers.
-enum class InstrumentKind : std::uint8_t { grasper, probe, harmonic, hook, clip_applier, suction, scissors };
+enum class InstrumentKind : std::uint8_t {
+    grasper,
+    probe,
+    harmonic,
+    hook,
+    clip_applier,
+    suction,
+    scissors,
+    bowel_grasper
+};
 
 /// What the pedal gives.
 enum class InstrumentEnergy : std::uint8_t {
@@ -57,6 +66,9 @@ inline constexpr InstrumentType instrument_types[] = {
      false, InstrumentBlade::none, InstrumentEnergy::none, false, true, 0.020, 0.005},
     {InstrumentKind::scissors, "scissors", QT_TRANSLATE_NOOP("fulcrum::instruments", "scissors"), true, false,
      false, InstrumentBlade::button, InstrumentEnergy::none, false, false, 0.020, 0.005},
+    {InstrumentKind::bowel_grasper, "bowel_grasper",
+     QT_TRANSLATE_NOOP("fulcrum::instruments", "bowel grasper"), true, true, true, InstrumentBlade::none,
+     InstrumentEnergy::none, false, false, 0.035, 0.006},
 };
 static_assert(in_order(instrument_types));
 

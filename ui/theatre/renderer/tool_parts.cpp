@@ -106,6 +106,14 @@ void add_tool_parts(const DrawnTool& tool, std::vector<ToolPart>& parts) {
             bench.turned(ToolShape::clevis, 0.9F, steel);
             bench.pair(ToolShape::jaw, 1, 1, steel);
             break;
+        case InstrumentKind::bowel_grasper:
+            // Long slender jaws with a window along each, so that the wall bulges into it instead of being
+            // crushed.
+            bench.shaft(0.012F, 0.86F, -r);
+            bench.turned(ToolShape::clevis, 0.9F, steel);
+            bench.pair(ToolShape::jaw, 0.6F, 0.5F, steel);
+            bench.pair(ToolShape::rod, 0.25F, 0.55F, dark);
+            break;
         case InstrumentKind::scissors:
             bench.shaft(0.012F, 0.86F, -r);
             bench.turned(ToolShape::clevis, 0.9F, steel);
