@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hand over hand along the bowel, then one hand lifts and holds it.
+// Hand over hand along the bowel, one hand lifts and holds it, one rests on it.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -21,12 +21,20 @@ constexpr double tent_height = 0.007;  // m that a fresh grasp is lifted, to see
 constexpr double lift_margin = 0.006;  // m above the height asked for
 constexpr double open_share = 0.85, closed_share = 0.12;            // of the widest opening
 constexpr double before_frontier = 0.004, beyond_frontier = 0.018;  // m along the bowel
-constexpr double shaft_clearance = 0.011;  // m between the shafts' axes on a planned way
-constexpr double way_tolerance = 0.015;    // m from a point that is only passed
-constexpr double shortest_close_s = 0.35;  // the jaws need that long to close
-constexpr double grip_reserve = 1.5;       // grip over what the seen load needs
+constexpr double shaft_clearance = 0.011;                    // m between the shafts' axes on a planned way
+constexpr double way_tolerance = 0.015;                      // m from a point that is only passed
+constexpr double shortest_close_s = 0.35;                    // the jaws need that long to close
+constexpr double press_step_m = 0.0004, press_step_s = 0.3;  // of a tip that palpates
+constexpr double grip_reserve = 1.5;                         // grip over what the seen load needs
 
-enum class Stage : std::uint8_t { choose, travel, descend, close, tent, let_go, raise };
+/// Where the tip's sphere touches the wall of a tube `radius` m thick, on the side that the shaft comes from.
+Vector3 tip_on_tube(const Limb& limb, const LinePoint& point, double radius) noexcept {
+    const Vector3 out = limb.trocar().position - point.position;
+    const Vector3 side = (out - out.dot(point.tangent) * point.tangent).normalized();
+    return point.position + (radius + limb.spec().tip_radius) * side;
+}
+
+enum class Stage : std::uint8_t { choose, travel, descend, close, tent, let_go, raise, palpate };
 
 class BowelHandling : public Behaviour {
   public:
@@ -72,6 +80,9 @@ class BowelHandling : public Behaviour {
             case Stage::raise:
                 raise(goal, seen, body);
                 break;
+            case Stage::palpate:
+                palpate(seen, body);
+                break;
         }
         hold_gently(seen, body);
         body.gaze = line_point(seen.nodes, body.eyes->arc_lengths(), place_).position;
@@ -109,6 +120,7 @@ class BowelHandling : public Behaviour {
 
     void choose(const Goal& goal, const Perception& seen, Body& body) noexcept {
         double place = 0;
+        palpates_ = goal.kind == GoalKind::palpate;
         if (goal.kind == GoalKind::run_bowel) {
             direction_ = goal.to_m >= goal.from_m ? 1 : -1;
             const double frontier = goal.from_m + direction_ * seen.display.run_covered_m;
@@ -122,7 +134,9 @@ class BowelHandling : public Behaviour {
         }
         place_ = place - direction_ * shift_;
         const LinePoint point = line_point(seen.nodes, body.eyes->arc_lengths(), place_);
-        if (holder_ >= 0) {
+        if (palpates_) {
+            mover_ = static_cast<int>(goal.hand);
+        } else if (holder_ >= 0) {
             mover_ = 1 - holder_;
         } else {
             const auto away = [&](int hand) {
@@ -131,7 +145,11 @@ class BowelHandling : public Behaviour {
             mover_ = away(0) < away(1) ? 0 : 1;
         }
         Limb& limb = *body.limb[mover_];
-        open(limb);
+        if (palpates_) {
+            limb.jaws(0, 0);
+        } else {
+            open(limb);
+        }
         depth_ = attempts_ * deeper;
         stage_ = Stage::travel;
         const double delay = skill_.choice_s * limb.random().uniform(0.6, 1.4);
@@ -196,7 +214,7 @@ class BowelHandling : public Behaviour {
         reach.update(limb, seen.tip[mover_]);
         if (reach.arrived() || ((limb.destination() - goal).norm() < 0.006 && limb.remaining() < 0.1 &&
                                 reach.corrections() > 0)) {
-            stage_ = Stage::descend;
+            stage_ = palpates_ ? Stage::palpate : Stage::descend;
             reach.start(limb, place_for_tip(seen, body), body.view, 0.008, 0.0, 2.5);
         }
     }
@@ -214,6 +232,19 @@ class BowelHandling : public Behaviour {
                   std::max(1.5, skill_.grip_force + skill_.grip_spread * limb.random().normal()));
         // Jaws close in about a quarter of a second; what came of it is seen a reaction time later.
         until_ = limb.time() + std::max(shortest_close_s, skill_.dwell_s) + skill_.reaction_s + 0.05;
+    }
+
+    // Closed jaws on the wall: a little deeper until it is felt, a little less deep where it is pressed.
+    void palpate(const Perception& seen, Body& body) noexcept {
+        Limb& limb = *body.limb[mover_];
+        if (limb.time() > until_) {
+            const double force = seen.display.force[mover_];
+            if (force < 0.5 * skill_.touch_force) depth_ += press_step_m;
+            if (force > 1.5 * skill_.touch_force) depth_ -= press_step_m;
+            until_ = limb.time() + press_step_s;
+        }
+        reaches_[mover_].follow(place_for_tip(seen, body));
+        reaches_[mover_].update(limb, seen.tip[mover_]);
     }
 
     void close(const Perception& seen, Body& body) noexcept {
@@ -287,6 +318,7 @@ class BowelHandling : public Behaviour {
 
     Vector3 place_for_tip(const Perception& seen, const Body& body) const noexcept {
         const LinePoint point = line_point(seen.nodes, body.eyes->arc_lengths(), place_);
+        if (palpates_) return tip_on_tube(*body.limb[mover_], point, radius_ - depth_);
         return tip_beside_tube(*body.limb[mover_], point, radius_ + jaw_clearance - depth_);
     }
 
@@ -300,7 +332,7 @@ class BowelHandling : public Behaviour {
     double radius_ = 0.016, friction_ = 0.5;
     Stage stage_ = Stage::choose;
     int goal_ = -1, mover_ = 1, holder_ = -1, attempts_ = 0;
-    bool clear_away_ = false;
+    bool clear_away_ = false, palpates_ = false;
     Vector3 way_[2] = {Vector3::Zero(), Vector3::Zero()};
     int way_count_ = 0, way_next_ = 0;
     bool holds_[hand_count] = {false, false};

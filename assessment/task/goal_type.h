@@ -29,6 +29,7 @@ enum class GoalKind : std::uint8_t {
     let_go,         ///< hold nothing and cut nothing (B2, C4)
     divide_bands,   ///< divide a number of bands (B3)
     stop_bleeding,  ///< every vessel divided, none of them bleeding for a while (B3)
+    palpate,        ///< rest an instrument on a stretch of bowel, in contact for a while (A3)
 };
 
 /// The part of a scene that a goal works on. Synthetic operators have one behaviour for each.
@@ -85,6 +86,8 @@ std::unique_ptr<GoalTracker> track_bands(const Goal& goal, const GoalWatch& watc
 std::unique_ptr<GoalTracker> track_bleeding(const Goal& goal, const GoalWatch& watch);
 std::optional<GoalFault> enough_bands(const Goal& goal, const Scene& scene);
 std::optional<GoalFault> enough_vessels(const Goal& goal, const Scene& scene);
+
+std::unique_ptr<GoalTracker> track_palpation(const Goal& goal, const GoalWatch& watch);
 
 inline constexpr GoalKey traction_low = {"traction_low_n_m", "the least traction across the line, N/m"};
 inline constexpr GoalKey traction_high = {"traction_high_n_m", "the most traction across the line, N/m"};
@@ -183,6 +186,19 @@ inline constexpr GoalType goal_types[] = {
      nullptr,
      goals::enough_vessels,
      goals::track_bleeding},
+    {GoalKind::palpate,
+     "palpate",
+     QT_TRANSLATE_NOOP("fulcrum::goals", "Palpate the bowel"),
+     GoalSite::bowel,
+     GoalMeasure::seconds,
+     false,
+     {{{"hand", "left or right"},
+       {"hold_s", "seconds of contact"},
+       {"from_m", "where the stretch begins"},
+       {"to_m", "where the stretch ends"}}},
+     goals::check_stretch,
+     goals::on_bowel,
+     goals::track_palpation},
 };
 static_assert(in_order(goal_types));
 
