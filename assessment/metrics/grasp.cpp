@@ -107,6 +107,27 @@ Figure grasp_ftp_patch(const Analysis& analysis, const Selection& row) {
     return figure;
 }
 
+constexpr double new_contact_s = 0.1;  // s off the tissue after which a touch is another one
+
+/// How often the instrument came onto the row's tissue.
+Figure contacts(const Analysis& analysis, const Selection& row) {
+    std::vector<ScoredInterval> touches;
+    for (const ForceBlock& block : analysis.hand(row.hand).force) {
+        double left = -new_contact_s;
+        for (const Run& run : runs_of(block.tissue.size(), [&](std::size_t i) {
+                 return row.tissue < 0 ? block.tissue[i] >= 0 : block.tissue[i] == row.tissue;
+             })) {
+            const TimeInterval when = block.interval(run);
+            if (when.begin - left >= new_contact_s) touches.push_back({when.end - when.begin, when});
+            left = when.end;
+        }
+    }
+    Figure figure;
+    figure.value = static_cast<double>(touches.size());
+    figure.evidence = worst_first(std::move(touches));
+    return figure;
+}
+
 }  // namespace
 
 std::vector<Metric> grasp_metrics() {
@@ -148,6 +169,11 @@ std::vector<Metric> grasp_metrics() {
                         "the jaws pressed with {value} where {limit} is the most",
                         "take a full bite, and avoid holding tissue with the tips"}),
               {Channel::jaw_force, Channel::jaw_area}, grasp_kpa);
+    add_grasp(describe({"contacts", "Contacts with tissue", "-", 1}, D::context, Scale::raw, A::count,
+                       E::expert, "contacts 0.1 s apart; our own definition",
+                       {"Number of times the instrument came into contact with tissue.",
+                        "the instrument touched tissue {value} times", "come once and stay"}),
+              {Channel::force, Channel::tissue}, contacts);
 
     const auto add_count = [&](Naming naming, bool per_tissue, const char* source, Wording wording,
                                Figure (*compute)(const Analysis&, const Selection&)) {
