@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -186,8 +187,7 @@ std::string trimmed(const std::string& text) {
 std::map<std::string, Struct> structs_of_headers() {
     static const std::regex comment("//[^\n]*");
     static const std::regex head(R"(\bstruct (\w+)( : (public )?(\w+))? \{\n)");
-    static const std::regex field(
-        R"((double|int|bool|std::string|std::uint64_t|Vector3) (\w+ (=|\{)[^;]*|\w+, \w+ =[^;]*);)");
+    static const std::regex field(R"((?:^|\n)\s*([\w:]+) (\w+ =[^;]*|\w+, \w+ =[^;]*);)");
     std::map<std::string, Struct> structs;
     for (const auto& entry : fs::recursive_directory_iterator(test::source_path("sim_core"))) {
         if (entry.path().extension() != ".h") continue;
@@ -218,10 +218,21 @@ const std::string* initial_value(const std::map<std::string, Struct>& structs, s
     return nullptr;
 }
 
+bool same_letters(const std::string& first, const std::string& second) {
+    return std::equal(first.begin(), first.end(), second.begin(), second.end(), [](char a, char b) {
+        return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+    });
+}
+
 /// Whether a default of the schema is what a field starts with.
 bool same_value(const json& fallback, const std::string& initial, bool degrees) {
     if (fallback.is_boolean()) return initial == (fallback.get<bool>() ? "true" : "false");
-    if (fallback.is_string()) return initial == "\"" + fallback.get<std::string>() + "\"";
+    if (fallback.is_string()) {
+        const std::string name = fallback.get<std::string>();
+        const std::size_t scope = initial.rfind("::");
+        if (scope == std::string::npos) return initial == "\"" + name + "\"";
+        return same_letters(initial.substr(scope + 2), name);  // an enumerator
+    }
     if (fallback.is_array()) {
         if (initial == "Vector3::Zero()") return fallback == json::array({0, 0, 0});
         if (initial == "Vector3::UnitZ()") return fallback == json::array({0, 0, 1});
