@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <mutex>
 #include <thread>
@@ -14,6 +13,7 @@
 #include "assessment/scoring/benchmark_builder.h"
 #include "database/records/attempts.h"
 #include "sim_core/numerics/input_error.h"
+#include "sim_core/numerics/output_file.h"
 
 namespace fulcrum::app {
 namespace {
@@ -167,13 +167,15 @@ int command_benchmark(const std::vector<std::string>& words) {
     }
 
     const std::optional<std::string> output = arguments.value("--output");
-    const auto unwritable = [&] {
-        return InputError(*output, "", "cannot be written", "name a writable file with -o");
+    const auto unwritable = [&](const std::system_error& error) {
+        return InputError(*output, "", "cannot be written (" + error.code().message() + ")",
+                          "name a writable file with -o");
     };
-    if (output) {  // before minutes of work, not after them
-        const bool there = std::filesystem::exists(*output);
-        if (!std::ofstream(*output, std::ios::app)) throw unwritable();
-        if (!there) std::filesystem::remove(*output);
+    std::unique_ptr<OutputFile> file;
+    try {  // before minutes of work, not after them
+        if (output) file = std::make_unique<OutputFile>(*output);
+    } catch (const std::system_error& error) {
+        throw unwritable(error);
     }
 
     BenchmarkRequest request;
@@ -203,11 +205,12 @@ int command_benchmark(const std::vector<std::string>& words) {
         {"trials", trials},
         {"log", build.log},
         {"set", build.set ? benchmark_to_json(*build.set) : nlohmann::json()}};
-    if (build.set) {
-        if (output) {
-            std::ofstream file(*output);
-            file << benchmark_to_json(*build.set).dump(2) << '\n';
-            if (!file) throw unwritable();
+    if (build.set && file) {
+        try {
+            file->write(benchmark_to_json(*build.set).dump(2) + '\n');
+            file->commit();
+        } catch (const std::system_error& error) {
+            throw unwritable(error);
         }
     }
     if (arguments.has("--json")) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/services/demo.h"
 
-#include <QFile>
 #include <filesystem>
 
 #include "app/assets.h"
 #include "app/live/performance.h"
 #include "database/records/people.h"
+#include "sim_core/numerics/output_file.h"
 
 namespace fulcrum::app {
 namespace {
@@ -87,7 +87,8 @@ bool build_demo(const std::string& path, const ui::Progress& progress) {
         remove_store(unfinished);
         return false;
     }
-    std::filesystem::rename(unfinished, path);
+    remove_store(path);  // what an older program left unfinished
+    rename_replacing(unfinished, path);
     remove_store(unfinished);
     return true;
 }

@@ -2,9 +2,9 @@
 #include "sim_core/lab/result_page.h"
 
 #include <filesystem>
-#include <fstream>
 
 #include "sim_core/numerics/input_error.h"
+#include "sim_core/numerics/output_file.h"
 
 namespace fulcrum::lab {
 namespace {
@@ -98,12 +98,13 @@ std::vector<std::string> ResultPage::write(const std::string& folder, const Mach
     std::vector<std::string> paths;
     const auto put = [&](const std::string& name, const std::string& bytes) {
         const std::string path = (std::filesystem::path(folder) / name).string();
-        std::ofstream out(path, std::ios::binary | std::ios::trunc);
-        out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        out.close();
-        if (!out)
-            throw InputError("command line", "--output", "cannot write the file " + path,
+        try {
+            write_output_file(path, bytes);
+        } catch (const std::system_error& error) {
+            throw InputError("command line", "--output",
+                             "cannot write the file " + path + " (" + error.code().message() + ")",
                              "give a writable folder");
+        }
         paths.push_back(path);
     };
     put(id_ + ".md", text(machine));

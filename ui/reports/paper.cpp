@@ -2,7 +2,6 @@
 #include "ui/reports/paper.h"
 
 #include <QCoreApplication>
-#include <QFile>
 #include <QPageSize>
 
 #include "ui/style/text.h"
@@ -22,8 +21,8 @@ QString joined(const std::vector<std::string>& parts) {
 
 }  // namespace
 
-Sheet::Sheet(const std::string& path, bool landscape, const QString& title)
-    : path_(path), part_(path + ".part"), writer_(text(part_)) {
+Sheet::Sheet(const std::string& path, bool landscape, const QString& title) try
+    : file_(path), writer_(text(file_.temporary_path())) {
     writer_.setResolution(dots_per_inch);
     writer_.setPageSize(QPageSize(QPageSize::A4));
     writer_.setPageOrientation(landscape ? QPageLayout::Landscape : QPageLayout::Portrait);
@@ -34,19 +33,20 @@ Sheet::Sheet(const std::string& path, bool landscape, const QString& title)
         throw database::StoreError(database::StoreErrorKind::failed, path + ": the PDF cannot be written",
                                    "choose another folder or free some space");
     }
+} catch (const std::system_error& error) {
+    fail_output(path, error);
 }
 
 Sheet::~Sheet() {
     if (painter_.isActive()) painter_.end();
-    QFile::remove(text(part_));
 }
 
 void Sheet::finish() {
     painter_.end();
-    QFile::remove(text(path_));
-    if (!QFile::rename(text(part_), text(path_))) {
-        throw database::StoreError(database::StoreErrorKind::failed, path_ + ": the PDF cannot be written",
-                                   "choose another folder or free some space");
+    try {
+        file_.commit();
+    } catch (const std::system_error& error) {
+        fail_output(file_.path(), error);
     }
 }
 

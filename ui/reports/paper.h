@@ -6,6 +6,7 @@
 #include <QPdfWriter>
 #include <string>
 
+#include "sim_core/numerics/output_file.h"
 #include "ui/reports/report.h"
 #include "ui/style/palette.h"
 
@@ -65,7 +66,7 @@ class Sheet {
     void watermark(const QString& shown);
 
   private:
-    std::string path_, part_;
+    OutputFile file_;
     QPdfWriter writer_;
     QPainter painter_;
     double y_ = 0;

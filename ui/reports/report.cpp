@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/reports/report.h"
 
-#include <QFile>
-#include <QSaveFile>
 #include <algorithm>
+#include <filesystem>
 
 #include "database/records/people.h"
 #include "sim_core/numerics/input_error.h"
+#include "sim_core/numerics/output_file.h"
 #include "ui/reports/report_rows.h"
 #include "ui/style/text.h"
 
@@ -38,18 +38,28 @@ std::vector<std::string> ids_of(const std::vector<TaskDefinition>& tasks) {
     return ids;
 }
 
+void require_not_the_store(const std::string& path, const database::Store& store) {
+    std::error_code ignored;
+    if (!std::filesystem::equivalent(path, store.path(), ignored)) return;
+    throw database::StoreError(database::StoreErrorKind::bad_value, path + ": this file is the store itself",
+                               "choose another name for the report");
+}
+
 void save(const std::string& path, const std::string& content) {
-    QSaveFile file(text(path));
-    file.setDirectWriteFallback(true);
-    const auto size = static_cast<qint64>(content.size());
-    if (!file.open(QIODevice::WriteOnly) || file.write(content.data(), size) != size || !file.commit()) {
-        throw database::StoreError(database::StoreErrorKind::failed,
-                                   path + ": cannot be written: " + plain(file.errorString()),
-                                   "choose another folder or free some space");
+    try {
+        write_output_file(path, content);
+    } catch (const std::system_error& error) {
+        fail_output(path, error);
     }
 }
 
 }  // namespace
+
+void fail_output(const std::string& path, const std::system_error& error) {
+    throw database::StoreError(database::StoreErrorKind::failed,
+                               path + ": the report cannot be written (" + error.code().message() + ")",
+                               "choose another folder or free some space");
+}
 
 ReportProvenance provenance_of(const database::Store& store, const database::Session& session,
                                const std::string& program_version) {
@@ -129,6 +139,7 @@ std::optional<CohortReport> gather_cohort(const database::Store& store, const da
 std::vector<std::string> write_report(const database::Store& store, const database::Session& session,
                                       const ReportRequest& request, const std::vector<TaskDefinition>& tasks,
                                       const std::string& program_version, const Progress& progress) {
+    require_not_the_store(request.path, store);
     std::vector<std::string> files{request.path};
     const std::string dictionary = request.path + ".dictionary.csv";
     const auto stopped = [&](double done) { return progress && !progress(done, {}); };

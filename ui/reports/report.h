@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "assessment/task/task.h"
@@ -95,6 +96,9 @@ struct ReportRequest {
 std::vector<std::string> write_report(const database::Store& store, const database::Session& session,
                                       const ReportRequest& request, const std::vector<TaskDefinition>& tasks,
                                       const std::string& program_version, const Progress& progress = {});
+
+/// Throws the StoreError that says why a report's file cannot be written.
+[[noreturn]] void fail_output(const std::string& path, const std::system_error& error);
 
 /// A text cell that no spreadsheet takes for a formula, quoted where CSV needs it.
 std::string csv_text(const std::string& cell);
