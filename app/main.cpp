@@ -10,6 +10,7 @@
 #include "database/rows/errors.h"
 #include "sim_core/lab/bench.h"
 #include "sim_core/numerics/input_error.h"
+#include "ui/shell/window_application.h"
 
 namespace {
 
@@ -70,6 +71,6 @@ int main(int argc, char** argv) {
         QCoreApplication application(argc, argv);
         return guarded(app::run_command, words);
     }
-    QApplication application(argc, argv);
+    ui::WindowApplication application(argc, argv);
     return guarded([](const std::vector<std::string>&) { return app::run_window(); }, words);
 }

@@ -15,6 +15,7 @@
 #include "assessment/operators/operator.h"
 #include "assessment/version.h"
 #include "ui/shell/main_window.h"
+#include "ui/shell/window_application.h"
 #include "ui/style/palette.h"
 
 namespace fulcrum::app {
@@ -35,9 +36,7 @@ class Services : public ui::ApplicationServices {
     void open_store(bool demo) override {
         const std::string path = store_path(demo);
         store_.reset();
-        store_ = std::make_unique<database::Store>(database::Store::exists(path)
-                                                       ? database::Store::open(path)
-                                                       : database::Store::create(path, demo));
+        store_ = std::make_unique<database::Store>(database::Store::open_or_create(path, demo));
     }
     bool demo_is_built() const override { return database::Store::exists(store_path(true)); }
     bool build_demo(const ui::Progress& progress) override {
@@ -137,8 +136,13 @@ int run_window() {
     ui::MainWindow window(*services);
     window.resize(1280, 800);
     window.show();
+    auto* application = dynamic_cast<ui::WindowApplication*>(QCoreApplication::instance());
+    if (application != nullptr)
+        application->set_trouble([&](const QString& line) { window.context().complain(line); });
     window.start();
-    return QApplication::exec();
+    const int status = QApplication::exec();
+    if (application != nullptr) application->set_trouble({});
+    return status;
 }
 
 }  // namespace fulcrum::app
