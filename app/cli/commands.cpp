@@ -83,7 +83,7 @@ void print_json(const nlohmann::json& document) {
 
 database::Store open_store(const Arguments& arguments, bool create, bool read_only) {
     const std::string path = arguments.value_or("--db", database::Store::default_path());
-    if (create && !database::Store::exists(path)) return database::Store::create(path);
+    if (create) return database::Store::open_or_create(path);
     database::StoreOptions options;
     options.read_only = read_only;
     return database::Store::open(path, options);

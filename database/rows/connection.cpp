@@ -5,6 +5,7 @@
 
 #include <QSqlDriver>
 #include <QSqlError>
+#include <QSqlRecord>
 #include <atomic>
 #include <cmath>
 #include <filesystem>
@@ -92,6 +93,7 @@ void Connection::fail(const QString& text, int code) {
     switch (code & 0xff) {
         case SQLITE_BUSY:
         case SQLITE_LOCKED:
+        case SQLITE_PROTOCOL:  // other programs kept changing the log's index while this one read it
             throw StoreError(StoreErrorKind::locked, path_ + ": another program is writing to the store",
                              "wait for it or close it, then try again; nothing was lost");
         case SQLITE_READONLY:
@@ -173,24 +175,40 @@ void Query::run() {
     if (!query_.exec()) connection_.fail(query_.lastError().databaseText());
 }
 
+void Query::read_ahead() {
+    has_ahead_ = query_.next();
+    if (!has_ahead_) {
+        if (query_.lastError().isValid()) connection_.fail(query_.lastError().databaseText());
+        return;
+    }
+    const int columns = query_.record().count();
+    ahead_.resize(static_cast<std::size_t>(columns));
+    for (int column = 0; column < columns; ++column)
+        ahead_[static_cast<std::size_t>(column)] = query_.value(column);
+}
+
 bool Query::next() {
-    if (!ran_) run();
-    const bool row = query_.next();
-    if (!row && query_.lastError().isValid()) connection_.fail(query_.lastError().databaseText());
-    return row;
+    if (!ran_) {
+        run();
+        read_ahead();
+    }
+    if (!has_ahead_) return false;
+    row_.swap(ahead_);
+    read_ahead();
+    return true;
 }
 
 std::string Query::text(int column) const {
-    return query_.value(column).toString().toStdString();
+    return value(column).toString().toStdString();
 }
 std::int64_t Query::integer(int column) const {
-    return query_.value(column).toLongLong();
+    return value(column).toLongLong();
 }
 double Query::real(int column) const {
-    return query_.value(column).toDouble();
+    return value(column).toDouble();
 }
 bool Query::is_null(int column) const {
-    return query_.isNull(column);
+    return value(column).isNull();
 }
 std::optional<double> Query::optional_real(int column) const {
     if (is_null(column)) return std::nullopt;
@@ -201,8 +219,8 @@ std::optional<bool> Query::optional_flag(int column) const {
     return flag(column);
 }
 std::vector<std::uint8_t> Query::bytes(int column) const {
-    const QByteArray value = query_.value(column).toByteArray();
-    return std::vector<std::uint8_t>(value.begin(), value.end());
+    const QByteArray bytes = value(column).toByteArray();
+    return std::vector<std::uint8_t>(bytes.begin(), bytes.end());
 }
 int Query::rows_changed() const {
     return query_.numRowsAffected();

@@ -45,7 +45,9 @@ class Connection {
     QSqlDatabase database_;
 };
 
-/// One statement. Bind in order, run, then read rows.
+/// One statement. Bind in order, run, then read rows. Reads one row ahead: a statement whose rows were all
+/// read has ended, and with it its view of the store, which a transaction begun later must not inherit
+/// (SQLite refuses that as busy, without waiting, once another program has written).
 class Query {
   public:
     Query(Connection& connection, const QString& sql);
@@ -75,9 +77,13 @@ class Query {
     int rows_changed() const;
 
   private:
+    const QVariant& value(int column) const { return row_.at(static_cast<std::size_t>(column)); }
+    void read_ahead();
+
     Connection& connection_;
     QSqlQuery query_;
-    bool ran_ = false;
+    bool ran_ = false, has_ahead_ = false;
+    std::vector<QVariant> row_, ahead_;
 };
 
 /// BEGIN IMMEDIATE; rolled back unless committed. Nested ones join the outer.

@@ -59,16 +59,20 @@ struct InterruptedAttempt {
 
 class Store {
   public:
-    /// Where the window keeps its store unless told otherwise: XDG data folder /fulcrum/fulcrum.db (demo:
-    /// demo.db).
+    /// Where the window keeps its store unless another file is named: XDG data folder /fulcrum/fulcrum.db
+    /// (demo: demo.db).
     static std::string default_path(bool demo = false);
-    /// Makes a new store (file 0600, missing folders 0700) with its station, no people. Throws StoreError
-    /// exists, read_only, disk_full.
+    /// Makes a new store (file 0600, missing folders 0700) with its station, no people. It has its name only
+    /// when it is complete; an unfinished store of that name, left by a program that was killed, is replaced.
+    /// Throws StoreError exists, read_only, disk_full.
     static Store create(const std::string& path, bool demo = false, StoreOptions options = {});
     /// Opens, migrates (one transaction a step; a copy FILE.before-vN is kept), and closes interrupted
     /// attempts, unless read_only. Throws StoreError missing, not_a_store, newer_schema, older_schema,
     /// read_only, locked, corrupt.
     static Store open(const std::string& path, StoreOptions options = {});
+    /// Opens the store, or makes it if there is none.
+    static Store open_or_create(const std::string& path, bool demo = false, StoreOptions options = {});
+    /// A file of that name exists and is not an unfinished store (which create() replaces).
     static bool exists(const std::string& path);
     /// The schema version this program writes.
     static int schema_version();

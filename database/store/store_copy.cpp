@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <sqlite3.h>
+
+#include <system_error>
+
+#include "database/store/store_file.h"
+#include "database/store/store_state.h"
+#include "sim_core/numerics/output_file.h"
+
+namespace fulcrum::database {
+namespace {
+
+constexpr int pages_a_step = 1024, patience = 200, pause_ms = 25;
+
+/// SQLite's result; SQLITE_INTERRUPT if `progress` asked to stop.
+int copy_pages(sqlite3_backup* copy, const StoreProgress& progress) {
+    int code = SQLITE_OK;
+    const auto report = [&] {
+        const int all = sqlite3_backup_pagecount(copy), left = sqlite3_backup_remaining(copy);
+        const double done = all > 0 ? static_cast<double>(all - left) / all : 0;
+        return !progress || progress(code == SQLITE_DONE ? 1 : done, "copying the store");
+    };
+    for (int waited = 0; waited < patience;) {
+        if (!report()) return SQLITE_INTERRUPT;
+        code = sqlite3_backup_step(copy, pages_a_step);
+        if (code == SQLITE_BUSY || code == SQLITE_LOCKED) {
+            ++waited;
+            sqlite3_sleep(pause_ms);
+        } else if (code != SQLITE_OK) {
+            break;
+        }
+    }
+    if (code != SQLITE_DONE) return code;
+    report();  // complete: too late to stop it
+    return SQLITE_OK;
+}
+
+int copy_into(const std::string& path, sqlite3* source, const StoreProgress& progress) {
+    sqlite3* target = nullptr;
+    int code = sqlite3_open_v2(path.c_str(), &target, SQLITE_OPEN_READWRITE, nullptr);
+    // The file has no name of its own yet and is written through as a whole before it gets one.
+    if (code == SQLITE_OK)
+        code = sqlite3_exec(target, "PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF", nullptr, nullptr,
+                            nullptr);
+    if (code == SQLITE_OK) {
+        sqlite3_backup* copy = sqlite3_backup_init(target, "main", source, "main");
+        code = copy == nullptr ? sqlite3_errcode(target) : copy_pages(copy, progress);
+        if (copy != nullptr) sqlite3_backup_finish(copy);
+    }
+    sqlite3_close(target);
+    return code;
+}
+
+}  // namespace
+
+bool copy_database(Connection& connection, const std::string& to_path, const StoreProgress& progress) {
+    try {
+        OutputFile file(to_path, OutputFile::Existing::keep, OutputFile::Access::owner_only);
+        const int code = copy_into(file.temporary_path(), connection.handle(), progress);
+        if (code == SQLITE_INTERRUPT) return false;
+        if (code != SQLITE_OK) connection.fail(QString::fromUtf8(sqlite3_errstr(code)), code);
+        file.commit();
+    } catch (const std::system_error& error) {
+        fail_file(to_path, error.code().value());
+    }
+    return true;
+}
+
+}  // namespace fulcrum::database
