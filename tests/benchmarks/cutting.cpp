@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Size sweep of the cut's topology: a step of 2 mm on sheets of 10,000 to 100,000 triangles with the same
-// edges (flat: what a step touches does not depend on the size), and the search for pieces, which is linear;
-// a step through the bowel's wall.
+// Size sweep of the cut's topology: a step of 2 mm on sheets of 10,000 to 100,000 triangles with equal edges
+// (flat: what a step touches does not depend on the size), and the search for pieces, which is linear; a step
+// through the bowel's wall.
 #include <benchmark/benchmark.h>
 
 #include "sim_core/lab/cut_run.h"
@@ -47,8 +47,8 @@ void save(benchmark::State& bench) {
     }
 }
 
-// A step of 2 mm along the wall of the bowel as scissors in the world make it: surface, invariants, rows of
-// the new vertices, what came free; with(1) or without what the window is told.
+// A step of 2 mm along the wall of the bowel as made by scissors in the world: surface, invariants, rows of
+// the new vertices, detached pieces; with (1) or without the data for the window.
 void bowel_wall(benchmark::State& bench) {
     World world(load_scene(test::source_path("assets/scenes/bowel_enterotomy.json")), 1);
     BowelCut& cut = *world.bowel()->cut();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Size sweep of the membrane, 500 to 50,000 nodes: a frame of each integrator and its parts (springs, a cycle
-// of multigrid, making its levels), a cut's update; with time per node and the operations of each part, all
-// of which grow with the nodes.
+// Size sweep of the membrane, 500 to 50,000 nodes: a frame of each integrator and its parts (springs, a
+// multigrid cycle, building its levels), the update after a cut; with time per node and operations of each
+// part, which all grow linearly.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -73,7 +73,8 @@ void part_solve(benchmark::State& bench) {
     auto& data = scratch.data();
     for (auto _ : bench) {
         bench.PauseTiming();
-        std::fill(data.direction.begin(), data.direction.end(), all_lanes(1));  // else it sinks to denormals
+        std::fill(data.direction.begin(), data.direction.end(),
+                  all_lanes(1));  // otherwise it decays to denormals
         bench.ResumeTiming();
         data.multigrid.solve(data.direction.data());
     }
@@ -91,7 +92,7 @@ void part_build(benchmark::State& bench) {
     count(bench, sheet.membrane, scratch);
 }
 
-// One frame in which 20 springs in a row are cut: what a cut adds to membrane frame_global_local.
+// One frame in which 20 consecutive springs are cut: the additional cost over membrane frame_global_local.
 void frame_with_cut(benchmark::State& bench) {
     lab::HeldSheet sheet(side_of(bench));
     MembraneScratch scratch = sheet.membrane.make_scratch(0.005);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All metrics of a ten-minute record of two hands at 1 kHz (budget: 2 s), and the trace file's reader and
-// writer.
+// All metrics of a ten-minute record of two hands at 1 kHz (budget: 2 s), and reader and writer of the trace
+// file.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 using namespace fulcrum;
 
-/// Reaches of 1 s with rests, tremor, contact on every other one.
+/// Reaches of 1 s with rests, tremor, contact on every second one.
 std::vector<TickSample> record_of(std::uint32_t ticks) {
     std::vector<TickSample> samples(ticks);
     for (std::uint32_t i = 0; i < ticks; ++i) {

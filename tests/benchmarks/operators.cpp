@@ -71,7 +71,7 @@ Outcome attempt(const TaskDefinition& task, const Scene& scene, const BenchmarkS
     return outcome;
 }
 
-/// Standard deviation over the magnitude of the mean: how different the individuals are.
+/// Standard deviation over the magnitude of the mean: variation between individuals.
 double relative_spread(const std::vector<double>& values) {
     const double deviation = sample_deviation(values);
     return deviation > 0 ? deviation / std::abs(mean_of(values)) : 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What recording costs: two hands and a camera at 1 kHz, every channel, through codec and store. Budget
-// (docs/QUALITY.md): under 1 % of a core and under 10 MiB for 10 minutes. The hands move as hands do:
-// reaches, and 8 to 12 Hz tremor of 30 um RMS on every axis.
+// Cost of recording: two hands and a camera at 1 kHz, every channel, through codec and store. Budget
+// (docs/QUALITY.md): under 1 % of a core and under 10 MiB for 10 minutes. The hands make realistic reaches,
+// with 8 to 12 Hz tremor of 30 um RMS on every axis.
 #include <benchmark/benchmark.h>
 
 #include <QCoreApplication>
@@ -40,7 +40,7 @@ Recording hands(std::uint32_t ticks) {
             const double s = std::min(1.0, reach), blend = s * s * s * (10 + s * (-15 + 6 * s));
             Vector3 handle;
             for (int axis = 0; axis < 3; ++axis) {
-                // Its frequency wanders between 8 and 12 Hz, as that of hands does.
+                // Its frequency varies between 8 and 12 Hz, as in real hands.
                 phase[d][axis] += 2e-3 * 3.14159265 * (10.0 + 2.0 * std::sin(0.7 * t + axis + d));
                 tremor[d][axis] = 3e-5 * 1.41421356 * std::sin(phase[d][axis]);
                 handle[axis] = (axis == 2 ? -0.2 : 0.0) +
@@ -100,7 +100,7 @@ void report(benchmark::State& state, double bytes, double recorded_s) {
         benchmark::Counter(recorded_s * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
 }
 
-/// Ten seconds of hands, a second at a time; what a second's first tick is encoded by.
+/// Ten seconds of hand motion, in blocks of one second, with the base of each block's first tick.
 template <typename Encode>
 void encode(benchmark::State& state, Encode&& second_from) {
     const Recording recording = hands(10000);
@@ -142,7 +142,7 @@ void decode_samples(benchmark::State& state) {
 }
 BENCHMARK(decode_samples)->Unit(benchmark::kMillisecond);
 
-/// The whole of it: codec, transactions of a second each, the disk.
+/// The complete path: codec, transactions of one second each, the disk.
 void record_attempt(benchmark::State& state) {
     const std::uint32_t seconds = 60;
     const Recording recording = hands(seconds * 1000);

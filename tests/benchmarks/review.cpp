@@ -76,7 +76,7 @@ Minute minute() {
     return made;
 }
 
-/// An hour's attempt in a store of its own, made once a process.
+/// A store with one attempt of an hour, created once per process.
 struct Hour {
     QTemporaryDir folder;
     std::string path = folder.filePath("hour.db").toStdString(), attempt;
@@ -158,7 +158,7 @@ BENCHMARK(pan_and_zoom_of_an_hour)
     ->UseRealTime()
     ->Iterations(200);
 
-/// Prints as usual and keeps what a page needs.
+/// Prints as usual and keeps the values for the page.
 class Keeper : public benchmark::ConsoleReporter {
   public:
     Keeper() : ConsoleReporter(OO_None) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the theatre's picture costs, task by task. Budget (docs/QUALITY.md): 33 ms a frame at 1280 x 720 in
-// software, of it at most 20 ms drawing, while tick and world run on the same cores. Needs a display with
+// Cost of the theatre's picture, per task. Budget (docs/QUALITY.md): 33 ms per frame at 1280 x 720 in
+// software, at most 20 ms of it drawing, while tick and world run on the same cores. Needs a display with
 // OpenGL (xvfb-run). With a folder, the page is written into it as well.   usage: benchmark_theatre [FOLDER]
 //
 //   theatre/window/TASK    the product's own view in a window of that size; beside it a live attempt: an
@@ -97,7 +97,7 @@ void report(benchmark::State& state, const std::vector<double>& drawing, const s
     state.counters["drawing_ms"] = share(drawing, 0.5);
     state.counters["drawing_p99_ms"] = share(drawing, 0.99);
     state.counters["cpu_ms"] = share(cpu, 0.5);
-    state.counters["cpu_p5_ms"] = share(cpu, 0.05);  // what neighbours on the cores disturbed least
+    state.counters["cpu_p5_ms"] = share(cpu, 0.05);  // least disturbed by other programs
     state.counters["drawing_p5_ms"] = share(drawing, 0.05);
     state.counters["cpu_p99_ms"] = share(cpu, 0.99);
     state.counters["G_ms"] = yardstick_ms();
@@ -141,7 +141,7 @@ void window(benchmark::State& state, const char* task) {
     double next = 0, before = -1;
     const auto now_ms = [&clock] { return 1e-6 * static_cast<double>(clock.nsecsElapsed()); };
     for (auto _ : state) {
-        // As the theatre's page does: poll, then one picture every 33 ms.
+        // As on the theatre's page: poll, then one picture every 33 ms.
         while (now_ms() < next) {
             QCoreApplication::processEvents();
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -178,7 +178,7 @@ void window(benchmark::State& state, const char* task) {
     state.counters["late_steps"] = static_cast<double>(kept.late_steps);
 }
 
-/// The world every second of an expert's first 40 s, as snapshots.
+/// One snapshot per second of the world in the first 40 s of an expert's attempt.
 std::vector<WorldSnapshot> recorded_worlds(const LoadedTask& loaded) {
     AttemptEngine engine(loaded.scene, loaded.task, 1);
     const auto rig = make_operator("expert", loaded.task, loaded.scene, 1);
@@ -211,7 +211,7 @@ std::vector<WorldSnapshot> cut_bowel_worlds(test::BowelCutRig& rig) {
 
 std::vector<QImage> cut_bowel_kept;
 
-/// Draws each world in turn, over and over. Returns the pictures of those in `keep`.
+/// Draws each world in turn, repeatedly. Returns the pictures of those in `keep`.
 std::vector<QImage> draw_worlds(benchmark::State& state, const Scene& scene,
                                 const std::vector<WorldSnapshot>& worlds,
                                 const std::vector<std::size_t>& keep, QSize kept_size) {
@@ -263,7 +263,7 @@ void cut_bowel_pictures(benchmark::State& state) {
     cut_bowel_kept = draw_worlds(state, rig.scene, cut_bowel_worlds(rig), {6, 19}, QSize(480, 480));
 }
 
-/// Side by side.
+/// Two pictures next to each other.
 lab::ResultFile cut_bowel_picture() {
     QImage both(static_cast<int>(cut_bowel_kept.size()) * 480, 480, QImage::Format_RGB32);
     QPainter painter(&both);
@@ -282,7 +282,7 @@ const std::vector<std::string>& tasks() {
     return ids;
 }
 
-/// Prints as usual and keeps what a page needs.
+/// Prints as usual and keeps the values for the page.
 class Keeper : public benchmark::ConsoleReporter {
   public:
     Keeper() : ConsoleReporter(OO_None) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The product's reference workloads under Google Benchmark. The untimed part of a workload (the hand and the
-// world moving on) is kept out of the time by hand. Size sweeps: `fulcrum lab bench --sweep`.
+// The product's reference workloads under Google Benchmark. The untimed part of a workload (the motion of
+// hand and world) is excluded with manual timing. Size sweeps: `fulcrum lab bench --sweep`.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -32,7 +32,8 @@ inline void yardstick(benchmark::State& state) {
     state.counters["yardstick_us"] = sum / static_cast<double>(state.iterations());
 }
 
-/// main() of a program that runs these workloads, the yardstick, and what it has registered besides.
+/// main() of a program that runs these workloads, the yardstick, and any other benchmarks that it has
+/// registered.
 inline int run_benchmarks(int argc, char** argv, const std::vector<lab::Workload>& workloads) {
     for (const lab::Workload& workload : workloads) {
         benchmark::RegisterBenchmark(workload.name.c_str(), [&workload](benchmark::State& state) {

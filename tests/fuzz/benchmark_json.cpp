@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whatever the bytes, a benchmark set is read with finite limits or refused with an InputError.
+// For any bytes, a benchmark set is read with finite limits or refused with an InputError.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

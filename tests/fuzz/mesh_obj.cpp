@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whatever the bytes, a mesh is read with all its indices in place or refused with an InputError; its checks
-// never fail.
+// For any bytes, a mesh is read with valid indices or refused with an InputError; its checks never fail.
 #include <cstddef>
 #include <cstdint>
 #include <string>

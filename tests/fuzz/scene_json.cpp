@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whatever the bytes, a scene is read or refused with an InputError.
+// For any bytes, a scene is read or refused with an InputError.
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whatever a stored chunk holds under a right checksum, it is decoded to the count it announces or refused as
-// corrupt. The first bytes choose stream, count and ticks; the rest are the compressed bytes themselves or,
-// so that mutations reach the layout behind the compression, what is compressed.
+// Any stored chunk with a valid checksum is decoded to the count that it announces or refused as corrupt. The
+// first bytes choose stream, count and ticks; the rest are the compressed bytes themselves or, so that
+// mutations reach the layout behind the compression, the bytes to be compressed.
 #include <zstd.h>
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whatever bytes arrive as a trace: either an InputError with file, place and hint, or a trace whose every
-// metric is finite.
+// For any bytes read as a trace: either an InputError with file, place and hint, or a trace whose metrics are
+// all finite.
 #include <cmath>
 #include <cstdlib>
 #include <sstream>

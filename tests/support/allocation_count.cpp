@@ -11,7 +11,7 @@ std::atomic<std::uint64_t> counted{0};
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 
-// The sanitizers own malloc; they tell us through a hook.
+// The sanitizers own malloc; they report allocations through a hook.
 extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*malloc_hook)(const volatile void*,
                                                                              std::size_t),
                                                          void (*free_hook)(const volatile void*));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the generated extremes of the rooms share: how many cases, and numbers from far apart.
+// Shared by the generated extremes of all rooms: the number of cases, and random numbers over a wide range.
 #pragma once
 
 #include <cstdlib>
@@ -13,7 +13,7 @@ using lab::direction;
 using lab::inside_unit_box;
 using lab::not_a_length;
 
-/// FULCRUM_CASES, or what the suite runs: 2,500 where they are cheap.
+/// FULCRUM_CASES, or the default of the suite: 2,500 where cases are cheap.
 inline int cases_asked(int in_the_suite = 2500) {
     const char* text = std::getenv("FULCRUM_CASES");
     return text != nullptr ? std::atoi(text) : in_the_suite;

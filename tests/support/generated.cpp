@@ -42,7 +42,7 @@ void expect_generated(const std::string& document, const std::string& part, cons
     }
     EXPECT_TRUE(text.substr(from, end - from) == generated)
         << "docs/" << document
-        << " is not what its source gives; run this test with FULCRUM_WRITE_REFERENCES=1";
+        << " differs from what its source generates; run this test with FULCRUM_WRITE_REFERENCES=1";
 }
 
 }  // namespace fulcrum::test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Documents of which a part is generated: tests compare that part with what its source gives now.
+// Documents with a generated part: tests compare that part with what its source generates now.
 #pragma once
 
 #include <string>

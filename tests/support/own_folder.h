@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A folder of a test's own: tests run side by side, each as its own process, and none may meet another's
-// files.
+// A private folder for a test: tests run in parallel, each as its own process, and must not share files.
 #pragma once
 
 #include <filesystem>
 
 namespace fulcrum::test {
 
-/// An empty folder that no one else has, removed with all it holds. Errors: std::runtime_error.
+/// An empty private folder, removed with its contents at the end. Errors: std::runtime_error.
 class OwnFolder {
   public:
     OwnFolder();

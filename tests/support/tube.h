@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The laboratory's reference tube and skin, under the tests' own name.
+// The laboratory's reference tube and skin, under the tests' namespace.
 #pragma once
 
 #include "sim_core/lab/reference_skin.h"

@@ -26,7 +26,7 @@ std::uint64_t wait_count() {
 
 namespace {
 
-/// The function of this name that the C library has behind the one here.
+/// The C library's function of this name that the one here replaces.
 template <typename Function>
 Function* behind(std::atomic<Function*>& kept, const char* name) {
     Function* function = kept.load(std::memory_order_relaxed);
@@ -39,7 +39,7 @@ Function* behind(std::atomic<Function*>& kept, const char* name) {
 
 }  // namespace
 
-// What the C library calls of itself does not come by here; what a program and its C++ library call does.
+// Calls inside the C library do not pass through here; calls of a program and its C++ library do.
 #define FULCRUM_COUNTED(result, name, parameters, arguments, exceptions) \
     extern "C" result name parameters exceptions {                       \
         static std::atomic<result(*) parameters> kept;                   \

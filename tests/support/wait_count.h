@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts what may make the calling thread wait: locks, condition variables, sleeps, files and sockets. With
-// the allocations beside them (allocation_count.h) "no lock, no allocation, no I/O in the loop" is a test.
+// Counts calls that may make the calling thread wait: locks, condition variables, sleeps, files and sockets.
+// Together with the allocation count (allocation_count.h) this makes "no lock, no allocation, no I/O in the
+// loop" a test.
 #pragma once
 
 #include <cstdint>

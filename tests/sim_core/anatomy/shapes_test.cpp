@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shapes of the generator: sound meshes, plausible places, the same bytes twice.
+// Generated shapes: valid meshes, plausible positions, reproducible bytes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -53,7 +53,7 @@ class Anatomy : public testing::TestWithParam<Case> {
     }
 };
 
-TEST_P(Anatomy, CavityIsWatertightAndAsWideAsAsked) {
+TEST_P(Anatomy, CavityIsWatertightAndHasTheRequestedWidth) {
     const CavityShape cavity = make_cavity(pelvis());
     expect_sound(cavity.mesh);
     EXPECT_NEAR(static_cast<double>(cavity.mesh.triangles.size()), 20000, 1000);
@@ -76,7 +76,7 @@ TEST_P(Anatomy, BowelIsATubeThatCarriesACage) {
     EXPECT_GE(cage.clearance, 0.0005);
 }
 
-TEST_P(Anatomy, BowelLiesInsideOnThePosteriorWall) {
+TEST_P(Anatomy, BowelIsInsideAndRestsOnThePosteriorWall) {
     const CavityShape cavity = make_cavity(pelvis());
     const BowelShape shape = make_bowel(bowel(), cavity);
     const CavityModel model(cavity.mesh, FreeSide::behind);
@@ -98,7 +98,7 @@ TEST_P(Anatomy, BowelLiesInsideOnThePosteriorWall) {
     // From deep in the pelvis to the patient's left.
     EXPECT_LT(shape.centre_line.front().y(), -0.05);
     EXPECT_GT(shape.centre_line.back().x(), 0.07);
-    // No bend sharper than the tube's own radius, no two lanes in one another.
+    // No bend sharper than the tube's own radius, no two parts of the path inside each other.
     const double step = shape.length / static_cast<double>(shape.centre_line.size() - 1);
     for (std::size_t i = 4; i + 4 < shape.centre_line.size(); ++i) {
         const double curvature =
@@ -127,7 +127,7 @@ TEST_P(Anatomy, SameParametersGiveTheSameBytes) {
     EXPECT_FALSE(same_bytes(one.surface.vertices, make_bowel(other_bowel, cavity).surface.vertices));
 }
 
-TEST_P(Anatomy, MesenteryReachesFromBowelToRootAndFollowsTheRings) {
+TEST_P(Anatomy, MesenteryExtendsFromBowelToRootAndFollowsTheRings) {
     const CavityShape cavity = make_cavity(pelvis());
     const BowelShape shape = make_bowel(bowel(), cavity);
     const MesenteryShape sheet = make_mesentery(shape, cavity);
@@ -160,7 +160,7 @@ TEST_P(Anatomy, MesenteryReachesFromBowelToRootAndFollowsTheRings) {
         EXPECT_NEAR(Eigen::Vector3f(normals[3 * k], normals[3 * k + 1], normals[3 * k + 2]).norm(), 1.0F,
                     1e-4F);
     }
-    // The bowel lifted by 50 mm takes its edge along and leaves the root.
+    // The bowel lifted by 50 mm takes the edge along, the root stays.
     for (RingFrame& ring : rings) ring.position.z() += 0.05;
     std::vector<float> lifted(positions.size());
     evaluate_mesentery(sheet, rings.data(), arcs.data(), static_cast<int>(rings.size()), lifted.data(),
@@ -179,7 +179,7 @@ INSTANTIATE_TEST_SUITE_P(Patients, Anatomy,
                                          Case{0.110, 0.125, 0.28, 0.85, 0.015, 2},
                                          Case{0.140, 0.105, 0.33, 0.95, 0.017, 3}));
 
-TEST(AnatomyParameters, OutOfRangeIsRefusedWithItsName) {
+TEST(AnatomyParameters, OutOfRangeParametersAreRefusedByName) {
     PelvisParameters pelvis;
     pelvis.width = 0.5;
     EXPECT_THROW(make_cavity(pelvis), InputError);

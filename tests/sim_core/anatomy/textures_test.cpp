@@ -27,7 +27,7 @@ double mean(const Image& image, int c, double u_low, double u_high) {
     return sum / count;
 }
 
-// Mean step between neighbours across the tile's border over that inside; 1 where nothing tells them apart.
+// Mean step between neighbours across the tile's border over that inside; 1 if there is no visible seam.
 double border_step(const Image& image) {
     double border = 0, inside = 0;
     for (int y = 0; y < image.height; ++y) {
@@ -43,7 +43,7 @@ double border_step(const Image& image) {
     return border / inside;
 }
 
-TEST(Textures, SizesChannelsAndTheSameBytesTwice) {
+TEST(Textures, SizesAndChannelsAreRightAndBytesRepeat) {
     const AnatomyTextures one = make_textures(5, 256), two = make_textures(5, 256),
                           other = make_textures(6, 256);
     EXPECT_EQ(one.serosa.albedo.width, 256);
@@ -60,7 +60,7 @@ TEST(Textures, SizesChannelsAndTheSameBytesTwice) {
     EXPECT_NE(one.serosa.albedo.pixels, other.serosa.albedo.pixels);
 }
 
-TEST(Textures, TilesMeetWithoutAnEdge) {
+TEST(Textures, TilesAreSeamless) {
     const AnatomyTextures textures = make_textures(1, 512);
     for (const TissueTexture* texture : {&textures.serosa, &textures.fat, &textures.peritoneum}) {
         EXPECT_LT(border_step(texture->albedo), 1.5);
@@ -68,7 +68,7 @@ TEST(Textures, TilesMeetWithoutAnEdge) {
     }
 }
 
-TEST(Textures, NormalsAreUnitAndLookOut) {
+TEST(Textures, NormalsAreUnitAndPointOutward) {
     const AnatomyTextures textures = make_textures(1, 256);
     for (const TissueTexture* texture :
          {&textures.serosa, &textures.fat, &textures.peritoneum, &textures.steel}) {
@@ -84,7 +84,7 @@ TEST(Textures, NormalsAreUnitAndLookOut) {
     }
 }
 
-TEST(Textures, ColoursAreThoseOfTheTissue) {
+TEST(Textures, ColoursMatchTheTissue) {
     const AnatomyTextures textures = make_textures(1, 512);
     const Image& serosa = textures.serosa.albedo;
     // Pink between the taeniae (u = 1/3), pale on them (u = 1/2).
@@ -111,7 +111,7 @@ TEST(Textures, ColoursAreThoseOfTheTissue) {
     EXPECT_LT(share, 0.25);
 }
 
-TEST(Textures, AreolarTissueIsPaleFibresOverWarmFatAndTiles) {
+TEST(Textures, AreolarTextureHasPaleFibresOverFatAndIsSeamless) {
     const TissueTexture areolar = make_areolar_texture(4, 256), again = make_areolar_texture(4, 256);
     const Image& colour = areolar.albedo;
     EXPECT_EQ(colour.pixels, again.albedo.pixels);
@@ -129,7 +129,7 @@ TEST(Textures, AreolarTissueIsPaleFibresOverWarmFatAndTiles) {
     EXPECT_THROW(make_areolar_texture(4, 300), InputError);
 }
 
-TEST(Textures, ASizeThatIsNoPowerOfTwoIsRefused) {
+TEST(Textures, SizesOtherThanPowersOfTwoAreRefused) {
     EXPECT_THROW(make_textures(1, 300), InputError);
     EXPECT_THROW(make_textures(1, 64), InputError);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The wall's own texture against the tile that it is made of.
+// The wall's texture compared with the tile that it is made from.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ TissueTexture plain_tile(std::uint8_t red, std::uint8_t slope) {
     return tile;
 }
 
-TEST(WallTexture, APlainTileGivesAPlainWallYellowerWhereThereIsFat) {
+TEST(WallTexture, PlainTileGivesPlainWallWithYellowFat) {
     CavityShape cavity = make_cavity({});
     std::fill(cavity.fat.begin(), cavity.fat.end(), 0.0F);
     const TissueTexture lean = make_wall_texture(cavity, plain_tile(180, 127), 256);
@@ -41,9 +41,9 @@ TEST(WallTexture, APlainTileGivesAPlainWallYellowerWhereThereIsFat) {
     }
 }
 
-TEST(WallTexture, ReliefLiesInTheWallAndColoursStayBetweenTheTiles) {
+TEST(WallTexture, ReliefIsInTheWallPlaneAndColoursAreInterpolated) {
     const CavityShape cavity = make_cavity({});
-    // The tile slopes along its first axis: seen along x that is y, along y it is z, along z it is x.
+    // The tile slopes along its first axis: projected along x that is y, along y it is z, along z it is x.
     const TissueTexture wall = make_wall_texture(cavity, plain_tile(180, 190), 256);
     const double slope = 190 / 127.5 - 1;
     for (std::size_t k = 0; k < wall.normal.pixels.size(); k += 4) {
@@ -56,7 +56,7 @@ TEST(WallTexture, ReliefLiesInTheWallAndColoursStayBetweenTheTiles) {
               make_wall_texture(cavity, textures.peritoneum, 256).albedo.pixels);
 }
 
-TEST(WallTexture, RefusesWhatIsNoTube) {
+TEST(WallTexture, RefusesMeshesThatAreNotTubes) {
     CavityShape cavity = make_cavity({});
     EXPECT_THROW(make_wall_texture(cavity, plain_tile(1, 1), 64), InputError);
     cavity.mesh.vertices.pop_back();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bleeding against closed forms: Hagen-Poiseuille, volume as the integral of a clotting flow; the pool keeps
-// volume and lies level; smoke follows its exponential; extremes.
+// Bleeding compared with closed forms: Hagen-Poiseuille, volume as the integral of a clotting flow; the pool
+// conserves volume and levels out; smoke follows its exponential; extremes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ TEST(Vessel, FlowIsHagenAndPoiseuille) {
     EXPECT_EQ(vessel_flow(vessel, 7), vessel_flow(vessel, 1));
 }
 
-TEST(Vessel, VolumeIsTheIntegralOfAClottingFlowWhateverTheStep) {
+TEST(Vessel, VolumeIsTheIntegralOfAClottingFlowForAnyStep) {
     VesselModel vessel;
     vessel.clotting_time = 40;
     for (const double dt : {0.05, 0.005, 0.0005}) {
@@ -44,18 +44,18 @@ TEST(Vessel, VolumeIsTheIntegralOfAClottingFlowWhateverTheStep) {
     }
 }
 
-TEST(Vessel, SealClipAndAFreshTear) {
+TEST(Vessel, SealAndClipStopTheFlowAndANewTearReopensIt) {
     const VesselModel vessel;
     BleedState state;
     EXPECT_EQ(bleed_flow(vessel, state), 0.0);
     open_vessel(1, state);
     state.sealed = 0.5;
     EXPECT_NEAR(bleed_flow(vessel, state), vessel_flow(vessel, 0.5), 1e-18);
-    open_vessel(0.4, state);  // less than what is open
+    open_vessel(0.4, state);  // less than the present opening
     EXPECT_NEAR(open_share(state), 0.5, 1e-15);
     state.sealed = 0.99999;
     EXPECT_EQ(bleed_flow(vessel, state), 0.0);
-    open_vessel(0.7, state);  // torn anew
+    open_vessel(0.7, state);  // a new tear
     EXPECT_NEAR(open_share(state), 0.7, 1e-15);
     state.clipped = true;
     EXPECT_EQ(step_bleed(vessel, 1, state), 0.0);
@@ -70,7 +70,7 @@ PoolModel bed(int columns, int rows, double (*height)(int, int)) {
     return model;
 }
 
-TEST(Pool, KeepsItsVolumeAndComesToLieLevel) {
+TEST(Pool, ConservesVolumeAndLevelsOut) {
     PoolModel model =
         bed(12, 10, [](int c, int r) { return 2e-4 * ((c - 6) * (c - 6) + (r - 5) * (r - 5)); });
     model.spread_time = 0.08;
@@ -93,17 +93,17 @@ TEST(Pool, KeepsItsVolumeAndComesToLieLevel) {
     EXPECT_LT(highest - lowest, 2e-5);
 }
 
-TEST(Pool, SuctionTakesWhatLiesWithinReachAndCountsIt) {
+TEST(Pool, SuctionRemovesBloodWithinReachAndCountsIt) {
     const PoolModel model = bed(10, 10, [](int, int) { return 0.0; });
     PoolState state = make_pool_state(model);
     for (int c = 0; c < 10; ++c) pour(model, c, 5, 1e-6, state);
     EXPECT_NEAR(suck(model, 0.004, 0.044, 0.01, 0.5e-6, state), 0.5e-6, 1e-18);
-    EXPECT_NEAR(suck(model, 0.004, 0.044, 0.01, 1, state), 1.5e-6, 1e-12);  // two cells lie within reach
+    EXPECT_NEAR(suck(model, 0.004, 0.044, 0.01, 1, state), 1.5e-6, 1e-12);  // two cells are within reach
     EXPECT_EQ(suck(model, 0.004, 0.004, 0.01, 1e-6, state), 0.0);
     EXPECT_NEAR(state.poured - state.removed, pooled_volume(model, state), 1e-15);
 }
 
-TEST(Pool, NothingAllocatesAndNothingOverflows) {
+TEST(Pool, NeitherAllocatesNorOverflows) {
     const PoolModel model = bed(16, 12, [](int c, int) { return 1e-3 * c; });
     PoolState state = make_pool_state(model);
     EXPECT_EQ(test::allocations_in([&] {
@@ -125,7 +125,7 @@ TEST(Pool, NothingAllocatesAndNothingOverflows) {
     }
 }
 
-TEST(Smoke, RisesAndClearsAsItsExponentials) {
+TEST(Smoke, RisesAndClearsExponentially) {
     SmokeModel model;
     SmokeState state;
     const double made = 1e-4;  // kg/s of steam

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A haustral tube whose surface is cut along ways given by (x, angle) on it at rest, in any shape its cage
-// has.
+// A haustral tube whose surface is cut along paths given by (x, angle) on it at rest, in any shape of its
+// cage.
 #pragma once
 
 #include <algorithm>
@@ -59,12 +59,12 @@ struct CutTube {
         blade.root = cut.surface().nearest_root(blade.from, positions.data());
         return cut.cut(blade, frames.data());
     }
-    /// What came free on the way.
-    CutSkin::Report stroke(const std::vector<TubePoint>& way) {
+    /// Makes a stroke; returns the pieces that were detached.
+    CutSkin::Report stroke(const std::vector<TubePoint>& path) {
         cut.begin_stroke();
         CutSkin::Report sum;
-        for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-            const CutSkin::Report one = step(way[i], way[i + 1]);
+        for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+            const CutSkin::Report one = step(path[i], path[i + 1]);
             sum.cut.removed_area += one.cut.removed_area;
             sum.cut.roll_backs += one.cut.roll_backs;
             if (one.cut.outcome == CutOutcome::cut) sum.cut.outcome = CutOutcome::cut;
@@ -75,22 +75,22 @@ struct CutTube {
     }
     /// A circle of that radius (m) on the wall, a little more than once around.
     static std::vector<TubePoint> circle(const TubePoint& centre, double size) {
-        std::vector<TubePoint> way;
+        std::vector<TubePoint> path;
         constexpr int steps = 28;
         for (int i = 0; i <= steps + 1; ++i) {
             double sine = 0, cosine = 1;
             math::sin_cos(6.283185307179586 * i / steps, sine, cosine);
-            way.push_back({centre.x + size * cosine, centre.angle + size / radius * sine});
+            path.push_back({centre.x + size * cosine, centre.angle + size / radius * sine});
         }
-        return way;
+        return path;
     }
     static std::vector<TubePoint> line(const TubePoint& from, const TubePoint& to, int steps) {
-        std::vector<TubePoint> way;
+        std::vector<TubePoint> path;
         for (int i = 0; i <= steps; ++i) {
             const double u = static_cast<double>(i) / steps;
-            way.push_back({(1 - u) * from.x + u * to.x, (1 - u) * from.angle + u * to.angle});
+            path.push_back({(1 - u) * from.x + u * to.x, (1 - u) * from.angle + u * to.angle});
         }
-        return way;
+        return path;
     }
 
     BowelSkin skin;

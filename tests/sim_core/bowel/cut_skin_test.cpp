@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bowel's surface cut on its cage: what a cut makes follows the cage, keeps its area, falls where it
-// hangs on nothing, and leaves what it did not touch as it was.
+// The bowel's surface cut on its cage: new vertices follow the cage, area is conserved, detached pieces fall,
+// and the rest of the surface is unchanged.
 #include "tests/sim_core/bowel/cut_skin_rig.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ void cut_some(CutTube& tube) {
     tube.stroke(CutTube::line({0.10, 2.0}, {0.13, 3.4}, 36));
 }
 
-TEST(CutSkin, UncutIsTheSkinBitForBit) {
+TEST(CutSkin, UncutSurfaceEqualsTheSkinBitForBit) {
     CutTube tube;
     for (const auto& frames : {test::rest_frames(tube.skin.cage()), test::bent_frames(tube.skin.cage(), 0.03),
                                test::twisted_frames(tube.skin.cage(), 12)}) {
@@ -46,7 +46,7 @@ TEST(CutSkin, UncutIsTheSkinBitForBit) {
     EXPECT_TRUE(tube.cut.whole());
 }
 
-TEST(CutSkin, NewVerticesAreWhereTheyWereMadeAtRest) {
+TEST(CutSkin, NewVerticesKeepTheirRestPositions) {
     CutTube tube;
     tube.frames = test::bent_frames(tube.skin.cage(), 0.05);
     cut_some(tube);
@@ -68,8 +68,8 @@ TEST(CutSkin, NewVerticesAreWhereTheyWereMadeAtRest) {
     EXPECT_LE(weights, 1e-12);
 }
 
-// Interpolation in the deformed root is what a row would give that followed any number of rings: a row of
-// four keeps it to micrometres where the bowel bends as tightly as it can.
+// Reference: interpolation in the deformed root, which corresponds to a row with any number of rings. A row
+// of four rings agrees to micrometres in the tightest bend of the bowel.
 TEST(CutSkin, NewVerticesStayInTheirDeformedRoots) {
     CutTube tube;
     cut_some(tube);
@@ -98,7 +98,7 @@ TEST(CutSkin, NewVerticesStayInTheirDeformedRoots) {
     EXPECT_GT(bent, 0);  // four rings are not five
 }
 
-TEST(CutSkin, KeepsEveryInvariantAndTheArea) {
+TEST(CutSkin, KeepsAllInvariantsAndTheArea) {
     for (const double bend : {0.0, 0.04}) {
         CutTube tube;
         if (bend > 0) tube.frames = test::bent_frames(tube.skin.cage(), bend);
@@ -116,7 +116,7 @@ TEST(CutSkin, KeepsEveryInvariantAndTheArea) {
     }
 }
 
-TEST(CutSkin, ADiscFallsAndIsRemovedASpiralIsNot) {
+TEST(CutSkin, DiscFallsAndIsRemovedButSpiralStays) {
     CutTube tube;
     const CutSkin::Report slit = tube.stroke(CutTube::line({0.05, 0.2}, {0.09, 0.5}, 30));
     EXPECT_EQ(slit.parted, 0);
@@ -127,7 +127,7 @@ TEST(CutSkin, ADiscFallsAndIsRemovedASpiralIsNot) {
     const double inner = size - 0.5 * CutTube::blade_width;
     EXPECT_NEAR(disc.parted_area, 3.1416 * inner * inner, 0.15 * disc.parted_area);
     EXPECT_EQ(tube.cut.fallen(), 1);
-    // As one, down.
+    // It falls as one piece.
     const Vector3 gravity(0, 0, -9.81);
     const double dt = 0.005;
     double fallen = 0, removed = 0;
@@ -146,7 +146,7 @@ TEST(CutSkin, ADiscFallsAndIsRemovedASpiralIsNot) {
     const std::vector<Vector3> positions = positions_of(tube.cut, tube.frames);
     const CutCheck check = check_cut(tube.cut.surface(), positions.data());
     EXPECT_TRUE(check.passed()) << check.complaint();
-    // Round and round without closing.
+    // Several turns without closing.
     std::vector<TubePoint> spiral;
     for (int i = 0; i < 80; ++i) {
         double sine = 0, cosine = 1;
@@ -157,8 +157,8 @@ TEST(CutSkin, ADiscFallsAndIsRemovedASpiralIsNot) {
     EXPECT_EQ(tube.stroke(spiral).parted, 0);
 }
 
-// The local search against the full one, over strokes that cross each other as they like.
-TEST(CutSkin, FindsWhatPartsAsTheFullSearchDoes) {
+// The local search compared with the full one, over strokes that cross each other at random.
+TEST(CutSkin, LocalSearchFindsTheSamePiecesAsFullSearch) {
     Random random(11);
     int parted = 0;
     for (int round = 0; round < 4; ++round) {
@@ -178,19 +178,19 @@ TEST(CutSkin, FindsWhatPartsAsTheFullSearchDoes) {
     EXPECT_GE(parted, 20);
 }
 
-TEST(CutSkin, ATubeCutThroughHangsOnAtBothEnds) {
+TEST(CutSkin, TubeCutThroughStaysAttachedAtBothEnds) {
     CutTube tube;
     const CutSkin::Report once = tube.stroke(CutTube::line({0.06, 0}, {0.06, 6.4}, 90));
     EXPECT_EQ(once.parted, 0);
     CutMesh copy = tube.cut.surface();
     EXPECT_EQ(copy.find_pieces(), 2);
-    // What lies between two such cuts hangs on nothing.
+    // A piece between two such cuts is detached.
     const CutSkin::Report twice = tube.stroke(CutTube::line({0.08, 0}, {0.08, 6.4}, 90));
     EXPECT_EQ(twice.parted, 1);
     EXPECT_NEAR(twice.parted_area, 6.2832 * 0.016 * 0.0194, 0.2 * twice.parted_area);
 }
 
-TEST(CutSkin, GoesOnFromASavedStateBitForBit) {
+TEST(CutSkin, ContinuesFromASavedStateBitForBit) {
     CutTube tube, other;
     tube.stroke(CutTube::circle({0.11, 1.0}, 0.006));
     const CutSkin::State saved = tube.cut.save();
@@ -205,7 +205,7 @@ TEST(CutSkin, GoesOnFromASavedStateBitForBit) {
         ASSERT_EQ(tube.cut.position(v, tube.frames), other.cut.position(v, other.frames));
 }
 
-TEST(CutSkin, AllocatesNothingAndSaysWhatItLacks) {
+TEST(CutSkin, AllocatesNothingAndReportsMissingCapacity) {
     CutTube tube(12);
     BladeStep blade;
     blade.width = CutTube::blade_width;
@@ -234,7 +234,7 @@ TEST(CutSkin, AllocatesNothingAndSaysWhatItLacks) {
     }
     EXPECT_TRUE(full);
     EXPECT_EQ(allocations, 0U);
-    // Frames and blades that are no numbers cut nothing.
+    // Non-finite frames and blades cut nothing.
     blade.to.x() = std::nan("");
     EXPECT_EQ(tube.cut.cut(blade, tube.frames.data()).cut.outcome, CutOutcome::invalid);
     blade.to = tube.at_rest({0.06, 0.1});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dents: a spike and two broad hollows, their stiffness, relaxation, work and capacity (docs/THEORY.md 4;
-// Figs. 3, 5).
+// Dents: shape at the three filter grades, stiffness, relaxation, work and capacity (docs/THEORY.md, section
+// 4; Figs. 3, 5).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -41,14 +41,14 @@ DentState settled(const FilteredForce& force) {
     return state;
 }
 
-TEST(WinklerBed, PutsWallAndBackingInSeries) {
+TEST(WinklerBed, CombinesWallAndBackingInSeries) {
     const double constrained = 32.3e3 * 0.65 / (1.35 * 0.30);
     const double wall = constrained / 0.003;
     EXPECT_NEAR(bed.stiffness_per_area, wall * 2.0e7 / (wall + 2.0e7), 1e-6);
     EXPECT_NEAR(winkler_bed(32.3e3, 0.35, 0.003, INFINITY, 0.05).stiffness_per_area, wall, 1e-6);
 }
 
-TEST(Dent, IsASpikeAndTwoBroadHollows) {
+TEST(Dent, IsASpikeForGradeZeroAndBroadForGradesOneAndTwo) {
     const auto first_ring = skin().adjacency().neighbours_of(contact_vertex);
     double depth[3], width[3];
     for (int grade = 0; grade < 3; ++grade) {
@@ -76,7 +76,7 @@ TEST(Dent, IsASpikeAndTwoBroadHollows) {
     EXPECT_EQ(width[2], 19);
 }
 
-// u_i = C_ii F_i at rest, and the work of the force is that of the contact's stiffness.
+// u_i = C_ii F_i at rest, and the work of the force matches the contact's stiffness.
 TEST(Dent, SettlesWhereBedAndForceBalance) {
     for (const auto mode : {FilterMode::grade_0, FilterMode::grade_1, FilterMode::grade_2}) {
         const FilteredForce force = filtered(mode);
@@ -96,7 +96,7 @@ TEST(Dent, SettlesWhereBedAndForceBalance) {
     }
 }
 
-TEST(Dent, TakesTheSlopeOfTheContactThatMadeTheForce) {
+TEST(Dent, HasTheStiffnessOfTheContactThatCausedIt) {
     const FilteredForce force = filtered(FilterMode::grade_1);
     SurfaceLoad load{&force, nullptr, push, 500.0};
     DentState state;
@@ -109,7 +109,7 @@ TEST(Dent, TakesTheSlopeOfTheContactThatMadeTheForce) {
     EXPECT_NEAR(push.norm() / conjugate, 500.0, 1e-6);
 }
 
-TEST(Dent, RelaxesWithItsTimeConstantWhateverTheStep) {
+TEST(Dent, RelaxesWithItsTimeConstantForAnyStep) {
     const FilteredForce force = filtered(FilterMode::grade_2);
     const SurfaceLoad load{&force, nullptr, push};
     const double final_depth = dent_at(settled(force), contact_vertex).norm();
@@ -125,7 +125,7 @@ TEST(Dent, RelaxesWithItsTimeConstantWhateverTheStep) {
     }
 }
 
-TEST(Dent, HasABottom) {
+TEST(Dent, IsLimitedInDepth) {
     const WinklerBed shallow = winkler_bed(32.3e3, 0.35, 0.003, 2.0e7, 0.05);
     const FilteredForce force = filtered(FilterMode::grade_0);
     const auto depth_under = [&](double newton) {
@@ -136,7 +136,7 @@ TEST(Dent, HasABottom) {
         return dent_at(state, contact_vertex).norm();
     };
     const double stiffness = contact_stiffness(shallow, skin().vertex_areas().data(), force);
-    EXPECT_NEAR(depth_under(0.01) * stiffness / 0.01, 1.0, 0.001) << "a small dent is the linear bed's";
+    EXPECT_NEAR(depth_under(0.01) * stiffness / 0.01, 1.0, 0.001) << "a small dent matches the linear bed";
     double last = 0.0;
     for (double newton = 0.1; newton < 1000.0; newton *= 2.0) {
         const double depth = depth_under(newton);
@@ -146,15 +146,15 @@ TEST(Dent, HasABottom) {
     }
 }
 
-TEST(Dent, VanishesAfterTheToolLeaves) {
+TEST(Dent, VanishesAfterTheToolIsWithdrawn) {
     DentState state = settled(filtered(FilterMode::grade_2));
     EXPECT_EQ(state.count, 19);
     for (int i = 0; i < 400; ++i) step_dents(bed, skin().vertex_areas().data(), nullptr, 0, 0.005, state);
     EXPECT_EQ(state.count, 0);
-    EXPECT_EQ(state.entries[0].vertex, -1) << "what is hashed holds nothing of the past";
+    EXPECT_EQ(state.entries[0].vertex, -1) << "the hashed state contains no old values";
 }
 
-TEST(Dent, TwoToolsAddUpAndPatchNumbersAreMapped) {
+TEST(Dent, DentsOfTwoToolsAddUpAndPatchNumbersAreMapped) {
     const FilteredForce one = filtered(FilterMode::grade_1);
     FilteredForce local = one;
     std::vector<std::int32_t> vertex_of(100, -1);
@@ -174,7 +174,7 @@ TEST(Dent, TwoToolsAddUpAndPatchNumbersAreMapped) {
     }
 }
 
-TEST(Dent, SaysWhenItsCapacityIsSpentAndAllocatesNothing) {
+TEST(Dent, ReportsFullCapacityAndAllocatesNothing) {
     DentState state;
     FilterOptions options;
     options.mode = FilterMode::grade_2;

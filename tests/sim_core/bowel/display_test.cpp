@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The drawn surface: fp32 error, normals, dents on top, nothing allocated.
+// The drawn surface: fp32 error, normals, added dents, no allocation.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ Drawn& drawn() {
     return instance;
 }
 
-TEST(Display, AgreesWithTheDoublePath) {
+TEST(Display, AgreesWithDoublePrecision) {
     Drawn& d = drawn();
     const auto frames = test::bent_frames(d.skin.cage(), 0.060);
     d.draw(frames);
@@ -63,7 +63,7 @@ TEST(Display, NormalsAreTheRestNormalsAtRest) {
     EXPECT_LE(worst, 1e-3);
 }
 
-// Against the area-weighted normals of the deformed triangles, which know nothing of the weights.
+// Compared with the area-weighted normals of the deformed triangles, which do not use the weights.
 TEST(Display, NormalsFollowTheDeformedSurface) {
     Drawn& d = drawn();
     const auto frames = test::bent_frames(d.skin.cage(), 0.048);
@@ -85,7 +85,7 @@ TEST(Display, NormalsFollowTheDeformedSurface) {
     EXPECT_LE(worst, 0.35);
 }
 
-TEST(Display, DrawsDentsOnTop) {
+TEST(Display, AddsDents) {
     Drawn& d = drawn();
     const auto frames = test::bent_frames(d.skin.cage(), 0.100);
     d.draw(frames);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The extremes of docs/QUALITY.md for the surface on its cage and its dents, generated: slivers of aspect
-// 1e6, tubes of a millimetre and of metres, rings on one spot, thrown apart or wound ten turns, forces of a
-// kilonewton. Nothing that is not finite leaves, rigid motion stays rigid, power is kept, what is no tube is
-// refused.
+// 1e6, tubes of a millimetre and of metres, rings at one point, thrown apart or twisted by ten turns, forces
+// of a kilonewton. All results are finite, rigid motion stays rigid, power is conserved, meshes that are not
+// tubes are refused.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -38,7 +38,7 @@ TriangleMesh extreme_tube(Random& random, double scale, bool& refused) {
         });
     const auto count = static_cast<std::uint32_t>(sections * around);
     const auto kind = random.below(8);
-    if (kind == 0) {  // every second circle next to the one before: slivers of aspect 1e6
+    if (kind == 0) {  // every second circle next to the previous one: slivers of aspect 1e6
         for (int i = 1; i < sections; i += 2) {
             for (int k = 0; k < around; ++k)
                 mesh.vertices[static_cast<std::size_t>(i * around + k)].x() =
@@ -100,7 +100,7 @@ void carry(std::uint64_t number, const Tube& tube) {
         if (kind == 0) {
             frame.position = turned * frame.position + by;
             frame.rotation = turned * frame.rotation;
-        } else if (kind == 1) {  // all of them on one spot
+        } else if (kind == 1) {  // all at one point
             frame.position = by;
         } else if (kind == 2) {  // ten turns from end to end
             frame.rotation = rotation(Vector3(20 * 3.141592653589793 * static_cast<double>(r) /
@@ -136,7 +136,7 @@ void carry(std::uint64_t number, const Tube& tube) {
         ASSERT_TRUE(normal.allFinite()) << v;
         ASSERT_LT(normal.norm(), 1 + 1e-4) << v;
     }
-    // The power of a force of up to a kilonewton on a vertex is that of its rings.
+    // The power of a force of up to a kilonewton on a vertex equals that on its rings.
     const auto vertex = random.below(static_cast<std::uint32_t>(skin.vertices()));
     const SkinRow& row = skin.rows()[vertex];
     const Vector3 force = test::between(random, 1e-6, 1e3) * test::direction(random);
@@ -151,7 +151,7 @@ void carry(std::uint64_t number, const Tube& tube) {
                 wrenches[r].moment.norm() * motion[r].angular_velocity.norm();
     }
     EXPECT_NEAR(on_rings, force.dot(skin_velocity(row, motion.data())), 1e-12 * size);
-    // Its dent: bounded by the bed's bottom, never past where it rests, gone when nobody presses.
+    // Its dent: bounded in depth, never past its equilibrium, gone without load.
     WinklerBed bed;
     bed.stiffness_per_area = test::between(random, 1, 1e12);
     bed.time_constant = test::between(random, 1e-6, 10);
@@ -177,7 +177,7 @@ void carry(std::uint64_t number, const Tube& tube) {
     }
 }
 
-TEST(SkinExtremes, NothingNonFiniteLeavesTheSurfaceAndNoTubeIsRefused) {
+TEST(SkinExtremes, SurfaceStaysFiniteAndInvalidTubesAreRefused) {
     std::vector<std::unique_ptr<Tube>> tubes;
     int refusals = 0;
     for (std::uint64_t number = 0; number < 60; ++number) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The force filter: Eqs. 1-4, patches, nothing allocated. Sum and continuity are cases of
-// sim_core/lab, asserted in tests/sim_core/lab.
+// The force filter: Eqs. 1-4, patches, no allocation. Sum and continuity are cases of sim_core/lab, asserted
+// in tests/sim_core/lab.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -117,7 +117,7 @@ TEST(ForceFilter, BlendsOnlyNearTheThresholds) {
     EXPECT_EQ(filtered(1.05 * area).grade, 1);
 }
 
-TEST(ForceFilter, AnswersTheSameOnAPatch) {
+TEST(ForceFilter, GivesTheSameResultOnAPatch) {
     // Cut the neighbourhood out of the tube: vertices within 12 mm and the triangles between them.
     const auto& mesh = surface().mesh;
     TriangleMesh patch;
@@ -148,8 +148,8 @@ TEST(ForceFilter, AnswersTheSameOnAPatch) {
     for (const auto& [vertex, weight] : whole) EXPECT_NEAR(weights.at(vertex), weight, 1e-15);
 }
 
-TEST(ForceFilter, SurvivesDegenerateSurfaces) {
-    // A fan of 200 triangles around one vertex is more than the capacity; a lone vertex has no ring at all.
+TEST(ForceFilter, HandlesDegenerateSurfaces) {
+    // A fan of 200 triangles around one vertex exceeds the capacity; an isolated vertex has no ring.
     TriangleMesh fan;
     fan.vertices.emplace_back(0, 0, 0);
     for (int k = 0; k <= 200; ++k) fan.vertices.emplace_back(std::cos(0.03 * k), std::sin(0.03 * k), 0.0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mean value coordinates: partition of unity, linear reproduction, the hard places (docs/THEORY.md 1.4).
+// Mean value coordinates: partition of unity, linear reproduction, difficult positions (docs/THEORY.md,
+// section 1.4).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +25,7 @@ Solid cube() {
     return solid;
 }
 
-// A dented star: not convex, so that planes of some triangles pass through the inside.
+// A dented star: not convex, so that the planes of some triangles pass through its inside.
 Solid star() {
     Solid solid;
     const double inner = 0.35;
@@ -158,8 +159,8 @@ TEST(MeanValue, IsTheKroneckerDeltaAtVertices) {
 }
 
 // Closed form: at the centre of a regular octahedron all weights are equal; along an axis they follow the
-// definition by quadrature over the sphere (w_i = integral of phi_i / distance), evaluated here with no
-// shared code.
+// definition by quadrature over the sphere (w_i = integral of phi_i / distance), evaluated here
+// independently.
 TEST(MeanValue, AgreesWithQuadratureOfItsDefinition) {
     Solid solid;
     solid.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};

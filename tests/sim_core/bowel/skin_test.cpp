@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bowel's surface on its cage (docs/THEORY.md 1.3, 1.4). Its accuracy rows are cases of sim_core/lab,
-// asserted in tests/sim_core/lab.
+// The bowel's surface on its cage (docs/THEORY.md, section 1.3, 1.4). Its accuracy rows are cases of
+// sim_core/lab, asserted in tests/sim_core/lab.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ const BowelSkin& haustral_skin() {
     return skin;
 }
 
-TEST(Cage, LiesOutsideTheSurfaceAndIsAClosedTube) {
+TEST(Cage, EnclosesTheSurfaceAndIsAClosedTube) {
     const BowelSkin& skin = haustral_skin();
     const auto frames = rest_frames(skin.cage());
     TriangleMesh cage;

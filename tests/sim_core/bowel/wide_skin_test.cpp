@@ -40,7 +40,7 @@ TEST(WideSkin, GlobalIsMeanValueCoordinatesOfTheWholeCage) {
     }
 }
 
-TEST(WideSkin, LocalScopesComeNearerToGlobalAsTheyWiden) {
+TEST(WideSkin, WiderLocalScopesAreCloserToGlobal) {
     const WideSkin global(skin(), SkinScope::global), wider(skin(), SkinScope::local2);
     const std::vector<RingFrame> bent = test::bent_frames(skin().cage(), 0.06);
     double local = 0, local2 = 0, largest = 0;
@@ -54,13 +54,13 @@ TEST(WideSkin, LocalScopesComeNearerToGlobalAsTheyWiden) {
     }
     EXPECT_LT(local2, local);
     EXPECT_LT(local, 0.0005) << "m, mean in a bend of 60 mm radius";
-    EXPECT_GT(local, 1e-9) << "they are different things";
+    EXPECT_GT(local, 1e-9) << "the scopes differ";
     RecordProperty("local_mean_m", std::to_string(local));
     RecordProperty("local_largest_m", std::to_string(largest));
     RecordProperty("local2_mean_m", std::to_string(local2));
 }
 
-TEST(WideSkin, APatchStandsWhereItsScopePutsIt) {
+TEST(WideSkin, PatchHasThePositionsOfItsScope) {
     for (const SkinScope scope : {SkinScope::local2, SkinScope::global}) {
         const WideSkin wide(skin(), scope);
         const std::vector<RingFrame> bent = test::bent_frames(skin().cage(), 0.06);
@@ -68,7 +68,7 @@ TEST(WideSkin, APatchStandsWhereItsScopePutsIt) {
             SkinRow row = skin().rows()[static_cast<std::size_t>(v)];
             wide.correct(v, bent, row);
             EXPECT_LT((skin_vertex(row, bent) - wide.vertex(v, bent)).norm(), 1e-12);
-            // Moved on rigidly, the patch goes with its rings.
+            // Extrapolated rigidly, the patch moves with its rings.
             std::vector<RingFrame> moved = bent;
             const Matrix3 turn = Eigen::AngleAxisd(0.3, Vector3(1, 2, 3).normalized()).toRotationMatrix();
             for (RingFrame& frame : moved) {
@@ -80,7 +80,7 @@ TEST(WideSkin, APatchStandsWhereItsScopePutsIt) {
     }
 }
 
-TEST(LuminalVolume, ContentsKeepTheVolumeOfATubeThatIsPulledLong) {
+TEST(LuminalVolume, ContentsConserveTheVolumeOfAStretchedTube) {
     const Cage& cage = skin().cage();
     LuminalSpec spec;
     LuminalVolume none(cage, spec);
@@ -92,10 +92,10 @@ TEST(LuminalVolume, ContentsKeepTheVolumeOfATubeThatIsPulledLong) {
         std::vector<double> stretch(rings, 1.0);
         for (std::size_t r = rings / 4; r < 3 * rings / 4; ++r) stretch[r] = 1 + pull;
         none.solve(stretch.data());
-        EXPECT_GT(none.volume_ratio(stretch.data()), 1 + 0.4 * pull) << "without contents it grows";
+        EXPECT_GT(none.volume_ratio(stretch.data()), 1 + 0.4 * pull) << "without contents the volume grows";
         const double pressure = filled.solve(stretch.data());
         EXPECT_NEAR(filled.volume_ratio(stretch.data()), 1.0, 0.002) << pull;
-        EXPECT_LT(pressure, 0) << "the wall is sucked in";
+        EXPECT_LT(pressure, 0) << "the wall is drawn in";
         EXPECT_NEAR(pressure, -1e7 * (filled.volume_ratio(stretch.data()) - 1), 1.0);
         EXPECT_EQ(none.scale(3), 1.0);
 

@@ -26,7 +26,7 @@ double brute_distance(const TriangleMesh& mesh, const Vector3& point, std::size_
     return (point - closest_point_on_triangle(point, at(0), at(1), at(2)).position).norm();
 }
 
-// Rough: every vertex moved at random, so that ridges, valleys and saddles of all kinds meet.
+// Rough: every vertex moved at random, so that ridges, valleys and saddles of all kinds occur.
 TriangleMesh rough_bowl(std::uint64_t seed, double roughness) {
     TriangleMesh mesh = test::make_bowl(half_axes, 24, 32, 0.1);
     Random random(seed);
@@ -36,8 +36,9 @@ TriangleMesh rough_bowl(std::uint64_t seed, double roughness) {
     return mesh;
 }
 
-// What is not concerned is never the nearest; what is not listed is concerned nowhere within the margin.
-TEST(Cavity, WhatIsLeftOutIsNeverTheNearestWithinTheMargin) {
+// Triangles that are skipped are never the nearest; triangles not listed are relevant nowhere within the
+// margin.
+TEST(Cavity, SkippedTrianglesAreNeverTheNearestWithinTheMargin) {
     std::vector<ListedPacket> found(1000);
     long left_out = 0, kept = 0, asleep = 0;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
@@ -73,7 +74,7 @@ TEST(Cavity, WhatIsLeftOutIsNeverTheNearestWithinTheMargin) {
                     if (!concerned) continue;
                     const double distance =
                         std::abs(cavity.closest_on(packet.triangle[lane], point).distance);
-                    // A packet that sleeps may be concerned by a plane alone, never by a foot within reach.
+                    // A sleeping packet may be relevant by a plane only, never by a foot within reach.
                     if (static_cast<double>(entry.sleep) > motion.norm()) {
                         EXPECT_GT(distance, reach);
                         continue;
@@ -135,7 +136,7 @@ TEST(Cavity, ClosestPointAgreesWithBruteForceAndFcl) {
     EXPECT_EQ(cavity.closest(Vector3::Constant(std::numeric_limits<double>::quiet_NaN()), 1.0).triangle, -1);
 }
 
-TEST(Cavity, SliversAreLeftOutAndBadMeshesRefused) {
+TEST(Cavity, SliversAreSkippedAndBadMeshesRefused) {
     TriangleMesh mesh = test::make_floor(0.1, 2);
     mesh.triangles.push_back({0, 0, 1});
     mesh.triangles.push_back({0, 1, 2});  // collinear
@@ -154,7 +155,7 @@ TEST(Cavity, SliversAreLeftOutAndBadMeshesRefused) {
     EXPECT_THROW(CavityModel(mesh, FreeSide::front), InputError);
 }
 
-TEST(Cavity, TheFreeSideDecidesTheSign) {
+TEST(Cavity, FreeSideDeterminesTheSign) {
     const TriangleMesh mesh = test::make_floor(0.2, 8);
     const Vector3 above(0.013, 0.021, 0.004);
     EXPECT_NEAR(CavityModel(mesh, FreeSide::front).closest(above, 1.0).distance, 0.004, 1e-15);

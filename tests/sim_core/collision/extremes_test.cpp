@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The extremes of docs/QUALITY.md for collision, generated: walls without area, slivers, coincident spheres,
-// a chain thrown by a metre, centres that are no number. Nothing that is not finite leaves a query, what is
-// reported is what brute force finds (of walls with two sides), an overflow is declared, and the lists'
-// history changes nothing.
+// a chain thrown by a metre, non-finite centres. Results are finite and agree with brute force (for walls
+// with two sides), overflows are reported, and the history of the lists does not change the result.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +22,7 @@ struct Outcome {
     int refused = 0, overflowed = 0, cavity = 0, pairs = 0, compared = 0;
 };
 
-// has_sides: closed and not folded, so that behind and in front mean something everywhere.
+// has_sides: closed and not folded, so that behind and in front are defined everywhere.
 TriangleMesh extreme_wall(Random& random, double scale, bool& poisoned, bool& has_sides) {
     const auto kind = random.below(8);
     has_sides = random.below(2) == 0;
@@ -114,7 +113,7 @@ bool same(const SphereContacts& a, const SphereContacts& b) {
 
 void run(std::uint64_t number, Outcome& outcome) {
     Random random(number, 31);
-    // Within a metre exact; beyond it finite.
+    // Exact within a metre; finite beyond.
     const bool within = random.below(4) != 0;
     const double scale = within ? test::between(random, 1e-2, 5) : test::between(random, 5, 1e6);
     bool poisoned = false, has_sides = true;
@@ -164,7 +163,7 @@ void run(std::uint64_t number, Outcome& outcome) {
     for (int i = 0; i < spheres; ++i) {
         Vector3& centre = centres[static_cast<std::size_t>(i)];
         if (place == 0) {
-            centre = scale * 0.01 * Vector3(1, 2, 3);  // all of them on one spot
+            centre = scale * 0.01 * Vector3(1, 2, 3);  // all at one point
         } else if (place == 1) {
             centre = Vector3(i * spacing, 0, 0);
         } else {
@@ -212,7 +211,7 @@ void run(std::uint64_t number, Outcome& outcome) {
     }
 }
 
-TEST(CollisionExtremes, NothingNonFiniteLeavesAQueryAndOverflowsAreDeclared) {
+TEST(CollisionExtremes, QueriesStayFiniteAndReportOverflows) {
     Outcome outcome;
     for (int i = 0; i < test::cases_asked() && !HasFatalFailure(); ++i) {
         SCOPED_TRACE(i);
@@ -222,7 +221,7 @@ TEST(CollisionExtremes, NothingNonFiniteLeavesAQueryAndOverflowsAreDeclared) {
         "%d refused, %d steps overflowed and said so, %d planes, %d pairs, %d steps against brute force\n",
         outcome.refused, outcome.overflowed, outcome.cavity, outcome.pairs, outcome.compared);
     EXPECT_GT(outcome.refused, 0);
-    EXPECT_GT(outcome.overflowed, 0) << "the cases must reach where it gives up";
+    EXPECT_GT(outcome.overflowed, 0) << "the cases must include overflows";
     EXPECT_GT(outcome.compared, outcome.overflowed);
     EXPECT_GT(outcome.cavity, 0);
     EXPECT_GT(outcome.pairs, 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Coherent lists against brute force, planes, projection, self-collision, and what may not happen in the
-// loop.
+// Coherent lists compared with brute force, planes, projection, self-collision, and the real-time rules of
+// the loop.
 #include "sim_core/collision/sphere_collision.h"
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ TEST(SphereCollision, DepthsStayExactWhileSpheresMove) {
     EXPECT_LT(relisted, 79 * 100 / 4);  // coherence: most steps list nothing again
 }
 
-TEST(SphereCollision, WhatComesOutDoesNotHangOnTheListsHistory) {
+TEST(SphereCollision, ResultDoesNotDependOnTheHistoryOfTheLists) {
     const CavityModel cavity(test::make_bowl(half_axes, 40, 50, 0.06), FreeSide::behind);
     const SphereCollision collision(&cavity, chain(60, 0.012, 0.017));
     SphereCollision::Lists old_lists = collision.make_lists();
@@ -83,7 +83,7 @@ TEST(SphereCollision, WhatComesOutDoesNotHangOnTheListsHistory) {
     }
 }
 
-TEST(SphereCollision, ASphereInACornerHasOnePlaneForEachWall) {
+TEST(SphereCollision, SphereInACornerHasOnePlanePerWall) {
     // Three walls of a box corner, the free side along the diagonal.
     TriangleMesh corner;
     corner.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -105,14 +105,14 @@ TEST(SphereCollision, ASphereInACornerHasOnePlaneForEachWall) {
     EXPECT_NEAR((lists.projected[0] - Vector3::Constant(0.02)).norm(), 0.0, 1e-9);
 }
 
-TEST(SphereCollision, AFloorGivesOnePlaneAndNoFalseOnes) {
+TEST(SphereCollision, FloorGivesExactlyOnePlane) {
     const CavityModel cavity(test::make_floor(0.3, 30), FreeSide::front);
     const SphereCollision collision(&cavity, {{0.0}, {0.016}});
     SphereCollision::Lists lists = collision.make_lists();
     SphereContacts contacts = collision.make_contacts();
     Random random(11);
     for (int trial = 0; trial < 300; ++trial) {
-        // Some trials stand exactly over vertices and edges.
+        // Some trials are exactly over vertices and edges.
         const bool on_grid = trial % 3 == 0;
         const double x = on_grid ? 0.01 * (trial % 11 - 5) : random.uniform(-0.1, 0.1);
         const Vector3 centre(x, random.uniform(-0.1, 0.1), random.uniform(0.008, 0.0164));
@@ -123,7 +123,7 @@ TEST(SphereCollision, AFloorGivesOnePlaneAndNoFalseOnes) {
     }
 }
 
-TEST(SphereCollision, ASphereBehindTheWallFindsTheWayBack) {
+TEST(SphereCollision, SphereBehindTheWallFindsTheExit) {
     const CavityModel cavity(test::make_bowl(half_axes, 40, 50, 0.0), FreeSide::behind);
     const SphereCollision collision(&cavity, {{0.0}, {0.01}});
     SphereCollision::Lists lists = collision.make_lists();
@@ -170,8 +170,8 @@ TEST(SphereCollision, SelfCollisionAgreesWithBruteForce) {
     EXPECT_GT(contacts.pair_count, 0);
 }
 
-TEST(SphereCollision, ABendAloneIsNoSelfCollision) {
-    // A tube bent to the tightest radius it can take, 180 degrees: neighbours along the line are left out.
+TEST(SphereCollision, BendIsNotASelfCollision) {
+    // A tube bent to its tightest radius, 180 degrees: neighbours along the line are excluded.
     const double radius = 0.015, spacing = 0.005;
     std::vector<Vector3> centres;
     SphereChainShape shape;
@@ -203,7 +203,7 @@ TEST(SphereCollision, ProjectionSeparatesTwoSpheresByHalves) {
 }
 
 TEST(SphereCollision, OverflowIsFlaggedAndTheClosestPointStaysExact) {
-    // In the middle of a ball every triangle is as near as any other.
+    // At the centre of a ball all triangles are equally near.
     const CavityModel cavity(test::make_bowl(Vector3::Constant(0.0155), 20, 30, 0.0), FreeSide::behind);
     SphereCollisionOptions options;
     options.list_capacity = 4;
@@ -218,7 +218,7 @@ TEST(SphereCollision, OverflowIsFlaggedAndTheClosestPointStaysExact) {
     EXPECT_NEAR(contacts.cavity[0].gap, cavity.closest(centre, 1.0).distance - 0.016, 1e-15);
 }
 
-TEST(SphereCollision, AShortListIsMadeMoreOftenAndStaysExact) {
+TEST(SphereCollision, SmallListCapacityRelistsMoreOftenAndStaysExact) {
     const CavityModel cavity(test::make_bowl(half_axes, 40, 50, 0.06), FreeSide::behind);
     int relisted[2] = {0, 0};
     for (int small = 0; small < 2; ++small) {
@@ -241,7 +241,7 @@ TEST(SphereCollision, AShortListIsMadeMoreOftenAndStaysExact) {
     EXPECT_GT(relisted[1], relisted[0]);
 }
 
-TEST(SphereCollision, NoStepListsTheWholeChain) {
+TEST(SphereCollision, NoStepRelistsTheWholeChain) {
     const CavityModel cavity(test::make_bowl(half_axes, 40, 50, 0.06), FreeSide::behind);
     const SphereCollision collision(&cavity, chain(100, 0.009, 0.016));
     SphereCollision::Lists lists = collision.make_lists();
@@ -255,7 +255,7 @@ TEST(SphereCollision, NoStepListsTheWholeChain) {
     }
 }
 
-TEST(SphereCollision, NothingNotFiniteComesOut) {
+TEST(SphereCollision, OutputIsAlwaysFinite) {
     const CavityModel cavity(test::make_bowl(half_axes, 20, 30, 0.0), FreeSide::behind);
     const SphereCollision collision(&cavity, chain(4, 0.2, 0.01));
     SphereCollision::Lists lists = collision.make_lists();
@@ -275,13 +275,13 @@ TEST(SphereCollision, NothingNotFiniteComesOut) {
     EXPECT_TRUE(lists.projected[3].allFinite());
 }
 
-TEST(SphereCollision, ChainsThatMeanNothingAreRefused) {
+TEST(SphereCollision, InvalidChainsAreRefused) {
     EXPECT_THROW(SphereCollision(nullptr, {{0.0, 1.0}, {0.01}}), InputError);
     EXPECT_THROW(SphereCollision(nullptr, {{0.0}, {0.0}}), InputError);
     EXPECT_THROW(SphereCollision(nullptr, {{0.0}, {std::numeric_limits<double>::quiet_NaN()}}), InputError);
 }
 
-TEST(SphereCollision, TheLoopDoesNotAllocate) {
+TEST(SphereCollision, StepsDoNotAllocate) {
     const CavityModel cavity(test::make_bowl(half_axes, 40, 50, 0.06), FreeSide::behind);
     const SphereCollision collision(&cavity, chain(100, 0.009, 0.016));
     SphereCollision::Lists lists = collision.make_lists();

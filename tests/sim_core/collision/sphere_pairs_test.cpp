@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Coherent pairs of spheres against brute force: which, in what order, how deep; and what happens at the
-// edges.
+// Coherent pairs of spheres compared with brute force: which pairs, in what order, how deep; and edge cases.
 #include "sim_core/collision/sphere_pairs.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +45,7 @@ std::vector<SphereContact> brute(const Chain& chain, const std::vector<Vector3>&
     return pairs;
 }
 
-TEST(SpherePairs, AreThoseOfBruteForceInTheSameOrderWhateverTheMotion) {
+TEST(SpherePairs, EqualBruteForceInTheSameOrderForAnyMotion) {
     Random random(8);
     int pairs = 0;
     for (int trial = 0; trial < 40; ++trial) {
@@ -86,7 +85,7 @@ TEST(SpherePairs, AreThoseOfBruteForceInTheSameOrderWhateverTheMotion) {
     EXPECT_GT(pairs, 1000);
 }
 
-TEST(SpherePairs, ASphereThatComesBackFromNowhereIsSeen) {
+TEST(SpherePairs, SphereWithRestoredCentreIsFound) {
     const SpherePairs model({0.0, 1.0}, {0.01, 0.01}, 3.14, 0.003, 0.001, 16);
     SpherePairs::Lists lists = model.make_lists();
     SphereContact found[4];
@@ -99,12 +98,12 @@ TEST(SpherePairs, ASphereThatComesBackFromNowhereIsSeen) {
     EXPECT_NEAR(deepest, 0.005, 1e-15);
     centres[1] = Vector3(std::numeric_limits<double>::infinity(), 0, 0);
     EXPECT_EQ(model.find(centres, lists, found, 4, deepest), 0);
-    centres[1] = centres[0];  // at one place: some direction, never none
+    centres[1] = centres[0];  // coincident centres: the normal must still be a unit vector
     EXPECT_EQ(model.find(centres, lists, found, 4, deepest), 1);
     EXPECT_NEAR(found[0].normal.norm(), 1.0, 1e-15);
 }
 
-TEST(SpherePairs, TooFewRowsAreSaid) {
+TEST(SpherePairs, RowOverflowIsReported) {
     const std::vector<double> arcs{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, radii(10, 0.01);
     const SpherePairs model(arcs, radii, 3.14, 0.003, 0.001, 2);
     SpherePairs::Lists lists = model.make_lists();

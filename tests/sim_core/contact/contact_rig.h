@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bowel of rings, a tool above it and everything between them, small enough for tests.
+// A bowel of rings and a tool above it with everything between them, small enough for tests.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@ namespace fulcrum::test {
 
 enum class Tube { plain, haustral };
 
-/// 0.4 m of tube of 16 mm radius, bound once a program.
+/// 0.4 m of tube of 16 mm radius, bound once per program.
 inline const BowelSkin& test_skin(Tube tube) {
     static const BowelSkin plain = make_skin(0.4, 0.016, 0.016, 170, 45, plain_radius(0.016));
     static const BowelSkin haustral = make_skin(0.4, 0.016, 0.016, 170, 45, haustral_radius(0.016));
@@ -49,7 +49,7 @@ struct ContactRig {
         model.instrument = make_instrument(spec, 1e-3);
     }
 
-    /// The tool with its tip at a place, moving with that velocity.
+    /// The tool with its tip at a position, moving with the given velocity.
     ToolKinematics tool_at(const Vector3& tip, const Vector3& velocity = Vector3::Zero()) const {
         DeviceReading reading;
         reading.handle = handle_for_tip(model.instrument.trocar, tip);
@@ -58,7 +58,7 @@ struct ContactRig {
         return tool;
     }
 
-    /// The world's part: a new model for the tool as it stands.
+    /// The world's part: a new model for the tool's present pose.
     void publish(const ToolKinematics& tool) {
         PatchRequest request;
         request.tool = tool;

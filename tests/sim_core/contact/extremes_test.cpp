@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The extremes of docs/QUALITY.md for tool contact, generated: tools of no thickness, tools moved by a metre
-// in a tick, poses that are no number, rings on one spot, stiffness of 1 N/m to 1 GN/m, models that are old.
-// Nothing that is not finite leaves a tick, the surface never pulls, its force is what spring, damper and
+// The extremes of docs/QUALITY.md for tool contact, generated: tools without thickness, tools moved by a
+// metre in a tick, non-finite poses, rings at one point, stiffness of 1 N/m to 1 GN/m, old models. Every
+// tick's result is finite, the surface never attracts, its force stays within what spring, damper and
 // friction can give, and the same ticks give the same bits.
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ TissueContact extreme_tissue(Random& random) {
 void throw_rings(Random& random, test::ContactRig& rig) {
     const auto kind = random.below(8);
     for (RingMotion& ring : rig.rings) {
-        if (kind == 0) ring.frame.position = Vector3(0.2, 0, 0);  // all of them on one spot
+        if (kind == 0) ring.frame.position = Vector3(0.2, 0, 0);  // all at one point
         if (kind == 1) ring.frame.position += 0.02 * test::inside_unit_box(random);
         if (kind == 2) ring.velocity = test::between(random, 1e-3, 1e2) * test::direction(random);
         if (kind == 3) ring.angular_velocity = test::between(random, 1e-3, 1e4) * test::direction(random);
@@ -102,7 +102,7 @@ void add_others(Random& random, const ToolKinematics& tool, LocalModel& local) {
     }
 }
 
-// What spring, damper and friction can give at most.
+// Upper bound of the force from spring, damper and friction.
 void check_surface_force(const TissueContact& tissue, const ToolKinematics& tool,
                          const ToolContactResult& result, double tissue_speed) {
     if (!result.touching_surface) {
@@ -166,7 +166,7 @@ std::uint64_t run(std::uint64_t number, Outcome& outcome) {
     return bits;
 }
 
-TEST(ContactExtremes, NothingNonFiniteLeavesATickAndTheSurfaceNeverPulls) {
+TEST(ContactExtremes, TicksStayFiniteAndTheSurfaceNeverAttracts) {
     Outcome outcome, again;
     for (int i = 0; i < test::cases_asked() && !HasFatalFailure(); ++i) {
         SCOPED_TRACE(i);
@@ -180,7 +180,7 @@ TEST(ContactExtremes, NothingNonFiniteLeavesATickAndTheSurfaceNeverPulls) {
         outcome.touched, outcome.grasped, outcome.lost, outcome.silenced);
     EXPECT_GT(outcome.touched, 1000);
     EXPECT_GT(outcome.grasped, 100);
-    EXPECT_GT(outcome.lost, 0) << "the cases must reach where it gives up";
+    EXPECT_GT(outcome.lost, 0) << "the cases must include lost contacts";
     EXPECT_GT(outcome.silenced, 100);
 }
 

@@ -39,7 +39,7 @@ TEST(Jaws, PressureAndDamage) {
     EXPECT_EQ(damage.peak, 3.0);
 }
 
-TEST(Jaws, FindTissueBetweenThemAndNoneBeside) {
+TEST(Jaws, FindTissueBetweenThemOnly) {
     test::ContactRig rig;
     const ToolKinematics tool = rig.tool_at({0.2, 0, 0.0120});  // jaws 4 mm into the wall
     rig.publish(tool);
@@ -62,7 +62,7 @@ TEST(Jaws, FindTissueBetweenThemAndNoneBeside) {
 
 // ---- jaws as boxes ----
 
-TEST(JawPush, IsItsForceAndSlopeAboutTheTipAndNeverPulls) {
+TEST(JawPush, IsLinearAboutTheTipAndNeverAttracts) {
     test::ContactRig rig;
     const Vector3 tip(0.2, 0, 0.060);  // far above the bowel: nothing else touches
     rig.publish(rig.tool_at(tip));
@@ -113,7 +113,7 @@ struct GraspRig : test::ContactRig {
     }
 };
 
-TEST(Grasp, ForceIsTheReactionAndItsSlope) {
+TEST(Grasp, ForceIsTheReactionPlusStiffnessTerm) {
     GraspRig rig;
     const ToolContactResult& held = rig.touch(rig.gripping({0.2, 0, 0.0165}, 8));
     EXPECT_NEAR((held.grasp_force - Vector3(0, 0, 1)).norm(), 0, 1e-4);
@@ -127,9 +127,10 @@ TEST(Grasp, ForceIsTheReactionAndItsSlope) {
     EXPECT_EQ(pulled.tissue, 0);
 }
 
-TEST(Grasp, SlipsAtTheConeAndHoldsNoMore) {
+TEST(Grasp, SlipsAtTheFrictionCone) {
     GraspRig rig;
-    const ToolContactResult& result = rig.touch(rig.gripping({0.2, 0, 0.0465}, 2));  // 5.5 N asked, 2 N held
+    const ToolContactResult& result =
+        rig.touch(rig.gripping({0.2, 0, 0.0465}, 2));  // 5.5 N required, 2 N available
     EXPECT_TRUE(result.slipping);
     EXPECT_NEAR(result.slip_ratio, 5.5 / 2.0, 0.01);
     EXPECT_NEAR(result.grasp_force.norm(), 2.0, 0.01);
@@ -154,7 +155,7 @@ TEST(Grasp, WorksWithoutAPatch) {
 
 // ---- targets ----
 
-TEST(Targets, ForceIsTheSpringsAndTheNearestIsNamed) {
+TEST(Targets, ForceIsThatOfTheSpringAndTheNearestTargetIsReported) {
     test::ContactRig rig;
     rig.local->mode = LocalMode::none;
     rig.local->target_count = 2;
@@ -180,7 +181,7 @@ TEST(Targets, ForceIsTheSpringsAndTheNearestIsNamed) {
     EXPECT_TRUE(rig.result.touching_target);
 }
 
-TEST(Targets, ArePlacedBySeedApartAndAtAllDepths) {
+TEST(Targets, AreSeededSeparatedAndAtAllDepths) {
     TargetFieldSpec field;
     const auto targets = place_targets(field, 42), again = place_targets(field, 42),
                other = place_targets(field, 43);
@@ -198,7 +199,7 @@ TEST(Targets, ArePlacedBySeedApartAndAtAllDepths) {
         }
     }
     EXPECT_GT(difference, 0.1);
-    for (int hand = 0; hand < 2; ++hand) {  // one in each tenth of the depth
+    for (int hand = 0; hand < 2; ++hand) {  // one per tenth of the depth
         int layers = 0;
         for (std::size_t i = 0; i < targets.size(); ++i) {
             if (static_cast<int>(targets[i].hand) != hand) continue;
@@ -206,7 +207,7 @@ TEST(Targets, ArePlacedBySeedApartAndAtAllDepths) {
         }
         EXPECT_EQ(layers, 0x3FF);
     }
-    field.half_extent = Vector3::Zero();  // no room at all: still ends
+    field.half_extent = Vector3::Zero();  // no room: placement must still end
     EXPECT_EQ(place_targets(field, 1).size(), 20U);
 }
 
@@ -226,7 +227,7 @@ struct WallRig : test::ContactRig {
     }
 };
 
-TEST(Wall, TheTipPressesOnItAndTheShaftBehindDoesNotFeelTheTrocar) {
+TEST(Wall, TipPressesOnTheWallAndShaftNearTheTrocarDoesNot) {
     WallRig rig;
     for (int k = 0; k <= 120; ++k) {
         const double z =
@@ -247,7 +248,7 @@ TEST(Wall, TheTipPressesOnItAndTheShaftBehindDoesNotFeelTheTrocar) {
     }
 }
 
-TEST(Wall, DepthsAgreeWithTheCavitysClosestPoint) {
+TEST(Wall, DepthsAgreeWithTheClosestPointOfTheCavity) {
     WallRig rig;
     Random random(30);
     int touched = 0;
@@ -276,7 +277,7 @@ TEST(Wall, DepthsAgreeWithTheCavitysClosestPoint) {
 
 // ---- tool against tool ----
 
-/// The left one's shaft lies along x at z = 0, the right one's along y where a test says.
+/// The left tool's shaft is along x at z = 0, the right one's along y at the height set by the test.
 struct Crossing {
     ToolContactModel model;
     ToolKinematics left, right;
@@ -318,8 +319,9 @@ TEST(Tools, CrossingShaftsPushEachOtherApart) {
     EXPECT_TRUE(a.force.allFinite());
 }
 
-// A hand that is not held back goes on through the other shaft: it stays on the side from which it came.
-TEST(Tools, AShaftDrawnThroughAnotherIsPushedBackAllTheWayAndFreeBeyond) {
+// A hand without force feedback moves through the other shaft: the shaft stays on the side from which it
+// came.
+TEST(Tools, ShaftPushedThroughAnotherIsPushedBackUntilItIsThrough) {
     Crossing tools;
     auto& [model, left, right] = tools;
     ToolPairState pair;
@@ -349,8 +351,8 @@ TEST(Tools, AShaftDrawnThroughAnotherIsPushedBackAllTheWayAndFreeBeyond) {
     EXPECT_GT(deepest, 0.009);
 }
 
-// The rim of an open wall lets a tip go gradually.
-TEST(Wall, ATipThatSlidesOverAnOpenRimIsLetGoGradually) {
+// The border of an open wall releases a tip gradually.
+TEST(Wall, TipSlidingOverAnOpenBorderIsReleasedGradually) {
     TriangleMesh mesh;
     const double edge = 0.004;
     for (int r = 0; r <= 6; ++r) {
@@ -396,7 +398,7 @@ TEST(Wall, ATipThatSlidesOverAnOpenRimIsLetGoGradually) {
     }
 }
 
-TEST(SeriesStiffness, IsBoundedByTheWallWhateverTheTissueSays) {
+TEST(SeriesStiffness, IsBoundedByTheWallForAnyTissue) {
     const double wall = 800;
     const Matrix3 tissue = Vector3(200, 0, 1e6).asDiagonal();
     const Matrix3 series = stiffness_in_series(tissue, wall);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A layered wall felt through the tick's own contact: it stiffens, a nodule shows, it gives way at its limit.
+// A layered wall through the tick's contact: it stiffens, a nodule raises the force, and it is punctured at
+// its limit.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +25,7 @@ Pressed press(test::ContactRig& rig, double depth) {
     return {result.force.norm(), result.stiffness(2, 2), result.punctured};
 }
 
-TEST(LayeredContact, StiffensWithDepthAsTheWallDoes) {
+TEST(LayeredContact, StiffensWithDepthLikeTheWall) {
     const LayeredWall wall{LayeredWallSpec{}};
     test::ContactRig rig;
     rig.builder.set_wall(&wall);
@@ -40,7 +41,7 @@ TEST(LayeredContact, StiffensWithDepthAsTheWallDoes) {
     }
 }
 
-TEST(LayeredContact, AStiffNoduleUnderSoftMucosaIsFelt) {
+TEST(LayeredContact, StiffNoduleUnderSoftMucosaRaisesTheForce) {
     LayeredWallSpec spec;
     spec.nodule.height = 0.8 * spec.layers.front().thickness;
     spec.nodule.radius = 0.004;
@@ -56,14 +57,14 @@ TEST(LayeredContact, AStiffNoduleUnderSoftMucosaIsFelt) {
     lumpy.builder.set_wall(&wall, heights);
     for (const double depth : {0.0005, 0.001, 0.0015}) {
         const double without = press(plain, depth).force, with = press(lumpy, depth).force;
-        // The just noticeable difference of force is near a tenth.
+        // The just noticeable difference of force is about 10 %.
         EXPECT_GT(with, 1.2 * without) << "at " << depth << " m: " << without << " N and " << with << " N";
         RecordProperty(("depth_um_" + std::to_string(std::lround(depth * 1e6))).c_str(),
                        std::to_string(without) + " N plain, " + std::to_string(with) + " N over the nodule");
     }
 }
 
-TEST(LayeredContact, GivesWayAtTheAttemptsPunctureForce) {
+TEST(LayeredContact, PuncturesAtTheForceOfTheAttempt) {
     const LayeredWall wall{LayeredWallSpec{}};
     test::ContactRig rig;
     rig.builder.set_wall(&wall);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The patch against the whole surface it is cut from.
+// The patch compared with the whole surface.
 #include "sim_core/contact/patch_builder.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ std::size_t index(std::int32_t i) {
     return static_cast<std::size_t>(i);
 }
 
-TEST(PatchBuilder, VerticesAndAdjacencyAreThoseOfTheSurface) {
+TEST(PatchBuilder, VerticesAndAdjacencyMatchTheSurface) {
     test::ContactRig rig(test::Tube::haustral);
     const std::vector<RingFrame> bent = test::bent_frames(rig.skin.cage(), 0.12);
     for (std::size_t r = 0; r < bent.size(); ++r) rig.rings[r].frame = bent[r];
@@ -77,7 +77,7 @@ TEST(PatchBuilder, VerticesAndAdjacencyAreThoseOfTheSurface) {
     }
 }
 
-TEST(PatchBuilder, EveryVertexNearTheContactIsThereAndTheSeedIsTheNearest) {
+TEST(PatchBuilder, ContainsAllVerticesNearTheContactAndSeedIsNearest) {
     test::ContactRig rig;
     std::vector<Vector3> all(index(rig.skin.vertices()));
     skin_all(rig.skin, test::rest_frames(rig.skin.cage()).data(), all.data());
@@ -113,7 +113,7 @@ TEST(PatchBuilder, EveryVertexNearTheContactIsThereAndTheSeedIsTheNearest) {
     }
 }
 
-TEST(PatchBuilder, ATooSmallCapacityKeepsTheNearestAndSaysSo) {
+TEST(PatchBuilder, SmallCapacityKeepsTheNearestAndReportsOverflow) {
     PatchOptions options;
     options.radius = 0.05;
     test::ContactRig rig(test::Tube::plain, options);
@@ -125,7 +125,7 @@ TEST(PatchBuilder, ATooSmallCapacityKeepsTheNearestAndSaysSo) {
                 2e-4);  // 2.5 mm proxy, 1.5 mm above
 }
 
-TEST(PatchBuilder, OutOfReachThereIsNoPatch) {
+TEST(PatchBuilder, ToolOutOfReachGetsNoPatch) {
     test::ContactRig rig;
     rig.publish(rig.tool_at({0.2, 0, 0.1}));
     EXPECT_EQ(rig.local->mode, LocalMode::none);

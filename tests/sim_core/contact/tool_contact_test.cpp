@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tick's contact against closed forms, FCL, and what may not happen on the haptic thread.
+// The tick's contact compared with closed forms and FCL, and the rules of the haptic thread.
 #include "sim_core/contact/tool_contact.h"
 
 #include <fcl/fcl.h>
@@ -20,11 +20,11 @@ std::size_t index(std::int32_t i) {
     return static_cast<std::size_t>(i);
 }
 
-TEST(ToolContact, TheTipOnATubeMeetsTheClosedForm) {
+TEST(ToolContact, TipOnATubeMatchesTheClosedForm) {
     test::ContactRig rig;
     Random random(8);
     for (int trial = 0; trial < 200; ++trial) {
-        // From the trocar the tip stays on the near side: |y| small against the distance.
+        // From the trocar the tip stays on the near side: |y| is small compared with the distance.
         const Vector3 tip(0.2 + random.uniform(-0.05, 0.05), random.uniform(-0.01, 0.01),
                           random.uniform(0.006, 0.022));
         const double centre_distance = std::sqrt(tip.y() * tip.y() + tip.z() * tip.z());
@@ -33,7 +33,7 @@ TEST(ToolContact, TheTipOnATubeMeetsTheClosedForm) {
         const ToolKinematics tool = rig.tool_at(tip);
         rig.publish(tool);
         const ToolContactResult& result = rig.touch(tool);
-        if (result.shaft < 1) continue;  // the shaft leans on the tube behind the tip
+        if (result.shaft < 1) continue;  // the shaft touches the tube behind the tip
         EXPECT_NEAR(result.distance, centre_distance - 0.016 - 0.0025, 6e-5) << tip.transpose();
         EXPECT_NEAR(result.normal.dot(Vector3(0, tip.y(), tip.z()) / centre_distance), 1.0, 2e-3);
         EXPECT_EQ(result.touching_surface, result.distance < 0);
@@ -58,9 +58,9 @@ TEST(ToolContact, TheTipOnATubeMeetsTheClosedForm) {
     }
 }
 
-TEST(ToolContact, TheShaftAcrossATubeFindsItsCrest) {
+TEST(ToolContact, ShaftAcrossATubeFindsItsCrest) {
     test::ContactRig rig;
-    // The tool lies across the tube: the trocar to one side, the tip beyond the crest.
+    // The tool is across the tube: the trocar on one side, the tip beyond the crest.
     InstrumentSpec spec;
     spec.trocar.position = Vector3(0.2, -0.12, 0.030);
     spec.trocar.direction = Vector3(0, 1, -0.1);
@@ -158,7 +158,7 @@ TEST(ToolContact, SlidingAlongIsSmoothAcrossFacetsAndModels) {
     EXPECT_LT(searches, 20);
 }
 
-TEST(ToolContact, AnOlderModelIsMovedOnByTheRingsVelocity) {
+TEST(ToolContact, OlderModelIsExtrapolatedByTheRingVelocity) {
     test::ContactRig rig;
     const Vector3 velocity(0.01, 0.0, 0.03);
     for (RingMotion& ring : rig.rings) ring.velocity = velocity;
@@ -168,12 +168,12 @@ TEST(ToolContact, AnOlderModelIsMovedOnByTheRingsVelocity) {
     rig.tick += 8;
     EXPECT_NEAR(rig.touch(tool).distance, fresh - 8e-3 * 0.03, 1e-5);
     EXPECT_EQ(rig.result.age, 8U);
-    // Carried on for 20 ms at most: a stalled world does not make the tissue fly.
+    // Extrapolated for at most 20 ms: a stalled world must not make the tissue drift.
     rig.tick += 500;
     EXPECT_NEAR(rig.touch(tool).distance, fresh - 20e-3 * 0.03, 1e-5);
 }
 
-TEST(ToolContact, DampingActsAgainstTheApproachAndNeverPulls) {
+TEST(ToolContact, DampingOpposesTheApproachAndNeverAttracts) {
     test::ContactRig rig;
     const ToolKinematics still = rig.tool_at({0.2, 0, 0.0155});
     rig.publish(still);
@@ -192,7 +192,7 @@ TEST(ToolContact, DampingActsAgainstTheApproachAndNeverPulls) {
     EXPECT_LE(sliding.force.x(), 0.1 * std::abs(sliding.force.z()) + 1e-9);
 }
 
-TEST(ToolContact, TheHandGetsBackNoMoreThanItPutIn) {
+TEST(ToolContact, HandReceivesNoMoreEnergyThanItPutIn) {
     test::ContactRig rig;
     rig.model.instrument.tick_period = 1e-3;
     PassivityObserver observer;
@@ -213,7 +213,7 @@ TEST(ToolContact, TheHandGetsBackNoMoreThanItPutIn) {
     EXPECT_LT(observer.given, 0);
 }
 
-TEST(ToolContact, AJumpAwayAndBackIsFoundAgain) {
+TEST(ToolContact, ContactIsFoundAgainAfterAJump) {
     test::ContactRig rig;
     const ToolKinematics here = rig.tool_at({0.12, 0, 0.0165}), there = rig.tool_at({0.28, 0, 0.0165});
     rig.publish(here);
@@ -229,7 +229,7 @@ TEST(ToolContact, AJumpAwayAndBackIsFoundAgain) {
     EXPECT_TRUE(rig.touch(here).touching_surface);
 }
 
-TEST(ToolContact, AChangedTopologyForgetsTheTriangle) {
+TEST(ToolContact, TopologyChangeInvalidatesTheTriangle) {
     test::ContactRig rig;
     const ToolKinematics tool = rig.tool_at({0.2, 0, 0.0165});
     rig.publish(tool);
@@ -254,7 +254,7 @@ TEST(ToolContact, FullSearchAgreesWithTheDynamicPoint) {
     }
 }
 
-TEST(ToolContact, PredictedForceIsTheOldModelsToFirstOrder) {
+TEST(ToolContact, PredictedForceMatchesTheOldModelToFirstOrder) {
     test::ContactRig rig;
     rig.publish(rig.tool_at({0.2, 0, 0.0165}));
     rig.touch(rig.tool_at({0.2, 0, 0.0165}));
@@ -265,7 +265,7 @@ TEST(ToolContact, PredictedForceIsTheOldModelsToFirstOrder) {
     EXPECT_EQ(predict_force(before, Vector3(0, 0, 0.01)), Vector3::Zero());
 }
 
-TEST(ToolContact, NothingNotFiniteComesOut) {
+TEST(ToolContact, OutputIsAlwaysFinite) {
     test::ContactRig rig;
     const ToolKinematics good = rig.tool_at({0.2, 0, 0.0165});
     rig.publish(good);
@@ -286,7 +286,7 @@ TEST(ToolContact, NothingNotFiniteComesOut) {
         EXPECT_TRUE(rig.result.force.allFinite());
         EXPECT_TRUE(rig.result.stiffness.allFinite());
     }
-    // A collapsed patch: all vertices at one place.
+    // A collapsed patch: all vertices at one point.
     LocalModel collapsed = *rig.local;
     for (SkinRow& row : collapsed.patch.rows) {
         for (Vector3& offset : row.offset) offset.setZero();
@@ -317,7 +317,7 @@ TEST(ToolContact, RandomJumpsKeepTheForceFinite) {
     }
 }
 
-TEST(ToolContact, TheTickDoesNotAllocate) {
+TEST(ToolContact, TickDoesNotAllocate) {
     test::ContactRig rig(test::Tube::haustral);
     std::vector<ToolKinematics> tools;
     for (int k = 0; k < 200; ++k) tools.push_back(rig.tool_at({0.15 + 0.0003 * k, 0, 0.0165}));
@@ -328,9 +328,8 @@ TEST(ToolContact, TheTickDoesNotAllocate) {
               0U);
 }
 
-TEST(ContactCoupling, TheRelaxedForceConvergesWhereThePlainOneDiverges) {
-    // Tissue of compliance 1/c gives way to a tool held still: force k (d - F / c). Fixed point d k c / (k +
-    // c).
+TEST(ContactCoupling, RelaxedForceConvergesWhereUnrelaxedForceDiverges) {
+    // Tissue of compliance 1/c yields to a tool held still: force k (d - F / c). Fixed point d k c / (k + c).
     const double k = 600, c = 200, depth = 0.004;
     double plain = 0;
     Vector3 relaxed = Vector3::Zero();

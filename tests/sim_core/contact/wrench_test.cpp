@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The wrench on the tissue about the trocar: force and torque against lever arms and against virtual work.
+// The wrench on the tissue about the trocar: force and torque compared with lever arms and with virtual work.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace fulcrum {
 namespace {
 
-TEST(Wrench, IsForceTimesLeverArm) {
+TEST(Wrench, EqualsForceTimesLeverArm) {
     test::ContactRig rig;
     Random random(21);
     int touched = 0;
@@ -47,9 +47,9 @@ TEST(Wrench, IsForceTimesLeverArm) {
               1e-12);
 }
 
-// A rigid sphere that the tip is pressed into keeps E = K d^2 / 2: what a small turn about the trocar and a
-// small slide change of it is the work of torque and force.
-TEST(Wrench, DoesTheWorkThatTheContactStores) {
+// A rigid sphere into which the tip is pressed stores E = K d^2 / 2: the change under a small rotation about
+// the trocar and a small translation equals the work of torque and force.
+TEST(Wrench, DoesTheWorkStoredInTheContact) {
     test::ContactRig rig;
     rig.local->mode = LocalMode::none;
     rig.local->target_count = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fig. 12: each of the ten cases by the example that the page draws, and the page itself.
+// Fig. 12: each of the ten cases by the example that the page shows, and the page itself.
 #include <gtest/gtest.h>
 
 #include "sim_core/lab/cut_figures.h"
@@ -9,7 +9,7 @@
 namespace fulcrum {
 namespace {
 
-TEST(CutCases, EachOfTheTenComesFromItsExample) {
+TEST(CutCases, EachExampleGivesItsCase) {
     const auto examples = lab::cut_examples();
     ASSERT_EQ(examples.size(), 10U);
     for (std::size_t i = 0; i < examples.size(); ++i) {
@@ -34,14 +34,14 @@ TEST(CutCases, EachOfTheTenComesFromItsExample) {
     }
 }
 
-TEST(CutCases, TurningTheTriangleOrTheBladeAroundKeepsTheName) {
+TEST(CutCases, ReversingTriangleOrBladeKeepsTheCase) {
     for (const lab::CutExample& example : lab::cut_examples())
         for (int turn = 0; turn < 3; ++turn) {
             TriangleMesh mesh = lab::figure_triangle();
             std::rotate(mesh.triangles[0].begin(), mesh.triangles[0].begin() + turn, mesh.triangles[0].end());
             lab::RestBlade blade(mesh, {}, CutMesh::capacity_for(mesh, 64));
             lab::RestBlade::Tally tally;
-            // Start and end are named alike; left and right change places.
+            // Start and end have the same name; left and right are exchanged.
             blade.stroke({example.to, example.from}, example.width, BladeEnd::square, tally);
             const std::string same = "abcedgfhij";
             const auto expected =
@@ -50,7 +50,7 @@ TEST(CutCases, TurningTheTriangleOrTheBladeAroundKeepsTheName) {
         }
 }
 
-TEST(CutCases, ThePageShowsWhatWasCounted) {
+TEST(CutCases, PageShowsTheCounts) {
     const test::OwnFolder folder;
     const lab::ResultPage page = lab::cut_figures_page();
     const auto files = page.write(folder.path().string(), lab::Machine());

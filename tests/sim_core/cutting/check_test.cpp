@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each invariant of docs/THEORY.md 5, broken on purpose: the check from scratch names it, and the check
-// before a commit would not have let it pass.
+// Each invariant of docs/THEORY.md, section 5, violated on purpose: the full check reports it, and the check
+// before a commit would have refused it.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -20,7 +20,7 @@ struct Damage {
     bool CutCheck::*flag;
 };
 
-// A visible child of a cut, none of whose corners is on the rim.
+// A visible child of a cut with no corner on the border.
 std::int32_t some_child(const CutMesh& mesh) {
     for (std::int32_t t = 0; t < mesh.triangle_count(); ++t) {
         const CutTriangle& row = mesh.triangle(t);
@@ -125,7 +125,7 @@ Surface hurt_surface() {
     return surface;
 }
 
-TEST(CutCheckTest, NamesEachInvariantThatIsBroken) {
+TEST(CutCheckTest, ReportsEachViolatedInvariant) {
     for (const Damage& damage : damages()) {
         SCOPED_TRACE(damage.name);
         Surface surface = hurt_surface();

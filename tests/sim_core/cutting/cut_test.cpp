@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What cuts do to the surface as a whole.
+// Effect of cuts on the whole surface.
 #include <gtest/gtest.h>
 
 #include "tests/sim_core/cutting/surfaces.h"
@@ -11,7 +11,7 @@ using test::border_of_sheet;
 using test::cut_sheet;
 using test::Surface;
 
-TEST(Cut, TakesTheBandAndNothingElse) {
+TEST(Cut, RemovesTheBandOnly) {
     Surface surface(cut_sheet(8, 8, 0.01), {}, 100);
     const CutReport report = surface.cut(surface.step(0.0213, 0.0331, 0.0582, 0.0447, 0.002));
     ASSERT_EQ(report.outcome, CutOutcome::cut);
@@ -22,7 +22,7 @@ TEST(Cut, TakesTheBandAndNothingElse) {
     EXPECT_EQ(surface.mesh.find_pieces(), 1);
 }
 
-TEST(Cut, FromRimToRimLeavesTwoPieces) {
+TEST(Cut, FromBorderToBorderLeavesTwoPieces) {
     Surface surface(cut_sheet(8, 8, 0.01), {}, 100);
     ASSERT_EQ(surface.cut(surface.step(-0.005, 0.031, 0.085, 0.046, 0.001)).outcome, CutOutcome::cut);
     EXPECT_TRUE(surface.check().passed()) << surface.check().complaint();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The primitive operations and their journal: each keeps the surface whole, and a transaction that is played
-// back leaves every bit as it was.
+// The primitive operations and their journal: each keeps the surface valid, and a transaction that is rolled
+// back restores every bit.
 #include <gtest/gtest.h>
 
 #include "sim_core/numerics/random.h"
@@ -87,7 +87,7 @@ class CutEditing : public ::testing::Test {
     }
 };
 
-TEST_F(CutEditing, SplittingAnEdgeMakesFourOfTwoAndTwoOfOneAtTheRim) {
+TEST_F(CutEditing, SplittingAnEdgeDoublesItsTriangles) {
     begin();
     int inner = 0, rims = 0;
     for (std::int32_t t = 0; t < 8; ++t)
@@ -103,7 +103,7 @@ TEST_F(CutEditing, SplittingAnEdgeMakesFourOfTwoAndTwoOfOneAtTheRim) {
     EXPECT_GT(rims, 0);
 }
 
-TEST_F(CutEditing, ANewVertexLiesWhereItsEdgeSays) {
+TEST_F(CutEditing, NewVertexIsOnItsEdge) {
     begin();
     const Triangle v = state_.triangles[0].vertices;
     surface_.positions[static_cast<std::size_t>(v[0])] += Vector3(0, 0, 0.004);
@@ -114,7 +114,7 @@ TEST_F(CutEditing, ANewVertexLiesWhereItsEdgeSays) {
     EXPECT_EQ(state_.vertices[m].barycentric[2], 0.0);
 }
 
-TEST_F(CutEditing, AVertexBetweenTwoFixedOnesIsFixed) {
+TEST_F(CutEditing, VertexBetweenTwoFixedVerticesIsFixed) {
     Surface held(cut_sheet(2, 2, 0.01), {0, 1}, 20);
     CutState state = held.mesh.state();
     CutEditor editor(held.mesh.model());
@@ -128,7 +128,7 @@ TEST_F(CutEditing, AVertexBetweenTwoFixedOnesIsFixed) {
     EXPECT_FALSE(state.vertices[editor.split_edge(1, other, 0.5)].fixed);
 }
 
-TEST_F(CutEditing, RemovingTwoOppositeTrianglesDividesTheVertexBetweenThem) {
+TEST_F(CutEditing, RemovingTwoOppositeTrianglesDividesTheirVertex) {
     // The middle vertex of four cells: two opposite triangles of its fan leave two fans.
     begin();
     const std::int32_t middle = 4;
@@ -158,9 +158,9 @@ TEST_F(CutEditing, CollapseUndoesASplitAndKeepsTheArea) {
     EXPECT_TRUE(check().passed()) << check().complaint();
 }
 
-TEST_F(CutEditing, CollapseRefusesToLoseGround) {
+TEST_F(CutEditing, CollapseRefusesToLoseArea) {
     begin();
-    // The corner of the sheet lies on the rim and not between its neighbours.
+    // The corner of the sheet is on the border and not between its neighbours.
     const std::int32_t corner = 0, next = 1;
     EXPECT_FALSE(editor_.collapse(corner, next));
     EXPECT_EQ(state_.visible_count, 8);
@@ -180,7 +180,7 @@ TEST_F(CutEditing, FlipStaysWithinARoot) {
     EXPECT_TRUE(check().passed());
 }
 
-TEST(CutRoom, WhatIsFullIsNamedAndNothingChanges) {
+TEST(CutRoom, FullTableIsReportedAndNothingChanges) {
     for (int k = 0; k < 3; ++k) {
         CutCapacity capacity = CutMesh::capacity_for(cut_sheet(4, 4, 0.01), 1);
         if (k == 0) capacity.vertices = 27;

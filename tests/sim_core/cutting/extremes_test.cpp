@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The extremes of docs/QUALITY.md for cuts: whatever the mesh and the blade, every invariant holds after each
-// step and what could not be done is said. FULCRUM_CASES=N runs N / 200 meshes of each case of the stress
-// list.
+// The extremes of docs/QUALITY.md for cuts: for any mesh and blade, every invariant holds after each step and
+// whatever could not be cut is reported. FULCRUM_CASES=N runs N / 200 meshes of each stress case.
 #include <gtest/gtest.h>
 
 #include "sim_core/lab/cut_strokes.h"
@@ -16,7 +15,7 @@ namespace {
 using test::cut_sheet;
 using test::Surface;
 
-TEST(CutExtremes, EveryInvariantHoldsWhateverComes) {
+TEST(CutExtremes, AllInvariantsHoldForAnyInput) {
     const int meshes = std::max(1, test::cases_asked() / 200);
     lab::StrokeTally all;
     const std::vector<std::string> names = lab::stress_names();
@@ -36,8 +35,8 @@ TEST(CutExtremes, EveryInvariantHoldsWhateverComes) {
     EXPECT_EQ(all.uncut, 0);
 }
 
-TEST(CutExtremes, ACutRolledBackIsMadeAtALaterAttempt) {
-    // The one in some 50,000 steps of the list whose first attempt leaves a part without area.
+TEST(CutExtremes, RolledBackCutSucceedsOnALaterAttempt) {
+    // The one in about 50,000 steps of the stress cases whose first attempt leaves a part without area.
     lab::StrokeTally tally;
     lab::run_stress(4, 862, tally);
     EXPECT_EQ(tally.violations, 0) << tally.complaint;
@@ -46,7 +45,7 @@ TEST(CutExtremes, ACutRolledBackIsMadeAtALaterAttempt) {
     EXPECT_EQ(tally.uncut, 0);
 }
 
-TEST(CutExtremes, ABandTooThinForItsTrianglesIsWidenedAndSaysSo) {
+TEST(CutExtremes, BandTooThinForItsTrianglesIsWidenedAndReported) {
     Surface surface(cut_sheet(2, 2, 0.05), {}, 100);
     BladeStep thin = surface.step(0.011, 0.02, 0.031, 0.027, 1e-8);
     thin.start = thin.end = BladeEnd::round;
@@ -60,14 +59,14 @@ TEST(CutExtremes, ABandTooThinForItsTrianglesIsWidenedAndSaysSo) {
     EXPECT_EQ(surface.cut(surface.step(0.011, 0.06, 0.031, 0.067, 0.001)).width, 0.001);
 }
 
-TEST(CutExtremes, OneStepOfAMetreCutsASheetInTwo) {
+TEST(CutExtremes, StepOfOneMetreCutsASheetInTwo) {
     Surface surface(cut_sheet(20, 20, 0.01), {}, 400);
     EXPECT_EQ(surface.cut(surface.step(-0.9, 0.0721, 1.1, 0.0933, 0.001)).outcome, CutOutcome::cut);
     EXPECT_TRUE(surface.check().passed()) << surface.check().complaint();
     EXPECT_EQ(surface.mesh.find_pieces(), 2);
 }
 
-TEST(CutExtremes, EveryTriangleMayBeCutAndAgain) {
+TEST(CutExtremes, EveryTriangleCanBeCutRepeatedly) {
     Surface surface(cut_sheet(10, 10, 0.01), {}, 1500);
     for (int pass = 0; pass < 2; ++pass)
         for (int i = 0; i < 20; ++i) {
@@ -81,7 +80,7 @@ TEST(CutExtremes, EveryTriangleMayBeCutAndAgain) {
         EXPECT_GT(surface.mesh.root(r).removed_share, 0);
 }
 
-TEST(CutExtremes, BackAndForthTakesTheGroundOnce) {
+TEST(CutExtremes, BackAndForthRemovesTheAreaOnce) {
     Surface surface(cut_sheet(10, 10, 0.01), {}, 1500);
     for (int i = 0; i < 40; ++i) {
         const bool back = i % 2 == 1;
@@ -93,7 +92,7 @@ TEST(CutExtremes, BackAndForthTakesTheGroundOnce) {
     EXPECT_TRUE(surface.check().passed()) << surface.check().complaint();
 }
 
-TEST(CutExtremes, APositionThatIsNoNumberStopsTheStepUntouched) {
+TEST(CutExtremes, NonFinitePositionIsRefusedWithoutChange) {
     Surface surface(cut_sheet(4, 4, 0.01), {}, 100);
     BladeStep step = surface.step(0.005, 0.013, 0.03, 0.021, 0.001);
     const std::uint64_t digest = surface.mesh.digest();
@@ -103,7 +102,7 @@ TEST(CutExtremes, APositionThatIsNoNumberStopsTheStepUntouched) {
     EXPECT_EQ(surface.mesh.digest(), digest);
 }
 
-TEST(CutExtremes, AStepAllocatesNothing) {
+TEST(CutExtremes, StepAllocatesNothing) {
     Surface surface(cut_sheet(20, 20, 0.005), {0}, 300);
     BladeStep steps[40];
     for (int i = 0; i < 40; ++i) {
@@ -128,7 +127,7 @@ TEST(CutExtremes, AStepAllocatesNothing) {
               0U);
 }
 
-TEST(CutExtremes, TheSameStrokesGiveTheSameBits) {
+TEST(CutExtremes, SameStrokesGiveTheSameBits) {
     std::uint64_t digests[2] = {};
     for (std::uint64_t& digest : digests) {
         Surface surface(lab::make_sphere(2, 0.03), {}, 300);
@@ -147,7 +146,7 @@ TEST(CutExtremes, TheSameStrokesGiveTheSameBits) {
     EXPECT_EQ(digests[0], digests[1]);
 }
 
-TEST(CutExtremes, ASaveInTheMiddleOfAStrokeGoesOnAlike) {
+TEST(CutExtremes, ContinuesIdenticallyFromASaveInTheMiddleOfAStroke) {
     Surface surface(cut_sheet(10, 10, 0.01), {}, 300);
     surface.stroke({{0.013, 0.02}, {0.03, 0.031}, {0.051, 0.03}}, 0.001);
     const CutState saved = surface.mesh.state();

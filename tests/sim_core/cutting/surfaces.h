@@ -65,12 +65,12 @@ struct Surface {
         return s;
     }
     CutReport cut(const BladeStep& s) { return mesh.cut(s, positions.data()); }
-    /// A way in the plane, one step a leg, joined round.
-    int stroke(const std::vector<Eigen::Vector2d>& way, double width) {
+    /// A path in the plane, one step per segment, with round ends.
+    int stroke(const std::vector<Eigen::Vector2d>& path, double width) {
         mesh.begin_stroke();
         int cuts = 0;
-        for (std::size_t i = 0; i + 1 < way.size(); ++i)
-            cuts += cut(step(way[i].x(), way[i].y(), way[i + 1].x(), way[i + 1].y(), width,
+        for (std::size_t i = 0; i + 1 < path.size(); ++i)
+            cuts += cut(step(path[i].x(), path[i].y(), path[i + 1].x(), path[i + 1].y(), width,
                              i == 0 ? BladeEnd::square : BladeEnd::round))
                                 .outcome == CutOutcome::cut
                         ? 1

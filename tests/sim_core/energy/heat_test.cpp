@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Heat in tissue patches against closed forms: a single patch, a bar between two ends, dose and damage at
-// constant temperature; energy balance through boiling; extremes.
+// Heat in tissue patches compared with closed forms: a single patch, a bar between two ends, dose and damage
+// at constant temperature; energy balance through boiling; extremes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,7 +33,7 @@ struct HeatedBar {
     HeatScratch scratch;
 };
 
-TEST(Heat, OnePatchFollowsItsExponentialToFirstOrder) {
+TEST(Heat, SinglePatchFollowsTheExponentialToFirstOrder) {
     // C dT/dt = q - P T: T = q/P (1 - exp(-t P / C)).
     const double capacity = 0.1, perfusion = 0.02, power = 0.5, time = 3;
     double last = 0;
@@ -51,7 +51,7 @@ TEST(Heat, OnePatchFollowsItsExponentialToFirstOrder) {
     EXPECT_LT(last, 5e-4);
 }
 
-TEST(Heat, SteadyBarIsTheDiscreteFinOfTheory) {
+TEST(Heat, SteadyBarMatchesTheDiscreteFin) {
     // Steady conduction with perfusion, power at one end: T_i ~ cosh(m (n - 1/2 - i)), 2 cosh m = 2 + P / G;
     // all heat leaves with blood.
     const int count = 40;
@@ -98,7 +98,7 @@ TEST(Heat, EnergyIsBalancedThroughBoilingPerfusionAndContact) {
         EXPECT_NEAR(run.state.given, out, 1e-9 * run.state.given) << i;
     }
     EXPECT_GT(run.state.boiled, 1.0);
-    EXPECT_EQ(run.state.water[3], 0.0);  // 45 J of latent heat, given 80 J
+    EXPECT_EQ(run.state.water[3], 0.0);  // 45 J of latent heat, 80 J supplied
 }
 
 TEST(Heat, TissueStaysAtTheBoilingPointWhileItHasWater) {
@@ -116,7 +116,7 @@ TEST(Heat, TissueStaysAtTheBoilingPointWhileItHasWater) {
     EXPECT_GT(run.state.rise[0], 63.0);  // dry: it chars
 }
 
-TEST(Heat, APartedLinkConductsNoLonger) {
+TEST(Heat, DividedLinkDoesNotConduct) {
     HeatedBar run(bar(2, 0.1, 0.01));
     run.state.parted[0] = 1;
     run.inputs.power[0] = 1;
@@ -157,7 +157,7 @@ TEST(Heat, AllocatesNothingInAStep) {
               0u);
 }
 
-TEST(HeatExtremes, NothingNonFinite) {
+TEST(HeatExtremes, StaysFinite) {
     Random random(7);
     for (int trial = 0; trial < test::cases_asked() / 10; ++trial) {
         HeatModel model = bar(2 + static_cast<int>(random.below(20)), test::between(random, 1e-4, 1e3),
@@ -207,7 +207,7 @@ TEST(EnergyTool, BladeHeatsToItsSteadyTemperatureAndCools) {
     EXPECT_TRUE(std::isfinite(blade.rise));
 }
 
-TEST(EnergyTool, PartingNeedsHeatAndGoesFasterUnderTension) {
+TEST(EnergyTool, DivisionNeedsHeatAndIsFasterUnderTension) {
     const EnergyToolModel shears = harmonic_shears();
     EXPECT_EQ(division_rate(shears, 50, 5), 0.0);
     EXPECT_NEAR(division_rate(shears, 100, 0), shears.division_rate, 1e-15);

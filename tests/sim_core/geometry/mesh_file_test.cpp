@@ -41,7 +41,7 @@ struct Broken {
     const char* part;
 };
 
-TEST(MeshFile, RefusesBrokenInputWithPlaceAndMend) {
+TEST(MeshFile, RefusesBrokenInputWithPlaceAndHint) {
     const Broken cases[] = {
         {"", "", "no vertices"},
         {"v 0 0\n", "1", "not a finite number"},
@@ -73,7 +73,7 @@ TEST(MeshFile, RefusesBrokenInputWithPlaceAndMend) {
     EXPECT_THROW(parse_obj(zero_byte, "part.obj"), InputError);
 }
 
-TEST(MeshFile, HoldsItsLimits) {
+TEST(MeshFile, EnforcesItsLimits) {
     MeshLimits limits;
     limits.vertices = 2;
     EXPECT_THROW(parse_obj("v 0 0 0\nv 0 0 0\nv 0 0 0\n", "big.obj", limits), InputError);

@@ -20,7 +20,7 @@ TriangleMesh tetrahedron() {
     return mesh;
 }
 
-TEST(Mesh, MeasuresATetrahedron) {
+TEST(Mesh, ComputesVolumeAndAreaOfATetrahedron) {
     const TriangleMesh mesh = tetrahedron();
     EXPECT_NEAR(enclosed_volume(mesh.vertices, mesh.triangles), 1.0 / 6.0, 1e-15);
     EXPECT_NEAR(surface_area(mesh), 1.5 + std::sqrt(3.0) / 2.0, 1e-15);
@@ -34,7 +34,7 @@ TEST(Mesh, MeasuresATetrahedron) {
     EXPECT_GT(normals[3].dot(Vector3(-1, -1, 3)), 0.0);
 }
 
-TEST(Mesh, KnowsItsNeighbours) {
+TEST(Mesh, FindsItsNeighbours) {
     const TriangleMesh mesh = lab::make_tube(0.1, 20, 16, lab::plain_radius(0.01));
     const MeshAdjacency adjacency = build_adjacency(mesh);
     const SurfaceView view = view_of(mesh, adjacency);
@@ -76,7 +76,7 @@ TEST(Mesh, VolumeOfATubeConvergesToTheCylinder) {
     }
 }
 
-TEST(MeshCheck, NamesWhatIsWrong) {
+TEST(MeshCheck, ReportsTheDefect) {
     TriangleMesh hole = tetrahedron();
     hole.triangles.pop_back();
     EXPECT_FALSE(check_mesh(hole).closed);
@@ -158,7 +158,7 @@ TEST(ClosestPoint, IsNoFartherThanAnyOtherPoint) {
     for (const int count : features) EXPECT_GT(count, 0);
 }
 
-TEST(ClosestPoint, AnswersDegenerateTriangles) {
+TEST(ClosestPoint, HandlesDegenerateTriangles) {
     const Vector3 p(1, 2, 3), a(0, 0, 0), b(2, 0, 0);
     EXPECT_LE((closest_point_on_triangle(p, a, a, a).position - a).norm(), 0.0);
     EXPECT_LE((closest_point_on_triangle(p, a, b, b).position - Vector3(1, 0, 0)).norm(), 1e-15);

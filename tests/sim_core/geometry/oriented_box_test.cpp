@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Boxes against points, segments, triangles and boxes: against FCL on generated cases, and against dense
+// Boxes with points, segments, triangles and boxes: compared with FCL on generated cases, and with dense
 // sampling.
 #include "sim_core/geometry/oriented_box.h"
 
@@ -113,7 +113,7 @@ TEST(OrientedBox, AgreesWithFclOnTriangles) {
         fcl::CollisionRequest<double> request;
         fcl::CollisionResult<double> result;
         fcl::collide(&second, &first, request, result);
-        if (found.distance < 1e-7 && found.overlap < 1e-7) continue;  // they graze
+        if (found.distance < 1e-7 && found.overlap < 1e-7) continue;  // they only just touch
         EXPECT_EQ(found.distance == 0, result.isCollision()) << trial;
         (result.isCollision() ? met : apart) += 1;
         // The distance against dense sampling of the triangle, which is never nearer.
@@ -154,7 +154,7 @@ TEST(OrientedBox, AgreesWithFclOnCapsulesAndBoxes) {
             }
         }
         if (boxes.overlap > 0) {
-            // Moved apart by the overlap they touch no more.
+            // Moved apart by the overlap they no longer touch.
             OrientedBox moved = other;
             moved.centre += (boxes.overlap + 1e-9) * boxes.normal;
             EXPECT_EQ(separate_boxes(box, moved).overlap, 0) << trial;
@@ -171,7 +171,7 @@ TEST(OrientedBox, AgreesWithFclOnCapsulesAndBoxes) {
     EXPECT_GT(met, 50);
 }
 
-TEST(OrientedBox, FlatAndEmptyShapesAreAnswered) {
+TEST(OrientedBox, HandlesFlatAndEmptyShapes) {
     OrientedBox plate;
     plate.half = Vector3(0.01, 0.01, 0.0);
     EXPECT_NEAR(separate_point(plate, Vector3(0.0, 0.0, 0.003)).distance, 0.003, 1e-15);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The extremes of docs/QUALITY.md for the haptic loop, generated: devices at the ends of their counts, jumps
-// of a metre, pauses, losses and faults at random, ten turns of the roll, models that come late or not at
-// all, while the world steps under it. What goes to a hand is finite, within the limit, and slewed on a loss;
-// the world stays finite, a step that gave up says so, and the same inputs give the same bits.
+// of a metre, pauses, losses and faults at random, ten turns of roll, models that come late or never, with
+// the world stepping at the same time. The force to a hand is finite, within the limit, and slewed on a loss;
+// the world stays finite, failed steps are reported, and the same inputs give the same bits.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -53,7 +53,7 @@ DeviceSample extreme_device(Random& random, const TrocarSpec& trocar, const Vect
         device.roll = static_cast<std::int32_t>(62831853 * random.uniform(-1, 1));
     } else {
         const Trocar pivot = make_trocar(trocar);
-        // Into what is there, from wherever it was.
+        // Into the scene's objects, from any pose.
         const Vector3 tip = aim + 0.01 * test::inside_unit_box(random);
         const Vector3 handle = handle_for_tip(pivot, tip) / device_length_unit;
         for (int k = 0; k < 3; ++k) device.handle[k] = static_cast<std::int32_t>(std::lround(handle[k]));
@@ -131,7 +131,7 @@ void run(const Scene& scene, int cases, std::uint64_t stream, Outcome& outcome) 
     }
 }
 
-TEST(HapticLoopExtremes, WhatGoesToAHandIsFiniteLimitedAndSlewedWhateverComesIn) {
+TEST(HapticLoopExtremes, SentForceIsFiniteLimitedAndSlewedForAnyInput) {
     for (const char* name : {"a2_targets", "b1_bowel"}) {
         Scene scene = load_scene(test::source_path(std::string("assets/scenes/") + name + ".json"));
         scene.fidelity.rod_iterations = 4;

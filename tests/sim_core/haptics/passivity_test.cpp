@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the hand gets back: the controller, and energy across swaps of model and topology.
+// Energy returned to the hand: the passivity controller, and energy across swaps of model and topology.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace fulcrum {
 namespace {
 
-TEST(PassivityController, TheHandNeverGetsBackMoreThanItPutIn) {
+TEST(PassivityController, HandNeverReceivesMoreEnergyThanItPutIn) {
     int active = 0;
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         Random random(seed);
@@ -35,10 +35,10 @@ TEST(PassivityController, TheHandNeverGetsBackMoreThanItPutIn) {
         }
         if (alone.highest > 1e-3) ++active;
     }
-    EXPECT_GT(active, 150) << "without it energy did come out";
+    EXPECT_GT(active, 150) << "without the controller energy is returned";
 }
 
-TEST(PassivityController, LeavesAPassiveSpringAlone) {
+TEST(PassivityController, DoesNotChangeAPassiveSpring) {
     PassivityController controller;
     double x = 0;
     for (int tick = 0; tick < 2000; ++tick) {
@@ -63,7 +63,7 @@ double stored_energy(const ToolContactResult& result) {
     return result.touching_surface ? 0.5 * stiffness * depth * depth : 0.0;
 }
 
-TEST(SwapEnergy, ATopologySwapOnlyLosesEnergyAndAModelSwapKeepsIt) {
+TEST(SwapEnergy, TopologySwapNeverAddsEnergyAndModelSwapKeepsIt) {
     test::ContactRig rig;
     Random random(31);
     int touched = 0;
@@ -78,12 +78,12 @@ TEST(SwapEnergy, ATopologySwapOnlyLosesEnergyAndAModelSwapKeepsIt) {
         ++touched;
         const double before = stored_energy(rig.result);
         const Vector3 force = rig.result.force;
-        // The same surface published again: the swap is no event.
+        // The same surface published again: the swap has no effect.
         rig.publish(tool);
         rig.touch(tool);
         EXPECT_NEAR(stored_energy(rig.result), before, 1e-9 * before);
         EXPECT_LT((rig.result.force - force).norm(), 1e-9);
-        // A cut takes stiffness away and renumbers triangles: remembered ones are void.
+        // A cut removes stiffness and renumbers triangles: remembered ones are invalid.
         rig.publish(tool);
         rig.local->topology_version += 1;
         const double left = random.uniform(0, 1);
@@ -100,9 +100,9 @@ TEST(SwapEnergy, ATopologySwapOnlyLosesEnergyAndAModelSwapKeepsIt) {
     EXPECT_GT(touched, 100);
 }
 
-// A hand that moves at random over models that change at random: with the controller on the sent force, after
-// safety, the hand's balance never turns.
-TEST(SwapEnergy, TheHandsBalanceHoldsAcrossAnySequenceOfSwaps) {
+// A hand moving at random over models that change at random: with the controller on the sent force, after
+// safety, the hand never receives net energy.
+TEST(SwapEnergy, EnergyBalanceHoldsAcrossAnySequenceOfSwaps) {
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
         Random random(seed, 5);
         SafetyLimits limits;

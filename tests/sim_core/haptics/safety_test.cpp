@@ -56,7 +56,7 @@ TEST(Safety, StartsWithARamp) {
     EXPECT_NEAR(step_safety(limits, force_of({8, 0, 0}), state).force.x(), 8.0, 1e-12);
 }
 
-TEST(Safety, AMovingHandIsNotSlowedOnlyClamped) {
+TEST(Safety, ForceOfAMovingHandIsClampedButNotSlowed) {
     const SafetyLimits limits;
     SafetyState state = settled(limits, Vector3::Zero());
     const SafetyOutput hit = step_safety(limits, force_of({0, 9, 0}), state);
@@ -66,7 +66,7 @@ TEST(Safety, AMovingHandIsNotSlowedOnlyClamped) {
     EXPECT_NE(hard.flags & safety_clamped, 0);
 }
 
-TEST(Safety, AModelSwapIsBumplessAndDecaysAtTheSlewRate) {
+TEST(Safety, ModelSwapIsBumplessAndDecaysAtTheSlewRate) {
     const SafetyLimits limits;
     SafetyState state = settled(limits, {4, 0, 0});
     SafetyInput swap = force_of({1, 0, 0});
@@ -85,7 +85,7 @@ TEST(Safety, AModelSwapIsBumplessAndDecaysAtTheSlewRate) {
     EXPECT_EQ(last, Vector3(1, 0, 0));
 }
 
-TEST(Safety, SwapsOnSwapsStayContinuous) {
+TEST(Safety, RepeatedSwapsStayContinuous) {
     const SafetyLimits limits;
     SafetyState state = settled(limits, {2, 0, 0});
     Random random(4);
@@ -105,8 +105,9 @@ TEST(Safety, SwapsOnSwapsStayContinuous) {
     }
 }
 
-// A contact that flips from tick to tick as a hand chatters on an edge; the hand's own motion beside it.
-TEST(Safety, WhatMotionDoesNotExplainDecaysAtTheSlewRateAndTheMotionCountsAgainstIt) {
+// A contact that flips from tick to tick like a hand chattering on an edge, combined with the hand's own
+// motion.
+TEST(Safety, UnexplainedChangeDecaysAtTheSlewRateMinusTheMotionsShare) {
     const SafetyLimits limits;
     SafetyState state = settled(limits, {4, 0, 0});
     SafetyInput input = force_of({4, 0, 0});
@@ -125,14 +126,14 @@ TEST(Safety, WhatMotionDoesNotExplainDecaysAtTheSlewRateAndTheMotionCountsAgains
     }
     input.explained = 0;
     for (int tick = 0; tick < 40; ++tick) last = step_safety(limits, input, state).force;
-    EXPECT_NEAR((last - model).norm(), 0, 1e-12) << "nothing is left";
-    // What motion explains goes through at once.
+    EXPECT_NEAR((last - model).norm(), 0, 1e-12) << "the difference has decayed";
+    // The change due to motion passes immediately.
     input.force = model + Vector3(0, 0, 2);
     input.explained = 2 * (1 + 1e-12);
     EXPECT_NEAR((step_safety(limits, input, state).force - input.force).norm(), 0, 1e-9);
 }
 
-TEST(Safety, LossAgeAndNanLeadToZeroBySlewAndBackByRamp) {
+TEST(Safety, LossAgeAndNanSlewToZeroAndReturnByRamp) {
     const SafetyLimits limits;
     for (int cause = 0; cause < 3; ++cause) {
         SafetyState state = settled(limits, {0, 0, 7});
@@ -160,7 +161,7 @@ TEST(Safety, LossAgeAndNanLeadToZeroBySlewAndBackByRamp) {
     }
 }
 
-TEST(Safety, FlagsSayWhy) {
+TEST(Safety, FlagsGiveTheReason) {
     const SafetyLimits limits;
     SafetyState state = settled(limits, {1, 0, 0});
     SafetyInput input = force_of({1, 0, 0});
@@ -177,7 +178,7 @@ TEST(Safety, FlagsSayWhy) {
     EXPECT_EQ(step_safety(without_age, old, state).flags & safety_stale, 0);
 }
 
-TEST(Safety, WhateverComesInTheForceIsFiniteAndWithinTheLimit) {
+TEST(Safety, ForceIsFiniteAndWithinTheLimitForAnyInput) {
     const SafetyLimits limits;
     SafetyState state;
     Random random(17);
@@ -204,7 +205,7 @@ TEST(Safety, WhateverComesInTheForceIsFiniteAndWithinTheLimit) {
     }
 }
 
-TEST(Safety, TheTickDoesNotAllocate) {
+TEST(Safety, TickDoesNotAllocate) {
     const SafetyLimits limits;
     SafetyState state;
     EXPECT_EQ(test::allocations_in([&] {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eq. 8, and the wider bound of the device alone against a simulation of it.
+// Eq. 8, and the wider bound of the device alone compared with a simulation.
 #include "sim_core/haptics/stability.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double period = 1e-3;
 
-TEST(Passivity, WhatHoldsIsLeftAlone) {
+TEST(Passivity, PassiveValuesAreUnchanged) {
     const PassivityCheck check = check_passivity(400, 0.2, 0.5, period);
     EXPECT_TRUE(check.passive);
     EXPECT_FALSE(check.limited);
@@ -22,7 +22,7 @@ TEST(Passivity, WhatHoldsIsLeftAlone) {
     EXPECT_EQ(check.damping, 0.2);
 }
 
-TEST(Passivity, DampingGivesWayFirst) {
+TEST(Passivity, DampingIsReducedFirst) {
     // K < 2 (b - |B|) / T: 800 fails with B = 0.2, holds with B below 0.1.
     const PassivityCheck check = check_passivity(800, 0.2, 0.5, period);
     EXPECT_FALSE(check.passive);
@@ -33,7 +33,7 @@ TEST(Passivity, DampingGivesWayFirst) {
     EXPECT_LT(check.stiffness, passive_stiffness(check.damping, 0.5, period));
 }
 
-TEST(Passivity, ThenStiffness) {
+TEST(Passivity, StiffnessIsReducedSecond) {
     const PassivityCheck check = check_passivity(1500, 0.2, 0.5, period);
     EXPECT_TRUE(check.limited);
     EXPECT_EQ(check.damping, 0);
@@ -59,7 +59,7 @@ TEST(Passivity, NeverBelowZeroAndAlwaysWithinTheBound) {
     EXPECT_EQ(nothing.damping, 0);
 }
 
-TEST(Passivity, ADeviceWithoutForceIsNotChecked) {
+TEST(Passivity, DeviceWithoutForceIsNotChecked) {
     const PassivityCheck check = check_passivity(1e5, 10, -1, period);
     EXPECT_FALSE(check.applicable);
     EXPECT_FALSE(check.limited);
@@ -67,7 +67,7 @@ TEST(Passivity, ADeviceWithoutForceIsNotChecked) {
     EXPECT_EQ(check.damping, 10);
 }
 
-TEST(Passivity, WhatIsNotFiniteBecomesZero) {
+TEST(Passivity, NonFiniteValuesBecomeZero) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const double bad : {nan, std::numeric_limits<double>::infinity()}) {
         const PassivityCheck check = check_passivity(bad, 0.1, 0.5, period);
@@ -77,7 +77,7 @@ TEST(Passivity, WhatIsNotFiniteBecomesZero) {
     }
 }
 
-// A device of mass m and damping b at a virtual wall of K and B, sampled and held at T, integrated finely
+// A device of mass m and damping b at a virtual wall of K and B, sampled and held at T, integrated finely in
 // between.
 bool simulated_stable(double stiffness, double damping, double device_damping) {
     const double mass = 0.1;
@@ -104,13 +104,13 @@ TEST(Passivity, PassiveModelsAreStableOnASimulatedDevice) {
         const double bound = passive_stiffness(damping, 0.5, period);
         EXPECT_TRUE(simulated_stable(0.98 * bound, damping, 0.5)) << damping;
     }
-    // Without damping of the model the two bounds meet, and beyond it the device does run away.
+    // Without damping of the model the two bounds coincide, and beyond them the device is unstable.
     EXPECT_FALSE(simulated_stable(1.05 * passive_stiffness(0, 0.5, period), 0, 0.5));
     EXPECT_NEAR(stable_stiffness(0, 0.5, period, 0), passive_stiffness(0, 0.5, period), 1e-9);
     EXPECT_GT(stable_stiffness(0.4, 0.5, period, 0), passive_stiffness(0.4, 0.5, period));
 }
 
-TEST(PassivityObserver, CountsEnergyToTheHand) {
+TEST(PassivityObserver, CountsEnergyGivenToTheHand) {
     PassivityObserver observer;
     // Into a spring and out again, held force: what comes out late is a little more than what went in.
     double x = 0;

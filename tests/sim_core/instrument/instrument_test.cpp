@@ -33,7 +33,7 @@ DeviceSample sample_at(const Vector3& handle, double roll = 0, double jaw = 0, d
     return quantise(reading, DeviceSample{});
 }
 
-TEST(Trocar, FrameIsRightHandedWithUpUp) {
+TEST(Trocar, FrameIsRightHandedWithYUp) {
     const Trocar trocar = slanted_grasper().trocar;
     EXPECT_NEAR((trocar.rotation.transpose() * trocar.rotation - Matrix3::Identity()).norm(), 0, 1e-14);
     EXPECT_NEAR(trocar.rotation.determinant(), 1.0, 1e-14);
@@ -51,7 +51,7 @@ TEST(Instrument, TipIsMirroredAndScaledByTheLeverArm) {
     const ToolKinematics straight = tool_pose(model, sample_at(handle));
     EXPECT_NEAR(straight.insertion, 0.10, 1e-9);
     EXPECT_NEAR((straight.tip - model.trocar.position - 0.10 * model.trocar.rotation.col(2)).norm(), 0, 1e-9);
-    // 1 mm of the hand to one side moves the tip the other way by insertion over handle length.
+    // 1 mm of the hand to one side moves the tip to the other side by insertion over handle length.
     const ToolKinematics moved = tool_pose(model, sample_at(handle + Vector3(1e-3, 0, 0)));
     const Vector3 local = model.trocar.rotation.transpose() * (moved.tip - straight.tip);
     EXPECT_NEAR(local.x(), -1e-3 * 0.10 / 0.24, 5e-8);
@@ -117,7 +117,7 @@ TEST(Instrument, VelocityIsTheDifferenceOfPoses) {
     EXPECT_EQ(step_instrument(model, sample_at({0.05, 0.05, -0.1}), state).tip_velocity.norm(), 0);
 }
 
-TEST(Instrument, EverySampleGivesAFinitePose) {
+TEST(Instrument, AnySampleGivesAFinitePose) {
     const InstrumentModel model = slanted_grasper();
     Random random(9);
     for (int trial = 0; trial < 5000; ++trial) {
@@ -146,7 +146,7 @@ CameraSpec umbilical_scope() {
     return spec;
 }
 
-TEST(Scope, ThirtyDegreesLookAwayFromTheLightPost) {
+TEST(Scope, ThirtyDegreeScopeLooksAwayFromTheLightPost) {
     const ScopeModel scope = make_scope(umbilical_scope());
     const Vector3 shaft = scope.trocar.rotation.col(2);
     const CameraPose level = scope_pose(scope, sample_at({0, 0, -0.28}));
@@ -165,7 +165,7 @@ TEST(Scope, ThirtyDegreesLookAwayFromTheLightPost) {
     }
 }
 
-TEST(Scope, ThePointLookedAtIsInViewUntilTheRoundBorder) {
+TEST(Scope, PointsInsideTheRoundImageAreInView) {
     const ScopeModel scope = make_scope(umbilical_scope());
     const CameraPose camera = scope_pose(scope, sample_at({0.02, 0.03, -0.27}, 0.8));
     const Vector3 forward = view_direction(camera);
@@ -184,7 +184,7 @@ TEST(Scope, ThePointLookedAtIsInViewUntilTheRoundBorder) {
     EXPECT_FALSE(in_view(camera, Vector3::Constant(std::numeric_limits<double>::quiet_NaN())));
 }
 
-TEST(Instrument, AHandHasJawsWhereAnyOfWhatItExchangesHas) {
+TEST(Instrument, HandHasJawsIfAnyExchangedInstrumentHas) {
     const auto jaws = [](InstrumentKind kind, std::vector<InstrumentKind> exchange) {
         InstrumentSpec spec;
         spec.kind = kind;

@@ -77,7 +77,7 @@ TEST(ToolShapes, ClosedJawsAreTheTipBoxAndOpenOnesSpread) {
     EXPECT_GT((open.jaw[0].centre - open.jaw[1].centre).norm(), 0.009);
 }
 
-TEST(ToolShapes, MeetWhereFclSaysSo) {
+TEST(ToolShapes, AgreeWithFcl) {
     Random random(4);
     int met = 0, by_jaw = 0;
     for (int trial = 0; trial < 400; ++trial) {
@@ -99,7 +99,7 @@ TEST(ToolShapes, MeetWhereFclSaysSo) {
     EXPECT_GT(by_jaw, 20);
 }
 
-TEST(ToolShapes, MeetSpheresAndTrianglesWhereFclSaysSo) {
+TEST(ToolShapes, AgreeWithFclOnSpheresAndTriangles) {
     Random random(5);
     int met = 0, cut = 0;
     for (int trial = 0; trial < 400; ++trial) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Charts and pages: well-formed, the same bytes for the same data, nothing outside the plot, hostile values
-// left out.
+// Charts and pages: well-formed, the same bytes for the same data, nothing outside the plot, values that
+// cannot be drawn skipped.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -61,7 +61,7 @@ Chart example() {
     return chart;
 }
 
-TEST(Chart, IsTheSameTwiceAndLeavesOutWhatCannotBeDrawn) {
+TEST(Chart, RepeatsAndSkipsValuesThatCannotBeDrawn) {
     const std::string svg = svg_chart(example());
     EXPECT_EQ(svg, svg_chart(example()));
     EXPECT_NE(svg.find("a &lt; b &amp; &quot;c&quot;"), std::string::npos);
@@ -72,13 +72,13 @@ TEST(Chart, IsTheSameTwiceAndLeavesOutWhatCannotBeDrawn) {
     EXPECT_EQ(svg.substr(svg.size() - 7), "</svg>\n");
 }
 
-TEST(Chart, OfNothingIsStillAChart) {
+TEST(Chart, EmptyChartIsValid) {
     EXPECT_NE(svg_chart(Chart{}).find("</svg>"), std::string::npos);
     EXPECT_NE(svg_bars(BarChart{}).find("</svg>"), std::string::npos);
     EXPECT_NE(svg_map(CategoryMap{}).find("</svg>"), std::string::npos);
 }
 
-TEST(Map, CutsACurveAtTheBorder) {
+TEST(Map, ClipsACurveAtTheBorder) {
     CategoryMap map;
     map.x = map.y = {1, 10, 100};
     map.categories = {"stable", "degraded", "fault"};
@@ -105,7 +105,7 @@ TEST(Map, CutsACurveAtTheBorder) {
     EXPECT_EQ(seen, 2);
 }
 
-TEST(Pareto, MarksWhatNothingElseBeats) {
+TEST(Pareto, MarksUndominatedLevels) {
     TradeoffStudy study;
     study.levels = {{"a", "f", 1.0, "m", 10, false},
                     {"b", "f", 0.5, "m", 20, false},
@@ -129,7 +129,7 @@ class Page : public ::testing::Test {
     Machine machine{"Some processor", 2, {"GNU 12", "-O3", "abc123, with uncommitted changes"}};
 };
 
-TEST_F(Page, SaysMachineCommitAndCommand) {
+TEST_F(Page, ContainsMachineCommitAndCommand) {
     ResultPage page("some", "Some page", "fulcrum lab some");
     page.table({"cells", {"a", "b"}, {{"1,5", "x|y"}}});
     page.chart("drawing", "a drawing", "<svg/>");
@@ -145,13 +145,13 @@ TEST_F(Page, SaysMachineCommitAndCommand) {
     EXPECT_EQ(json["machine"]["commit"], machine.build.commit);
 }
 
-TEST_F(Page, RefusesAFolderThatCannotBeMade) {
+TEST_F(Page, RefusesAFolderThatCannotBeCreated) {
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "file") << "x";
     EXPECT_THROW(ResultPage("a", "b", "c").write((folder / "file").string(), machine), InputError);
 }
 
-TEST(StabilityJson, CountsWhatIsNotFinite) {
+TEST(StabilityJson, CountsNonFiniteCells) {
     StabilityMap map;
     map.model = "m";
     map.axes = {{"time_step_s", "s", {0.1, 0.2}, true}, {"stiffness_n_m", "N/m", {1}, true}};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random strokes on sphere, tube, sheet and bowel, at rest and while the shape moves: every step is
-// validated where it touched, and every tenth stroke the whole surface is checked from scratch. 5,000
-// strokes; FULCRUM_STROKES=N runs N (`fulcrum lab strokes N` prints what they did).
+// Random strokes on sphere, tube, sheet and bowel, at rest and deforming: every step is validated where it
+// touched, and the whole surface after every tenth stroke. 5,000 strokes; FULCRUM_STROKES=N runs N (`fulcrum
+// lab strokes N` prints the results).
 #include "sim_core/lab/cut_strokes.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `lab run` with model "cut" (docs/FORMATS.md): strokes of any kind, areas that add up, complaints.
+// `lab run` with model "cut" (docs/FORMATS.md): strokes of any kind, areas that add up, errors.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,12 +37,12 @@ class CutStudy : public ::testing::Test {
         return run_text(keys.dump());
     }
     static Json ring(double x, double y, double radius, int corners) {
-        Json way = Json::array();
+        Json path = Json::array();
         for (int i = 0; i <= corners; ++i) {
             const double a = 6.283185307179586 * (i % corners) / corners;
-            way.push_back({x + radius * std::cos(a), y + radius * std::sin(a), 0});
+            path.push_back({x + radius * std::cos(a), y + radius * std::sin(a), 0});
         }
-        return way;
+        return path;
     }
     static void expect_whole(const Json& result) {
         const double before = result["area_before_m2"], after = result["area_after_m2"],
@@ -63,7 +63,7 @@ class CutStudy : public ::testing::Test {
     test::OwnFolder folder_;
 };
 
-TEST_F(CutStudy, AnswersInTheFormatOfTheContract) {
+TEST_F(CutStudy, ResultHasTheDocumentedFormat) {
     const Json result = run({{"strokes", {{{0.021, 0.033, 0}, {0.071, 0.052, 0}}}}});
     for (const char* key :
          {"visible_triangles", "vertices", "area_before_m2", "area_after_m2", "area_removed_m2", "pieces",
@@ -78,7 +78,7 @@ TEST_F(CutStudy, AnswersInTheFormatOfTheContract) {
     EXPECT_EQ(result["pieces"], 1);
 }
 
-TEST_F(CutStudy, ACircleFallsAndASpiralDoesNot) {
+TEST_F(CutStudy, CircleFallsAndSpiralStays) {
     const Json fixed = {0, 10, 110, 120};
     const Json circle = run({{"strokes", {ring(0.05, 0.05, 0.025, 24)}}, {"fixed", fixed}});
     expect_whole(circle);
@@ -98,30 +98,30 @@ TEST_F(CutStudy, ACircleFallsAndASpiralDoesNot) {
     EXPECT_EQ(wound["pieces"], 1);
 }
 
-TEST_F(CutStudy, FromRimToRimAndBeyondItMakesTwoPieces) {
+TEST_F(CutStudy, FromBorderToBorderAndBeyondMakesTwoPieces) {
     for (const double over : {0.0, 0.02}) {
         const Json result = run({{"strokes", {{{-over, 0.031, 0}, {0.1 + over, 0.064, 0}}}}});
         expect_whole(result);
         EXPECT_EQ(result["pieces"], 2);
-        EXPECT_EQ(result["dropped_pieces"], 0);  // nothing is held, so nothing can be told to fall
+        EXPECT_EQ(result["dropped_pieces"], 0);  // without a held vertex no piece can be identified as loose
     }
 }
 
-TEST_F(CutStudy, ASecondCutAcrossTheFirstJoinsIt) {
+TEST_F(CutStudy, SecondCutAcrossTheFirstJoinsIt) {
     const Json one = {{0.02, 0.05, 0}, {0.08, 0.05, 0}}, two = {{0.053, 0.02, 0}, {0.047, 0.08, 0}};
     const Json result = run({{"strokes", {one, two}}});
     expect_whole(result);
     EXPECT_EQ(result["pieces"], 1);
     const double each = 0.001 * 0.06, other = 0.001 * std::hypot(0.006, 0.06);
     EXPECT_NEAR(result["area_removed_m2"].get<double>(), each + other - 1e-6, 2e-7);
-    // Four quarters: a second pair of cuts along the rim of a square takes them apart.
+    // Four quarters: a second pair of cuts along the border of a square separates them.
     const Json across =
         run({{"strokes", {{{-0.01, 0.05, 0}, {0.11, 0.05, 0}}, {{0.0533, -0.01, 0}, {0.0467, 0.11, 0}}}}});
     expect_whole(across);
     EXPECT_EQ(across["pieces"], 4);
 }
 
-TEST_F(CutStudy, AlongEdgesAndThroughVerticesLeavesNoEmptyTriangle) {
+TEST_F(CutStudy, CutsAlongEdgesAndThroughVerticesLeaveNoEmptyTriangle) {
     const Json strokes[] = {
         {{{0.02, 0.05, 0}, {0.08, 0.05, 0}}},      // along edges, ends in vertices
         {{{0.02, 0.0505, 0}, {0.08, 0.0505, 0}}},  // a border on the edges
@@ -139,7 +139,7 @@ TEST_F(CutStudy, AlongEdgesAndThroughVerticesLeavesNoEmptyTriangle) {
     }
 }
 
-TEST_F(CutStudy, AStrokeWithoutLengthCutsNothing) {
+TEST_F(CutStudy, StrokeWithoutLengthCutsNothing) {
     const Json result =
         run({{"strokes", {{{0.05, 0.05, 0}, {0.05, 0.05, 0}}, Json::array({{0.02, 0.02, 0}})}}});
     expect_whole(result);
@@ -155,7 +155,7 @@ TEST_F(CutStudy, FollowsACurvedSurface) {
     EXPECT_EQ(result["pieces"], 1);
 }
 
-TEST_F(CutStudy, EverythingMayBeCutAway) {
+TEST_F(CutStudy, EverythingCanBeCutAway) {
     Json strokes = Json::array();
     for (int i = 0; i <= 10; ++i) strokes.push_back({{-0.02, 0.01 * i, 0}, {0.12, 0.01 * i, 0}});
     const Json result = run({{"strokes", strokes}, {"width_m", 0.012}});
@@ -166,7 +166,7 @@ TEST_F(CutStudy, EverythingMayBeCutAway) {
     EXPECT_TRUE(result["min_angle_deg"].is_null());
 }
 
-TEST_F(CutStudy, RefusesBadInputWithFilePlaceAndMend) {
+TEST_F(CutStudy, RefusesBadInputWithFilePlaceAndHint) {
     const std::string start = R"({"model": "cut", "mesh": "sheet.obj", "width_m": 0.001, "strokes": )";
     const struct {
         std::string text;

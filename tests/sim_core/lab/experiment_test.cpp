@@ -28,16 +28,16 @@ double figure(const ExperimentResult& result, const std::string& name) {
     return std::nan("");
 }
 
-// Figs. 3 and 5: a spike and two dents that grow broader and shallower, pushed and pulled by the same force.
+// Figs. 3 and 5: a spike and two dents, broader and shallower, pushed and pulled by the same force.
 TEST(Experiment, FilterGradesAreASpikeAndTwoDents) {
     const ExperimentResult result = run("fig03_05_filter");
     ASSERT_EQ(result.panels.size(), 6u);
-    for (const std::string way : {"pushed", "pulled"}) {
+    for (const std::string direction : {"pushed", "pulled"}) {
         double deeper = 1e9, fewer = 0;
         for (const std::string grade : {"0", "1", "2"}) {
             const double reached =
-                figure(result, way + ", grade " + grade + ": vertices that the force reaches");
-            const double depth = figure(result, way + ", grade " + grade + ": largest displacement");
+                figure(result, direction + ", grade " + grade + ": vertices that the force reaches");
+            const double depth = figure(result, direction + ", grade " + grade + ": largest displacement");
             EXPECT_GT(reached, fewer);
             EXPECT_LT(depth, deeper);
             fewer = reached;
@@ -48,18 +48,18 @@ TEST(Experiment, FilterGradesAreASpikeAndTwoDents) {
     EXPECT_EQ(figure(result, "pulled, grade 0: vertices that the force reaches"), 1);
 }
 
-TEST(Experiment, TheLawsPartWhereTheClosedFormSays) {
+TEST(Experiment, LawsDivergeWhereTheClosedFormPredicts) {
     const ExperimentResult result = run("fig07_laws");
     EXPECT_LT(figure(result, "stress of the two laws apart at 22 % strain"), 10);
     EXPECT_NEAR(figure(result, "strain from which they are 20 % apart"), 29.2, 0.1);
-    // The rods, not only the formulas: 10 % of stretch each way, then apart.
+    // The rods, not only the formulas: 10 % of stretch in each direction, then diverging.
     EXPECT_NEAR(result.figures[2].value / result.figures[3].value, 1, 0.05);
     EXPECT_GT(result.figures[6].value / result.figures[7].value, 1.3);
 }
 
-// Figs. 13 and 15: children in place of parents, ground accounted for, and a bent bowel that is open along
-// the cut.
-TEST(Experiment, CutsSubdivideTrianglesAndKeepTheGround) {
+// Figs. 13 and 15: children in place of parents, area accounted for, and a bent bowel that is open along the
+// cut.
+TEST(Experiment, CutsSubdivideTrianglesAndConserveArea) {
     for (const char* name : {"fig13_subdivision", "fig15_cut_bowel"}) {
         const ExperimentResult result = run(name);
         ASSERT_EQ(result.panels.size(), 4u) << name;
@@ -68,7 +68,7 @@ TEST(Experiment, CutsSubdivideTrianglesAndKeepTheGround) {
         EXPECT_GT(figure(result, "area removed"), 0) << name;
         EXPECT_EQ(figure(result, "steps rolled back"), 0) << name;
     }
-    // Edges that only one triangle has: none on the closed tube, a loop of them round the cut.
+    // Edges with only one triangle: none on the closed tube, a loop around the cut.
     const ExperimentResult bowel = run("fig15_cut_bowel");
     const auto rim = [](const TriangleMesh& mesh) {
         std::map<std::pair<std::int32_t, std::int32_t>, int> uses;
@@ -81,11 +81,11 @@ TEST(Experiment, CutsSubdivideTrianglesAndKeepTheGround) {
     EXPECT_GT(after, before + 100);
 }
 
-TEST(Experiment, TheBendKeepsTheVolume) {
+TEST(Experiment, BendConservesTheVolume) {
     EXPECT_LT(std::fabs(figure(run("fig08d_bend"), "volume change of the surface")), 2);
 }
 
-TEST(Experiment, TheIntestineFallsToTheGroundAndOntoItself) {
+TEST(Experiment, IntestineFallsToTheGroundAndOntoItself) {
     const ExperimentResult result = run("fig14_fall");
     EXPECT_EQ(result.panels.size(), 12u);
     EXPECT_EQ(result.panels.back().title, "frame 44");
@@ -102,7 +102,7 @@ TEST(Experiment, TheIntestineFallsToTheGroundAndOntoItself) {
     EXPECT_LT(highest, 0.08) << "everything lies";
 }
 
-TEST(Experiment, SaysWhatIsWrongWithAFile) {
+TEST(Experiment, ReportsWhatIsWrongWithAFile) {
     const test::OwnFolder folder;
     const auto path = folder / "experiment.json";
     const auto complaint = [&](const std::string& text) -> std::string {

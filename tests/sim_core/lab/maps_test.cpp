@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stability maps and trade-off studies of the rod and the surface: what must hold whatever the machine.
+// Stability maps and trade-off studies of rod and surface: properties that hold on every machine.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,11 +26,11 @@ void expect_sound(const std::vector<StabilityMap>& maps) {
     }
 }
 
-TEST(Stability, TheRodStaysBoundedOverTheExtremes) {
+TEST(Stability, RodStaysBoundedOverTheExtremes) {
     expect_sound(rod_stability());
 }
 
-TEST(Stability, SliversDoNotSpoilTheSurface) {
+TEST(Stability, SliversDoNotDegradeTheSurface) {
     const std::vector<StabilityMap> maps = skin_stability();
     expect_sound(maps);
     for (const StabilityCell& cell : maps[0].cells) {
@@ -40,9 +40,9 @@ TEST(Stability, SliversDoNotSpoilTheSurface) {
     }
 }
 
-// Symplectic Euler refuses far beyond its limit: that is a declared fault; the implicit integrators take
+// Symplectic Euler refuses far beyond its limit, which is a reported fault; the implicit integrators take
 // every step.
-TEST(Stability, MembranesAreFiniteEverywhereAndImplicitOnesNeverGiveUp) {
+TEST(Stability, MembranesStayFiniteAndImplicitOnesAlwaysStep) {
     for (const StabilityMap& map : membrane_stability()) {
         const bool symplectic = map.title.find("symplectic") != std::string::npos;
         for (const StabilityCell& cell : map.cells) {
@@ -55,7 +55,7 @@ TEST(Stability, MembranesAreFiniteEverywhereAndImplicitOnesNeverGiveUp) {
     }
 }
 
-TEST(Tradeoff, RodErrorsFallWithResolutionAndTheFrontIsMarked) {
+TEST(Tradeoff, RodErrorsDecreaseWithResolutionAndTheFrontIsMarked) {
     const std::vector<TradeoffStudy> studies = rod_tradeoff();
     ASSERT_EQ(studies.size(), 3u);
     for (TradeoffStudy study : studies) {

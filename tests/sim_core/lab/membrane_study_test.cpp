@@ -45,7 +45,7 @@ class MembraneStudy : public ::testing::Test {
     test::OwnFolder folder_;
 };
 
-TEST_F(MembraneStudy, IntegratorsAgreeAsTheStepBecomesSmall) {
+TEST_F(MembraneStudy, IntegratorsConvergeForSmallSteps) {
     nlohmann::json results[3];
     const char* names[] = {"symplectic", "global_local", "implicit"};
     for (int i = 0; i < 3; ++i) {
@@ -62,7 +62,7 @@ TEST_F(MembraneStudy, IntegratorsAgreeAsTheStepBecomesSmall) {
     EXPECT_NEAR(z(1), z(2), 0.02 * std::abs(z(2)));
 }
 
-TEST_F(MembraneStudy, OneTriangleHasTheLimitOfItsClosedForm) {
+TEST_F(MembraneStudy, SingleTriangleHasTheClosedFormLimit) {
     const auto result = run({{"mesh", "triangle.obj"}, {"fixed", {0, 2}}, {"damping", 0.0}});
     // Only vertex 1 moves: springs to 0 (along x) and to 2 (along the diagonal), k sum n n^T = k ((1.5,
     // -0.5), (-0.5, 0.5)).
@@ -73,7 +73,7 @@ TEST_F(MembraneStudy, OneTriangleHasTheLimitOfItsClosedForm) {
     EXPECT_EQ(result["springs"]["bend"], 0);
 }
 
-TEST_F(MembraneStudy, AStepAboveTheLimitIsDividedAndSaysSo) {
+TEST_F(MembraneStudy, StepAboveTheLimitIsDividedAndReported) {
     const auto result = run({{"integrator", "symplectic"}, {"stiffness_n_m", 1e4}, {"dt_s", 0.005}});
     EXPECT_TRUE(result["finite"].get<bool>());
     EXPECT_LT(result["dt_limit_s"].get<double>(), 0.005);
@@ -86,7 +86,7 @@ TEST_F(MembraneStudy, AStepAboveTheLimitIsDividedAndSaysSo) {
     EXPECT_TRUE(refused["finite"].get<bool>());
 }
 
-TEST_F(MembraneStudy, StaticsEndWhereDampedStepsDo) {
+TEST_F(MembraneStudy, StaticSolveMatchesDampedSteps) {
     const auto still = run({{"steps", 0}});
     const auto stepped = run({{"steps", 400}, {"dt_s", 0.02}, {"damping", 5.0}});
     EXPECT_NEAR(still["energy_j"].get<double>(), stepped["energy_j"].get<double>(),
@@ -94,7 +94,7 @@ TEST_F(MembraneStudy, StaticsEndWhereDampedStepsDo) {
     EXPECT_LE(still["residual"].get<double>(), 1e-10);
 }
 
-TEST_F(MembraneStudy, BrokenKeysAreNamed) {
+TEST_F(MembraneStudy, InvalidKeysAreReported) {
     for (const nlohmann::json& change : {nlohmann::json{{"fixed", {81}}},
                                          {{"fixed", "all"}},
                                          {{"fixed", {1, 1}}},
@@ -110,7 +110,7 @@ TEST_F(MembraneStudy, BrokenKeysAreNamed) {
     }
 }
 
-TEST(MembraneSlivers, AreSteppedOnlyBelowTheirLimitAndSaySoAboveIt) {
+TEST(MembraneSlivers, AreSteppedBelowTheirLimitAndReportedAboveIt) {
     const lab::StabilityMap map = lab::membrane_sliver_map();
     ASSERT_EQ(map.cells.size(), map.axes[0].values.size() * map.axes[1].values.size());
     int divided = 0, refused = 0;
@@ -118,7 +118,7 @@ TEST(MembraneSlivers, AreSteppedOnlyBelowTheirLimitAndSaySoAboveIt) {
         EXPECT_TRUE(cell.finite && std::isfinite(cell.measure));
         for (std::size_t k = 0; k < map.theory[0].y.size(); ++k) {
             if (map.theory[0].y[k] != cell.at[1]) continue;
-            // Divided above the limit; the bound that is enforced lies up to twofold below it.
+            // Divided above the limit; the enforced bound is up to two times below it.
             if (cell.at[0] > map.theory[0].x[k]) {
                 EXPECT_NE(cell.outcome, lab::StabilityOutcome::stable) << cell.at[0] << ", " << cell.at[1];
             } else if (cell.at[0] < 0.45 * map.theory[0].x[k]) {
@@ -132,7 +132,7 @@ TEST(MembraneSlivers, AreSteppedOnlyBelowTheirLimitAndSaySoAboveIt) {
     EXPECT_GT(refused, 0);
 }
 
-TEST(MembraneSweep, OperationsGrowAsTheNodes) {
+TEST(MembraneSweep, OperationsGrowLinearlyWithTheNodes) {
     const lab::HeldSheet small(22), large(224);
     const MembraneScratch::Operations few = small.membrane.make_scratch().operations(),
                                       many = large.membrane.make_scratch().operations();
@@ -142,16 +142,16 @@ TEST(MembraneSweep, OperationsGrowAsTheNodes) {
     const double times = static_cast<double>(large.membrane.vertices()) / small.membrane.vertices();
     EXPECT_LE(exponent(few.springs, many.springs, times), 1.05);
     EXPECT_LE(exponent(few.solve, many.solve, times), 1.05);
-    // A frame: as many cycles as times that the springs are gone through, whatever the size.
+    // A frame: the ratio of cycles to spring evaluations does not depend on the size.
     EXPECT_LE(exponent(few.solve + few.springs, many.solve + many.springs, times), 1.05);
-    // Made once, of the nodes that are not held: of the small sheet's those are fewer.
+    // Built once, for the nodes that are not held: the small sheet has fewer of those.
     const auto free = [](const Membrane& m) { return m.vertices() - static_cast<int>(m.attached().size()); };
     EXPECT_LE(
         exponent(few.build, many.build, static_cast<double>(free(large.membrane)) / free(small.membrane)),
         1.05);
 }
 
-TEST(MembraneSweep, TheSameIterationsServeEverySize) {
+TEST(MembraneSweep, SameIterationsSufficeForEverySize) {
     // What keeps the work of a solve in step with the nodes: 10 iterations to 1 %, coarse and fine.
     for (const int side : {16, 32, 64}) {
         lab::HeldSheet sheet(side);

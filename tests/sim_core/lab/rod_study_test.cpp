@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One rod alone from JSON: the contract of docs/FORMATS.md.
+// A single rod from JSON: the format of docs/FORMATS.md.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ json cantilever() {
             {"inner_radius_m", 0.0}, {"young_pa", 32300.0}, {"poisson", 0.35}, {"ends", {"clamped", "free"}}};
 }
 
-TEST(RodStudy, SmallTipLoadBendsAsTheBeamFormula) {
+TEST(RodStudy, SmallTipLoadMatchesTheBeamFormula) {
     json study = cantilever();
     study["point_loads"] = json::array({{{"s_m", 0.4}, {"force_n", {0, 0, -1e-5}}}});
     const json result = run_rod_study(study, "study.json");
@@ -36,7 +36,7 @@ TEST(RodStudy, SmallTipLoadBendsAsTheBeamFormula) {
     EXPECT_NEAR(linear["nodes"][32][2].get<double>(), expected, 1e-3 * std::fabs(expected));
 }
 
-TEST(RodStudy, ATwistedClampedRodGivesItsTorqueAndAHeldOneTurns) {
+TEST(RodStudy, TwistedClampedRodGivesItsTorqueAndHeldRodTurns) {
     json study = cantilever();
     study["ends"] = {"clamped", "held"};
     study["end_twist_rad"] = 2.0;
@@ -47,7 +47,7 @@ TEST(RodStudy, ATwistedClampedRodGivesItsTorqueAndAHeldOneTurns) {
     EXPECT_NEAR(result["energy_j"]["twist"].get<double>(), 0.5 * torque * 2.0, 1e-6 * torque);
 }
 
-TEST(RodStudy, BadStudiesNameThePlaceAndTheMend) {
+TEST(RodStudy, BadStudiesReportPlaceAndHint) {
     const auto error = [](const json& study) {
         try {
             run_rod_study(study, "study.json");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operations against size, counted by the models themselves and so the same on every machine: none grows with
-// an exponent above its limit. Times are on docs/results/size_sweep.md, by `fulcrum lab bench --sweep`.
+// Operations against size, counted by the models themselves and so equal on every machine: none grows with an
+// exponent above its limit. Times are in docs/results/size_sweep.md, by `fulcrum lab bench --sweep`.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ SizeSweep counted(const std::vector<SweepCase>& sweeps, const std::string& model
     return result;
 }
 
-TEST(SizeSweep, ARodsWorkGrowsWithItsSegments) {
+TEST(SizeSweep, RodOperationsGrowLinearlyWithSegments) {
     std::vector<SweepCase> sweeps;
     add_rod_sweeps(sweeps);
     ASSERT_EQ(sweeps.size(), 4U);
@@ -38,7 +38,7 @@ TEST(SizeSweep, ARodsWorkGrowsWithItsSegments) {
         EXPECT_LE(counted(sweeps, sweep.model, 1024).operation_ratio(), 2) << sweep.model;
 }
 
-TEST(SizeSweep, CollisionsWorkGrowsWithSpheresAndNoFasterThanTriangles) {
+TEST(SizeSweep, CollisionOperationsGrowAtMostLinearly) {
     std::vector<SweepCase> sweeps;
     add_collision_sweeps(sweeps);
     ASSERT_EQ(sweeps.size(), 2U);
@@ -46,18 +46,18 @@ TEST(SizeSweep, CollisionsWorkGrowsWithSpheresAndNoFasterThanTriangles) {
     counted(sweeps, sweeps[1].model, 20480);
 }
 
-TEST(SizeSweep, SkinningGrowsWithVerticesAndATickOfContactWithWhatIsUnderTheTool) {
+TEST(SizeSweep, SkinningGrowsLinearlyAndContactTicksDoNotGrow) {
     std::vector<SweepCase> sweeps;
     add_skinning_sweeps(sweeps);
     add_contact_sweeps(sweeps);
     ASSERT_EQ(sweeps.size(), 3U);
     EXPECT_LE(counted(sweeps, sweeps[0].model, 20000).operation_ratio(), 2);
-    // A tick skins what its walk and the filter's two rings look at, however fine the rest is.
+    // A tick skins the vertices of its walk and of the filter's two rings, at any surface resolution.
     EXPECT_LE(counted(sweeps, sweeps[1].model, 126000).operation_exponent(), 0.05);
     counted(sweeps, sweeps[2].model, 40000);
 }
 
-TEST(SizeSweep, ExponentsAndRatiosAreThoseOfThePoints) {
+TEST(SizeSweep, ExponentsAndRatiosMatchThePoints) {
     SizeSweep sweep;
     sweep.exponent_limit = 1.05;
     sweep.ratio_limit = 2;
@@ -71,7 +71,7 @@ TEST(SizeSweep, ExponentsAndRatiosAreThoseOfThePoints) {
     EXPECT_TRUE(sweep.within());
 }
 
-TEST(SizeSweep, ThePageHasATableForEverySweepAndSaysWhatIsOutside) {
+TEST(SizeSweep, PageHasATablePerSweepAndMarksExceededLimits) {
     int runs = 0;
     SweepCase sweep;
     sweep.model = "squares";

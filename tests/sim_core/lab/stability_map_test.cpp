@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The simulated device at the product's own contact: where it becomes unstable, and that what Eq. 8 allows is
-// passive.
+// The simulated device at the product's own contact: its stability boundary, and passivity within Eq. 8.
 #include "sim_core/lab/stability_map.h"
 
 #include <gtest/gtest.h>
@@ -12,9 +11,9 @@ namespace {
 
 class Grades : public testing::TestWithParam<FilterMode> {};
 
-TEST_P(Grades, TheDeviceAloneBecomesUnstableWhereTheoryComputed) {
+TEST_P(Grades, DeviceAloneBecomesUnstableAtTheTheoreticalLimit) {
     lab::DeviceAtContact contact(GetParam());
-    // Computed from the sampled loop's characteristic polynomial (docs/THEORY.md 6).
+    // Computed from the sampled loop's characteristic polynomial (docs/THEORY.md, section 6).
     const double computed[] = {1001, 1796, 2976};
     int i = 0;
     for (const double damping : {0.0, 0.4, 1.0}) {
@@ -25,7 +24,7 @@ TEST_P(Grades, TheDeviceAloneBecomesUnstableWhereTheoryComputed) {
     }
 }
 
-TEST_P(Grades, EveryPointInsideEquation8IsPassiveAndStableWithAnyHand) {
+TEST_P(Grades, PointsInsideEquation8ArePassiveAndStableWithAnyHand) {
     lab::DeviceAtContact contact(GetParam());
     for (const double damping : {0.0, 0.2, 0.4}) {
         const double bound = passive_stiffness(damping, 0.5, 1e-3);
@@ -35,13 +34,13 @@ TEST_P(Grades, EveryPointInsideEquation8IsPassiveAndStableWithAnyHand) {
             EXPECT_TRUE(run.stable) << damping << " " << share;
             EXPECT_TRUE(run.passive) << damping << " " << share << " returned " << run.returned;
         }
-        // Beyond it some hand finds energy there.
+        // Beyond it some hand can extract energy.
         const lab::DeviceRun beyond = contact.run(1.1 * bound, damping, true);
         EXPECT_FALSE(beyond.passive) << damping;
     }
 }
 
-TEST(DeviceAtContact, DelayAndACoarseEncoderMoveTheBoundaryAsTheyShould) {
+TEST(DeviceAtContact, DelayAndCoarseEncoderShiftTheBoundary) {
     lab::SimulatedDevice device;
     device.delay_ticks = 1;
     lab::DeviceAtContact late(FilterMode::adaptive, device);

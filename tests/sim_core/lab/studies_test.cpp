@@ -70,7 +70,7 @@ TEST_F(Studies, SkinFollowsTheCageInBothScopes) {
     EXPECT_LE(apart, 0.002);
 }
 
-TEST_F(Studies, SkinFindsRingsHoweverTheyAreWritten) {
+TEST_F(Studies, SkinFindsRingsInAnyVertexOrder) {
     const SkinCase made;
     TriangleMesh cage = made.mesh_under(test::rest_frames(made.skin.cage()));
     const auto layout = lab::find_rings(cage);
@@ -84,7 +84,7 @@ TEST_F(Studies, SkinFindsRingsHoweverTheyAreWritten) {
     EXPECT_FALSE(lab::find_rings(cage).has_value()) << "two vertices in each other's ring";
 }
 
-TEST_F(Studies, FilterSharesOutTheForce) {
+TEST_F(Studies, FilterDistributesTheForce) {
     const TriangleMesh tube = lab::make_tube(0.1, 40, 32, lab::plain_radius(0.016));
     write("tube.obj", tube);
     nlohmann::json keys = {{"model", "filter"},
@@ -112,7 +112,7 @@ TEST_F(Studies, FilterSharesOutTheForce) {
     }
 }
 
-TEST_F(Studies, AreFoundByTheirModelsName) {
+TEST_F(Studies, AreFoundByModelName) {
     write("tube.obj", lab::make_tube(0.1, 40, 32, lab::plain_radius(0.016)));
     const auto run = [&](const char* text) {
         std::ofstream(folder_ / "study.json") << text;
@@ -128,7 +128,7 @@ TEST_F(Studies, AreFoundByTheirModelsName) {
     EXPECT_THROW(lab::run_study((folder_ / "none.json").string()), InputError);
 }
 
-TEST_F(Studies, RefuseKeysThatTheirModelDoesNotKnow) {
+TEST_F(Studies, RefuseUnknownKeys) {
     write("tube.obj", lab::make_tube(0.1, 40, 32, lab::plain_radius(0.016)));
     nlohmann::json keys = {{"$comment", "free"},
                            {"model", "cut"},
@@ -151,7 +151,7 @@ TEST_F(Studies, RefuseKeysThatTheirModelDoesNotKnow) {
     }
 }
 
-TEST_F(Studies, RefuseBrokenKeysWithPlaceAndMend) {
+TEST_F(Studies, RefuseInvalidKeysWithPlaceAndHint) {
     const TriangleMesh tube = lab::make_tube(0.1, 40, 32, lab::plain_radius(0.016));
     write("tube.obj", tube);
     TriangleMesh open = tube;

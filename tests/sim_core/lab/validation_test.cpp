@@ -55,7 +55,7 @@ TEST(ValidationCase, FailsOutsideItsToleranceAndOnNaN) {
     EXPECT_TRUE(absolute_case("m", "n", "q", 0.1, 0, "s", 0.05, 4).passed);
 }
 
-TEST(Catenary, AStiffChainIsTheHyperbolicCosine) {
+TEST(Catenary, StiffChainIsTheHyperbolicCosine) {
     Catenary catenary;
     catenary.axial_stiffness = 1e12;
     const double tension = catenary_tension(catenary), a = tension / catenary.weight;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The wall in layers: composite stiffness against the layered-beam formula (parallel axes), indentation
-// against the laws solved by bisection, the nodule that can be felt, the puncture limit.
+// Layered wall: composite stiffness compared with the layered-beam formula (parallel axes), indentation
+// compared with the laws solved by bisection, the palpable nodule, the puncture limit.
 #include "sim_core/material/layered_wall.h"
 
 #include <gtest/gtest.h>
@@ -46,8 +46,8 @@ LayeredWallSpec with_nodule() {
 }
 
 // The layered beam by its textbook formula, E I = sum of E_k (I_own + A d^2) over small pieces of each layer
-// with the axis where sum of E A y vanishes: no ring formula in it.
-TEST(LayeredWall, CompositeStiffnessIsThatOfTheLayeredBeam) {
+// with the axis where the sum of E A y vanishes; independent of the ring formula.
+TEST(LayeredWall, CompositeStiffnessMatchesTheLayeredBeam) {
     const std::vector<WallLayer> layers = bowel_wall_layers();
     const double outer_radius = 0.016, poisson = 0.35;
     double ea = 0, ea_y = 0, ei = 0, gj = 0;
@@ -126,7 +126,7 @@ TEST(LayeredWall, StiffensWithDepthAndItsTangentIsTheSlope) {
             force = at.force;
             if (i == 1) first = at.stiffness;
         }
-        // Not a spring: at a millimetre and a half it is much stiffer than at rest.
+        // Not linear: at 1.5 mm it is much stiffer than at rest.
         EXPECT_GT(wall.indent(0.0015, area, infinity, nodule).stiffness, 1.3 * first);
     }
     EXPECT_EQ(wall.indent(0, area, infinity).force, 0);
@@ -135,7 +135,7 @@ TEST(LayeredWall, StiffensWithDepthAndItsTangentIsTheSlope) {
     EXPECT_TRUE(std::isfinite(wall.indent(1e3, area, infinity).force));
 }
 
-TEST(LayeredWall, ANoduleUnderSoftMucosaIsFelt) {
+TEST(LayeredWall, NoduleUnderSoftMucosaRaisesTheForce) {
     const LayeredWall wall(with_nodule());
     const double area = 2e-5;
     double before = infinity;
@@ -153,7 +153,7 @@ TEST(LayeredWall, ANoduleUnderSoftMucosaIsFelt) {
     EXPECT_EQ(wall.nodule_height(std::numeric_limits<double>::quiet_NaN()), 0);
 }
 
-TEST(LayeredWall, TearsAtThePunctureLimit) {
+TEST(LayeredWall, PuncturesAtTheLimit) {
     const LayeredWall wall{LayeredWallSpec{}};
     const double area = 2e-5, limit = 10.3;
     double low = 0, high = 0.05;
@@ -166,11 +166,11 @@ TEST(LayeredWall, TearsAtThePunctureLimit) {
     const Indentation torn = wall.indent(high + 1e-3, area, limit);
     EXPECT_EQ(torn.force, limit);
     EXPECT_EQ(torn.stiffness, 0);
-    // The same force over less ground tears sooner.
+    // The same force over less area punctures earlier.
     EXPECT_TRUE(wall.indent(low, 2 * area, limit).punctured);
 }
 
-TEST(LayeredWall, RefusesWhatNoWallIs) {
+TEST(LayeredWall, RefusesInvalidWalls) {
     const auto refused = [](auto change) {
         LayeredWallSpec spec = with_nodule();
         change(spec);

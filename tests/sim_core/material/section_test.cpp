@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// EXP2 and the tube's section under it: the formula, its fit to the linear law, the section's bending and
-// coupling against a fine adaptive sum over the wall, its derivatives against differences.
+// EXP2 and the tube's section under it: the formula, its fit to the linear law, bending and coupling of the
+// section compared with a fine sum over the wall, its derivatives compared with differences.
 #include "sim_core/material/section.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ void strips(const std::vector<WallLayer>& layers, double outer_radius, double st
     double outer = outer_radius;
     for (std::size_t k = layers.size(); k-- > 0;) {
         const double inner = outer - layers[k].thickness, young = layers[k].young, a = layers[k].exponent;
-        // y = R sin(phi) takes the root at the rim away.
+        // y = R sin(phi) removes the square root at the border.
         for (const double sign : {1.0, -1.0}) {
             const double radius = sign > 0 ? outer : inner;
             const int steps = 2000;
@@ -39,7 +39,7 @@ void strips(const std::vector<WallLayer>& layers, double outer_radius, double st
     }
 }
 
-TEST(Exp2Law, IsItsFormulaAndFitsTheLinearLaw) {
+TEST(Exp2Law, MatchesItsFormulaAndFitsTheLinearLaw) {
     const Exp2 law;
     for (int i = 1; i <= 50; ++i) {
         const double e = -0.5 + 0.02 * i, expected = 30.0e3 * e * std::exp(3 * e * e);
@@ -97,7 +97,7 @@ TEST(TubeSection, IsTheLinearSectionAtRest) {
 TEST(TubeSection, TangentIsTheDifferenceOfTheResponse) {
     for (const bool layered : {false, true}) {
         const TubeSection section(layered ? bowel_wall_layers() : plain, 0.016);
-        // Small, in the middle and beyond where the series end.
+        // Small, medium, and beyond the range of the series.
         for (const double strain : {-0.4, -0.05, 0.0, 0.2, 0.9}) {
             for (const double square : {0.01, 20.0, 900.0, 6000.0}) {
                 const double h = 1e-4, k = 1e-3 * square;
@@ -135,8 +135,8 @@ TEST(TubeSection, TangentIsTheDifferenceOfTheResponse) {
     }
 }
 
-TEST(TubeSection, SeriesAndClosedFormsMeet) {
-    // zeta passes 1 and v passes 1/2 without a step.
+TEST(TubeSection, SeriesAndClosedFormsAgree) {
+    // zeta passes 1 and v passes 1/2 continuously.
     const TubeSection section(plain, 0.016);
     BendingResponse before = section.bending(0.3, 100);
     for (double square = 100.1; square < 4000; square *= 1.001) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every spring and every integrator owes: force = -grad E, tangent = d force, no force at rest, rigid
-// motion costs nothing, momentum is kept.
+// Requirements on every spring and integrator: force = -grad E, tangent = d force, no force at rest, rigid
+// motion does not change the energy, momentum is conserved.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,7 +31,7 @@ Vector3 angular_momentum(const Membrane& membrane, const MembraneState& state) {
 
 class EverySpring : public ::testing::TestWithParam<SpringKind> {};
 
-TEST_P(EverySpring, IsThereAndItsForceIsMinusTheGradient) {
+TEST_P(EverySpring, ExistsAndItsForceIsMinusTheGradient) {
     const Membrane membrane(test::sheet(6, 5), only(GetParam()), {});
     ASSERT_FALSE(membrane.springs().empty());
     MembraneState state = membrane.make_state();
@@ -72,7 +72,7 @@ TEST_P(EverySpring, IsThereAndItsForceIsMinusTheGradient) {
     EXPECT_LT(std::sqrt(difference / size), 1e-6);
 }
 
-TEST_P(EverySpring, RestIsForceFreeAndRigidMotionCostsNothing) {
+TEST_P(EverySpring, RestHasNoForceAndRigidMotionKeepsTheEnergy) {
     const Membrane membrane(test::sheet(7, 6), only(GetParam()), {});
     MembraneState state = membrane.make_state();
     EXPECT_EQ(membrane.energy(state).elastic(), 0.0);
@@ -106,7 +106,7 @@ class EveryIntegrator : public ::testing::TestWithParam<MembraneIntegrator> {
     }
 };
 
-TEST_P(EveryIntegrator, KeepsLinearMomentum) {
+TEST_P(EveryIntegrator, ConservesLinearMomentum) {
     const Membrane membrane(test::sheet(9, 8), material(), {});
     MembraneState state = membrane.make_state();
     test::shake(state.positions, 0.002, 1);
@@ -126,7 +126,7 @@ TEST_P(EveryIntegrator, KeepsLinearMomentum) {
     EXPECT_LT((momentum(membrane, state) - before).norm(), 1e-10 * scale);
 }
 
-TEST_P(EveryIntegrator, SupportsAndLoadsMakeUpTheMomentumOfAHeldSheet) {
+TEST_P(EveryIntegrator, SupportsAndLoadsBalanceTheMomentumOfAHeldSheet) {
     const Membrane membrane(test::sheet(9, 8), material(), {0, 8, 40});
     MembraneState state = membrane.make_state();
     MembraneScratch scratch = membrane.make_scratch(0.002);
@@ -198,11 +198,11 @@ double turn_lost(MembraneIntegrator integrator, double dt) {
     return (angular_momentum(membrane, state) - before).norm() / before.norm();
 }
 
-TEST(Membrane, SymplecticEulerKeepsAngularMomentum) {
+TEST(Membrane, SymplecticEulerConservesAngularMomentum) {
     EXPECT_LT(turn_lost(MembraneIntegrator::symplectic, 0.001), 1e-10);
 }
 
-TEST(Membrane, ImplicitEulerLosesAngularMomentumInFirstOrder) {
+TEST(Membrane, ImplicitEulerLosesAngularMomentumToFirstOrder) {
     const double coarse = turn_lost(MembraneIntegrator::implicit, 0.0005);
     const double fine = turn_lost(MembraneIntegrator::implicit, 0.00025);
     EXPECT_GT(coarse, 1e-6);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A membrane that a blade parts: what a swap keeps, what it may not raise, and what the halves do afterwards.
+// A membrane cut by a blade: conserved quantities, bounds, and the motion of the halves afterwards.
 #include "sim_core/membrane/cut_membrane.h"
 
 #include <gtest/gtest.h>
@@ -83,7 +83,7 @@ double pieces_mass(const CutMembrane& membrane, const CutMembraneState& state) {
     return sum;
 }
 
-TEST(CutMembrane, UncutItMovesAsTheSheetOfTheSameSpringsDoes) {
+TEST(CutMembrane, UncutSheetMovesLikeAMembraneOfTheSameSprings) {
     const TriangleMesh mesh = test::sheet(8, 7);
     MembraneMaterial material = tissue(0.05);
     const CutMembrane cuttable(mesh, material, left_and_right(8, 7), 200);
@@ -113,12 +113,13 @@ TEST(CutMembrane, UncutItMovesAsTheSheetOfTheSameSpringsDoes) {
     EXPECT_GT(moved, 1e-3);
     EXPECT_LT(apart, 1e-6 * moved);
     EXPECT_GT(cuttable.safe_frequency() * cuttable.safe_frequency(), highest_squared(state));
-    EXPECT_LT(cuttable.safe_frequency(), 2.5 * std::sqrt(highest_squared(state))) << "a bound worth having";
+    EXPECT_LT(cuttable.safe_frequency(), 2.5 * std::sqrt(highest_squared(state)))
+        << "the bound is tight enough";
 }
 
-// Any cut at all, 60 in a row: nothing moves, nothing is made of nothing, and no sliver becomes a stiff
+// 60 arbitrary cuts in a row: nothing moves, mass and momentum are conserved, and no sliver becomes a stiff
 // spring.
-TEST(CutMembrane, ASwapKeepsMassAndMomentumAndNeverRaisesEnergyOrTheLimit) {
+TEST(CutMembrane, SwapKeepsMassAndMomentumAndNeverRaisesEnergyOrFrequency) {
     const int columns = 7, rows = 6;
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
         const CutMembrane membrane(test::sheet(columns, rows), tissue(seed % 2 == 0 ? 0.1 : -0.2),
@@ -142,7 +143,7 @@ TEST(CutMembrane, ASwapKeepsMassAndMomentumAndNeverRaisesEnergyOrTheLimit) {
             const double lost = state.removed_mass - before.removed_mass;
             ASSERT_NEAR(membrane.mass(state) + lost, mass, 1e-12 * 0.01);
             ASSERT_NEAR(pieces_mass(membrane, state), membrane.mass(state), 1e-12 * 0.01);
-            // Momentum of what is gone, piece by piece, at the speed of its nodes.
+            // Momentum of removed pieces, each at the velocity of its nodes.
             Vector3 gone = Vector3::Zero();
             for (const std::int32_t root : cut.roots) {
                 for (std::int32_t p = before.first_piece[static_cast<std::size_t>(root)]; p >= 0;
@@ -163,7 +164,7 @@ TEST(CutMembrane, ASwapKeepsMassAndMomentumAndNeverRaisesEnergyOrTheLimit) {
                 ASSERT_LE(highest_squared(state),
                           membrane.safe_frequency() * membrane.safe_frequency() * (1 + 1e-9));
             }
-            for (std::size_t k = 0; k < cut.pieces.size(); ++k) {  // nothing jumps
+            for (std::size_t k = 0; k < cut.pieces.size(); ++k) {  // no position jumps
                 const Vector3 b(0.2, 0.3, 0.5);
                 ASSERT_LT((CutMembrane::point(state, cut.pieces[k].slot, b) -
                            CutMembrane::point(before, cut.pieces[k].from, b))
@@ -173,20 +174,20 @@ TEST(CutMembrane, ASwapKeepsMassAndMomentumAndNeverRaisesEnergyOrTheLimit) {
             const MembraneReport report = membrane.step(state, inputs, dt, scratch);
             ASSERT_EQ(report.fault, MembraneFault::none);
             const MembraneEnergy then = membrane.energy(state);
-            // Symplectic Euler keeps a neighbour of the energy; damping takes from it.
+            // Symplectic Euler conserves a nearby energy; damping reduces it.
             ASSERT_LE(then.elastic() + then.kinetic, (now.elastic() + now.kinetic) / (1 - 0.98 * 0.98));
         }
     }
 }
 
-TEST(CutMembrane, CutFromRimToRimTheHalvesGoTheirOwnWays) {
+TEST(CutMembrane, HalvesOfACutSheetMoveIndependently) {
     const int columns = 9, rows = 8;
     for (const double kerf : {0.0, 0.002}) {
         const CutMembrane membrane(test::sheet(columns, rows), tissue(0.05), {}, 600);
         CutMembraneState state = membrane.make_state();
         CutMembraneScratch scratch = membrane.make_scratch();
         ASSERT_TRUE(membrane.part(state, test::straight_cut(membrane, 112, 0.047, kerf, anywhere), scratch));
-        // Thrown apart, each half moves on as a free body: its momentum stays its own.
+        // Thrown apart, each half moves as a free body: its momentum is conserved.
         std::vector<std::uint8_t> right(state.positions.size(), 0);
         for (std::size_t p = 0; p < state.pieces.size(); ++p) {
             const auto& piece = state.pieces[p];
@@ -225,8 +226,8 @@ TEST(CutMembrane, CutFromRimToRimTheHalvesGoTheirOwnWays) {
     }
 }
 
-/// Width of the gap in the middle of a sheet held left and right that was cut along its middle, over the
-/// middle half of its height; and the kerf itself left out.
+/// Width of the gap at the middle of a sheet held left and right and cut along its middle, over the middle
+/// half of its height; without the kerf.
 double opening(double pre_strain, CutMembraneState* kept = nullptr) {
     const int columns = 11, rows = 17;
     const CutMembrane membrane(lab::make_sheet(columns, rows, 0.06, 0.1), tissue(pre_strain),
@@ -274,27 +275,28 @@ double opening(double pre_strain, CutMembraneState* kept = nullptr) {
     return right - left;
 }
 
-TEST(CutMembrane, APreStrainedSheetGapesAndShrinksBack) {
+TEST(CutMembrane, PreStrainedSheetGapesAndShrinksBack) {
     const double none = opening(0.0), some = opening(0.05), more = opening(0.10), most = opening(0.20);
     EXPECT_NEAR(none, 0, 1e-6);
     EXPECT_GT(some, 5e-4);
     EXPECT_GT(more, 1.5 * some);
     EXPECT_GT(most, 1.5 * more);
-    EXPECT_LT(most, 0.06 * 0.2) << "no wider than what it was stretched by";
+    EXPECT_LT(most, 0.06 * 0.2) << "not wider than its pre-stretch";
 }
 
-TEST(CutMembrane, CutOffItsHoldItIsLooseAndFalls) {
+TEST(CutMembrane, SheetCutOffItsHoldIsIsolatedAndFalls) {
     const int columns = 6, rows = 5;
     const CutMembrane membrane(test::sheet(columns, rows), tissue(0), left_and_right(columns, rows), 400);
     CutMembraneState state = membrane.make_state();
     CutMembraneScratch scratch = membrane.make_scratch();
     CutMembraneInputs inputs;
     inputs.isolated_gravity = Vector3(0, 0, -9.81);
-    // Along the hold itself, within the first triangles: what hangs on the held vertices stays with them.
+    // Along the hold itself, within the first triangles: what is attached to the held vertices stays with
+    // them.
     ASSERT_TRUE(membrane.part(state, test::straight_cut(membrane, 40, 0.005, 0.001, anywhere), scratch));
     for (const auto& piece : state.pieces)
         EXPECT_FALSE(piece.root >= 0 && piece.isolated) << "held on the other side";
-    // The right hold, the same way.
+    // The same for the right hold.
     ASSERT_TRUE(membrane.part(state, test::straight_cut(membrane, 80, 0.095, 0.001, anywhere), scratch));
     double loose = 0;
     for (const auto& piece : state.pieces)
@@ -310,7 +312,7 @@ TEST(CutMembrane, CutOffItsHoldItIsLooseAndFalls) {
     EXPECT_EQ(held, 0);
 }
 
-TEST(CutMembrane, ALinkPullsPushesAndGripsWithinItsLimits) {
+TEST(CutMembrane, LinkForcesStayWithinTheirLimits) {
     const CutMembrane membrane(test::sheet(8, 7), tissue(0.05), left_and_right(8, 7), 200);
     for (int kind = 0; kind < 3; ++kind) {
         CutMembraneState state = membrane.make_state();
@@ -341,7 +343,7 @@ TEST(CutMembrane, ALinkPullsPushesAndGripsWithinItsLimits) {
         } else if (kind == 1) {
             EXPECT_LT(link.reaction.z(), -0.01);
             EXPECT_LE(across, 0.1 * -link.reaction.z() * (1 + 1e-9));
-            link.start = link.target = link.target + Vector3(0, 0, 0.02);  // lifted off: it does not pull
+            link.start = link.target = link.target + Vector3(0, 0, 0.02);  // lifted off: no attractive force
             membrane.step(state, inputs, dt, scratch);
             membrane.step(state, inputs, dt, scratch);
             EXPECT_EQ(link.reaction, Vector3(0, 0, 0));
@@ -353,7 +355,7 @@ TEST(CutMembrane, ALinkPullsPushesAndGripsWithinItsLimits) {
     }
 }
 
-TEST(CutMembrane, CutsAndStepsAllocateNothingAndCopiesGoOnAlike) {
+TEST(CutMembrane, CutsAndStepsAllocateNothingAndCopiesContinueIdentically) {
     const CutMembrane membrane(test::sheet(8, 7), tissue(0.1), left_and_right(8, 7), 2000);
     CutMembraneState state = membrane.make_state(), restored = state;
     CutMembraneScratch scratch = membrane.make_scratch(), other = membrane.make_scratch();
@@ -379,7 +381,7 @@ TEST(CutMembrane, CutsAndStepsAllocateNothingAndCopiesGoOnAlike) {
     EXPECT_EQ(restored.topology, 20U);
 }
 
-TEST(CutMembrane, WhatHasNoRoomOrNoSenseIsRefused) {
+TEST(CutMembrane, InputWithoutRoomOrOutOfRangeIsRefused) {
     const TriangleMesh mesh = test::sheet(5, 4);
     const CutMembrane membrane(mesh, tissue(0), {{0, fixed}}, 26);
     CutMembraneState state = membrane.make_state();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What jaws and blades do to a membrane: holds that come and go, springs cut away; momentum and energy.
+// Effect of jaws and blades on a membrane: changing holds, removed springs; momentum and energy.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -38,7 +38,7 @@ class HeldByJaws : public testing::TestWithParam<MembraneIntegrator> {
     }
 };
 
-TEST_P(HeldByJaws, TheirReactionIsWhatTheSheetGainsInMomentum) {
+TEST_P(HeldByJaws, ReactionEqualsTheGainInMomentumOfTheSheet) {
     const Membrane membrane(test::sheet(9, 8), tissue(), {});
     MembraneState state = membrane.make_state();
     MembraneScratch scratch = membrane.make_scratch(dt);
@@ -64,7 +64,7 @@ TEST_P(HeldByJaws, TheirReactionIsWhatTheSheetGainsInMomentum) {
     EXPECT_NEAR(momentum(membrane, state).z(), 0.01 * 0.06, 0.003 * 0.06) << "carried along at 60 mm/s";
 }
 
-TEST_P(HeldByJaws, TheMatrixFollowsThemByUpdatesAndForgetsThem) {
+TEST_P(HeldByJaws, MatrixIsUpdatedForHoldsAndRestoredAfterwards) {
     const Membrane membrane(test::sheet(9, 8), tissue(), {0, 8});
     MembraneState state = membrane.make_state();
     MembraneScratch scratch = membrane.make_scratch(dt);
@@ -91,7 +91,7 @@ TEST_P(HeldByJaws, TheMatrixFollowsThemByUpdatesAndForgetsThem) {
     for (int i = 0; i < 4; ++i) membrane.step(state, inputs, dt, scratch, solve());
     EXPECT_EQ(test::allocation_count(), allocations);
     EXPECT_EQ(scratch.builds(), made);
-    // Nothing of the holds is left: a scratch that never saw them gives the same step.
+    // No trace of the holds remains: a scratch that never had them gives the same step.
     MembraneScratch fresh = membrane.make_scratch(dt);
     MembraneState other = state;
     membrane.step(state, inputs, dt, scratch, solve());
@@ -116,9 +116,9 @@ TEST_P(HeldByJaws, BadHoldsAreRefused) {
     }
 }
 
-// docs/THEORY.md 6: what is removed takes its energy with it and none is made, while the matrix follows one
-// edge at a time and lags behind a cut that is larger than one step takes in.
-TEST_P(HeldByJaws, CuttingEveryTriangleAwayMakesNoEnergy) {
+// docs/THEORY.md, section 6: removed tissue takes its energy with it and none is created, while the matrix
+// follows one edge at a time and lags behind a cut that is larger than the updates of one step.
+TEST_P(HeldByJaws, CuttingEveryTriangleAddsNoEnergy) {
     for (const double pre_strain : {0.0, 0.1}) {
         const Membrane membrane(test::sheet(12, 11), tissue(pre_strain), {0, 11, 120, 131});
         MembraneState state = membrane.make_state();
@@ -127,7 +127,7 @@ TEST_P(HeldByJaws, CuttingEveryTriangleAwayMakesNoEnergy) {
             state.velocities[static_cast<std::size_t>(v)].setZero();
         MembraneScratch scratch = membrane.make_scratch(dt);
         MembraneInputs inputs;
-        MembraneSolve few;  // as a world steps it
+        MembraneSolve few;  // as in a world step
         few.integrator = GetParam();
         if (few.integrator == MembraneIntegrator::global_local) few.iterations = 6;
         double energy = membrane.energy(state).elastic() + membrane.energy(state).kinetic;
@@ -138,7 +138,7 @@ TEST_P(HeldByJaws, CuttingEveryTriangleAwayMakesNoEnergy) {
             for (std::size_t i = 0; i < 25 && next < springs.size(); ++i, ++next) state.cut[next] = 1;
             ++state.topology;
             const double after_cut = membrane.energy(state).elastic() + membrane.energy(state).kinetic;
-            ASSERT_LE(after_cut, energy) << "a removed spring takes what it stored";
+            ASSERT_LE(after_cut, energy) << "a removed spring takes its stored energy";
             removed += energy - after_cut;
             ASSERT_LT(membrane.step(state, inputs, dt, scratch, few).fault, MembraneFault::refused);
             energy = membrane.energy(state).elastic() + membrane.energy(state).kinetic;

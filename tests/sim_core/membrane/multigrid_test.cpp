@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The multigrid cycle: symmetric, positive, as good on a fine mesh as on a coarse one, O(n), and following
+// The multigrid cycle: symmetric, positive, equally good on fine and coarse meshes, O(n), and correct after
 // changes.
 #include <gtest/gtest.h>
 
@@ -55,14 +55,14 @@ struct Graph {
     }
 };
 
-/// Edges of a sheet, its nodes in an order for sweeps; held lightly everywhere and hard along one side.
-/// Uneven: weights over a range of 1 to 30, and half the diagonals the other way.
+/// Edges of a sheet, its nodes in sweep order; held weakly everywhere and strongly along one side. Uneven:
+/// weights over a range of 1 to 30, and half of the diagonals in the other direction.
 Graph graph_of(int columns, int rows, bool uneven) {
     TriangleMesh mesh = test::sheet(columns, rows);
     Random random(4);
     for (std::size_t t = 0; uneven && t + 1 < mesh.triangles.size(); t += 2) {
         if (random.uniform(0, 1) < 0.5) continue;
-        // Corners of the cell, whichever way its diagonal runs.
+        // Corners of the cell, for either direction of its diagonal.
         const int cell = static_cast<int>(t / 2), a = cell / (columns - 1) * columns + cell % (columns - 1);
         mesh.triangles[t] = {a, a + 1, a + columns};
         mesh.triangles[t + 1] = {a + 1, a + columns + 1, a + columns};
@@ -85,7 +85,8 @@ Graph graph_of(int columns, int rows, bool uneven) {
     return graph;
 }
 
-/// Steps of conjugate gradients behind the cycle until the error in its norm is 1e-10 of the first.
+/// Iterations of conjugate gradients preconditioned with the cycle until the error in its norm is 1e-10 of
+/// the first.
 int steps_to_solve(const Graph& graph, MeshMultigrid& multigrid) {
     Vectors x(at(graph.nodes), all_lanes(0)), r = graph.random(1), z = r;
     multigrid.solve(z.data());
@@ -117,7 +118,7 @@ int steps_to_solve(const Graph& graph, MeshMultigrid& multigrid) {
     return steps;
 }
 
-TEST(MeshMultigrid, SolvesExactlyWhatIsSmall) {
+TEST(MeshMultigrid, SolvesSmallSystemsExactly) {
     for (const int size : {2, 3, 6}) {
         const Graph graph = graph_of(size, size + 1, true);
         MeshMultigrid multigrid = graph.multigrid();
@@ -133,7 +134,7 @@ TEST(MeshMultigrid, SolvesExactlyWhatIsSmall) {
     }
 }
 
-TEST(MeshMultigrid, ACycleIsSymmetricAndPositive) {
+TEST(MeshMultigrid, CycleIsSymmetricAndPositive) {
     const Graph graph = graph_of(40, 31, true);
     MeshMultigrid multigrid = graph.multigrid();
     EXPECT_GE(multigrid.levels(), 3);
@@ -147,7 +148,7 @@ TEST(MeshMultigrid, ACycleIsSymmetricAndPositive) {
     }
 }
 
-TEST(MeshMultigrid, TakesAsManyStepsOnAFineMeshAsOnACoarseOne) {
+TEST(MeshMultigrid, NeedsAsManyStepsOnAFineMeshAsOnACoarseOne) {
     for (const bool uneven : {false, true}) {
         for (const int size : {16, 48, 120}) {
             const Graph graph = graph_of(size, size, uneven);
@@ -157,7 +158,7 @@ TEST(MeshMultigrid, TakesAsManyStepsOnAFineMeshAsOnACoarseOne) {
     }
 }
 
-TEST(MeshMultigrid, OperationsGrowAsTheNodes) {
+TEST(MeshMultigrid, OperationsGrowLinearlyWithTheNodes) {
     for (const bool uneven : {false, true}) {
         const Graph small = graph_of(22, 22, uneven), large = graph_of(224, 224, uneven);
         const MeshMultigrid few = small.multigrid(), many = large.multigrid();
@@ -172,7 +173,7 @@ TEST(MeshMultigrid, OperationsGrowAsTheNodes) {
     }
 }
 
-TEST(MeshMultigrid, TakesUpChangesWithoutAllocating) {
+TEST(MeshMultigrid, AppliesChangesWithoutAllocating) {
     Graph graph = graph_of(40, 37, true);
     MeshMultigrid multigrid = graph.multigrid();
     const int before = steps_to_solve(graph, multigrid);
@@ -189,12 +190,12 @@ TEST(MeshMultigrid, TakesUpChangesWithoutAllocating) {
     });
     EXPECT_EQ(made, 0U);
     EXPECT_LE(steps_to_solve(graph, multigrid), before + 4) << "a cycle of the changed matrix";
-    // Built anew it has the same finest level, gathered by what is left.
+    // Rebuilt, it has the same finest level, with aggregates of the remaining edges.
     EXPECT_EQ(test::allocations_in([&] { multigrid.build(graph.diagonal.data(), graph.weight.data()); }), 0U);
     EXPECT_LE(steps_to_solve(graph, multigrid), before + 3);
 }
 
-TEST(MeshMultigrid, AChangeTakenBackLeavesNothing) {
+TEST(MeshMultigrid, RevertedChangeRestoresTheMatrix) {
     const Graph graph = graph_of(33, 30, true);
     MeshMultigrid multigrid = graph.multigrid(), copy = multigrid;
     for (std::size_t e = 0; e < graph.edges.size(); e += 11) {
@@ -223,7 +224,7 @@ TEST(MeshMultigrid, AChangeTakenBackLeavesNothing) {
     EXPECT_LT(std::sqrt(apart), 1e-9 * std::sqrt(size));
 }
 
-TEST(MeshMultigrid, EveryEdgeMayGo) {
+TEST(MeshMultigrid, EveryEdgeCanBeRemoved) {
     Graph graph = graph_of(21, 20, true);
     MeshMultigrid multigrid = graph.multigrid();
     for (std::size_t e = 0; e < graph.edges.size(); ++e) {
@@ -233,10 +234,10 @@ TEST(MeshMultigrid, EveryEdgeMayGo) {
     }
     EXPECT_LE(steps_to_solve(graph, multigrid), 40);
     ASSERT_TRUE(multigrid.build(graph.diagonal.data(), graph.weight.data()));
-    EXPECT_LE(steps_to_solve(graph, multigrid), 1) << "nothing but a diagonal is left";
+    EXPECT_LE(steps_to_solve(graph, multigrid), 1) << "only the diagonal remains";
 }
 
-TEST(MeshMultigrid, RefusesWhatIsNotPositive) {
+TEST(MeshMultigrid, RefusesMatricesThatAreNotPositive) {
     Graph graph = graph_of(9, 9, false);
     MeshMultigrid multigrid = graph.multigrid();
     EXPECT_FALSE(multigrid.update(40, -1, -1e3));
@@ -248,7 +249,7 @@ TEST(MeshMultigrid, RefusesWhatIsNotPositive) {
     EXPECT_FALSE(multigrid.build(graph.diagonal.data(), nothing.data()));
 }
 
-TEST(MeshMultigrid, NeighboursInAnOrderOfSweepsAreSeldomJoined) {
+TEST(MeshMultigrid, ConsecutiveNodesOfASweepAreSeldomConnected) {
     const TriangleMesh mesh = test::sheet(30, 30);
     std::vector<GraphEdge> edges;
     for (const MembraneSpring& s : derive_springs(mesh, MembraneMaterial())) {

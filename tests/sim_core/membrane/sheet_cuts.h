@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cuts for the tests of a membrane that may be parted, made without a mesh of visible triangles.
+// Cuts for the tests of a cuttable membrane, made without a mesh of visible triangles.
 #pragma once
 
 #include <algorithm>
@@ -12,13 +12,13 @@
 
 namespace fulcrum::test {
 
-/// New pieces are numbered from free_slot on. A cut of an uncut sheet along the line x = place, a kerf wide,
-/// through the triangles that `through` names.
+/// A cut of an uncut sheet along the line x = place, with the given kerf, through the triangles that
+/// `through` selects. New pieces are numbered from free_slot on.
 inline MembraneCut straight_cut(const CutMembrane& membrane, std::int32_t free_slot, double place,
                                 double kerf, const std::function<bool(const Triangle&)>& through) {
     const auto& rest = membrane.rest();
     const auto& triangles = membrane.triangles();
-    // Length or area share of what lies left (side 0) or right (side 1) of the kerf.
+    // Length or area share of the part left (side 0) or right (side 1) of the kerf.
     const auto edge_share = [&](std::int32_t a, std::int32_t b, int side) {
         const double sign = side == 0 ? -1 : 1;
         const double da = sign * (rest[static_cast<std::size_t>(a)].x() - place) - 0.5 * kerf;
@@ -104,8 +104,8 @@ inline MembraneCut straight_cut(const CutMembrane& membrane, std::int32_t free_s
     return cut;
 }
 
-/// Any cut at all, geometry or not: each piece of some roots falls into up to three, thin ones among them,
-/// some of it is lost, and what met may part.
+/// An arbitrary cut, not necessarily geometric: each piece of some roots is divided into up to three parts,
+/// some of them thin; some area is lost, and contacts may be lost.
 inline MembraneCut random_cut(const CutMembrane& membrane, const CutMembraneState& state, Random& random) {
     MembraneCut cut;
     const auto roots = static_cast<std::int32_t>(membrane.triangles().size());
@@ -142,7 +142,7 @@ inline MembraneCut random_cut(const CutMembrane& membrane, const CutMembraneStat
             }
         }
     }
-    // Contacts that were there go on between the heirs, most of them.
+    // Most of the previous contacts continue between the new parts.
     for (std::size_t e = 0; e < state.first_contact.size(); ++e) {
         for (std::int32_t c = state.first_contact[e]; c >= 0;
              c = state.contacts[static_cast<std::size_t>(c)].next) {
@@ -155,7 +155,7 @@ inline MembraneCut random_cut(const CutMembrane& membrane, const CutMembraneStat
             const std::vector<std::int32_t> a = cut_first ? heirs[contact.first] : std::vector{contact.first};
             const std::vector<std::int32_t> b =
                 cut_second ? heirs[contact.second] : std::vector{contact.second};
-            // The edge in the first's root: the one whose two vertices the other has too.
+            // The edge in the first's root: the one whose two vertices are also in the other root.
             const Triangle &ta = membrane.triangles()[static_cast<std::size_t>(first.root)],
                            &tb = membrane.triangles()[static_cast<std::size_t>(second.root)];
             int edge = 0;

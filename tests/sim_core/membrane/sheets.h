@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sheets that the membrane's tests share.
+// Sheets shared by the membrane's tests.
 #pragma once
 
 #include "sim_core/lab/membrane_reference.h"

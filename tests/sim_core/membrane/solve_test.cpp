@@ -36,7 +36,7 @@ double highest(const Membrane& membrane, const MembraneState& state) {
                          .maxCoeff());
 }
 
-TEST(MembraneLimit, LiesWithinItsStatedFactorOfTheTrueFrequency) {
+TEST(MembraneLimit, IsWithinTheStatedFactorOfTheTrueFrequency) {
     for (int trial = 0; trial < 6; ++trial) {
         TriangleMesh mesh = test::sheet(7, 6);
         if (trial % 2 == 1) test::shake(mesh.vertices, 0.003, static_cast<std::uint64_t>(trial));
@@ -61,9 +61,9 @@ TEST(MembraneLimit, LiesWithinItsStatedFactorOfTheTrueFrequency) {
     }
 }
 
-TEST(MembraneLimit, IsWhereSymplecticEulerPartsFromItsEnergy) {
-    // One spring between two masses: 2/w (sqrt(1 + z^2) - z) to the step, by running on both sides of it
-    // undivided.
+TEST(MembraneLimit, IsTheLimitAtWhichSymplecticEulerDiverges) {
+    // One spring between two masses: 2/w (sqrt(1 + z^2) - z), checked by running undivided steps just below
+    // and above it.
     TriangleMesh mesh = test::sheet(2, 2);
     MembraneMaterial material;
     material.stiffness_damping = 1e-4;
@@ -118,7 +118,7 @@ struct Hung {
     }
 };
 
-TEST(MembraneSolve, StaticsAgreeAndSupportsCarryTheWeight) {
+TEST(MembraneSolve, StaticSolversAgreeAndSupportsCarryTheWeight) {
     Hung hung(20);
     MembraneScratch scratch = hung.membrane.make_scratch();
     MembraneState start = hung.membrane.make_state(), exact = start, quick = start;
@@ -138,7 +138,7 @@ TEST(MembraneSolve, StaticsAgreeAndSupportsCarryTheWeight) {
               0.01 * (before - least));
 }
 
-TEST(MembraneSolve, AFrameOfGlobalLocalComesWithinOnePercentOfImplicit) {
+TEST(MembraneSolve, GlobalLocalFrameIsWithinOnePercentOfImplicit) {
     Hung hung(24, 0.03);
     MembraneScratch scratch = hung.membrane.make_scratch(0.005);
     MembraneState state = hung.membrane.make_state();
@@ -167,8 +167,8 @@ TEST(MembraneSolve, AFrameOfGlobalLocalComesWithinOnePercentOfImplicit) {
     }
 }
 
-TEST(MembraneSolve, FourIterationsAreEnoughInEveryFrameFromASuddenStartOn) {
-    // An edge starts at 50 mm/s out of rest and goes on round a circle.
+TEST(MembraneSolve, FourIterationsSufficeInEveryFrameAfterASuddenStart) {
+    // An edge starts at 50 mm/s from rest and continues on a circle.
     lab::HeldSheet sheet(24);
     const Membrane& membrane = sheet.membrane;
     MembraneState state = membrane.make_state();
@@ -180,7 +180,7 @@ TEST(MembraneSolve, FourIterationsAreEnoughInEveryFrameFromASuddenStartOn) {
     local.iterations = 4;
     for (int frame = 1; frame <= 460; ++frame) {
         sheet.move_edge(frame);
-        if (frame > 20 && frame % 40 != 0) {  // what a start leaves behind must not add up
+        if (frame > 20 && frame % 40 != 0) {  // errors of the start must not accumulate
             membrane.step(state, sheet.inputs, 0.005, scratch, local);
             continue;
         }
@@ -199,7 +199,7 @@ TEST(MembraneSolve, PreStrainMakesACutGape) {
     MembraneState state = hung.membrane.make_state();
     MembraneScratch scratch = hung.membrane.make_scratch(0.005);
     const int built = scratch.builds();
-    // Every spring across the line x = 0.0525 between y = 0.03 and 0.07: what was joined there draws apart.
+    // Every spring across the line x = 0.0525 between y = 0.03 and 0.07 is cut: its ends must move apart.
     const auto& springs = hung.membrane.springs();
     const auto at = [&](std::int32_t v) {
         return hung.membrane.make_state().positions[static_cast<std::size_t>(v)];
@@ -219,7 +219,7 @@ TEST(MembraneSolve, PreStrainMakesACutGape) {
     EXPECT_GT(scratch.updates(), 20);
     const std::size_t left = 10 * 21 + 10, right = left + 1;
     EXPECT_GT((state.positions[right] - state.positions[left]).norm(), 0.0075) << "5 mm before";
-    // The updated matrix serves as one made with the cut.
+    // The updated matrix performs like one built with the cut.
     MembraneState other = state;
     MembraneScratch fresh = hung.membrane.make_scratch(0.004);
     hung.membrane.step(state, hung.inputs, 0.005, scratch, solve);
@@ -230,7 +230,7 @@ TEST(MembraneSolve, PreStrainMakesACutGape) {
     EXPECT_LT(difference, 1e-9);
 }
 
-TEST(MembraneSolve, BadInputIsAnError) {
+TEST(MembraneSolve, BadInputIsReported) {
     TriangleMesh mesh = test::sheet(3, 3);
     EXPECT_THROW(Membrane(mesh, MembraneMaterial(), {9}), InputError);
     EXPECT_THROW(Membrane(mesh, MembraneMaterial(), {1, 1}), InputError);

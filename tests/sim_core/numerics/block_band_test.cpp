@@ -38,7 +38,7 @@ void fill(std::size_t blocks, std::uint64_t seed, BlockBand& band, Eigen::Matrix
     }
 }
 
-TEST(BlockBand, SolvesLikeADenseFactorisation) {
+TEST(BlockBand, AgreesWithADenseFactorisation) {
     for (const std::size_t blocks : {1u, 2u, 3u, 4u, 17u, 64u}) {
         BlockBand band(blocks);
         Eigen::MatrixXd dense;
@@ -65,7 +65,7 @@ TEST(BlockBand, RefusesAnIndefiniteMatrixAndAcceptsItShifted) {
     EXPECT_TRUE(factor.factor(band, 200, weights.data()));
 }
 
-TEST(BlockBand, RefusesNotANumber) {
+TEST(BlockBand, RefusesNan) {
     BlockBand band(5);
     Eigen::MatrixXd dense;
     fill(5, 4, band, dense);

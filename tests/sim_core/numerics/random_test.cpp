@@ -6,7 +6,7 @@
 namespace fulcrum {
 namespace {
 
-TEST(Random, SameSeedSameNumbersOtherSeedOtherNumbers) {
+TEST(Random, SameSeedRepeatsAndOtherSeedsDiffer) {
     Random a(7), b(7), c(8), d(7, 1);
     int same_seed = 0, same_stream = 0;
     for (int i = 0; i < 1000; ++i) {
@@ -39,7 +39,7 @@ TEST(Random, MomentsOfUniformAndNormal) {
     EXPECT_NEAR(fourth / n, 3, 4 * 9.8 / 447.2);
 }
 
-TEST(Random, BelowStaysBelowAndReachesAll) {
+TEST(Random, BelowCoversItsRangeOnly) {
     Random random(3);
     int seen[7] = {};
     for (int i = 0; i < 7000; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gradient and matrix of the rod's merit function against finite differences along the retraction, in a bent,
-// twisted, stretched shape with natural curvature, tethers, a grasp with a lever arm, contacts and a
+// Gradient and matrix of the rod's merit function compared with finite differences along the retraction, in a
+// bent, twisted, stretched shape with natural curvature, tethers, a grasp with a lever arm, contacts and a
 // self-contact.
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ struct Fixture {
         : rod(make_spec(curved, law)), scratch(rod.make_scratch()), state(rod.make_state()) {
         std::mt19937_64 random(5);
         std::uniform_real_distribution<double> uniform(-1, 1);
-        // EXP2 grows so fast that differences over large strains say nothing.
+        // EXP2 grows so fast that differences over large strains are meaningless.
         const double amplitude = law == MaterialLaw::exp2 ? 0.002 : 0.006;
         for (auto& node : state.nodes)
             node += amplitude * Vector3(uniform(random), uniform(random), uniform(random));
@@ -56,7 +56,7 @@ struct Fixture {
         data().contact_points.resize(4);
         shape_from_state(rod.tables(), rod.spec(), state, inputs.ends, data().shape);
         RodScratch::Data& d = data();
-        // The directors were set at random: take the joints' twist from them.
+        // The directors were set at random: compute the joints' twist from them.
         EXPECT_TRUE(retract(rod.tables(), d.shape, d.step.data(), 1.0, d.trial));
         std::swap(d.shape, d.trial);
         d.grasp_target[0] = inputs.grasps.empty() ? Vector3::Zero() : inputs.grasps[0].target;
@@ -65,8 +65,8 @@ struct Fixture {
             d.grasp_points[0] = locate(rod.tables(), inputs.grasps[0].s);
             d.grasp_lambda[0] = -inputs.grasps[0].reaction;
             d.turn_lambda[0] = -inputs.grasps[0].moment;
-            // The target is where the blended directors are: the penalty's share of the matrix is exact
-            // there.
+            // The target is the orientation of the blended directors: there the penalty's contribution to the
+            // matrix is exact.
             Matrix3 now;
             RodPoint turning = d.grasp_points[0];
             turning.node_weight[0] = turning.node_weight[1] = turning.node_weight[2] = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The extremes of docs/QUALITY.md, generated: nothing that is not finite leaves a step, and where the rod
-// gives up it says so. FULCRUM_CASES sets their number (default 60; the full run is 2500).
+// The extremes of docs/QUALITY.md, generated: every step's result is finite, and failures are reported.
+// FULCRUM_CASES sets the number of cases (default 60; the full run is 2500).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -47,7 +47,7 @@ bool finite_report(const RodReport& r) {
 void run(std::uint64_t seed, Outcome& outcome) {
     Generator g(seed);
     RodSpec spec;
-    // 2 to 2000 nodes; few are large, so that no size takes all of the time.
+    // 2 to 2000 nodes; few are large, so that no size dominates the run time.
     spec.segments =
         std::max(2, static_cast<int>(1999 / g.log_uniform(1, 1999) / (g.integer(0, 7) == 0 ? 1 : 10)));
     spec.length = g.log_uniform(0.02, 2);
@@ -120,7 +120,7 @@ void run(std::uint64_t seed, Outcome& outcome) {
         }
     }
     const double dt = g.log_uniform(5e-5, 0.05);
-    // A rod that nothing holds has no rest.
+    // A rod without support has no equilibrium.
     const bool dynamic =
         g.integer(0, 3) != 0 || (spec.ends[0] == RodEnd::free && spec.ends[1] == RodEnd::free);
     const double bad[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
@@ -149,7 +149,7 @@ void run(std::uint64_t seed, Outcome& outcome) {
             poisoned = true;
         }
         if (kind == 9 && i == 1) {
-            // Two nodes on one spot: no direction there.
+            // Two coincident nodes: the direction is undefined.
             const auto at = static_cast<std::size_t>(g.integer(0, spec.segments - 1));
             state.nodes[at + 1] = state.nodes[at];
         }
@@ -171,7 +171,7 @@ void run(std::uint64_t seed, Outcome& outcome) {
             ASSERT_TRUE(std::isfinite(contact.lambda) && contact.lambda >= 0)
                 << "case " << seed << " step " << i;
         }
-        // It says how it went: solved to its residual, or not and by how much, or given up.
+        // The report must be consistent: solved to its residual, or not solved and by how much, or given up.
         if (report.fault == RodFault::frozen) {
             ++outcome.fault;
             EXPECT_FALSE(report.converged);
@@ -186,7 +186,7 @@ void run(std::uint64_t seed, Outcome& outcome) {
     }
 }
 
-TEST(RodExtremes, NothingThatIsNotFiniteLeavesAStepAndFaultsAreDeclared) {
+TEST(RodExtremes, StepsStayFiniteAndReportFaults) {
     const int cases = test::cases_asked(60);
     Outcome outcome;
     for (int i = 0; i < cases && !HasFatalFailure(); ++i) run(static_cast<std::uint64_t>(i), outcome);
@@ -195,7 +195,7 @@ TEST(RodExtremes, NothingThatIsNotFiniteLeavesAStepAndFaultsAreDeclared) {
         "specifications refused\n",
         cases, outcome.converged, outcome.small, outcome.degraded, outcome.fault, outcome.refused);
     EXPECT_GT(outcome.converged, outcome.degraded);
-    EXPECT_GT(outcome.fault, 0) << "the cases must reach where it gives up";
+    EXPECT_GT(outcome.fault, 0) << "the cases must include faults";
 }
 
 }  // namespace

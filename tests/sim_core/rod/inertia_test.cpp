@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a moving rod gives to whoever holds it: reactions under inertia, the moment of a spinning rod, and
-// what one linear solve a step says of a grasp.
+// Forces of a moving rod on its supports: reactions under inertia, the moment of a spinning rod, and the
+// grasp reaction with one linear solve per step.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,11 +19,11 @@ Vector3 momentum(const Rod& rod, const RodState& state) {
     return sum;
 }
 
-// A free rod, held at one point that is moved by 16 mm in 0.16 s, starting without a jerk; the jaw's force at
-// a tenth of a second.
+// A free rod, held at one point that is moved by 16 mm in 0.16 s with a smooth start; the jaw's force at 0.1
+// s.
 struct Moved {
     Vector3 reaction = Vector3::Zero();
-    double unbalanced = 0;  ///< N s, worst of a step: the rod's gain less the jaw's impulse
+    double unbalanced = 0;  ///< N s, worst step: gain in momentum minus impulse of the jaw
 };
 
 Moved move_jaw(double dt, RodSolve::Level level = RodSolve::Level::newton) {
@@ -40,8 +40,8 @@ Moved move_jaw(double dt, RodSolve::Level level = RodSolve::Level::newton) {
     const int steps = static_cast<int>(std::lround(0.1 / dt));
     for (int i = 1; i <= steps; ++i) {
         const double t = i * dt;
-        const double u = t / 0.16, way = u * u * u * u * (35 - u * (84 - u * (70 - 20 * u)));
-        inputs.grasps[0].target = home + Vector3(0.006, 0.008, 0.012) * way;
+        const double u = t / 0.16, progress = u * u * u * u * (35 - u * (84 - u * (70 - 20 * u)));
+        inputs.grasps[0].target = home + Vector3(0.006, 0.008, 0.012) * progress;
         const Vector3 before = momentum(rod, state);
         const RodReport report = rod.step(state, inputs, dt, scratch, solve);
         EXPECT_TRUE(report.finite && report.fault == RodFault::none) << i;
@@ -54,7 +54,7 @@ Moved move_jaw(double dt, RodSolve::Level level = RodSolve::Level::newton) {
     return result;
 }
 
-TEST(RodInertia, AGraspGivesWhatTheRodGainsAndIsOfFirstOrderInTheStep) {
+TEST(RodInertia, GraspImpulseEqualsTheGainInMomentumAndIsFirstOrderInTheStep) {
     const Moved fine = move_jaw(0.1 / 6400);
     double before = 0;
     for (const int steps : {50, 100, 200, 400}) {
@@ -72,9 +72,9 @@ TEST(RodInertia, AGraspGivesWhatTheRodGainsAndIsOfFirstOrderInTheStep) {
     EXPECT_LT(before, 0.02);
 }
 
-// One linear system a step: its multipliers are the reaction. What the full step leaves of the constraint is
-// no force.
-TEST(RodInertia, OneLinearSolveAStepFeelsWhatTheFullOneFeels) {
+// One linear system per step: its multipliers are the reaction. The remaining constraint residual of the full
+// step is not a force.
+TEST(RodInertia, OneLinearSolvePerStepGivesTheReactionOfTheFullSolve) {
     for (const int steps : {20, 50, 200}) {
         const Moved full = move_jaw(0.1 / steps), one = move_jaw(0.1 / steps, RodSolve::Level::linearised);
         const double apart = (one.reaction - full.reaction).norm() / full.reaction.norm();
@@ -84,8 +84,8 @@ TEST(RodInertia, OneLinearSolveAStepFeelsWhatTheFullOneFeels) {
     }
 }
 
-// Clamp's moment about z, mean over a twentieth of a second of turning about y at `turning` with the rod
-// spinning about itself.
+// Moment of the clamp about z, mean over 0.05 s of turning about y at `turning` while the rod spins about its
+// axis.
 double clamp_moment(double spin, double turning, double dt) {
     RodSpec spec;
     spec.segments = 8;
@@ -121,7 +121,7 @@ double clamp_moment(double spin, double turning, double dt) {
     return sum / counted;
 }
 
-TEST(RodInertia, ASpinningRodThatIsTurnedGivesItsClampTheGyroscopicMoment) {
+TEST(RodInertia, TurningASpinningRodLoadsItsClampWithTheGyroscopicMoment) {
     RodSpec spec;
     spec.segments = 8;
     spec.length = 0.1;
@@ -133,7 +133,7 @@ TEST(RodInertia, ASpinningRodThatIsTurnedGivesItsClampTheGyroscopicMoment) {
     EXPECT_NEAR(inertia, solid, 1e-3 * solid);
     const double spin = 40, turning = 3, expected = -inertia * spin * turning;
     for (const double dt : {1e-3, 5e-4, 2.5e-4}) {
-        // Half of the difference between the two senses of spin: what bends the rod otherwise drops out.
+        // Half of the difference between the two directions of spin: other bending contributions cancel.
         const double moment = 0.5 * (clamp_moment(spin, turning, dt) - clamp_moment(-spin, turning, dt));
         std::printf("steps of %.2f ms: %.4e N m, I spin turning = %.4e N m\n", 1e3 * dt, moment, expected);
         EXPECT_NEAR(moment, expected, 0.05 * std::fabs(expected));

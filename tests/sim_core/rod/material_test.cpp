@@ -44,7 +44,7 @@ double stress_at(const Rod& rod, double strain) {
     return report.end_force[1].x() / area(rod.spec());
 }
 
-TEST(RodMaterial, Exp2StressIsItsFormulaAtFiftyStrains) {
+TEST(RodMaterial, Exp2StressMatchesItsFormulaAtFiftyStrains) {
     const Rod rod(tube(MaterialLaw::exp2));
     for (int i = 1; i <= 50; ++i) {
         const double strain = 0.012 * i, expected = 30.0e3 * strain * std::exp(3 * strain * strain);
@@ -52,7 +52,7 @@ TEST(RodMaterial, Exp2StressIsItsFormulaAtFiftyStrains) {
     }
 }
 
-TEST(RodMaterial, LinearAndExp2PartAsComputed) {
+TEST(RodMaterial, LinearAndExp2DivergeAsComputed) {
     const Rod linear(tube(MaterialLaw::linear)), exp2(tube(MaterialLaw::exp2));
     EXPECT_NEAR(stress_at(exp2, 0.22) / stress_at(linear, 0.22) - 1, 0.075, 0.005);
     double low = 0.2, high = 0.4;
@@ -82,8 +82,8 @@ void chords(const RodSpec& spec, double strain, double curvature, double& force,
     }
 }
 
-// A tube bent into an arc that is stretched as well: force along and moment about are those of the section,
-// by another quadrature. Both ends are brought to the arc's own frames.
+// A tube bent into an arc and stretched: force along and moment about it match those of the section by a
+// different quadrature. Both ends are set to the arc's frames.
 TEST(RodMaterial, Exp2BendingMatchesTheSectionByAnotherQuadrature) {
     for (const double curvature : {2.0, 8.0, 14.0}) {
         for (const double strain : {0.0, 0.12, -0.015}) {
@@ -115,7 +115,7 @@ TEST(RodMaterial, Exp2BendingMatchesTheSectionByAnotherQuadrature) {
             exact.iterations = 60;
             double force, moment;
             chords(spec, strain, curvature, force, moment);
-            // Under a tension an arc is no equilibrium: the line load N / R that makes it one. (Below
+            // Under tension an arc is not in equilibrium: add the line load N / R that balances it. (Below
             // buckling.)
             inputs.nodal_forces.assign(nodes.size(), Vector3::Zero());
             const double share = force * angle / spec.segments;
@@ -124,7 +124,7 @@ TEST(RodMaterial, Exp2BendingMatchesTheSectionByAnotherQuadrature) {
                 inputs.nodal_forces[i] = share * Vector3(std::sin(u), -std::cos(u), 0);
             }
             const RodReport report = rod.solve(state, inputs, scratch, exact);
-            // A pure moment has no force to measure the residual by: against the force of that moment.
+            // A pure moment gives no force to scale the residual: use the force of that moment.
             ASSERT_TRUE(report.converged || report.force_residual < 1e-6 * moment / 0.015)
                 << curvature << " " << strain;
             const double tension = report.end_force[1].dot(tangent);
@@ -135,7 +135,7 @@ TEST(RodMaterial, Exp2BendingMatchesTheSectionByAnotherQuadrature) {
     }
 }
 
-TEST(RodMaterial, CantileverOfExp2IsOfSecondOrderAndStiffensWithLoad) {
+TEST(RodMaterial, Exp2CantileverIsSecondOrderAndStiffensWithLoad) {
     const auto tip = [](MaterialLaw law, int segments, double load) {
         RodSpec spec = tube(law, segments);
         spec.young_modulus = 30.0e3;  // both laws the same at rest
@@ -154,7 +154,7 @@ TEST(RodMaterial, CantileverOfExp2IsOfSecondOrderAndStiffensWithLoad) {
             << segments << " " << load << " " << report.residual << " " << report.iterations;
         return state.nodes.back();
     };
-    // Light: the laws agree. Heavy, default settings, from straight: EXP2 hangs higher.
+    // Small load: the laws agree. Large load, default settings, from straight: EXP2 deflects less.
     EXPECT_LT((tip(MaterialLaw::exp2, 64, 0.1) - tip(MaterialLaw::linear, 64, 0.1)).norm(), 1e-4 * 0.4);
     for (const double load : {50.0, 346.0})
         EXPECT_GT(tip(MaterialLaw::exp2, 64, load).z(), tip(MaterialLaw::linear, 64, load).z() + 0.001);
@@ -175,7 +175,7 @@ TEST(RodMaterial, LayeredWallGivesTheRodItsCompositeStiffness) {
     EXPECT_DOUBLE_EQ(rod.bending_stiffness(), expected.bending);
     EXPECT_DOUBLE_EQ(rod.torsional_stiffness(), expected.torsional);
     EXPECT_NEAR(rod.spec().inner_radius, 0.013, 1e-12);
-    // Both laws, pulled a little: the same stiffness at rest.
+    // Both laws, slightly stretched: the same stiffness at rest.
     for (const MaterialLaw law : {MaterialLaw::linear, MaterialLaw::exp2}) {
         spec.law = law;
         const Rod pulled(spec);
@@ -215,7 +215,7 @@ TEST(RodMaterial, Exp2StepsAllocateNothingAndRepeatBitForBit) {
     EXPECT_EQ(results[0], results[1]);
 }
 
-TEST(RodMaterial, AStudyChoosesTheLawAndTheLayers) {
+TEST(RodMaterial, StudySelectsTheLawAndTheLayers) {
     nlohmann::json study = {{"model", "rod"},
                             {"length_m", 0.4},
                             {"segments", 16},

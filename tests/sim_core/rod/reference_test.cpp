@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rod against solutions found by other methods: the catenary, a grasped elastica by shooting, beam
+// The rod compared with solutions by other methods: the catenary, a grasped elastica by shooting, beam
 // formulas for every pair of ends, equilibrium of a held section, and the levels against the elastica.
 #include <gtest/gtest.h>
 
@@ -26,13 +26,13 @@ RodSpec solid(int segments, double length, double radius) {
     return spec;
 }
 
-TEST(RodReference, AHangingChainBecomesTheCatenaryAsBendingVanishes) {
+TEST(RodReference, HangingChainConvergesToTheCatenary) {
     const double length = 0.6, span = 0.4, axial = 100;
     double before = 1;
     std::vector<Vector3> last;
     for (const double radius : {0.004, 0.002, 0.001, 0.0005, 0.00025}) {
         RodSpec spec = solid(200, length, radius);
-        spec.young_modulus = axial / (pi * radius * radius);  // the same chain, ever softer in bending
+        spec.young_modulus = axial / (pi * radius * radius);  // the same chain, increasingly soft in bending
         spec.ends[0] = spec.ends[1] = RodEnd::pinned;
         const Rod rod(spec);
         std::vector<Vector3> nodes;
@@ -40,7 +40,7 @@ TEST(RodReference, AHangingChainBecomesTheCatenaryAsBendingVanishes) {
             const double u = static_cast<double>(i) / spec.segments;
             nodes.emplace_back(span * u, 0, -0.8 * u * (1 - u));
         }
-        // Each softer chain starts from the one before.
+        // Each softer chain starts from the previous one.
         RodState state = rod.make_state(before < 1 ? last : nodes);
         RodScratch scratch = rod.make_scratch();
         RodInputs inputs;
@@ -64,9 +64,9 @@ TEST(RodReference, AHangingChainBecomesTheCatenaryAsBendingVanishes) {
     EXPECT_LT(before, 1e-4);
 }
 
-// What lab validate shows at 256 segments, refined: a jaw's force is spread over a segment, so the pull along
-// the rod beside it is right to first order.
-TEST(RodReference, AGraspAtTwoPointsConvergesToAnElasticaByShooting) {
+// Refinement of the `lab validate` case with 256 segments: a jaw's force is distributed over a segment, so
+// the tension along the rod next to it is correct to first order.
+TEST(RodReference, TwoGraspsConvergeToTheElasticaByShooting) {
     RodSpec spec = solid(48, 0.4, 0.015);
     spec.ends[0] = spec.ends[1] = RodEnd::clamped;
     lab::HeldElastica problem;
@@ -107,7 +107,7 @@ TEST(RodReference, AGraspAtTwoPointsConvergesToAnElasticaByShooting) {
 }
 
 // Small deflection under a force at the middle, by the beam formulas of each pair of ends.
-TEST(RodReference, EveryPairOfEndsBendsByItsBeamFormula) {
+TEST(RodReference, EveryPairOfEndsMatchesItsBeamFormula) {
     struct Row {
         RodEnd near, far;
         double factor;  // w = factor P L^3 / EI under the force
@@ -143,7 +143,7 @@ TEST(RodReference, EveryPairOfEndsBendsByItsBeamFormula) {
             EXPECT_NEAR(std::fabs(report.end_moment[0].y()), force * 0.4 / 8, 2e-3 * force * 0.4);
         }
     }
-    // Twist: a held end carries G J theta / L, a pinned or a free one turns along.
+    // Twist: a held end carries G J theta / L, a pinned or a free one rotates along.
     for (const RodEnd far : {RodEnd::held, RodEnd::clamped, RodEnd::pinned, RodEnd::free}) {
         RodSpec spec = solid(64, 0.4, 0.015);
         spec.ends[0] = RodEnd::clamped;
@@ -166,9 +166,9 @@ TEST(RodReference, EveryPairOfEndsBendsByItsBeamFormula) {
     }
 }
 
-// A section held in place and direction is a clamp: what lies before it feels nothing, the jaw carries force
-// and moment of what lies beyond.
-TEST(RodReference, AHeldRotationIsAConstraintAndItsMomentTheReaction) {
+// A section held in position and direction acts as a clamp: the part before it has no load, the jaw carries
+// force and moment of the part beyond.
+TEST(RodReference, HeldRotationIsAConstraintWithItsMomentAsReaction) {
     RodSpec spec = solid(80, 0.4, 0.015);
     spec.ends[0] = RodEnd::clamped;
     const Rod rod(spec);
@@ -197,7 +197,7 @@ TEST(RodReference, AHeldRotationIsAConstraintAndItsMomentTheReaction) {
     const Vector3 wall = rod.wall_point(state, grasp.s, grasp.offset);
     const Vector3 moment = -(state.nodes[80] - wall).cross(force);
     EXPECT_LT((held.moment - moment).norm(), 1e-5 * moment.norm());
-    // The blended section stands as it was asked to, to rounding of the residual: 1e-9 m at the wall.
+    // The blended section has the requested orientation, to rounding of the residual: 1e-9 m at the wall.
     const Matrix3 turned = grasp.target_rotation.transpose() * rod.frame_at(state, grasp.s).frame.rotation;
     EXPECT_LT(std::acos(std::min(1.0, 0.5 * (turned.trace() - 1))), 1e-4);
 
@@ -209,7 +209,8 @@ TEST(RodReference, AHeldRotationIsAConstraintAndItsMomentTheReaction) {
     state = rod.make_state();
     inputs.grasps[0].target = rod.wall_point(state, grasp.s, Vector3::Zero());
     double expected = 0;
-    // In small steps through ten turns (pulled, so that it stays straight), and in leaps of two radians.
+    // In small steps through ten turns (under tension, so that it stays straight), and in jumps of two
+    // radians.
     inputs.grasps[0].target.x() += 0.2;
     for (const double step : {0.2, 2.0}) {
         state = rod.make_state();
@@ -224,15 +225,15 @@ TEST(RodReference, AHeldRotationIsAConstraintAndItsMomentTheReaction) {
                 << step << " " << angle << " " << report.residual << " " << report.constraint_residual;
             expected = angle;
         }
-        // To the middle of the blend between two segments: the twist up to each weighs by its share.
+        // To the middle of the blend between two segments: the twist up to each contributes by its share.
         const double torque = rod.torsional_stiffness() * expected / grasp.s;
         EXPECT_NEAR(inputs.grasps[0].moment.x(), torque, 0.01 * torque) << step;
         EXPECT_NEAR(report.end_moment[0].x(), -inputs.grasps[0].moment.x(), 1e-6 * torque) << step;
     }
 }
 
-// docs/THEORY.md 8: what each level leaves out, against the elastica; cost in linear systems.
-TEST(RodReference, EachLevelHasItsErrorAndTheNextIsBetter) {
+// docs/THEORY.md, section 8: error of each level compared with the elastica; cost in linear systems.
+TEST(RodReference, EachLevelHasItsStatedErrorAndTheNextIsBetter) {
     RodSpec spec = solid(96, 0.4, 0.015);
     spec.ends[0] = RodEnd::clamped;
     const Rod rod(spec);
@@ -281,7 +282,7 @@ TEST(RodReference, EachLevelHasItsErrorAndTheNextIsBetter) {
     EXPECT_LT(error(RodSolve{}, 1), 2e-5);
 }
 
-// The collision shape is the same whatever the rod's nodes are, and follows the same curve.
+// The collision shape is independent of the rod's nodes and follows the same curve.
 TEST(RodReference, SpheresAreSampledIndependentlyOfTheNodes) {
     const double length = 0.3, bend = 6;  // natural curvature, 1/m
     const SphereChain chain = sample_spheres(length, 0.011, [](double s) { return 0.012 + 0.004 * s; });
@@ -308,18 +309,18 @@ TEST(RodReference, SpheresAreSampledIndependentlyOfTheNodes) {
     }
 }
 
-// Both ends held, a grasp between, everything pushed: towards each other, along the rod and across. Buckling
-// is part of it; every warm frame holds its residual all the same.
-TEST(RodReference, WarmFramesHoldTheirResidualWhilePushing) {
-    for (const int way : {0, 1, 2, 3, 4}) {
+// Both ends held, a grasp between them, loaded in all directions: ends towards each other, along the rod and
+// across. It may buckle; every warm frame must reach its residual nevertheless.
+TEST(RodReference, WarmFramesKeepTheirResidualWhilePushing) {
+    for (const int push : {0, 1, 2, 3, 4}) {
         RodSpec spec = solid(50, 0.4, 0.015);
         spec.ends[0] = spec.ends[1] = RodEnd::held;
         const Rod rod(spec);
         RodState state = rod.make_state();
         RodScratch scratch = rod.make_scratch();
         RodInputs inputs;
-        // Ways 3 and 4: nearly weightless and straight, so that it buckles under way.
-        inputs.gravity = Vector3(0, 0, way < 3 ? -9.81 : -0.01);
+        // Pushes 3 and 4: nearly weightless and straight, so that it buckles during the push.
+        inputs.gravity = Vector3(0, 0, push < 3 ? -9.81 : -0.01);
         inputs.ends[0] = state.ends[0];
         inputs.ends[1] = state.ends[1];
         ASSERT_TRUE(rod.solve(state, inputs, scratch).converged);
@@ -330,12 +331,12 @@ TEST(RodReference, WarmFramesHoldTheirResidualWhilePushing) {
         int most = 0, sum = 0;
         const int frames = 240;  // 5 ms at 50 mm/s: 60 mm, a third of the half that is pushed
         for (int i = 0; i < frames; ++i) {
-            if (way == 0 || way == 3) inputs.grasps[0].target += Vector3(0.00025, 0, 0);
-            if (way == 1) inputs.grasps[0].target += Vector3(0.0002, 0, 0.00015);
-            if (way == 2 || way == 4) inputs.ends[1].position -= Vector3(0.00025, 0, 0);
+            if (push == 0 || push == 3) inputs.grasps[0].target += Vector3(0.00025, 0, 0);
+            if (push == 1) inputs.grasps[0].target += Vector3(0.0002, 0, 0.00015);
+            if (push == 2 || push == 4) inputs.ends[1].position -= Vector3(0.00025, 0, 0);
             const RodReport report = rod.solve(state, inputs, scratch);
             ASSERT_TRUE(report.converged)
-                << way << " " << i << " " << report.residual << " " << report.constraint_residual;
+                << push << " " << i << " " << report.residual << " " << report.constraint_residual;
             ASSERT_LE(report.residual, 1e-6);
             ASSERT_LE(report.constraint_residual, 1e-9);
             EXPECT_TRUE(report.positive_definite);
@@ -344,9 +345,9 @@ TEST(RodReference, WarmFramesHoldTheirResidualWhilePushing) {
         }
         double out = 0;
         for (const Vector3& node : state.nodes) out = std::max(out, std::hypot(node.y(), node.z()));
-        EXPECT_GT(out, 0.02) << way;  // it has buckled or hangs
-        std::printf("pushed way %d: %.2f systems a frame, at most %d\n", way,
-                    static_cast<double>(sum) / frames, most);
+        EXPECT_GT(out, 0.02) << push;  // it has buckled or sags
+        std::printf("push %d: %.2f systems a frame, at most %d\n", push, static_cast<double>(sum) / frames,
+                    most);
     }
 }
 

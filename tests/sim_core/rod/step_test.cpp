@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The dynamic step: what scene B1 asks of the rod.
+// The dynamic step under the conditions of scene B1.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -107,7 +107,7 @@ TEST(RodStep, HandlesABowelOnAFloorWithTethersAndTwoGrasps) {
     EXPECT_GT(work, 0) << "lifting and lowering a damped bowel costs work";
 }
 
-TEST(RodStep, SettlesAndItsSupportsCarryItsWeight) {
+TEST(RodStep, SettlesAndSupportsCarryTheWeight) {
     Bowel bowel;
     bowel.add_floor(-0.03, 60, 0.0);
     bowel.grasp(0.4, Vector3(0, 0.015, 0)).target += Vector3(0, 0, 0.02);
@@ -124,7 +124,7 @@ TEST(RodStep, SettlesAndItsSupportsCarryItsWeight) {
     EXPECT_LT(bowel.rod->energy(bowel.state, bowel.inputs).kinetic, 1e-9);
 }
 
-TEST(RodStep, GivesTheSameBitsTwiceAndAllocatesNothing) {
+TEST(RodStep, RepeatsBitForBitAndAllocatesNothing) {
     RodState results[2];
     for (RodState& result : results) {
         Bowel bowel;
@@ -151,7 +151,7 @@ TEST(RodStep, GivesTheSameBitsTwiceAndAllocatesNothing) {
     EXPECT_TRUE(same(results[0].spins, results[1].spins));
 }
 
-TEST(RodStep, KeepsMomentumInFreeFlight) {
+TEST(RodStep, ConservesMomentumInFreeFlight) {
     RodSpec spec;
     spec.mass_damping = 0;
     spec.segments = 24;
@@ -174,12 +174,12 @@ TEST(RodStep, KeepsMomentumInFreeFlight) {
     EXPECT_LT((momentum() - start).norm(), 1e-10);
 }
 
-TEST(RodStep, StiffnessAtAGraspIsWhatASmallPullFeels) {
+TEST(RodStep, StiffnessAtAGraspMatchesASmallDisplacement) {
     Bowel bowel;
     const Vector3 offset(0, 0.015, 0);
     bowel.grasp(0.4, offset);
     for (int i = 0; i < 400; ++i) bowel.step();
-    // The force answers a displaced target within one step by the stiffness of that step.
+    // The force responds to a displaced target within one step with the stiffness of that step.
     const RodState state = bowel.state;
     const RodInputs inputs = bowel.inputs;
     const Matrix3 stiffness = bowel.rod->stiffness_at(state, 0.4, offset, bowel.scratch);
@@ -196,7 +196,7 @@ TEST(RodStep, StiffnessAtAGraspIsWhatASmallPullFeels) {
     EXPECT_GT(Eigen::SelfAdjointEigenSolver<Matrix3>(stiffness).eigenvalues()[0], 0);
 }
 
-TEST(RodStep, PowerOfALoadIsThePowerOfItsFrame) {
+TEST(RodStep, PowerOfALoadEqualsThePowerOnItsFrame) {
     Bowel bowel;
     for (int i = 0; i < 10; ++i) bowel.step();
     bowel.inputs.gravity.setZero();
@@ -209,7 +209,7 @@ TEST(RodStep, PowerOfALoadIsThePowerOfItsFrame) {
         const RodMotion motion = bowel.rod->frame_at(bowel.state, s);
         RodState state = bowel.state;
         bowel.rod->step(state, bowel.inputs, dt, bowel.scratch);
-        // What the load gave the unknowns, with the velocities they had.
+        // Power of the load on the unknowns, with their velocities at that time.
         const std::vector<double>& dead = bowel.scratch.data().dead;
         double power = 0;
         for (std::size_t i = 0; i < bowel.state.nodes.size(); ++i) {
@@ -223,7 +223,7 @@ TEST(RodStep, PowerOfALoadIsThePowerOfItsFrame) {
     }
 }
 
-TEST(RodStep, NothingNonFiniteLeavesAnExtremeStep) {
+TEST(RodStep, ExtremeStepsStayFinite) {
     const double infinity = std::numeric_limits<double>::infinity(),
                  nan = std::numeric_limits<double>::quiet_NaN();
     for (const double jump : {0.05, 0.3, 1.0, 10.0}) {

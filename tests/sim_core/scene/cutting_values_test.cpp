@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A site's values of what blades meet: read, put in place, refused with tissue, key and hint.
+// Cutting values of a site: read, inserted into the scene, refused with tissue, key and hint.
 #include "sim_core/scene/cutting_values.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ TEST(CuttingValues, EveryKeyOfTheSceneIsReadAndHasARange) {
     EXPECT_TRUE(cutting_values(load_scene(test::source_path("assets/scenes/a2_targets.json"))).empty());
 }
 
-TEST(CuttingValues, ValuesInPlaceChangeThemAndNothingElse) {
+TEST(CuttingValues, SiteValuesReplaceOnlyTheirKeys) {
     EXPECT_EQ(with_cutting_values(sheet_text(), "b2", {}), sheet_text());
     const Scene before = parse_scene(sheet_text(), "b2");
     const Scene after = parse_scene(
@@ -53,7 +53,7 @@ TEST(CuttingValues, ValuesInPlaceChangeThemAndNothingElse) {
     EXPECT_EQ(after.camera->angle, before.camera->angle);
 }
 
-TEST(CuttingValues, WhatDoesNotFitNamesFileTissueKeyAndMend) {
+TEST(CuttingValues, InvalidValuesReportFileTissueKeyAndHint) {
     for (const double value : {0.0, -1.0, 21.0, std::numeric_limits<double>::quiet_NaN(),
                                std::numeric_limits<double>::infinity()}) {
         const std::string words = refusal({{"areolar", {{"penetrate_n", value}}}});

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ergonomics of the scenes: what a task asks to be touched can be reached through the trocars and seen by the
-// scope.
+// Ergonomics of the scenes: the objects of a task can be reached through the trocars and seen by the scope.
 #include <gtest/gtest.h>
 
 #include "sim_core/instrument/instrument.h"
@@ -18,14 +17,14 @@ Scene scene_of(const std::string& name) {
     return load_scene(test::source_path("assets/scenes/" + name));
 }
 
-// Reached: the tip goes there with 4 cm of shaft inside at least and a hand's room outside, the shaft within
-// 65 degrees of its nominal direction; and the kinematics agree with their inverse.
+// Reachable: the tip gets there with at least 4 cm of shaft inside and room for a hand outside, the shaft
+// within 65 degrees of its nominal direction; and the kinematics agree with their inverse.
 void expect_reachable(const InstrumentSpec& spec, const Vector3& target) {
     const InstrumentModel model = make_instrument(spec, 1e-3);
-    const Vector3 way = target - model.trocar.position;
-    EXPECT_GT(way.norm(), 0.04) << target.transpose();
-    EXPECT_LT(way.norm(), spec.trocar.shaft_length - 0.05) << target.transpose();
-    const double angle = math::acos(way.normalized().dot(spec.trocar.direction));
+    const Vector3 shaft = target - model.trocar.position;
+    EXPECT_GT(shaft.norm(), 0.04) << target.transpose();
+    EXPECT_LT(shaft.norm(), spec.trocar.shaft_length - 0.05) << target.transpose();
+    const double angle = math::acos(shaft.normalized().dot(spec.trocar.direction));
     EXPECT_LT(angle, 65 * degree) << hand_name(spec.hand) << " to " << target.transpose();
     DeviceReading reading;
     reading.handle = handle_for_tip(model.trocar, target);
@@ -40,7 +39,7 @@ CameraPose camera_of(const Scene& scene) {
     return scope_pose(scope, quantise(reading, DeviceSample{}));
 }
 
-TEST(Reach, EveryTargetCornerIsReachedByBothHandsAndSeen) {
+TEST(Reach, EveryTargetCornerIsReachedByBothHandsAndVisible) {
     const Scene scene = scene_of("a2_targets.json");
     const CameraPose camera = camera_of(scene);
     for (int corner = 0; corner < 8; ++corner) {
@@ -52,7 +51,7 @@ TEST(Reach, EveryTargetCornerIsReachedByBothHandsAndSeen) {
     }
 }
 
-TEST(Reach, TheBowelThatIsRunIsReachedByBothHandsAndSeen) {
+TEST(Reach, BowelSegmentOfTheTaskIsReachedByBothHandsAndVisible) {
     const Scene scene = scene_of("b1_bowel.json");
     const CameraPose camera = camera_of(scene);
     const BowelAnatomy anatomy = bowel_anatomy(scene);
@@ -73,7 +72,7 @@ TEST(Reach, TheBowelThatIsRunIsReachedByBothHandsAndSeen) {
     EXPECT_GT(seen, 0.8 * asked) << "the scope shows most of the stretch where it starts";
 }
 
-TEST(Reach, HandsComeFromTheirOwnSidesOfTheImage) {
+TEST(Reach, HandsEnterFromTheirOwnSideOfTheImage) {
     for (const char* name : {"a2_targets.json", "b1_bowel.json"}) {
         const Scene scene = scene_of(name);
         const CameraPose camera = camera_of(scene);

@@ -56,7 +56,7 @@ TEST(Scene, BowelSceneListsBowelCavityAndTethers) {
     EXPECT_NEAR(scene.tissues[0].jaw_force_time_limit, 300, 1e-12);
 }
 
-TEST(Scene, ChoosesTheLawAndTheLayersOfTheWall) {
+TEST(Scene, SelectsTheLawAndTheLayersOfTheWall) {
     std::string text =
         replaced(scene_text("b1_bowel.json"), "\"material\": \"linear\"", "\"material\": \"EXP2\"");
     text = replaced(text, "\"wall_thickness\": 0.003,",
@@ -67,7 +67,7 @@ TEST(Scene, ChoosesTheLawAndTheLayersOfTheWall) {
     ASSERT_EQ(scene.bowel->layers.size(), 2U);
     EXPECT_EQ(scene.bowel->layers[1].exponent, 4);
     EXPECT_NEAR(scene.bowel->wall_thickness, 0.0015, 1e-15);
-    // The whole wall's modulus is the layers' mean by area.
+    // The modulus of the whole wall is the area-weighted mean of the layers.
     EXPECT_GT(scene.bowel->young_modulus, 8000 + 72000 / 3.0);
     EXPECT_LT(scene.bowel->young_modulus, 8000 + 72000 / 2.8);
     EXPECT_THROW(parse_scene(replaced(text, "\"thickness\": 0.001,", "\"thickness\": 0.0199,"), "b1.json"),
@@ -78,14 +78,14 @@ struct BrokenScene {
     const char* name;
     const char* what;   // replaced in the asset ...
     const char* with;   // ... by this
-    const char* wrong;  // must stand in the complaint
-    const char* hint;   // must stand in the hint
-    const char* at;     // text whose line must be named; null: the line of `with`
+    const char* wrong;  // must be part of the problem text
+    const char* hint;   // must be part of the hint
+    const char* at;     // text whose line must be reported; null: the line of `with`
 };
 
 class BrokenSceneFile : public testing::TestWithParam<BrokenScene> {};
 
-TEST_P(BrokenSceneFile, NamesFilePlaceAndMend) {
+TEST_P(BrokenSceneFile, ReportsFilePlaceAndHint) {
     const BrokenScene& broken = GetParam();
     const std::string text = replaced(scene_text("b1_bowel.json"), broken.what, broken.with);
     try {
@@ -129,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(
                                 "given twice", "remove one", nullptr}),
     [](const testing::TestParamInfo<BrokenScene>& broken) { return std::string(broken.param.name); });
 
-TEST(SceneText, HostileTextIsRefusedWithoutHarm) {
+TEST(SceneText, HostileTextIsRefused) {
     EXPECT_THROW(parse_scene(std::string(100000, '['), "deep.json"), InputError);
     EXPECT_THROW(parse_scene(std::string(std::size_t{2} << 20U, ' '), "large.json"), InputError);
     EXPECT_THROW(parse_scene("", "empty.json"), InputError);
@@ -147,7 +147,7 @@ TEST(SceneText, LinesOfEveryValueAreKnown) {
     EXPECT_EQ(document.line("/a/0"), 2);
     EXPECT_EQ(document.line("/a/1/b~1c"), 3);
     EXPECT_EQ(document.line("/d"), 4);
-    EXPECT_EQ(document.line("/a/1/missing"), 3) << "the nearest ancestor stands in";
+    EXPECT_EQ(document.line("/a/1/missing"), 3) << "the nearest ancestor's line is used";
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A strand against statics: tension at rest, a node drawn aside, weight on the posts; parting; extremes.
+// A strand compared with statics: tension at rest, a displaced node, weight on the posts; division; extremes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,7 +28,7 @@ void settle(const StrandModel& model, const StrandHold (&holds)[hand_count], Str
     for (int i = 0; i < steps; ++i) step_strand(model, holds, 0.005, state);
 }
 
-TEST(Strand, RestsUnderItsPreStrain) {
+TEST(Strand, HasItsPreStrainAtRest) {
     const StrandModel model = band();
     StrandState state = stretched();
     const StrandHold none[hand_count];
@@ -37,7 +37,7 @@ TEST(Strand, RestsUnderItsPreStrain) {
         EXPECT_NEAR(strand_tension(model, state, s), model.stiffness * model.rest_length * strain, 1e-9);
 }
 
-TEST(Strand, ANodeDrawnAsideIsHeldByTwoTensions) {
+TEST(Strand, DisplacedNodeIsHeldByTwoTensions) {
     // Node 6 held by a stiff spring 10 mm aside: 2 T h / l on the hand, T from each half's length.
     const StrandModel model = band();
     StrandState state = stretched();
@@ -52,7 +52,7 @@ TEST(Strand, ANodeDrawnAsideIsHeldByTwoTensions) {
     for (int s = 0; s < strand_segments; ++s) EXPECT_NEAR(strand_tension(model, state, s), tension, 1e-6);
 }
 
-TEST(Strand, ItsWeightHangsOnThePosts) {
+TEST(Strand, PostsCarryItsWeight) {
     StrandModel model = band();
     model.gravity = Vector3(0, 0, -9.81);
     model.damping = 200;
@@ -66,12 +66,12 @@ TEST(Strand, ItsWeightHangsOnThePosts) {
         return strand_tension(model, state, segment) * along.z();
     };
     const double weight = (strand_nodes - 2) * model.node_mass * 9.81;
-    // A step's gravity is damped with the velocity, so what hangs is weight / (1 + damping dt).
+    // A step's gravity is damped with the velocity, so the suspended weight is weight / (1 + damping dt).
     EXPECT_NEAR(-(up(0, 0, 1) + up(strand_segments - 1, strand_segments, strand_segments - 1)),
                 weight / (1 + 200 * 0.005), 1e-6);
 }
 
-TEST(Strand, PartedEndsRecoilAndCarryNothing) {
+TEST(Strand, DividedEndsRecoilAndCarryNoForce) {
     const StrandModel model = band();
     StrandState state = stretched();
     const StrandHold none[hand_count];
@@ -96,7 +96,7 @@ TEST(Strand, AllocatesNothing) {
     EXPECT_EQ(test::allocations_in([&] { settle(model, holds, state, 50); }), 0u);
 }
 
-TEST(StrandExtremes, NothingNonFiniteAndNoEnergyFromNowhere) {
+TEST(StrandExtremes, StaysFiniteAndNeverGainsEnergy) {
     Random random(11);
     for (int trial = 0; trial < test::cases_asked() / 10; ++trial) {
         StrandModel model = band();

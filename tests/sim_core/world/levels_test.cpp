@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The levels that a scene's fidelity chooses, in a running world: a tool presses the bowel at each of them,
-// and what the level says of itself is there. Nothing is allocated after warm-up.
+// The fidelity levels in a running world: a tool presses the bowel at each of them, and each level's
+// characteristic effect is present. No allocation after warm-up.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ Scene small_scene() {
     return scene;
 }
 
-/// What a second of pressing showed.
+/// Observations during a second of pressing.
 struct Press {
     std::set<int> grades;
     int touched = 0, dented_at_most = 0;
@@ -93,7 +93,7 @@ void expect_sound(const Press& result, const std::string& level) {
     EXPECT_LT(result.worst_outcome, 3U) << level;
 }
 
-TEST(Levels, TheFilterSpreadsTheForceAsItsLevelSays) {
+TEST(Levels, FilterDistributesTheForceByItsLevel) {
     Scene scene = small_scene();
     int dented[3] = {0, 0, 0};
     std::set<std::uint64_t> hashes;
@@ -118,7 +118,7 @@ TEST(Levels, TheFilterSpreadsTheForceAsItsLevelSays) {
     EXPECT_GE(hashes.size(), 3U) << "off is grade 0, adaptive may be any";
 }
 
-TEST(Levels, ToolContactByQueryIsTheDynamicPointsContact) {
+TEST(Levels, QueryAndDynamicPointFindTheSameContact) {
     Scene scene = small_scene();
     scene.fidelity.tool_contact = ToolContactLevel::dynamic_point;
     const Press walked = press(scene);
@@ -131,7 +131,7 @@ TEST(Levels, ToolContactByQueryIsTheDynamicPointsContact) {
     EXPECT_NEAR(walked.largest_force, searched.largest_force, 0.1 * searched.largest_force);
 }
 
-TEST(Levels, JawsAsBoxesPressTheBowelBesideTheShaft) {
+TEST(Levels, JawsAsBoxesPressTheBowelInAdditionToTheShaft) {
     Scene scene = small_scene();
     scene.fidelity.tool_contact = ToolContactLevel::dynamic_point;
     const Press shaft = press(scene);
@@ -140,7 +140,7 @@ TEST(Levels, JawsAsBoxesPressTheBowelBesideTheShaft) {
     expect_sound(jaws, "jaws");
     EXPECT_EQ(shaft.largest_by_jaws, 0);
     EXPECT_EQ(shaft.largest_felt_of_jaws, 0);
-    // What presses the bowel is what the hand is given, and no stiffer than the wall.
+    // The force on the bowel equals the force to the hand, and is not stiffer than the wall.
     EXPECT_EQ(jaws.largest_felt_of_jaws, jaws.largest_by_jaws);
     EXPECT_GT(jaws.stiffest_jaws, 0.5);
     EXPECT_LE(jaws.stiffest_jaws, 1 + 1e-12);
@@ -150,7 +150,7 @@ TEST(Levels, JawsAsBoxesPressTheBowelBesideTheShaft) {
     EXPECT_NE(jaws.hash, shaft.hash);
 }
 
-TEST(Levels, FinerSkinningMovesTheSurfaceAndNotTheContact) {
+TEST(Levels, FinerSkinningChangesTheSurfaceButNotTheContact) {
     Scene scene = small_scene();
     std::set<std::uint64_t> hashes;
     double force = 0;

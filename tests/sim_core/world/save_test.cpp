@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A world saved in mid-attempt goes on from there bit for bit, whatever its scene lists.
+// A world saved during an attempt continues bit for bit, for every scene.
 #include <gtest/gtest.h>
 
 #include "tests/sim_core/world/parts/sheet/sheet_rig.h"
@@ -18,7 +18,7 @@ std::uint64_t hash_of(const World& world) {
 
 class WorldSave : public testing::TestWithParam<const char*> {};
 
-TEST_P(WorldSave, GoesOnBitForBitInItselfAndInAWorldMadeAnew) {
+TEST_P(WorldSave, ContinuesBitForBitInTheSameAndInANewWorld) {
     test::SheetRig rig(load_scene(test::source_path(std::string("assets/scenes/") + GetParam() + ".json")));
     const WorldSnapshot& first = rig.world.snapshot();
     const Vector3 place = !first.nodes.empty() ? first.nodes[first.nodes.size() / 3]
@@ -26,7 +26,8 @@ TEST_P(WorldSave, GoesOnBitForBitInItselfAndInAWorldMadeAnew) {
                           : rig.scene.bands
                               ? Vector3(rig.scene.bands->centre + Vector3(0, 0, rig.scene.bands->height))
                               : Vector3(Vector3::Zero());
-    // Both tips into the tissue, the left jaws closed on it, the right one drawn along with its button held.
+    // Both tips into the tissue, the left jaws closed on it, the right one moved along with its button
+    // pressed.
     rig.go(0, rig.tip_for(place + Vector3(0.012, 0, 0)), 0.3);
     rig.go(1, place + Vector3(-0.012, 0, 0.001), 0.3);
     rig.wish[0].closed = rig.wish[1].button = true;
@@ -37,14 +38,14 @@ TEST_P(WorldSave, GoesOnBitForBitInItselfAndInAWorldMadeAnew) {
     ASSERT_NE(saved, nullptr);
     const std::uint64_t at_save = hash_of(rig.world);
     std::vector<std::vector<TickOutput>> outputs;
-    std::vector<std::uint64_t> hashes, told;
+    std::vector<std::uint64_t> hashes, recorded;
     for (int i = 0; i < 80; ++i) {
         rig.wish[0].tip += Vector3(0, 1e-4, 1e-4);
         rig.wish[1].tip += Vector3(1.5e-4, 0, i < 40 ? -1e-4 : 1e-4);
         rig.step();
         outputs.push_back(rig.outputs);
         hashes.push_back(hash_of(rig.world));
-        told.push_back(rig.record.state_hash);
+        recorded.push_back(rig.record.state_hash);
     }
     EXPECT_NE(hashes.back(), at_save);
     World fresh(rig.scene, 1);
@@ -55,7 +56,7 @@ TEST_P(WorldSave, GoesOnBitForBitInItselfAndInAWorldMadeAnew) {
             const StepRecord record = world->step(outputs[i].data(), outputs[i].size());
             ASSERT_EQ(hash_of(*world), hashes[i])
                 << (world == &fresh ? "made anew, step " : "itself, step ") << i;
-            ASSERT_EQ(record.state_hash, told[i]);
+            ASSERT_EQ(record.state_hash, recorded[i]);
         }
     }
 }
@@ -67,9 +68,9 @@ INSTANTIATE_TEST_SUITE_P(Scenes, WorldSave,
                              return std::string(scene.param);
                          });
 
-TEST(WorldSaving, SaysWhereItCannot) {
+TEST(WorldSaving, ReportsScenesThatCannotBeSaved) {
     const World world(load_scene(test::source_path("assets/scenes/b1_mesentery.json")), 1);
-    EXPECT_EQ(world.save(), nullptr) << "membranes remember more than their state";
+    EXPECT_EQ(world.save(), nullptr) << "membranes are not saveable";
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// No tunnelling: hands drive their instruments straight through the lying bowel, from everywhere, through
+// No tunnelling: hands drive their instruments straight through the resting bowel, from all sides, through
 // haptic loop and world at their own rates. Each crossing has met its contact before the tool is out on the
-// other side; also where every model comes a whole step late.
+// other side, even if every model is a whole step late.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,19 +17,19 @@ namespace fulcrum {
 namespace {
 
 constexpr double outside = 0.024;  // m from the centre line of a tube of 16 mm: a shaft there touches nothing
-constexpr double through = 0.008;  // m from the centre line at most, the way of a crossing
+constexpr double through = 0.008;  // m from the centre line at most, for the path of a crossing
 
 struct Crossing {
     int hand = 0;
     Vector3 from = Vector3::Zero(), to = Vector3::Zero();  ///< m, of the tip
     double out =
-        0;  ///< share of the way at which the shaft has left the tube that it was in, as the bowel lies now
+        0;  ///< fraction of the path at which the shaft has left the tube, for the bowel's present position
 };
 
 struct Outcome {
     bool met = false;        ///< a contact with force, so far
-    bool tunnelled = false;  ///< out on the other side before
-    bool straight = true;    ///< the trocar lets the tip go where it was told
+    bool tunnelled = false;  ///< out on the other side without contact
+    bool straight = true;    ///< the trocar allows the requested path
     bool finite = true;
     double largest_sent = 0;  ///< N, to the device
     double first_gap = 0;     ///< m, shaft to centre line when it was met
@@ -60,7 +60,7 @@ class Hands {
         return least;
     }
 
-    /// The way in lies in the open, and so does its end; in between it leads through the tube.
+    /// The path starts and ends in free space and passes through the tube in between.
     bool goes_through(Crossing& crossing) const {
         crossing.out = 0;
         constexpr int places = 60;
@@ -76,7 +76,7 @@ class Hands {
         return nearest < through;
     }
 
-    /// Withdrawn instruments, until the bowel lies still.
+    /// Withdrawn instruments, until the bowel is at rest.
     void rest() {
         Outcome none;
         for (int k = 0; k < 200; ++k) {
@@ -90,7 +90,7 @@ class Hands {
         }
     }
 
-    /// From outside the body along the shaft to the start: no sweep on the way there.
+    /// From outside the body along the shaft to the start, without crossing the bowel.
     void approach(const Crossing& crossing) {
         Outcome none;
         const Vector3 pivot = trocar(crossing.hand);
@@ -164,7 +164,7 @@ Vector3 direction(Random& random) {
 void cross_everywhere(double speed, bool late, int wanted) {
     Hands hands(late);
     Random random(static_cast<std::uint64_t>(speed), late ? 1 : 0);
-    // A late model knows of the tool where it was ten ticks ago.
+    // A late model holds the tool pose of ten ticks ago.
     const double run_up = 0.05 + 0.012 * speed;
     int crossings = 0;
     for (int tried = 0; tried < 100 * wanted && crossings < wanted; ++tried) {
@@ -186,7 +186,7 @@ void cross_everywhere(double speed, bool late, int wanted) {
                                        << speed << " m/s, try " << tried << (late ? ", late" : "");
         EXPECT_TRUE(outcome.met) << place;
         EXPECT_FALSE(outcome.tunnelled) << place;
-        // At a metre a second ten ticks are 10 mm of way: the wall is felt before the middle is reached.
+        // At 1 m/s, ten ticks are 10 mm of travel: the wall must be felt before the middle is reached.
         if (speed < 2) {
             EXPECT_GT(outcome.first_gap, 0.010) << place;
         }
@@ -196,12 +196,12 @@ void cross_everywhere(double speed, bool late, int wanted) {
     EXPECT_EQ(crossings, wanted);
 }
 
-TEST(Tunnel, NoToolAtAMetreASecondCrossesTheBowelWithoutAContact) {
+TEST(Tunnel, ToolAtOneMetrePerSecondNeverCrossesTheBowelWithoutContact) {
     cross_everywhere(1, false, 40);
     cross_everywhere(1, true, 20);
 }
 
-TEST(Tunnel, NorOneAtTenMetresASecond) {
+TEST(Tunnel, ToolAtTenMetresPerSecondNeverCrossesTheBowelWithoutContact) {
     cross_everywhere(10, false, 40);
 }
 

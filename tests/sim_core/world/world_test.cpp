@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The world: what a scene lists is there, what it does not list is not; the bowel comes to rest and carries
-// its weight; steps repeat bit for bit and allocate nothing.
+// The world: it contains exactly what the scene lists; the bowel comes to rest and its weight is supported;
+// steps repeat bit for bit and do not allocate.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ Scene scene(const std::string& name) {
     return load_scene(test::source_path("assets/scenes/" + name + ".json"));
 }
 
-/// Hands that stand still at the start.
+/// Hands at rest at their start poses.
 RigSample standing(const Scene& scene, std::uint32_t tick) {
     RigSample input;
     input.tick = tick;
@@ -61,7 +61,7 @@ struct Hands {
     }
 };
 
-TEST(World, ATargetSceneHasNoTissueInMemory) {
+TEST(World, TargetSceneHasNoTissueInMemory) {
     Hands run("a2_targets");
     EXPECT_EQ(run.world.bowel(), nullptr);
     EXPECT_EQ(run.world.cavity(), nullptr);
@@ -77,7 +77,7 @@ TEST(World, ATargetSceneHasNoTissueInMemory) {
     EXPECT_EQ(run.world.snapshot().targets.size(), 20U);
 }
 
-TEST(World, TheBowelComesToRestAndIsCarried) {
+TEST(World, BowelComesToRestAndIsSupported) {
     Hands run("b1_bowel");
     const BowelPart& bowel = *run.world.bowel();
     double fastest = 0;
@@ -89,7 +89,7 @@ TEST(World, TheBowelComesToRestAndIsCarried) {
     EXPECT_EQ(run.last.outcome, 0U);
 }
 
-TEST(World, ASceneChoosesExp2AndALayeredWall) {
+TEST(World, SceneSelectsExp2AndALayeredWall) {
     Scene stiffening = scene("b1_bowel");
     stiffening.fidelity.material = MaterialLaw::exp2;
     stiffening.bowel->layers = bowel_wall_layers();
@@ -131,9 +131,9 @@ TEST(World, StepsAndTicksAllocateNothingAfterTheFirst) {
     }
 }
 
-TEST(World, StepsAndTicksTakeNoLockAndNeitherWaitNorReadNorWrite) {
+TEST(World, StepsAndTicksNeitherLockNorWaitNorDoInputOutput) {
     if constexpr (test::waits_are_counted) {
-        // The count sees what it is there for.
+        // The counter must detect what it is meant to detect.
         const std::uint64_t nothing = test::wait_count();
         static std::mutex mutex;
         mutex.lock();
@@ -159,7 +159,7 @@ TEST(World, StepsAndTicksTakeNoLockAndNeitherWaitNorReadNorWrite) {
     }
 }
 
-TEST(World, APausedStepLeavesTheBowelWhereItIs) {
+TEST(World, PausedStepDoesNotMoveTheBowel) {
     Hands run("b1_bowel");
     run.step();
     const std::vector<Vector3> before = run.world.bowel()->state().nodes;
@@ -167,7 +167,7 @@ TEST(World, APausedStepLeavesTheBowelWhereItIs) {
     EXPECT_EQ(before, run.world.bowel()->state().nodes);
 }
 
-TEST(World, ANewWorldShowsTheInstrumentsWhereTheyAreAlignedAtTheStart) {
+TEST(World, NewWorldShowsTheInstrumentsAtTheirStartPose) {
     Hands run("b1_bowel");
     const Vector3 shown = run.world.snapshot().tools[0].tip;
     run.step();

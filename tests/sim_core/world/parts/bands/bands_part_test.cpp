@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bands in the world: built where a scene lists them, held, divided, bleeding, stopped, sucked away; what is
-// near is heated and what is far is not; the same bits again; nothing allocated; extremes.
+// Bands in the world: built if the scene lists them, grasped, divided, bleeding, controlled, suctioned; near
+// tissue is heated and far tissue is not; reproducible; no allocation; extremes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,8 +23,8 @@ std::size_t vessel_band(const BandsStage& stage, std::size_t vessel = 0) {
     return static_cast<std::size_t>(stage.world.bands()->layout().vessel_bands[vessel]);
 }
 
-/// Divides a band with the right hand while the left holds it `lift` m high; returns the seconds it took, -1
-/// if it did not part.
+/// Divides a band with the right hand while the left holds it `lift` m high; returns the time in s, -1 if it
+/// was not divided.
 double divide(BandsStage& stage, std::size_t band, double lift, bool* flagged = nullptr) {
     stage.take(Hand::left, band, 0.75);
     if (lift > 0) stage.go(Hand::left, stage.tip[0] + Vector3(0, 0, lift));
@@ -39,7 +39,7 @@ double divide(BandsStage& stage, std::size_t band, double lift, bool* flagged = 
     return parted ? (stage.tick - begun) * 1e-3 : -1;
 }
 
-TEST(BandsPart, IsThereOnlyWhereASceneListsIt) {
+TEST(BandsPart, ExistsOnlyIfTheSceneListsIt) {
     const Scene plain = load_scene(test::source_path("assets/scenes/a2_targets.json"));
     const World without(plain, 1), with(bands_scene(), 1);
     EXPECT_EQ(without.bands(), nullptr);
@@ -52,7 +52,7 @@ TEST(BandsPart, IsThereOnlyWhereASceneListsIt) {
     EXPECT_TRUE(listed);
 }
 
-TEST(BandsPart, PlacesComeFromTheSeed) {
+TEST(BandsPart, PositionsDependOnTheSeed) {
     const BandsSpec spec = *bands_scene().bands;
     const BandsLayout a = place_bands(spec, 3), b = place_bands(spec, 3), c = place_bands(spec, 4);
     ASSERT_EQ(a.bands.size(), 10u);
@@ -89,7 +89,7 @@ void expect_refusal(const std::string& from, const std::string& to, const std::s
     }
 }
 
-TEST(BandsPart, ScenesThatMakeNoSenseAreRefusedByPlaceAndMend) {
+TEST(BandsPart, InconsistentScenesAreRefusedWithPlaceAndHint) {
     expect_refusal("\"vessels\": 3", "\"vessels\": 8, \"count\": 4", "");
     expect_refusal("\"vessels\": 3", "\"vessel_count\": 3", "vessel_count");
     expect_refusal("\"count\": 10,\n    \"vessels\": 3", "\"count\": 2, \"vessels\": 3", "/bands/vessels");
@@ -106,7 +106,7 @@ TEST(BandsPart, ScenesThatMakeNoSenseAreRefusedByPlaceAndMend) {
     EXPECT_THROW(parse_scene(text, "scene.json"), InputError);
 }
 
-TEST(BandsPart, AHandThatHoldsABandFeelsItsPullAndLetsItGo) {
+TEST(BandsPart, GraspedBandPullsOnTheHandUntilReleased) {
     BandsStage stage;
     stage.take(Hand::left, 2, 0.5);
     ASSERT_TRUE(stage.world.snapshot().grasps[0].held);
@@ -122,7 +122,7 @@ TEST(BandsPart, AHandThatHoldsABandFeelsItsPullAndLetsItGo) {
     }
     EXPECT_GT(last, 0.4);
     EXPECT_LT(last, 3.0);
-    // What the hand feels is what holds the strand: two tensions.
+    // The hand feels the force on the strand: two tensions.
     const Vector3 reaction = stage.world.snapshot().grasps[0].reaction;
     EXPECT_NEAR((stage.felt(Hand::left) + reaction).norm(), 0, 0.02 * reaction.norm());
     stage.open(Hand::left);
@@ -131,7 +131,7 @@ TEST(BandsPart, AHandThatHoldsABandFeelsItsPullAndLetsItGo) {
     EXPECT_LT(stage.felt(Hand::left).norm(), 1e-6);
 }
 
-TEST(BandsPart, ShearsDivideWhatTheyHoldAndHeatIsBalanced) {
+TEST(BandsPart, ShearsDivideTheGraspedBandAndHeatIsBalanced) {
     BandsStage stage;
     std::size_t band = 0;
     while (stage.view().bands[band].vessel >= 0) ++band;
@@ -164,7 +164,7 @@ TEST(BandsPart, WithoutAPedalOrWithoutJawsNothingIsDivided) {
     for (const BandView& band : stage.view().bands) EXPECT_FALSE(band.divided());
 }
 
-TEST(BandsPart, AVesselBleedsWhenItsBandPartsMoreUnderTensionAndAClipStopsIt) {
+TEST(BandsPart, VesselBleedsAfterDivisionMoreUnderTensionAndAClipStopsIt) {
     double flow[2], seconds[2];
     for (const int tense : {0, 1}) {
         BandsStage stage;
@@ -199,7 +199,7 @@ TEST(BandsPart, AVesselBleedsWhenItsBandPartsMoreUnderTensionAndAClipStopsIt) {
     EXPECT_GT(flow[1], 1.5 * flow[0]);
 }
 
-TEST(BandsPart, AClipBeforeDivisionKeepsTheTrunkDryAndHeatClosesTheRoot) {
+TEST(BandsPart, ClipBeforeDivisionPreventsBleedingAndHeatSealsTheRoot) {
     BandsStage stage;
     const std::size_t band = vessel_band(stage);
     stage.exchange_to(Hand::right, InstrumentKind::clip_applier);
@@ -213,7 +213,7 @@ TEST(BandsPart, AClipBeforeDivisionKeepsTheTrunkDryAndHeatClosesTheRoot) {
     ASSERT_GT(divide(stage, band, 0.004), 0);
     EXPECT_EQ(stage.view().outlets[1].flow, 0.0);
 
-    // The next one is closed by heat at its root.
+    // The next one is sealed by heat at its root.
     const std::size_t other = vessel_band(stage, 1);
     stage.open(Hand::left);
     stage.open(Hand::right);
@@ -244,7 +244,7 @@ TEST(BandsPart, TornVesselsAreInjuriesAndBleedFreely) {
     EXPECT_GT(stage.view().outlets[0].flow, 2 * stage.view().outlets[1].flow * 0.4);
 }
 
-TEST(BandsPart, SuctionTakesBloodAndSmoke) {
+TEST(BandsPart, SuctionRemovesBloodAndSmoke) {
     BandsStage stage;
     const std::size_t band = vessel_band(stage);
     ASSERT_GT(divide(stage, band, 0.010), 0);
@@ -260,13 +260,13 @@ TEST(BandsPart, SuctionTakesBloodAndSmoke) {
     stage.go(Hand::right, place + Vector3(0, 0, 0.004));
     stage.press(Hand::right, button_energy, true);
     stage.run(2);
-    EXPECT_EQ(stage.outputs.back().sample.hand[1].flags & hand_energy, 0);  // suction is no energy
+    EXPECT_EQ(stage.outputs.back().sample.hand[1].flags & hand_energy, 0);  // suction is not energy
     EXPECT_GT(stage.view().removed, 0.3e-6);
     EXPECT_LT(stage.view().outlets[1].blood_depth, depth);
     EXPECT_LT(stage.view().smoke, 0.9 * smoke);
 }
 
-TEST(BandsPart, ANerveIsHeatedByWhatIsNearAndNotByWhatIsFar) {
+TEST(BandsPart, NerveIsHeatedByNearEnergyOnly) {
     double dose[3];
     int i = 0;
     for (const double gap : {0.001, 0.003, 0.012}) {
@@ -284,7 +284,7 @@ TEST(BandsPart, ANerveIsHeatedByWhatIsNearAndNotByWhatIsFar) {
     EXPECT_EQ(dose[2], 0.0);
 }
 
-TEST(BandsPart, AHookDividesWhatItsTipTouchesWithoutJaws) {
+TEST(BandsPart, HookDividesTheBandAtItsTip) {
     BandsStage stage;
     std::size_t band = 0;
     while (stage.view().bands[band].vessel >= 0) ++band;
@@ -309,7 +309,7 @@ TEST(BandsPart, AHookDividesWhatItsTipTouchesWithoutJaws) {
     EXPECT_FALSE(stage.view().nerves[0].divided);
 }
 
-TEST(BandsPart, AHookUnderPowerOnTheNerveBurnsItAndThroughItDividesIt) {
+TEST(BandsPart, ActivatedHookBurnsTheNerveAndDividesIt) {
     BandsStage stage;
     stage.exchange_to(Hand::right, InstrumentKind::hook);
     const Vector3 nerve = stage.view().nerves[0].line[12];
@@ -327,7 +327,7 @@ TEST(BandsPart, AHookUnderPowerOnTheNerveBurnsItAndThroughItDividesIt) {
     EXPECT_TRUE(stage.view().nerves[0].divided);
 }
 
-TEST(BandsPart, TheSameHandsMakeTheSameBits) {
+TEST(BandsPart, SameInputGivesTheSameBits) {
     std::uint64_t hashes[2] = {0, 0};
     for (std::uint64_t& hash : hashes) {
         BandsStage stage;
@@ -340,7 +340,7 @@ TEST(BandsPart, TheSameHandsMakeTheSameBits) {
     EXPECT_NE(hashes[0], 0u);
 }
 
-TEST(BandsPart, AStepNeitherAllocatesNorWaits) {
+TEST(BandsPart, StepNeitherAllocatesNorWaits) {
     BandsStage stage;
     stage.take(Hand::left, 3, 0.7);
     stage.take(Hand::right, 3, 0.4);
@@ -354,7 +354,7 @@ TEST(BandsPart, AStepNeitherAllocatesNorWaits) {
     }
 }
 
-TEST(BandsExtremes, WhateverTheHandsDoEverythingStaysFinite) {
+TEST(BandsExtremes, StaysFiniteForAnyInput) {
     Random random(17);
     const int trials = std::max(3, test::cases_asked() / 250);
     for (int trial = 0; trial < trials; ++trial) {

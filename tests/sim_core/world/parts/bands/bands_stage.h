@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A world of bands and its haptic loop, with hands that are put where a test wants them.
+// A world of bands and its haptic loop, with hands at poses set by the test.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ class BandsStage {
         }
     }
 
-    /// One world step with the hands as they are set.
+    /// One world step with the hands as set.
     void step() {
         for (TickOutput& output : outputs) {
             RigSample input;
@@ -52,7 +52,7 @@ class BandsStage {
     void run(double seconds) {
         for (int i = 0; i < static_cast<int>(std::lround(seconds / scene.step_period())); ++i) step();
     }
-    /// Moves a tip there in a straight line.
+    /// Moves a tip to a position in a straight line.
     void go(Hand hand, const Vector3& to, double seconds = 0.3) {
         const int h = static_cast<int>(hand);
         const Vector3 from = tip[h];
@@ -62,7 +62,7 @@ class BandsStage {
             step();
         }
     }
-    /// The tip that has the middle of the jaws at a place.
+    /// Tip position for which the middle of the jaws is at a position.
     Vector3 tip_for_jaws(Hand hand, const Vector3& place) const {
         const int h = static_cast<int>(hand);
         const double half = 0.5 * scene.instrument(hand)->jaw_length;
@@ -78,7 +78,7 @@ class BandsStage {
         grip[static_cast<int>(hand)] = 0;
         run(0.05);
     }
-    /// Takes a band with a hand at a share of its length from the root.
+    /// Grasps a band with a hand at a fraction of its length from the root.
     void take(Hand hand, std::size_t band, double share) {
         const StrandState& strand = world.bands()->strand(band);
         const Vector3 place = strand.position[static_cast<std::size_t>(std::lround(share * strand_segments))];
@@ -91,7 +91,7 @@ class BandsStage {
         std::uint16_t& now = buttons[static_cast<int>(hand)];
         now = static_cast<std::uint16_t>(on ? now | mask : now & ~mask);
     }
-    /// Presses the exchange button until the hand holds that kind and can use it.
+    /// Presses the exchange button until the hand holds that instrument and can use it.
     void exchange_to(Hand hand, InstrumentKind kind) {
         open(hand);
         for (int i = 0; i < 8 && view().tools[static_cast<int>(hand)].kind != kind; ++i) {

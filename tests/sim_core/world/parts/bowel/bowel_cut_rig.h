@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scissors in the right hand, a grasper in the left, at a bowel whose wall can be cut.
+// Scissors in the right hand, a grasper in the left, at a bowel with a cuttable wall.
 #pragma once
 
 #include "sim_core/geometry/closest_point.h"
@@ -24,7 +24,7 @@ struct BowelCutRig : SheetRig {
         return skin_vertex(bowel().skin().rows()[static_cast<std::size_t>(vertex)], bowel().ring_frames());
     }
     Vector3 top_now() const { return now(top); }
-    /// Of the wall near a point, the highest vertex: where instruments come to it from above.
+    /// The highest wall vertex near a point, which instruments reach from above.
     std::int32_t highest_near(const Vector3& point) const {
         std::int32_t best = -1;
         for (std::int32_t v = 0; v < bowel().skin().vertices(); ++v) {
@@ -51,18 +51,18 @@ struct BowelCutRig : SheetRig {
         Vector3 point, outward;
         std::int32_t root;
     };
-    /// Cuts from place to place, as a blade that knows its way. Returns what came free.
-    CutSkin::Report cut_along(const std::vector<WallPlace>& way) {
+    /// Cuts along a path of wall positions. Returns the detached pieces.
+    CutSkin::Report cut_along(const std::vector<WallPlace>& path) {
         CutSkin::Report sum;
-        for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+        for (std::size_t i = 0; i + 1 < path.size(); ++i) {
             BladeStep blade;
-            blade.from = way[i].point;
-            blade.to = way[i + 1].point;
+            blade.from = path[i].point;
+            blade.to = path[i + 1].point;
             blade.end = BladeEnd::round;
-            blade.normal = way[i].outward + way[i + 1].outward;
+            blade.normal = path[i].outward + path[i + 1].outward;
             blade.width = scene.bowel->blade_width;
             blade.depth = 0.003;
-            blade.root = way[i].root;
+            blade.root = path[i].root;
             const CutSkin::Report one = cut().cut(blade, bowel().ring_frames(), tick, 1);
             sum.parted += one.parted;
             sum.parted_area += one.parted_area;
@@ -70,9 +70,9 @@ struct BowelCutRig : SheetRig {
         return sum;
     }
     /// From vertex to vertex of the skin.
-    CutSkin::Report cut_along(const std::vector<std::int32_t>& way) {
+    CutSkin::Report cut_along(const std::vector<std::int32_t>& path) {
         std::vector<WallPlace> places;
-        for (const std::int32_t v : way)
+        for (const std::int32_t v : path)
             places.push_back({now(v), outward(v), *bowel().skin().adjacency().triangles_of(v).begin()});
         return cut_along(places);
     }
@@ -87,11 +87,11 @@ struct BowelCutRig : SheetRig {
     }
     /// Vertex nearest to it.
     std::int32_t vertex_at(std::int32_t from, double along, double around) const {
-        const Vector3 way = rest_at(from, along, around);
+        const Vector3 path = rest_at(from, along, around);
         std::int32_t best = from;
         for (std::int32_t v = 0; v < bowel().skin().vertices(); ++v) {
             const auto away = [&](std::int32_t one) {
-                return (bowel().skin().rest().vertices[static_cast<std::size_t>(one)] - way).norm();
+                return (bowel().skin().rest().vertices[static_cast<std::size_t>(one)] - path).norm();
             };
             if (away(v) < away(best)) best = v;
         }
@@ -99,7 +99,7 @@ struct BowelCutRig : SheetRig {
     }
     /// Place of the wall nearest to it.
     WallPlace place_at(std::int32_t from, double along, double around) const {
-        const Vector3 way = rest_at(from, along, around);
+        const Vector3 path = rest_at(from, along, around);
         const std::int32_t vertex = vertex_at(from, along, around);
         const TriangleMesh& rest = bowel().skin().rest();
         WallPlace place{now(vertex), outward(vertex), -1};
@@ -109,50 +109,50 @@ struct BowelCutRig : SheetRig {
             const auto at_rest = [&](std::size_t c) {
                 return rest.vertices[static_cast<std::size_t>(corners[c])];
             };
-            const TrianglePoint near = closest_point_on_triangle(way, at_rest(0), at_rest(1), at_rest(2));
-            if ((near.position - way).norm() >= least) continue;
-            least = (near.position - way).norm();
+            const TrianglePoint near = closest_point_on_triangle(path, at_rest(0), at_rest(1), at_rest(2));
+            if ((near.position - path).norm() >= least) continue;
+            least = (near.position - path).norm();
             place.root = t;
             place.point = near.barycentric[0] * now(corners[0]) + near.barycentric[1] * now(corners[1]) +
                           near.barycentric[2] * now(corners[2]);
         }
         return place;
     }
-    /// A circle around a vertex, as round as a blade makes it.
+    /// A circle around a vertex, approximated by blade steps.
     CutSkin::Report cut_round(std::int32_t vertex, double radius) {
-        std::vector<WallPlace> way;
+        std::vector<WallPlace> path;
         for (int i = 0; i <= 34; ++i) {
             double sine = 0, cosine = 1;
             math::sin_cos(6.283185307179586 * i / 32, sine, cosine);
-            way.push_back(place_at(vertex, radius * cosine, radius * sine));
+            path.push_back(place_at(vertex, radius * cosine, radius * sine));
         }
-        return cut_along(way);
+        return cut_along(path);
     }
     /// A slit along the bowel through a vertex.
     CutSkin::Report cut_slit(std::int32_t vertex, double length) {
-        std::vector<WallPlace> way;
-        for (int i = 0; i <= 16; ++i) way.push_back(place_at(vertex, length * (i / 16.0 - 0.5), 0));
-        return cut_along(way);
+        std::vector<WallPlace> path;
+        for (int i = 0; i <= 16; ++i) path.push_back(place_at(vertex, length * (i / 16.0 - 0.5), 0));
+        return cut_along(path);
     }
     /// About a circle of that radius around a vertex, from vertex to vertex.
     CutSkin::Report cut_circle(std::int32_t vertex, double radius) {
-        std::vector<std::int32_t> way;
+        std::vector<std::int32_t> path;
         for (int i = 0; i <= 34; ++i) {
             double sine = 0, cosine = 1;
             math::sin_cos(6.283185307179586 * i / 32, sine, cosine);
             const std::int32_t next = vertex_at(vertex, radius * cosine, radius * sine);
-            if (way.empty() || way.back() != next) way.push_back(next);
+            if (path.empty() || path.back() != next) path.push_back(next);
         }
-        return cut_along(way);
+        return cut_along(path);
     }
-    /// The blade in the wall at the top, along `way` from there, at a depth below the wall.
-    void cut_by_hand(const Vector3& way, double depth = 0.003, double speed = 0.03) {
+    /// The blade in the wall at the top, along `path` from there, at a depth below the wall.
+    void cut_by_hand(const Vector3& path, double depth = 0.003, double speed = 0.03) {
         const Vector3 start = top_now();
         go(1, start + Vector3(0, 0, 0.015), 0.2);
         wish[1].button = true;
         go(1, start + Vector3(0, 0, 0.0012), 0.05);
-        go(1, start + 0.15 * way - Vector3(0, 0, depth), speed);
-        go(1, start + way - Vector3(0, 0, depth), speed);
+        go(1, start + 0.15 * path - Vector3(0, 0, depth), speed);
+        go(1, start + path - Vector3(0, 0, depth), speed);
     }
     /// Left jaws on the wall beside the top.
     void hold_beside(const Vector3& off) {

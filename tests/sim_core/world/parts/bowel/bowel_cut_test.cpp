@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bowel's wall cut in the world: scissors through the whole chain of device, tick, world and surface;
-// what the hand feels of it, what jaws keep of it, and that it can be saved and replayed.
+// The bowel's wall cut in the world: scissors through the complete chain of device, tick, world and surface;
+// the force to the hand, grasps across a cut, saving and replay.
 #include "tests/sim_core/world/parts/bowel/bowel_cut_rig.h"
 
 #include <gtest/gtest.h>
@@ -27,8 +27,8 @@ void expect_sound(BowelCutRig& rig) {
                 1e-9 * surface.area_before());
 }
 
-// Eqs. 6 and 7: pressed hard enough, drawn along hard enough, with the button held.
-TEST(BowelCut, GoesInByEquationSevenAndFollowsTheBlade) {
+// Eqs. 6 and 7: enough force across, enough along, button pressed.
+TEST(BowelCut, BladeEntersByEquationSevenAndTheCutFollowsIt) {
     BowelCutRig rig;
     rig.hold_beside(Vector3(0.02, 0, 0));
     const Vector3 start = rig.top_now();
@@ -47,7 +47,7 @@ TEST(BowelCut, GoesInByEquationSevenAndFollowsTheBlade) {
     EXPECT_EQ(rig.count(EventKind::cut_begin), 1);
     EXPECT_GE(rig.count(EventKind::cut_advance), 8);
     EXPECT_EQ(rig.blade().touch, BladeTouch::cutting);
-    EXPECT_LE(rig.sent[1].norm(), 0.08 + 0.01) << "dynamic friction is what is felt";
+    EXPECT_LE(rig.sent[1].norm(), 0.08 + 0.01) << "the hand feels the dynamic friction";
     EXPECT_EQ(rig.world.local_models().hand[1].topology_version, rig.cut().skin().version());
     rig.wish[1].button = false;
     rig.steps(2);
@@ -55,15 +55,15 @@ TEST(BowelCut, GoesInByEquationSevenAndFollowsTheBlade) {
     expect_sound(rig);
     const CutMesh& surface = rig.cut().skin().surface();
     EXPECT_EQ(rig.count(EventKind::cut_rolled_back), 0);
-    // Where it went, told along the bowel and around it.
+    // Its position, reported along the bowel and around it.
     double first = 0, last = 0;
     for (const Event& event : rig.events) {
         if (event.kind == EventKind::cut_begin) first = event.value;
         if (event.kind == EventKind::cut_advance) last = event.value;
     }
-    const double way = std::abs(last - first);
-    std::printf("way along the bowel %.4f m, removed %.3g m2\n", way, surface.area_removed());
-    EXPECT_GT(surface.area_removed(), 0.5 * way * rig.scene.bowel->blade_width);
+    const double length = std::abs(last - first);
+    std::printf("length along the bowel %.4f m, removed %.3g m2\n", length, surface.area_removed());
+    EXPECT_GT(surface.area_removed(), 0.5 * length * rig.scene.bowel->blade_width);
     EXPECT_LT(surface.area_removed(), 0.03 * rig.scene.bowel->blade_width);
     const BowelCutView& view = rig.world.snapshot().bowel_cut;
     EXPECT_EQ(view.visible_area, surface.area_visible());
@@ -72,7 +72,7 @@ TEST(BowelCut, GoesInByEquationSevenAndFollowsTheBlade) {
     EXPECT_EQ(view.triangle_count + surface.root_count() - hidden, surface.visible_count());
 }
 
-TEST(BowelCut, CutLiftAndPushTheLipWithoutAJerk) {
+TEST(BowelCut, CutLiftAndPushOfTheLipStayWithinTheSlewLimit) {
     BowelCutRig rig;
     rig.hold_beside(Vector3(0.02, 0, 0));
     rig.worst_change = 0;
@@ -91,7 +91,7 @@ TEST(BowelCut, CutLiftAndPushTheLipWithoutAJerk) {
     felt("lift the blade");
     rig.go(0, rig.wish[0].tip + Vector3(0, 0, 0.008), 0.05);
     felt("lift the wall");
-    // Down on the slit: narrower than the tool, it is no hole.
+    // Pressed on the slit: it is narrower than the tool, so the tip does not fall through.
     const Vector3 middle = rig.top_now();
     rig.go(1, middle + Vector3(-0.006, 0, 0.01), 0.2);
     rig.go(1, middle + Vector3(-0.006, 0, 0.0005), 0.05);
@@ -108,7 +108,7 @@ TEST(BowelCut, CutLiftAndPushTheLipWithoutAJerk) {
     expect_sound(rig);
 }
 
-TEST(BowelCut, ADiscFallsAndLeavesAHoleWhoseLipsHoldTheShaft) {
+TEST(BowelCut, DiscFallsAndLeavesAHoleWithLipsThatTouchTheShaft) {
     BowelCutRig rig;
     const CutSkin::Report disc = rig.cut_circle(rig.top, 0.007);
     ASSERT_EQ(disc.parted, 1);
@@ -126,10 +126,10 @@ TEST(BowelCut, ADiscFallsAndLeavesAHoleWhoseLipsHoldTheShaft) {
     rig.go(1, hole - 0.03 * in, 0.2);
     rig.worst_change = rig.largest_force = 0;
     rig.go(1, hole + 0.009 * in, 0.05);  // through it
-    EXPECT_LE(rig.largest_force, 0.05) << "what fell carries nothing";
+    EXPECT_LE(rig.largest_force, 0.05) << "the fallen piece carries no force";
     EXPECT_EQ(rig.blade().touch, BladeTouch::clearing);
     rig.go(1, hole + 0.009 * in + Vector3(0.002, 0, 0), 0.03);
-    EXPECT_LE(rig.largest_force, 0.05) << "room in it";
+    EXPECT_LE(rig.largest_force, 0.05) << "the hole is open";
     rig.go(1, hole + 0.009 * in + Vector3(0.025, 0, 0), 0.03);
     std::printf("lip %.3f N, change %.3f\n", rig.sent[1].norm(), rig.worst_change);
     EXPECT_GT(rig.sent[1].norm(), 0.05) << "the lip";
@@ -143,7 +143,7 @@ TEST(BowelCut, ADiscFallsAndLeavesAHoleWhoseLipsHoldTheShaft) {
     expect_sound(rig);
 }
 
-TEST(BowelCut, JawsKeepWhatIsLeftAndLetGoOfWhatIsGone) {
+TEST(BowelCut, JawsKeepRemainingTissueAndLoseRemovedTissue) {
     BowelCutRig rig;
     rig.hold_beside(Vector3(0, 0, 0));
     const GraspState& held = rig.bowel().grasp(Hand::left);
@@ -163,26 +163,26 @@ TEST(BowelCut, JawsKeepWhatIsLeftAndLetGoOfWhatIsGone) {
         least = away;
         under = v;
     }
-    std::vector<std::int32_t> way;
-    for (int i = 0; i <= 6; ++i) way.push_back(rig.vertex_at(under, 0.002 * (i - 3), 0));
-    rig.cut_along(way);
+    std::vector<std::int32_t> length;
+    for (int i = 0; i <= 6; ++i) length.push_back(rig.vertex_at(under, 0.002 * (i - 3), 0));
+    rig.cut_along(length);
     ASSERT_FALSE(rig.cut().skin().whole());
     rig.steps(20);
     EXPECT_TRUE(held.held);
-    EXPECT_NEAR(held.reaction.norm(), pull, 0.02) << "the wall point is held as before";
+    EXPECT_NEAR(held.reaction.norm(), pull, 0.02) << "the wall point is still held";
     EXPECT_LE(rig.worst_change, limit);
     // All of it, as a disc that falls.
     rig.worst_change = 0;
     ASSERT_GE(rig.cut_circle(under, 0.009).parted, 1);
     rig.steps(60);
     EXPECT_FALSE(held.held);
-    EXPECT_TRUE(rig.world.snapshot().grasps[0].slipped) << "told as lost, not as opened";
+    EXPECT_TRUE(rig.world.snapshot().grasps[0].slipped) << "reported as lost, not as released";
     EXPECT_LE(rig.worst_change, limit);
     EXPECT_LE(rig.sent[0].norm(), 0.02);
     expect_sound(rig);
 }
 
-TEST(BowelCut, WithoutACutIsTheBowelBitForBit) {
+TEST(BowelCut, UncutBowelIsUnchangedBitForBit) {
     Scene plain = test::enterotomy();
     for (TissueSpec& tissue : plain.tissues) tissue.cutting.reset();
     BowelCutRig rig;
@@ -234,7 +234,7 @@ TEST(BowelCut, ReplaysFromASavedCutBitForBit) {
         EXPECT_EQ(fresh.local_models().hand[h].sheet.drag, rig.world.local_models().hand[h].sheet.drag);
 }
 
-TEST(BowelCut, AllocatesNothingWhileItIsCut) {
+TEST(BowelCut, CuttingAllocatesNothing) {
     BowelCutRig rig;
     rig.hold_beside(Vector3(0.02, 0, 0));
     rig.cut_by_hand(Vector3(-0.005, 0, 0));
@@ -250,9 +250,9 @@ TEST(BowelCut, AllocatesNothingWhileItIsCut) {
     EXPECT_EQ(allocations, 0U);
 }
 
-// Hands that jump about in the bowel with their buttons held: it stays finite, sound, within the hand's
-// limits.
-TEST(BowelCut, StaysSoundUnderHandsThatJump) {
+// Hands that jump about in the bowel with their buttons pressed: everything stays finite, valid, and within
+// the force limits.
+TEST(BowelCut, StaysValidUnderJumpingHands) {
     BowelCutRig rig;
     Random random(7);
     rig.cut_circle(rig.top, 0.006);

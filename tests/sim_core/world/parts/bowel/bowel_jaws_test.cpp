@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Jaws as boxes against the bowel (fidelity level "jaws"): the force of a jaw laid on the bowel against its
-// closed form, and a world at that level.
+// Jaws as boxes against the bowel (fidelity level "jaws"): the force of a jaw resting on the bowel compared
+// with its closed form, and a world at that level.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +26,7 @@ Scene scene_at(ToolContactLevel level) {
     return scene;
 }
 
-/// A straight bowel along x on a floor, and open jaws beside the shaft.
+/// A straight bowel along x on a floor, and open jaws next to the shaft.
 struct Bench {
     Scene scene;
     CavityModel floor{test::make_floor(1.2, 24), FreeSide::front};
@@ -62,7 +62,7 @@ ToolAction open_jaws(const InstrumentSpec& spec, double height) {
     return action;
 }
 
-TEST(BowelJaws, ABoxInASphereIsAsDeepAsItsFaceLies) {
+TEST(BowelJaws, BoxInASphereHasTheDepthOfItsFace) {
     ToolShape tool;
     tool.trocar = Vector3(0, -1, 1);
     tool.tip = Vector3(0, 0, 1);
@@ -80,13 +80,13 @@ TEST(BowelJaws, ABoxInASphereIsAsDeepAsItsFaceLies) {
         EXPECT_NEAR(contact.depth, depth, 1e-15);
         EXPECT_LT((contact.normal - Vector3::UnitZ()).norm(), 1e-12);
     }
-    // The shaft's own depth is the dynamic point's.
+    // The depth of the shaft itself is found by the dynamic point.
     tool.jaw[0].centre = Vector3(0, 0, radius + 0.001 - 0.003);
     tool.trocar.z() = tool.tip.z() = radius + tool.radius - 0.001;
     EXPECT_NEAR(jaws_in_sphere(tool, Vector3::Zero(), radius).depth, 0.002, 1e-15);
 }
 
-TEST(BowelJaws, PressTheBowelWithTheWallsStiffnessAndTheFloorAnswers) {
+TEST(BowelJaws, PressTheBowelWithTheStiffnessOfTheWallAndFloorReacts) {
     Bench bench(ToolContactLevel::jaws);
     const auto support = [&] {
         const RodReport& report = bench.bowel->report();
@@ -118,7 +118,7 @@ TEST(BowelJaws, PressTheBowelWithTheWallsStiffnessAndTheFloorAnswers) {
     EXPECT_NEAR(support(), weight - force.z(), 0.01 * weight);
 }
 
-TEST(BowelJaws, AreNotThereAtTheOtherLevels) {
+TEST(BowelJaws, AreAbsentAtOtherLevels) {
     Bench bench(ToolContactLevel::dynamic_point);
     bench.actions[static_cast<int>(Hand::left)] =
         open_jaws(*bench.scene.instrument(Hand::left), 2 * radius + 0.006);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bowel that lies across itself on a floor, stepped as the world steps it: the upper limb comes down on the
-// lower one, rests on it without sinking in, and floor and ends together carry the weight of both.
+// A bowel lying across itself on a floor, stepped like in the world: the upper limb comes down on the lower
+// one and rests on it without penetration, and floor and ends together carry the weight of both.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -41,7 +41,7 @@ double length_of(const std::vector<Vector3>& line) {
     return length;
 }
 
-TEST(FoldedBowel, LiesOnItselfWithoutSinkingInAndIsCarried) {
+TEST(FoldedBowel, RestsOnItselfWithoutPenetrationAndIsSupported) {
     Scene scene = load_scene(test::source_path("assets/scenes/b1_bowel.json"));
     scene.tethers.reset();
     scene.cavity.reset();
@@ -84,7 +84,7 @@ TEST(FoldedBowel, LiesOnItselfWithoutSinkingInAndIsCarried) {
     const RodReport& report = bowel.report();
     EXPECT_LT(worst, 2U);
     EXPECT_GT(touching, 0);
-    EXPECT_LT(deepest, 3e-4);  // 2 % of the radius: the planes are those of the step before
+    EXPECT_LT(deepest, 3e-4);  // 2 % of the radius: the planes are those of the previous step
     EXPECT_LT(fastest, 2e-3);
     EXPECT_GT(report.contact_sum, 0.5 * bowel.weight());
     EXPECT_NEAR(report.contact_sum + report.end_force[0].z() + report.end_force[1].z(), bowel.weight(),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The mesentery of masses and springs in the world: two-way with the rod, momentum kept, drawn, hashed.
+// The mesentery of masses and springs in the world: two-displacement with the rod, momentum kept, drawn,
+// hashed.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -78,8 +79,8 @@ struct Pair {
 
 TEST(MembranePart, RodAndSheetExchangeEqualAndOppositeMomentum) {
     Pair pair(RodEnd::free, false, Pair::mesentery());
-    // Both drift free in space; the rod is thrown across the sheet. What one loses the other gains, step by
-    // step.
+    // Both drift free in space; the rod is thrown across the sheet. Momentum lost by one is gained by the
+    // other in every step.
     for (Vector3& v : pair.state.velocities) v = Vector3(0, -0.2, 0.5);
     Vector3 given = Vector3::Zero();
     double size = 0;
@@ -89,21 +90,21 @@ TEST(MembranePart, RodAndSheetExchangeEqualAndOppositeMomentum) {
         const Vector3 impulse = dt * pair.part->pull();
         Vector3 support = Vector3::Zero();
         for (const Vector3& r : pair.part->inputs().reactions) support += r;
-        EXPECT_LT((support + pair.part->pull()).norm(), 1e-12) << "the very same force";
+        EXPECT_LT((support + pair.part->pull()).norm(), 1e-12) << "exactly the same force";
         EXPECT_LT((pair.sheet_momentum() - sheet_before + impulse).norm(), 1e-9);
         EXPECT_LT((pair.rod_momentum() - rod_before - impulse).norm(), 1e-8);
         given += impulse;
         size += impulse.norm();
     }
-    EXPECT_GT(size, 1e-3) << "they did pull on each other";
+    EXPECT_GT(size, 1e-3) << "they must have exchanged force";
 }
 
 TEST(MembranePart, PullingTheMesenteryBendsTheRod) {
     Pair pair(RodEnd::clamped, true, Pair::mesentery());
     for (int i = 0; i < 20; ++i) pair.step();
-    EXPECT_LT(pair.part->pull().norm(), 1e-9) << "at rest nothing pulls";
+    EXPECT_LT(pair.part->pull().norm(), 1e-9) << "no force at rest";
     const Vector3 before = pair.rod.wall_point(pair.state, 0.15, Vector3::Zero());
-    // The bowel bends towards a root that draws back: the sheet shortens as if it had shrunk by a quarter.
+    // The bowel bends towards a root that retracts: the sheet shortens as if shrunk by a quarter.
     MembraneSpec tight = Pair::mesentery();
     tight.pre_strain = 0.3;
     Pair pulled(RodEnd::clamped, true, tight);
@@ -111,7 +112,7 @@ TEST(MembranePart, PullingTheMesenteryBendsTheRod) {
     const Vector3 after = pulled.rod.wall_point(pulled.state, 0.15, Vector3::Zero());
     EXPECT_GT(after.y() - before.y(), 0.003);
     EXPECT_GT(pulled.part->pull().y(), 0.02);
-    // In balance the rod's ends carry what the sheet pulls.
+    // In equilibrium the rod's ends carry the pull of the sheet.
     pulled.inputs.loads.clear();
     pulled.part->step(pulled.rod, pulled.state, dt, pulled.inputs.loads);
     const RodReport report = pulled.rod.step(pulled.state, pulled.inputs, dt, pulled.scratch);
@@ -119,8 +120,9 @@ TEST(MembranePart, PullingTheMesenteryBendsTheRod) {
     EXPECT_LT((ends + pulled.part->pull()).norm(), 0.03 * pulled.part->pull().norm());
 }
 
-TEST(MembranePart, JawsOnTheSheetPullTheRodAndFeelIt) {
-    // Rod and sheet drift free in space, held by the jaws alone: what the jaws give, the two together gain.
+TEST(MembranePart, GraspedSheetPullsOnRodAndJaws) {
+    // Rod and sheet drift free in space, held only by the jaws: the jaws' impulse equals their total gain in
+    // momentum.
     Pair pair(RodEnd::free, false, Pair::mesentery());
     double least = 1e-4;
     Vector3 point;
@@ -140,7 +142,7 @@ TEST(MembranePart, JawsOnTheSheetPullTheRodAndFeelIt) {
         size += jaws.norm();
     }
     EXPECT_GT(size, 1e-3);
-    EXPECT_GT(pair.rod_momentum().y(), 1e-4) << "the rod is drawn along";
+    EXPECT_GT(pair.rod_momentum().y(), 1e-4) << "the rod follows";
     EXPECT_LT((pair.part->grip(0).point - point).norm(), 1e-3);
     EXPECT_GT(pair.part->grip_stiffness(0), 10);
     EXPECT_LT(pair.part->grip_stiffness(0), 800);
@@ -176,13 +178,13 @@ TEST(MembranePart, PullingTheHeldMesenteryBendsTheRod) {
               0.03 * pair.part->pull().norm());
 }
 
-TEST(MembranePart, InTheRunningWorldJawsTakeTheSheetFeelItAndBendTheBowel) {
+TEST(MembranePart, GraspedSheetInTheWorldPullsOnTheJawsAndBendsTheBowel) {
     Scene scene = load_scene(test::source_path("assets/scenes/b1_mesentery.json"));
     scene.fidelity.membrane_iterations = 12;  // momentum is closed but for the solve's residual
     World world(scene, 1);
     const MembranePart& part = world.bowel()->membranes()[0];
     const Membrane& membrane = part.membrane();
-    // The free vertex that hangs furthest from the sheet's held edges and from the bowel.
+    // The free vertex farthest from the sheet's held edges and from the bowel.
     std::int32_t chosen = -1;
     double best = 0;
     for (std::int32_t v = 0; v < membrane.vertices(); ++v) {
@@ -204,11 +206,11 @@ TEST(MembranePart, InTheRunningWorldJawsTakeTheSheetFeelItAndBendTheBowel) {
         part.state().positions[static_cast<std::size_t>(chosen)] + 0.5 * grasper.jaw_length * tool.axis;
     tool.jaw_angle = grasper.jaw_opening;
     double unexplained = 0, exchanged = 0;  // N s
-    const auto step = [&](int steps, const Vector3& way) {
+    const auto step = [&](int steps, const Vector3& displacement) {
         for (int i = 0; i < steps; ++i) {
             output.sample.tick += 5;
-            tool.tip += way;
-            tool.tip_velocity = way / dt;
+            tool.tip += displacement;
+            tool.tip_velocity = displacement / dt;
             const Vector3 before = [&] {
                 Vector3 sum = Vector3::Zero();
                 for (std::size_t v = 0; v < membrane.masses().size(); ++v)
@@ -216,8 +218,8 @@ TEST(MembranePart, InTheRunningWorldJawsTakeTheSheetFeelItAndBendTheBowel) {
                 return sum;
             }();
             ASSERT_EQ(world.step(&output, 1).outcome, 0U);
-            // Supports, jaws and drag are all that changes the sheet's momentum; its support at the bowel is
-            // the rod's load.
+            // Only supports, jaws and drag change the sheet's momentum; its support at the bowel is the rod's
+            // load.
             Vector3 after = Vector3::Zero(), supports = Vector3::Zero(), drag = Vector3::Zero();
             for (std::size_t v = 0; v < membrane.masses().size(); ++v)
                 after += membrane.masses()[v] * part.state().velocities[v];
@@ -251,13 +253,13 @@ TEST(MembranePart, InTheRunningWorldJawsTakeTheSheetFeelItAndBendTheBowel) {
     EXPECT_GT(part.grip(0).reaction.dot(out), 0.02);
     const LocalModel& model = world.local_models().hand[0];
     EXPECT_EQ(model.mode, LocalMode::grasp);
-    EXPECT_EQ(model.grasp.reaction, part.grip(0).reaction) << "what the hand feels is what holds the sheet";
+    EXPECT_EQ(model.grasp.reaction, part.grip(0).reaction) << "the hand feels the force on the sheet";
     EXPECT_GT(model.grasp.stiffness(0, 0), 1);
     const WorldSnapshot& snapshot = world.snapshot();
     EXPECT_TRUE(snapshot.grasps[0].held);
     EXPECT_EQ(snapshot.grasps[0].reaction, part.grip(0).reaction);
     EXPECT_EQ(snapshot.grasps[0].point, part.grip(0).point);
-    EXPECT_LT(snapshot.grasps[0].arc_length, 0) << "no place along the bowel";
+    EXPECT_LT(snapshot.grasps[0].arc_length, 0) << "no position along the bowel";
     EXPECT_FALSE(snapshot.grasps[1].held);
     double moved = 0;
     for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -266,13 +268,13 @@ TEST(MembranePart, InTheRunningWorldJawsTakeTheSheetFeelItAndBendTheBowel) {
     tool.jaw_angle = grasper.jaw_opening;
     step(2, Vector3::Zero());
     EXPECT_FALSE(part.grip(0).held);
-    EXPECT_FALSE(snapshot.grasps[0].held || snapshot.grasps[0].slipped) << "let go";
+    EXPECT_FALSE(snapshot.grasps[0].held || snapshot.grasps[0].slipped) << "released";
     EXPECT_NE(world.local_models().hand[0].mode, LocalMode::grasp);
     EXPECT_GT(exchanged, 0.1);
-    EXPECT_LT(unexplained, 0.02 * exchanged) << "what the solve's iterations leave";
+    EXPECT_LT(unexplained, 0.02 * exchanged) << "residual of the solve";
 }
 
-TEST(MembranePart, RefusesWhatTheRodCouldNotCarry) {
+TEST(MembranePart, RefusesMembranesTooHeavyForTheRod) {
     MembraneSpec stiff = Pair::mesentery();
     EXPECT_LT(Pair(RodEnd::clamped, true, stiff).part->coupling(), 0.5);
     stiff.structural_stiffness = 10000;
@@ -280,7 +282,7 @@ TEST(MembranePart, RefusesWhatTheRodCouldNotCarry) {
     EXPECT_THROW(Pair(RodEnd::clamped, true, stiff), InputError);
 }
 
-TEST(MembranePart, EveryIntegratorCarriesTheScene) {
+TEST(MembranePart, EveryIntegratorRunsTheScene) {
     for (const auto& [integrator, name, title] : membrane_integrators) {
         Scene scene = load_scene(test::source_path("assets/scenes/b1_mesentery.json"));
         scene.fidelity.membrane = integrator;
@@ -305,7 +307,7 @@ TEST(MembranePart, EveryIntegratorCarriesTheScene) {
             rod.step(state, inputs, dt, scratch);
         }
         EXPECT_TRUE(Membrane::finite(part.state()));
-        EXPECT_GT(part.pull().norm(), 1e-4) << name << ": the sagging bowel hangs on it";
+        EXPECT_GT(part.pull().norm(), 1e-4) << name << ": the sagging bowel must load it";
     }
 }
 
@@ -317,7 +319,7 @@ TEST(MembranePart, TheSnapshotShowsTheSheetOnTheBowel) {
     const MembranePart& part = world.bowel()->membranes()[0];
     EXPECT_EQ(view.positions.size(), part.membrane().masses().size());
     EXPECT_EQ(view.triangles, part.membrane().triangles());
-    // The edge lies on the bowel's wall: as far from the centre line as the anatomy put it.
+    // The edge is on the bowel's wall: at the distance from the centre line given by the anatomy.
     const RodFrame frame = world.bowel()->rod().frame_at(world.bowel()->state(), 0.45).frame;
     double nearest = 1;
     for (const Vector3& p : view.positions) nearest = std::min(nearest, (p - frame.position).norm());

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where tissue of a sheet is left, by its drawn triangles alone: what a blade is said to have done is held
-// against it.
+// Remaining tissue of a sheet, derived from its drawn triangles only: the reported cuts are compared with it.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +11,7 @@
 
 namespace fulcrum::test {
 
-/// Whether there is tissue at a place at rest.
+/// True if there is tissue at a rest position.
 inline bool covered(const SheetView& sheet, double x, double y) {
     for (std::size_t t = 0; t < static_cast<std::size_t>(sheet.triangle_count); ++t) {
         std::array<Eigen::Vector2d, 3> p;
@@ -28,7 +27,7 @@ inline bool covered(const SheetView& sheet, double x, double y) {
     return false;
 }
 
-/// Whether tissue is left all around a place at rest: no blade has been there.
+/// True if there is tissue all around a rest position: no blade has been there.
 inline bool whole_around(const SheetView& sheet, const Vector3& place, double radius) {
     for (int k = 0; k < 17; ++k) {
         const double turn = 0.785398163397448 * k, size = k == 0 ? 0 : k < 9 ? 0.5 * radius : radius;
@@ -38,29 +37,28 @@ inline bool whole_around(const SheetView& sheet, const Vector3& place, double ra
     return true;
 }
 
-/// Across the marked line of a sheet, column by column, between two places along it and two across: how much
-/// of it is parted, and the longest stretch that is parted though no way (from, to along the line, m) leads
-/// over it.
+/// Across the marked line of a sheet, column by column, between two positions along it and two across: the
+/// divided length, and the longest divided stretch that no reported path (from, to along the line, m) covers.
 struct PartedLine {
-    double parted = 0, longest_untold = 0;  ///< m
-    double untold_at = 0;                   ///< m along the line, the end of that stretch
+    double parted = 0, longest_unreported = 0;  ///< m
+    double unreported_at = 0;                   ///< m along the line, the end of that stretch
 };
 inline PartedLine parted_line(const SheetView& sheet, std::array<double, 2> along,
-                              std::array<double, 2> across, const std::vector<std::array<double, 2>>& ways) {
+                              std::array<double, 2> across, const std::vector<std::array<double, 2>>& paths) {
     constexpr double column_width = 0.0004, spacing = 0.0001;
     PartedLine line;
-    double untold = 0;
+    double unreported = 0;
     for (double x = along[0] + 0.5 * column_width; x < along[1]; x += column_width) {
         bool parted = false;
         for (double y = across[0]; y < across[1] && !parted; y += spacing) parted = !covered(sheet, x, y);
-        const bool told = std::any_of(ways.begin(), ways.end(), [&](const std::array<double, 2>& way) {
-            return std::min(way[0], way[1]) <= x && std::max(way[0], way[1]) >= x;
+        const bool reported = std::any_of(paths.begin(), paths.end(), [&](const std::array<double, 2>& path) {
+            return std::min(path[0], path[1]) <= x && std::max(path[0], path[1]) >= x;
         });
         line.parted += parted ? column_width : 0;
-        untold = parted && !told ? untold + column_width : 0;
-        if (untold <= line.longest_untold) continue;
-        line.longest_untold = untold;
-        line.untold_at = x;
+        unreported = parted && !reported ? unreported + column_width : 0;
+        if (unreported <= line.longest_unreported) continue;
+        line.longest_unreported = unreported;
+        line.unreported_at = x;
     }
     return line;
 }

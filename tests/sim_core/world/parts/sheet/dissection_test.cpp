@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sheet held taut and divided by two hands in the running world, ticks and all.
+// A sheet held under traction and divided by two hands in the running world, ticks included.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ Vector3 on_line(const Scene& scene, double x, double above) {
            Vector3(0, 0, above);
 }
 
-/// Held at the flap; the blade set on at `from` (m along the line), pressed in and drawn on to `to`.
+/// Grasped at the flap; the blade placed at `from` (m along the line), pressed in and moved to `to`.
 void divide(test::SheetRig& rig, double from, double to, double speed = 0.03) {
     rig.go(1, on_line(rig.scene, from, 0.02), 0.2);
     rig.go(1, on_line(rig.scene, from, 0.002), 0.1);
@@ -24,14 +24,14 @@ void divide(test::SheetRig& rig, double from, double to, double speed = 0.03) {
     rig.go(1, on_line(rig.scene, to, -0.006), speed);
 }
 
-TEST(SheetWorld, WithoutASheetThereIsNone) {
+TEST(SheetWorld, SceneWithoutASheetHasNone) {
     World world(load_scene(test::source_path("assets/scenes/a2_targets.json")), 1);
     EXPECT_EQ(world.sheet(), nullptr);
     EXPECT_TRUE(world.snapshot().sheet.positions.empty());
     EXPECT_TRUE(world.snapshot().events.empty());
 }
 
-TEST(SheetWorld, ABladeDividesItAlongTheLineUnderTraction) {
+TEST(SheetWorld, BladeDividesTheSheetAlongTheLineUnderTraction) {
     test::SheetRig rig;
     for (const double traction : rig.world.snapshot().sheet.line_traction)
         EXPECT_GT(traction, 0) << "pre-strained";
@@ -40,7 +40,7 @@ TEST(SheetWorld, ABladeDividesItAlongTheLineUnderTraction) {
     rig.steps(30);
     ASSERT_TRUE(rig.hand(0).held);
     EXPECT_TRUE(rig.world.snapshot().grasps[0].held);
-    EXPECT_GT(rig.sheet().state().traction[10], 1.5 * slack) << "traction opens the plane";
+    EXPECT_GT(rig.sheet().state().traction[10], 1.5 * slack) << "traction must open the plane";
     divide(rig, 0.02, 0.075);
     EXPECT_EQ(rig.hand(1).touch, BladeTouch::cutting);
     bool flagged = false;
@@ -61,12 +61,12 @@ TEST(SheetWorld, ABladeDividesItAlongTheLineUnderTraction) {
     for (const Event& event : rig.events) {
         EXPECT_EQ(event.tissue, rig.scene.tissue_index("areolar"));
         if (event.kind == EventKind::cut_advance) {
-            EXPECT_GT(event.value, position - 0.002) << "on and on";
-            EXPECT_LT(std::abs(event.detail), 9000) << "um beside the line";
+            EXPECT_GT(event.value, position - 0.002) << "the cut must advance";
+            EXPECT_LT(std::abs(event.detail), 9000) << "um from the line";
             position = event.value;
         }
         if (event.kind == EventKind::cut_traction) {
-            EXPECT_GT(event.value, 0.5) << "N/m across a blade in a sheet held taut";
+            EXPECT_GT(event.value, 0.5) << "N/m across a blade in a sheet under traction";
             EXPECT_GT(event.detail, 0);
             length += 1e-6 * event.detail;
         }
@@ -86,7 +86,7 @@ TEST(SheetWorld, ABladeDividesItAlongTheLineUnderTraction) {
                 0.5 * length * rig.scene.sheet->blade_width);
     EXPECT_NEAR(snapshot.sheet.visible_area + snapshot.sheet.removed_area, surface.area_before(),
                 1e-9 * surface.area_before());
-    // What is drawn: as many triangles as are visible, of vertices that are where the springs hold them.
+    // Drawn: as many triangles as are visible, with vertices at the positions of the springs' nodes.
     EXPECT_EQ(snapshot.sheet.triangle_count, surface.visible_count());
     EXPECT_EQ(snapshot.sheet.vertex_count, surface.vertex_count());
     for (std::int32_t t = 0; t < snapshot.sheet.triangle_count; ++t) {
@@ -97,13 +97,13 @@ TEST(SheetWorld, ABladeDividesItAlongTheLineUnderTraction) {
                 0.12);
         }
     }
-    // Mass of what is left goes by area; the springs' pieces and the surface's fragments are the same.
+    // The remaining mass is proportional to area; the springs' pieces and the surface's fragments agree.
     const auto& membrane = rig.sheet().state().membrane;
     EXPECT_NEAR(rig.sheet().membrane().mass(membrane),
                 surface.area_visible() * rig.sheet().membrane().density(), 1e-12);
 }
 
-TEST(SheetWorld, WithoutForceOrButtonOrBladeItIsNotCut) {
+TEST(SheetWorld, NoCutWithoutForceButtonAndBlade) {
     for (int lacking = 0; lacking < 3; ++lacking) {
         Scene scene = test::sheet_scene();
         if (lacking == 2) scene.instruments[1].kind = InstrumentKind::probe;
@@ -118,8 +118,8 @@ TEST(SheetWorld, WithoutForceOrButtonOrBladeItIsNotCut) {
     }
 }
 
-// docs/THEORY.md 6: at a swap the energy that the sheet stores does not grow, and nothing moves.
-TEST(SheetWorld, NoSwapRaisesTheEnergyOrMovesWhatIsThere) {
+// docs/THEORY.md, section 6: at a swap the stored energy of the sheet does not grow, and nothing moves.
+TEST(SheetWorld, SwapsNeitherRaiseTheEnergyNorMoveVertices) {
     test::SheetRig rig;
     rig.hold_flap(0.01, Vector3(0, 0.006, 0.010));
     SheetPart& sheet = *rig.world.sheet();
@@ -149,7 +149,7 @@ TEST(SheetWorld, NoSwapRaisesTheEnergyOrMovesWhatIsThere) {
         for (const Vector3& position : sheet.state().positions) ASSERT_TRUE(position.allFinite());
         for (std::size_t v = 0; v < rest.size(); ++v) {
             if (sheet.state().bindings[v].fragment < 0) continue;
-            // Tidying may have laid another vertex under the number.
+            // Tidying may have assigned another vertex to this number.
             if (sheet.surface().vertex(static_cast<std::int32_t>(v)).rest != rest[v]) continue;
             ++still;
             ASSERT_LT((sheet.state().positions[v] - before.positions[v]).norm(), 1e-12);
@@ -160,7 +160,7 @@ TEST(SheetWorld, NoSwapRaisesTheEnergyOrMovesWhatIsThere) {
     EXPECT_GT(still, 40 * 400);
 }
 
-TEST(SheetWorld, TheSameHandsMakeTheSameBitsAndASaveGoesOnAlike) {
+TEST(SheetWorld, SameInputGivesTheSameBitsAndASaveContinuesIdentically) {
     std::uint64_t hash[2];
     for (std::uint64_t& of_run : hash) {
         test::SheetRig rig;
@@ -170,7 +170,7 @@ TEST(SheetWorld, TheSameHandsMakeTheSameBitsAndASaveGoesOnAlike) {
     }
     EXPECT_EQ(hash[0], hash[1]);
 
-    // Saved in the middle, restored in a part made anew: both go on alike.
+    // Saved in the middle, restored in a new part: both continue identically.
     test::SheetRig rig;
     rig.hold_flap(0, Vector3(0, 0.006, 0.008));
     divide(rig, 0.02, 0.05);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hands that drag their instruments anywhere: over rims, through tissue and across each other. What a hand
-// that nothing holds back can do.
+// Hands that drag their instruments anywhere: over borders, through tissue and across each other, as a hand
+// without force feedback can.
 #pragma once
 
 #include <functional>
@@ -30,8 +30,9 @@ inline double drag_about(SheetRig& rig, int count, Random& random,
         }
         rig.wish[1].button = random.uniform(0, 1) < 0.3;
         rig.wish[0].closed = random.uniform(0, 1) < 0.3;
-        const Vector3 way = to - from;
-        rig.go(hand, from + std::min(1.0, longest / way.norm()) * way, random.uniform(0.02, 0.1));
+        const Vector3 displacement = to - from;
+        rig.go(hand, from + std::min(1.0, longest / displacement.norm()) * displacement,
+               random.uniform(0.02, 0.1));
     }
     return rig.worst_change;
 }

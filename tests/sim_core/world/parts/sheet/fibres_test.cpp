@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fibres between two layers part under tension: at the ends of cuts, or where no blade has been.
+// Fibres between two layers tear under tension: at the ends of cuts, or without a blade.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ Vector3 on_line(const Scene& scene, double x, double above) {
            Vector3(0, 0, above);
 }
 
-/// A blade divides 15 mm of the line and comes out.
+/// A blade divides 15 mm of the line and is withdrawn.
 void cut_a_little(test::SheetRig& rig) {
     rig.go(1, on_line(rig.scene, 0.035, 0.02), 0.2);
     rig.go(1, on_line(rig.scene, 0.035, 0.002), 0.1);
@@ -38,17 +38,17 @@ void cut_a_little(test::SheetRig& rig) {
     rig.go(1, on_line(rig.scene, 0.055, 0.03), 0.1);
 }
 
-/// One parting as its three events tell it.
+/// One tear, from its three events.
 struct Parting {
     Vector3 from, to;  ///< along the line and across it, m
     double traction, length;
 };
 std::vector<Parting> partings(const test::SheetRig& rig) {
-    std::vector<Parting> told;
+    std::vector<Parting> reported;
     for (std::size_t i = 0; i < rig.events.size(); ++i) {
         if (rig.events[i].kind != EventKind::fibres_parted) continue;
         if (i + 2 >= rig.events.size()) {
-            ADD_FAILURE() << "where it ended is not told";
+            ADD_FAILURE() << "the end of the tear is not reported";
             break;
         }
         const Event &begin = rig.events[i], &end = rig.events[i + 1], &pull = rig.events[i + 2];
@@ -58,9 +58,9 @@ std::vector<Parting> partings(const test::SheetRig& rig) {
         const auto place = [](const Event& event) {
             return Vector3(static_cast<double>(event.value), -1e-6 * event.detail, 0);
         };
-        told.push_back({place(begin), place(end), static_cast<double>(pull.value), 1e-6 * pull.detail});
+        reported.push_back({place(begin), place(end), static_cast<double>(pull.value), 1e-6 * pull.detail});
     }
-    return told;
+    return reported;
 }
 
 double parted(const test::SheetRig& rig) {
@@ -78,7 +78,7 @@ void expect_whole(const SheetPart& sheet) {
                 sheet.surface().area_visible() * sheet.membrane().density(), 1e-12);
 }
 
-TEST(SheetFibres, BelowTheirStrengthNonePartAndNothingElseChanges) {
+TEST(SheetFibres, BelowTheirStrengthNoneTearAndNothingElseChanges) {
     test::SheetRig strong(with_fibres(1000)), none;
     for (test::SheetRig* rig : {&strong, &none}) {
         rig->hold_flap(0, Vector3(0, 0.006, 0.008));
@@ -91,7 +91,7 @@ TEST(SheetFibres, BelowTheirStrengthNonePartAndNothingElseChanges) {
     EXPECT_EQ(strong.sheet().state().positions, none.sheet().state().positions);
 }
 
-TEST(SheetFibres, TheWeakerTheyAreTheFurtherACutRunsOn) {
+TEST(SheetFibres, WeakerFibresLetACutExtendFurther) {
     double before = -1;
     for (const double strength : {7.0, 5.0, 4.0}) {
         test::SheetRig rig(with_fibres(strength));
@@ -105,7 +105,7 @@ TEST(SheetFibres, TheWeakerTheyAreTheFurtherACutRunsOn) {
     EXPECT_GT(before, 0.01);
 }
 
-TEST(SheetFibres, ACutRunsOnUnderTensionAndStopsWhenItIsSlack) {
+TEST(SheetFibres, CutExtendsUnderTensionAndStopsWhenSlack) {
     test::SheetRig rig(with_fibres(4.5));
     rig.hold_flap(0, Vector3(0, 0.002, 0.002));
     cut_a_little(rig);
@@ -117,14 +117,14 @@ TEST(SheetFibres, ACutRunsOnUnderTensionAndStopsWhenItIsSlack) {
     rig.steps(20);
     const int first = divided(), stands = rig.count(EventKind::fibres_parted);
     rig.steps(20);
-    EXPECT_EQ(rig.count(EventKind::fibres_parted), stands) << "held with little";
+    EXPECT_EQ(rig.count(EventKind::fibres_parted), stands) << "low tension";
     rig.worst_change = 0;
     const Vector3 back(0, 0.006, 0.010);
     rig.go(0, rig.wish[0].tip + back, 0.05);
     rig.steps(40);
     EXPECT_GT(rig.count(EventKind::fibres_parted), stands + 10);
     EXPECT_GT(divided(), first + 1);
-    EXPECT_LE(rig.worst_change, 0.3 * (1 + 1e-9)) << "N in a ms, to the hand that holds";
+    EXPECT_LE(rig.worst_change, 0.3 * (1 + 1e-9)) << "N per ms, to the holding hand";
     for (const Parting& one : partings(rig)) {
         EXPECT_GT(one.length, 0.0001);
         EXPECT_LT(one.length, 0.002);
@@ -132,7 +132,7 @@ TEST(SheetFibres, ACutRunsOnUnderTensionAndStopsWhenItIsSlack) {
         EXPECT_LT(std::abs(one.to.y()), 0.009);
         EXPECT_GT(one.traction, 4.5);
     }
-    // The flap given back: the tension falls, the ends stand; drawn again, they run on.
+    // The flap is released: the tension drops and the ends stop; drawn again, they extend.
     rig.go(0, rig.wish[0].tip - back, 0.05);
     rig.steps(10);
     const int then = rig.count(EventKind::fibres_parted);
@@ -144,7 +144,7 @@ TEST(SheetFibres, ACutRunsOnUnderTensionAndStopsWhenItIsSlack) {
     expect_whole(rig.sheet());
 }
 
-TEST(SheetFibres, PulledHardTheyPartWithoutABlade) {
+TEST(SheetFibres, StrongTractionTearsThemWithoutABlade) {
     test::SheetRig rig(with_fibres(4));
     rig.hold_flap(0, Vector3(0, 0.002, 0.002));
     rig.steps(60);
@@ -160,8 +160,8 @@ TEST(SheetFibres, PulledHardTheyPartWithoutABlade) {
     expect_whole(rig.sheet());
 }
 
-// The scene of task B2: its band of traction ends at 18 N/m. What is told is what parted, and all of it.
-TEST(SheetFibres, OfTheTaskPartAboveItsBandAloneAndAreTold) {
+// The scene of task B2: its traction band ends at 18 N/m. The reported tears are exactly the torn tissue.
+TEST(SheetFibres, FibresOfTheTaskTearOnlyAboveItsTractionBandAndAreReported) {
     test::SheetRig rig(load_scene(test::source_path("assets/scenes/b2_plane.json")));
     ASSERT_TRUE(rig.scene.sheet->fibres.has_value());
     const auto most = [&] {
@@ -182,29 +182,29 @@ TEST(SheetFibres, OfTheTaskPartAboveItsBandAloneAndAreTold) {
         rig.steps(4);
     }
     EXPECT_LE(rig.worst_change, 0.3 * (1 + 1e-9));
-    const std::vector<Parting> told = partings(rig);
-    ASSERT_GT(told.size(), 20U);
+    const std::vector<Parting> reported = partings(rig);
+    ASSERT_GT(reported.size(), 20U);
     const SheetView& sheet = rig.world.snapshot().sheet;
-    for (const Parting& one : told) {
+    for (const Parting& one : reported) {
         EXPECT_GT(one.traction, rig.scene.sheet->fibres->strength);
         for (const double share : {0.25, 0.5, 0.75}) {
             const Vector3 place = one.from + share * (one.to - one.from);
             EXPECT_FALSE(test::whole_around(sheet, place, 0.0008)) << place.transpose();
         }
     }
-    std::vector<std::array<double, 2>> ways;
-    for (const Parting& one : told) ways.push_back({one.from.x(), one.to.x()});
+    std::vector<std::array<double, 2>> paths;
+    for (const Parting& one : reported) paths.push_back({one.from.x(), one.to.x()});
     const double low = 0.5 * (rig.scene.sheet->line_length - rig.scene.sheet->length);
     const test::PartedLine line =
-        test::parted_line(sheet, {low, low + rig.scene.sheet->length}, {-0.01, 0.01}, ways);
-    EXPECT_LE(line.longest_untold, 0.0008 + 1e-9) << "at " << line.untold_at;
+        test::parted_line(sheet, {low, low + rig.scene.sheet->length}, {-0.01, 0.01}, paths);
+    EXPECT_LE(line.longest_unreported, 0.0008 + 1e-9) << "at " << line.unreported_at;
     EXPECT_GT(line.parted, 0.01);
     expect_whole(rig.sheet());
 }
 
-TEST(SheetFibres, NoEnergyComesOfIt) {
-    // Stretched beyond their strength and touched by nobody. Of two sheets alike up to a step, that whose
-    // fibres part in it ends it with no more energy.
+TEST(SheetFibres, TearingAddsNoEnergy) {
+    // Stretched beyond their strength without contact. Of two sheets that are identical up to a step, the one
+    // whose fibres tear in it must not end with more energy.
     Scene scene = with_fibres(5, 0.2);
     SheetPart sheet(scene, scene.step_period());
     scene.sheet->fibres.reset();
@@ -235,7 +235,7 @@ TEST(SheetFibres, NoEnergyComesOfIt) {
     expect_whole(sheet);
 }
 
-TEST(SheetFibres, ASaveInTheMiddleGoesOnAlike) {
+TEST(SheetFibres, SaveInTheMiddleContinuesIdentically) {
     const Scene scene = with_fibres(5, 0.2);
     SheetPart sheet(scene, scene.step_period()), other(scene, scene.step_period());
     const SheetAction nobody[hand_count];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a cut leaves: lips that gape and are pushed, parts that fall, tissue that jaws keep or lose; and what
-// the hand feels.
+// Tissue after a cut: lips that gape and are pushed, parts that fall, tissue that jaws keep or lose; and the
+// force to the hand.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,12 +19,12 @@ Vector3 over(const Scene& scene, double x, double y, double above) {
     return scene.sheet->centre + x * scene.sheet->along + y * scene.sheet->across + Vector3(0, 0, above);
 }
 
-/// Cuts the sheet where it is along a way given at rest (m from its middle), as a blade that knows its way.
-void cut_along(SheetPart& sheet, const Scene& scene, const std::vector<Eigen::Vector2d>& way,
+/// Cuts the sheet in its present shape along a path given at rest (m from its middle).
+void cut_along(SheetPart& sheet, const Scene& scene, const std::vector<Eigen::Vector2d>& path,
                double width = 0.0006) {
-    for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
         const auto step = [&](const Eigen::Vector2d& p) {
-            // Where that place is now: that of the nearest visible vertex, moved as it was.
+            // Present location of that point: that of the nearest visible vertex, with its displacement.
             const Vector3 rest = over(scene, p.x(), p.y(), 0);
             double least = 1;
             Vector3 moved = Vector3::Zero();
@@ -38,8 +38,8 @@ void cut_along(SheetPart& sheet, const Scene& scene, const std::vector<Eigen::Ve
             return Vector3(rest + moved);
         };
         BladeStep blade;
-        blade.from = step(way[i]);
-        blade.to = step(way[i + 1]);
+        blade.from = step(path[i]);
+        blade.to = step(path[i + 1]);
         const Vector3 dir = (blade.to - blade.from).normalized();
         blade.from -= 0.0003 * dir;
         blade.width = width;
@@ -51,20 +51,21 @@ void cut_along(SheetPart& sheet, const Scene& scene, const std::vector<Eigen::Ve
 }
 
 std::vector<Eigen::Vector2d> straight(double x0, double y0, double x1, double y1, int count) {
-    std::vector<Eigen::Vector2d> way;
-    for (int i = 0; i <= count; ++i) way.emplace_back(x0 + (x1 - x0) * i / count, y0 + (y1 - y0) * i / count);
-    return way;
+    std::vector<Eigen::Vector2d> path;
+    for (int i = 0; i <= count; ++i)
+        path.emplace_back(x0 + (x1 - x0) * i / count, y0 + (y1 - y0) * i / count);
+    return path;
 }
 
 std::vector<Eigen::Vector2d> winding(double from, double to, double turns) {
-    std::vector<Eigen::Vector2d> way;
+    std::vector<Eigen::Vector2d> path;
     const int count = static_cast<int>(24 * turns) + 1;
     for (int i = 0; i <= count; ++i) {
         const double s = static_cast<double>(i) / (count - 1), angle = 6.283185307179586 * turns * s;
-        way.emplace_back((from + (to - from) * s) * std::cos(angle),
-                         (from + (to - from) * s) * std::sin(angle));
+        path.emplace_back((from + (to - from) * s) * std::cos(angle),
+                          (from + (to - from) * s) * std::sin(angle));
     }
-    return way;
+    return path;
 }
 
 void expect_whole(const SheetPart& sheet) {
@@ -74,15 +75,15 @@ void expect_whole(const SheetPart& sheet) {
                 sheet.surface().area_visible() * sheet.membrane().density(), 1e-12);
 }
 
-// Cut, lift, push the lip: nothing that the world swaps jerks the hand. (b2_areolar's slew leaves a tenth of
-// the limit to what the hand's own motion adds.) b2_plane is the scene of task B2.
+// Cut, lift, push the lip: no swap of the world causes a jump of the force. (In b2_areolar the slew limit
+// leaves a tenth of the limit for the hand's own motion.) b2_plane is the scene of task B2.
 class SheetLipsOf : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Scenes, SheetLipsOf, testing::Values("b2_areolar", "b2_plane"),
                          [](const testing::TestParamInfo<const char*>& scene) {
                              return std::string(scene.param);
                          });
 
-TEST_P(SheetLipsOf, CutLiftAndPushTheLipWithoutAJerk) {
+TEST_P(SheetLipsOf, CutLiftAndPushOfTheLipStayWithinTheSlewLimit) {
     test::SheetRig rig(load_scene(test::source_path("assets/scenes/" + std::string(GetParam()) + ".json")));
     rig.hold_flap(0, Vector3(0, 0.006, 0.008));
     const double limit = 0.3 * (1 + 1e-9);  // N in a tick of 1 ms
@@ -131,8 +132,8 @@ TEST_P(SheetLipsOf, CutLiftAndPushTheLipWithoutAJerk) {
     expect_whole(rig.sheet());
 }
 
-// Through the sheet and over its rims, shafts across each other.
-TEST_P(SheetLipsOf, HandsThatDragAnywhereFeelNoJump) {
+// Through the sheet and over its borders, shafts across each other.
+TEST_P(SheetLipsOf, DraggingAnywhereCausesNoForceJump) {
     test::SheetRig rig(load_scene(test::source_path("assets/scenes/" + std::string(GetParam()) + ".json")));
     Random random(3, 0xD7A6U);
     const double x = 0.6 * rig.scene.sheet->length, y = 0.6 * rig.scene.sheet->width;
@@ -140,11 +141,11 @@ TEST_P(SheetLipsOf, HandsThatDragAnywhereFeelNoJump) {
         return over(rig.scene, r.uniform(-x, x), r.uniform(-y, y), r.uniform(-0.01, 0.01));
     };
     EXPECT_LE(test::drag_about(rig, 60, random, somewhere), 0.3 * (1 + 1e-9)) << "N in a ms";
-    EXPECT_GT(rig.largest_force, 1) << "something was felt";
+    EXPECT_GT(rig.largest_force, 1) << "there must be contact";
     expect_whole(rig.sheet());
 }
 
-TEST(SheetLips, ATipKeepsItsSideHoweverFast) {
+TEST(SheetLips, TipKeepsItsSideAtAnySpeed) {
     for (const double speed : {0.05, 0.5, 3.0}) {
         test::SheetRig rig;
         rig.go(1, over(rig.scene, 0.0, 0, 0.02), 0.2);
@@ -159,7 +160,7 @@ TEST(SheetLips, ATipKeepsItsSideHoweverFast) {
             EXPECT_LE(rig.worst_change, 0.3 * (1 + 1e-9)) << "at a hand's speed";
         }
         const Vector3 felt = rig.sent[1];
-        EXPECT_GT(felt.z(), 0.05) << "the hand feels what the sheet does";
+        EXPECT_GT(felt.z(), 0.05) << "the sheet must push the hand";
         EXPECT_LT((felt + rig.hand(1).reaction).norm(), 0.2 * felt.norm());
         rig.go(1, over(rig.scene, 0.0, 0, 0.02), 0.2);
         rig.steps(40);
@@ -167,7 +168,7 @@ TEST(SheetLips, ATipKeepsItsSideHoweverFast) {
     }
 }
 
-TEST(SheetLips, ALipThinnerThanTheToolCarriesNothing) {
+TEST(SheetLips, LipThinnerThanTheToolCarriesNoForce) {
     double force[2];
     for (int thin = 0; thin < 2; ++thin) {
         test::SheetRig rig;
@@ -186,7 +187,7 @@ TEST(SheetLips, ALipThinnerThanTheToolCarriesNothing) {
     EXPECT_LT(force[1], 0.1 * force[0]);
 }
 
-TEST(SheetLips, CutFromRimToRimTheFlapComesWithTheJaws) {
+TEST(SheetLips, FlapCutFromBorderToBorderFollowsTheJaws) {
     test::SheetRig rig;
     cut_along(*rig.world.sheet(), rig.scene, straight(-0.061, 0, 0.061, 0, 60));
     expect_whole(rig.sheet());
@@ -194,7 +195,7 @@ TEST(SheetLips, CutFromRimToRimTheFlapComesWithTheJaws) {
     CutMesh pieces = rig.sheet().surface();
     EXPECT_EQ(pieces.find_pieces(), 2);
     for (const std::uint8_t isolated : rig.sheet().state().membrane.isolated)
-        EXPECT_EQ(isolated, 0) << "both hang on an edge";
+        EXPECT_EQ(isolated, 0) << "both are attached to an edge";
     rig.hold_flap(0, Vector3(0, 0.01, 0.03));
     rig.steps(40);
     double flap = -1, fixed_side = -1;
@@ -208,7 +209,7 @@ TEST(SheetLips, CutFromRimToRimTheFlapComesWithTheJaws) {
         }
     }
     EXPECT_GT(flap, 0.015);
-    EXPECT_LT(fixed_side, 0.002) << "what is cut off does not follow";
+    EXPECT_LT(fixed_side, 0.002) << "the separated part does not follow";
 }
 
 /// m, mean gap at the middle of a slit of 50 mm along the marked line.
@@ -232,15 +233,15 @@ double gape(double pre_strain) {
     return upper - lower;
 }
 
-TEST(SheetLips, ASlitGapesByThePreStrain) {
+TEST(SheetLips, SlitGapesByThePreStrain) {
     const double some = gape(0.03), more = gape(0.08), most = gape(0.16);
-    EXPECT_GT(some, 0.0006) << "more than the blade took";
+    EXPECT_GT(some, 0.0006) << "more than the kerf";
     EXPECT_GT(more, 1.4 * some);
     EXPECT_GT(most, 1.4 * more);
     EXPECT_LT(most, 0.05 * 0.16 * 1.5);
 }
 
-TEST(SheetLips, ACircleFallsAndIsRemovedASpiralDoesNot) {
+TEST(SheetLips, CircleFallsAndIsRemovedButSpiralStays) {
     for (const bool closed : {true, false}) {
         test::SheetRig rig;
         SheetPart& sheet = *rig.world.sheet();
@@ -269,7 +270,7 @@ TEST(SheetLips, ACircleFallsAndIsRemovedASpiralDoesNot) {
         if (closed) {
             EXPECT_LT(lowest, -0.05) << "it falls";
         } else {
-            EXPECT_EQ(sheet.state().any_loose, 0) << "a tongue hangs on";
+            EXPECT_EQ(sheet.state().any_loose, 0) << "a tongue stays attached";
         }
         rig.steps(160);
         EXPECT_NEAR(visible - sheet.surface().area_visible(), area, 2e-3 * area + 1e-12) << "and is removed";
@@ -278,7 +279,7 @@ TEST(SheetLips, ACircleFallsAndIsRemovedASpiralDoesNot) {
     }
 }
 
-TEST(SheetLips, JawsKeepWhatIsCutOutAndLoseWhatIsCutAway) {
+TEST(SheetLips, JawsKeepAnIsolatedPieceAndLoseRemovedTissue) {
     test::SheetRig rig;
     SheetPart& sheet = *rig.world.sheet();
     rig.hold_at(0, 0.004, Vector3(0, 0.001, 0.003));
@@ -289,11 +290,11 @@ TEST(SheetLips, JawsKeepWhatIsCutOutAndLoseWhatIsCutAway) {
     const double visible = sheet.surface().area_visible();
     rig.steps(230);
     EXPECT_TRUE(rig.hand(0).held);
-    EXPECT_GT(sheet.state().any_loose, 0) << "it hangs in the jaws";
+    EXPECT_GT(sheet.state().any_loose, 0) << "the jaws hold it";
     EXPECT_GT(sheet.surface().area_visible(), visible - 1e-4);
     rig.go(0, rig.wish[0].tip + Vector3(0, 0, 0.03), 0.1);
     EXPECT_LT(rig.hand(0).pull.norm(), 0.1) << "light";
-    // What the jaws hold is cut away between them.
+    // The tissue between the jaws is cut away.
     for (int g = 0; g < rig.hand(0).grip_count; ++g) {
         const Vector3 at = sheet.rest(rig.hand(0).grips[static_cast<std::size_t>(g)].place);
         const double gx = at.x() - 0.5 * rig.scene.sheet->line_length;
@@ -304,11 +305,11 @@ TEST(SheetLips, JawsKeepWhatIsCutOutAndLoseWhatIsCutAway) {
     rig.wish[0].closed = false;
     rig.steps(240);
     EXPECT_FALSE(rig.hand(0).held);
-    EXPECT_EQ(sheet.state().any_loose, 0) << "let go, it falls and is removed";
+    EXPECT_EQ(sheet.state().any_loose, 0) << "released, it falls and is removed";
     expect_whole(sheet);
 }
 
-TEST(SheetLips, AStepThatCutsNothingChangesNothing) {
+TEST(SheetLips, StepWithoutCutChangesNothing) {
     test::SheetRig rig;
     SheetPart& sheet = *rig.world.sheet();
     StateHash before, after;
@@ -323,7 +324,7 @@ TEST(SheetLips, AStepThatCutsNothingChangesNothing) {
     EXPECT_EQ(before.value(), after.value());
 }
 
-TEST(SheetLips, BadSheetsAreRefusedWithPlaceAndMend) {
+TEST(SheetLips, BadSheetsAreRefusedWithPlaceAndHint) {
     std::ifstream file(test::source_path("assets/scenes/b2_areolar.json"));
     std::stringstream text;
     text << file.rdbuf();

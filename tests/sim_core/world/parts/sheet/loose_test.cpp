@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tissue that comes free while a blade is in it.
+// Tissue that is detached while a blade is in it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,14 +11,14 @@
 namespace fulcrum {
 namespace {
 
-/// A blade held in a sheet from below, and what is cut free around it.
+/// A blade held in a sheet from below, and the piece cut free around it.
 struct BladeFromBelow {
     Scene scene = test::sheet_scene();
     SheetPart part{scene, scene.step_period()};
     std::array<SheetAction, hand_count> actions;
     std::uint32_t tick = 0;
-    int begun = 0, ended = 0, told = 0, fallen = 0;
-    double farthest = 0;  ///< m, between a blade that cuts and its place in the tissue
+    int begun = 0, ended = 0, reported = 0, fallen = 0;
+    double farthest = 0;  ///< m, between a cutting blade and its position in the tissue
 
     const SheetPart::HandState& hand() const { return part.state().hands[1]; }
     Vector3 on(double x, double off, double up) const {
@@ -32,7 +32,7 @@ struct BladeFromBelow {
             const EventKind kind = part.events()[e].kind;
             begun += kind == EventKind::cut_begin ? 1 : 0;
             ended += kind == EventKind::cut_end ? 1 : 0;
-            told += kind == EventKind::cut_advance ? 1 : 0;
+            reported += kind == EventKind::cut_advance ? 1 : 0;
             fallen += kind == EventKind::piece_fallen ? 1 : 0;
         }
         if (hand().touch == BladeTouch::cutting)
@@ -63,11 +63,11 @@ struct BladeFromBelow {
         const Vector3 corners[] = {middle - half * x - half * y, middle + half * x - half * y,
                                    middle + half * x + half * y, middle - half * x + half * y};
         for (std::size_t k = 0; k < 4; ++k) {
-            const Vector3 way = (corners[(k + 1) % 4] - corners[k]).normalized();
+            const Vector3 direction = (corners[(k + 1) % 4] - corners[k]).normalized();
             for (double run = -0.0005; run < 2 * half; run += 0.002) {
                 BladeStep blade;
-                blade.from = corners[k] + (run - blade_rules::overlap) * way;
-                blade.to = corners[k] + (run + 0.002) * way;
+                blade.from = corners[k] + (run - blade_rules::overlap) * direction;
+                blade.to = corners[k] + (run + 0.002) * direction;
                 blade.normal = Vector3(0, 0, 1);
                 blade.width = scene.sheet->blade_width;
                 blade.depth = 0.02;
@@ -79,24 +79,24 @@ struct BladeFromBelow {
     }
 };
 
-// A piece falls for a second before it is taken away: the blade must neither go with it nor turn up where the
-// tissue nearest to the fallen piece is.
-TEST(SheetLoose, ABladeLetsGoOfWhatFallsFromIt) {
+// A piece falls for a second before it is removed: the blade must neither move with it nor jump to the tissue
+// nearest to the fallen piece.
+TEST(SheetLoose, BladeReleasesAFallingPiece) {
     BladeFromBelow rig;
     rig.enter();
     ASSERT_EQ(rig.hand().touch, BladeTouch::cutting);
-    ASSERT_LT(rig.hand().side, 0) << "a piece that falls does not come out over the tip";
+    ASSERT_LT(rig.hand().side, 0) << "a falling piece does not pass over the tip";
     rig.part_around(0.008);
     ASSERT_GT(rig.part.state().loose[static_cast<std::size_t>(rig.hand().place.fragment)], 0)
         << "the blade is in it";
-    const int told = rig.told;
+    const int reported = rig.reported;
     for (int i = 0; i < 40; ++i) rig.step();
     EXPECT_NE(rig.hand().touch, BladeTouch::cutting);
     EXPECT_EQ(rig.ended, rig.begun);
     for (int i = 0; i < 250; ++i) rig.step();
-    EXPECT_EQ(rig.told, told);
+    EXPECT_EQ(rig.reported, reported);
     EXPECT_EQ(rig.ended, rig.begun);
-    EXPECT_GT(rig.part.surface().area_removed(), 0.8 * 0.016 * 0.016) << "m2: the piece was taken away";
+    EXPECT_GT(rig.part.surface().area_removed(), 0.8 * 0.016 * 0.016) << "m2: the piece was removed";
     EXPECT_LT(rig.farthest, 0.005);
 }
 

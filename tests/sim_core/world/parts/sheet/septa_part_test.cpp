@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Septa as a part: where they lie, what they exchange with the rectum, what a cut does to them, what a scene
-// may ask for.
+// Septa as a part: their position, forces exchanged with the rectum, the effect of a cut, valid scene values.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -34,14 +33,14 @@ TEST(Rectum, WallAndTubeAreConcentricAboutTheSacralCurve) {
             EXPECT_EQ(fascia.x() > 0, turn > 0) << "left is left";
         }
     }
-    // The wall lies behind the fascia, by no more than it may, and faces the rectum.
+    // The wall is behind the fascia, by no more than its unevenness, and faces the rectum.
     const CavityModel wall(make_presacral_wall(parameters), FreeSide::front);
     Random random(3, 1);
     for (int i = 0; i < 300; ++i) {
         const double s = random.uniform(0.0, 0.95 * parameters.promontory), turn = random.uniform(-1.1, 1.1);
         const double height = random.uniform(0.0, curve.gap);
         const CavityPoint near = wall.closest(curve.point(s, turn, height), 0.05);
-        // 3.5 mm triangles on a curve of 33 mm: the chord lies a little in front of it.
+        // 3.5 mm triangles on a curve of 33 mm: the chord is slightly in front of it.
         EXPECT_GT(near.distance, height - 1e-4);
         EXPECT_LT(near.distance, height + parameters.unevenness + 1e-6);
     }
@@ -60,7 +59,7 @@ TEST(Rectum, WallAndTubeAreConcentricAboutTheSacralCurve) {
     }
 }
 
-TEST(Septa, LieBetweenFasciaAndMuscularisWithTheirLinesEndToEnd) {
+TEST(Septa, AreBetweenFasciaAndMuscularisWithConsecutiveLines) {
     const Scene scene = test::septa_scene();
     const SacralCurve curve = rectum_parameters(scene).curve;
     const SheetLayout layout = lay_out_septa(*scene.septa, curve);
@@ -73,7 +72,7 @@ TEST(Septa, LieBetweenFasciaAndMuscularisWithTheirLinesEndToEnd) {
                      height = layout.rest[v].y() + scene.septa->plane_height;
         const Vector3& place = layout.mesh.vertices[v];
         EXPECT_NEAR((place - curve.centre_line(s)).norm(), curve.fascia_radius() - height, 1e-12)
-            << "height is the way to the fascia";
+            << "height is the distance to the fascia";
         EXPECT_NEAR((place - curve.centre_line(s)).dot(curve.cranial(s)), 0, 1e-12) << "across the rectum";
         EXPECT_GE(layout.rest[v].x(), piece * scene.septa->width - 1e-12);
         EXPECT_LE(layout.rest[v].x(), (piece + 1) * scene.septa->width + 1e-12);
@@ -130,7 +129,7 @@ struct Afloat {
     }
 };
 
-TEST(Septa, PullOnTheRectumIsEqualAndOppositeToWhatHoldsTheirEdge) {
+TEST(Septa, PullOnTheRectumIsEqualAndOppositeToTheEdgeSupport) {
     Afloat pair;
     for (Vector3& v : pair.state.velocities) v = Vector3(0.05, -0.1, 0.3);
     const SheetAction nothing[hand_count];
@@ -142,17 +141,17 @@ TEST(Septa, PullOnTheRectumIsEqualAndOppositeToWhatHoldsTheirEdge) {
         Vector3 held = Vector3::Zero(), pull = Vector3::Zero();
         for (const DrivenVertex& driven : pair.sheet.inputs().driven) held += driven.reaction;
         for (const RodLoad& load : pair.sheet.pulls()) pull += load.force;
-        EXPECT_LT((held + pull).norm(), 1e-10) << "the very same force";
+        EXPECT_LT((held + pull).norm(), 1e-10) << "exactly the same force";
         pair.inputs.loads = pair.sheet.pulls();
         pair.rod.step(pair.state, pair.inputs, dt, pair.scratch);
-        EXPECT_LT((pair.momentum() - before - dt * pull).norm(), 1e-8) << "and the rod gains what it gives";
+        EXPECT_LT((pair.momentum() - before - dt * pull).norm(), 1e-8) << "and the rod gains that impulse";
         size += dt * pull.norm();
     }
     EXPECT_GT(size, 1e-3);
 }
 
-// What holds both edges is all that acts: the membrane gains what it gives, and at rest the two balance.
-TEST(Septa, MomentumOfTheSeptaIsWhatTheirEdgesGive) {
+// Only the supports of both edges act: the membrane gains their impulse, and at rest the two balance.
+TEST(Septa, MomentumOfTheSeptaEqualsTheImpulseOfTheirEdges) {
     const Scene scene = Afloat::undamped(test::septa_scene());
     const SheetLayout layout = lay_out_septa(*scene.septa, rectum_parameters(scene).curve);
     MembraneMaterial material;
@@ -187,23 +186,24 @@ TEST(Septa, MomentumOfTheSeptaIsWhatTheirEdgesGive) {
                 if (layout.rest[static_cast<std::size_t>(driven.vertex)].y() < 0) below += driven.reaction;
                 const std::size_t v = static_cast<std::size_t>(driven.vertex);
                 ASSERT_LT((state.positions[v] - driven.target).norm(), 1e-12)
-                    << "the edge is where it was led";
+                    << "the edge follows its prescribed motion";
             }
             fascia = below.norm();
             const Vector3 change = membrane.momentum(state) - before;
             if (damping == 0) {
                 ASSERT_LT((change - dt * given).norm(), 1e-10) << i;
             } else if (i == 299) {
-                EXPECT_LT(given.norm(), 1e-3 * fascia) << "in balance the fascia holds what the rectum draws";
+                EXPECT_LT(given.norm(), 1e-3 * fascia)
+                    << "in equilibrium the fascia carries the pull of the rectum";
             }
         }
         EXPECT_GT(fascia, 0.05);
     }
 }
 
-// Along the plane from rim to rim: two pieces, both held; the pull on the rectum goes; no swap raises the
-// energy.
-TEST(Septa, ACutFromRimToRimMakesTwoPiecesAndLetsGoOfTheRectum) {
+// Along the plane from border to border: two pieces, both held; the pull on the rectum vanishes; no swap
+// raises the energy.
+TEST(Septa, CutFromBorderToBorderMakesTwoPiecesAndReleasesTheRectum) {
     test::SeptaRig rig;
     rig.take_rectum();
     rig.lift(0.008);
@@ -215,23 +215,23 @@ TEST(Septa, ACutFromRimToRimMakesTwoPiecesAndLetsGoOfTheRectum) {
         std::vector<double> others;
         for (const RodLoad& load : sheet.pulls()) others.push_back(load.force.norm());
         const std::size_t count = rig.view().line.size() / 4;
-        std::vector<Vector3> way;
+        std::vector<Vector3> path;
         const Vector3* line = &rig.view().line[static_cast<std::size_t>(k) * count];
-        way.push_back(line[0] + 1.0 * (line[0] - line[1]));
-        for (std::size_t i = 0; i < count; ++i) way.push_back(line[i]);
-        way.push_back(line[count - 1] + 1.0 * (line[count - 1] - line[count - 2]));
+        path.push_back(line[0] + 1.0 * (line[0] - line[1]));
+        for (std::size_t i = 0; i < count; ++i) path.push_back(line[i]);
+        path.push_back(line[count - 1] + 1.0 * (line[count - 1] - line[count - 2]));
         std::int32_t root = -1;
         const Vector3 normal = rig.curve.cranial(rig.arc_length(k));
-        for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+        for (std::size_t i = 0; i + 1 < path.size(); ++i) {
             const MembraneEnergy before = sheet.membrane().energy(sheet.state().membrane);
             BladeStep blade;
-            blade.from = way[i] - 0.0003 * (way[i + 1] - way[i]).normalized();
-            blade.to = way[i + 1];
+            blade.from = path[i] - 0.0003 * (path[i + 1] - path[i]).normalized();
+            blade.to = path[i + 1];
             blade.normal = normal;
             blade.width = spec.blade_width;
             blade.depth = 0.004;
             blade.root =
-                root >= 0 ? root : sheet.surface().nearest_root(way[1], sheet.state().positions.data());
+                root >= 0 ? root : sheet.surface().nearest_root(path[1], sheet.state().positions.data());
             const CutReport report = sheet.cut(blade);
             if (report.root >= 0) root = report.root;
             const MembraneEnergy after = sheet.membrane().energy(sheet.state().membrane);
@@ -244,10 +244,10 @@ TEST(Septa, ACutFromRimToRimMakesTwoPiecesAndLetsGoOfTheRectum) {
         const std::int32_t pieces = surface.find_pieces();
         EXPECT_EQ(pieces, k == 1 ? 5 : 6);
         for (std::int32_t p = 0; p < pieces; ++p)
-            EXPECT_TRUE(surface.piece(p).fixed) << "one on the fascia, one on the rectum";
+            EXPECT_TRUE(surface.piece(p).fixed) << "one is attached to the fascia, one to the rectum";
         rig.steps(100);
         EXPECT_LT(sheet.pulls()[static_cast<std::size_t>(k)].force.norm(), 0.05 * pull);
-        EXPECT_GT(sheet.pulls()[0].force.norm(), 0.8 * others[0]) << "the others go on pulling";
+        EXPECT_GT(sheet.pulls()[0].force.norm(), 0.8 * others[0]) << "the others still pull";
         EXPECT_TRUE(check_cut(sheet.surface(), sheet.state().positions.data()).passed());
     }
     EXPECT_EQ(rig.record.outcome, 0U);
@@ -277,8 +277,8 @@ TEST(Septa, ZonesHaveTheirOwnStiffness) {
     EXPECT_THROW(derive_springs(layout.mesh, material), InputError);
 }
 
-// Whatever a scene may say: it is refused with a hint, or it runs and stays finite.
-TEST(Septa, ExtremesOfTheSceneRunOrAreRefused) {
+// Any scene values: refused with a hint, or the scene runs and stays finite.
+TEST(Septa, ExtremeScenesRunOrAreRefused) {
     Random random(20, 5);
     int ran = 0;
     for (int i = 0; i < 10; ++i) {
@@ -321,7 +321,7 @@ TEST(Septa, ExtremesOfTheSceneRunOrAreRefused) {
     EXPECT_GT(ran, 1);
 }
 
-TEST(Septa, ASceneSaysWhatIsWrongAndHowToMendIt) {
+TEST(Septa, BadScenesAreReportedWithPlaceAndHint) {
     const std::string text = read_text_file(test::source_path("assets/scenes/c4_posterior.json"), 1U << 20U);
     const auto with = [&](const std::string& old, const std::string& by) {
         std::string changed = text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two hands at the plane behind the rectum: the left takes the rectum and lifts it, the right leads a hook
+// Two hands at the plane behind the rectum: the left grasps and lifts the rectum, the right moves a hook
 // along a septum.
 #pragma once
 
@@ -22,16 +22,16 @@ struct SeptaRig : SheetRig {
     double arc_length(int septum) const {
         return sheet().layout().arc_lengths[static_cast<std::size_t>(septum)];
     }
-    /// A share of the way along a septum's line as it lies now, `before` m cranially of it.
+    /// A fraction of a septum's line in its present shape, `before` m cranially of it.
     Vector3 on_line(int septum, double share, double before) const {
         const auto count = view().line.size() / static_cast<std::size_t>(scene.septa->count);
         const double at =
             std::clamp(share * static_cast<double>(count) - 0.5, 0.0, static_cast<double>(count) - 1);
         const auto i = std::min(static_cast<std::size_t>(at), count - 2);
         const std::size_t first = static_cast<std::size_t>(septum) * count + i;
-        const Vector3 way = view().line[first + 1] - view().line[first];
+        const Vector3 step = view().line[first + 1] - view().line[first];
         const Vector3 here =
-            view().line[first] + (share * static_cast<double>(count) - 0.5 - static_cast<double>(i)) * way;
+            view().line[first] + (share * static_cast<double>(count) - 0.5 - static_cast<double>(i)) * step;
         return here + before * curve.cranial(arc_length(septum));
     }
     /// N/m, mean over a septum's line.
@@ -61,21 +61,21 @@ struct SeptaRig : SheetRig {
         go(0, tip_for(lifted(by)), 0.04);
         steps(60);
     }
-    /// The hook set on a septum at share `from` of its line, pressed in and drawn on to `to`, 5 mm behind
-    /// where the line is.
+    /// The hook placed on a septum at fraction `from` of its line, pressed in and moved to `to`, 5 mm behind
+    /// the line.
     void divide(int septum, double from, double to, double speed = 0.03) {
         set_on(septum, from);
         wish[1].button = true;
         go(1, on_line(septum, from + 0.1, -0.006), 0.03);
         draw(septum, from + 0.1, to, speed);
     }
-    /// Where the way through the plane passes a septum, 4 mm cranially of it.
+    /// Where the approach through the plane passes a septum, 4 mm cranially of it.
     Vector3 pass(int septum, double share, double height) const {
         const double turn =
             (share - 0.5) * scene.septa->width / (curve.fascia_radius() - scene.septa->plane_height);
         return curve.point(arc_length(septum) + 0.004, turn, height);
     }
-    /// Through what is divided already, then onto the line.
+    /// Through the divided part, then onto the line.
     void set_on(int septum, double share) {
         const Vector3 mouth = pass(0, share, 0.0045);
         go(1, mouth + 0.07 * (trocar[1].position - mouth).normalized(), 0.2);

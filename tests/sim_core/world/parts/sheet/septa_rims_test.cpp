@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is told of cuts along and over the rims of septa is the surface that was cut.
+// Reported cuts along and across the borders of septa match the surface that was cut.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -13,17 +13,16 @@
 namespace fulcrum {
 namespace {
 
-// Issue 4: what is said of the plane is measured on the cut surface alone; no way leads from one septum to
-// the next.
+// The reported cuts are compared with the cut surface only; no path leads from one septum to the next.
 class SeptaRims : public testing::TestWithParam<std::uint64_t> {};
 
-TEST_P(SeptaRims, CutsAlongAndOverRimsAreToldWhereTheyAre) {
+TEST_P(SeptaRims, CutsAlongAndAcrossBordersAreReportedInPlace) {
     test::SeptaRig rig;
     const double width = rig.scene.septa->width;
     rig.take_rectum();
     rig.lift(0.008);
     Random random(GetParam(), 0x51DEU);
-    int told = 0;
+    int reported = 0;
     std::vector<std::array<double, 2>> all;
     for (int stroke = 0; stroke < 8; ++stroke) {
         const int septum = stroke / 4;
@@ -47,34 +46,37 @@ TEST_P(SeptaRims, CutsAlongAndOverRimsAreToldWhereTheyAre) {
         rig.go(1, rig.wish[1].tip + 0.07 * (rig.trocar[1].position - rig.wish[1].tip).normalized(), 0.3);
 
         Vector3 last = Vector3::Zero();
-        std::vector<std::array<double, 2>> ways;
+        std::vector<std::array<double, 2>> paths;
         for (const Event& event : rig.events) {
             if (event.kind != EventKind::cut_begin && event.kind != EventKind::cut_advance) continue;
-            const Vector3 here(event.value, -1e-6 * event.detail, 0), way = here - last;
+            const Vector3 here(event.value, -1e-6 * event.detail, 0), displacement = here - last;
             if (event.kind == EventKind::cut_advance) {
-                ++told;
-                ways.push_back({std::min(last.x(), here.x()), std::max(last.x(), here.x())});
+                ++reported;
+                paths.push_back({std::min(last.x(), here.x()), std::max(last.x(), here.x())});
                 EXPECT_EQ(std::floor(here.x() / width), std::floor(last.x() / width)) << "stroke " << stroke;
-                const int samples = std::max(1, static_cast<int>(way.norm() / 0.0003));
+                const int samples = std::max(1, static_cast<int>(displacement.norm() / 0.0003));
                 for (int i = 0; i < samples; ++i) {
-                    const Vector3 place = last + (i + 0.5) / samples * way;
+                    const Vector3 place = last + (i + 0.5) / samples * displacement;
                     EXPECT_FALSE(test::whole_around(rig.view(), place, 0.0008))
-                        << "stroke " << stroke << " of " << way.norm() << " m at " << place.transpose();
+                        << "stroke " << stroke << " of " << displacement.norm() << " m at "
+                        << place.transpose();
                 }
             }
             last = here;
         }
-        all.insert(all.end(), ways.begin(), ways.end());
+        all.insert(all.end(), paths.begin(), paths.end());
     }
-    // And what was parted was told, but for the ends of strokes: a blade's cap, what falls at a corner, and a
-    // corner that stands edge-on under the blade, which then parts more than the points of its way.
+    // And all divided tissue was reported, except at the ends of strokes: a blade's cap, a piece that falls
+    // at a corner, and a corner that is edge-on under the blade, which then divides more than the points of
+    // its path.
     const double plane = rig.scene.septa->plane_height, fat = rig.scene.septa->fat_height - plane;
     for (int septum = 0; septum < 2; ++septum) {
         const test::PartedLine line = test::parted_line(rig.view(), {septum * width, (septum + 1) * width},
                                                         {-plane + 0.0001, fat}, all);
-        EXPECT_LE(line.longest_untold, 0.0024 + 1e-9) << "septum " << septum << " at " << line.untold_at;
+        EXPECT_LE(line.longest_unreported, 0.0024 + 1e-9)
+            << "septum " << septum << " at " << line.unreported_at;
     }
-    EXPECT_GT(told, 20);
+    EXPECT_GT(reported, 20);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, SeptaRims, testing::Values(1, 6, 10));

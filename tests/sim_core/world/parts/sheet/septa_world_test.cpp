@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The plane behind the rectum in the running world: taken, lifted, divided, saved.
+// The plane behind the rectum in the running world: grasped, lifted, divided, saved.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace fulcrum {
 namespace {
 
-TEST(SeptaWorld, RestsWithoutFaultAndNothingMovesOnItsOwn) {
+TEST(SeptaWorld, RestsWithoutFaultAndWithoutMotion) {
     test::SeptaRig rig;
     const std::vector<Vector3> before = rig.view().line;
     ASSERT_EQ(before.size() % 4, 0U);
@@ -46,18 +46,18 @@ TEST(SeptaWorld, LiftingTheRectumRaisesTheTractionAcrossEveryPlane) {
             last[k] = rig.traction(k);
         }
         const double now = rig.world.snapshot().grasps[0].reaction.norm();
-        EXPECT_GT(now, pull) << "and is felt";
+        EXPECT_GT(now, pull) << "and the hand feels it";
         pull = now;
-        // What lies nearer to the hand is drawn more.
+        // Septa nearer to the hand are stretched more.
         EXPECT_GT(last[0], last[3]);
     }
     EXPECT_LT(pull, 3.0) << "N: within the rectum's limit";
-    // The plane under the hand can be brought into a band that is worth working in.
+    // The plane under the hand can be brought into a useful traction band.
     EXPECT_GT(last[0], 10);
     EXPECT_LT(last[0], 40);
 }
 
-TEST(SeptaWorld, JawsTakeWhatIsNearer) {
+TEST(SeptaWorld, JawsGraspTheNearerTissue) {
     const Scene scene = test::septa_scene();
     const SacralCurve curve = rectum_parameters(scene).curve;
     const double s = curve.arc_length(scene.septa->first_angle), half = 0.5 * scene.instruments[0].jaw_length;
@@ -92,7 +92,7 @@ TEST(SeptaWorld, JawsTakeWhatIsNearer) {
     }
 }
 
-TEST(SeptaWorld, AHookDividesThePlaneOfTheFirstSeptumAndTheRectumComesFreeOfIt) {
+TEST(SeptaWorld, HookDividesTheFirstSeptumAndReleasesTheRectum) {
     test::SeptaRig rig;
     rig.take_rectum();
     rig.lift(0.010);
@@ -101,8 +101,8 @@ TEST(SeptaWorld, AHookDividesThePlaneOfTheFirstSeptumAndTheRectumComesFreeOfIt) 
     rig.divide(0, 0.02, 1.2);
     rig.withdraw();
     rig.steps(60);
-    // One way from rim to rim; at the rim, where the last fibres give way before the blade, it may be told in
-    // parts.
+    // One path from border to border; at the border, where the last fibres tear before the blade, it may be
+    // reported in parts.
     EXPECT_EQ(rig.count(EventKind::cut_begin), rig.count(EventKind::cut_end));
     EXPECT_LE(rig.count(EventKind::cut_begin), 3);
     for (const Event& event : rig.events) {
@@ -115,7 +115,7 @@ TEST(SeptaWorld, AHookDividesThePlaneOfTheFirstSeptumAndTheRectumComesFreeOfIt) 
     for (std::size_t i = 0; i < 12; ++i) divided += rig.view().line_divided[i];
     EXPECT_GE(divided, 11);
     for (std::size_t i = 12; i < rig.view().line_divided.size(); ++i)
-        EXPECT_EQ(rig.view().line_divided[i], 0) << "the others are whole";
+        EXPECT_EQ(rig.view().line_divided[i], 0) << "the others are intact";
     for (const Event& event : rig.events) {
         if (event.kind != EventKind::cut_advance) continue;
         EXPECT_GT(event.value, 0);
@@ -123,8 +123,8 @@ TEST(SeptaWorld, AHookDividesThePlaneOfTheFirstSeptumAndTheRectumComesFreeOfIt) 
         EXPECT_EQ(event.tissue, rig.scene.tissue_index(event.detail <= -3000 ? "fat" : "areolar"));
         EXPECT_LT(std::abs(event.detail), 3000) << "um: near the plane";
     }
-    // Its pull on the rectum is gone but for the strand that is left at the rim, and so is what the hand held
-    // against.
+    // Its pull on the rectum is gone except for the strand that remains at the border, and so is the
+    // counter-force on the hand.
     EXPECT_LT(rig.sheet().pulls()[0].force.norm(), 0.3 * pull_before);
     EXPECT_LT(rig.world.snapshot().grasps[0].reaction.norm(), held_before);
     EXPECT_TRUE(check_cut(rig.sheet().surface(), rig.sheet().state().positions.data()).passed())
@@ -132,8 +132,8 @@ TEST(SeptaWorld, AHookDividesThePlaneOfTheFirstSeptumAndTheRectumComesFreeOfIt) 
     EXPECT_EQ(rig.record.outcome, 0U);
 }
 
-// Both variants: every plane divided, one after the other, as a whole task goes.
-TEST(SeptaWorld, TheWholePlaneIsDevelopedWithoutFaultInAStandardAndInANarrowPelvis) {
+// Both variants: every plane divided, one after the other, as in a complete task.
+TEST(SeptaWorld, WholePlaneIsDividedWithoutFaultInStandardAndNarrowPelvis) {
     for (const char* variant : {"c4_posterior", "c4_posterior_narrow"}) {
         test::SeptaRig rig(load_scene(test::source_path(std::string("assets/scenes/") + variant + ".json")));
         rig.take_rectum();
@@ -141,7 +141,7 @@ TEST(SeptaWorld, TheWholePlaneIsDevelopedWithoutFaultInAStandardAndInANarrowPelv
         const double before = rig.world.snapshot().grasps[0].reaction.norm();
         std::uint32_t worst = 0;
         for (int k = 0; k < rig.scene.septa->count; ++k) {
-            // A blind hand: where the blade did not go in it is set on again, a little further on.
+            // A blind hand: where the blade did not enter it is placed again, slightly further on.
             const int begun = rig.count(EventKind::cut_begin);
             for (const double from : {0.06, 0.10, 0.14}) {
                 rig.divide(k, from, 1.1, 0.05);
@@ -161,32 +161,32 @@ TEST(SeptaWorld, TheWholePlaneIsDevelopedWithoutFaultInAStandardAndInANarrowPelv
         EXPECT_GT(divided, 0.7 * static_cast<double>(rig.view().line_divided.size())) << variant;
         EXPECT_TRUE(rig.world.snapshot().grasps[0].held);
         EXPECT_LT(rig.world.snapshot().grasps[0].reaction.norm(), before)
-            << "the rectum has come free, though it is lifted further";
+            << "the rectum is released although it is lifted further";
         EXPECT_TRUE(check_cut(rig.sheet().surface(), rig.sheet().state().positions.data()).passed())
             << variant;
         for (const Vector3& place : rig.view().envelope) EXPECT_TRUE(place.allFinite());
     }
 }
 
-// Issue 4, must show 5: the slew over cut, lift and push.
-TEST(SeptaWorld, TheForceToTheHandsChangesByNoMoreThanTheSlewOverGraspLiftCutAndPush) {
+// The slew limit during cut, lift and push.
+TEST(SeptaWorld, ForceChangesWithinTheSlewLimitDuringGraspLiftCutAndPush) {
     test::SeptaRig rig;
     rig.take_rectum();
     rig.lift(0.008);
     rig.divide(0, 0.05, 0.6);
     rig.go(1, rig.wish[1].tip + Vector3(0, 0, 0.004), 0.02);
     rig.withdraw();
-    // Back onto the fresh lip from in front, pushed and left.
+    // Back onto the fresh lip from in front, pushed and released.
     rig.go(1, rig.on_line(0, 0.45, 0.012), 0.1);
     rig.go(1, rig.on_line(0, 0.45, -0.004) + Vector3(0, 0, 0.003), 0.04);
     rig.go(1, rig.on_line(0, 0.45, 0.02), 0.04);
     EXPECT_GT(rig.count(EventKind::cut_advance), 10);
-    EXPECT_GT(rig.largest_force, 0.1) << "something was felt";
+    EXPECT_GT(rig.largest_force, 0.1) << "there must be contact";
     EXPECT_LE(rig.worst_change, 0.3 + 1e-9) << "N in a ms";
 }
 
-// Tips over the rim of the wall, through septa and their rims, shafts across each other.
-TEST(SeptaWorld, HandsThatDragAnywhereFeelNoJump) {
+// Tips over the border of the wall, through septa and their borders, shafts across each other.
+TEST(SeptaWorld, DraggingAnywhereCausesNoForceJump) {
     for (const std::uint64_t seed : {1U, 2U}) {
         test::SeptaRig rig;
         Random random(seed, 0xD7A6U);
@@ -200,17 +200,17 @@ TEST(SeptaWorld, HandsThatDragAnywhereFeelNoJump) {
         rig.go(0, rig.curve.point(0.10, 0.5, 0.01), 0.3);
         rig.go(1, rig.curve.point(0.10, -0.5, 0.01), 0.3);
         EXPECT_LE(test::drag_about(rig, 50, random, somewhere), 0.3 + 1e-9) << "N in a ms, seed " << seed;
-        EXPECT_GT(rig.largest_force, 1) << "something was felt";
+        EXPECT_GT(rig.largest_force, 1) << "there must be contact";
         EXPECT_EQ(rig.record.outcome, 0U);
     }
 }
 
-TEST(SeptaWorld, NothingCutsTheMuscularis) {
+TEST(SeptaWorld, MuscularisIsNeverCut) {
     test::SeptaRig rig;
     rig.take_rectum();
     rig.lift(0.006);
     rig.divide(0, 0.3, 0.5);
-    // From the plane straight into the rectum, on and on.
+    // From the plane straight into the rectum, repeatedly.
     const Vector3 in = -rig.curve.posterior(rig.arc_length(0));
     rig.go(1, rig.wish[1].tip + 0.016 * in, 0.03);
     rig.go(1, rig.wish[1].tip + 0.010 * Vector3::UnitX(), 0.03);
@@ -219,12 +219,12 @@ TEST(SeptaWorld, NothingCutsTheMuscularis) {
         if (event.kind == EventKind::cut_advance) highest = std::max(highest, -1e-6 * event.detail);
     }
     const SeptaSpec& spec = *rig.scene.septa;
-    EXPECT_GT(highest, spec.areolar_height - spec.plane_height) << "it did leave the plane";
+    EXPECT_GT(highest, spec.areolar_height - spec.plane_height) << "the blade must leave the plane";
     EXPECT_LT(highest, spec.fat_height - spec.plane_height - 1e-4);
     const SheetLayout& layout = rig.sheet().layout();
     for (const std::int32_t v : layout.driven)
         EXPECT_GE(rig.sheet().state().bindings[static_cast<std::size_t>(v)].fragment, 0)
-            << "all of its wall is there";
+            << "its wall must be complete";
 }
 
 TEST(SeptaWorld, StepsWithCutsAllocateNothing) {
@@ -241,7 +241,7 @@ TEST(SeptaWorld, StepsWithCutsAllocateNothing) {
     EXPECT_GT(rig.sheet().surface().version(), version + 15);
 }
 
-TEST(SeptaWorld, TheEnvelopeAndTheRestOfThePictureAreTold) {
+TEST(SeptaWorld, EnvelopeAndDisplayDataAreReported) {
     test::SeptaRig rig;
     const SeptaSpec& spec = *rig.scene.septa;
     const SheetView& view = rig.view();
@@ -271,7 +271,7 @@ TEST(SeptaWorld, TheEnvelopeAndTheRestOfThePictureAreTold) {
     }
 }
 
-/// Outputs of a whole dissection, to be led through worlds again.
+/// Outputs of a complete dissection, to be fed to other worlds.
 struct Kept {
     std::vector<std::vector<TickOutput>> outputs;
     std::vector<std::uint64_t> hashes;
@@ -284,9 +284,9 @@ Kept dissect(test::SeptaRig& rig) {
     rig.set_on(0, 0.05);
     rig.wish[1].button = true;
     rig.go(1, rig.on_line(0, 0.15, -0.006), 0.03);
-    const Vector3 way = (rig.on_line(0, 0.8, -0.005) - rig.wish[1].tip).normalized();
+    const Vector3 direction = (rig.on_line(0, 0.8, -0.005) - rig.wish[1].tip).normalized();
     for (int i = 0; i < 160; ++i) {
-        rig.wish[1].tip += 1.5e-4 * way;
+        rig.wish[1].tip += 1.5e-4 * direction;
         rig.step();
         kept.outputs.push_back(rig.outputs);
         StateHash hash;
@@ -297,7 +297,7 @@ Kept dissect(test::SeptaRig& rig) {
     return kept;
 }
 
-TEST(SeptaWorld, TheSameHandsMakeTheSameBits) {
+TEST(SeptaWorld, SameInputGivesTheSameBits) {
     test::SeptaRig one, two;
     const Kept a = dissect(one), b = dissect(two);
     EXPECT_EQ(a.hashes, b.hashes);
@@ -305,8 +305,8 @@ TEST(SeptaWorld, TheSameHandsMakeTheSameBits) {
     EXPECT_GT(one.count(EventKind::cut_advance), 15);
 }
 
-// Issue 4, must show 4: a save in the middle of a dissection restores.
-TEST(SeptaWorld, ASaveInTheMiddleOfADissectionRestores) {
+// A save in the middle of a dissection restores.
+TEST(SeptaWorld, SaveInTheMiddleOfADissectionRestores) {
     test::SeptaRig rig;
     rig.take_rectum();
     rig.lift(0.008);
@@ -325,7 +325,7 @@ TEST(SeptaWorld, ASaveInTheMiddleOfADissectionRestores) {
         rig.world.bowel()->hash(hash);
         kept.hashes.push_back(hash.value());
     }
-    EXPECT_GT(rig.sheet().surface().version(), version + 10) << "cutting went on";
+    EXPECT_GT(rig.sheet().surface().version(), version + 10) << "cutting must continue";
     World fresh(rig.scene, 1);
     for (World* world : {&rig.world, &fresh}) {
         world->restore(*saved);
@@ -341,9 +341,9 @@ TEST(SeptaWorld, ASaveInTheMiddleOfADissectionRestores) {
     }
 }
 
-// docs/METRICS.md, energy_safe: an activation in the mesorectum is not on the tissue that is to be divided,
-// whether the blade came there at once or was drawn out of the plane.
-TEST(SeptaEnergy, PowerOnTheFatOfTheMesorectumIsNotOnTarget) {
+// docs/METRICS.md, energy_safe: activation in the mesorectum is off target, whether the blade came there
+// directly or was drawn out of the plane.
+TEST(SeptaEnergy, EnergyOnMesorectalFatIsOffTarget) {
     test::SeptaRig rig;
     rig.take_rectum();
     rig.lift(0.008);

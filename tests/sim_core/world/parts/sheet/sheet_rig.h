@@ -17,7 +17,7 @@ inline Scene sheet_scene() {
     return load_scene(source_path("assets/scenes/b2_areolar.json"));
 }
 
-/// One hand's wish.
+/// Target pose of one hand.
 struct Wish {
     Vector3 tip = Vector3::Zero();  ///< m, patient frame
     bool closed = false, button = false, energy = false;
@@ -31,7 +31,7 @@ struct SheetRig {
     Trocar trocar[hand_count];
     DeviceSample last[hand_count];
     Wish wish[hand_count];
-    Vector3 asked[hand_count];  ///< where the tips were asked to be at the last step
+    Vector3 asked[hand_count];  ///< requested tip positions at the last step
     double squeeze[hand_count] = {0, 0};
     std::uint32_t tick = 0;
     std::uint64_t hash = 0;
@@ -106,23 +106,25 @@ struct SheetRig {
         for (const Event& event : events) sum += event.kind == kind ? 1 : 0;
         return sum;
     }
-    /// Where the left tip is when the middle of its jaws is there.
+    /// Position of the left tip for which the middle of its jaws is at the given point.
     Vector3 tip_for(const Vector3& jaws) const {
         Vector3 tip = jaws;
         for (int i = 0; i < 20; ++i)
             tip = jaws + 0.5 * scene.instruments[0].jaw_length * (tip - trocar[0].position).normalized();
         return tip;
     }
-    /// Left jaws take the flap edge at x (m along the line from the middle) and draw it out by `way`.
-    void hold_flap(double x, const Vector3& way) { hold_at(x, 0.45 * scene.sheet->width, way); }
-    void hold_at(double x, double y, const Vector3& way) {
+    /// Left jaws grasp the flap edge at x (m along the line from the middle) and move it by `displacement`.
+    void hold_flap(double x, const Vector3& displacement) {
+        hold_at(x, 0.45 * scene.sheet->width, displacement);
+    }
+    void hold_at(double x, double y, const Vector3& displacement) {
         const Vector3 place = scene.sheet->centre + x * scene.sheet->along + y * scene.sheet->across;
         go(0, tip_for(place + Vector3(0, 0, 0.02)), 0.2);
         go(0, tip_for(place + Vector3(0, 0, 0.001)), 0.1);
         steps(5);
         wish[0].closed = true;
         steps(20);
-        go(0, tip_for(place + way), 0.05);
+        go(0, tip_for(place + displacement), 0.05);
     }
 };
 

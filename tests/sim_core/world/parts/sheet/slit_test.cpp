@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A blade in a slit that gapes: between its lips there is nothing to cut.
+// A blade in a gaping slit: there is nothing to cut between its lips.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -15,9 +15,9 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SheetSlitOf, testing::Values("b2_areolar", "b2_
                              return std::string(scene.param);
                          });
 
-TEST_P(SheetSlitOf, ABladeThatComesUponNoTissueTakesNothingOffTheLips) {
+TEST_P(SheetSlitOf, BladeInAGapingSlitRemovesNothingFromTheLips) {
     Scene scene = load_scene(test::source_path("assets/scenes/" + std::string(GetParam()) + ".json"));
-    scene.sheet->fibres.reset();  // the lips lose ground to a blade or not at all
+    scene.sheet->fibres.reset();  // only a blade can remove tissue from the lips
     test::SheetRig rig(scene);
     const SheetSpec& sheet = *rig.scene.sheet;
     const auto on = [&](double x, double off, double up) -> Vector3 {
@@ -30,22 +30,22 @@ TEST_P(SheetSlitOf, ABladeThatComesUponNoTissueTakesNothingOffTheLips) {
     rig.go(1, on(0.02, 0, -0.006), 0.04);
     ASSERT_EQ(rig.hand(1).touch, BladeTouch::cutting);
     rig.go(1, on(0.016, 0, -0.006), 0.01);
-    // The flap is drawn out: the sheet moves across a blade that stands still, and is cut by it.
+    // The flap is drawn out: the sheet moves across a stationary blade and is cut by it.
     rig.go(0, rig.wish[0].tip + Vector3(0, 0.004, 0), 0.02);
     rig.steps(100);
     rig.go(0, rig.wish[0].tip + Vector3(0, 0.004, 0.004), 0.02);
     rig.steps(300);
     const double removed = rig.sheet().surface().area_removed();
     const int fallen = rig.count(EventKind::piece_fallen);
-    // It is let in and drawn out again: the slit, open now, moves about the blade.
+    // It is released and drawn out again: the slit, now open, moves around the blade.
     bool adrift = false;
-    for (const double way : {-0.006, 0.008, 0.004}) {
-        rig.go(0, rig.wish[0].tip + Vector3(0, way, 0), 0.02);
+    for (const double displacement : {-0.006, 0.008, 0.004}) {
+        rig.go(0, rig.wish[0].tip + Vector3(0, displacement, 0), 0.02);
         adrift = adrift || rig.hand(1).adrift;
         rig.steps(100);
         EXPECT_EQ(rig.hand(1).touch, BladeTouch::cutting);
     }
-    EXPECT_TRUE(adrift) << "the scene is not the one that is meant";
+    EXPECT_TRUE(adrift) << "the test did not reach the intended situation";
     EXPECT_EQ(rig.sheet().surface().area_removed(), removed);
     EXPECT_EQ(rig.count(EventKind::piece_fallen), fallen);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where veins and nerves run: on the wall, before it, as the scene's few numbers say; the same for a seed.
+// Course of veins and nerves: on the wall, in front of it, as given by the scene; reproducible for a seed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,14 +20,14 @@ SacralCurve curve() {
 }
 constexpr double rectum = 0.12;
 
-TEST(StructuresLayout, TheWallOfASacralHollowIsATorusFromInside) {
+TEST(StructuresLayout, WallOfASacralHollowIsATorusFromInside) {
     const SacralCurve c = curve();
     const FieldWall wall = presacral_wall(c, rectum);
     for (double along = 0; along <= rectum; along += 0.0113) {
         for (double across = -0.04; across <= 0.0401; across += 0.0079) {
             const Vector3 p = wall.point(along, across, 0);
             EXPECT_NEAR(wall.height(p.x(), p.y()), p.z(), 1e-12);
-            // Above it along the way to the centre line.
+            // In front of it, towards the centre line.
             const Vector3 above = wall.point(along, across, 0.004);
             EXPECT_NEAR((above - p).norm(), 0.004, 1e-12);
             EXPECT_NEAR((above - c.centre_line(along)).norm(), c.fascia_radius() - 0.004, 1e-12);
@@ -38,7 +38,7 @@ TEST(StructuresLayout, TheWallOfASacralHollowIsATorusFromInside) {
     EXPECT_NEAR(high.y(), wall.high, 1e-12);
 }
 
-TEST(StructuresLayout, VeinsRunOnTheWallAndRungsEndInTheLongOnes) {
+TEST(StructuresLayout, VeinsFollowTheWallAndRungsEndInTheLongVeins) {
     const FieldWall wall = presacral_wall(curve(), rectum);
     const StructuresSpec spec;
     const StructuresLayout layout = place_structures(spec, wall, 3);
@@ -70,7 +70,7 @@ TEST(StructuresLayout, VeinsRunOnTheWallAndRungsEndInTheLongOnes) {
     }
 }
 
-TEST(StructuresLayout, NervesStandBeforeTheWallAndDivergeDownwards) {
+TEST(StructuresLayout, NervesAreInFrontOfTheWallAndDivergeDownwards) {
     const FieldWall wall = presacral_wall(curve(), rectum);
     const StructuresSpec spec;
     const StructuresLayout layout = place_structures(spec, wall, 3);
@@ -89,7 +89,7 @@ TEST(StructuresLayout, NervesStandBeforeTheWallAndDivergeDownwards) {
     }
 }
 
-TEST(StructuresLayout, TheBedFollowsTheWall) {
+TEST(StructuresLayout, BedFollowsTheWall) {
     const FieldWall wall = presacral_wall(curve(), rectum);
     const StructuresSpec spec;
     const FieldBed bed = place_structures(spec, wall, 3).bed;
@@ -103,7 +103,7 @@ TEST(StructuresLayout, TheBedFollowsTheWall) {
     EXPECT_NEAR(bed.corner.x() + 0.5 * bed.pool.columns * bed.pool.cell, 0, 1e-12);
 }
 
-TEST(StructuresLayout, PlacesComeFromTheSeed) {
+TEST(StructuresLayout, PositionsDependOnTheSeed) {
     const FieldWall wall = presacral_wall(curve(), rectum);
     const StructuresSpec spec;
     const StructuresLayout a = place_structures(spec, wall, 3), b = place_structures(spec, wall, 3),
@@ -117,7 +117,7 @@ TEST(StructuresLayout, PlacesComeFromTheSeed) {
     EXPECT_EQ(a.nerves, c.nerves);
 }
 
-/// What is said of C4's scene with other structures, or with another of its parts.
+/// Error text for C4's scene with other structures, or with another of its parts changed.
 std::string refusal(const std::string& structures, const std::string& scene = "c4_posterior") {
     std::string text = read_text_file(test::source_path("assets/scenes/" + scene + ".json"), 1 << 20);
     const std::string from = "\"structures\": {}";
@@ -139,7 +139,7 @@ std::string refusal(const std::string& structures, const std::string& scene = "c
     return "";
 }
 
-TEST(StructuresSpec, KeysThatMakeNoSenseAreRefusedByPlaceAndMend) {
+TEST(StructuresSpec, InconsistentKeysAreRefusedWithPlaceAndHint) {
     EXPECT_EQ(refusal("{}"), "");
     EXPECT_EQ(refusal("{\"rungs\": 0, \"wander\": 0, \"nerve_height\": 0.003}"), "");
     EXPECT_NE(refusal("{\"rung_radius\": 0.002}").find("/structures/rung_radius"), std::string::npos);

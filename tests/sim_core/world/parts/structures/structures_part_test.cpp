@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Veins that open, bleed by Hagen and Poiseuille, are clipped, sealed and sucked dry; nerves that blades
-// divide and steam heats; the sheet before them under power; the same bits again; nothing allocated;
-// extremes.
+// Veins that open, bleed by Hagen and Poiseuille, are clipped, sealed and suctioned; nerves that blades
+// divide and steam heats; the sheet in front of them under energy; reproducible; no allocation; extremes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +27,7 @@ double poiseuille(const StructuresSpec& spec, double radius, double share) {
            (8 * 3.5e-3 * spec.feeding_length);
 }
 
-TEST(PresacralVeins, ABladeDeeperThanTheCoverOpensThemAsDeepAsItLies) {
+TEST(PresacralVeins, BladeBelowTheCoverOpensAVeinByItsDepth) {
     const StructuresSpec spec = *structures_scene().structures;
     for (const double share : {0.3, 0.6, 1.0, 1.7}) {
         StructuresStage stage;
@@ -50,7 +49,7 @@ TEST(PresacralVeins, ABladeDeeperThanTheCoverOpensThemAsDeepAsItLies) {
     }
 }
 
-TEST(PresacralVeins, WhatIsLostIsTheIntegralOfAFlowThatClotsAndAllOfItIsSomewhere) {
+TEST(PresacralVeins, BloodLossIsTheIntegralOfAClottingFlowAndIsConserved) {
     StructuresStage stage;
     const StructuresSpec& spec = *stage.scene.structures;
     stage.tool[1].tip = stage.pressed(1, stage.over_vein(0, 0.4), spec.vein_depth + 2.5 * spec.vessel_radius);
@@ -70,13 +69,13 @@ TEST(PresacralVeins, WhatIsLostIsTheIntegralOfAFlowThatClotsAndAllOfItIsSomewher
     EXPECT_NEAR(pooled_volume(stage.part.layout().bed.pool, pool) + pool.removed, pool.poured,
                 1e-12 * pool.poured);
 
-    // It runs down to where the hollow is deepest, straight behind the curve's centre.
+    // It runs down to the deepest part of the hollow, directly posterior to the curve's centre.
     const BandsView& view = stage.view();
     const auto deepest = static_cast<std::size_t>(std::min_element(view.ground.begin(), view.ground.end()) -
                                                   view.ground.begin());
     EXPECT_GT(view.blood[deepest], 0.001F);
 
-    // Suction takes it; the balance holds.
+    // Suction removes it; the balance holds.
     stage.take(1, InstrumentKind::suction);
     stage.tool[1].tip = Vector3(0, -0.07, stage.wall.height(0, -0.07) + 0.006);
     stage.press(1, button_energy, true);
@@ -88,12 +87,12 @@ TEST(PresacralVeins, WhatIsLostIsTheIntegralOfAFlowThatClotsAndAllOfItIsSomewher
                 1e-12 * pool.poured);
 }
 
-TEST(PresacralVeins, ABluntTipTearsThemOnlyAboveItsForceAndOnlyOverThem) {
+TEST(PresacralVeins, BluntTipTearsAVeinOnlyAboveItsTearForce) {
     StructuresStage stage;
     const StructuresSpec& spec = *stage.scene.structures;
     const double stiffness = test::fascia(stage.scene).stiffness;
     const Vector3 place = stage.over_vein(2, 0.4);
-    // No button: the hook's back is blunt, as is what else the hands hold.
+    // No button: the hook's back is blunt, as are the other instruments.
     for (const int hand : {0, 1}) {
         stage.tool[hand].tip = stage.pressed(hand, place, 0.95 * spec.vein_tear_force / stiffness);
         stage.run(0.2);
@@ -112,7 +111,7 @@ TEST(PresacralVeins, ABluntTipTearsThemOnlyAboveItsForceAndOnlyOverThem) {
     EXPECT_NEAR(stage.view().outlets[0].flow, expected, 0.05 * expected);
 }
 
-TEST(PresacralVeins, PowerGoesThroughTheCoverWithLess) {
+TEST(PresacralVeins, EnergyReducesTheForceThroughTheCover) {
     Scene scene = structures_scene();
     test::fascia(scene).cutting = CuttingSpec{1, 0.5, 0.3, 0.5};
     StructuresStage stage(scene);
@@ -126,7 +125,7 @@ TEST(PresacralVeins, PowerGoesThroughTheCoverWithLess) {
     EXPECT_EQ(stage.opened(), 1);
 }
 
-TEST(PresacralVeins, OpeningsNearEachOtherAreOneAndThereIsRoomForAnyNumber) {
+TEST(PresacralVeins, NearOpeningsAreMergedAndNoneIsLost) {
     StructuresStage stage;
     const StructuresSpec& spec = *stage.scene.structures;
     stage.press(1, button_primary, true);
@@ -148,7 +147,7 @@ TEST(PresacralVeins, OpeningsNearEachOtherAreOneAndThereIsRoomForAnyNumber) {
     for (const OutletView& outlet : stage.view().outlets) EXPECT_GT(outlet.flow, 0.0);
 }
 
-/// Opens the middle vein wholly and moves the hand away.
+/// Opens the middle vein completely and moves the hand away.
 void open_middle(StructuresStage& stage, double share = 0.4) {
     const StructuresSpec& spec = *stage.scene.structures;
     stage.tool[1].tip =
@@ -159,7 +158,7 @@ void open_middle(StructuresStage& stage, double share = 0.4) {
     stage.go(1, StructuresStage::away(), 1.0);
 }
 
-TEST(PresacralVeins, AClipStopsThem) {
+TEST(PresacralVeins, ClipStopsTheBleeding) {
     StructuresStage stage;
     open_middle(stage);
     ASSERT_GT(stage.view().outlets[0].flow, 0.0);
@@ -180,7 +179,7 @@ TEST(PresacralVeins, AClipStopsThem) {
     EXPECT_EQ(stage.view().lost, lost);
 }
 
-TEST(PresacralVeins, HeatSealsThemAndBloodOverThemTakesItsShare) {
+TEST(PresacralVeins, HeatSealsAVeinLessUnderBlood) {
     double seconds[2] = {0, 0}, depth[2] = {0, 0};
     for (const int wet : {0, 1}) {
         StructuresStage stage;
@@ -200,7 +199,7 @@ TEST(PresacralVeins, HeatSealsThemAndBloodOverThemTakesItsShare) {
     EXPECT_GT(seconds[1], seconds[0] + 0.05);
 }
 
-TEST(HypogastricNerves, ABladeDividesThemHoweverFastItCrossesAndNothingElseDoes) {
+TEST(HypogastricNerves, OnlyABladeDividesANerveAtAnySpeed) {
     StructuresStage stage;
     const Vector3 nerve = stage.view().nerves[1].line[12];
     const Vector3 before = nerve + Vector3(-0.02, 0, 0.0004), after = nerve + Vector3(0.02, 0, 0.0004);
@@ -218,7 +217,7 @@ TEST(HypogastricNerves, ABladeDividesThemHoweverFastItCrossesAndNothingElseDoes)
     stage.go(1, nerve);
     EXPECT_FALSE(divided());
     stage.press(1, button_primary | button_energy, false);
-    // Scissors beside it, then through it within one step.
+    // Scissors next to it, then through it within one step.
     stage.take(1, InstrumentKind::scissors);
     stage.tool[1].tip = before + Vector3(0, 0, 0.004);
     stage.press(1, button_primary, true);
@@ -238,7 +237,7 @@ TEST(HypogastricNerves, ABladeDividesThemHoweverFastItCrossesAndNothingElseDoes)
     EXPECT_EQ(stage.view().worst_nerve_dose, 0.0);
 }
 
-TEST(HypogastricNerves, SteamHeatsThemByDistanceAndHeatIsBalanced) {
+TEST(HypogastricNerves, SteamHeatsNervesByDistanceAndHeatIsBalanced) {
     double dose[3];
     int i = 0;
     for (const double gap : {0.0005, 0.003, 0.012}) {
@@ -258,7 +257,7 @@ TEST(HypogastricNerves, SteamHeatsThemByDistanceAndHeatIsBalanced) {
     EXPECT_EQ(dose[2], 0.0);
 }
 
-TEST(HypogastricNerves, TheDoseOfANerveIsItsTemperaturesIntegral) {
+TEST(HypogastricNerves, DoseOfANerveIsTheIntegralOfItsTemperature) {
     StructuresStage stage;
     const Vector3 nerve = stage.view().nerves[0].line[10];
     stage.tool[1].tip = nerve + Vector3(0, 0, 0.0015 + stage.radius(1) + stage.view().nerve_radius);
@@ -283,7 +282,7 @@ Vector3 sheet_middle(const StructuresStage& stage) {
     return sum / static_cast<double>(count);
 }
 
-TEST(SheetUnderPower, SteamOverAPlaneAddsUpToThePowerAtTheBlade) {
+TEST(SheetUnderPower, SteamOverAPlaneSumsToThePowerAtTheBlade) {
     Scene scene = structures_scene();
     scene.sheet->spacing = 0.002;
     StructuresStage stage(scene, true);
@@ -303,7 +302,7 @@ TEST(SheetUnderPower, SteamOverAPlaneAddsUpToThePowerAtTheBlade) {
     EXPECT_NEAR(sum, expected, 0.03 * expected);
 }
 
-/// The scene with tissue that needs force, and a hook.
+/// The scene with tissue that resists cutting, and a hook.
 Scene tough_scene() {
     Scene scene = structures_scene();
     TissueSpec& tissue = scene.tissues[static_cast<std::size_t>(scene.tissue_index("areolar"))];
@@ -311,7 +310,7 @@ Scene tough_scene() {
     return scene;
 }
 
-/// Presses the hook into the sheet and draws it along; how far it cut, m2 removed.
+/// Presses the hook into the sheet and moves it along; returns the removed area, m2.
 double drawn(StructuresStage& stage, std::uint16_t buttons) {
     const Vector3 middle = sheet_middle(stage);
     stage.tool[1].tip = middle + Vector3(-0.02, 0, 0.01);
@@ -322,7 +321,7 @@ double drawn(StructuresStage& stage, std::uint16_t buttons) {
     return stage.snapshot.sheet.removed_area;
 }
 
-TEST(SheetUnderPower, TheHookNeedsLessForceAndLeavesChar) {
+TEST(SheetUnderPower, ActivatedHookNeedsLessForceAndLeavesChar) {
     StructuresStage cold(tough_scene(), true), hot(tough_scene(), true);
     EXPECT_EQ(drawn(cold, button_primary), 0.0);
     EXPECT_GT(drawn(hot, button_energy), 0.8 * 0.02 * hot.scene.sheet->blade_width);
@@ -330,7 +329,7 @@ TEST(SheetUnderPower, TheHookNeedsLessForceAndLeavesChar) {
     EXPECT_EQ(*std::max_element(cold.view().sheet_char.begin(), cold.view().sheet_char.end()), 0.0F);
     EXPECT_GT(*std::max_element(hot.view().sheet_char.begin(), hot.view().sheet_char.end()), 0.02F);
     EXPECT_GT(*std::max_element(hot.view().sheet_dose.begin(), hot.view().sheet_dose.end()), 240.0F);
-    // What is seen of it knows its root: char lies by the cut.
+    // The drawn triangles know their root: char is next to the cut.
     const SheetView& sheet = hot.snapshot.sheet;
     double far = 0;
     for (std::size_t k = 0; k < static_cast<std::size_t>(sheet.triangle_count); ++k) {
@@ -342,7 +341,7 @@ TEST(SheetUnderPower, TheHookNeedsLessForceAndLeavesChar) {
     }
     EXPECT_GT(far, 0.0);
     EXPECT_LT(far, 0.012);
-    // Far tissue of the sheet stays as it was.
+    // Distant tissue of the sheet is unchanged.
     EXPECT_EQ(hot.view().sheet_dose.front(), 0.0F);
     EXPECT_EQ(hot.view().sheet_dose.back(), 0.0F);
     EXPECT_GT(hot.view().smoke, 5e-4);
@@ -351,7 +350,7 @@ TEST(SheetUnderPower, TheHookNeedsLessForceAndLeavesChar) {
                 1e-9 * heat.given);
 }
 
-TEST(SheetUnderPower, DriedTissueTakesNoMoreCurrent) {
+TEST(SheetUnderPower, DesiccatedTissueTakesNoCurrent) {
     StructuresStage stage(tough_scene(), true);
     const Vector3 middle = sheet_middle(stage);
     stage.tool[1].tip = middle + Vector3(0, 0, 0.01);
@@ -367,13 +366,13 @@ TEST(SheetUnderPower, DriedTissueTakesNoMoreCurrent) {
     }
     EXPECT_EQ(stage.view().tools[1].target, EnergyTarget::sheet);
     EXPECT_GT(*std::max_element(stage.view().sheet_char.begin(), stage.view().sheet_char.end()), 0.9F);
-    EXPECT_GT(first, 5.0) << "J in the first second, most of them into steam";
-    EXPECT_LT(last, 0.35 * first) << "steam beside it and what still boils";
+    EXPECT_GT(first, 5.0) << "J in the first second, most of it into steam";
+    EXPECT_LT(last, 0.35 * first) << "steam next to it and remaining water";
     const HeatModel& model = stage.part.field().model().heat;
     for (const double rise : heat.rise) EXPECT_LT(model.body_temperature + rise, model.boiling_point + 1);
 }
 
-TEST(SheetUnderPower, WhatAHandHoldsDecidesWhetherItIsABlade) {
+TEST(SheetUnderPower, HeldInstrumentDecidesWhetherItIsABlade) {
     StructuresStage stage(structures_scene(), true);
     ToolKinematics tool = stage.tool[1];
     const auto blade = [&](std::uint16_t buttons) {
@@ -392,7 +391,7 @@ TEST(SheetUnderPower, WhatAHandHoldsDecidesWhetherItIsABlade) {
     stage.take(1, InstrumentKind::harmonic);
     EXPECT_FALSE(blade(button_primary));
     EXPECT_TRUE(blade(button_energy));
-    // Under way through the trocar it is nothing.
+    // While passing through the trocar it is inactive.
     stage.press(1, button_exchange, true);
     stage.step();
     EXPECT_GT(stage.view().tools[1].exchange_left, 1.0F);
@@ -415,14 +414,14 @@ std::uint64_t rehearse(StructuresStage& stage) {
     return hash.value();
 }
 
-TEST(StructuresPart, TheSameHandsMakeTheSameBits) {
+TEST(StructuresPart, SameInputGivesTheSameBits) {
     StructuresStage a(tough_scene(), true), b(tough_scene(), true), other(tough_scene(), true, 6);
     const std::uint64_t hash = rehearse(a);
     EXPECT_EQ(hash, rehearse(b));
     EXPECT_NE(hash, rehearse(other));
 }
 
-TEST(StructuresPart, AStepNeitherAllocatesNorWaits) {
+TEST(StructuresPart, StepNeitherAllocatesNorWaits) {
     StructuresStage stage(tough_scene(), true);
     drawn(stage, button_energy);
     const std::uint64_t before = test::allocation_count(), waits = test::wait_count();
@@ -435,7 +434,7 @@ TEST(StructuresPart, AStepNeitherAllocatesNorWaits) {
     }
 }
 
-TEST(StructuresExtremes, WhateverTheKeysAndTheHandsEverythingStaysFinite) {
+TEST(StructuresExtremes, StaysFiniteForAnyKeysAndInput) {
     Random random(29);
     const int trials = std::max(4, test::cases_asked() / 250);
     for (int trial = 0; trial < trials; ++trial) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sacral hollow with veins and nerves, B2's sheet far before it where a test asks for one, and hands that
-// are put where a test wants them. No haptic loop: tools are what the tick would tell.
+// A sacral hollow with veins and nerves, optionally B2's sheet far in front of it, and hands at poses set by
+// the test. No haptic loop: tools are set directly.
 #pragma once
 
 #include <memory>
@@ -35,7 +35,7 @@ inline TissueSpec& fascia(Scene& scene) {
     return scene.tissues[static_cast<std::size_t>(scene.tissue_index("fascia"))];
 }
 
-/// The hollow of C4, its fascia even.
+/// The hollow of C4, with a smooth fascia.
 inline RectumParameters hollow() {
     RectumParameters rectum;
     rectum.curve = {Vector3(0, -0.07, 0.079), 0.123, -0.2617993877991494, 0.015, 0.018};
@@ -109,15 +109,16 @@ class StructuresStage {
         }
     }
     double radius(int hand) const { return scene.instrument(static_cast<Hand>(hand))->tip_radius; }
-    /// Clear of everything.
+    /// A position clear of everything.
     static Vector3 away() { return Vector3(0, 0.01, 0.05); }
-    /// Towards the rectum from a place on the wall.
+    /// Direction towards the rectum from a position on the wall.
     Vector3 out(const Vector3& place) const { return felt.closest(place + Vector3(0, 0, 1e-4), 0.01).normal; }
-    /// Where the tip is that lies `depth` deep in the wall at a place on it.
+    /// Tip position that is `depth` deep in the wall at a position on it.
     Vector3 pressed(int hand, const Vector3& place, double depth) const {
         return place + (radius(hand) - depth) * out(place);
     }
-    /// A place on the wall over a vein, by the share of its length. At 0.4 of a long one no rung is near.
+    /// A position on the wall over a vein, by the fraction of its length. At 0.4 of a long one there is no
+    /// rung nearby.
     Vector3 over_vein(std::size_t vein, double share) const {
         const std::vector<Vector3>& line = part.layout().veins[vein].line;
         return line[static_cast<std::size_t>(std::lround(share * static_cast<double>(line.size() - 1)))];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Structures in the world of C4: where they run, what a pressed hook does there, what is seen and stays away
-// elsewhere, the same bits again.
+// Structures in the world of C4: their course, the effect of a pressed hook, absence in other scenes,
+// reproducibility.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ Scene posterior_scene(const std::string& variant = "") {
     return load_scene(test::source_path("assets/scenes/c4_posterior" + variant + ".json"));
 }
 
-TEST(StructuresInTheWorld, VeinsLieOnTheFasciaAndNervesClearOfThePlane) {
+TEST(StructuresInTheWorld, VeinsAreOnTheFasciaAndNervesAwayFromThePlane) {
     const World world(posterior_scene(), 5);
     ASSERT_NE(world.structures(), nullptr);
     const BandsView& view = world.snapshot().bands.at(0);
@@ -38,14 +38,14 @@ TEST(StructuresInTheWorld, VeinsLieOnTheFasciaAndNervesClearOfThePlane) {
     for (const PartCost& cost : world.costs())
         listed = listed || (cost.part == "structures" && cost.bytes > 10000);
     EXPECT_TRUE(listed);
-    // Bands and what other scenes list have none of it.
+    // Scenes of bands and others have none of it.
     const World other(test::bands_scene(), 5);
     EXPECT_EQ(other.structures(), nullptr);
     EXPECT_TRUE(other.snapshot().bands.at(0).veins.empty());
     EXPECT_TRUE(other.snapshot().bands.at(0).sheet_char.empty());
 }
 
-TEST(StructuresInTheWorld, WhoKeepsToTheMarkedLineStaysClearOfTheNerves) {
+TEST(StructuresInTheWorld, MarkedLineIsAtASafeDistanceFromTheNerves) {
     for (const char* variant : {"", "_narrow"}) {
         const World world(posterior_scene(variant), 5);
         const BandsView& view = world.snapshot().bands.at(0);
@@ -58,7 +58,7 @@ TEST(StructuresInTheWorld, WhoKeepsToTheMarkedLineStaysClearOfTheNerves) {
                     least = std::min(least, (point - on_line).norm());
         }
         EXPECT_GT(least - blade - view.nerve_radius, world.scene().structures->safe_distance) << variant;
-        EXPECT_LT(least, 0.012) << variant;  // and yet beyond its ends is danger
+        EXPECT_LT(least, 0.012) << variant;  // but beyond the line's ends a nerve is close
     }
 }
 
@@ -73,7 +73,7 @@ void injure(BandsStage& stage) {
     stage.go(Hand::right, place - 0.001 * out);
 }
 
-TEST(StructuresInTheWorld, ABladePressedIntoTheFasciaOpensAVeinThatTheSameHandsOpenAgain) {
+TEST(StructuresInTheWorld, BladePressedIntoTheFasciaOpensAVeinReproducibly) {
     std::uint64_t hashes[2] = {0, 0};
     for (std::uint64_t& hash : hashes) {
         BandsStage stage(posterior_scene(), 5);
@@ -89,12 +89,12 @@ TEST(StructuresInTheWorld, ABladePressedIntoTheFasciaOpensAVeinThatTheSameHandsO
     EXPECT_EQ(hashes[0], hashes[1]);
 }
 
-TEST(StructuresInTheWorld, HeatInThePlaneIsWhatEnergyIsForAndHeatInTheFatIsNot) {
+TEST(StructuresInTheWorld, EnergyInThePlaneIsOnTargetAndInTheFatIsNot) {
     double far[2] = {0, 0};
     for (const int fat : {0, 1}) {
         BandsStage stage(posterior_scene(), 5);
         const SheetView& sheet = stage.world.snapshot().sheet;
-        // In the middle of the first septum, in the plane or well into the fat.
+        // In the middle of the first septum, in the plane or well inside the fat.
         const double line = 0.5 * sheet.septum_length, height = fat == 1 ? sheet.fat_from + 0.006 : 0.001;
         Vector3 place = Vector3::Zero();
         double least = 1;
@@ -119,7 +119,7 @@ TEST(StructuresInTheWorld, HeatInThePlaneIsWhatEnergyIsForAndHeatInTheFatIsNot) 
     EXPECT_GT(far[1], 10 * far[0]);
 }
 
-TEST(StructuresInTheWorld, AnotherWorldGoesOnFromWhatWasSavedWhileItBled) {
+TEST(StructuresInTheWorld, AnotherWorldContinuesFromASaveDuringBleeding) {
     std::shared_ptr<const World::Saved> saved;
     std::uint64_t hashes[2] = {0, 0};
     double lost[2] = {0, 0};
@@ -150,7 +150,7 @@ TEST(StructuresInTheWorld, AnotherWorldGoesOnFromWhatWasSavedWhileItBled) {
     EXPECT_GT(lost[0], 0.0);
 }
 
-TEST(StructuresInTheWorld, AStepAllocatesNothingWhileItBurnsAndBleeds) {
+TEST(StructuresInTheWorld, StepAllocatesNothingDuringEnergyAndBleeding) {
     BandsStage stage(posterior_scene(), 5);
     injure(stage);
     stage.press(Hand::right, button_energy, true);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is told of a cut is the tissue that was cut.
+// The reported cut matches the tissue that was cut.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -12,10 +12,10 @@
 namespace fulcrum {
 namespace {
 
-// Slowly, and so fast that the blade runs off the rim in the middle of one step.
-class SheetTold : public testing::TestWithParam<double> {};
+// Slowly, and so fast that the blade passes the border in the middle of a step.
+class SheetReport : public testing::TestWithParam<double> {};
 
-TEST_P(SheetTold, AStrokeFromRimToRimIsToldWhereItsTissueWasCut) {
+TEST_P(SheetReport, StrokeFromBorderToBorderIsReportedWhereTissueWasCut) {
     test::SheetRig rig;
     const SheetSpec& sheet = *rig.scene.sheet;
     rig.hold_flap(0, Vector3(0, 0.006, 0.008));
@@ -35,31 +35,31 @@ TEST_P(SheetTold, AStrokeFromRimToRimIsToldWhereItsTissueWasCut) {
     rig.steps(5);
 
     Vector3 last = Vector3::Zero();
-    std::vector<std::array<double, 2>> ways;
+    std::vector<std::array<double, 2>> paths;
     for (const Event& event : rig.events) {
         if (event.kind != EventKind::cut_begin && event.kind != EventKind::cut_advance) continue;
-        const Vector3 here(event.value, -1e-6 * event.detail, 0), way = here - last;
+        const Vector3 here(event.value, -1e-6 * event.detail, 0), displacement = here - last;
         EXPECT_GT(here.x(), low - 1e-6) << "on the sheet";
         EXPECT_LT(here.x(), high + 1e-6) << "on the sheet";
         if (event.kind == EventKind::cut_advance) {
-            ways.push_back({last.x(), here.x()});
-            const int samples = std::max(1, static_cast<int>(way.norm() / 0.0003));
+            paths.push_back({last.x(), here.x()});
+            const int samples = std::max(1, static_cast<int>(displacement.norm() / 0.0003));
             for (int i = 0; i < samples; ++i) {
-                const Vector3 place = last + (i + 0.5) / samples * way;
+                const Vector3 place = last + (i + 0.5) / samples * displacement;
                 EXPECT_FALSE(test::whole_around(rig.world.snapshot().sheet, place, 0.0008))
                     << place.transpose();
             }
         }
         last = here;
     }
-    EXPECT_GT(ways.size(), 60U);
+    EXPECT_GT(paths.size(), 60U);
     const test::PartedLine line =
-        test::parted_line(rig.world.snapshot().sheet, {low, high}, {-0.01, 0.01}, ways);
-    EXPECT_LE(line.longest_untold, 0.0008 + 1e-9) << "at " << line.untold_at;
+        test::parted_line(rig.world.snapshot().sheet, {low, high}, {-0.01, 0.01}, paths);
+    EXPECT_LE(line.longest_unreported, 0.0008 + 1e-9) << "at " << line.unreported_at;
     EXPECT_GT(line.parted, 0.9 * sheet.length);
 }
 
-INSTANTIATE_TEST_SUITE_P(Speeds, SheetTold, testing::Values(0.03, 0.3, 1.0));
+INSTANTIATE_TEST_SUITE_P(Speeds, SheetReport, testing::Values(0.03, 0.3, 1.0));
 
 }  // namespace
 }  // namespace fulcrum
