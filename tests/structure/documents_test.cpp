@@ -5,26 +5,19 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <regex>
 #include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "tests/support/generated.h"
 #include "tests/support/support.h"
 
 namespace fulcrum {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string read(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
 
 std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> lines;
@@ -102,7 +95,7 @@ TEST(Documents, EveryLinkAndFileNameExists) {
         const std::string name = relative_name(path);
         ++documents;
         for (const std::string& missing :
-             missing_files(read(path), path.parent_path(), name == "CHANGELOG.md"))
+             missing_files(test::text_of(name), path.parent_path(), name == "CHANGELOG.md"))
             ADD_FAILURE() << name << " names " << missing << ", which does not exist";
     }
     EXPECT_GT(documents, 30U);
@@ -135,7 +128,7 @@ std::string outside_reference(const std::string& line) {
 std::set<std::string> theory_sections() {
     std::set<std::string> sections;
     static const std::regex heading(R"(^#+ (\d+(\.\d+)?)\.? )");
-    for (const std::string& line : lines_of(read(test::source_path("docs/THEORY.md")))) {
+    for (const std::string& line : lines_of(test::text_of("docs/THEORY.md"))) {
         std::smatch match;
         if (std::regex_search(line, match, heading)) sections.insert(match[1].str());
     }
@@ -151,7 +144,7 @@ TEST(Documents, CommentsReferToNothingOutsideTheRepository) {
         const std::string name = relative_name(path);
         if (name == "tests/structure/documents_test.cpp") continue;
         int number = 0;
-        for (const std::string& line : lines_of(read(path))) {
+        for (const std::string& line : lines_of(test::text_of(relative_name(path)))) {
             ++number;
             EXPECT_EQ(outside_reference(line), "") << name << ":" << number;
             if (line.find("docs/") == std::string::npos) continue;
@@ -206,7 +199,7 @@ bool in_bibliography(const std::vector<std::string>& entries, const Citation& ci
 }
 
 TEST(Documents, EverySourceThatIsNamedIsInTheBibliography) {
-    const std::vector<std::string> entries = lines_of(read(test::source_path("docs/BIBLIOGRAPHY.md")));
+    const std::vector<std::string> entries = lines_of(test::text_of("docs/BIBLIOGRAPHY.md"));
     std::size_t checked = 0;
     for (const fs::path& path : files_with({".h", ".cpp", ".json", ".md"})) {
         const std::string name = relative_name(path);
@@ -214,7 +207,7 @@ TEST(Documents, EverySourceThatIsNamedIsInTheBibliography) {
                             name.rfind("ui/", 0) == 0 || name.rfind("assets/", 0) == 0 ||
                             name == "docs/THEORY.md" || name == "docs/METRICS.md";
         if (!source) continue;
-        for (const std::string& line : lines_of(read(path)))
+        for (const std::string& line : lines_of(test::text_of(relative_name(path))))
             for (const Citation& citation : citations(line)) {
                 ++checked;
                 EXPECT_TRUE(in_bibliography(entries, citation))
@@ -238,7 +231,7 @@ TEST(Documents, UsePlainWords) {
     for (const fs::path& path : files_with({".md"})) {
         bool generated = false;
         int number = 0;
-        for (const std::string& line : lines_of(read(path))) {
+        for (const std::string& line : lines_of(test::text_of(relative_name(path)))) {
             ++number;
             if (line.rfind("<!-- generated: ", 0) == 0) generated = true;
             if (line.rfind("<!-- end of ", 0) == 0) generated = false;
