@@ -118,6 +118,11 @@ std::string outside_reference(const std::string& line) {
     static const std::regex section(R"re((^|[^/\w])[Tt]heory,? (section )?\d)re");
     static const std::regex other(
         R"re((\(issue[: ]|\bissue \d|shared/design|\bthe paper\b, (Eq|Fig)|specification, ))re");
+    static const std::vector<std::string> signs = {".md",     "heory", "issue",
+                                                   "shared/", "paper", "specification"};
+    if (std::none_of(signs.begin(), signs.end(),
+                     [&](const std::string& sign) { return line.find(sign) != std::string::npos; }))
+        return {};
     std::smatch match;
     for (const std::regex* pattern : {&design, &section, &other})
         if (std::regex_search(line, match, *pattern)) return match.str();
