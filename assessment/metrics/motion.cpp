@@ -63,7 +63,8 @@ Figure time(const Analysis& analysis, const Selection&) {
         if (!begin || seen < *begin - rest_time) begin = seen;
         break;
     }
-    if (!begin) return absent(Absence::not_done, "no instrument moved inside the body");
+    if (!begin)
+        return absent(Absence::not_done, "no instrument moved faster than 5 mm/s for 0.2 s inside the body");
     const double end = std::max(*begin, analysis.trace().end);
     double paused = 0;
     for (const TimeInterval& pause : analysis.trace().pauses)
@@ -141,7 +142,9 @@ Figure econ(const Analysis& analysis, const Selection& row) {
     const std::optional<double> begin = analysis.first_movement(row.hand);
     if (times.size() < 3)
         return absent(Absence::not_done, "fewer than 3 way-points (targets reached, grasps, releases)");
-    if (!begin) return absent(Absence::not_done, "the instrument did not move inside the body");
+    if (!begin)
+        return absent(Absence::not_done,
+                      "the instrument never moved faster than 5 mm/s for 0.2 s inside the body");
     times.erase(std::remove_if(times.begin(), times.end(), [&](double t) { return t <= *begin; }),
                 times.end());
     times.insert(times.begin(), *begin);

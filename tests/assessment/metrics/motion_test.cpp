@@ -122,6 +122,20 @@ TEST(Time, RunsFromTheFirstMovementToTheEndEventWithoutPauses) {
     EXPECT_EQ(measure(still, "time", "").absence, Absence::not_done);
 }
 
+// 40 mm in steps of a tenth of a second: something did move, only never for long enough to start the clock.
+TEST(Time, WithoutALongEnoughMovementSaysWhatWasMissing) {
+    Trace trace = make_trace(10.0);
+    for (const Hand hand : {Hand::left, Hand::right})
+        set_position(trace, hand, [](double t) {
+            const double whole = std::floor(t), part = std::min(1.0, (t - whole) / 0.1);
+            return Vector3(0.004 * (whole + part), 0, 0);
+        });
+    EXPECT_GT(measure(trace, "path_len", "left").value.value_or(0), 30);
+    const MetricResult time = measure(trace, "time", "");
+    ASSERT_FALSE(time.value);
+    EXPECT_EQ(time.absent_because, "no instrument moved faster than 5 mm/s for 0.2 s inside the body");
+}
+
 TEST(Time, RunsFromWorkThatWasBegunHaltingly) {
     // Jerks of 20 mm/s for 0.1 s, twice a second, from the beginning; one smooth reach from 8 s on.
     Trace trace = make_trace(12.0);
