@@ -146,6 +146,10 @@ Score score_attempt(const ScoreInput& input) {
         GateResult& gate = score.gates.back();
         if (gate.kind == GateKind::benchmark && !input.why_no_benchmark.empty())
             gate.absent_because = input.why_no_benchmark;
+        // A short path or little time of an attempt that was not carried to its end is not better than the
+        // experts'.
+        if (input.state != AttemptState::completed && gate.z && *gate.z < 0)
+            gate.z = gate.points = std::nullopt;
         score.provisional = score.provisional || score.gates.back().provisional;
     }
     decide(input, score);

@@ -99,6 +99,19 @@ TEST(Score, AbandonedAndTimedOutFailOnceTheAttemptCounts) {
     }
 }
 
+// Half an attempt has a short path: that is no z of -28.
+TEST(Score, APartOfAnAttemptIsNeverBetterThanTheExperts) {
+    for (const AttemptState state :
+         {AttemptState::abandoned, AttemptState::timed_out, AttemptState::interrupted}) {
+        const Score score = score_of(figures(1, -1, 0.1, 0), state);
+        EXPECT_FALSE(score.gates[0].z) << *score.gates[0].z;
+        EXPECT_FALSE(score.gates[0].points);
+    }
+    const Score worse = score_of(figures(std::exp(5.0), -1, 0.1, 0), AttemptState::abandoned);
+    EXPECT_NEAR(worse.gates[0].z.value_or(0), 5.0, 1e-9);
+    EXPECT_TRUE(score_of(figures(1, -1, 0.1, 0)).gates[0].z);
+}
+
 TEST(Score, InterruptedCountsOnlyWhatIsBrokenForGood) {
     EXPECT_FALSE(score_of(figures(1, -1, 0.1, 0), AttemptState::interrupted).passed);
     EXPECT_EQ(score_of(figures(1, -1, 4.5, 0), AttemptState::interrupted).passed, false);
