@@ -2,6 +2,7 @@
 // One sentence: what, where (hand and phase), by how much, one thing to try. Worst first: a critical error,
 // an absolute gate by value over limit, a benchmark gate by z; then that the attempt was not carried to its
 // end, and only of one that was, a gate whose metric is absent: what was not reached was not done badly.
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -13,10 +14,12 @@ namespace fulcrum {
 
 namespace {
 
+/// With a point whatever the program's locale is: the sentence is stored.
 std::string number_text(double value, int digits) {
     char text[64];
-    std::snprintf(text, sizeof text, "%.*f", digits, value == 0 ? 0.0 : value);
-    return text;
+    const auto end =
+        std::to_chars(text, text + sizeof text, value == 0 ? 0.0 : value, std::chars_format::fixed, digits);
+    return end.ec == std::errc() ? std::string(text, end.ptr) : std::to_string(value);
 }
 
 /// A value with its unit, as many digits as the metric's precision asks for.

@@ -2,6 +2,8 @@
 // One sentence: the right gate, the right words, always the same.
 #include <gtest/gtest.h>
 
+#include <clocale>
+
 #include <cmath>
 
 #include "tests/assessment/scoring/fixtures.h"
@@ -87,13 +89,23 @@ TEST(Advice, OfAnAttemptThatWasNotCarriedToItsEndNamesNoAbsentFigure) {
               std::string::npos);
 }
 
+TEST(Advice, WritesNumbersWithAPointInEveryLocale) {
+    const std::string before = std::setlocale(LC_NUMERIC, nullptr);
+    for (const char* locale : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8"})
+        if (std::setlocale(LC_NUMERIC, locale) != nullptr) break;
+    const std::string advice = advice_of(figures(50, -1.5, 9.5, 0));
+    std::setlocale(LC_NUMERIC, before.c_str());
+    EXPECT_NE(advice.find("the force rose to 9.5 N"), std::string::npos) << advice;
+}
+
 TEST(Advice, EveryMetricMakesASentenceWithoutLeftOverMarks) {
     for (const Metric& metric : metric_registry()) {
         const MetricDescriptor& d = metric.descriptor;
         if (d.direction == Direction::context) continue;
         TaskDefinition task = small_task();
         const std::string hand = d.hands == Hands::each ? "left" : "";
-        task.gates = {{d.id, hand, "", GateKind::absolute, d.direction == Direction::lower ? 1.0 : 3.0, "test"}};
+        task.gates = {
+            {d.id, hand, "", GateKind::absolute, d.direction == Direction::lower ? 1.0 : 3.0, "test"}};
         const std::vector<MetricResult> metrics = {test::figure(d.id, hand, 2.0)};
         const Score score = score_attempt(ScoreInput{task, metrics});
         EXPECT_EQ(score.passed, false) << d.id;
