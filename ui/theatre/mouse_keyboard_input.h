@@ -59,6 +59,10 @@ class MouseKeyboardInput {
 
     Hand active_hand() const { return active_; }
     void switch_hand() { active_ = active_ == Hand::left ? Hand::right : Hand::left; }
+    /// The mouse moves this hand from now on, if it holds an instrument.
+    void take_hand(Hand hand) {
+        if (hand_[static_cast<std::size_t>(hand)].exists) active_ = hand;
+    }
     /// The picture's orientation, so that the mouse moves in the plane of the screen.
     void set_camera(const Quaternion& orientation) { view_ = orientation; }
     /// Pixels since the last call; `roll`: turns the shaft instead.

@@ -6,6 +6,7 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
+#include "assessment/task/asked_hand.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 #include "ui/theatre/mouse_keyboard_input.h"
@@ -84,6 +85,8 @@ bool TheatrePage::begin(const std::string& task_id, bool assessed) {
     const TaskDefinition* task = context().task(task_id);
     return task != nullptr && open([&] {
                auto input = std::make_unique<MouseKeyboardInput>(context().services().scene_for(*task));
+               if (!task->goals.empty())
+                   input->take_hand(asked_hand(task->goals.front()).value_or(input->active_hand()));
                AttemptRequest request{
                    context().session(), task_id, assessed, 0, input->rig(), "mouse-keyboard",
                    "mouse and keyboard"};

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <thread>
 
+#include "assessment/task/asked_hand.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/support.h"
 #include "ui/theatre/mouse_keyboard_input.h"
@@ -40,6 +41,18 @@ TEST(MouseKeyboard, StartsWhereTheSceneSays) {
         EXPECT_NEAR(hand.handle[2] * device_length_unit, -(spec.trocar.shaft_length - spec.start_insertion),
                     2e-7);
     }
+}
+
+// A2 asks for the left hand first; the mouse moved the right one.
+TEST(MouseKeyboard, BeginsWithTheHandThatTheFirstGoalAsksFor) {
+    const Scene targets = scene();
+    MouseKeyboardInput input(targets);
+    const TaskDefinition a2 = load_task(fulcrum::test::source_path("assets/tasks/A2.json"));
+    ASSERT_EQ(asked_hand(a2.goals.front()), Hand::left);
+    input.take_hand(*asked_hand(a2.goals.front()));
+    EXPECT_EQ(input.active_hand(), Hand::left);
+    const TaskDefinition b1 = load_task(fulcrum::test::source_path("assets/tasks/B1.json"));
+    EXPECT_FALSE(asked_hand(b1.goals.front()).has_value());
 }
 
 TEST(MouseKeyboard, PedalAndExchangeAreButtonsOfTheActiveHandWhileHeld) {
