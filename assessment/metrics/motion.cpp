@@ -358,21 +358,19 @@ MetricDescriptor motion(Naming naming, Direction direction, Scale scale, Aggrega
     return d;
 }
 
-}  // namespace
+using Compute = Figure (*)(const Analysis&, const Selection&);
 
-std::vector<Metric> motion_metrics() {
+MetricDescriptor with_axis(MetricDescriptor d) {
+    d.channels.push_back(Channel::axis);
+    return d;
+}
+
+/// Time, paths and how straight they were.
+void add_paths(std::vector<Metric>& metrics) {
     using D = Direction;
     using A = Aggregation;
     using E = EvidenceGrade;
-    std::vector<Metric> metrics;
-    const auto add = [&](MetricDescriptor d, Figure (*compute)(const Analysis&, const Selection&)) {
-        metrics.push_back({std::move(d), compute});
-    };
-    const auto with_axis = [](MetricDescriptor d) {
-        d.channels.push_back(Channel::axis);
-        return d;
-    };
-
+    const auto add = [&](MetricDescriptor d, Compute compute) { metrics.push_back({std::move(d), compute}); };
     MetricDescriptor d = motion(
         {"time", "Time", "s", 0.1}, D::lower, Scale::ln, A::total, E::strong,
         "van Hove 2010; Fundamentals of Laparoscopic Surgery",
@@ -430,7 +428,15 @@ std::vector<Metric> motion_metrics() {
                           "read the depth from shadow and parallax before advancing"}));
     d.absent_means = AbsentMeans::failed;
     add(d, depth_axis);
-    d = with_axis(
+}
+
+/// Depth, number of movements, idle time.
+void add_movements(std::vector<Metric>& metrics) {
+    using D = Direction;
+    using A = Aggregation;
+    using E = EvidenceGrade;
+    const auto add = [&](MetricDescriptor d, Compute compute) { metrics.push_back({std::move(d), compute}); };
+    MetricDescriptor d = with_axis(
         motion({"depth_err", "Depth error", "mm", 0.1}, D::lower, Scale::raw, A::mean, E::moderate,
                "signed error along the shaft at the end of the first movement",
                {"How far beyond (positive) or short of the target the first movement ended, on average over "
@@ -470,6 +476,14 @@ std::vector<Metric> motion_metrics() {
                 "give the waiting hand a job: hold, expose, or get ready"});
     d.channels.push_back(Channel::tissue);
     add(d, idle);
+}
+
+/// Speed, the volume worked in, and whether it was in view.
+void add_speed_and_place(std::vector<Metric>& metrics) {
+    using D = Direction;
+    using A = Aggregation;
+    using E = EvidenceGrade;
+    const auto add = [&](MetricDescriptor d, Compute compute) { metrics.push_back({std::move(d), compute}); };
     add(motion({"speed_mean", "Mean speed", "mm/s", 0.1}, D::context, Scale::raw, A::mean, E::moderate,
                "van Hove 2010",
                {"Mean speed of the tip inside the body.", "the mean speed was {value}", "keep an even pace"}),
@@ -479,11 +493,11 @@ std::vector<Metric> motion_metrics() {
                {"Highest speed of the tip inside the body.", "the peak speed was {value}",
                 "avoid sudden moves"}),
         speed_peak);
-    d = motion({"ws_volume", "Working volume", "cm³", 0.1}, D::lower, Scale::ln, A::deviation, E::moderate,
-               "95 % ellipsoid of tip positions",
-               {"Volume of the ellipsoid that holds 95 % of the tip's positions.",
-                "the tip roamed through {value} where {limit} is enough",
-                "keep the tips close to where the work is"});
+    MetricDescriptor d = motion({"ws_volume", "Working volume", "cm³", 0.1}, D::lower, Scale::ln,
+                                A::deviation, E::moderate, "95 % ellipsoid of tip positions",
+                                {"Volume of the ellipsoid that holds 95 % of the tip's positions.",
+                                 "the tip roamed through {value} where {limit} is enough",
+                                 "keep the tips close to where the work is"});
     d.absent_means = AbsentMeans::failed;
     add(d, ws_volume);
     d = motion({"off_screen", "Off screen", "%", 0.1}, D::lower, Scale::raw, A::share, E::strong,
@@ -493,6 +507,15 @@ std::vector<Metric> motion_metrics() {
                 "move the camera first, then the instrument"});
     d.channels.push_back(Channel::in_view);
     add(d, off_screen);
+}
+
+}  // namespace
+
+std::vector<Metric> motion_metrics() {
+    std::vector<Metric> metrics;
+    add_paths(metrics);
+    add_movements(metrics);
+    add_speed_and_place(metrics);
     return metrics;
 }
 

@@ -283,100 +283,23 @@ class SheetDivision : public Behaviour {
     double behind() const noexcept { return of_septa() ? 0.001 : 0.0005; }
     double beyond() const noexcept { return of_septa() ? 0.0004 : 0.002; }
     void divide(const Perception& seen, Body& body, bool allowed) noexcept {
-        Limb& limb = *body.limb[cutter_];
-        const double next = seen.display.cut_next_m;
         if (of_septa() && seen.display.force[cutter_] > skill_.comfortable_force &&
             (blade_ == Blade::cross || blade_ == Blade::travel || blade_ == Blade::stroke)) {
             lift(seen, body);  // whatever this is, it is not the plane
             return;
         }
         switch (blade_) {
-            case Blade::wait: {
-                limb.press(false);
-                if (!allowed || (hold_ != Hold::pull && skill_.foresight > limb.random().uniform())) break;
-                if (!taut(seen) && limb.time() - asked_ < skill_.foresight * seconds_to_wait) break;
-                if (field_.wanted(seen, limb)) {
-                    field_.begin(seen);
-                    blade_ = Blade::suck;
-                    break;
-                }
-                const double start = sight_.level * sight_.septum;
-                from_ = next < start + 1e-6 ? start - over_rim() : next - behind();
-                way_ = 1;
-                to_ = std::min(next + skill_.stroke * limb.random().uniform(0.8, 1.2),
-                               (of_septa() ? start + sight_.septum : line_.length_m) + over_rim());
-                if (of_septa() && next < start + 1e-6) {
-                    // The rim itself gives the blade no hold: from a little inside out over it first.
-                    from_ = start + inside_rim;
-                    to_ = start - over_rim();
-                    way_ = -1;
-                }
-                from_ += misses_ * further_on;
-                aside_ = skill_.line_error * limb.random().normal();
-                depth_ = blade_depth;
-                pedal_.plan(limb);
-                const double delay = skill_.choice_s * limb.random().uniform(0.3, 0.7);
-                if (of_septa() && sight_.level != crossed_) {
-                    // From one rim to the other along the plane, not through what lies in front of it.
-                    crossed_ = sight_.level;
-                    blade_ = Blade::cross;
-                    blade_reach_.start(limb, middle(seen, body, limb), body.view, 0.015, delay, 6);
-                    break;
-                }
-                blade_ = Blade::travel;
-                blade_reach_.start(limb, over(site_at(seen, body, from_), limb, blade_height), body.view,
-                                   0.008, delay, 3);
+            case Blade::wait:
+                wait_with_blade(seen, body, allowed);
                 break;
-            }
             case Blade::cross:
-                blade_reach_.follow(middle(seen, body, limb));
-                blade_reach_.update(limb, seen.tip[cutter_]);
-                if (!blade_reach_.started() ||
-                    (limb.destination() - middle(seen, body, limb)).norm() > near_enough ||
-                    limb.remaining() > 0.12)
-                    break;
-                blade_ = Blade::travel;
-                blade_reach_.start(limb, over(site_at(seen, body, from_), limb, blade_height), body.view,
-                                   0.008, 0, 3);
+                cross(seen, body);
                 break;
-            case Blade::travel: {
-                const Vector3 goal = over(site_at(seen, body, from_), limb, blade_height);
-                blade_reach_.follow(goal);
-                blade_reach_.update(limb, seen.tip[cutter_]);
-                if (blade_reach_.arrived() || (blade_reach_.corrections() > 0 && limb.remaining() < 0.1 &&
-                                               (limb.destination() - goal).norm() < 0.004)) {
-                    blade_ = Blade::press;
-                    limb.press(true);
-                    pressed_ = limb.time();
-                    blade_reach_.start(limb, over(site_at(seen, body, from_), limb, -depth_), body.view,
-                                       0.004, 0, 2);
-                }
+            case Blade::travel:
+                travel(seen, body);
                 break;
-            }
             case Blade::press:
-                pedal_.press(limb, seen, cutter_,
-                             seen.display.cutting || seen.display.force[cutter_] > blade_felt);
-                if (seen.display.cutting) {
-                    misses_ = 0;
-                    blade_ = Blade::stroke;
-                    cutting_seen_ = limb.time();
-                    break;
-                }
-                blade_reach_.follow(over(site_at(seen, body, from_), limb, -depth_));
-                blade_reach_.update(limb, seen.tip[cutter_]);
-                if (limb.time() - pressed_ > 0.35 + skill_.reaction_s && limb.remaining() <= 0) {
-                    // Deeper and further on, until the blade breaks through.
-                    depth_ += press_step;
-                    pressed_ = limb.time();
-                    if (depth_ > (of_septa() ? deepest_septum_press : deepest_press) ||
-                        seen.display.force[cutter_] > skill_.comfortable_force) {
-                        misses_ = misses_ < most_misses ? misses_ + 1 : 0;
-                        lift(seen, body);
-                    } else
-                        limb.carry(press_step * (way_ * site_at(seen, body, from_).along -
-                                                 site_at(seen, body, from_).up),
-                                   0.25 * skill_.duration_scale);
-                }
+                press(seen, body);
                 break;
             case Blade::stroke:
                 stroke(seen, body);
@@ -385,14 +308,111 @@ class SheetDivision : public Behaviour {
                 if (field_.update(seen, body, cutter_)) blade_ = Blade::wait;
                 break;
             case Blade::lift:
-                pedal_.lift(limb);
-                if (level(seen, body, limb) > -blade_depth) limb.press(false);
-                if (limb.remaining() <= -skill_.reaction_s) {
-                    limb.press(false);
-                    blade_ = Blade::wait;
-                    asked_ = limb.time();
-                }
+                lift_off(seen, body);
                 break;
+        }
+    }
+
+    // Plans the next stroke once the tissue is taut and the field is clear.
+    void wait_with_blade(const Perception& seen, Body& body, bool allowed) noexcept {
+        Limb& limb = *body.limb[cutter_];
+        const double next = seen.display.cut_next_m;
+        limb.press(false);
+        if (!allowed || (hold_ != Hold::pull && skill_.foresight > limb.random().uniform())) return;
+        if (!taut(seen) && limb.time() - asked_ < skill_.foresight * seconds_to_wait) return;
+        if (field_.wanted(seen, limb)) {
+            field_.begin(seen);
+            blade_ = Blade::suck;
+            return;
+        }
+        const double start = sight_.level * sight_.septum;
+        from_ = next < start + 1e-6 ? start - over_rim() : next - behind();
+        way_ = 1;
+        to_ = std::min(next + skill_.stroke * limb.random().uniform(0.8, 1.2),
+                       (of_septa() ? start + sight_.septum : line_.length_m) + over_rim());
+        if (of_septa() && next < start + 1e-6) {
+            // The rim itself gives the blade no hold: from a little inside out over it first.
+            from_ = start + inside_rim;
+            to_ = start - over_rim();
+            way_ = -1;
+        }
+        from_ += misses_ * further_on;
+        aside_ = skill_.line_error * limb.random().normal();
+        depth_ = blade_depth;
+        pedal_.plan(limb);
+        const double delay = skill_.choice_s * limb.random().uniform(0.3, 0.7);
+        if (of_septa() && sight_.level != crossed_) {
+            // From one rim to the other along the plane, not through what lies in front of it.
+            crossed_ = sight_.level;
+            blade_ = Blade::cross;
+            blade_reach_.start(limb, middle(seen, body, limb), body.view, 0.015, delay, 6);
+            return;
+        }
+        blade_ = Blade::travel;
+        blade_reach_.start(limb, over(site_at(seen, body, from_), limb, blade_height), body.view, 0.008,
+                           delay, 3);
+    }
+
+    void cross(const Perception& seen, Body& body) noexcept {
+        Limb& limb = *body.limb[cutter_];
+        blade_reach_.follow(middle(seen, body, limb));
+        blade_reach_.update(limb, seen.tip[cutter_]);
+        if (!blade_reach_.started() || (limb.destination() - middle(seen, body, limb)).norm() > near_enough ||
+            limb.remaining() > 0.12)
+            return;
+        blade_ = Blade::travel;
+        blade_reach_.start(limb, over(site_at(seen, body, from_), limb, blade_height), body.view, 0.008, 0,
+                           3);
+    }
+
+    void travel(const Perception& seen, Body& body) noexcept {
+        Limb& limb = *body.limb[cutter_];
+        const Vector3 goal = over(site_at(seen, body, from_), limb, blade_height);
+        blade_reach_.follow(goal);
+        blade_reach_.update(limb, seen.tip[cutter_]);
+        if (blade_reach_.arrived() || (blade_reach_.corrections() > 0 && limb.remaining() < 0.1 &&
+                                       (limb.destination() - goal).norm() < 0.004)) {
+            blade_ = Blade::press;
+            limb.press(true);
+            pressed_ = limb.time();
+            blade_reach_.start(limb, over(site_at(seen, body, from_), limb, -depth_), body.view, 0.004, 0, 2);
+        }
+    }
+
+    void press(const Perception& seen, Body& body) noexcept {
+        Limb& limb = *body.limb[cutter_];
+        pedal_.press(limb, seen, cutter_, seen.display.cutting || seen.display.force[cutter_] > blade_felt);
+        if (seen.display.cutting) {
+            misses_ = 0;
+            blade_ = Blade::stroke;
+            cutting_seen_ = limb.time();
+            return;
+        }
+        blade_reach_.follow(over(site_at(seen, body, from_), limb, -depth_));
+        blade_reach_.update(limb, seen.tip[cutter_]);
+        if (limb.time() - pressed_ > 0.35 + skill_.reaction_s && limb.remaining() <= 0) {
+            // Deeper and further on, until the blade breaks through.
+            depth_ += press_step;
+            pressed_ = limb.time();
+            if (depth_ > (of_septa() ? deepest_septum_press : deepest_press) ||
+                seen.display.force[cutter_] > skill_.comfortable_force) {
+                misses_ = misses_ < most_misses ? misses_ + 1 : 0;
+                lift(seen, body);
+            } else
+                limb.carry(
+                    press_step * (way_ * site_at(seen, body, from_).along - site_at(seen, body, from_).up),
+                    0.25 * skill_.duration_scale);
+        }
+    }
+
+    void lift_off(const Perception& seen, Body& body) noexcept {
+        Limb& limb = *body.limb[cutter_];
+        pedal_.lift(limb);
+        if (level(seen, body, limb) > -blade_depth) limb.press(false);
+        if (limb.remaining() <= -skill_.reaction_s) {
+            limb.press(false);
+            blade_ = Blade::wait;
+            asked_ = limb.time();
         }
     }
 

@@ -37,6 +37,34 @@ double shaft_overlap(const ToolPose& a, const ToolPose& b, double reach) noexcep
     return std::max(0.0, reach - (w + s * u - t * v).norm());
 }
 
+// Passes events on and notes the critical ones.
+class CriticalFilter : public EventSink {
+  public:
+    CriticalFilter(EventSink& sink, std::uint64_t kinds, bool& critical)
+        : sink_(sink), kinds_(kinds), critical_(critical) {}
+    void on_event(const Event& event) noexcept override {
+        const auto kind = static_cast<unsigned>(event.kind);
+        if (kind < 64 && (kinds_ >> kind & 1U) != 0) critical_ = true;
+        sink_.on_event(event);
+    }
+    void emit(std::uint32_t tick, EventKind kind, std::int32_t detail = 0, double value = 0,
+              int hand = no_hand, int tissue = -1) noexcept {
+        Event event;
+        event.tick = tick;
+        event.kind = kind;
+        event.hand = static_cast<std::uint8_t>(hand);
+        event.tissue = static_cast<std::int8_t>(tissue);
+        event.detail = detail;
+        event.value = static_cast<float>(value);
+        on_event(event);
+    }
+
+  private:
+    EventSink& sink_;
+    std::uint64_t kinds_;
+    bool& critical_;
+};
+
 }  // namespace
 
 struct TaskMonitor::State {
@@ -87,39 +115,21 @@ struct TaskMonitor::State {
         display.remaining_s = task.time_limit_s;
         goals.show(display);
     }
+
+    void end(std::uint32_t tick, EventKind kind, CriticalFilter& events) noexcept;
+    /// What changed about devices, pause and the world's lateness.
+    void watch_rig(const TickSample& sample, CriticalFilter& events) noexcept;
+    /// Speed and work of a hand: the attempt's clock starts with the first.
+    void watch_hand(std::size_t h, const TickSample& sample, CriticalFilter& events) noexcept;
+    /// One tick; returns true if it was not paused.
+    bool tick(const TickSample& sample, const WorldSnapshot& world, CriticalFilter& events) noexcept;
+    /// A hold that a hand's step changed: whether it is a repeated grasp or a drop.
+    void watch_hold(std::size_t h, HoldChange change, const WorldSnapshot& world,
+                    CriticalFilter& events) noexcept;
+    /// After the last tick of a step of which `running` ticks were not paused.
+    void step(const WorldSnapshot& world, std::uint32_t running, CriticalFilter& events) noexcept;
+    void show() noexcept;
 };
-
-namespace {
-
-// Passes events on and notes the critical ones.
-class CriticalFilter : public EventSink {
-  public:
-    CriticalFilter(EventSink& sink, std::uint64_t kinds, bool& critical)
-        : sink_(sink), kinds_(kinds), critical_(critical) {}
-    void on_event(const Event& event) noexcept override {
-        const auto kind = static_cast<unsigned>(event.kind);
-        if (kind < 64 && (kinds_ >> kind & 1U) != 0) critical_ = true;
-        sink_.on_event(event);
-    }
-    void emit(std::uint32_t tick, EventKind kind, std::int32_t detail = 0, double value = 0,
-              int hand = no_hand, int tissue = -1) noexcept {
-        Event event;
-        event.tick = tick;
-        event.kind = kind;
-        event.hand = static_cast<std::uint8_t>(hand);
-        event.tissue = static_cast<std::int8_t>(tissue);
-        event.detail = detail;
-        event.value = static_cast<float>(value);
-        on_event(event);
-    }
-
-  private:
-    EventSink& sink_;
-    std::uint64_t kinds_;
-    bool& critical_;
-};
-
-}  // namespace
 
 TaskMonitor::TaskMonitor(const TaskDefinition& task, const Scene& scene, std::uint64_t seed)
     : state_(std::make_unique<State>(task, scene, seed)) {}
@@ -129,145 +139,161 @@ const TaskDisplay& TaskMonitor::display() const noexcept {
     return state_->display;
 }
 
+void TaskMonitor::State::end(std::uint32_t tick, EventKind kind, CriticalFilter& events) noexcept {
+    bands.finish(tick, events);
+    display.ended = true;
+    display.end = kind;
+    events.emit(tick, kind);
+}
+
+void TaskMonitor::State::watch_rig(const TickSample& sample, CriticalFilter& events) noexcept {
+    const std::uint32_t tick = sample.tick;
+    const bool lost_now = (sample.rig_flags & rig_device_lost) != 0;
+    if (lost_now != lost) events.emit(tick, lost_now ? EventKind::device_lost : EventKind::device_back);
+    lost = lost_now;
+    lost_ticks = lost ? lost_ticks + 1 : 0;
+    const bool paused_now = (sample.rig_flags & rig_paused) != 0;
+    if (paused_now != paused) events.emit(tick, paused_now ? EventKind::pause : EventKind::resume);
+    paused = paused_now;
+    const bool late_now = (sample.rig_flags & rig_world_late) != 0;
+    if (late && !late_now) events.emit(tick, EventKind::world_late, static_cast<std::int32_t>(late_ticks));
+    late_ticks = late_now ? late_ticks + 1 : 0;
+    late = late_now;
+}
+
+void TaskMonitor::State::watch_hand(std::size_t h, const TickSample& sample,
+                                    CriticalFilter& events) noexcept {
+    HandMonitor& hand = hands[h];
+    hand.tick(sample, events);
+    if (hand.speed() > moving_speed) {
+        if (run_ticks[h]++ == 0) run_start[h] = unpaused_ticks;
+    } else {
+        run_ticks[h] = 0;
+    }
+    // A hand that holds, cuts or burns tissue, or is where the task wants it, is at work, however haltingly
+    // it came there.
+    const std::uint16_t flags = sample.hand[h].flags;
+    const bool at_work =
+        goals.at_target(static_cast<Hand>(h)) ||
+        ((flags & hand_inside) != 0 && (flags & (hand_grasping | hand_cutting | hand_energy)) != 0);
+    if (display.moving_seen || !(at_work || run_ticks[h] * tick_period >= moving_duration)) return;
+    display.moving_seen = true;
+    // The run began earlier; that it was a run is known only now.
+    const std::uint32_t age = run_ticks[h] > 0 ? run_ticks[h] - 1 : 0;
+    elapsed_ticks = age;
+    events.emit(sample.tick - age, EventKind::first_movement, 0, 0, static_cast<int>(h));
+}
+
+bool TaskMonitor::State::tick(const TickSample& sample, const WorldSnapshot& world,
+                              CriticalFilter& events) noexcept {
+    last_tick = sample.tick;
+    watch_rig(sample, events);
+    if ((sample.rig_flags & rig_abandon) != 0) {
+        end(sample.tick, EventKind::abandoned, events);
+        return false;
+    }
+    if (lost_ticks * tick_period > device_grace) {
+        end(sample.tick, EventKind::interrupted, events);
+        return false;
+    }
+    if (paused || lost) {
+        run_ticks = {};
+        return false;
+    }
+    ++unpaused_ticks;
+    for (std::size_t h = 0; h < hand_count; ++h) watch_hand(h, sample, events);
+    if (display.moving_seen) ++elapsed_ticks;
+    bands.tick(sample);
+    goals.tick(sample, world, events);
+    if (goals.done()) return true;
+    // An attempt in which nothing moves is timed out as well, or one without hands would never end.
+    const std::uint32_t clock = display.moving_seen ? elapsed_ticks : unpaused_ticks;
+    if (clock * tick_period >= task.time_limit_s) end(sample.tick, EventKind::timed_out, events);
+    return true;
+}
+
+void TaskMonitor::State::watch_hold(std::size_t h, HoldChange change, const WorldSnapshot& world,
+                                    CriticalFilter& events) noexcept {
+    const GraspState& grasp = world.grasps[h];
+    if (change == HoldChange::grasped) {
+        for (HandMonitor& other : hands) {
+            const HandMonitor::Released& released = other.released();
+            if (!released.valid || released.patch != grasp.patch ||
+                (last_tick - released.tick) * tick_period > regrasp_window)
+                continue;
+            events.emit(last_tick, EventKind::regrasp, grasp.patch, grasp.arc_length, static_cast<int>(h),
+                        held_tissue);
+            other.forget_released();
+            break;
+        }
+    }
+    if (change == HoldChange::slipped && !world.grasps[1 - h].held &&
+        goals.height(world, grasp) > drop_height) {
+        events.emit(last_tick, EventKind::drop, grasp.patch, grasp.arc_length, static_cast<int>(h),
+                    held_tissue);
+    }
+}
+
+void TaskMonitor::State::step(const WorldSnapshot& world, std::uint32_t running,
+                              CriticalFilter& events) noexcept {
+    const std::uint32_t now = last_tick;
+    const auto happened = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(0, world.event_count)), 0,
+                                                  world.events.size());
+    for (std::size_t i = 0; i < happened; ++i) {
+        events.on_event(world.events[i]);
+        goals.tissue_event(world.events[i]);
+    }
+    bands.step(world, now, events);
+    goals.bands(bands);
+    std::array<HoldChange, hand_count> changes{};
+    for (std::size_t h = 0; h < hand_count; ++h) {
+        changes[h] = hands[h].hold(world.grasps[h], now, static_cast<std::int8_t>(held_tissue), events);
+        watch_hold(h, changes[h], world, events);
+    }
+    const double overlap = shaft_overlap(world.tools[0], world.tools[1], tool_reach);
+    if (overlap > 0 && !colliding) events.emit(now, EventKind::tool_collision, 0, overlap);
+    colliding = overlap > 0;
+    if (running > 0 && !goals.done()) goals.step(world, changes, now, running, events);
+    if (world.outcome == fault_outcome) {
+        events.emit(now, EventKind::simulator_fault, static_cast<std::int32_t>(world.outcome));
+        end(now, EventKind::interrupted, events);
+    } else if (goals.done()) {
+        end(now, EventKind::completed, events);
+    }
+}
+
+void TaskMonitor::State::show() noexcept {
+    display.elapsed_s = elapsed_ticks * tick_period;
+    display.remaining_s = std::max(0.0, task.time_limit_s - display.elapsed_s);
+    for (std::size_t h = 0; h < hand_count; ++h) {
+        display.force[h] = static_cast<float>(hands[h].step_force());
+        display.force_limit[h] = static_cast<float>(hands[h].force_limit());
+        display.warning[h] = hands[h].warning();
+    }
+    display.bands_divided = bands.divided();
+    display.vessels_dry = bands.dry();
+    display.blood_ml = static_cast<float>(bands.lost_ml());
+    display.clips_left = bands.clips_left();
+    goals.show(display);
+}
+
 void TaskMonitor::on_step(const TickSample* ticks, std::size_t count, const WorldSnapshot& world,
                           EventSink& sink) noexcept {
     State& state = *state_;
-    TaskDisplay& display = state.display;
-    if (display.ended || count == 0) return;
-    CriticalFilter events(sink, state.critical_kinds, display.critical);
-    const auto end = [&](std::uint32_t tick, EventKind kind) {
-        state.bands.finish(tick, events);
-        display.ended = true;
-        display.end = kind;
-        events.emit(tick, kind);
-    };
+    if (state.display.ended || count == 0) return;
+    CriticalFilter events(sink, state.critical_kinds, state.display.critical);
     if (!state.begun) {
         state.begun = true;
         events.emit(ticks[0].tick, EventKind::attempt_begin);
     }
     for (HandMonitor& hand : state.hands) hand.begin_step();
-
-    std::uint32_t running = 0;  // ticks of this step that were not paused
-    for (std::size_t i = 0; i < count && !display.ended; ++i) {
-        const TickSample& sample = ticks[i];
-        const std::uint32_t tick = sample.tick;
-        state.last_tick = tick;
-
-        const bool lost = (sample.rig_flags & rig_device_lost) != 0;
-        if (lost != state.lost) events.emit(tick, lost ? EventKind::device_lost : EventKind::device_back);
-        state.lost = lost;
-        state.lost_ticks = lost ? state.lost_ticks + 1 : 0;
-        const bool paused = (sample.rig_flags & rig_paused) != 0;
-        if (paused != state.paused) events.emit(tick, paused ? EventKind::pause : EventKind::resume);
-        state.paused = paused;
-        const bool late = (sample.rig_flags & rig_world_late) != 0;
-        if (state.late && !late)
-            events.emit(tick, EventKind::world_late, static_cast<std::int32_t>(state.late_ticks));
-        state.late_ticks = late ? state.late_ticks + 1 : 0;
-        state.late = late;
-
-        if ((sample.rig_flags & rig_abandon) != 0) {
-            end(tick, EventKind::abandoned);
-            break;
-        }
-        if (state.lost_ticks * state.tick_period > device_grace) {
-            end(tick, EventKind::interrupted);
-            break;
-        }
-        if (paused || lost) {
-            state.run_ticks = {};
-            continue;
-        }
-        ++running;
-        ++state.unpaused_ticks;
-        for (std::size_t h = 0; h < hand_count; ++h) {
-            HandMonitor& hand = state.hands[h];
-            hand.tick(sample, events);
-            if (hand.speed() > moving_speed) {
-                if (state.run_ticks[h]++ == 0) state.run_start[h] = state.unpaused_ticks;
-            } else {
-                state.run_ticks[h] = 0;
-            }
-            // Who holds, cuts or burns tissue, or is where the task wants the hand, is at work, however
-            // haltingly the hand came there.
-            const std::uint16_t flags = sample.hand[h].flags;
-            const bool at_work =
-                state.goals.at_target(static_cast<Hand>(h)) ||
-                ((flags & hand_inside) != 0 && (flags & (hand_grasping | hand_cutting | hand_energy)) != 0);
-            if (!display.moving_seen &&
-                (at_work || state.run_ticks[h] * state.tick_period >= moving_duration)) {
-                display.moving_seen = true;
-                // The run began when it began; that it was a run is known only now.
-                const std::uint32_t age = state.run_ticks[h] > 0 ? state.run_ticks[h] - 1 : 0;
-                state.elapsed_ticks = age;
-                events.emit(tick - age, EventKind::first_movement, 0, 0, static_cast<int>(h));
-            }
-        }
-        if (display.moving_seen) ++state.elapsed_ticks;
-        state.bands.tick(sample);
-        state.goals.tick(sample, world, events);
-        if (state.goals.done()) break;
-        // Who never moves is timed out as well, or an attempt without hands would never end.
-        const std::uint32_t clock = display.moving_seen ? state.elapsed_ticks : state.unpaused_ticks;
-        if (clock * state.tick_period >= state.task.time_limit_s) end(tick, EventKind::timed_out);
+    std::uint32_t running = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        running += state.tick(ticks[i], world, events) ? 1U : 0U;
+        if (state.display.ended || state.goals.done()) break;
     }
-
-    const std::uint32_t now = state.last_tick;
-    if (!display.ended) {
-        const auto happened = std::clamp<std::size_t>(
-            static_cast<std::size_t>(std::max(0, world.event_count)), 0, world.events.size());
-        for (std::size_t i = 0; i < happened; ++i) {
-            events.on_event(world.events[i]);
-            state.goals.tissue_event(world.events[i]);
-        }
-        state.bands.step(world, now, events);
-        state.goals.bands(state.bands);
-        std::array<HoldChange, hand_count> changes{};
-        for (std::size_t h = 0; h < hand_count; ++h) {
-            const GraspState& grasp = world.grasps[h];
-            changes[h] = state.hands[h].hold(grasp, now, static_cast<std::int8_t>(state.held_tissue), events);
-            if (changes[h] == HoldChange::grasped) {
-                for (HandMonitor& other : state.hands) {
-                    const HandMonitor::Released& released = other.released();
-                    if (!released.valid || released.patch != grasp.patch ||
-                        (now - released.tick) * state.tick_period > regrasp_window)
-                        continue;
-                    events.emit(now, EventKind::regrasp, grasp.patch, grasp.arc_length, static_cast<int>(h),
-                                state.held_tissue);
-                    other.forget_released();
-                    break;
-                }
-            }
-            if (changes[h] == HoldChange::slipped && !world.grasps[1 - h].held &&
-                state.goals.height(world, grasp) > drop_height) {
-                events.emit(now, EventKind::drop, grasp.patch, grasp.arc_length, static_cast<int>(h),
-                            state.held_tissue);
-            }
-        }
-        const double overlap = shaft_overlap(world.tools[0], world.tools[1], state.tool_reach);
-        if (overlap > 0 && !state.colliding) events.emit(now, EventKind::tool_collision, 0, overlap);
-        state.colliding = overlap > 0;
-        if (running > 0 && !state.goals.done()) state.goals.step(world, changes, now, running, events);
-        if (world.outcome == fault_outcome) {
-            events.emit(now, EventKind::simulator_fault, static_cast<std::int32_t>(world.outcome));
-            end(now, EventKind::interrupted);
-        } else if (state.goals.done()) {
-            end(now, EventKind::completed);
-        }
-    }
-
-    display.elapsed_s = state.elapsed_ticks * state.tick_period;
-    display.remaining_s = std::max(0.0, state.task.time_limit_s - display.elapsed_s);
-    for (std::size_t h = 0; h < hand_count; ++h) {
-        display.force[h] = static_cast<float>(state.hands[h].step_force());
-        display.force_limit[h] = static_cast<float>(state.hands[h].force_limit());
-        display.warning[h] = state.hands[h].warning();
-    }
-    display.bands_divided = state.bands.divided();
-    display.vessels_dry = state.bands.dry();
-    display.blood_ml = static_cast<float>(state.bands.lost_ml());
-    display.clips_left = state.bands.clips_left();
-    state.goals.show(display);
+    if (!state.display.ended) state.step(world, running, events);
+    state.show();
 }
 
 }  // namespace fulcrum
