@@ -5,7 +5,7 @@
 
 #include "app/assets.h"
 #include "assessment/metrics/metrics_json.h"
-#include "assessment/version.h"
+#include "assessment/metrics/version.h"
 
 namespace fulcrum::app {
 

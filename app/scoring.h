@@ -11,7 +11,7 @@
 #include "assessment/scoring/benchmark.h"
 #include "assessment/scoring/score.h"
 #include "assessment/task/task.h"
-#include "database/records/attempt_records.h"
+#include "database/rows/attempt_records.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/telemetry/event.h"
 #include "sim_core/telemetry/sample.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# One static library a floor, its public includes rooted at the repository.
+# One static library a room (a folder), grouped into floors; includes are rooted at the repository.
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(Threads REQUIRED)
@@ -41,23 +41,79 @@ target_link_libraries(fulcrum_precompiled PUBLIC fulcrum_flags)
 target_precompile_headers(fulcrum_precompiled PRIVATE <Eigen/Dense> <algorithm> <array> <cmath> <cstdint> <cstring> <fstream> <functional>
     <limits> <map> <memory> <optional> <random> <set> <sstream> <string> <utility> <vector>)
 
-# fulcrum_floor(name FOLDER folder LINKS libs... PCH headers...): all sources below the folder. Without PCH: the headers above.
-function(fulcrum_floor name)
-    cmake_parse_arguments(ARG "" "FOLDER" "LINKS;PCH" ${ARGN})
-    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${ARG_FOLDER}/*.cpp ${PROJECT_SOURCE_DIR}/${ARG_FOLDER}/*.h ${PROJECT_SOURCE_DIR}/${ARG_FOLDER}/*.qrc)
-    list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
+# fulcrum_room(FOLDER [USES rooms...] [LINKS libs...] [PCH target] [APART sources...] [WITH folders...]): the sources of one folder (not of the folders below it)
+# as the library fulcrum_FOLDER, '/' read as '_'. USES names the rooms whose headers the folder may include, in full:
+# tests/structure/rooms_test.cpp reads these calls, refuses every include that they do not name, and every cycle.
+# WITH names folders below that belong to the same room. FULCRUM_UNITY sources are compiled together; APART names those that cannot share a translation unit with their neighbours.
+set(FULCRUM_UNITY 1 CACHE STRING "Sources compiled together as one; 1 compiles each by itself")
+function(fulcrum_room folder)
+    cmake_parse_arguments(ARG "" "PCH" "USES;LINKS;APART;WITH" ${ARGN})
+    string(REPLACE "/" "_" name fulcrum_${folder})
+    if(NOT folder MATCHES "/")
+        string(APPEND name "_root")  # fulcrum_FLOOR is the whole floor
+    endif()
+    set(uses fulcrum_flags ${ARG_LINKS})
+    foreach(room ${ARG_USES})
+        if(NOT room MATCHES "/")
+            string(APPEND room "_root")
+        endif()
+        string(REPLACE "/" "_" room fulcrum_${room})
+        list(APPEND uses ${room})
+    endforeach()
+    set_property(GLOBAL APPEND PROPERTY FULCRUM_ROOMS ${folder})
+    set(path ${PROJECT_SOURCE_DIR}/${folder})
+    file(GLOB sources CONFIGURE_DEPENDS ${path}/*.cpp ${path}/*.qrc)
+    list(FILTER sources EXCLUDE REGEX "/(main|processor_check)\\.cpp$")  # of the program itself
     if(NOT sources)
         add_library(${name} INTERFACE)
-        target_link_libraries(${name} INTERFACE fulcrum_flags ${ARG_LINKS})
+        target_link_libraries(${name} INTERFACE ${uses})
         return()
     endif()
-    add_library(${name} STATIC ${sources})
-    target_link_libraries(${name} PUBLIC fulcrum_flags ${ARG_LINKS})
-    if(ARG_PCH)
-        target_precompile_headers(${name} PRIVATE ${ARG_PCH})
-    else()
-        target_precompile_headers(${name} REUSE_FROM fulcrum_precompiled)
+    file(GLOB headers CONFIGURE_DEPENDS ${path}/*.h)
+    foreach(part ${ARG_WITH})
+        set_property(GLOBAL APPEND PROPERTY FULCRUM_ROOMS ${folder}/${part})
+        set_property(GLOBAL APPEND PROPERTY FULCRUM_ROOM_PARTS ${folder}/${part})
+        file(GLOB more CONFIGURE_DEPENDS ${path}/${part}/*.cpp ${path}/${part}/*.h)
+        list(APPEND sources ${more})
+    endforeach()
+    add_library(${name} STATIC ${sources} ${headers})
+    target_link_libraries(${name} PUBLIC ${uses})
+    if(NOT ARG_PCH)
+        set(ARG_PCH fulcrum_precompiled)
     endif()
+    if(NOT ARG_PCH STREQUAL "none")
+        target_precompile_headers(${name} REUSE_FROM ${ARG_PCH})
+    endif()
+    if(FULCRUM_UNITY GREATER 1)
+        set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${FULCRUM_UNITY})
+        foreach(source ${ARG_APART})
+            set_source_files_properties(${path}/${source} TARGET_DIRECTORY ${name} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+        endforeach()
+    endif()
+endfunction()
+
+# fulcrum_floor(FLOOR): the library fulcrum_FLOOR, all rooms of the floor; an error names every folder with sources that is not a room.
+function(fulcrum_floor floor)
+    get_property(rooms GLOBAL PROPERTY FULCRUM_ROOMS)
+    get_property(parts GLOBAL PROPERTY FULCRUM_ROOM_PARTS)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/${floor}/*.cpp ${PROJECT_SOURCE_DIR}/${floor}/*.h)
+    foreach(source ${sources})
+        get_filename_component(folder ${source} DIRECTORY)
+        if(NOT folder IN_LIST rooms)
+            message(SEND_ERROR "${source} is in no room. Add fulcrum_room(${folder} USES ...) to ${floor}/CMakeLists.txt.")
+        endif()
+    endforeach()
+    add_library(fulcrum_${floor} INTERFACE)
+    list(REMOVE_ITEM rooms "" ${parts})
+    foreach(room ${rooms})
+        if(room STREQUAL floor OR room MATCHES "^${floor}/")
+            if(room STREQUAL floor)
+                string(APPEND room "_root")
+            endif()
+            string(REPLACE "/" "_" room fulcrum_${room})
+            target_link_libraries(fulcrum_${floor} INTERFACE ${room})
+        endif()
+    endforeach()
 endfunction()
 
 # fulcrum_embed_text(target symbol file): `extern const char* const fulcrum::symbol` holds the file's text, so that the library needs no
@@ -75,8 +131,8 @@ const char* const @symbol@ = R"embedded(@text@)embedded";
     target_sources(${target} PRIVATE ${source})
 endfunction()
 
-# fulcrum_build_info: lab::build_info() with compiler, flags and the commit, found anew by every build; links to programs only, so that a
-# new commit compiles one small file.
+# fulcrum_build_info: lab::build_info() with compiler, flags and the commit, determined again by every build; links to programs only, so
+# that a new commit compiles one small file.
 function(fulcrum_build_info_library)
     get_target_property(options fulcrum_flags INTERFACE_COMPILE_OPTIONS)
     list(FILTER options EXCLUDE REGEX "^-W|^-fpch")
@@ -90,5 +146,5 @@ function(fulcrum_build_info_library)
         COMMENT "" VERBATIM)
     add_library(fulcrum_build_info STATIC ${source})
     add_dependencies(fulcrum_build_info fulcrum_commit)
-    target_link_libraries(fulcrum_build_info PUBLIC fulcrum_sim_core)
+    target_link_libraries(fulcrum_build_info PUBLIC fulcrum_sim_core_lab)
 endfunction()

@@ -7,8 +7,8 @@
 
 #include "app/assets.h"
 #include "app/live/trace_rig.h"
+#include "assessment/metrics/version.h"
 #include "assessment/operators/operator.h"
-#include "assessment/version.h"
 #include "database/records/tissues.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/scene/fidelity.h"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "assessment/attempt/attempt_words.h"
 #include "assessment/pathology/pathology.h"
+#include "assessment/task/attempt_words.h"
 #include "assessment/task/goal_type.h"
 #include "sim_core/numerics/types.h"
 

@@ -9,10 +9,10 @@
 #include <thread>
 
 #include "database/records/attempt_query.h"
-#include "database/records/score_rows.h"
 #include "database/rows/crypto.h"
 #include "database/rows/json.h"
 #include "database/store/audit.h"
+#include "database/store/score_rows.h"
 
 namespace fulcrum::database {
 namespace {

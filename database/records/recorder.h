@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "database/records/attempt_records.h"
+#include "database/rows/attempt_records.h"
 #include "database/rows/trace_codec.h"
 #include "database/store/store.h"
 

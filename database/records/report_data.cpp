@@ -9,8 +9,8 @@
 
 #include "database/records/attempt_query.h"
 #include "database/records/attempts.h"
-#include "database/records/score_rows.h"
 #include "database/store/audit.h"
+#include "database/store/score_rows.h"
 
 namespace fulcrum::database {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "assessment/pathology/pathology.h"
-#include "database/records/attempt_records.h"
+#include "database/rows/attempt_records.h"
 #include "database/store/store.h"
 
 namespace fulcrum::database {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "database/records/attempt_records.h"
+#include "database/rows/attempt_records.h"
 #include "database/store/store.h"
 
 namespace fulcrum::database {

@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <functional>
 
-#include "database/records/score_rows.h"
 #include "database/rows/crypto.h"
 #include "database/rows/json.h"
 #include "database/store/audit.h"
 #include "database/store/recording_lock.h"
+#include "database/store/score_rows.h"
 #include "database/store/store_state.h"
 
 namespace fulcrum::database {

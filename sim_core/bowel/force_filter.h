@@ -8,7 +8,7 @@
 #include <array>
 
 #include "sim_core/geometry/mesh.h"
-#include "sim_core/scene/fidelity_levels.h"
+#include "sim_core/bowel/filter_level.h"
 
 namespace fulcrum {
 

@@ -3,6 +3,7 @@
 // files.
 #pragma once
 
+#include "sim_core/bowel/filter_level.h"
 #include "sim_core/bowel/skin_scope.h"
 #include "sim_core/material/exp2.h"
 #include "sim_core/membrane/integrator.h"
@@ -20,7 +21,6 @@ enum class ToolContactLevel : std::uint8_t {
     query,          ///< searched anew every time
     jaws,           ///< the dynamic point, and jaws as boxes press the bowel
 };
-enum class FilterLevel : std::uint8_t { off, grade_0, grade_1, grade_2, adaptive };
 
 /// A level that only scene files name has no title.
 inline constexpr NameRow<RodLevel> rod_levels[] = {{RodLevel::linearised, "linearised", ""},

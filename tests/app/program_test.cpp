@@ -6,7 +6,9 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QProcess>
+#include <QProcessEnvironment>
 #include <QTemporaryDir>
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <fstream>
@@ -41,6 +43,27 @@ class Program : public ::testing::Test {
     }
     QTemporaryDir folder;
 };
+
+#if defined(__x86_64__)
+// The C library can be told to report fewer instructions than the processor has.
+TEST_F(Program, EndsWithOneLineOnAProcessorWithoutItsInstructions) {
+    for (const char* missing : {"AVX2", "FMA", "BMI2"}) {
+        QProcess process;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(QStringLiteral("GLIBC_TUNABLES"),
+                           QStringLiteral("glibc.cpu.hwcaps=-%1").arg(QLatin1String(missing)));
+        process.setProcessEnvironment(environment);
+        process.start(QStringLiteral(FULCRUM_PROGRAM), {"tissues", "--json"});
+        ASSERT_TRUE(process.waitForFinished());
+        EXPECT_EQ(process.exitStatus(), QProcess::NormalExit);
+        EXPECT_EQ(process.exitCode(), 2);
+        EXPECT_EQ(process.readAllStandardOutput().size(), 0);
+        const std::string errors = process.readAllStandardError().toStdString();
+        EXPECT_NE(errors.find(std::string("no ") + missing + " instructions"), std::string::npos) << errors;
+        EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 1) << errors;
+    }
+}
+#endif
 
 TEST_F(Program, PerformsStoresAndReplaysA2) {
     const Outcome performed =

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "database/records/people.h"
-#include "database/records/score_rows.h"
 #include "database/rows/connection.h"
+#include "database/store/score_rows.h"
 #include "sim_core/numerics/random.h"
 
 namespace fulcrum::database::test {

@@ -1,46 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The house's rules, checked on the sources: imports run downward only, every file says its licence, no file
-// of a machine's path.
+// Rules for the source tree: includes go to lower floors only, every file states its licence, files stay
+// short, and no file contains a path of a particular machine.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
+#include <cctype>
 #include <map>
-#include <regex>
-#include <sstream>
-#include <string>
-#include <vector>
 
-#include "tests/support/support.h"
+#include "tests/structure/sources.h"
 
-namespace fulcrum {
+namespace fulcrum::structure {
 namespace {
-
-namespace fs = std::filesystem;
-
-const std::vector<std::string> floors = {"sim_core", "assessment", "database", "ui", "app"};  // lowest first
-
-std::string read(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
-std::vector<fs::path> files_below(const std::string& folder, const std::vector<std::string>& extensions) {
-    std::vector<fs::path> found;
-    const fs::path root = test::source_path(folder);
-    if (!fs::exists(root)) return found;
-    for (const auto& entry : fs::recursive_directory_iterator(root)) {
-        if (!entry.is_regular_file()) continue;
-        const std::string extension = entry.path().extension().string();
-        if (std::find(extensions.begin(), extensions.end(), extension) != extensions.end())
-            found.push_back(entry.path());
-    }
-    std::sort(found.begin(), found.end());
-    return found;
-}
 
 /// What a source of the given floor must not include; empty when the include is allowed.
 std::string forbidden(int floor, const std::string& include) {
@@ -59,25 +28,20 @@ std::string forbidden(int floor, const std::string& include) {
     return {};
 }
 
-TEST(Layers, IncludesRunDownwardOnly) {
-    static const std::regex pattern(R"re(^\s*#\s*include\s*[<"]([^>"]+)[>"])re");
+TEST(Layers, IncludesGoToLowerFloorsOnly) {
     std::size_t checked = 0;
     for (int floor = 0; floor < static_cast<int>(floors.size()); ++floor) {
         for (const auto& path : files_below(floors[static_cast<std::size_t>(floor)], {".h", ".cpp"})) {
-            std::istringstream lines(read(path));
-            std::string line;
-            while (std::getline(lines, line)) {
-                std::smatch match;
-                if (!std::regex_search(line, match, pattern)) continue;
+            for (const std::string& include : includes_of(read(path))) {
                 ++checked;
-                EXPECT_EQ(forbidden(floor, match[1].str()), "") << path << " includes " << match[1].str();
+                EXPECT_EQ(forbidden(floor, include), "") << path << " includes " << include;
             }
         }
     }
     EXPECT_GT(checked, 50U);
 }
 
-TEST(Layers, TheRuleItselfFindsForbiddenEdges) {
+TEST(Layers, TheRuleFindsForbiddenIncludes) {
     EXPECT_EQ(forbidden(0, "assessment/task/task.h"), "upward");
     EXPECT_EQ(forbidden(0, "QString"), "Qt below database");
     EXPECT_EQ(forbidden(1, "QtCore"), "Qt below database");
@@ -107,7 +71,7 @@ TEST(Layers, EveryFileStatesItsLicence) {
     }
 }
 
-TEST(Layers, FilesStayReadable) {
+TEST(Layers, FilesStayBelowFiveHundredLines) {
     for (const auto& folder : floors) {
         for (const auto& path : files_below(folder, {".h", ".cpp"})) {
             const std::string text = read(path);
@@ -116,5 +80,41 @@ TEST(Layers, FilesStayReadable) {
     }
 }
 
+/// The first path of a particular machine in the text, or nothing.
+std::string machine_path(const std::string& text) {
+    static const std::regex pattern(
+        R"re((^|[\s"'=(`:])((/home/|/root/|/Users/|/work/|/mnt/|/media/)[\w.-]+|[A-Z]:\\[\w]+))re");
+    static const std::vector<std::string> starts = {"/home/", "/root/",  "/Users/", "/work/",
+                                                    "/mnt/",  "/media/", ":\\"};
+    const auto appears = [&](const std::string& start) { return text.find(start) != std::string::npos; };
+    if (std::none_of(starts.begin(), starts.end(), appears)) return {};
+    std::smatch match;
+    return std::regex_search(text, match, pattern) ? match[2].str() : std::string();
+}
+
+TEST(Layers, NoFileContainsAPathOfAMachine) {
+    std::size_t checked = 0;
+    for (const std::string folder :
+         {"sim_core", "assessment", "database", "ui", "app", "tests", "docs", "cmake", "assets", ".ci"}) {
+        for (const auto& path : files_below(folder, {".h", ".cpp", ".cmake", ".txt", ".md", ".json", ".sql",
+                                                     ".qrc", ".svg", ".csv", ".vert", ".frag", ""})) {
+            std::istringstream lines(read(path));
+            std::string line;
+            for (int number = 1; std::getline(lines, line); ++number) {
+                if (path.filename() == "layers_test.cpp") continue;
+                EXPECT_EQ(machine_path(line), "") << path << ":" << number;
+            }
+            ++checked;
+        }
+    }
+    for (const std::string file : {"run", "README.md", "CMakeLists.txt", "CMakePresets.json"})
+        EXPECT_EQ(machine_path(read(source_path(file))), "") << file;
+    EXPECT_GT(checked, 500U);
+    EXPECT_EQ(machine_path("see /home/anna/fulcrum"), "/home/anna");
+    EXPECT_EQ(machine_path("\"/root/data\""), "/root/data");
+    EXPECT_EQ(machine_path("open C:\\data"), "C:\\data");
+    EXPECT_EQ(machine_path("docs/work/page, https://a.org/home/b, /bowel/radius"), "");
+}
+
 }  // namespace
-}  // namespace fulcrum
+}  // namespace fulcrum::structure

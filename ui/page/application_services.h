@@ -15,8 +15,8 @@
 
 #include "assessment/task/monitor.h"
 #include "assessment/task/task.h"
-#include "database/records/attempt_records.h"
 #include "database/records/tissues.h"
+#include "database/rows/attempt_records.h"
 #include "database/store/store.h"
 #include "sim_core/instrument/device.h"
 #include "sim_core/scene/scene.h"

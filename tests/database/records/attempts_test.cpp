@@ -5,7 +5,7 @@
 
 #include "assessment/pathology/pathology.h"
 #include "database/records/report_data.h"
-#include "database/records/score_rows.h"
+#include "database/store/score_rows.h"
 #include "tests/database/programme_fixture.h"
 
 namespace fulcrum::database::test {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "database/records/attempt_records.h"
+#include "database/rows/attempt_records.h"
 #include "database/rows/connection.h"
 #include "database/store/store.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "database/records/score_rows.h"
+#include "database/store/score_rows.h"
 
 #include <cstring>
 

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ends the program with one clear line on a processor without the instructions that it is built for
+// (x86-64-v3). Compiled for the oldest x86-64, runs before every other initialiser of the program, and calls
+// nothing but the C library: no code that needs those instructions runs before it.
+#include <sys/platform/x86.h>
+#include <unistd.h>
+
+#include <cstring>
+
+namespace {
+
+void write_text(const char* text) {
+    const ssize_t written = write(STDERR_FILENO, text, std::strlen(text));
+    static_cast<void>(written);
+}
+
+const char* missing_instructions() {
+    if (x86_cpu_active(x86_cpu_AVX2) == 0) return "AVX2";
+    if (x86_cpu_active(x86_cpu_FMA) == 0) return "FMA";
+    if (x86_cpu_active(x86_cpu_BMI1) == 0) return "BMI1";
+    if (x86_cpu_active(x86_cpu_BMI2) == 0) return "BMI2";
+    if (x86_cpu_active(x86_cpu_F16C) == 0) return "F16C";
+    if (x86_cpu_active(x86_cpu_LZCNT) == 0) return "LZCNT";
+    if (x86_cpu_active(x86_cpu_MOVBE) == 0) return "MOVBE";
+    return nullptr;
+}
+
+__attribute__((constructor(101))) void check_processor() {
+    const char* missing = missing_instructions();
+    if (missing == nullptr) return;
+    write_text("fulcrum: this processor has no ");
+    write_text(missing);
+    write_text(
+        " instructions, which Fulcrum needs. Use an Intel processor from 2013 (Haswell) or later, or an AMD "
+        "processor from 2015 (Excavator) or later.\n");
+    _exit(2);
+}
+
+}  // namespace

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rooms: each folder of sources is a library that fulcrum_room() declares together with the rooms it may use.
+// CMake links what these declarations say; the tests here compare them with what the sources include.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+#include <set>
+
+#include "tests/structure/sources.h"
+
+namespace fulcrum::structure {
+namespace {
+
+struct Room {
+    std::set<std::string> with;  // folders below that belong to it
+    std::set<std::string> uses;
+    std::set<std::string> links;
+};
+using Rooms = std::map<std::string, Room>;
+
+/// The fulcrum_room() calls in the text of a CMakeLists.txt.
+Rooms parse_rooms(const std::string& text) {
+    static const std::regex comment(R"(#[^\n]*)"), call(R"(fulcrum_room\(([^)]*)\))");
+    static const std::set<std::string> keywords = {"USES", "LINKS", "PCH", "APART", "WITH"};
+    const std::string code = std::regex_replace(text, comment, "");
+    Rooms rooms;
+    for (std::sregex_iterator it(code.begin(), code.end(), call), end; it != end; ++it) {
+        std::istringstream words((*it)[1].str());
+        std::string name, word, part;
+        words >> name;
+        Room& room = rooms[name];
+        while (words >> word) {
+            if (keywords.count(word) != 0)
+                part = word;
+            else if (part == "USES")
+                room.uses.insert(word);
+            else if (part == "LINKS")
+                room.links.insert(word);
+            else if (part == "WITH")
+                room.with.insert(name + "/" + word);
+        }
+    }
+    return rooms;
+}
+
+Rooms declared_rooms() {
+    Rooms rooms;
+    for (const std::string& floor : floors)
+        rooms.merge(parse_rooms(read(source_path(floor + "/CMakeLists.txt"))));
+    return rooms;
+}
+
+/// The room of a source, given its path in the repository.
+std::string room_of(const Rooms& rooms, const std::string& path) {
+    const auto slash = path.rfind('/');
+    const std::string folder = slash == std::string::npos ? std::string() : path.substr(0, slash);
+    for (const auto& [name, room] : rooms) {
+        if (room.with.count(folder) != 0) return name;
+    }
+    return folder;
+}
+
+bool is_ours(const std::string& include) {
+    return std::any_of(floors.begin(), floors.end(),
+                       [&](const std::string& floor) { return include.rfind(floor + "/", 0) == 0; });
+}
+
+/// Rooms that each folder's sources include, with one example each.
+std::map<std::string, std::map<std::string, std::string>> included_rooms(const Rooms& declared) {
+    std::map<std::string, std::map<std::string, std::string>> found;
+    for (const std::string& floor : floors) {
+        for (const fs::path& path : files_below(floor, {".h", ".cpp"})) {
+            const std::string name = fs::relative(path, source_path("")).generic_string();
+            auto& rooms = found[room_of(declared, name)];
+            for (const std::string& include : includes_of(read(path))) {
+                if (!is_ours(include)) continue;
+                const std::string room = room_of(declared, include);
+                if (room != room_of(declared, name)) rooms.emplace(room, name + " includes " + include);
+            }
+        }
+    }
+    return found;
+}
+
+/// A cycle as "a > b > a"; empty if there is none.
+std::string find_cycle(const Rooms& rooms) {
+    std::map<std::string, int> state;  // 1: on the path, 2: done
+    std::vector<std::string> path;
+    std::string cycle;
+    const std::function<bool(const std::string&)> visit = [&](const std::string& name) {
+        if (state[name] == 2) return false;
+        path.push_back(name);
+        if (state[name] == 1) {
+            for (auto it = std::find(path.begin(), path.end(), name); it != path.end(); ++it)
+                cycle += (cycle.empty() ? "" : " > ") + *it;
+            return true;
+        }
+        state[name] = 1;
+        const auto room = rooms.find(name);
+        if (room != rooms.end()) {
+            for (const std::string& used : room->second.uses) {
+                if (visit(used)) return true;
+            }
+        }
+        path.pop_back();
+        state[name] = 2;
+        return false;
+    };
+    for (const auto& entry : rooms) {
+        if (visit(entry.first)) return cycle;
+    }
+    return {};
+}
+
+/// All libraries that a room links through the rooms that it uses.
+std::set<std::string> linked_libraries(const Rooms& rooms, const std::string& name) {
+    std::set<std::string> libraries, seen;
+    const std::function<void(const std::string&)> visit = [&](const std::string& room) {
+        if (!seen.insert(room).second || rooms.count(room) == 0) return;
+        libraries.insert(rooms.at(room).links.begin(), rooms.at(room).links.end());
+        for (const std::string& used : rooms.at(room).uses) visit(used);
+    };
+    visit(name);
+    return libraries;
+}
+
+TEST(Rooms, EveryFolderWithSourcesIsDeclaredAndEveryDeclaredRoomExists) {
+    const Rooms rooms = declared_rooms();
+    const auto included = included_rooms(rooms);
+    for (const auto& entry : included)
+        EXPECT_EQ(rooms.count(entry.first), 1U) << entry.first << " has no fulcrum_room()";
+    for (const auto& entry : rooms)
+        EXPECT_EQ(included.count(entry.first), 1U) << entry.first << " has no sources";
+}
+
+TEST(Rooms, EveryIncludeGoesToARoomThatIsListed) {
+    const Rooms rooms = declared_rooms();
+    for (const auto& [name, included] : included_rooms(rooms)) {
+        if (rooms.count(name) == 0) continue;
+        for (const auto& [room, example] : included)
+            EXPECT_EQ(rooms.at(name).uses.count(room), 1U)
+                << example << ": add " << room << " to USES of " << name;
+    }
+}
+
+TEST(Rooms, EveryListedRoomIsIncluded) {
+    const Rooms rooms = declared_rooms();
+    const auto included = included_rooms(rooms);
+    for (const auto& [name, room] : rooms) {
+        if (included.count(name) == 0) continue;
+        for (const std::string& used : room.uses)
+            EXPECT_EQ(included.at(name).count(used), 1U)
+                << name << " includes nothing of " << used << ": remove it from USES";
+    }
+}
+
+TEST(Rooms, HaveNoCycle) {
+    EXPECT_EQ(find_cycle(declared_rooms()), "");
+}
+
+TEST(Rooms, OnlyTheCommandsForItIncludeTheLaboratory) {
+    const std::set<std::string> allowed = {"app", "app/cli", "app/lab"};
+    for (const auto& [name, room] : declared_rooms()) {
+        if (room.uses.count("sim_core/lab") != 0) {
+            EXPECT_EQ(allowed.count(name), 1U) << name;
+        }
+    }
+}
+
+TEST(Rooms, NothingBelowTheWindowLinksOrIncludesWidgets) {
+    const Rooms rooms = declared_rooms();
+    // Qt headers that come with Qt Core and Qt SQL; everything else needs a window system.
+    const std::set<std::string> plain = {
+        "QByteArray",  "QCoreApplication", "QDate",      "QDateTime",      "QDir",
+        "QFile",       "QFileInfo",        "QJsonArray", "QJsonDocument",  "QJsonObject",
+        "QLocale",     "QProcess",         "QSaveFile",  "QSqlDatabase",   "QSqlDriver",
+        "QSqlError",   "QSqlQuery",        "QSqlRecord", "QStandardPaths", "QString",
+        "QStringList", "QSysInfo",         "QUuid",      "QVariant",       "QtCore",
+        "QtSql"};
+    for (const auto& [name, room] : rooms) {
+        const bool headless = name.rfind("sim_core", 0) == 0 || name.rfind("assessment", 0) == 0 ||
+                              name.rfind("database", 0) == 0 || name == "app/live";
+        if (!headless) continue;
+        for (const std::string& library : linked_libraries(rooms, name)) {
+            if (library.rfind("Qt5::", 0) != 0) continue;
+            EXPECT_TRUE(library == "Qt5::Core" || library == "Qt5::Sql") << name << " links " << library;
+        }
+        for (const fs::path& path : files_below(name, {".h", ".cpp"})) {
+            for (const std::string& include : includes_of(read(path))) {
+                if (include.size() < 2 || include[0] != 'Q' || include.find('/') != std::string::npos)
+                    continue;
+                EXPECT_EQ(plain.count(include), 1U) << path << " includes " << include;
+            }
+        }
+    }
+}
+
+TEST(Rooms, TheChecksFindWhatTheyLookFor) {
+    const Rooms rooms = parse_rooms(
+        "fulcrum_room(a USES b c LINKS x)  # fulcrum_room(d)\nfulcrum_room(b USES c\n    LINKS y APART "
+        "z)\nfulcrum_room(c)");
+    EXPECT_EQ(rooms.size(), 3U);
+    EXPECT_EQ(rooms.at("a").uses, (std::set<std::string>{"b", "c"}));
+    EXPECT_EQ(find_cycle(rooms), "");
+    EXPECT_EQ(linked_libraries(rooms, "a"), (std::set<std::string>{"x", "y"}));
+    EXPECT_EQ(find_cycle(parse_rooms("fulcrum_room(a USES b) fulcrum_room(b USES c) fulcrum_room(c USES a)")),
+              "a > b > c > a");
+    EXPECT_EQ(includes_of("  #include \"a/b.h\"\n// #include\n#include <QString>\n"),
+              (std::vector<std::string>{"a/b.h", "QString"}));
+}
+
+}  // namespace
+}  // namespace fulcrum::structure
