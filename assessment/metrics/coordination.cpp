@@ -89,31 +89,29 @@ std::vector<Metric> coordination_metrics() {
     MetricDescriptor d = describe(
         {"handed", "Handedness", "%", 0.1}, D::lower, Scale::raw, A::share, E::moderate, "Hofstad 2013",
         {"How unevenly the path is shared between the hands: 0 is half each, 50 is one hand alone.",
-         "one hand did most of the travelling: {value} from an even share where {limit} is allowed",
+         "one hand did most of the travelling: {value} from an even share, above the limit of {limit}",
          "pass work to the other hand on its own side"});
     d.channels = {Channel::position};
     d.dependencies = {"path_len"};
     add(d, handed);
-    d = describe(
-        {"bimanual_r", "Bimanual coordination", "-", 0.01}, D::higher, Scale::raw, A::ratio, E::strong,
-        "Hofstad 2013, Pearson r of tip speeds",
-        {"How much the two tips sped up and slowed down together (correlation of speeds).",
-         "the hands moved one after the other: coordination {value} where at least {limit} is needed",
-         "start the second hand's move before the first hand's ends"});
+    d = describe({"bimanual_r", "Bimanual coordination", "-", 0.01}, D::higher, Scale::raw, A::ratio,
+                 E::strong, "Hofstad 2013, Pearson r of tip speeds",
+                 {"How much the two tips sped up and slowed down together (correlation of speeds).",
+                  "the hands moved one after the other: coordination {value}, below the required {limit}",
+                  "start the second hand's move before the first hand's ends"});
     d.channels = {Channel::position};
     add(d, bimanual_r);
-    d = describe(
-        {"bimanual_r_ang", "Bimanual coordination, angular", "-", 0.01}, D::higher, Scale::raw, A::ratio,
-        E::moderate, "Hofstad 2013, Pearson r of shaft angular speeds",
-        {"How much the two shafts turned together (correlation of angular speeds).",
-         "the shafts turned one after the other: coordination {value} where at least {limit} is needed",
-         "move both instruments towards the working point together"});
+    d = describe({"bimanual_r_ang", "Bimanual coordination, angular", "-", 0.01}, D::higher, Scale::raw,
+                 A::ratio, E::moderate, "Hofstad 2013, Pearson r of shaft angular speeds",
+                 {"How much the two shafts turned together (correlation of angular speeds).",
+                  "the shafts turned one after the other: coordination {value}, below the required {limit}",
+                  "move both instruments towards the working point together"});
     d.channels = {Channel::position, Channel::axis};
     add(d, bimanual_r_ang);
     d = describe({"simul", "Simultaneous movement", "%", 1}, D::higher, Scale::raw, A::share, E::moderate,
                  "share of time with both tips above 10 mm/s",
                  {"Share of the time in which both tips were moving.",
-                  "both hands moved together for only {value} of the time where at least {limit} is needed",
+                  "both hands moved together for only {value} of the time, below the required {limit}",
                   "let the left hand prepare while the right hand works"});
     d.channels = {Channel::position};
     add(d, simul);

@@ -260,58 +260,58 @@ std::vector<Metric> cutting_metrics() {
     add({"traction_eff", "Cutting time under tension", "%", 1}, D::higher, A::share, traction_source,
         {"Share of the cutting time during which the tissue was held with the right tension: slack tissue "
          "does not open, tissue held too tightly tears.",
-         "the tension was right for {value} of the cutting time where {limit} is the least",
+         "the tension was right for {value} of the cutting time, below the required {limit}",
          "before every stroke look whether the tissue is taut, and take a new hold when it is not"},
         traction_eff);
     add({"traction_eff_len", "Cut length under tension", "%", 1}, D::higher, A::share, traction_source,
         {"Share of the length of the cut that was made with the right tension.",
-         "{value} of the cut was made with the right tension where {limit} is the least",
-         "stop cutting when the tissue goes slack, take a new hold, and go on"},
+         "{value} of the cut was made with the right tension, below the required {limit}",
+         "stop cutting when the tissue goes slack, take a new hold, and continue"},
         traction_eff_len);
     const char* const line_source = "event cut_advance: position along and distance from the marked line";
     add({"cut_dev", "Area between line and cut", "mm²", 1}, D::lower, A::total, line_source,
         {"Area between the marked line and the cut that was made, all strokes together.",
-         "the cut left {value} beside the line where {limit} is the most",
+         "the area between cut and line was {value}, above the limit of {limit}",
          "make short strokes and look at the line before each"},
         cut_dev);
     add({"cut_dev_max", "Largest distance from the line", "mm", 0.1}, D::lower, A::maximum, line_source,
         {"Largest distance of the cut from the marked line.",
-         "the cut strayed {value} from the line where {limit} is the most",
+         "the cut strayed {value} from the line, above the limit of {limit}",
          "stop the stroke as soon as the blade leaves the line and start again on it"},
         cut_dev_max);
     add({"plane_dev", "Typical distance from the plane", "mm", 0.1}, D::lower, A::mean, line_source,
         {"Distance of the cut from the intended plane, whichever side: half of the cut lies nearer.",
-         "half of the cut lay further than {value} from the plane where {limit} is the most",
+         "half of the cut lay further than {value} from the plane, above the limit of {limit}",
          "pull until the plane opens and follow the middle of the stretched fibres"},
         plane_dev);
     add({"plane_dev_median", "Side of the plane", "mm", 0.1}, D::lower, A::mean, line_source,
         {"Median of the signed distance of the cut from the intended plane: above 0 too deep, below too "
          "shallow.",
-         "the cut lay {value} to one side of the plane where {limit} is the most",
+         "the cut lay {value} to one side of the plane, above the limit of {limit}",
          "aim for the middle of the stretched fibres, not for their edge"},
         plane_dev_median);
     metrics.back().descriptor.absolute_value = true;
     add({"plane_dev_p95", "Distance from the plane, 95th percentile", "mm", 0.1}, D::lower, A::mean,
         line_source,
         {"Distance from the intended plane that 95 % of the cut keeps.",
-         "a twentieth of the cut lay further than {value} from the plane where {limit} is the most",
+         "a twentieth of the cut lay further than {value} from the plane, above the limit of {limit}",
          "stop when the plane is no longer clear and restore the tension first"},
         plane_dev_p95);
     add({"plane_deep", "Cut too deep", "%", 1}, D::lower, A::share, line_source,
         {"Share of the length of the cut that lies deeper than the tolerance allows: towards what must be "
          "spared.",
-         "{value} of the cut was too deep where {limit} is the most",
+         "{value} of the cut was too deep, above the limit of {limit}",
          "keep the blade on the side of the flap that you hold"},
         plane_deep);
     add({"plane_shallow", "Cut too shallow", "%", 1}, D::lower, A::share, line_source,
         {"Share of the length of the cut that lies shallower than the tolerance allows: into what is taken "
          "away.",
-         "{value} of the cut was too shallow where {limit} is the most",
+         "{value} of the cut was too shallow, above the limit of {limit}",
          "follow the plane, not the edge of the flap"},
         plane_shallow);
     add({"area_developed", "Line divided", "%", 1}, D::higher, A::share, line_source,
         {"Share of the marked line that has been divided.",
-         "{value} of the line was divided where {limit} is the least",
+         "{value} of the line was divided, below the required {limit}",
          "go back along the line and divide the bridges that are left"},
         area_developed);
     return metrics;

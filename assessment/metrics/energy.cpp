@@ -160,25 +160,25 @@ std::vector<Metric> energy_metrics() {
             {"Share of activations with the tip in view, on the tissue to be divided or sealed, and clear of "
              "the marked structure from "
              "beginning to end.",
-             "{value} of the activations were safe where {limit} are asked for",
+             "{value} of the activations were safe, below the required {limit}",
              "press the pedal only when the blade is in view, closed on the target and clear of the nerve"}),
         Hands::either, true, {}, energy_safe);
     add(describe({"energy_time", "Time with energy on", "s", 0.1}, D::lower, Scale::raw, A::total, E::expert,
                  "sum of activations",
                  {"How long energy was on, all activations together.",
-                  "energy was on for {value} where {limit} is the limit",
-                  "let go of the pedal as soon as the tissue has parted"}),
+                  "energy was on for {value}, above the limit of {limit}",
+                  "release the pedal as soon as the tissue has parted"}),
         Hands::each, false, {Channel::energy}, energy_time);
     add(describe(
-            {"lateral_heat", "Heat beside the target", "min", 0.1}, D::lower, Scale::raw, A::maximum,
-            E::moderate, "CEM43, Sapareto and Dewey 1984: R 0.5 from 43 degrees C, 0.25 from 39",
+            {"lateral_heat", "Thermal spread", "min", 0.1}, D::lower, Scale::raw, A::maximum, E::moderate,
+            "CEM43, Sapareto and Dewey 1984: R 0.5 from 43 degrees C, 0.25 from 39",
             {"Largest thermal dose (equivalent minutes at 43 degrees) of tissue that was not to be heated.",
-             "tissue beside the target took {value} where {limit} is the limit",
+             "non-target tissue received {value}, above the limit of {limit}",
              "keep the hot blade away from what lies behind, and let it cool before touching"}),
         Hands::either, true, {}, lateral_heat);
     add(describe({"bleed_ml", "Blood lost", "mL", 0.1}, D::lower, Scale::raw, A::total, E::moderate,
                  "modelled blood loss",
-                 {"Blood lost from all vessels.", "{value} of blood were lost where {limit} is the limit",
+                 {"Blood lost from all vessels.", "{value} of blood were lost, above the limit of {limit}",
                   "seal a vessel slowly without traction, and clip a bleeding point before anything else"}),
         Hands::either, true, {}, bleed_ml);
     const auto add_count = [&](Naming naming, const char* source, Wording wording,
@@ -190,18 +190,18 @@ std::vector<Metric> energy_metrics() {
     add_count({"vessel_injury", "Vessels injured", "-", 1},
               "event, critical: torn, or divided before it was closed",
               {"Number of vessels torn or divided before they were sealed or clipped.",
-               "{value} vessels were torn or divided open where {limit} are allowed",
+               "{value} vessels were torn or divided open, above the limit of {limit}",
                "clip or seal a vessel before it is divided, and pull less"},
               counted<EventKind::vessel_injury>);
     add_count({"nerve_injury", "Nerve injured", "-", 1},
               "event, critical: thermal dose of the marked nerve above its limit, or a blade through it",
               {"Number of injuries of the marked nerve, by heat or by a blade.",
-               "the nerve was injured {value} times where {limit} are allowed",
+               "the nerve was injured {value} times, above the limit of {limit}",
                "divide on the side away from the nerve and let the blade cool"},
               counted<EventKind::nerve_injury>);
     add_count({"tear", "Tears", "-", 1}, "event: tissue gave way to traction",
               {"Number of times tissue tore under traction.",
-               "tissue tore {value} times where {limit} are allowed", "lift only until the tissue is taut"},
+               "tissue tore {value} times, above the limit of {limit}", "lift only until the tissue is taut"},
               counted<EventKind::tear>);
     return metrics;
 }

@@ -241,55 +241,56 @@ std::vector<Metric> force_metrics() {
     add(describe({"f_max", "Largest force", "N", 0.1}, D::lower, Scale::ln, A::maximum, E::strong,
                  "Horeman 2012; Trejos 2014",
                  {"Largest force of the instrument on tissue.",
-                  "the force rose to {value} where {limit} is the most",
+                  "the force rose to {value}, above the limit of {limit}",
                   "approach slowly, and stop pulling when the tissue no longer gives"}),
         {}, f_max);
     add(describe({"f_sd", "Force variation", "N", 0.01}, D::lower, Scale::raw, A::deviation, E::moderate,
                  "Trejos 2014",
                  {"Standard deviation of the force while in contact.",
-                  "the force varied by {value} where {limit} is allowed",
+                  "the force varied by {value}, above the limit of {limit}",
                   "take up tension once and keep it even"}),
         {Channel::tissue}, f_sd);
     add(describe({"f_mean_nz", "Mean force in contact", "N", 0.01}, D::lower, Scale::raw, A::mean, E::strong,
                  "Horeman 2012, mean non-zero force",
                  {"Mean force over the time in which it was above 0.1 N.",
-                  "the mean force was {value} where {limit} is enough",
+                  "the mean force was {value}, above the limit of {limit}",
                   "hold tissue with the least force that moves it"}),
         {}, f_mean_nz);
-    add(describe({"impulse", "Force-time product", "N·s", 0.1}, D::lower, Scale::ln, A::total, E::moderate,
-                 "Trejos 2014, integral of force",
-                 {"Force added up over time.", "force times time came to {value} where {limit} is enough",
-                  "let go of tissue that need not be held"}),
+    add(describe(
+            {"impulse", "Force-time product", "N·s", 0.1}, D::lower, Scale::ln, A::total, E::moderate,
+            "Trejos 2014, integral of force",
+            {"Force integrated over time.", "the force-time product was {value}, above the limit of {limit}",
+             "release tissue that need not be held"}),
         {}, impulse);
     add(describe({"f_peaks", "Force peaks", "-", 1}, D::lower, Scale::raw, A::count, E::moderate,
                  "peaks above the tissue's limit, prominence 0.5 N, 0.2 s apart",
                  {"Number of times the force peaked above the tissue's limit.",
-                  "the force peaked {value} times above the tissue's limit where {limit} are allowed",
+                  "the force exceeded the tissue's limit {value} times (limit {limit})",
                   "move more slowly when tissue is taut"}),
         {Channel::tissue}, f_peaks);
     MetricDescriptor d = describe(
         {"dfdt_max", "Steepest force change", "N/s", 1}, D::lower, Scale::ln, A::maximum, E::moderate,
         "Trejos 2014, derivative of force",
-        {"Fastest rise or fall of the force.", "the force changed by {value} where {limit} is the most",
-         "meet tissue slowly and let go slowly"});
+        {"Fastest rise or fall of the force.", "the force changed by {value}, above the limit of {limit}",
+         "touch tissue slowly and release it slowly"});
     d.minimum_rate = 50;
     add(std::move(d), {}, dfdt_max);
     add(describe({"f_volume", "Force volume", "N³", 0.01}, D::lower, Scale::raw, A::deviation, E::strong,
                  "Horeman 2012, ellipsoid of one standard deviation",
                  {"Volume of the ellipsoid that one standard deviation of the force vector spans.",
-                  "the force went in all directions: volume {value} where {limit} is allowed",
+                  "the force varied in all directions: volume {value}, above the limit of {limit}",
                   "decide on one direction of pull and keep it"}),
         {}, f_volume);
     add(describe({"over_time", "Time above the force limit", "s", 0.01}, D::lower, Scale::raw, A::total,
                  E::expert, "limit of the tissue, see its source",
                  {"How long the force was above the tissue's limit.",
-                  "the force was above the tissue's limit for {value} where {limit} is allowed",
+                  "the force exceeded the tissue's limit for {value} (limit {limit})",
                   "ease off as soon as the force bar turns"}),
         {Channel::tissue}, over<&Over::time>);
     add(describe({"over_impulse", "Force-time product above the limit", "N·s", 0.01}, D::lower, Scale::raw,
                  A::total, E::expert, "limit of the tissue, see its source",
                  {"The part of the force above the tissue's limit, added up over time.",
-                  "the force above the limit came to {value} where {limit} is allowed",
+                  "the force-time product above the tissue's limit was {value} (limit {limit})",
                   "ease off as soon as the force bar turns"}),
         {Channel::tissue}, over<&Over::impulse>);
     return metrics;

@@ -146,27 +146,27 @@ std::vector<Metric> grasp_metrics() {
     add_grasp(describe({"grasp_max", "Largest jaw force", "N", 0.1}, D::lower, Scale::raw, A::maximum,
                        E::moderate, "Barrie 2018",
                        {"Largest force of the jaws on tissue.",
-                        "the jaws pressed with {value} where {limit} is the most",
+                        "the jaws pressed with {value}, above the limit of {limit}",
                         "close only until the tissue no longer slips"}),
               {Channel::jaw_force}, grasp_max);
     add_grasp(describe({"grasp_ftp", "Force-time product of a grasp", "N·s", 0.1}, D::lower, Scale::raw,
                        A::maximum, E::moderate, "Barrie 2018",
-                       {"Jaw force added up over the time of one grasp, the largest of all grasps.",
-                        "one grasp came to {value} where {limit} is the most",
+                       {"Jaw force integrated over one grasp, the largest of all grasps.",
+                        "the force-time product of one grasp was {value}, above the limit of {limit}",
                         "let go and take a new hold from time to time"}),
               {Channel::jaw_force}, grasp_ftp);
     add_grasp(
         describe({"grasp_ftp_patch", "Force-time product of a patch", "N·s", 0.1}, D::lower, Scale::raw,
                  A::maximum, E::moderate, "Barrie 2018",
-                 {"Jaw force added up over all grasps of one patch of tissue, the largest of all patches.",
-                  "one patch of tissue bore {value} where {limit} is the most",
+                 {"Jaw force integrated over all grasps of one patch of tissue, the largest of all patches.",
+                  "the force-time product of one patch was {value}, above the limit of {limit}",
                   "grasp beside the place used before"}),
         {Channel::jaw_force, Channel::patch}, grasp_ftp_patch);
     add_grasp(describe({"grasp_kpa", "Largest jaw pressure", "kPa", 1}, D::lower, Scale::raw, A::maximum,
                        E::moderate,
                        "BMJ Surgery, Interventions & Health Technologies 2021: 329-330 kPa safe for 10 s",
                        {"Largest jaw force over the area of contact.",
-                        "the jaws pressed with {value} where {limit} is the most",
+                        "the jaws pressed with {value}, above the limit of {limit}",
                         "take a full bite, and avoid holding tissue with the tips"}),
               {Channel::jaw_force, Channel::jaw_area}, grasp_kpa);
     add_grasp(describe({"contacts", "Contacts with tissue", "-", 1}, D::context, Scale::raw, A::count,
@@ -184,23 +184,25 @@ std::vector<Metric> grasp_metrics() {
         d.needs_events = true;
         metrics.push_back({std::move(d), compute});
     };
-    add_count({"slip", "Slips", "-", 1}, true, "event: tissue left the jaws against the operator's will",
-              {"Number of times tissue slipped out of the jaws.",
-               "tissue slipped {value} times where {limit} are allowed", "take a larger bite before pulling"},
-              counted<EventKind::slip>);
+    add_count(
+        {"slip", "Slips", "-", 1}, true, "event: tissue left the jaws against the operator's will",
+        {"Number of times tissue slipped out of the jaws.",
+         "tissue slipped {value} times, above the limit of {limit}", "take a larger bite before pulling"},
+        counted<EventKind::slip>);
     add_count({"regrasp", "Repeated grasps", "-", 1}, true, "event: the same patch grasped again within 2 s",
-              {"Number of times the same patch was grasped again within 2 s of letting go.",
-               "the same place was grasped again {value} times where {limit} are allowed",
+              {"Number of times the same patch was grasped again within 2 s of release.",
+               "the same place was grasped again {value} times, above the limit of {limit}",
                "place the jaws where the pull will be, then close once"},
               counted<EventKind::regrasp>);
     add_count({"drop", "Drops", "-", 1}, false, "event: a held object fell",
-              {"Number of objects dropped.", "{value} objects were dropped where {limit} are allowed",
-               "let go only when the object rests"},
+              {"Number of objects dropped.", "{value} objects were dropped, above the limit of {limit}",
+               "release it only when the object rests"},
               counted<EventKind::drop>);
-    add_count({"perforation", "Perforations", "-", 1}, true, "event, critical",
-              {"Number of perforations.", "the bowel was perforated {value} times where {limit} are allowed",
-               "keep the tips in view and never push against resistance"},
-              counted<EventKind::perforation>);
+    add_count(
+        {"perforation", "Perforations", "-", 1}, true, "event, critical",
+        {"Number of perforations.", "the bowel was perforated {value} times, above the limit of {limit}",
+         "keep the tips in view and never push against resistance"},
+        counted<EventKind::perforation>);
     return metrics;
 }
 

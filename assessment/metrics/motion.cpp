@@ -374,25 +374,26 @@ void add_paths(std::vector<Metric>& metrics) {
     MetricDescriptor d = motion(
         {"time", "Time", "s", 0.1}, D::lower, Scale::ln, A::total, E::strong,
         "van Hove 2010; Fundamentals of Laparoscopic Surgery",
-        {"Time from the first movement or work of either instrument to the end of the task, pauses left out. "
+        {"Time from the first movement or work of either instrument to the end of the task, pauses excluded. "
          "In a trace file without events the last sample is the end.",
-         "the task took {value} where {limit} is enough",
+         "the task took {value}, above the limit of {limit}",
          "look at the next goal while finishing this one, and keep both hands at work"});
     d.version = 2;  // 2: who works before the first movement, haltingly, has begun
     d.hands = Hands::either;
     d.absent_means = AbsentMeans::failed;
     add(d, time);
-    d = motion({"path_len", "Path length", "mm", 1}, D::lower, Scale::ln, A::total, E::strong,
-               "Cotin 2002; van Hove 2010",
-               {"How far the instrument tip travelled.", "the tip travelled {value} where {limit} is enough",
-                "picture the target's depth first and go there in one straight move"});
+    d = motion(
+        {"path_len", "Path length", "mm", 1}, D::lower, Scale::ln, A::total, E::strong,
+        "Cotin 2002; van Hove 2010",
+        {"How far the instrument tip travelled.", "the tip travelled {value}, above the limit of {limit}",
+         "picture the target's depth first and go there in one straight move"});
     d.absent_means = AbsentMeans::failed;
     add(d, path_len);
     d = with_axis(
         motion({"ang_path", "Angular path", "deg", 1}, D::lower, Scale::ln, A::total, E::strong,
                "sum of the angles between successive shaft axes",
                {"How much the instrument shaft turned about the trocar.",
-                "the shaft turned {value} where {limit} is enough",
+                "the shaft turned {value}, above the limit of {limit}",
                 "remember that the tip moves against the hand and steer with small hand movements"}));
     d.absent_means = AbsentMeans::failed;
     add(d, ang_path);
@@ -402,7 +403,7 @@ void add_paths(std::vector<Metric>& metrics) {
         {"Straight distances between way-points (targets reached, grasps, releases) over the path that was "
          "travelled "
          "between them; 1 is a straight line each time. Holds are left out.",
-         "the way between grasps and targets was indirect: economy {value} where at least {limit} is needed",
+         "the path between grasps and targets was indirect: economy {value}, below the required {limit}",
          "aim before moving, then go straight"});
     d.needs_events = true;
     d.absent_means = AbsentMeans::failed;
@@ -424,7 +425,7 @@ void add_paths(std::vector<Metric>& metrics) {
     d = with_axis(motion({"depth_axis", "Depth travel", "mm", 1}, D::lower, Scale::raw, A::total, E::strong,
                          "Cotin 2002, depth perception",
                          {"How far the tip travelled along its own shaft, in and out.",
-                          "the tip travelled {value} in and out where {limit} is enough",
+                          "the tip travelled {value} in and out, above the limit of {limit}",
                           "read the depth from shadow and parallax before advancing"}));
     d.absent_means = AbsentMeans::failed;
     add(d, depth_axis);
@@ -441,7 +442,7 @@ void add_movements(std::vector<Metric>& metrics) {
                "signed error along the shaft at the end of the first movement",
                {"How far beyond (positive) or short of the target the first movement ended, on average over "
                 "targets.",
-                "the first movement missed the depth by {value} on average where {limit} is allowed",
+                "the first movement missed the depth by {value} on average, above the limit of {limit}",
                 "slow down near the target and watch the contact shadow"}));
     d.needs_events = true;
     d.absolute_value = true;
@@ -454,7 +455,7 @@ void add_movements(std::vector<Metric>& metrics) {
     d.absolute_value = false;
     d.dependencies = {"depth_err"};
     d.explanation = "How much the depth error varied from target to target (standard deviation).";
-    d.advice_fault = "the depth of the first movement varied by {value} where {limit} is allowed";
+    d.advice_fault = "the depth of the first movement varied by {value}, above the limit of {limit}";
     d.advice_remedy = "use the same cue for depth every time";
     add(d, depth_err_sd);
     d = motion({"n_moves", "Movements", "-", 1}, D::context, Scale::raw, A::count, E::strong,
@@ -466,13 +467,13 @@ void add_movements(std::vector<Metric>& metrics) {
     d = motion({"n_sub", "Sub-movements", "-", 1}, D::lower, Scale::raw, A::count, E::moderate,
                "speed peaks with prominence of at least 10 mm/s",
                {"Number of corrections: speed peaks within movements.",
-                "the movements held {value} corrections where {limit} are enough",
+                "the movements contained {value} corrections, above the limit of {limit}",
                 "let one movement run out before correcting it"});
     d.minimum_rate = 50;
     add(d, n_sub);
     d = motion({"idle", "Idle time", "%", 1}, D::lower, Scale::raw, A::share, E::moderate, "D'Angelo 2015",
                {"Share of the time inside the body in which the tip stood still and touched nothing.",
-                "the instrument stood idle for {value} of the time where {limit} is allowed",
+                "the instrument was idle for {value} of the time, above the limit of {limit}",
                 "give the waiting hand a job: hold, expose, or get ready"});
     d.channels.push_back(Channel::tissue);
     add(d, idle);
@@ -496,14 +497,14 @@ void add_speed_and_place(std::vector<Metric>& metrics) {
     MetricDescriptor d = motion({"ws_volume", "Working volume", "cm³", 0.1}, D::lower, Scale::ln,
                                 A::deviation, E::moderate, "95 % ellipsoid of tip positions",
                                 {"Volume of the ellipsoid that holds 95 % of the tip's positions.",
-                                 "the tip roamed through {value} where {limit} is enough",
+                                 "the working volume was {value}, above the limit of {limit}",
                                  "keep the tips close to where the work is"});
     d.absent_means = AbsentMeans::failed;
     add(d, ws_volume);
     d = motion({"off_screen", "Off screen", "%", 0.1}, D::lower, Scale::raw, A::share, E::strong,
                "instrument outside the image; a safety habit",
                {"Share of the time inside the body in which the tip was outside the image.",
-                "the tip was out of sight for {value} of the time where {limit} is allowed",
+                "the tip was out of sight for {value} of the time, above the limit of {limit}",
                 "move the camera first, then the instrument"});
     d.channels.push_back(Channel::in_view);
     add(d, off_screen);

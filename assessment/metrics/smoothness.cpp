@@ -171,14 +171,13 @@ std::vector<Metric> smoothness_metrics() {
         d.channels.insert(d.channels.begin(), Channel::position);
         metrics.push_back({std::move(d), compute});
     };
-    add(describe(
-            {"sparc", "Smoothness (SPARC)", "-", 0.01}, D::higher, Scale::raw, A::median_of_segments,
-            E::strong, "Balasubramanian 2015",
-            {"Spectral arc length of tip speed, median over movements between two rests. Nearer to 0 is "
-             "smoother; a single "
-             "smooth reach has about -1.4.",
-             "movements were made of many corrections: smoothness {value} where at least {limit} is needed",
-             "start each move slowly and let it run out in one stroke"}),
+    add(describe({"sparc", "Smoothness (SPARC)", "-", 0.01}, D::higher, Scale::raw, A::median_of_segments,
+                 E::strong, "Balasubramanian 2015",
+                 {"Spectral arc length of tip speed, median over movements between two rests. Nearer to 0 is "
+                  "smoother; a single "
+                  "smooth reach has about -1.4.",
+                  "movements were made of many corrections: smoothness {value}, below the required {limit}",
+                  "start each move slowly and let it run out in one stroke"}),
         sparc_of);
     MetricDescriptor d =
         describe({"ldlj", "Smoothness (log jerk)", "-", 0.01}, D::higher, Scale::raw, A::median_of_segments,
@@ -186,14 +185,14 @@ std::vector<Metric> smoothness_metrics() {
                  {"Minus the logarithm of the dimensionless jerk of tip speed, median over movements. Nearer "
                   "to 0 is smoother; "
                   "absent where the device's position noise would decide it.",
-                  "movements were jerky: log jerk {value} where at least {limit} is needed",
+                  "movements were jerky: log jerk {value}, below the required {limit}",
                   "relax the grip and accelerate gently"});
     d.version = 2;  // 2: noise at rest is what lies above 50 Hz, so that tremor is not taken for the device's
     add(std::move(d), ldlj_of);
     d = describe({"tremor", "Tremor share", "-", 0.01}, D::lower, Scale::raw, A::share, E::expert,
                  "6-12 Hz share of the power of tip acceleration, Welch",
                  {"Share of the tip's acceleration that lies in the tremor band of 6 to 12 Hz.",
-                  "tremor made up {value} of the acceleration where {limit} is allowed",
+                  "tremor made up {value} of the acceleration, above the limit of {limit}",
                   "rest the forearms and hold the handles loosely"});
     d.filter = "linear to 1 kHz, not low-passed";
     d.minimum_rate = 100;
@@ -202,7 +201,7 @@ std::vector<Metric> smoothness_metrics() {
                  A::median_of_segments, E::expert, "SPARC of the rate of change of force",
                  {"Spectral arc length of the rate at which the force on tissue changed, median over "
                   "movements in contact.",
-                  "force was applied in bursts: force smoothness {value} where at least {limit} is needed",
+                  "force was applied in bursts: force smoothness {value}, below the required {limit}",
                   "take up the tension slowly and keep it"});
     d.filter = force_filter;
     d.channels = {Channel::force};

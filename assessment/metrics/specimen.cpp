@@ -122,27 +122,27 @@ std::vector<Metric> specimen_metrics() {
     add({"tme_grade", "Mesorectal grade", "-", 1}, D::higher, A::grade, EvidenceGrade::moderate,
         "Quirke: 3 complete (no defect deeper than 5 mm, no coning), 2 nearly complete, 1 down to the "
         "muscularis; from event cut_advance",
-        {"What a pathologist would say of the specimen: 3 complete, 2 nearly complete, 1 incomplete.",
-         "the specimen is of grade {value} where {limit} is the least",
+        {"Grade that a pathologist would give the specimen: 3 complete, 2 nearly complete, 1 incomplete.",
+         "the specimen is of grade {value}, below the required {limit}",
          "stay on the shiny surface of the mesorectum and stop as soon as fat shows in front of the blade"},
         tme_grade);
     add({"tme_defect", "Deepest defect of the mesorectum", "mm", 0.1}, D::lower, A::maximum,
         EvidenceGrade::moderate, "event cut_advance: distance beyond the areolar layer, into the fat",
-        {"How deep the cut went into the fat that is to come out whole.",
-         "the cut went {value} into the fat where {limit} is the most",
+        {"How deep the cut went into the fat that should stay intact.",
+         "the cut went {value} into the fat, above the limit of {limit}",
          "keep the blade in the white fibres; where you see yellow you are too close to the rectum"},
         tme_defect);
     add({"crm_mm", "Circumferential margin", "mm", 0.1}, D::higher, A::minimum, EvidenceGrade::strong,
         "least distance of the cut to the tumour's edge; positive at 1 mm or less",
         {"Least distance between the cut and the edge of the tumour. At 1 mm or less the margin is positive.",
-         "the cut passed the tumour at {value} where {limit} is the least",
+         "the cut passed the tumour at {value}, below the required {limit}",
          "know where the tumour lies and keep to the plane beside it"},
         crm_mm);
     add({"drm_mm", "Distal reach below the tumour", "mm", 1}, D::higher, A::maximum, EvidenceGrade::moderate,
         "tumour's lower edge to the lowest level fully divided; nothing is transected",
         {"How far below the tumour the dissection reached: the distal margin that a transection there would "
          "leave.",
-         "the dissection reached {value} below the tumour where {limit} is the least",
+         "the dissection reached {value} below the tumour, below the required {limit}",
          "divide every level from side to side before you go deeper, down to the levator"},
         drm_mm);
     const char* const sector_source = "event cut_advance, in this third of every level";
@@ -151,8 +151,8 @@ std::vector<Metric> specimen_metrics() {
         add({id, name, "mm", 0.1}, D::lower, A::mean, EvidenceGrade::expert, sector_source,
             {std::string("Distance of the cut from the intended plane ") + where +
                  ", whichever side: half of the cut lies nearer.",
-             std::string(where) + " half of the cut lay further than {value} from the plane where {limit} is "
-                                  "the most",
+             std::string(where) +
+                 " half of the cut lay further than {value} from the plane, above the limit of {limit}",
              std::string("restore the tension ") + where + " before you cut there"},
             compute);
     };

@@ -138,7 +138,7 @@ Advice passed_advice(const ScoreInput& input, const Score& score) {
     std::string what = d.name;
     if (!gate->hand.empty()) what += ", " + hand_words(gate->hand);
     return {"All gates are met, most narrowly " + what + " (" + value_text(d, gated_value(d, *gate->value)) +
-                " where the limit is " + value_text(d, *gate->limit) + "); " + d.advice_remedy + ".",
+                "; the limit is " + value_text(d, *gate->limit) + "); " + d.advice_remedy + ".",
             phase_of(input, *gate).empty() ? std::vector<TimeInterval>{} : gate->evidence};
 }
 

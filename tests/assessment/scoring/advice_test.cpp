@@ -35,26 +35,26 @@ TEST(Advice, CriticalErrorFirst) {
 
 TEST(Advice, ThenTheAbsoluteGateFurthestBeyondItsLimit) {
     EXPECT_EQ(advice_of(figures(500, -9, 6, 0)),
-              "Left hand, in 'Run the bowel': the force rose to 6.0 N where 4.0 N is the most (50 % over); "
+              "Left hand, in 'Run the bowel': the force rose to 6.0 N, above the limit of 4.0 N (50 % over); "
               "approach slowly, and stop pulling when the tissue no longer gives.");
-    EXPECT_EQ(advice_of(figures(500, -9, 6, 3)),
-              "In 'Run the bowel': 3 objects were dropped where 1 are allowed (200 % over); let go only when "
-              "the object "
-              "rests.");
+    EXPECT_EQ(
+        advice_of(figures(500, -9, 6, 3)),
+        "In 'Run the bowel': 3 objects were dropped, above the limit of 1 (200 % over); release it only when "
+        "the object rests.");
 }
 
 TEST(Advice, ThenTheBenchmarkGateFurthestFromTheExperts) {
     EXPECT_EQ(advice_of(figures(std::exp(4.6), -1.9, 1, 0)),
-              "Right hand, in 'Run the bowel': movements were made of many corrections: smoothness -1.90 "
-              "where at least "
-              "-1.70 is needed (4.0 standard deviations from the experts); start each move slowly and let it "
+              "Right hand, in 'Run the bowel': movements were made of many corrections: smoothness -1.90, "
+              "below the required -1.70 (4.0 standard deviations from the experts); start each move slowly "
+              "and let it "
               "run out in one "
               "stroke.");
 }
 
 TEST(Advice, OfAPassNamesTheNarrowestGate) {
     EXPECT_EQ(advice_of(figures(std::exp(4.0), -1.65, 1, 0)),
-              "All gates are met, most narrowly Smoothness (SPARC), right hand (-1.65 where the limit is "
+              "All gates are met, most narrowly Smoothness (SPARC), right hand (-1.65; the limit is "
               "-1.70); start each "
               "move slowly and let it run out in one stroke.");
 }
