@@ -127,8 +127,8 @@ class BowelHandling : public Behaviour {
             // Without a hold that counts the run goes on where it got to, rather a little before it.
             const bool counts =
                 holder_ >= 0 && std::abs(direction_ * (holder_place_ - frontier)) < beyond_frontier;
-            place =
-                counts ? holder_place_ + direction_ * skill_.stride : frontier - direction_ * before_frontier;
+            place = counts ? holder_place_ + direction_ * skill_.bowel.stride
+                           : frontier - direction_ * before_frontier;
         } else {
             place = 0.5 * (goal.from_m + goal.to_m);
         }

@@ -83,7 +83,7 @@ class SheetDivision : public Behaviour {
         const GoalKind kind = goals_[static_cast<std::size_t>(seen.display.goal)].kind;
         if (blade_ == Blade::wait && sight_.level != sight_.level_of(seen.display.cut_next_m)) {
             sight_.level = sight_.level_of(seen.display.cut_next_m);
-            judge_tension(*body.limb[holder_], skill_.traction_error);  // every level is judged anew
+            judge_tension(*body.limb[holder_], skill_.traction.error);  // every level is judged anew
         }
         const Site site = site_at(seen, body, seen.display.cut_next_m);
         body.gaze = site.point;
@@ -112,7 +112,7 @@ class SheetDivision : public Behaviour {
     }
 
     bool taut(const Perception& seen) const noexcept {
-        return std::abs(seen.display.traction_n_m - wanted_) <= skill_.traction_slack * wanted_;
+        return std::abs(seen.display.traction_n_m - wanted_) <= skill_.traction.slack * wanted_;
     }
 
     // ---- the hand that holds ----
@@ -158,7 +158,7 @@ class SheetDivision : public Behaviour {
                                   skill_.choice_s * limb.random().uniform(0.6, 1.4), 4);
                 // Everybody has a tension of their own that they take for the right one, and errs anew with
                 // every hold.
-                judge_tension(limb, skill_.traction_error);
+                judge_tension(limb, skill_.traction.error);
                 hold_ = Hold::travel;
                 break;
             }
@@ -241,14 +241,14 @@ class SheetDivision : public Behaviour {
         const bool first_goal =
             goals_[static_cast<std::size_t>(seen.display.goal)].kind == GoalKind::take_tension;
         if (!first_goal || !taut(seen)) content_since_ = limb.time();
-        if (limb.time() - content_since_ > seconds_to_learn) judge_tension(limb, 0.3 * skill_.traction_error);
+        if (limb.time() - content_since_ > seconds_to_learn) judge_tension(limb, 0.3 * skill_.traction.error);
         const bool stretched =
             (limb.destination() - taken_).norm() > (of_septa() ? longest_lift : longest_pull) ||
             force > 1.5 * skill_.comfortable_force;
         const bool passed = of_septa() ? sight_.level_of(seen.display.cut_next_m) > hold_level_ + 1
                                        : std::abs(seen.display.cut_next_m - hold_place_) > reach_of_hold;
         const bool vain = limb.time() - slack_since_ > seconds_to_wait;
-        const bool slack = traction < wanted_ * (1 - skill_.traction_slack);
+        const bool slack = traction < wanted_ * (1 - skill_.traction.slack);
         // What the blade presses is not what this hand pulls: it holds still until the blade is out.
         // In a stroke, who has learned it goes on adjusting, and keeps this hold.
         const bool stroking = blade_ == Blade::stroke;
@@ -265,7 +265,7 @@ class SheetDivision : public Behaviour {
         // See what the last pull did before the next.
         if (limb.remaining() > -skill_.reaction_s - (of_septa() ? settle_s : 0)) return;
         const double missing = wanted_ - traction;
-        if (std::abs(missing) < 0.4 * skill_.traction_slack * wanted_ || (missing > 0 && stretched)) return;
+        if (std::abs(missing) < 0.4 * skill_.traction.slack * wanted_ || (missing > 0 && stretched)) return;
         const double longest = of_septa() ? lift_step : pull_step;
         const double step = std::clamp(longest * missing / (0.35 * wanted_), -longest, longest);
         if (std::abs(step) < (of_septa() ? 0.4 : 1) * least_step) return;
@@ -328,7 +328,7 @@ class SheetDivision : public Behaviour {
         const double start = sight_.level * sight_.septum;
         from_ = next < start + 1e-6 ? start - over_rim() : next - behind();
         way_ = 1;
-        to_ = std::min(next + skill_.stroke * limb.random().uniform(0.8, 1.2),
+        to_ = std::min(next + skill_.line.stroke * limb.random().uniform(0.8, 1.2),
                        (of_septa() ? start + sight_.septum : line_.length_m) + over_rim());
         if (of_septa() && next < start + 1e-6) {
             // The rim itself gives the blade no hold: from a little inside out over it first.
@@ -337,7 +337,7 @@ class SheetDivision : public Behaviour {
             way_ = -1;
         }
         from_ += misses_ * further_on;
-        aside_ = skill_.line_error * limb.random().normal();
+        aside_ = skill_.line.error * limb.random().normal();
         depth_ = blade_depth;
         pedal_.plan(limb);
         const double delay = skill_.choice_s * limb.random().uniform(0.3, 0.7);

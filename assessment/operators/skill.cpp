@@ -36,14 +36,14 @@ Skill expert() {
     skill.comfortable_force = 1.0;
     skill.tolerance = 0.7e-3;
     skill.lift_speed = 0.03;
-    skill.stride = 0.064;
+    skill.bowel.stride = 0.064;
     skill.foresight = 0.97;
     skill.hesitation = 0;
-    skill.standoff = 0.004;
-    skill.traction_error = 0.06;
-    skill.traction_slack = 0.15;
-    skill.line_error = 0.00025;
-    skill.stroke = 0.020;
+    skill.target.standoff = 0.004;
+    skill.traction.error = 0.06;
+    skill.traction.slack = 0.15;
+    skill.line.error = 0.00025;
+    skill.line.stroke = 0.020;
     return skill;
 }
 
@@ -68,14 +68,14 @@ Skill novice() {
     skill.comfortable_force = 2.2;
     skill.tolerance = 1.2e-3;
     skill.lift_speed = 0.018;
-    skill.stride = 0.042;
+    skill.bowel.stride = 0.042;
     skill.foresight = 0.2;
     skill.hesitation = 2;
-    skill.standoff = 0.0005;
-    skill.traction_error = 0.70;
-    skill.traction_slack = 0.50;
-    skill.line_error = 0.0016;
-    skill.stroke = 0.012;
+    skill.target.standoff = 0.0005;
+    skill.traction.error = 0.70;
+    skill.traction.slack = 0.50;
+    skill.line.error = 0.0016;
+    skill.line.stroke = 0.012;
     return skill;
 }
 
@@ -97,40 +97,40 @@ void change_pace(Skill& skill, double factor) {
     skill.endpoint_noise /= std::sqrt(factor);
 }
 
-double between(double a, double b) {
-    return 0.5 * (a + b);
-}
+constexpr double Skill::*faculties[] = {&Skill::reaction_s,
+                                        &Skill::choice_s,
+                                        &Skill::duration_scale,
+                                        &Skill::dwell_s,
+                                        &Skill::gain,
+                                        &Skill::gain_spread,
+                                        &Skill::endpoint_noise,
+                                        &Skill::path_noise,
+                                        &Skill::depth_error,
+                                        &Skill::gap_s,
+                                        &Skill::gap_spread_s,
+                                        &Skill::tremor,
+                                        &Skill::drift,
+                                        &Skill::touch_force,
+                                        &Skill::grip_force,
+                                        &Skill::grip_spread,
+                                        &Skill::comfortable_force,
+                                        &Skill::tolerance,
+                                        &Skill::lift_speed,
+                                        &Skill::foresight,
+                                        &Skill::hesitation};
 
+/// Half-way between an expert and a novice in everything.
 Skill intermediate() {
     const Skill a = expert(), b = novice();
+    const auto between = [](double x, double y) { return 0.5 * (x + y); };
     Skill skill;
-    skill.dwell_s = between(a.dwell_s, b.dwell_s);
-    skill.reaction_s = between(a.reaction_s, b.reaction_s);
-    skill.choice_s = between(a.choice_s, b.choice_s);
-    skill.duration_scale = between(a.duration_scale, b.duration_scale);
-    skill.gain = between(a.gain, b.gain);
-    skill.gain_spread = between(a.gain_spread, b.gain_spread);
-    skill.endpoint_noise = between(a.endpoint_noise, b.endpoint_noise);
-    skill.path_noise = between(a.path_noise, b.path_noise);
-    skill.depth_error = between(a.depth_error, b.depth_error);
-    skill.gap_s = between(a.gap_s, b.gap_s);
-    skill.gap_spread_s = between(a.gap_spread_s, b.gap_spread_s);
-    skill.tremor = between(a.tremor, b.tremor);
-    skill.drift = between(a.drift, b.drift);
-    skill.touch_force = between(a.touch_force, b.touch_force);
-    skill.grip_force = between(a.grip_force, b.grip_force);
-    skill.grip_spread = between(a.grip_spread, b.grip_spread);
-    skill.comfortable_force = between(a.comfortable_force, b.comfortable_force);
-    skill.tolerance = between(a.tolerance, b.tolerance);
-    skill.lift_speed = between(a.lift_speed, b.lift_speed);
-    skill.stride = between(a.stride, b.stride);
-    skill.foresight = between(a.foresight, b.foresight);
-    skill.hesitation = between(a.hesitation, b.hesitation);
-    skill.standoff = between(a.standoff, b.standoff);
-    skill.traction_error = between(a.traction_error, b.traction_error);
-    skill.traction_slack = between(a.traction_slack, b.traction_slack);
-    skill.line_error = between(a.line_error, b.line_error);
-    skill.stroke = between(a.stroke, b.stroke);
+    for (const auto faculty : faculties) skill.*faculty = between(a.*faculty, b.*faculty);
+    skill.target.standoff = between(a.target.standoff, b.target.standoff);
+    skill.bowel.stride = between(a.bowel.stride, b.bowel.stride);
+    skill.traction.error = between(a.traction.error, b.traction.error);
+    skill.traction.slack = between(a.traction.slack, b.traction.slack);
+    skill.line.error = between(a.line.error, b.line.error);
+    skill.line.stroke = between(a.line.stroke, b.line.stroke);
     return skill;
 }
 
@@ -167,9 +167,9 @@ bool draw_individual(const std::string& preset, std::uint64_t seed, Skill& skill
     vary(skill.tolerance, 0.08);
     change_pace(skill, math::exp(width * tempo_spread * tempo));
     // Drawn last: an individual's other faculties are the same numbers as before there were blades.
-    vary(skill.traction_error, 0.12);
-    vary(skill.traction_slack, 0.10);
-    vary(skill.line_error, 0.12);
+    vary(skill.traction.error, 0.12);
+    vary(skill.traction.slack, 0.10);
+    vary(skill.line.error, 0.12);
     return true;
 }
 

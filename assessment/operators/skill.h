@@ -15,6 +15,26 @@
 
 namespace fulcrum {
 
+/// What only a behaviour on targets asks for.
+struct TargetSkill {
+    double standoff = 0.002;  ///< m kept from a rigid target by the first movement, made good by the second
+};
+/// What only a behaviour on bowel asks for.
+struct BowelSkill {
+    double stride = 0.055;  ///< m of bowel from one grasp to the next
+};
+/// Traction on a sheet or on bands.
+struct TractionSkill {
+    double error = 0.1;  ///< of the traction held for the right one, relative, from hold to hold
+    double slack = 0.2;  ///< relative distance from it that is accepted
+};
+/// What only dividing a sheet along a line asks for.
+struct LineSkill {
+    double error = 0.0004;  ///< m off the line, from stroke to stroke
+    double stroke = 0.018;  ///< m of one stroke of a blade
+};
+
+/// What every behaviour uses, and what some use alone.
 struct Skill {
     double reaction_s = 0.2;    ///< from seeing to acting: decisions use what was shown this long ago
     double choice_s = 0.4;      ///< mean extra time to decide where to go next
@@ -24,26 +44,24 @@ struct Skill {
     double gain_spread = 0.05;  ///< its standard deviation: above 1 in all is overshoot
     double endpoint_noise =
         0.05;  ///< standard deviation of a sub-movement's end, as a share of its length (signal-dependent)
-    double path_noise = 0.05;    ///< lateral velocity noise on the way, as a share of the speed
+    double path_noise = 0.05;    ///< lateral velocity noise during a movement, as a share of the speed
     double depth_error = 0.002;  ///< m, standard deviation of the misjudged depth before a movement
     double gap_s = 0.05;  ///< mean time from the end of one sub-movement to the next; negative: they overlap
     double gap_spread_s = 0.03;
     double tremor = 2e-5;      ///< m, root mean square an axis, 8 to 12 Hz
     double drift = 1e-4;       ///< m, root mean square an axis, slow wandering of a hand that holds still
-    double touch_force = 0.3;  ///< N, pressed on a rigid target
-    double grip_force = 4;     ///< N, jaws on bowel
+    double touch_force = 0.3;  ///< N, pressed on what is touched
+    double grip_force = 4;     ///< N, jaws on tissue
     double grip_spread = 0.3;  ///< N, from grasp to grasp
-    double comfortable_force = 1.2;  ///< N, tissue force at which pulling and pushing stop
+    double comfortable_force = 1.2;  ///< N, tissue force at which traction and pressing stop
     double tolerance = 1e-3;         ///< m, nearer than this is good enough
     double lift_speed = 0.02;        ///< m/s, moving tissue that is held
-    double standoff = 0.002;  ///< m kept from a rigid target by the first movement, made good by the second
-    double foresight = 0.5;   ///< share of movements planned clear of the other instrument
-    double hesitation = 0;    ///< pieces beyond one in which held tissue is moved
-    double traction_error = 0.1;  ///< of the traction held for the right one, relative, from hold to hold
-    double traction_slack = 0.2;  ///< relative distance from it that is let pass
-    double line_error = 0.0004;   ///< m beside the line, from stroke to stroke
-    double stroke = 0.018;        ///< m of one stroke of a blade
-    double stride = 0.055;        ///< m of bowel from one grasp to the next
+    double foresight = 0.5;          ///< share of movements planned clear of the other instrument
+    double hesitation = 0;           ///< pieces beyond one in which held tissue is moved
+    TargetSkill target;
+    BowelSkill bowel;
+    TractionSkill traction;
+    LineSkill line;
 };
 
 /// Draws an individual around "novice", "intermediate" or "expert"; false for another name. Pure.

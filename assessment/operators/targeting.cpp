@@ -95,7 +95,7 @@ class Targeting : public Behaviour {
         if (on_detour_) {
             reach.start(limb, via_, view, 0.02, delay);
         } else {
-            reach.start(limb, goal(target, skill_.standoff), view, target.radius, delay);
+            reach.start(limb, goal(target, skill_.target.standoff), view, target.radius, delay);
         }
     }
 
