@@ -52,7 +52,7 @@ TEST(ToolParts, EachReachesItsTipAndIsHeldByAnInsulatedShaft) {
                 least = std::min(least, static_cast<double>(at.length()));
             }
         }
-        EXPECT_LT(least, 0.0025) << k;
+        EXPECT_LT(least, 0.0025) << type.name;
     }
 }
 
