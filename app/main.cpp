@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program: without a subcommand the window, with one the same product without it.
+// The program: without a command the window, with one the same product without it.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <QApplication>
+#include <QTextCodec>
+#include <clocale>
+#include <csignal>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/commands.h"
 #include "app/lab/allocation_counter.h"
 #include "app/services/application.h"
+#include "app/services/program.h"
 #include "database/rows/errors.h"
 #include "sim_core/lab/bench.h"
 #include "sim_core/numerics/input_error.h"
@@ -14,18 +20,20 @@
 
 namespace {
 
-/// Exit status of an error, its one line on standard error.
-int report(const std::string& line, int status) {
+using namespace fulcrum;
+
+/// Prints one line on standard error, whatever the text holds; returns the exit status.
+int report(std::string line, int status) {
+    for (char& c : line)
+        if (c == '\n' || c == '\r') c = ' ';
     std::cerr << "fulcrum: " << line << '\n';
     return status;
 }
 
-int guarded(int (*action)(const std::vector<std::string>&), const std::vector<std::string>& words) {
-    using namespace fulcrum;
+template <typename Action>
+int guarded(const Action& action) {
     try {
-        return action(words);
-    } catch (const app::UsageError& error) {
-        return report(error.what(), 2);
+        return action();
     } catch (const InputError& error) {
         return report(error.what(), 2);
     } catch (const database::StoreError& error) {
@@ -35,42 +43,67 @@ int guarded(int (*action)(const std::vector<std::string>&), const std::vector<st
     } catch (const database::SignInRefused& error) {
         return report(error.what(), 2);
     } catch (const nlohmann::json::exception& error) {
-        return report(std::string("command line: JSON: ") + error.what() + "; mend the document", 2);
+        return report(std::string("JSON: ") + error.what() + "; correct the document", 2);
+    } catch (const std::bad_alloc&) {
+        return report("not enough memory; close other programs or give smaller input", 1);
     } catch (const std::exception& error) {
         return report(error.what(), 1);
     }
 }
 
+/// A closed standard stream must not become the descriptor of the next file that is opened, such as the
+/// store.
+void keep_standard_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (fcntl(stream, F_GETFD) != -1) continue;
+        const int other = open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);  // use fails
+        if (other != stream && other >= 0) {
+            dup2(other, stream);
+            close(other);
+        }
+    }
+}
+
+/// After QCoreApplication has set the user's locale: numbers are read and written with a decimal point, and
+/// file names are UTF-8, in every language.
+void set_plain_formats() {
+    std::setlocale(LC_NUMERIC, "C");
+    QTextCodec::setCodecForLocale(QTextCodec::codecForName("UTF-8"));
+}
+
+int run(const app::Invocation& call) {
+    const int status = call.run();
+    if (!std::cout.flush())
+        return report("standard output: not everything could be written; check the pipe or free some space",
+                      1);
+    return status;
+}
+
+int run_command_line(const std::vector<std::string>& words, int& argc, char** argv) {
+    std::signal(SIGPIPE, SIG_IGN);  // run() reports a reader that has gone
+    const app::Invocation call = app::program_commands().parse(words);
+    if (!call.draws()) {
+        const QCoreApplication application(argc, argv);
+        set_plain_formats();
+        return run(call);
+    }
+    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY"))
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    const QApplication application(argc, argv);
+    set_plain_formats();
+    return run(call);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-    using namespace fulcrum;
+    keep_standard_streams();
     lab::set_allocation_counter(app::allocations_of_this_thread);
-    const std::vector<std::string> words(argv + 1, argv + argc);
     QCoreApplication::setApplicationName("Fulcrum");
     QCoreApplication::setOrganizationName("Fulcrum");
-    if (!words.empty() && words[0] == "--version") {
-        std::cout << "fulcrum " << app::version_line() << '\n';
-        return 0;
-    }
-    if (!words.empty() && (words[0] == "--help" || words[0] == "help")) {
-        std::cout << "usage: fulcrum                the application\n       fulcrum COMMAND ...    "
-                  << app::command_list() << '\n';
-        return 0;
-    }
-    if (!words.empty()) {
-        const std::vector<std::string> drawing = {"demonstrate", "report"};
-        const bool experiment = words.size() > 1 && words[0] == "lab" && words[1] == "experiment";
-        const bool draws = experiment || std::find(drawing.begin(), drawing.end(), words[0]) != drawing.end();
-        if (draws && qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY"))
-            qputenv("QT_QPA_PLATFORM", "offscreen");
-        if (draws) {
-            QApplication application(argc, argv);
-            return guarded(app::run_command, words);
-        }
-        QCoreApplication application(argc, argv);
-        return guarded(app::run_command, words);
-    }
-    ui::WindowApplication application(argc, argv);
-    return guarded([](const std::vector<std::string>&) { return app::run_window(); }, words);
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    if (!words.empty()) return guarded([&] { return run_command_line(words, argc, argv); });
+    const ui::WindowApplication application(argc, argv);
+    set_plain_formats();
+    return guarded(app::run_window);
 }

@@ -1,49 +1,50 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The command line as data: positional words, options with a value, flags. Every subcommand declares what it
-// takes.
+// The words and options of one command line, checked against the command's row in the table (command.h).
 #pragma once
 
 #include <map>
 #include <optional>
-#include <set>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "sim_core/numerics/input_error.h"
+
 namespace fulcrum::app {
 
-/// Bad usage: one line that names the place and the hint; exit status 2.
-class UsageError : public std::runtime_error {
-  public:
-    using std::runtime_error::runtime_error;
-};
+struct Command;
 
-struct OptionSpec {
-    std::set<std::string> with_value;  ///< "--seed"
-    std::set<std::string> flags;       ///< "--json"
-    std::size_t minimum_words = 0, maximum_words = 0;
-    std::string usage;  ///< one line, shown with every error
+/// Bad usage. what() is one line, `OPTION: problem; hint`; exit status 2.
+class UsageError : public InputError {
+  public:
+    UsageError(const std::string& place, const std::string& problem, const std::string& hint)
+        : InputError(place, "", problem, hint) {}
 };
 
 class Arguments {
   public:
-    /// Throws UsageError: unknown option, missing value, an option given twice, too few or too many words.
-    Arguments(const std::vector<std::string>& words, const OptionSpec& spec);
+    Arguments() = default;
+    /// `words`: what follows the command's name. Throws UsageError.
+    Arguments(const std::vector<std::string>& words, const Command& command);
     const std::vector<std::string>& words() const { return words_; }
     bool has(const std::string& option) const { return values_.count(option) != 0; }
+    bool wants_help() const { return has("--help"); }
     std::optional<std::string> value(const std::string& option) const;
     std::string value_or(const std::string& option, const std::string& fallback) const;
-    /// Throws UsageError where the value is no whole number in [low, high].
+    /// Throws UsageError where the argument is not a whole number in [low, high].
     long long integer(const std::string& option, long long fallback, long long low, long long high) const;
-    /// The folder that an option names, or the fallback, made where it is not there. Throws UsageError where
-    /// nothing can be written in it: before the work whose results go there, not after it.
+    /// The folder that an option names, or the fallback; made where it does not exist. Throws UsageError
+    /// where nothing can be written in it: called before the work whose results go there.
     std::string folder(const std::string& option, const std::string& fallback) const;
-    const std::string& usage() const { return usage_; }
+    /// Throws UsageError where both are given.
+    void exclude(const std::string& one, const std::string& other) const;
 
   private:
+    void read_option(const Command& command, const std::vector<std::string>& words, std::size_t& at);
     std::vector<std::string> words_;
     std::map<std::string, std::string> values_;
-    std::string usage_;
 };
+
+/// A whole number in [low, high]; nothing for any other text.
+std::optional<long long> parse_integer(const std::string& text, long long low, long long high);
 
 }  // namespace fulcrum::app

@@ -2,7 +2,6 @@
 // fulcrum benchmark build: a benchmark set from operator individuals or from named experts' attempts.
 #include <algorithm>
 #include <atomic>
-#include <filesystem>
 #include <iostream>
 #include <mutex>
 #include <thread>
@@ -12,8 +11,7 @@
 #include "app/live/performance.h"
 #include "assessment/scoring/benchmark_builder.h"
 #include "database/records/attempts.h"
-#include "sim_core/numerics/input_error.h"
-#include "sim_core/numerics/output_file.h"
+#include "sim_core/numerics/files.h"
 
 namespace fulcrum::app {
 namespace {
@@ -27,8 +25,8 @@ struct Job {
     std::uint64_t seed = 0;
 };
 
-/// Runs the counted attempts of all individuals on the machine's cores. Familiarisation: operators do not
-/// learn, so theirs would change nothing; the set says 0.
+/// Runs the counted attempts of all individuals on the machine's cores. Operators do not learn, so they need
+/// no familiarisation; the set says 0.
 std::vector<BenchmarkAttempt> run_operators(const LoadedTask& loaded, const std::string& preset,
                                             std::uint64_t seed_base) {
     std::vector<Job> jobs;
@@ -84,7 +82,7 @@ std::vector<BenchmarkAttempt> stored_attempts(const database::Store& store, cons
     for (const std::string& login : logins) {
         const auto person = people.find_login(session, login);
         if (!person)
-            throw InputError("command line", "--experts", "no person '" + login + "'",
+            throw InputError("--experts", "", "no person '" + login + "'",
                              "name logins of this store, separated by commas");
         database::AttemptFilter filter;
         filter.person_id = person->id;
@@ -139,45 +137,26 @@ std::vector<std::string> split(const std::string& list) {
     return parts;
 }
 
-}  // namespace
-
-int command_benchmark(const std::vector<std::string>& words) {
-    OptionSpec spec;
-    spec.usage =
-        "usage: fulcrum benchmark build TASK (--operators | --experts LOGIN,LOGIN,... --as LOGIN) [-o FILE] "
-        "[--db FILE] [--json]";
-    spec.with_value = session_options();
-    spec.with_value.insert({"--experts", "--output"});
-    spec.flags = {"--operators", "--json"};
-    spec.minimum_words = spec.maximum_words = 2;
-    const Arguments arguments(words, spec);
-    if (arguments.words()[0] != "build")
-        throw UsageError("command line: benchmark " + arguments.words()[0] + ": no such action; " +
-                         spec.usage);
-    if (arguments.has("--operators") == arguments.has("--experts"))
-        throw UsageError("command line: give either --operators or --experts; " + spec.usage);
-    LoadedTask loaded = load_task_and_scene(arguments.words()[1]);
+/// The task as this site has it where a store is named, and who asks.
+struct Setting {
+    LoadedTask loaded;
     std::optional<database::Store> store;
     std::optional<database::Session> session;
-    if (arguments.has("--experts") || arguments.has("--db")) {  // a site's set is made in the site's tissue
-        store = open_store(arguments, false);
-        session =
-            arguments.has("--experts") ? person_session(arguments, *store) : session_of(arguments, *store);
-        loaded = load_site_task(*store, *session, loaded.task.id);
-    }
+};
 
-    const std::optional<std::string> output = arguments.value("--output");
-    const auto unwritable = [&](const std::system_error& error) {
-        return InputError(*output, "", "cannot be written (" + error.code().message() + ")",
-                          "name a writable file with -o");
-    };
-    std::unique_ptr<OutputFile> file;
-    try {  // before minutes of work, not after them
-        if (output) file = std::make_unique<OutputFile>(*output);
-    } catch (const std::system_error& error) {
-        throw unwritable(error);
-    }
+Setting setting_of(const Arguments& arguments) {
+    Setting setting{load_task_and_scene(arguments.words()[0]), {}, {}};
+    const bool experts = arguments.has("--experts");
+    if (!experts && !arguments.has("--db")) return setting;
+    setting.store = open_store(arguments, false);
+    setting.session =
+        experts ? person_session(arguments, *setting.store) : session_of(arguments, *setting.store);
+    setting.loaded = load_site_task(*setting.store, *setting.session, setting.loaded.task.id);
+    return setting;
+}
 
+BenchmarkRequest request_for(const Arguments& arguments, const Setting& setting) {
+    const LoadedTask& loaded = setting.loaded;
     BenchmarkRequest request;
     request.cutting = cutting_values(loaded.scene);
     request.variant_family = loaded.scene.variant;
@@ -192,39 +171,65 @@ int command_benchmark(const std::vector<std::string>& words) {
         request.source = "experts of this site";
         request.provisional = false;
         request.familiarisation = familiarisation;
-        request.experts = stored_attempts(*store, *session, loaded, split(*arguments.value("--experts")));
+        const std::vector<std::string> logins = split(*arguments.value("--experts"));
+        if (logins.empty()) throw UsageError("--experts", "names nobody", "give logins separated by commas");
+        request.experts = stored_attempts(*setting.store, *setting.session, loaded, logins);
     }
-    const BenchmarkBuild build = build_benchmark(loaded.task, request);
+    return request;
+}
+
+nlohmann::json json_of(const BenchmarkBuild& build, const std::string& task) {
     nlohmann::json trials = nlohmann::json::array();
     for (const BenchmarkTrial& trial : build.trials)
         trials.push_back({{"k", trial.k}, {"pass_share", trial.pass_share}});
-    nlohmann::json document = {
-        {"task", loaded.task.id},
-        {"usable", build.set.has_value()},
-        {"refusal", build.refusal.empty() ? nlohmann::json() : nlohmann::json(build.refusal)},
-        {"trials", trials},
-        {"log", build.log},
-        {"set", build.set ? benchmark_to_json(*build.set) : nlohmann::json()}};
-    if (build.set && file) {
-        try {
-            file->write(benchmark_to_json(*build.set).dump(2) + '\n');
-            file->commit();
-        } catch (const std::system_error& error) {
-            throw unwritable(error);
-        }
-    }
+    return {{"task", task},
+            {"usable", build.set.has_value()},
+            {"refusal", or_null(build.refusal)},
+            {"trials", trials},
+            {"log", build.log},
+            {"set", build.set ? benchmark_to_json(*build.set) : nlohmann::json()}};
+}
+
+void print_summary(const BenchmarkBuild& build) {
+    for (const std::string& line : build.log) std::cout << line << '\n';
+    for (const BenchmarkTrial& trial : build.trials)
+        std::cout << "k " << trial.k << ": " << 100 * trial.pass_share
+                  << " % of the experts' own attempts pass\n";
+    std::cout << (build.set ? "usable at k " + std::to_string(build.set->k) : "refused: " + build.refusal)
+              << '\n';
+}
+
+int run_benchmark_build(const Arguments& arguments) {
+    if (arguments.has("--operators") == arguments.has("--experts"))
+        throw UsageError("benchmark build", "needs either --operators or --experts", "give one of them");
+    const Setting setting = setting_of(arguments);
+    const std::optional<std::string> output = arguments.value("--output");
+    if (output) require_writable_file(*output);  // before minutes of work
+
+    const BenchmarkBuild build = build_benchmark(setting.loaded.task, request_for(arguments, setting));
+    if (build.set && output) write_whole_file(*output, benchmark_to_json(*build.set).dump(2) + "\n");
     if (arguments.has("--json")) {
-        print_json(document);
+        print_json(json_of(build, setting.loaded.task.id));
     } else {
-        for (const std::string& line : build.log) std::cout << line << '\n';
-        for (const BenchmarkTrial& trial : build.trials)
-            std::cout << "k " << trial.k << ": " << 100 * trial.pass_share
-                      << " % of the experts' own attempts pass\n";
-        std::cout << (build.set ? "usable at k " + std::to_string(build.set->k) : "refused: " + build.refusal)
-                  << '\n';
+        print_summary(build);
         if (build.set && !output) std::cout << benchmark_to_json(*build.set).dump(2) << '\n';
     }
     return build.set ? 0 : 1;
+}
+
+}  // namespace
+
+Command benchmark_command() {
+    return {"benchmark build",
+            "TASK",
+            1,
+            1,
+            "Builds a benchmark set and says how many of its own experts' attempts would pass.",
+            joined({{"--operators", "", "From synthetic operators; the set is provisional."},
+                    {"--experts", "LOGIN,LOGIN,...", "From stored attempts of these people; needs --as."},
+                    {"--output", "FILE", "Write the set to this file.", "", {}, "-o"}},
+                   session_options()),
+            run_benchmark_build};
 }
 
 }  // namespace fulcrum::app

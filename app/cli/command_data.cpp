@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fulcrum metrics, check: files.
+// fulcrum metrics, check: files that people and other programs write.
+#include <array>
 #include <filesystem>
 #include <iostream>
+#include <sstream>
 
 #include "app/assets.h"
 #include "app/cli/commands.h"
@@ -15,20 +17,35 @@
 
 namespace fulcrum::app {
 
-int command_metrics(const std::vector<std::string>& words) {
-    OptionSpec spec;
-    spec.usage = "usage: fulcrum metrics TRACE.csv [--task TASK] [--json]";
-    spec.with_value = {"--task"};
-    spec.flags = {"--json"};
-    spec.minimum_words = spec.maximum_words = 1;
-    const Arguments arguments(words, spec);
+namespace {
+
+constexpr std::size_t standard_input_limit = std::size_t{1} << 30U;  // bytes
+
+/// All of standard input, for a file named "-".
+std::string read_standard_input() {
+    std::string text;
+    std::array<char, 65536> part{};
+    while (std::cin.read(part.data(), part.size()) || std::cin.gcount() > 0) {
+        text.append(part.data(), static_cast<std::size_t>(std::cin.gcount()));
+        if (text.size() > standard_input_limit)
+            throw InputError("standard input", "", "is larger than 1 GiB", "give less");
+    }
+    return text;
+}
+
+Trace read_trace(const std::string& path) {
+    return path == "-" ? read_trace_csv(std::cin, "standard input") : read_trace_csv(path);
+}
+
+int run_metrics(const Arguments& arguments) {
     std::optional<MetricContext> context;
     if (const auto task = arguments.value("--task")) {
         const LoadedTask loaded = load_task_and_scene(*task);
         context = make_metric_context(loaded.scene, loaded.task, {});
         context->events_recorded = false;
     }
-    const nlohmann::json document = metrics_of_csv(arguments.words()[0], context);
+    const nlohmann::json document =
+        metrics_of_trace(read_trace(arguments.words()[0]), arguments.words()[0], context);
     if (arguments.has("--json")) {
         print_json(document);
         return 0;
@@ -46,17 +63,35 @@ int command_metrics(const std::vector<std::string>& words) {
     return 0;
 }
 
-namespace {
+/// Checks a file; says what it is, by its content.
+std::string check_text(const std::string& text, const std::string& file) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    if (first == std::string::npos || (text[first] != '{' && text[first] != '[')) {
+        std::istringstream stream(text);
+        return "trace, " + std::to_string(read_trace_csv(stream, file).t.size()) + " samples";
+    }
+    const nlohmann::json document = JsonDocument::parse(text, file).root();
+    if (!document.is_object())
+        throw InputError(file, "/", "is not a JSON object", "give a scene, task or benchmark file");
+    if (document.contains("goals") || document.contains("briefing")) {
+        const TaskDefinition task = parse_task(text, file);
+        check_gates(task, file);
+        return "task " + task.id;
+    }
+    if (document.contains("levels") || document.contains("experts"))
+        return "benchmark set of task " + parse_benchmark(text, file).task;
+    return "scene " + parse_scene(text, file).id;
+}
 
-/// What a file is, by its content; checks it and says so.
 std::string check_file(const std::string& path) {
+    if (path == "-") return check_text(read_standard_input(), "standard input");
     if (std::filesystem::path(path).extension() == ".csv") {
         const Trace trace = read_trace_csv(path);
         return "trace, " + std::to_string(trace.t.size()) + " samples";
     }
     const nlohmann::json document = JsonDocument::load(path).root();
     if (!document.is_object())
-        throw InputError(path, "/", "holds no JSON object", "give a scene, task or benchmark file");
+        throw InputError(path, "/", "is not a JSON object", "give a scene, task or benchmark file");
     if (document.contains("goals") || document.contains("briefing")) {
         const TaskDefinition task = load_task(path);
         check_gates(task, path);
@@ -67,15 +102,7 @@ std::string check_file(const std::string& path) {
     return "scene " + load_scene(path).id;
 }
 
-}  // namespace
-
-int command_check(const std::vector<std::string>& words) {
-    OptionSpec spec;
-    spec.usage = "usage: fulcrum check FILE... [--json]";
-    spec.flags = {"--json"};
-    spec.minimum_words = 1;
-    spec.maximum_words = 10000;
-    const Arguments arguments(words, spec);
+int run_check(const Arguments& arguments) {
     nlohmann::json files = nlohmann::json::array();
     bool ok = true;
     for (const std::string& path : arguments.words()) {
@@ -91,6 +118,30 @@ int command_check(const std::vector<std::string>& words) {
     }
     if (arguments.has("--json")) print_json({{"ok", ok}, {"files", files}});
     return ok ? 0 : 2;
+}
+
+}  // namespace
+
+Command metrics_command() {
+    return {"metrics",
+            "TRACE.csv",
+            1,
+            1,
+            "Computes the metrics of a trace in the CSV format of docs/FORMATS.md; - reads standard input.",
+            {{"--task", "TASK",
+              "The task that the trace belongs to; metrics that depend on its targets need it."},
+             json_option()},
+            run_metrics};
+}
+
+Command check_command() {
+    return {"check",
+            "FILE...",
+            1,
+            10000,
+            "Checks scenes, tasks, benchmark sets and traces; - reads standard input.",
+            {json_option()},
+            run_check};
 }
 
 }  // namespace fulcrum::app

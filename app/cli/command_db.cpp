@@ -1,45 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fulcrum db: the store's own care.
+// fulcrum db: creates, checks and backs up the store, shows its audit log, brings scores up to date.
 #include <QDate>
 #include <QDateTime>
 #include <iostream>
-#include <map>
 
 #include "app/cli/commands.h"
 #include "app/live/interrupted.h"
 #include "app/rescoring.h"
 #include "database/records/people.h"
 #include "database/store/audit.h"
-#include "sim_core/numerics/input_error.h"
 
 namespace fulcrum::app {
 namespace {
 
-constexpr const char* store_and_session =
-    " [--db FILE] [--as LOGIN [--role ROLE] --password-file FILE] [--json]";
-
-OptionSpec spec_of(const std::string& usage, std::set<std::string> options, std::size_t words) {
-    OptionSpec spec;
-    spec.usage = "usage: fulcrum db " + usage;
-    spec.with_value = std::move(options);
-    spec.flags = {"--json"};
-    spec.minimum_words = spec.maximum_words = words;
-    return spec;
-}
-
-OptionSpec spec_with_session(const std::string& usage, std::size_t words,
-                             const std::set<std::string>& more = {}) {
-    std::set<std::string> options = session_options();
-    options.insert(more.begin(), more.end());
-    return spec_of(usage + store_and_session, std::move(options), words);
-}
-
-std::string store_path(const Arguments& arguments) {
-    return arguments.value_or("--db", database::Store::default_path());
-}
-
-int create(const std::vector<std::string>& words) {
-    const Arguments arguments(words, spec_of("create [--db FILE] [--json]", {"--db"}, 0));
+int create(const Arguments& arguments) {
     const std::string path = store_path(arguments);
     const database::Store store = database::Store::create(path);
     if (arguments.has("--json")) {
@@ -50,9 +24,8 @@ int create(const std::vector<std::string>& words) {
     return 0;
 }
 
-int check(const std::vector<std::string>& words) {
-    const Arguments arguments(words, spec_with_session("check", 0));
-    const bool signs_in = arguments.has("--as");  // which the store keeps, so it must be writable
+int check(const Arguments& arguments) {
+    const bool signs_in = arguments.has("--as");  // the sign-in is recorded, so the store must be writable
     const database::Store store = open_store(arguments, false, !signs_in);
     const database::CheckReport report = store.check(session_of(arguments, store));
     nlohmann::json items = nlohmann::json::array();
@@ -69,8 +42,7 @@ int check(const std::vector<std::string>& words) {
     return report.ok ? 0 : 1;
 }
 
-int backup(const std::vector<std::string>& words) {
-    const Arguments arguments(words, spec_with_session("backup TO", 1));
+int backup(const Arguments& arguments) {
     const database::Store store = open_store(arguments, false);
     const std::string& to = arguments.words()[0];
     store.backup(person_session(arguments, store), to);
@@ -92,39 +64,20 @@ database::UtcMilliseconds moment_of(const Arguments& arguments, const std::strin
     if (day.isValid()) return QDateTime(end ? day.addDays(1) : day, QTime(0, 0), Qt::UTC).toMSecsSinceEpoch();
     const QDateTime moment = QDateTime::fromString(words, QStringLiteral("yyyy-MM-dd'T'HH:mm:ss'Z'"));
     if (!moment.isValid())
-        throw UsageError("command line: " + option + ": '" + *given +
-                         "' is no time; give a day (2026-11-21) or a moment (2026-11-21T04:07:37Z), UTC");
+        throw UsageError(option, "'" + *given + "' is not a time",
+                         "give a day (2026-11-21) or a moment (2026-11-21T04:07:37Z), UTC");
     return QDateTime(moment.date(), moment.time(), Qt::UTC).toMSecsSinceEpoch();
 }
 
-std::string person_named(const Arguments& arguments, const database::Store& store,
-                         const database::Session& session) {
-    const auto login = arguments.value("--person");
-    if (!login) return {};
-    const auto person = database::People(store).find_login(session, *login);
-    if (!person)
-        throw InputError("command line", "--person", "no person '" + *login + "' that you may read",
-                         "name a login of this store");
-    return person->id;
-}
-
-/// One of the chain's operations, or what stands before the dot of some.
+/// Throws unless `kind` is an operation in the log, or the part of one before its dot.
 void require_kind(const std::string& kind, const std::vector<std::string>& kinds) {
     std::string list;
     for (const std::string& known : kinds) {
         if (kind == known || known.rfind(kind + ".", 0) == 0) return;
         list += (list.empty() ? "" : ", ") + known;
     }
-    throw InputError("command line", "--kind", "no entry of kind '" + kind + "'",
-                     "name one of " + list + ", or what stands before a dot");
-}
-
-nlohmann::json or_null(const std::string& text) {
-    return text.empty() ? nlohmann::json() : nlohmann::json(text);
-}
-
-nlohmann::json or_null(const std::optional<bool>& passed) {
-    return passed ? nlohmann::json(*passed) : nlohmann::json();
+    throw UsageError("--kind", "no entry of kind '" + kind + "'",
+                     "name one of " + list + ", or the part before a dot");
 }
 
 const char* verdict(const std::optional<bool>& passed) {
@@ -148,17 +101,13 @@ nlohmann::json json_of(const database::AuditEntry& entry) {
             {"hash", entry.hash}};
 }
 
-int audit(const std::vector<std::string>& words) {
-    const Arguments arguments(
-        words,
-        spec_with_session("audit [--person LOGIN] [--kind KIND] [--from TIME] [--until TIME] [--limit N]", 0,
-                          {"--person", "--kind", "--from", "--until", "--limit"}));
+int audit(const Arguments& arguments) {
     database::AuditFilter filter;
     filter.from = moment_of(arguments, "--from", false);
     filter.until = moment_of(arguments, "--until", true);
     filter.limit = static_cast<int>(arguments.integer("--limit", 500, 1, 1000000));
     if (filter.until > 0 && filter.until <= filter.from)
-        throw UsageError("command line: --until: lies before --from; give a later time");
+        throw UsageError("--until", "is not after --from", "give a later time");
     const database::Store store = open_store(arguments, false);
     const database::Session session = person_session(arguments, store);
     const database::Audit log(store);
@@ -185,7 +134,7 @@ int audit(const std::vector<std::string>& words) {
                       << "  " << (entry.person_name.empty() ? entry.object_id : entry.person_name) << "  "
                       << entry.payload << '\n';
         }
-        std::cout << "chain: " << (problems.empty() ? "holds" : "BROKEN") << ", " << log.count()
+        std::cout << "chain: " << (problems.empty() ? "intact" : "BROKEN") << ", " << log.count()
                   << " rows, head " << log.head() << '\n';
         for (const std::string& problem : problems) std::cout << "  " << problem << '\n';
     }
@@ -202,8 +151,7 @@ nlohmann::json json_of(const ui::RecomputedScore& one) {
             {"problem", or_null(one.problem)}};
 }
 
-int recompute(const std::vector<std::string>& words) {
-    const Arguments arguments(words, spec_with_session("recompute [--person LOGIN]", 0, {"--person"}));
+int recompute(const Arguments& arguments) {
     const std::string path = store_path(arguments);
     std::string person;
     std::optional<database::Session> session;
@@ -226,13 +174,12 @@ int recompute(const std::vector<std::string>& words) {
     if (arguments.has("--json")) {
         print_json({{"store", path}, {"recomputed", rows}});
     } else if (scores.empty()) {
-        std::cout << "every score that you may recompute rests on what is in force\n";
+        std::cout << "every score that you may recompute is up to date\n";
     }
     return all ? 0 : 1;
 }
 
-int score(const std::vector<std::string>& words) {
-    const Arguments arguments(words, spec_with_session("score", 0));
+int score(const Arguments& arguments) {
     std::optional<database::Session> session;
     {
         const database::Store store = open_store(arguments, false);
@@ -253,31 +200,31 @@ int score(const std::vector<std::string>& words) {
     if (arguments.has("--json")) {
         print_json({{"store", store_path(arguments)}, {"scored", rows}});
     } else if (rows.empty()) {
-        std::cout << "nothing that you may score was interrupted and has no score\n";
+        std::cout << "no interrupted attempt that you may score is without a score\n";
     }
     return 0;
 }
 
 }  // namespace
 
-int command_db(const std::vector<std::string>& words) {
-    using Action = int (*)(const std::vector<std::string>&);
-    static const std::map<std::string, Action> actions = {{"create", create}, {"check", check},
-                                                          {"backup", backup}, {"audit", audit},
-                                                          {"score", score},   {"recompute", recompute}};
-    std::string list;
-    for (const auto& [name, action] : actions) list += (list.empty() ? "" : "|") + name;
-    const std::string usage = "usage: fulcrum db " + list + " ...";
-    // The action is the first word that is neither an option nor its value.
-    std::size_t at = 0;
-    while (at < words.size() && words[at].rfind("--", 0) == 0) at += words[at] == "--json" ? 1 : 2;
-    if (at >= words.size()) throw UsageError("command line: a word is missing; " + usage);
-    const auto found = actions.find(words[at]);
-    if (found == actions.end())
-        throw UsageError("command line: db " + words[at] + ": no such action; " + usage);
-    std::vector<std::string> rest = words;
-    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(at));
-    return found->second(rest);
+std::vector<Command> store_commands() {
+    const Option person{"--person", "LOGIN", "Only what concerns this person."};
+    return {
+        {"db create", "", 0, 0, "Creates an empty store.", {store_option(), json_option()}, create},
+        {"db check", "", 0, 0, "Checks that the store is complete and unchanged.", session_options(), check},
+        {"db backup", "TO", 1, 1, "Copies the store to a new file.", session_options(), backup},
+        {"db audit", "", 0, 0, "Lists the audit log and checks its chain.",
+         joined({person,
+                 {"--kind", "KIND", "Only entries of this operation, or of the group before its dot."},
+                 {"--from", "TIME", "From this day (2026-11-21) or moment (2026-11-21T04:07:37Z), UTC."},
+                 {"--until", "TIME", "Up to this day or moment, UTC."},
+                 {"--limit", "N", "At most so many entries, the newest.", "500"}},
+                session_options()),
+         audit},
+        {"db score", "", 0, 0, "Scores interrupted attempts that have no score yet.", session_options(),
+         score},
+        {"db recompute", "", 0, 0, "Computes outdated scores again; the scores in force stay.",
+         joined({person}, session_options()), recompute}};
 }
 
 }  // namespace fulcrum::app

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fulcrum lab: the laboratory. Every figure is measured when asked for; --output writes the pages of
+// fulcrum lab: the laboratory. Every value is measured when asked for; --output writes the pages of
 // docs/results.
 #include <algorithm>
-#include <charconv>
 #include <iostream>
 
-#include "app/cli/commands.h"
-#include "app/lab/experiment.h"
+#include "app/cli/laboratory.h"
 #include "app/lab/measure.h"
 #include "sim_core/lab/cut_figures.h"
 #include "sim_core/lab/cut_strokes.h"
@@ -16,9 +14,7 @@
 #include "sim_core/lab/validation.h"
 
 namespace fulcrum::app {
-namespace {
 
-/// Prints the document, or writes the page; says on standard error where.
 int deliver(const Arguments& arguments, const lab::ResultPage& page, nlohmann::json document) {
     const lab::Machine machine = lab::this_machine(lab::build_info());
     if (const auto folder = arguments.value("--output")) {
@@ -33,14 +29,14 @@ int deliver(const Arguments& arguments, const lab::ResultPage& page, nlohmann::j
     return 0;
 }
 
-/// Called before the work, and after all that may be wrong with the command: a wrong one leaves no folder.
 void make_output(const Arguments& arguments) {
     if (arguments.has("--output")) arguments.folder("--output", "");
 }
 
+namespace {
+
 int size_sweep(const Arguments& arguments) {
-    if (arguments.has("--only"))
-        throw UsageError("command line: --only: --sweep runs every model; leave --only or --sweep out");
+    arguments.exclude("--only", "--sweep");
     make_output(arguments);
     std::vector<lab::SizeSweep> sweeps;
     for (const lab::SweepCase& sweep : lab::size_sweeps()) {
@@ -52,8 +48,7 @@ int size_sweep(const Arguments& arguments) {
 
 int bench(const Arguments& arguments) {
     if (arguments.has("--sweep")) return size_sweep(arguments);
-    if (arguments.has("--only") && arguments.has("--output"))
-        throw UsageError("command line: --only: a page holds every workload; leave --only or --output out");
+    arguments.exclude("--only", "--output");  // a page holds every workload
     make_output(arguments);
     const Measured measured = measure_workloads(arguments.value("--only"));
     return deliver(arguments, measured.page, measured.document);
@@ -98,76 +93,58 @@ int cut(const Arguments& arguments) {
     return deliver(arguments, page, page.document());
 }
 
-/// As many as are named, or what the page of docs/results has.
 int strokes(const Arguments& arguments) {
     int count = 100000;
-    if (arguments.words().size() > 1) {
-        const std::string& word = arguments.words()[1];
-        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), count);
-        if (error != std::errc() || end != word.data() + word.size() || count < 1 || count > 10000000)
-            throw UsageError("command line: lab strokes: " + word + ": give a number from 1 to 10000000");
+    if (!arguments.words().empty()) {
+        const std::string& word = arguments.words()[0];
+        const auto number = parse_integer(word, 1, 10000000);
+        if (!number)
+            throw UsageError("lab strokes", "'" + word + "' is not a number of strokes",
+                             "give a whole number from 1 to 10000000");
+        count = static_cast<int>(*number);
     }
     make_output(arguments);
     const lab::ResultPage page = lab::cut_strokes_page(count);
     return deliver(arguments, page, page.document());
 }
 
-/// One file, or every one of assets/experiments.
-int experiment(const Arguments& arguments) {
-    const auto folder = arguments.value("--output");
-    if (!folder)
-        throw UsageError("command line: lab experiment: --output: name the folder for pictures and pages; " +
-                         arguments.usage());
-    if (arguments.has("--json"))
-        throw UsageError(
-            "command line: --json: lab experiment writes its JSON beside the picture; leave it out");
-    const std::vector<std::string> files =
-        arguments.words().size() > 1 ? std::vector<std::string>{arguments.words()[1]} : experiment_files();
-    make_output(arguments);
-    for (const std::string& file : files) deliver(arguments, experiment_page(file), {});
+int run_study(const Arguments& arguments) {
+    print_json(lab::run_study(arguments.words()[0]));
     return 0;
 }
 
 }  // namespace
 
-int command_lab(const std::vector<std::string>& words) {
-    OptionSpec spec;
-    spec.usage =
-        "usage: fulcrum lab bench [--only NAME | --sweep] | cost | clock | validate | tradeoff | stability | "
-        "cut | "
-        "strokes [N] | experiment "
-        "[FILE.json] | run STUDY.json "
-        "[--json] "
-        "[--output "
-        "FOLDER]";
-    spec.with_value = {"--only", "--output"};
-    spec.flags = {"--json", "--sweep"};
-    spec.minimum_words = 1;
-    spec.maximum_words = 2;
-    const Arguments arguments(words, spec);
-    const std::string& action = arguments.words()[0];
-    if (arguments.has("--sweep") && action != "bench")
-        throw UsageError("command line: --sweep: only with lab bench; " + spec.usage);
-    if (action == "run") {
-        if (arguments.words().size() != 2)
-            throw UsageError("command line: lab run: name a study file; " + spec.usage);
-        if (arguments.has("--output"))
-            throw UsageError("command line: --output: lab run prints its result; redirect it");
-        print_json(lab::run_study(arguments.words()[1]));
-        return 0;
-    }
-    if (action == "experiment") return experiment(arguments);
-    if (action == "strokes") return strokes(arguments);
-    if (arguments.words().size() != 1)
-        throw UsageError("command line: " + arguments.words()[1] + ": not expected; " + spec.usage);
-    if (action == "bench") return bench(arguments);
-    if (action == "cost") return cost(arguments);
-    if (action == "clock") return clock(arguments);
-    if (action == "validate") return validate(arguments);
-    if (action == "cut") return cut(arguments);
-    if (action == "tradeoff") return tradeoff(arguments);
-    if (action == "stability") return stability(arguments);
-    throw UsageError("command line: lab " + action + ": no such action; " + spec.usage);
+Option page_option() {
+    return {"--output", "FOLDER", "Write the page with its tables and charts into this folder.",
+            "",         {},       "-o"};
+}
+
+std::vector<Command> laboratory_commands() {
+    const std::vector<Option> page = {page_option(), json_option()};
+    return {
+        {"lab bench", "", 0, 0, "Times the reference workloads against their budgets.",
+         joined({{"--only", "NAME", "Time this workload only."},
+                 {"--sweep", "", "Time every model over a range of sizes instead."}},
+                page),
+         bench},
+        {"lab cost", "", 0, 0, "Measures what each part of each scene costs.", page, cost},
+        {"lab clock", "", 0, 0,
+         "Measures ticks and steps in real time, with a cutting blade and a blunt one.", page, clock},
+        {"lab validate", "", 0, 0, "Compares every model with closed forms and references.", page, validate},
+        {"lab tradeoff", "", 0, 0,
+         "Measures error against time for each level of each model, and how scores move.", page, tradeoff},
+        {"lab stability", "", 0, 0, "Maps where each model stays bounded.", page, stability},
+        {"lab cut", "", 0, 0, "Measures the cutting of surfaces.", page, cut},
+        {"lab strokes", "[N]", 0, 1, "Cuts with N random strokes (100000) and checks every surface.", page,
+         strokes},
+        {"lab run",
+         "STUDY.json",
+         1,
+         1,
+         "Runs one model on given input and prints its full result.",
+         {json_option()},
+         run_study}};
 }
 
 }  // namespace fulcrum::app

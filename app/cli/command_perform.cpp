@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fulcrum perform: one attempt without a window, stored and scored.
-#include <fstream>
 #include <iostream>
 
 #include "app/assets.h"
@@ -13,19 +12,10 @@
 #include "assessment/metrics/metrics_json.h"
 #include "assessment/operators/operator.h"
 #include "database/records/recorder.h"
-#include "sim_core/numerics/input_error.h"
+#include "sim_core/scene/fidelity.h"
 
 namespace fulcrum::app {
 namespace {
-
-nlohmann::json text_or_null(const std::string& text) {
-    return text.empty() ? nlohmann::json() : nlohmann::json(text);
-}
-
-template <typename T>
-nlohmann::json value_or_null(const std::optional<T>& value) {
-    return value ? nlohmann::json(*value) : nlohmann::json();
-}
 
 struct Result {
     ScoredAttempt scored;
@@ -36,13 +26,13 @@ struct Result {
     std::optional<LoopStatistics> statistics;
 };
 
-/// Somebody to whom the attempt belongs: a synthetic or external person, never a real one.
+/// The person who gets the attempt: synthetic or external, never real.
 database::Person subject(const Arguments& arguments, const database::Store& store,
                          const database::Session& session, const std::string& operator_name,
                          std::uint64_t seed) {
     const database::People people(store);
     if (const auto login = arguments.value("--person")) {
-        // The station sees synthetic and external people alone: whom it may not see is a real person.
+        // The station may see synthetic and external people only, so a refusal means a real person.
         bool real = false;
         try {
             const auto known = people.find_login(store.station_session(), *login);
@@ -51,9 +41,8 @@ database::Person subject(const Arguments& arguments, const database::Store& stor
             real = true;
         }
         if (real) {
-            throw UsageError(
-                "command line: --person: " + *login +
-                " is a real person; an operator or a trace writes to a synthetic or external person only");
+            throw UsageError("--person", *login + " is a real person",
+                             "name a synthetic or external person; operators and traces write to no other");
         }
         return people.ensure_synthetic(
             session, *login, *login,
@@ -74,7 +63,7 @@ nlohmann::json to_json(const database::AttemptMeta& meta, const std::string& att
             {"task", meta.task_id},
             {"person", person.login},
             {"person_id", person.id},
-            {"operator", text_or_null(meta.operator_name)},
+            {"operator", or_null(meta.operator_name)},
             {"synthetic", person.kind != database::PersonKind::real},
             {"mode", meta.mode},
             {"device_class", meta.device_class},
@@ -84,9 +73,9 @@ nlohmann::json to_json(const database::AttemptMeta& meta, const std::string& att
             {"duration_s", result.scored.duration_s},
             {"wall_s", result.wall_s},
             {"state", row_of(attempt_states, result.scored.state).name},
-            {"passed", value_or_null(score.passed)},
-            {"not_scored_because", text_or_null(score.not_scored_because)},
-            {"points", value_or_null(score.points)},
+            {"passed", or_null(score.passed)},
+            {"not_scored_because", or_null(score.not_scored_because)},
+            {"points", or_null(score.points)},
             {"advice", score.advice},
             {"gates", gates_to_json(score.gates)},
             {"metrics", metrics_to_json(result.scored.metrics)},
@@ -142,21 +131,19 @@ void print_summary(const nlohmann::json& document) {
 
 }  // namespace
 
-int command_perform(const std::vector<std::string>& words) {
-    OptionSpec spec;
-    spec.usage =
-        "usage: fulcrum perform TASK [--operator novice|intermediate|expert | --input TRACE.csv] [--seed N] "
-        "[--person P] [--practice] [--fidelity F] [--realtime] [--db FILE] [--json]";
-    spec.with_value = {"--operator", "--input", "--seed", "--person", "--fidelity", "--db"};
-    spec.flags = {"--realtime", "--json", "--practice"};
-    spec.minimum_words = spec.maximum_words = 1;
-    const Arguments arguments(words, spec);
-    if (arguments.has("--operator") && arguments.has("--input"))
-        throw UsageError("command line: --input: not together with --operator; " + spec.usage);
+namespace {
 
+std::vector<std::string> fidelity_names() {
+    std::vector<std::string> names;
+    for (const NameRow<FidelityLevel>& level : fidelity_levels) names.push_back(level.name);
+    return names;
+}
+
+int run_perform(const Arguments& arguments) {
+    arguments.exclude("--operator", "--input");
     const std::string fidelity = arguments.value_or("--fidelity", "");
     LoadedTask loaded =
-        load_task_and_scene(arguments.words()[0], fidelity);  // what is wrong is told before a store is made
+        load_task_and_scene(arguments.words()[0], fidelity);  // errors come before a store is made
     const auto seed = static_cast<std::uint64_t>(arguments.integer("--seed", 1, 0, 4'000'000'000LL));
     const std::string operator_name =
         arguments.has("--input") ? "" : arguments.value_or("--operator", "expert");
@@ -167,12 +154,12 @@ int command_perform(const std::vector<std::string>& words) {
         rig = std::make_shared<TraceRig>(input.inputs);
     } else {
         rig = make_operator(operator_name, loaded.task, loaded.scene,
-                            seed);  // a wrong name is refused before anything is stored
+                            seed);  // an unknown name is refused before anything is stored
     }
     const std::optional<BenchmarkSet> benchmark = benchmark_in_force(loaded.task.id);
     const database::Store store = open_store(arguments, true);
     const database::Session session = store.station_session();
-    score_interrupted(store.path(), session);  // what an earlier run left when it was killed
+    score_interrupted(store.path(), session);  // attempts of a run that was killed
     loaded = load_site_task(store, session, loaded.task.id, fidelity);
     if (!operator_name.empty()) rig = make_operator(operator_name, loaded.task, loaded.scene, seed);
     const database::Person person = subject(arguments, store, session, operator_name, seed);
@@ -209,6 +196,33 @@ int command_perform(const std::vector<std::string>& words) {
         print_summary(document);
     }
     return 0;
+}
+
+}  // namespace
+
+Command perform_command() {
+    return {
+        "perform",
+        "TASK",
+        1,
+        1,
+        "Runs one attempt without a window, stores it and scores it.",
+        {{"--operator",
+          "NAME",
+          "The synthetic operator that performs.",
+          "expert",
+          {"novice", "intermediate", "expert"}},
+         {"--input", "TRACE.csv", "Perform the movements of a trace instead of an operator's."},
+         seed_option(),
+         {"--person", "LOGIN", "The synthetic or external person who gets the attempt; made when missing.",
+          "one per operator and seed"},
+         {"--practice", "", "Perform for practice: measured, but not assessed."},
+         {"--fidelity", "LEVEL", "How finely the scene is modelled.", "the scene's own", fidelity_names()},
+         {"--realtime", "",
+          "Run in real time with the threads of the window instead of as fast as possible."},
+         store_option(),
+         json_option()},
+        run_perform};
 }
 
 }  // namespace fulcrum::app

@@ -8,6 +8,7 @@
 #include "app/live/performance.h"
 #include "database/records/attempts.h"
 #include "sim_core/numerics/input_error.h"
+#include "sim_core/numerics/number_text.h"
 
 namespace fulcrum::app {
 namespace {
@@ -27,16 +28,7 @@ bool same_metrics(const std::vector<database::MetricRow>& stored,
     return true;
 }
 
-}  // namespace
-
-int command_replay(const std::vector<std::string>& words) {
-    OptionSpec spec;
-    spec.usage =
-        "usage: fulcrum replay ATTEMPT [--verify] [--db FILE] [--as LOGIN --password-file FILE] [--json]";
-    spec.with_value = session_options();
-    spec.flags = {"--verify", "--json"};
-    spec.minimum_words = spec.maximum_words = 1;
-    const Arguments arguments(words, spec);
+int run_replay(const Arguments& arguments) {
     const database::Store store = open_store(arguments, false, false);
     const database::Session session = session_of(arguments, store);
     const database::Attempts attempts(store);
@@ -48,7 +40,7 @@ int command_replay(const std::vector<std::string>& words) {
     AttemptRecord record{std::move(trace.inputs), std::move(trace.samples), std::move(trace.steps),
                          std::move(trace.events)};
     if (record.inputs.size() != record.samples.size())
-        throw InputError(id, "trace", "inputs and samples differ in number", "run fulcrum db check");
+        throw InputError(id, "trace", "the numbers of inputs and samples differ", "run fulcrum db check");
     AttemptEngine engine(loaded.scene, loaded.task, summary.meta.seed);
     const ReplayOutcome outcome = replay_record(engine, record);
 
@@ -77,12 +69,26 @@ int command_replay(const std::vector<std::string>& words) {
     } else {
         std::cout << (outcome.identical
                           ? "identical"
-                          : "differs from " + std::to_string(outcome.first_divergence_s) + " s on")
+                          : "differs from " + decimal_text(outcome.first_divergence_s, 3) + " s on")
                   << ", metrics " << (metrics_identical ? "identical" : "differ") << ", state_hash "
                   << hex(outcome.state_hash) << '\n';
     }
     const bool same = outcome.identical && metrics_identical;
     return arguments.has("--verify") && !same ? 1 : 0;
+}
+
+}  // namespace
+
+Command replay_command() {
+    return {
+        "replay",
+        "ATTEMPT",
+        1,
+        1,
+        "Runs a stored attempt again from its record.",
+        joined({{"--verify", "", "Exit with 1 where state hash, forces or metrics differ from the record."}},
+               session_options()),
+        run_replay};
 }
 
 }  // namespace fulcrum::app

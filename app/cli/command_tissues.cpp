@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fulcrum tissues: what blades meet in a task's tissues at this site, and setting it.
-#include <cstdlib>
+// fulcrum tissues: how a task's tissues resist blades at this site.
 #include <iostream>
 #include <sstream>
 
 #include "app/cli/commands.h"
 #include "app/site_tissues.h"
 #include "database/records/tissues.h"
+#include "sim_core/numerics/number_text.h"
 
 namespace fulcrum::app {
 namespace {
@@ -18,13 +18,12 @@ database::TissueValues parse_values(const std::string& list, const ui::SiteTissu
     std::stringstream parts(list);
     for (std::string part; std::getline(parts, part, ',');) {
         const std::size_t dot = part.find('.'), equals = part.find('=');
-        char* end = nullptr;
-        const double value = equals == std::string::npos ? 0 : std::strtod(part.c_str() + equals + 1, &end);
-        if (dot == std::string::npos || equals == std::string::npos || dot > equals ||
-            equals + 1 == part.size() || *end != '\0')
-            throw UsageError("command line: --set: '" + part +
-                             "' is no value; write TISSUE.KEY=NUMBER, as areolar.penetrate_n=0.12");
-        values[part.substr(0, dot)][part.substr(dot + 1, equals - dot - 1)] = value;
+        const bool complete = dot != std::string::npos && equals != std::string::npos && dot < equals;
+        const auto value = complete ? parse_decimal(part.substr(equals + 1)) : std::nullopt;
+        if (!value)
+            throw UsageError("--set", "'" + part + "' is not a value",
+                             "write TISSUE.KEY=NUMBER, for example areolar.penetrate_n=0.12");
+        values[part.substr(0, dot)][part.substr(dot + 1, equals - dot - 1)] = *value;
     }
     return values;
 }
@@ -54,25 +53,12 @@ nlohmann::json json_of(const std::string& task, const ui::SiteTissues& site,
             {"history", versions}};
 }
 
-}  // namespace
-
-int command_tissues(const std::vector<std::string>& words) {
-    OptionSpec spec;
-    spec.usage =
-        "usage: fulcrum tissues TASK [--set TISSUE.KEY=NUMBER,... | --scene-values] [--reason WORDS] [--db "
-        "FILE] "
-        "[--as LOGIN --password-file FILE] [--json]";
-    spec.with_value = session_options();
-    spec.with_value.insert({"--set", "--reason"});
-    spec.flags = {"--scene-values", "--json"};
-    spec.minimum_words = spec.maximum_words = 1;
-    const Arguments arguments(words, spec);
+int run_tissues(const Arguments& arguments) {
+    arguments.exclude("--set", "--scene-values");
     const bool sets = arguments.has("--set") || arguments.has("--scene-values");
-    if (arguments.has("--set") && arguments.has("--scene-values"))
-        throw UsageError("command line: --set: not together with --scene-values; " + spec.usage);
     if (arguments.has("--reason") && !sets)
-        throw UsageError("command line: --reason: without --set or --scene-values nothing is set; " +
-                         spec.usage);
+        throw UsageError("--reason", "there is no change to give a reason for",
+                         "add --set or --scene-values");
     const std::string& task = arguments.words()[0];
     const database::Store store = open_store(arguments, false);
     const database::Session session = sets ? person_session(arguments, store) : session_of(arguments, store);
@@ -92,10 +78,26 @@ int command_tissues(const std::vector<std::string>& words) {
     for (const ui::SiteTissueValue& one : site.values)
         std::cout << one.tissue << '.' << one.key << " = " << one.value << ' ' << one.unit << "  (scene "
                   << one.scene << ", " << one.range << ")  " << one.words << '\n';
-    if (site.values.empty()) std::cout << task << " has no tissue that a blade cuts by its force\n";
+    if (site.values.empty()) std::cout << task << " has no tissue that is cut by force\n";
     std::cout << "version " << site.version << (site.differ ? "" : ", the scene file's own") << '\n';
     if (!site.limits_note.empty()) std::cout << "not scored: " << site.limits_note << '\n';
     return 0;
+}
+
+}  // namespace
+
+Command tissues_command() {
+    return {"tissues",
+            "TASK",
+            1,
+            1,
+            "Shows how a task's tissues resist blades at this site, or sets it.",
+            joined({{"--set", "LIST",
+                     "New values: TISSUE.KEY=NUMBER, separated by commas. Numbers have a decimal point."},
+                    {"--scene-values", "", "Go back to the values of the scene file."},
+                    {"--reason", "TEXT", "Why; kept in the audit log."}},
+                   session_options()),
+            run_tissues};
 }
 
 }  // namespace fulcrum::app

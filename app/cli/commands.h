@@ -1,43 +1,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The subcommands: the same product without a window. Each returns the exit status; bad usage and bad input
-// throw (exit 2 in main).
+// The commands that need no window, and what they share. Each command's row of the table and its code are in
+// one file.
 #pragma once
 
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "app/cli/arguments.h"
+#include "app/cli/command.h"
 #include "database/records/people.h"
 #include "database/store/store.h"
 
 namespace fulcrum::app {
 
-int command_perform(const std::vector<std::string>& words);
-int command_replay(const std::vector<std::string>& words);
-int command_metrics(const std::vector<std::string>& words);
-int command_check(const std::vector<std::string>& words);
-int command_benchmark(const std::vector<std::string>& words);
-int command_report(const std::vector<std::string>& words);
-int command_db(const std::vector<std::string>& words);
-int command_lab(const std::vector<std::string>& words);
-int command_tissues(const std::vector<std::string>& words);
-int command_demonstrate(const std::vector<std::string>& words);
+/// Everything that this room offers.
+std::vector<Command> headless_commands();
 
-/// Runs the subcommand named by the first word. Throws UsageError for an unknown one.
-int run_command(const std::vector<std::string>& words);
-/// True if the word names a subcommand.
-bool is_command(const std::string& word);
-std::string command_list();
+Command perform_command();
+Command replay_command();
+Command metrics_command();
+Command check_command();
+Command benchmark_command();
+Command tissues_command();
+std::vector<Command> store_commands();       ///< db ...
+std::vector<Command> laboratory_commands();  ///< lab ...
+
+Option json_option();
+Option store_option();                  ///< --db
+std::vector<Option> session_options();  ///< --db, --as, --role, --password-file, --json
+Option seed_option();
+/// `more`, then `rest`.
+std::vector<Option> joined(std::vector<Option> more, const std::vector<Option>& rest);
 
 /// One JSON document on standard output.
 void print_json(const nlohmann::json& document);
+std::string store_path(const Arguments& arguments);
 /// Opens the store named by --db, or the default one; `create`: makes it when missing.
 database::Store open_store(const Arguments& arguments, bool create, bool read_only = false);
 /// --as LOGIN with the password from --password-file or the terminal; without it the station.
 database::Session session_of(const Arguments& arguments, const database::Store& store);
-/// Throws UsageError where a command needs --as.
+/// Throws UsageError without --as.
 database::Session person_session(const Arguments& arguments, const database::Store& store);
-std::set<std::string> session_options();
+/// The id of the person that --person names; empty without it. Throws InputError.
+std::string person_named(const Arguments& arguments, const database::Store& store,
+                         const database::Session& session);
+
+/// Null for an empty text or optional.
+nlohmann::json or_null(const std::string& text);
+template <typename T>
+nlohmann::json or_null(const std::optional<T>& value) {
+    return value ? nlohmann::json(*value) : nlohmann::json();
+}
 
 }  // namespace fulcrum::app

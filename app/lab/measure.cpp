@@ -6,13 +6,13 @@
 #include <map>
 
 #include "app/assets.h"
-#include "app/cli/arguments.h"
 #include "app/lab/attempt_workloads.h"
 #include "app/live/performance.h"
 #include "assessment/metrics/metrics_json.h"
 #include "assessment/operators/operator.h"
 #include "sim_core/lab/bench.h"
 #include "sim_core/lab/chart.h"
+#include "sim_core/numerics/input_error.h"
 #include "sim_core/scene/fidelity.h"
 
 namespace fulcrum::app {
@@ -109,7 +109,7 @@ Measured measure_workloads(const std::optional<std::string>& only) {
     if (only && rows.empty()) {
         std::string names;
         for (const lab::Workload& workload : workloads) names += (names.empty() ? "" : ", ") + workload.name;
-        throw UsageError("command line: --only: no workload '" + *only + "'; use one of " + names);
+        throw InputError("--only", "", "no workload '" + *only + "'", "use one of " + names);
     }
     Measured measured{
         lab::ResultPage("lab_bench", "Reference workloads", "fulcrum lab bench --output docs/results"), {}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The laboratory's commands that need the whole product: reference workloads with the attempt's own, what
-// each part of a scene costs, and how far the score moves with the fidelity.
+// each part of a scene costs, and how far scores move with the fidelity.
 #pragma once
 
 #include <optional>
@@ -17,11 +17,11 @@ struct Measured {
     nlohmann::json document;
 };
 
-/// Reference workloads, all or the one named. Throws UsageError for a name there is none of.
+/// Reference workloads, all or the one named. Throws InputError for an unknown name.
 Measured measure_workloads(const std::optional<std::string>& only);
 /// Ticks and steps of B2 in real time, with a blade that cuts and one that does not; a minute or two.
 Measured measure_cut_clock();
-/// Each part's price in each task's scene, under an expert operator at work.
+/// What each part of each task's scene costs while an expert operator performs.
 Measured measure_costs();
 /// Every metric of the same operator on the same task at each fidelity, against "fine".
 std::vector<lab::ScoreSensitivity> measure_score_sensitivity();

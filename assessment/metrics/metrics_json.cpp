@@ -122,13 +122,13 @@ MetricContext make_metric_context(const Scene& scene, const TaskDefinition& task
     return context;
 }
 
-nlohmann::json metrics_of_csv(const std::string& path, const std::optional<MetricContext>& context) {
-    const Trace trace = read_trace_csv(path);
+nlohmann::json metrics_of_trace(const Trace& trace, const std::string& file,
+                                const std::optional<MetricContext>& context) {
     MetricContext known = context.value_or(MetricContext{});
     known.events_recorded = false;
     nlohmann::json ignored = nlohmann::json::array();
     for (const std::string& column : trace.ignored_columns) ignored.push_back(column);
-    return {{"file", path},
+    return {{"file", file},
             {"samples", trace.t.size()},
             {"duration_s", trace.t.back() - trace.t.front()},
             {"mean_rate_hz", trace.mean_rate()},

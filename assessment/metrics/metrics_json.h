@@ -24,9 +24,9 @@ std::vector<MetricResult> metrics_from_json(const nlohmann::json& rows, const st
 MetricContext make_metric_context(const Scene& scene, const TaskDefinition& task,
                                   const std::vector<Vector3>& targets);
 
-/// `{"file", "samples", "duration_s", "mean_rate_hz", "ignored_columns", "metrics": […]}`. Throws InputError
-/// for bad input.
-nlohmann::json metrics_of_csv(const std::string& path,
-                              const std::optional<MetricContext>& context = std::nullopt);
+/// `{"file", "samples", "duration_s", "mean_rate_hz", "ignored_columns", "metrics": […]}`; `file` is where
+/// the trace came from.
+nlohmann::json metrics_of_trace(const Trace& trace, const std::string& file,
+                                const std::optional<MetricContext>& context = std::nullopt);
 
 }  // namespace fulcrum

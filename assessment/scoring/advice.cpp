@@ -2,30 +2,21 @@
 // One sentence: what, where (hand and phase), by how much, one thing to try. Worst first: a critical error,
 // an absolute gate by value over limit, a benchmark gate by z; then that the attempt was not carried to its
 // end, and only of one that was, a gate whose metric is absent: what was not reached was not done badly.
-#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "assessment/metrics/registry.h"
 #include "assessment/scoring/gate_rules.h"
+#include "sim_core/numerics/number_text.h"
 
 namespace fulcrum {
 
 namespace {
 
-/// With a point whatever the program's locale is: the sentence is stored.
-std::string number_text(double value, int digits) {
-    char text[64];
-    const auto end =
-        std::to_chars(text, text + sizeof text, value == 0 ? 0.0 : value, std::chars_format::fixed, digits);
-    return end.ec == std::errc() ? std::string(text, end.ptr) : std::to_string(value);
-}
-
 /// A value with its unit, as many digits as the metric's precision asks for.
 std::string value_text(const MetricDescriptor& d, double value) {
     const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(d.precision) - 1e-9)));
-    std::string text = number_text(value, digits);
+    std::string text = decimal_text(value, digits);
     if (d.unit != "-") text += " " + d.unit;
     return text;
 }
@@ -57,10 +48,10 @@ std::string where_text(const std::string& hand, const std::string& phase) {
 }
 
 std::string excess_text(const MetricDescriptor& d, const GateResult& gate) {
-    if (gate.z) return number_text(*gate.z, 1) + " standard deviations from the experts";
+    if (gate.z) return decimal_text(*gate.z, 1) + " standard deviations from the experts";
     const double value = gated_value(d, *gate.value), limit = *gate.limit;
     if (d.direction == Direction::lower && limit > 0)
-        return number_text(100.0 * (value - limit) / limit, 0) + " % over";
+        return decimal_text(100.0 * (value - limit) / limit, 0) + " % over";
     return value_text(d, std::abs(value - limit)) + (d.direction == Direction::lower ? " over" : " short");
 }
 
@@ -78,9 +69,7 @@ std::string sentence_of(const ScoreInput& input, const GateResult& gate) {
 
 std::string clock_text(double t) {
     const auto seconds = static_cast<int>(std::max(0.0, t));
-    char text[32];
-    std::snprintf(text, sizeof text, "%d:%02d", seconds / 60, seconds % 60);
-    return text;
+    return std::to_string(seconds / 60) + (seconds % 60 < 10 ? ":0" : ":") + std::to_string(seconds % 60);
 }
 
 Advice critical_advice(const ScoreInput& input, const CriticalError& error) {

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 #include "assessment/learning/statistics.h"
 #include "assessment/metrics/registry.h"
 #include "assessment/scoring/gate_rules.h"
+#include "sim_core/numerics/number_text.h"
 
 namespace fulcrum {
 
@@ -16,12 +16,6 @@ namespace {
 
 constexpr int fewest_experts_left = 6;
 constexpr int first_k = 20, last_k = 30;  // tenths
-
-std::string fixed(double value, int digits) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*f", digits, value);
-    return text;
-}
 
 std::string level_name(const BenchmarkLevel& level) {
     std::string name = level.metric;
@@ -198,7 +192,7 @@ void log_levels(const BenchmarkSet& set, std::vector<std::string>& log) {
                           " left out, mean beyond 1.96 SD of the experts' means");
         if (level.absolute_limit)
             log.push_back(level_name(level) + ": takes no z, absolute limit " +
-                          fixed(*level.absolute_limit, 4) + " " + level.unit +
+                          decimal_text(*level.absolute_limit, 4) + " " + level.unit +
                           ", the worst counted expert value");
     }
 }
@@ -240,12 +234,13 @@ BenchmarkBuild build_benchmark(const TaskDefinition& task, const BenchmarkReques
         if (set.expert_pass_share >= 1.0 - request.p0 - 1e-12) break;
     }
     for (const auto& [gate, count] : failures)
-        build.log.push_back("k " + fixed(set.k, 1) + ": " + gate + " not met by " + std::to_string(count) +
-                            " expert attempts with their expert left out");
+        build.log.push_back("k " + decimal_text(set.k, 1) + ": " + gate + " not met by " +
+                            std::to_string(count) + " expert attempts with their expert left out");
     if (set.expert_pass_share < 1.0 - request.p0 - 1e-12) {
-        build.refusal = "only " + fixed(100.0 * set.expert_pass_share, 1) +
-                        " % of the experts' own attempts pass all gates even at k = " + fixed(set.k, 1) +
-                        " where " + fixed(100.0 * (1.0 - request.p0), 1) + " % are needed";
+        build.refusal =
+            "only " + decimal_text(100.0 * set.expert_pass_share, 1) +
+            " % of the experts' own attempts pass all gates even at k = " + decimal_text(set.k, 1) +
+            " where " + decimal_text(100.0 * (1.0 - request.p0), 1) + " % are needed";
         return build;
     }
     build.set = std::move(set);

@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "assessment/trace/utf8.h"
+#include "sim_core/numerics/files.h"
 #include "sim_core/numerics/input_error.h"
 
 namespace fulcrum {
@@ -357,6 +358,7 @@ Trace read_trace_csv(std::istream& in, const std::string& file) {
 }
 
 Trace read_trace_csv(const std::string& path) {
+    require_regular_file(path);
     std::ifstream in(path, std::ios::binary);
     if (!in) throw InputError(path, "", "the file cannot be opened", "check the path and its permissions");
     return read_trace_csv(in, path);

@@ -13,6 +13,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "sim_core/numerics/files.h"
 #include "sim_core/numerics/input_error.h"
 
 namespace fulcrum {
@@ -163,6 +164,7 @@ TriangleMesh parse_obj(const std::string& text, const std::string& name, const M
 }
 
 TriangleMesh read_obj(const std::string& path, const MeshLimits& limits) {
+    require_regular_file(path);
     std::ifstream file(path, std::ios::binary | std::ios::ate);
     if (!file)
         throw InputError(path, "", "the file cannot be opened", "check the path and the read permission");

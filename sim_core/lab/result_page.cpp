@@ -3,8 +3,7 @@
 
 #include <filesystem>
 
-#include "sim_core/numerics/input_error.h"
-#include "sim_core/numerics/output_file.h"
+#include "sim_core/numerics/files.h"
 
 namespace fulcrum::lab {
 namespace {
@@ -98,13 +97,7 @@ std::vector<std::string> ResultPage::write(const std::string& folder, const Mach
     std::vector<std::string> paths;
     const auto put = [&](const std::string& name, const std::string& bytes) {
         const std::string path = (std::filesystem::path(folder) / name).string();
-        try {
-            write_output_file(path, bytes);
-        } catch (const std::system_error& error) {
-            throw InputError("command line", "--output",
-                             "cannot write the file " + path + " (" + error.code().message() + ")",
-                             "give a writable folder");
-        }
+        write_whole_file(path, bytes);
         paths.push_back(path);
     };
     put(id_ + ".md", text(machine));

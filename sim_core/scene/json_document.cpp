@@ -6,6 +6,8 @@
 #include <set>
 #include <sstream>
 
+#include "sim_core/numerics/files.h"
+
 namespace fulcrum {
 namespace {
 
@@ -146,6 +148,7 @@ std::string syntax_text(const std::string& what) {
 }  // namespace
 
 std::string read_text_file(const std::string& path, std::size_t limit) {
+    require_regular_file(path);
     std::ifstream stream(path, std::ios::binary);
     if (!stream)
         throw InputError(path, "", "the file cannot be opened",

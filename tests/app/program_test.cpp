@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program as other programs see it: exit statuses, JSON, errors that name file, place and hint.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <QCoreApplication>
 #include <QFile>
@@ -14,6 +15,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/german_locale.h"
 #include "tests/support/support.h"
 
 namespace fulcrum::app {
@@ -27,8 +29,10 @@ struct Outcome {
 
 class Program : public ::testing::Test {
   protected:
-    Outcome run(const QStringList& words) const {
+    Outcome run(const QStringList& words,
+                const QProcessEnvironment& environment = QProcessEnvironment::systemEnvironment()) const {
         QProcess process;
+        process.setProcessEnvironment(environment);
         process.setWorkingDirectory(folder.path());
         process.start(QStringLiteral(FULCRUM_PROGRAM), words);
         EXPECT_TRUE(process.waitForFinished(240000));
@@ -192,6 +196,65 @@ TEST_F(Program, MeasuresAnyTrace) {
             EXPECT_NEAR(row["value"].get<double>(), 100.0, 0.1) << (abrupt ? "abrupt" : "smooth");
         }
         EXPECT_TRUE(found);
+    }
+}
+
+TEST_F(Program, RefusesPipesFoldersAndDevicesWithoutWaiting) {
+    ASSERT_EQ(mkfifo(path("pipe").toLocal8Bit().constData(), 0600), 0);
+    for (const QString& file : {path("pipe"), folder.path(), QStringLiteral("/dev/null")}) {
+        for (const QStringList& line : {QStringList{"check", file},
+                                        {"metrics", file},
+                                        {"lab", "run", file},
+                                        {"perform", "A2", "--input", file}}) {
+            const Outcome outcome = run(line);
+            EXPECT_EQ(outcome.status, 2) << line.join(' ').toStdString();
+            EXPECT_NE(outcome.errors.find("not a regular file"), std::string::npos) << outcome.errors;
+        }
+    }
+}
+
+TEST_F(Program, ReadsStandardInputForADash) {
+    write("trace.csv", "t\ns\n0\n0.1\n");
+    QProcess process;
+    process.setStandardInputFile(path("trace.csv"));
+    process.start(QStringLiteral(FULCRUM_PROGRAM), {"check", "-"});
+    ASSERT_TRUE(process.waitForFinished());
+    EXPECT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
+    EXPECT_NE(process.readAllStandardOutput().indexOf("trace, 2 samples"), -1);
+}
+
+TEST_F(Program, PrintsTheSameNumbersInAGermanLocale) {
+    const test::GermanLocale german;
+    if (!german.in_force()) GTEST_SKIP() << "localedef cannot make de_DE here";
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("LC_ALL", "C.UTF-8");
+    const nlohmann::json plain =
+        run({"perform", "A2", "--operator", "novice", "--seed", "3", "--db", path("a.db"), "--json"},
+            environment)
+            .json();
+    environment.insert("LC_ALL", "de_DE.UTF-8");
+    environment.insert("LOCPATH", QString::fromStdString(german.folder()));
+    const nlohmann::json translated =
+        run({"perform", "A2", "--operator", "novice", "--seed", "3", "--db", path("b.db"), "--json"},
+            environment)
+            .json();
+    for (const char* key : {"advice", "metrics", "gates", "points", "state_hash", "duration_s"})
+        EXPECT_EQ(plain[key], translated[key]) << key;
+}
+
+TEST_F(Program, ReportsOutputThatCannotBeWritten) {
+    const std::string program = FULCRUM_PROGRAM;
+    for (const char* target : {">/dev/full", ">&-", "| true"}) {
+        QProcess process;
+        process.start("bash",
+                      {"-o", "pipefail", "-c", QString::fromStdString("'" + program + "' manual " + target)});
+        ASSERT_TRUE(process.waitForFinished());
+        if (std::string(target) == "| true" && process.exitCode() == 0)
+            continue;  // all of it fitted into the pipe
+        EXPECT_EQ(process.exitCode(), 1) << target;
+        const std::string errors = process.readAllStandardError().toStdString();
+        EXPECT_NE(errors.find("fulcrum: standard output: "), std::string::npos) << target << ": " << errors;
+        EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 1) << errors;
     }
 }
 

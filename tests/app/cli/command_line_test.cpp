@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every command that reads or writes people's data, as every role, on every kind of person: allowed or
-// refused as docs/MANUAL.md says, scope included.   The commands run in this process by the call that main()
+// refused as docs/MANUAL.md says, scope included. The commands run in this process by the call that main()
 // makes.
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <map>
 #include <sstream>
 
-#include "app/cli/commands.h"
+#include "app/services/program.h"
 #include "database/rows/connection.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/app/access_programme.h"
@@ -221,7 +221,7 @@ TEST_F(CommandLine, ScoresWhatWasInterruptedAsTheTableSays) {
     }
 }
 
-TEST_F(CommandLine, WrongInputOfTheNewActionsNamesPlaceAndMend) {
+TEST_F(CommandLine, WrongInputNamesThePlaceAndTheHint) {
     const std::vector<std::vector<std::string>> wrong = {
         {"db", "audit", "--from", "yesterday"},
         {"db", "audit", "--from", "2026-02-30"},

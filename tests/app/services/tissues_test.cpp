@@ -12,13 +12,14 @@
 #include <iostream>
 #include <sstream>
 
-#include "app/cli/commands.h"
 #include "app/live/performance.h"
 #include "app/services/application.h"
+#include "app/services/program.h"
 #include "app/site_tissues.h"
 #include "database/records/tissues.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/app/access_programme.h"
+#include "tests/support/german_locale.h"
 #include "tests/ui/hands.h"
 #include "ui/shell/main_window.h"
 
@@ -179,6 +180,7 @@ TEST_F(SiteTissue, EducatorsSetThemOnTheirPageAndTheBriefingSaysSo) {
 }
 
 TEST_F(SiteTissue, TheCommandLineReadsAndSetsAsTheTableSays) {
+    const fulcrum::test::GermanLocale german;  // numbers have a decimal point all the same
     programme.store.reset();
     const std::string password_file = programme.folder.filePath("password.txt").toStdString();
     QFile out(QString::fromStdString(password_file));
@@ -221,6 +223,7 @@ TEST_F(SiteTissue, TheCommandLineReadsAndSetsAsTheTableSays) {
         {{"tissues", "B2", "--set", "bone.penetrate_n=1", "--reason", "x"}, "use one of areolar"},
         {{"tissues", "B2", "--set", "areolar.penetrate_n=0.2"}, "no reason"},
         {{"tissues", "B2", "--set", "areolar.penetrate_n", "--reason", "x"}, "write TISSUE.KEY=NUMBER"},
+        {{"tissues", "B2", "--set", "areolar.penetrate_n=nan", "--reason", "x"}, "write TISSUE.KEY=NUMBER"},
         {{"tissues", "B2", "--set", "areolar.penetrate_n=0.11", "--reason", "x"}, "in force already"},
         {{"tissues", "Z9"}, "no task"},
     };

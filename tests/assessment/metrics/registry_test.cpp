@@ -151,7 +151,7 @@ TEST(Json, OfATraceFile) {
         std::ofstream out(path);
         write_trace_csv(trace, out);
     }
-    const nlohmann::json json = metrics_of_csv(path);
+    const nlohmann::json json = metrics_of_trace(read_trace_csv(path), path);
     EXPECT_EQ(json.at("samples"), 1201);
     EXPECT_NEAR(json.at("mean_rate_hz").get<double>(), 200.0, 1e-6);
     const std::vector<MetricResult> results = metrics_from_json(json.at("metrics"), path);

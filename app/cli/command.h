@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One table describes every command and its options. Parsing, --help, the shell completion and the man page
+// are all made from it.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/cli/arguments.h"
+
+namespace fulcrum::app {
+
+struct Option {
+    std::string name;                       ///< "--seed"
+    std::string argument = {};              ///< "N"; empty: a flag
+    std::string help = {};                  ///< one sentence, shown by --help and in the man page
+    std::string fallback = {};              ///< what holds without the option; shown where not empty
+    std::vector<std::string> choices = {};  ///< the allowed arguments; empty: any
+    std::string letter = {};                ///< "-o"
+};
+
+struct Command {
+    std::string name;   ///< "db backup": a group and an action, or one word
+    std::string words;  ///< "TASK", "FILE...", "[N]"
+    std::size_t minimum_words = 0, maximum_words = 0;
+    std::string help;  ///< one sentence
+    std::vector<Option> options = {};
+    std::function<int(const Arguments&)> run = {};
+    bool draws = false;        ///< needs QApplication: fonts or OpenGL
+    std::string details = {};  ///< a paragraph for --help and the man page
+
+    const Option* option(const std::string& word) const;
+    std::string usage() const;  ///< "fulcrum db backup TO [options]"
+};
+
+/// What one command line asks for.
+struct Invocation {
+    const Command* command = nullptr;  ///< null: only `text` is printed
+    Arguments arguments;
+    std::string text;
+
+    bool draws() const { return command != nullptr && command->draws; }
+    /// The exit status. Throws InputError and what the command throws.
+    int run() const;
+};
+
+class CommandTable {
+  public:
+    /// `version`: what --version prints after the program's name.
+    CommandTable(std::vector<Command> commands, std::string version);
+    const std::vector<Command>& commands() const { return commands_; }
+    /// Throws UsageError: unknown command or option (naming the nearest), wrong number of words, an argument
+    /// that is missing, empty, given twice, not UTF-8 or not one of the choices.
+    Invocation parse(const std::vector<std::string>& words) const;
+
+    std::string help() const;
+    /// Of a command or of a group such as "db". Throws UsageError for any other name.
+    std::string help(const std::string& name) const;
+    std::string manual() const;  ///< fulcrum.1, in roff
+    /// A completion script. Throws UsageError for any shell but bash and zsh.
+    std::string completion(const std::string& shell) const;
+
+  private:
+    const Command* find(const std::string& name) const;
+    bool is_group(const std::string& name) const;
+    std::vector<std::string> names() const;  ///< of commands and groups, as the first word
+    std::vector<std::string> names_in(const std::string& group) const;
+    std::string action_of(std::vector<std::string>& words) const;
+    std::vector<Command> commands_;
+    std::string version_;
+};
+
+/// The one of `known` that `word` is most likely a misspelling of; empty: none is near.
+std::string nearest(const std::string& word, const std::vector<std::string>& known);
+
+}  // namespace fulcrum::app

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/terminal.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <iostream>
+
+#include "app/cli/arguments.h"
+
+namespace fulcrum::app {
+namespace {
+
+constexpr std::array<int, 5> caught = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP};
+constexpr std::size_t longest_password = 4096;
+
+volatile std::sig_atomic_t signal_seen = 0;
+
+void note_signal(int number) {
+    signal_seen = number;
+}
+
+/// The terminal without echo, and signals noted instead of obeyed, while it exists.
+class SilentTerminal {
+  public:
+    SilentTerminal() {
+        signal_seen = 0;
+        struct sigaction note {};
+        note.sa_handler = note_signal;  // without SA_RESTART: read() returns
+        sigemptyset(&note.sa_mask);
+        for (std::size_t i = 0; i < caught.size(); ++i) sigaction(caught[i], &note, &actions_[i]);
+        tcgetattr(STDIN_FILENO, &before_);
+        termios silent = before_;
+        silent.c_lflag &= ~static_cast<tcflag_t>(ECHO);
+        tcsetattr(STDIN_FILENO, TCSAFLUSH, &silent);
+    }
+    SilentTerminal(const SilentTerminal&) = delete;
+    SilentTerminal& operator=(const SilentTerminal&) = delete;
+    ~SilentTerminal() {
+        tcsetattr(STDIN_FILENO, TCSAFLUSH, &before_);
+        for (std::size_t i = 0; i < caught.size(); ++i) sigaction(caught[i], &actions_[i], nullptr);
+    }
+
+  private:
+    termios before_{};
+    std::array<struct sigaction, caught.size()> actions_{};
+};
+
+/// The line before its newline; ends early at a signal.
+std::string read_line() {
+    std::string line;
+    for (char c = 0; line.size() < longest_password;) {
+        const ssize_t count = read(STDIN_FILENO, &c, 1);
+        if (count < 0 && errno == EINTR && signal_seen == 0) continue;
+        if (count <= 0 || c == '\n') break;
+        line += c;
+    }
+    return line;
+}
+
+}  // namespace
+
+std::string ask_password(const std::string& login) {
+    if (isatty(STDIN_FILENO) == 0)
+        throw UsageError("--as", "there is no terminal to ask for a password", "give --password-file FILE");
+    for (;;) {
+        std::cerr << "Password of " << login << ": " << std::flush;
+        std::string line;
+        {
+            const SilentTerminal silent;
+            line = read_line();
+        }
+        std::cerr << '\n';
+        if (signal_seen == 0) {
+            if (line.empty()) throw UsageError("--as", "no password was typed", "type it and press Enter");
+            return line;
+        }
+        std::raise(signal_seen);  // now as the shell expects; a stopped program asks again when resumed
+    }
+}
+
+std::string read_password(const std::string& path) {
+    const auto fail = [&](const char* problem) {
+        return InputError(path, "", problem, "name a file with the password on its first line");
+    };
+    // Without O_NONBLOCK a named pipe that nobody writes to would hold the program here.
+    const int file = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    if (file < 0) throw fail("cannot be read");
+    std::string text;
+    bool failed = false;
+    while (text.size() < longest_password && text.find('\n') == std::string::npos) {
+        std::array<char, 256> part{};
+        const ssize_t count = read(file, part.data(), part.size());
+        if (count > 0) {
+            text.append(part.data(), static_cast<std::size_t>(count));
+        } else if (count < 0 && errno == EAGAIN) {
+            pollfd wait{file, POLLIN, 0};
+            poll(&wait, 1, -1);
+        } else if (count == 0 || errno != EINTR) {
+            failed = count < 0;
+            break;
+        }
+    }
+    close(file);
+    if (failed) throw fail("cannot be read");
+    text.resize(std::min(text.size(), text.find('\n')));
+    if (text.empty()) throw fail("its first line is empty");
+    return text;
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fulcrum lab experiment: the experiments of assets/experiments as pages with pictures.
+#include "app/cli/laboratory.h"
+#include "app/services/experiment.h"
+#include "app/services/program.h"
+
+namespace fulcrum::app {
+namespace {
+
+int run_experiments(const Arguments& arguments) {
+    if (!arguments.has("--output"))
+        throw UsageError("--output", "is missing", "name the folder for pages and pictures: --output FOLDER");
+    const std::vector<std::string> files = arguments.words().empty() ? experiment_files() : arguments.words();
+    make_output(arguments);
+    for (const std::string& file : files) deliver(arguments, experiment_page(file), {});
+    return 0;
+}
+
+}  // namespace
+
+Command experiment_command() {
+    return {"lab experiment",
+            "[FILE.json]",
+            0,
+            1,
+            "Runs one experiment, or all of assets/experiments, and draws its pictures.",
+            {page_option()},
+            run_experiments,
+            true};
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fulcrum report: progress on paper and as data, from the query that the screens use.
+#include <iostream>
+
+#include "app/assets.h"
+#include "app/services/application.h"
+#include "app/services/program.h"
+#include "assessment/task/task.h"
+#include "ui/reports/report.h"
+
+namespace fulcrum::app {
+
+namespace {
+
+int run_report(const Arguments& arguments) {
+    if (arguments.has("--person") + arguments.has("--cohort") + arguments.has("--attempt") != 1)
+        throw UsageError("report", "needs exactly one of --person, --cohort and --attempt",
+                         "give one of them");
+    if (!arguments.has("--output"))
+        throw UsageError("--output", "is missing", "name the file to write: -o FILE");
+    ui::ReportRequest request;
+    request.format = ui::parse_report_format(arguments.value_or("--format", "pdf"));
+    request.path = *arguments.value("--output");
+
+    const database::Store store = open_store(arguments, false);
+    const database::Session session = person_session(arguments, store);
+    if (arguments.has("--person")) {
+        request.person_id = person_named(arguments, store, session);
+    } else if (const auto attempt = arguments.value("--attempt")) {
+        request.attempt_id = *attempt;
+    } else {
+        const std::string name = *arguments.value("--cohort");
+        const auto cohort = database::People(store).find_cohort(session, name);
+        if (!cohort)
+            throw InputError("--cohort", "", "no cohort '" + name + "' that you may read",
+                             "name a cohort of this store");
+        request.cohort_id = cohort->id;
+    }
+    std::vector<TaskDefinition> tasks;
+    for (const std::string& id : task_ids()) tasks.push_back(load_task(task_file(id)));
+    const std::vector<std::string> files = ui::write_report(store, session, request, tasks, version_line());
+    if (arguments.has("--json")) {
+        print_json({{"files", files}});
+    } else {
+        for (const std::string& file : files) std::cout << "wrote " << file << '\n';
+    }
+    return 0;
+}
+
+}  // namespace
+
+Command report_command() {
+    return {"report",
+            "",
+            0,
+            0,
+            "Writes a progress report of a person, a cohort or an attempt; needs --as.",
+            joined({{"--person", "LOGIN", "A report of this person."},
+                    {"--cohort", "NAME", "A report of this cohort."},
+                    {"--attempt", "ID", "A report of this attempt."},
+                    {"--format", "FORMAT", "The kind of file.", "pdf", {"pdf", "csv", "json"}},
+                    {"--output", "FILE", "The file to write.", "", {}, "-o"}},
+                   session_options()),
+            run_report,
+            true};
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole command line: the commands without a window, and those that draw reports and pictures.
+#pragma once
+
+#include "app/cli/commands.h"
+
+namespace fulcrum::app {
+
+const CommandTable& program_commands();
+/// Parses and runs one command line in this process. Throws InputError and what the command throws.
+int run_command(const std::vector<std::string>& words);
+
+Command report_command();
+Command demonstrate_command();
+Command experiment_command();  ///< lab experiment
+
+}  // namespace fulcrum::app

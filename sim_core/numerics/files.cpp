@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_core/numerics/files.h"
+
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "sim_core/numerics/input_error.h"
+#include "sim_core/numerics/output_file.h"
+
+namespace fulcrum {
+namespace {
+
+InputError unwritable(const std::string& path, const std::system_error& error) {
+    return InputError(path.empty() ? "''" : path, "", "cannot be written (" + error.code().message() + ")",
+                      "name a regular file in a folder that can be written and has space");
+}
+
+const char* kind_of(const struct stat& status) {
+    return S_ISDIR(status.st_mode)    ? "a folder"
+           : S_ISFIFO(status.st_mode) ? "a pipe"
+           : S_ISSOCK(status.st_mode) ? "a socket"
+                                      : "a device";
+}
+
+}  // namespace
+
+void require_regular_file(const std::string& path) {
+    struct stat status {};
+    if (stat(path.c_str(), &status) != 0)
+        throw InputError(path, "", "cannot be read (" + std::generic_category().message(errno) + ")",
+                         "check the path and the permission to read it");
+    if (!S_ISREG(status.st_mode))
+        throw InputError(path, "", std::string("is ") + kind_of(status) + ", not a regular file",
+                         "name a regular file");
+}
+
+void require_writable_file(const std::string& path) {
+    try {
+        if (path.empty()) throw std::system_error(ENOENT, std::generic_category());
+        const OutputFile file(path);
+    } catch (const std::system_error& error) {
+        throw unwritable(path, error);
+    }
+}
+
+void write_whole_file(const std::string& path, const std::string& bytes) {
+    require_writable_file(path);
+    try {
+        write_output_file(path, bytes);
+    } catch (const std::system_error& error) {
+        throw unwritable(path, error);
+    }
+}
+
+}  // namespace fulcrum
