@@ -143,7 +143,7 @@ std::vector<Comment> Reviews::drafts(const Session& educator) const {
 }
 
 std::vector<Comment> Reviews::unread(const Session& trainee) const {
-    store_.require(trainee, Operation::mark_comment_read, Subject::person(trainee.person_id()));
+    store_.require(trainee, Operation::read_comment, Subject::person(trainee.person_id()));
     Query rows(
         store_.connection(),
         QString(columns) + "WHERE a.person_id = ? AND c.sent > 0 AND c.read = 0 ORDER BY c.sent DESC, c.id");

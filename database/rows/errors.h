@@ -53,7 +53,17 @@ class AccessDenied : public std::runtime_error {
     AccessDenied(const std::string& operation, const std::string& role, const std::string& why)
         : std::runtime_error("not allowed: " + operation + " as " + role +
                              (why.empty() ? "" : " (" + why + ")") +
-                             "; act in a role that may, or ask someone who holds it") {}
+                             "; act in a role that may, or ask someone who holds it"),
+          operation_(operation),
+          role_(role),
+          why_(why) {}
+    /// As in the access table; names for programs, which screens put into words.
+    const std::string& operation() const noexcept { return operation_; }
+    const std::string& role() const noexcept { return role_; }
+    const std::string& why() const noexcept { return why_; }
+
+  private:
+    std::string operation_, role_, why_;
 };
 
 /// Sign-in refused. Never says whether the login exists.

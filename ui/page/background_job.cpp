@@ -6,6 +6,7 @@
 #include <QRunnable>
 #include <QThreadPool>
 
+#include "ui/page/error_text.h"
 #include "ui/page/mail_room.h"
 #include "ui/style/widgets.h"
 
@@ -50,7 +51,7 @@ BackgroundJob* BackgroundJob::run(QObject* parent, std::function<void(const Prog
         try {
             work(progress);
         } catch (const std::exception& problem) {
-            error = QString::fromUtf8(problem.what());
+            error = error_text(problem);
             threw = true;
         }
         ui_thread->post([guard, stop, done, failed, error, threw] {

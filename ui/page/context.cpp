@@ -5,6 +5,7 @@
 
 #include "database/rows/errors.h"
 #include "ui/page/background_job.h"
+#include "ui/page/error_text.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
@@ -41,14 +42,16 @@ void Context::score_interrupted() {
         [this](const QString& why) {
             scoring_ = nullptr;
             complain(
-                tr("What was interrupted could not be scored now, and is tried again at the next sign-in: %1")
+                tr("Interrupted attempts could not be scored now. It is tried again at the next sign-in: %1")
                     .arg(why));
         });
 }
 
 bool Context::allowed(database::Operation operation, const database::Subject& subject) {
-    return session_.has_value() && services_.store() != nullptr &&
-           store().allowed(*session_, operation, subject);
+    if (!session_.has_value() || services_.store() == nullptr) return false;
+    bool answer = false;
+    guarded([&] { answer = store().allowed(*session_, operation, subject); });
+    return answer;
 }
 
 const TaskDefinition* Context::task(const std::string& id) {
@@ -68,7 +71,7 @@ bool Context::guarded(const std::function<void()>& work) {
         work();
         return true;
     } catch (const std::exception& error) {
-        complain(QString::fromUtf8(error.what()));
+        complain(error_text(error));
         return false;
     }
 }

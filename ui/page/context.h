@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every page shares: the services, who is signed in, and the way to other pages. UI thread.
+// What every page shares: the services, who is signed in, and how to reach other pages. UI thread.
 #pragma once
 
 #include <QObject>
@@ -29,7 +29,8 @@ class Context : public QObject {
     const database::Session& session() const { return *session_; }
     void set_session(const database::Session& session);
     void sign_out();
-    /// What the store will say; false while nobody is signed in.
+    /// What the store will answer; false while nobody is signed in, and if the store cannot be read (reported
+    /// as by guarded()).
     bool allowed(database::Operation operation, const database::Subject& subject = {});
 
     const TaskDefinition* task(const std::string& id);
@@ -40,11 +41,11 @@ class Context : public QObject {
     bool guarded(const std::function<void()>& work);
     void say(const QString& line) { emit message(line, false); }
     void complain(const QString& line) { emit message(line, true); }
-    /// What was interrupted before and got its score at this sign-in.
+    /// Attempts that were interrupted earlier and were scored at this sign-in.
     const std::vector<InterruptedScore>& interrupted() const { return interrupted_; }
     /// Asks for those scores on a thread of its own; interrupted_scored() follows if there were any.
     void score_interrupted();
-    /// Devices that are no mouse or keyboard keep the lock away through this.
+    /// Devices other than mouse and keyboard report their activity here, so that the window does not lock.
     void note_input() { emit input_seen(); }
 
   signals:

@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <exception>
 
+#include "ui/page/error_text.h"
+
 namespace fulcrum::ui {
 
 bool WindowApplication::notify(QObject* receiver, QEvent* event) {
@@ -11,7 +13,7 @@ bool WindowApplication::notify(QObject* receiver, QEvent* event) {
         return QApplication::notify(receiver, event);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "fulcrum: %s\n", error.what());
-        if (trouble_) trouble_(QString::fromUtf8(error.what()));
+        if (trouble_) trouble_(error_text(error));
         return true;
     }
 }

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/page/error_text.h"
+
+#include <QCoreApplication>
+
+#include "database/rows/errors.h"
+#include "ui/style/text.h"
+
+namespace fulcrum::ui {
+namespace {
+
+struct Words {
+    const char* name;
+    const char* shown;
+};
+
+// clang-format off
+/// Operations of database/access.h and what else the store refuses.
+constexpr Words operations[] = {
+    {"read_sign_in_list", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "see who signed in here")},
+    {"list_people", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "see the list of people")},
+    {"manage_people", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "add or change people")},
+    {"manage_roles", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "change roles")},
+    {"issue_one_time_password", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "issue a one-time password")},
+    {"change_password", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "change this password")},
+    {"create_synthetic", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "create synthetic people")},
+    {"list_cohorts", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "see the cohorts")},
+    {"manage_cohorts", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "change cohorts")},
+    {"perform_attempt", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "perform an attempt")},
+    {"read_attempt", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "open this attempt")},
+    {"read_trace", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "read the recording of this attempt")},
+    {"read_progress", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "see this person's progress")},
+    {"read_cohort_table", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "see this cohort")},
+    {"score_interrupted", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "score interrupted attempts")},
+    {"recompute_score", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "recompute scores")},
+    {"comment", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "comment on this attempt")},
+    {"read_comment", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "read the comments on this attempt")},
+    {"mark_comment_read", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "mark comments as read")},
+    {"void_attempt", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "void this attempt")},
+    {"reassign_attempt", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "reassign this attempt")},
+    {"request_correction", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "ask for a correction of this attempt")},
+    {"read_requests", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "read requests for corrections")},
+    {"export_person", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "export this person's data")},
+    {"export_cohort", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "export this cohort's data")},
+    {"view_audit", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "read the audit log")},
+    {"check_store", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "check the store")},
+    {"backup", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "back up the store")},
+    {"manage_settings", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "change settings")},
+    {"read_tissues", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "see the tissue values")},
+    {"set_tissues", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "change the tissue values")},
+    {"act_as", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "act in this role")},
+    {"demo_session", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "use this demonstration account")},
+    {"seal_demo", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "close the demonstration programme")},
+    {"build_demo", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "build the demonstration")},
+};
+/// Why it was refused.
+constexpr Words reasons[] = {
+    {"not in this role", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "This role does not include it.")},
+    {"the demo takes practice attempts only", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The demonstration accepts practice attempts only.")},
+    {"outside this role's people", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The person is not in your care.")},
+    {"nobody does this to their own attempt", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "Nobody may do this to their own attempt.")},
+    {"signed in to another store", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "You are signed in to another programme. Sign in again.")},
+    {"demo people exist in the demo store only", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "Demonstration accounts exist in the demonstration only.")},
+    {"demo stores only", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "This is possible in the demonstration only.")},
+    {"the account is no longer active", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The account is no longer active.")},
+    {"the role was withdrawn", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The role was withdrawn. Sign in again.")},
+    {"the one-time password must be changed first", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "Change the one-time password first.")},
+    {"the role is not held", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "You do not hold this role.")},
+    {"someone else's login", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "It belongs to another account.")},
+    {"someone else's comment", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The comment belongs to another person.")},
+};
+// clang-format on
+
+template <std::size_t N>
+QString words_of(const std::string& name, const Words (&table)[N]) {
+    for (const Words& row : table) {
+        if (name == row.name) return QCoreApplication::translate("fulcrum::ui::errors", row.shown);
+    }
+    return {};
+}
+
+}  // namespace
+
+QString error_text(const std::exception& error) {
+    const auto* denied = dynamic_cast<const database::AccessDenied*>(&error);
+    if (denied == nullptr) return QString::fromUtf8(error.what());
+    const QString operation = words_of(denied->operation(), operations);
+    QString line = operation.isEmpty()
+                       ? QCoreApplication::translate("fulcrum::ui::errors", "You may not do this as %1.")
+                             .arg(role_text(denied->role()))
+                       : QCoreApplication::translate("fulcrum::ui::errors", "You may not %1 as %2.")
+                             .arg(operation, role_text(denied->role()));
+    const QString reason = words_of(denied->why(), reasons);
+    if (!reason.isEmpty()) line += QLatin1Char(' ') + reason;
+    return line;
+}
+
+}  // namespace fulcrum::ui
