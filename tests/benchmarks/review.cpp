@@ -118,7 +118,7 @@ std::optional<AttemptModel> load(const Hour& record) {
 void fill(TimeChart& chart, const AttemptModel& model) {
     chart.clear();
     for (std::size_t h = 0; h < hand_count; ++h)
-        chart.add_series(h == 0 ? "left" : "right", Qt::blue, Qt::SolidLine, model.force[h]);
+        chart.add_series(h == 0 ? "left" : "right", &Palette::left_hand, Qt::SolidLine, model.force[h]);
     chart.show_all();
 }
 

@@ -8,7 +8,6 @@
 
 #include "database/records/people.h"
 #include "ui/page/background_job.h"
-#include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -204,7 +203,7 @@ void AuditPage::show_entries(const std::vector<database::AuditEntry>& entries) {
 
 void AuditPage::verify() {
     leave();
-    chain_->setText(tr("The chain is being read …"));
+    chain_->setText(tr("Checking the audit log …"));
     chain_->setStyleSheet({});
     auto state = std::make_shared<ChainState>();
     job_ = BackgroundJob::run(
@@ -219,19 +218,18 @@ void AuditPage::verify() {
         [this, state] {
             job_ = nullptr;
             const bool holds = state->problems.empty();
-            QString line = holds ? tr("✓ The chain holds: %1 rows, head %2")
-                                 : tr("✕ The chain is broken: %1 rows, head %2");
+            QString line = holds ? tr("✓ The audit log is intact: %1 rows, newest hash %2")
+                                 : tr("✕ The audit log is damaged: %1 rows, newest hash %2");
             line = line.arg(state->rows).arg(text(state->head));
             for (std::size_t i = 0; i < std::min<std::size_t>(5, state->problems.size()); ++i)
                 line += QLatin1Char('\n') + text(state->problems[i]);
             if (state->problems.size() > 5) line += tr("\nand %1 more").arg(state->problems.size() - 5);
             chain_->setText(line);
-            chain_->setStyleSheet(
-                QStringLiteral("color: %1").arg((holds ? colours().good : colours().bad).name()));
+            set_tint(chain_, holds ? Tint::good : Tint::bad);
         },
         [this](const QString& why) {
             job_ = nullptr;
-            chain_->setText(tr("The chain could not be read: %1").arg(why));
+            chain_->setText(tr("The audit log could not be read: %1").arg(why));
         });
 }
 

@@ -56,6 +56,7 @@ void TimeChart::restyle() {
         axis->setGridLineColor(p.line);
         axis->setLinePenColor(p.line);
     }
+    for (Series& series : series_) series.line->setPen(QPen(p.*series.colour, 1.6, series.pen));
     setBackgroundBrush(p.card);
 }
 
@@ -75,15 +76,15 @@ void TimeChart::clear() {
     cursor_ = -1;
 }
 
-void TimeChart::add_series(const QString& name, const QColor& colour, Qt::PenStyle pen,
+void TimeChart::add_series(const QString& name, QColor Palette::*colour, Qt::PenStyle pen,
                            std::shared_ptr<const MinMaxPyramid> samples) {
     auto* line = new QLineSeries;
     line->setName(name);
-    line->setPen(QPen(colour, 1.6, pen));
+    line->setPen(QPen(colours().*colour, 1.6, pen));
     chart()->addSeries(line);
     line->attachAxis(x_axis_);
     line->attachAxis(y_axis_);
-    series_.push_back({line, std::move(samples)});
+    series_.push_back({line, colour, pen, std::move(samples)});
 }
 
 void TimeChart::add_limit(const QString& name, double value) {
@@ -200,11 +201,11 @@ void TimeChart::drawForeground(QPainter* painter, const QRectF& rect) {
     for (const ChartMark& mark : marks_) {
         if (mark.time < x_axis_->min() || mark.time > x_axis_->max()) continue;
         const double x = x_of(mark.time);
-        painter->setPen(QPen(mark.colour, mark.severe ? 1.6 : 1.0));
+        painter->setPen(QPen(p.*mark.colour, mark.severe ? 1.6 : 1.0));
         painter->drawLine(QPointF(x, area.top() - 8),
                           QPointF(x, mark.severe ? area.bottom() : area.top() + 2));
         if (mark.severe) {
-            painter->setBrush(mark.colour);
+            painter->setBrush(p.*mark.colour);
             painter->drawPolygon(QPolygonF({QPointF(x - 5, area.top() - 10), QPointF(x + 5, area.top() - 10),
                                             QPointF(x, area.top() - 1)}));
         }

@@ -5,11 +5,11 @@
 #pragma once
 
 #include <QChartView>
-#include <QColor>
 #include <memory>
 #include <vector>
 
 #include "ui/charts/decimation.h"
+#include "ui/style/palette.h"
 
 QT_CHARTS_BEGIN_NAMESPACE
 class QLineSeries;
@@ -21,8 +21,8 @@ namespace fulcrum::ui {
 struct ChartMark {
     double time = 0;
     QString text;
-    QColor colour;
-    bool severe = false;  ///< drawn as a filled triangle, others as a small line
+    QColor Palette::*colour = &Palette::neutral;  ///< looked up when painted: it follows the theme
+    bool severe = false;                          ///< drawn as a filled triangle, others as a small line
 };
 
 /// s between the ticks of an axis that shows `span` s > 0: 1, 2 or 5 times a power of ten, eight steps or
@@ -33,7 +33,7 @@ class TimeChart : public QtCharts::QChartView {
     Q_OBJECT
   public:
     explicit TimeChart(const QString& y_title, QWidget* parent = nullptr);
-    void add_series(const QString& name, const QColor& colour, Qt::PenStyle pen,
+    void add_series(const QString& name, QColor Palette::*colour, Qt::PenStyle pen,
                     std::shared_ptr<const MinMaxPyramid> samples);
     void add_limit(const QString& name, double value);
     void set_marks(std::vector<ChartMark> marks);
@@ -62,6 +62,8 @@ class TimeChart : public QtCharts::QChartView {
     void restyle();
     struct Series {
         QtCharts::QLineSeries* line = nullptr;
+        QColor Palette::*colour = &Palette::neutral;
+        Qt::PenStyle pen = Qt::SolidLine;
         std::shared_ptr<const MinMaxPyramid> data;
     };
     /// As many as the plot's width can show, never more than chart_point_limit.

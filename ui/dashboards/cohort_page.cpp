@@ -11,7 +11,6 @@
 #include "ui/page/background_job.h"
 #include "ui/reports/export_row.h"
 #include "ui/reports/report_export.h"
-#include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -32,7 +31,7 @@ QString cohort_cell_text(const database::CohortRow& row) {
     }
     if (row.device_class.empty()) return state;
     QString line = CohortPage::tr("%1 · attempts %2").arg(state).arg(row.attempts);
-    if (row.best_points) line += CohortPage::tr(" · best %1").arg(figure(*row.best_points));
+    if (row.best_points) line += CohortPage::tr(" · best %1").arg(points_text(*row.best_points));
     return line + QStringLiteral("\n") + device_class_text(row.device_class);
 }
 
@@ -105,7 +104,8 @@ void CohortPage::load() {
     export_->setVisible(!id.empty() &&
                         context().allowed(database::Operation::export_cohort, database::Subject::cohort(id)));
     if (id.empty()) {
-        summary_->setText(tr("There is no cohort yet; a director makes one under *Assign cohorts*."));
+        summary_->setText(
+            tr("There is no cohort yet. A director creates cohorts on the page \"Assign cohorts\"."));
         foot_->clear();
         return;
     }
@@ -143,8 +143,8 @@ void CohortPage::load() {
             } else {
                 cell->setText(cell->text() + QStringLiteral("\n") + cohort_cell_text(row));
             }
-            if (row.state == database::TaskState::passed) cell->setForeground(colours().good);
-            if (row.state == database::TaskState::open) cell->setForeground(colours().muted);
+            if (row.state == database::TaskState::passed) set_tint(cell, Tint::good);
+            if (row.state == database::TaskState::open) set_tint(cell, Tint::muted);
         }
     }
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);

@@ -27,7 +27,7 @@ ActionsCard::ActionsCard(Context& context) : context_(context) {
     void_ = make_button(tr("Void this attempt"), "void_attempt");
     reassign_ = make_button(tr("Reassign …"), "reassign_attempt");
     reassign_->setCheckable(true);
-    request_ = make_button(tr("Ask for a correction"), "request_correction");
+    request_ = make_button(tr("Request a correction"), "request_correction");
     for (QPushButton* button : {void_, reassign_, request_}) row->addWidget(button);
     card_layout(card)->addLayout(row);
 
@@ -69,13 +69,12 @@ void ActionsCard::open(const database::AttemptSummary& attempt) {
     right_person_row_->setVisible(false);
     request_->setVisible(can_ask);
     reason_->clear();
-    reason_->setPlaceholderText(can_void ? tr("reason, kept in the audit log") : tr("what is wrong with it"));
+    reason_->setPlaceholderText(can_void ? tr("reason, kept in the audit log")
+                                         : tr("what is wrong with this attempt"));
     hint_->setText(can_void
-                       ? tr("Voiding takes the attempt out of progress, cohorts and benchmarks; it stays "
-                            "visible, struck "
-                            "through, with your reason. Reassigning voids it too and writes a copy, with "
-                            "trace and score, "
-                            "for the person who performed it.")
+                       ? tr("Voiding removes the attempt from progress, cohorts and benchmarks. It stays "
+                            "visible, struck through, with your reason. Reassigning voids it as well and "
+                            "stores a copy, with recording and score, for the person who performed it.")
                        : tr("Wrong person, or a mistaken attempt? An educator can void or reassign it."));
 }
 
@@ -103,7 +102,7 @@ std::string ActionsCard::reason(const QString& missing) {
 }
 
 void ActionsCard::void_attempt() {
-    const std::string words = reason(tr("A reason is needed."));
+    const std::string words = reason(tr("Enter a reason."));
     if (words.empty()) return;
     if (context_.guarded([&] {
             database::Attempts(context_.store()).void_attempt(context_.session(), attempt_id_, words);
@@ -114,7 +113,7 @@ void ActionsCard::void_attempt() {
 }
 
 void ActionsCard::reassign() {
-    const std::string words = reason(tr("A reason is needed."));
+    const std::string words = reason(tr("Enter a reason."));
     if (words.empty()) return;
     const std::string person = plain(right_person_->currentData().toString());
     const QString name = right_person_->currentText();
@@ -127,7 +126,7 @@ void ActionsCard::reassign() {
 }
 
 void ActionsCard::ask_correction() {
-    const std::string words = reason(tr("Say what is wrong with it."));
+    const std::string words = reason(tr("Say what is wrong with this attempt."));
     if (words.empty()) return;
     if (context_.guarded([&] {
             database::Attempts(context_.store()).request_correction(context_.session(), attempt_id_, words);

@@ -15,7 +15,7 @@ constexpr double fibres_line_s = 1;
 constexpr double crumb_m2 = 1e-6;  // nobody sees smaller pieces come free
 
 QString tr(const char* source) {
-    return QCoreApplication::translate("fulcrum::ui::debrief", source);
+    return QCoreApplication::translate("fulcrum::ui", source);
 }
 
 QString hand_words(const Event& event) {
@@ -75,7 +75,7 @@ QString event_words(const Event& event, const std::vector<std::string>& tissues)
             words = tr("Release");
             break;
         case EventKind::slip:
-            words = tr("Tissue slipped from the jaws");
+            words = tr("Tissue slipped out of the jaws");
             break;
         case EventKind::drop:
             words = tr("Dropped");
@@ -98,7 +98,7 @@ QString event_words(const Event& event, const std::vector<std::string>& tissues)
             words = tr("Pause");
             break;
         case EventKind::resume:
-            words = tr("Goes on");
+            words = tr("Resumed");
             break;
         case EventKind::device_lost:
             words = tr("Device lost");
@@ -140,7 +140,7 @@ QString event_words(const Event& event, const std::vector<std::string>& tissues)
             words = tr("Cut ends");
             break;
         case EventKind::fibres_parted:
-            words = tr("Fibres part under too much tension");
+            words = tr("Fibres tore under too much tension");
             break;
         case EventKind::piece_fallen:
             if (static_cast<double>(event.value) < crumb_m2) return {};

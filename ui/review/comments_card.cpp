@@ -66,7 +66,7 @@ void CommentsCard::fill() {
     for (const database::Comment& comment : comments) {
         const bool draft = comment.sent == 0;
         QString head = tr("%1 · %2").arg(clock_text(comment.time_s), text(comment.author_name));
-        if (draft) head += tr(" · draft, seen by you alone");
+        if (draft) head += tr(" · draft, visible only to you");
         if (!draft && own && comment.read == 0) head += tr(" · new");
         QPushButton* jump = make_button(head, "comment_moment", "link");
         connect(jump, &QPushButton::clicked, this, [this, time = comment.time_s] { emit time_chosen(time); });

@@ -45,6 +45,31 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
     pathology_ = new PathologyCard;
     content->addWidget(pathology_);
 
+    content->addLayout(build_replay());
+    content->addLayout(build_charts());
+    comments_ = new CommentsCard(context);
+    content->addWidget(comments_);
+    all_metrics_ = make_button(tr("All metrics"), "all_metrics");
+    content->addWidget(all_metrics_, 0, Qt::AlignLeft);
+    metrics_ =
+        make_table({tr("Metric"), tr("Hand"), tr("Tissue"), tr("Value"), tr("Better"), tr("Why absent")},
+                   "metrics_table");
+    metrics_->setMinimumHeight(320);
+    metrics_->hide();
+    content->addWidget(metrics_);
+    actions_ = new ActionsCard(context);
+    content->addWidget(actions_);
+    layout->addWidget(content_);
+    layout->addStretch();
+    content_->hide();
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(scrolled(body, 1240));
+
+    connect_parts();
+}
+
+QLayout* DebriefPage::build_replay() {
     auto* middle = new QHBoxLayout;
     middle->setSpacing(14);
     QFrame* replay_card = make_card(8);
@@ -60,12 +85,15 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
     events_->setObjectName(QStringLiteral("event_list"));
     events_->setAccessibleName(tr("What happened"));
     events_->setMinimumHeight(260);
+    events_->setItemDelegate(new TintDelegate(events_));
     events_->setWordWrap(true);
     events_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     card_layout(events_card)->addWidget(events_, 1);
     middle->addWidget(events_card, 2);
-    content->addLayout(middle);
+    return middle;
+}
 
+QLayout* DebriefPage::build_charts() {
     auto* charts = new QHBoxLayout;
     charts->setSpacing(14);
     QFrame* force_card = make_card(4);
@@ -75,38 +103,22 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
     force_->setMinimumHeight(290);
     card_layout(force_card)->addWidget(force_);
     card_layout(force_card)
-        ->addWidget(
-            make_label(tr("Wheel zooms, drag moves, a click jumps there, double click shows all."), "muted"));
+        ->addWidget(make_label(
+            tr("Scroll to zoom, drag to move, click to jump to a moment, double-click to show everything."),
+            "muted"));
     charts->addWidget(force_card, 3);
     QFrame* path_card = make_card(4);
     card_layout(path_card)->addWidget(make_label(tr("Path of both tips"), "heading"));
     path_ = new PathView;
     card_layout(path_card)->addWidget(path_, 1);
     charts->addWidget(path_card, 2);
-    content->addLayout(charts);
+    return charts;
+}
 
-    comments_ = new CommentsCard(context);
-    content->addWidget(comments_);
-    all_metrics_ = make_button(tr("All figures"), "all_metrics");
-    content->addWidget(all_metrics_, 0, Qt::AlignLeft);
-    metrics_ =
-        make_table({tr("Figure"), tr("Hand"), tr("Tissue"), tr("Value"), tr("Better"), tr("Why absent")},
-                   "metrics_table");
-    metrics_->setMinimumHeight(320);
-    metrics_->hide();
-    content->addWidget(metrics_);
-    actions_ = new ActionsCard(context);
-    content->addWidget(actions_);
-    layout->addWidget(content_);
-    layout->addStretch();
-    content_->hide();
-    auto* outer = new QVBoxLayout(this);
-    outer->setContentsMargins(0, 0, 0, 0);
-    outer->addWidget(scrolled(body, 1240));
-
+void DebriefPage::connect_parts() {
     connect(all_metrics_, &QPushButton::clicked, this, [this] {
         metrics_->setVisible(metrics_->isHidden());
-        all_metrics_->setText(metrics_->isHidden() ? tr("All figures") : tr("Hide the figures"));
+        all_metrics_->setText(metrics_->isHidden() ? tr("All metrics") : tr("Hide the metrics"));
     });
     connect(penalties_only_, &QCheckBox::toggled, this, &DebriefPage::fill_events);
     connect(events_, &QListWidget::itemActivated, this,
@@ -291,29 +303,26 @@ void DebriefPage::fill_head() {
     verdict_->setText(
         (!voided && passed ? (*passed ? QStringLiteral("✓ ") : QStringLiteral("✕ ")) : QString()) +
         verdict_words);
-    QColor colour = colours().neutral;
-    if (!voided && passed) colour = *passed ? colours().good : colours().bad;
-    verdict_->setStyleSheet(QStringLiteral("color: %1").arg(colour.name()));
+    set_tint(verdict_, voided || !passed ? Tint::muted : *passed ? Tint::good : Tint::bad);
     const std::optional<double> points = model_->score ? model_->score->points : attempt.points;
     about_->setText(beside({text(attempt.person_name), local_time(attempt.meta.started),
                             attempt.meta.mode == "assessed" ? tr("assessed") : tr("practice"),
                             device_class_text(attempt.meta.device_class),
                             attempt_state(voided ? attempt.recorded_state : attempt.state),
-                            points && passed ? tr("%1 points").arg(figure(*points)) : QString()}));
+                            points && passed ? points_text(*points) : QString()}));
     QStringList notes;
     if (voided) {
-        notes << tr("Voided by %1 on %2: %3. It counts nowhere.")
+        notes << tr("Voided by %1 on %2: %3. It does not count.")
                      .arg(text(attempt.voided_by), local_time(attempt.voided_at), text(attempt.void_reason));
-        if (!attempt.reassigned_to.empty())
-            notes << tr("A copy was written for the person who performed it.");
+        if (!attempt.reassigned_to.empty()) notes << tr("A copy was stored for the person who performed it.");
     }
     if (!attempt.reassigned_from.empty()) {
-        notes << tr(
-            "Reassigned: recorded under another name, and copied here for the person who performed it.");
+        notes << tr("Reassigned: recorded under another name and copied to the person who performed it.");
     }
-    if (attempt.synthetic || attempt.meta.device_class == "synthetic") {
-        notes << tr("Synthetic: made by a simulated operator, not by a person.");
-    }
+    if (attempt.meta.device_class == "synthetic")
+        notes << tr("Performed by a simulated operator, not by a person.");
+    else if (attempt.synthetic)
+        notes << tr("Performed in the demonstration, on the account of a synthetic person.");
     if (!passed && !voided) {
         const std::string why =
             model_->score ? model_->score->not_scored_because : attempt.not_scored_because;
@@ -327,13 +336,13 @@ void DebriefPage::fill_head() {
     if (model_->recomputed) {
         const database::ScoreRow& beside = *model_->recomputed;
         QString result = verdict(beside.passed, false);
-        if (beside.passed && beside.points) result += tr(", %1 points").arg(figure(*beside.points));
+        if (beside.passed && beside.points) result += tr(", %1").arg(points_text(*beside.points));
         if (!beside.passed) result += QStringLiteral(" (%1)").arg(text(beside.not_scored_because));
         notes << tr("Recomputed on %1 with newer metrics or limits: %2. The score shown stays in force.")
                      .arg(local_time(beside.computed), result);
     }
     if (attempt.meta.device_class == "mouse-keyboard" || attempt.meta.device_class == "controller") {
-        notes << tr("Force was not felt: the device cannot render it; it was shown as bars.");
+        notes << tr("Force was not felt: this device cannot render it. It was shown as bars.");
     }
     if (attempt.lost_samples > 0) notes << tr("%1 samples were lost.").arg(attempt.lost_samples);
     notes_->setText(notes.join(QLatin1Char('\n')));
@@ -379,7 +388,7 @@ void DebriefPage::fill_events() {
                                  line.words);
         auto* item = new QListWidgetItem(words, events_);
         item->setData(Qt::UserRole, line.time);
-        if (line.severe) item->setForeground(colours().bad);
+        if (line.severe) set_tint(item, Tint::bad);
     }
     if (events_->count() == 0) {
         auto* none = new QListWidgetItem(tr("nothing"), events_);
@@ -418,8 +427,8 @@ void DebriefPage::fill_metrics() {
 
 void DebriefPage::fill_charts() {
     force_->clear();
-    force_->add_series(tr("left hand"), colours().left_hand, Qt::SolidLine, model_->force[0]);
-    force_->add_series(tr("right hand"), colours().right_hand, Qt::DashLine, model_->force[1]);
+    force_->add_series(tr("left hand"), &Palette::left_hand, Qt::SolidLine, model_->force[0]);
+    force_->add_series(tr("right hand"), &Palette::right_hand, Qt::DashLine, model_->force[1]);
     // Tissues that bear the same share a line, and its name.
     std::map<double, QStringList> limits;
     for (const auto& [tissue, limit] : model_->force_limits) limits[limit] << text(tissue);
@@ -428,9 +437,9 @@ void DebriefPage::fill_charts() {
     std::vector<ChartMark> marks;
     for (const EventLine& line : model_->events) {
         marks.push_back({line.time, line.words,
-                         line.critical ? colours().bad
-                         : line.severe ? colours().warning
-                                       : colours().neutral,
+                         line.critical ? &Palette::bad
+                         : line.severe ? &Palette::warning
+                                       : &Palette::neutral,
                          line.severe});
     }
     force_->set_marks(std::move(marks));

@@ -12,6 +12,7 @@
 
 class QCheckBox;
 class QLabel;
+class QLayout;
 class QListWidget;
 class QPushButton;
 class QTableWidget;
@@ -48,6 +49,9 @@ class DebriefPage : public Page {
 
   private:
     QWidget* build_head();
+    QLayout* build_replay();  ///< next to what happened
+    QLayout* build_charts();
+    void connect_parts();
     void show_model();
     void read_record();
     void show_record(std::shared_ptr<const database::Trace> trace);

@@ -9,7 +9,6 @@
 
 #include "assessment/metrics/registry.h"
 #include "ui/review/attempt_model.h"
-#include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -55,8 +54,8 @@ GatesCard::GatesCard(QWidget* parent) : QFrame(parent) {
     table_->setItemDelegateForColumn(table_->columnCount() - 1, new WrappedCell(table_));
     table_->viewport()->installEventFilter(this);
     layout->addWidget(table_);
-    layout->addWidget(
-        make_label(tr("Every gate counts. Choose a row to see the moment that decided it."), "muted"));
+    layout->addWidget(make_label(
+        tr("Every gate must be met. Select a row to jump to the moment that decided it."), "muted"));
     const auto jump = [this](QTableWidgetItem* item) {
         const QVariant time = table_->item(item->row(), 0)->data(Qt::UserRole);
         if (time.isValid()) emit time_chosen(time.toDouble());
@@ -88,12 +87,10 @@ void GatesCard::open(const AttemptModel& model) {
             limit = (higher ? QStringLiteral("≥ ") : QStringLiteral("≤ ")) +
                     figure_with_unit(gate.limit, gate.unit);
         }
-        QString result = tr("– not judged");
+        QString result = tr("– not assessed");
         if (gate.passed) result = *gate.passed ? tr("✓ met") : tr("✕ not met");
         auto* verdict_cell = make_cell(result);
-        verdict_cell->setForeground(!gate.passed   ? colours().muted
-                                    : *gate.passed ? colours().good
-                                                   : colours().bad);
+        set_tint(verdict_cell, !gate.passed ? Tint::muted : *gate.passed ? Tint::good : Tint::bad);
         verdict_cell->setToolTip(text(gate.not_passed_because));
         const Qt::Alignment right = Qt::AlignRight | Qt::AlignVCenter;
         table_->setItem(row, 0, first);
@@ -103,8 +100,7 @@ void GatesCard::open(const AttemptModel& model) {
                                                          : QString()));
         table_->setItem(row, 2, make_cell(figure_with_unit(gate.value, gate.unit), right));
         table_->setItem(row, 3, make_cell(limit, right));
-        table_->setItem(row, 4,
-                        make_cell(gate.z ? QString::number(*gate.z, 'f', 2) : QStringLiteral("–"), right));
+        table_->setItem(row, 4, make_cell(z_text(gate.z), right));
         table_->setItem(row, 5, verdict_cell);
         QString source = gate.value ? text(gate.limit_source) : text(gate.not_passed_because);
         // A source may say it of itself.

@@ -7,7 +7,6 @@
 
 #include "ui/reports/export_row.h"
 #include "ui/reports/pathology_words.h"
-#include "ui/style/palette.h"
 #include "ui/style/widgets.h"
 
 namespace fulcrum::ui {
@@ -53,7 +52,7 @@ void PathologyCard::open(const std::optional<PathologyReport>& report, const std
         lines_->addWidget(make_label(line.title, "muted"), row, 0, Qt::AlignTop);
         QLabel* words = make_label(line.words);
         words->setWordWrap(true);
-        if (line.bad) words->setStyleSheet(QStringLiteral("color: %1").arg(colours().bad.name()));
+        if (line.bad) set_tint(words, Tint::bad);
         lines_->addWidget(words, row, 1);
         if (line.time >= 0) {
             QPushButton* show = make_button(tr("Show"), "pathology_show", "link");

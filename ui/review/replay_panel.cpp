@@ -82,7 +82,7 @@ void ReplayPanel::open(std::shared_ptr<const AttemptModel> model, const TaskDefi
     slider_->setRange(0, std::max(1, static_cast<int>(std::ceil(model_->duration * 100))));
     slider_->setPageStep(std::max(1, slider_->maximum() / 20));
     slider_->setValue(0);
-    state_->setText(tr("reading the record …"));
+    state_->setText(tr("reading the recording …"));
     view_->show();
     timer_.start();
     since_.start();

@@ -16,8 +16,7 @@ namespace {
 
 Theme theme_in_force = Theme::light;
 
-QString style_sheet(const Palette& p) {
-    QString sheet = QStringLiteral(R"(
+const char* const sheet_source = R"(
 QMainWindow, QWidget#page, QStackedWidget, QScrollArea, QWidget#page_body { background: @window; }
 QScrollArea { border: none; }
 QLabel { background: transparent; }
@@ -28,6 +27,9 @@ QLabel[role="number"] { font-size: 24pt; font-weight: 600; }
 QLabel[role="good"] { color: @good; font-weight: 600; }
 QLabel[role="bad"] { color: @bad; font-weight: 600; }
 QLabel[role="neutral"] { color: @muted; font-weight: 600; }
+QLabel[tint="good"] { color: @good; }
+QLabel[tint="bad"] { color: @bad; }
+QLabel[tint="muted"] { color: @muted; }
 QFrame[role="card"] { background: @card; border: 1px solid @line; border-radius: 10px; }
 QFrame[role="top_bar"] { background: @card; border: none; border-bottom: 1px solid @line; }
 QFrame[role="rail"] { background: @card; border: none; border-right: 1px solid @line; }
@@ -88,7 +90,11 @@ QScrollBar:horizontal { background: transparent; height: 11px; margin: 2px; }
 QScrollBar::handle:horizontal { background: @line; border-radius: 4px; min-width: 30px; }
 QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QSplitter::handle { background: transparent; }
-)");
+)";
+
+QString style_sheet(const Palette& p) {
+    QString sheet = QString::fromLatin1(sheet_source);
+    ;
     const std::pair<const char*, QColor> tokens[] = {{"@accent_text", p.accent_text},
                                                      {"@accent", p.accent},
                                                      {"@window", p.window},

@@ -59,6 +59,18 @@ QString figure_with_unit(const std::optional<double>& value, const std::string& 
     return shown.isEmpty() ? figure(*value) : figure(*value) + QChar(0x202F) + shown;
 }
 
+QString z_text(const std::optional<double>& z) {
+    constexpr double shown_up_to = 5;  // beyond it the number says nothing more
+    if (!z || !std::isfinite(*z)) return QStringLiteral("–");
+    if (*z < -shown_up_to) return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "below −5"));
+    if (*z > shown_up_to) return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "above 5 (far outside)"));
+    return QString::number(*z, 'f', 2).replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+QString points_text(double points) {
+    return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "%1 of 100 points")).arg(figure(points));
+}
+
 QString clock_text(double seconds) {
     if (!std::isfinite(seconds) || seconds < 0) seconds = 0;
     // Rounded, as every other figure: a time beside its gate is the same time.
@@ -92,6 +104,13 @@ QString attempt_state(const std::string& state) {
     if (state == "voided") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "voided"));
     if (state == "running") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "running"));
     return text(state);
+}
+
+QString person_text(const std::string& name, bool synthetic) {
+    const QString shown = text(name);
+    // The demonstration's people carry it in their names.
+    if (!synthetic || shown.contains(QLatin1String("(synthetic)"))) return shown;
+    return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "%1 (synthetic)")).arg(shown);
 }
 
 QString hand_text(const std::string& hand) {

@@ -26,6 +26,11 @@ QString figure(double value);
 QString figure(const std::optional<double>& value);
 /// With its unit, "12.3 mm"; counts and dimensionless figures stand alone.
 QString figure_with_unit(const std::optional<double>& value, const std::string& unit);
+/// How far a value is on the worse side of the experts' mean, in their standard deviations: two decimals, and
+/// beyond 5 only that; "–" when absent.
+QString z_text(const std::optional<double>& z);
+/// "61 of 100 points".
+QString points_text(double points);
 /// The unit as it is written behind a figure: "" for counts and dimensionless.
 QString unit_text(const std::string& unit);
 /// "2:05.3" (minutes, seconds, tenths).
@@ -36,6 +41,8 @@ QString local_time(std::int64_t utc_ms);
 QString verdict(const std::optional<bool>& passed, bool provisional);
 /// The state of an attempt in words.
 QString attempt_state(const std::string& state);
+/// A person's name; a synthetic person is marked as such, once.
+QString person_text(const std::string& name, bool synthetic);
 /// "left hand", "right hand" or "".
 QString hand_text(const std::string& hand);
 /// "mouse and keyboard" for "mouse-keyboard" ...

@@ -3,11 +3,29 @@
 
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QPainter>
 #include <QScrollArea>
 #include <QStyle>
 #include <algorithm>
 
+#include "ui/style/palette.h"
+
 namespace fulcrum::ui {
+
+ElidedLabel::ElidedLabel(const QString& shown) : QLabel(shown) {
+    setTextFormat(Qt::PlainText);
+}
+
+QSize ElidedLabel::minimumSizeHint() const {
+    return {fontMetrics().horizontalAdvance(QStringLiteral("MMM…")), QLabel::minimumSizeHint().height()};
+}
+
+void ElidedLabel::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    const QString shown = fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width());
+    style()->drawItemText(&painter, contentsRect(), static_cast<int>(alignment()), palette(), isEnabled(),
+                          shown, foregroundRole());
+}
 
 QLabel* make_label(const QString& shown, const char* role) {
     auto* label = new QLabel(shown);
@@ -55,10 +73,50 @@ QFrame* make_card(int spacing) {
     return card;
 }
 
+namespace {
+
+constexpr int tint_role = Qt::UserRole + 100;
+
+}  // namespace
+
+void set_tint(QWidget* label, Tint tint) {
+    const char* const names[] = {"", "good", "bad", "muted"};
+    label->setProperty("tint", names[static_cast<int>(tint)]);
+    label->style()->unpolish(label);
+    label->style()->polish(label);
+}
+
+void set_tint(QTableWidgetItem* cell, Tint tint) {
+    cell->setData(tint_role, static_cast<int>(tint));
+}
+
+void set_tint(QListWidgetItem* line, Tint tint) {
+    line->setData(tint_role, static_cast<int>(tint));
+}
+
+void TintDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
+    QStyledItemDelegate::initStyleOption(option, index);
+    const Palette& p = colours();
+    switch (static_cast<Tint>(index.data(tint_role).toInt())) {
+        case Tint::none:
+            break;
+        case Tint::good:
+            option->palette.setColor(QPalette::Text, p.good);
+            break;
+        case Tint::bad:
+            option->palette.setColor(QPalette::Text, p.bad);
+            break;
+        case Tint::muted:
+            option->palette.setColor(QPalette::Text, p.muted);
+            break;
+    }
+}
+
 QTableWidget* make_table(const QStringList& columns, const char* name) {
     auto* table = new QTableWidget(0, columns.size());
     table->setObjectName(QString::fromLatin1(name));
     table->setHorizontalHeaderLabels(columns);
+    table->setItemDelegate(new TintDelegate(table));
     table->verticalHeader()->hide();
     table->verticalHeader()->setDefaultSectionSize(34);
     table->setEditTriggers(QAbstractItemView::NoEditTriggers);

@@ -5,13 +5,25 @@
 
 #include <QFrame>
 #include <QLabel>
+#include <QListWidget>
 #include <QPushButton>
+#include <QStyledItemDelegate>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
 namespace fulcrum::ui {
 
 QLabel* make_label(const QString& shown, const char* role = nullptr);
+/// One line that ends in "…" where there is no room for it, and never makes its window wider.
+class ElidedLabel : public QLabel {
+  public:
+    explicit ElidedLabel(const QString& shown = {});
+    QSize minimumSizeHint() const override;
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+};
+
 /// A button whose object name and accessible name are set; role "primary", "link", "card" or null.
 QPushButton* make_button(const QString& shown, const char* name, const char* role = nullptr);
 /// A rounded frame with a vertical layout (reach it by card->layout()).
@@ -21,9 +33,24 @@ inline QVBoxLayout* card_layout(QFrame* card) {
 }
 /// A table that is read: rows selectable, no editing, no vertical header.
 QTableWidget* make_table(const QStringList& columns, const char* name);
+/// What a word says by its colour. Widgets and cells keep the meaning, not the colour, which is looked up
+/// when they are painted: a change of the theme reaches everything that is already on the screen.
+enum class Tint { none, good, bad, muted };
+void set_tint(QWidget* label, Tint tint);
+void set_tint(QTableWidgetItem* cell, Tint tint);
+void set_tint(QListWidgetItem* line, Tint tint);
+/// Paints cells in their tint. make_table() gives it to its tables; lists take it with setItemDelegate().
+class TintDelegate : public QStyledItemDelegate {
+  public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+  protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
+};
+
 QTableWidgetItem* make_cell(const QString& shown, Qt::Alignment alignment = Qt::AlignLeft | Qt::AlignVCenter);
 /// Columns as wide as what they hold, with at most `air` pixels between them, less where there is no room; a
-/// header stands above its figures; the last column takes the rest.
+/// header is aligned with its values; the last column takes the rest.
 void fit_columns(QTableWidget* table, int air = 16);
 /// Rows, or the row of heads, as high as their words need in columns that are narrower. The table's own
 /// measure takes no account of what the style leaves free beside the words.

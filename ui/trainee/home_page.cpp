@@ -55,7 +55,7 @@ void HomePage::enter() {
 void HomePage::fill_next(const std::vector<TaskSummary>& summaries) {
     clear_layout(next_);
     const NextTask next = next_task(summaries, context().services().tasks(), context().store().now());
-    next_->addWidget(make_label(tr("The next thing to do"), "muted"));
+    next_->addWidget(make_label(tr("Next"), "muted"));
     if (next.task_id.empty()) {
         next_->addWidget(make_label(tr("No tasks are installed."), "heading"));
         return;
@@ -80,8 +80,9 @@ void HomePage::fill_interrupted() {
             tr("%1, %2, %3 recorded: ")
                 .arg(context().task_title(one.task_id), local_time(one.started), clock_text(one.duration_s));
         // The debrief behind the link says which limit; a line has no room for it.
-        const QString verdict = one.passed == false ? tr("failed: a limit was broken before it was cut off")
-                                                    : tr("does not count (%1)").arg(text(one.why));
+        const QString verdict = one.passed == false
+                                    ? tr("failed: a limit was exceeded before the interruption")
+                                    : tr("does not count (%1)").arg(text(one.why));
         QPushButton* open = make_button(what + verdict, "interrupted_attempt", "link");
         connect(open, &QPushButton::clicked, this,
                 [this, id = text(one.attempt_id)] { emit context().debrief_wanted(id, -1); });
@@ -138,11 +139,11 @@ QFrame* HomePage::task_card(const TaskSummary& summary) {
     }
     card_layout(card)->addWidget(state);
     QString figures = tr("counting attempts: %1").arg(summary.attempts);
-    if (summary.best_points) figures += tr(" · best %1 points").arg(figure(*summary.best_points));
+    if (summary.best_points) figures += tr(" · best %1").arg(points_text(*summary.best_points));
     if (summary.not_counting > 0) figures += tr(" · not counting: %1").arg(summary.not_counting);
     card_layout(card)->addWidget(make_label(figures, "muted"));
     card_layout(card)->addWidget(make_label(summary.last_attempt == 0
-                                                ? tr("never tried")
+                                                ? tr("not attempted yet")
                                                 : tr("last on %1").arg(local_time(summary.last_attempt)),
                                             "muted"));
     auto* row = new QHBoxLayout;

@@ -43,7 +43,7 @@ TEST(TimeChart, ShowsAsManyPointsAsItsWidthHoldsAndEveryPeak) {
     TimeChart chart("force (N)");
     chart.resize(500, 300);
     chart.grab();  // laid out
-    chart.add_series("left", Qt::blue, Qt::SolidLine, record_with_a_peak());
+    chart.add_series("left", &Palette::left_hand, Qt::SolidLine, record_with_a_peak());
     chart.show_all();
     const Shown narrow = shown(chart);
     EXPECT_GT(narrow.points, 500);
@@ -71,11 +71,11 @@ TEST(TimeChart, ShowsAsManyPointsAsItsWidthHoldsAndEveryPeak) {
 
 TEST(TimeChart, ShowsEverySampleBeforeItsFirstLayoutAndWithoutSamples) {
     TimeChart chart("force (N)");
-    chart.add_series("left", Qt::blue, Qt::SolidLine, std::make_shared<MinMaxPyramid>());
+    chart.add_series("left", &Palette::left_hand, Qt::SolidLine, std::make_shared<MinMaxPyramid>());
     chart.show_all();
     EXPECT_EQ(shown(chart).points, 0);
     chart.clear();
-    chart.add_series("left", Qt::blue, Qt::SolidLine, record_with_a_peak());
+    chart.add_series("left", &Palette::left_hand, Qt::SolidLine, record_with_a_peak());
     chart.show_all();
     chart.show_range(333.0, 333.5);
     EXPECT_GE(shown(chart).points, 500);
