@@ -134,7 +134,6 @@ int run_window() {
     const auto services = make_services(folder != nullptr ? folder : "");
     ui::apply_theme(*qobject_cast<QApplication*>(QCoreApplication::instance()), ui::Theme::light);
     ui::MainWindow window(*services);
-    window.resize(1280, 800);
     window.show();
     auto* application = dynamic_cast<ui::WindowApplication*>(QCoreApplication::instance());
     if (application != nullptr)

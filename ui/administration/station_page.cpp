@@ -3,11 +3,15 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <cmath>
+#include <stdexcept>
 
 #include "ui/page/background_job.h"
-#include "ui/style/palette.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
+#include "ui/theatre/renderer/drawing_pace.h"
+#include "ui/theatre/renderer/offscreen.h"
+#include "ui/theatre/renderer/scene_renderer.h"
 
 namespace fulcrum::ui {
 
@@ -24,6 +28,7 @@ StationPage::StationPage(Context& context) : Page(context, "station_page") {
     layout->addWidget(bar_);
     layout->addWidget(build_backup());
     layout->addWidget(build_check());
+    layout->addWidget(build_picture());
     layout->addStretch();
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
@@ -34,8 +39,8 @@ QFrame* StationPage::build_backup() {
     QFrame* card = make_card(8);
     card_layout(card)->addWidget(make_label(tr("Back up"), "heading"));
     card_layout(card)->addWidget(
-        make_label(tr("Writes one file that holds everything, while the work goes on. Keep it on another "
-                      "disk: it is as confidential as the store itself."),
+        make_label(tr("Writes everything into one file in the background. Keep it on another disk; it is as "
+                      "confidential as the store itself."),
                    "muted"));
     backup_ = make_button(tr("Back up …"), "back_up", "primary");
     connect(backup_, &QPushButton::clicked, this, &StationPage::ask_backup);
@@ -47,7 +52,7 @@ QFrame* StationPage::build_check() {
     QFrame* card = make_card(8);
     card_layout(card)->addWidget(make_label(tr("Check"), "heading"));
     card_layout(card)->addWidget(make_label(
-        tr("Reads every page, reference, audit row, trace and score once and names what is damaged."),
+        tr("Reads the whole store (pages, references, audit log, recordings, scores) and lists any damage."),
         "muted"));
     check_ = make_button(tr("Check the store"), "check_store", "primary");
     connect(check_, &QPushButton::clicked, this, &StationPage::check);
@@ -57,14 +62,62 @@ QFrame* StationPage::build_check() {
     verdict_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     verdict_->hide();
     card_layout(card)->addWidget(verdict_);
-    items_ = make_table({tr("Looked at"), tr("Result"), tr("How many"), tr("What is wrong")}, "check_items");
+    items_ = make_table({tr("Checked"), tr("Result"), tr("How many"), tr("What is wrong")}, "check_items");
     items_->setMinimumHeight(280);  // all of them
     items_->hide();
     card_layout(card)->addWidget(items_);
     return card;
 }
 
+QFrame* StationPage::build_picture() {
+    QFrame* card = make_card(8);
+    card_layout(card)->addWidget(make_label(tr("Picture"), "heading"));
+    picture_ = make_label({});
+    picture_->setObjectName(QStringLiteral("picture_quality"));
+    card_layout(card)->addWidget(picture_);
+    return card;
+}
+
+QString StationPage::picture_text(const PictureQuality& quality) {
+    const auto percent = [](double share) { return std::lround(100 * share); };
+    QStringList lines;
+    lines << tr("Drawn by: %1").arg(quality.device);
+    if (quality.software) {
+        lines << tr("The processor draws the picture, because OpenGL offers no graphics card here.");
+        lines
+            << tr("Resolution: %1 % of the window's, %2 % inside the pelvis, so that a picture takes less "
+                  "than %3 ms. If it takes longer, the resolution is reduced to %4 % of that; it rises again "
+                  "when there is time.")
+                   .arg(percent(quality.share))
+                   .arg(percent(quality.share_in_hollow))
+                   .arg(DrawingPace::goal_ms, 0, 'f', 0)
+                   .arg(percent(DrawingPace::share_at(DrawingPace::levels - 1)));
+    } else {
+        lines << tr("Resolution: that of the window. If a picture takes longer than %1 ms, it is reduced to "
+                    "as little as %2 %; it rises again when there is time.")
+                     .arg(DrawingPace::goal_ms, 0, 'f', 0)
+                     .arg(percent(DrawingPace::share_at(DrawingPace::levels - 1)));
+    }
+    lines << (quality.smoothing == Smoothing::multisample
+                  ? tr("Anti-aliasing: 4 samples per pixel.")
+                  : tr("Anti-aliasing: edges of instruments and targets, after drawing. Several samples per "
+                       "pixel would take too long on a processor."));
+    return lines.join(QLatin1Char('\n'));
+}
+
+void StationPage::show_picture() {
+    try {
+        OffscreenStage stage;
+        stage.make_current();
+        picture_->setText(picture_text(picture_quality()));
+    } catch (const std::runtime_error& why) {
+        picture_->setText(
+            tr("The scene cannot be drawn on this machine: %1").arg(QString::fromUtf8(why.what())));
+    }
+}
+
 void StationPage::enter() {
+    show_picture();
     place_->setText(tr("The store: %1").arg(text(context().store().path())));
     backup_->setVisible(context().allowed(database::Operation::backup));
     check_->setVisible(context().allowed(database::Operation::check_store));
@@ -114,11 +167,10 @@ void StationPage::check() {
 }
 
 void StationPage::show_report(const database::CheckReport& report) {
-    verdict_->setText(report.ok ? tr("✓ The store is sound.")
+    verdict_->setText(report.ok ? tr("✓ The store is intact.")
                                 : tr("✕ The store is damaged. Copy the file away before anything else, then "
                                      "restore the newest backup."));
-    verdict_->setStyleSheet(
-        QStringLiteral("color: %1").arg((report.ok ? colours().good : colours().bad).name()));
+    set_tint(verdict_, report.ok ? Tint::good : Tint::bad);
     verdict_->show();
     items_->setRowCount(0);
     for (const database::CheckItem& item : report.items) {
@@ -127,7 +179,7 @@ void StationPage::show_report(const database::CheckReport& report) {
         QStringList problems;
         for (const std::string& problem : item.problems) problems << text(problem);
         items_->setItem(row, 0, make_cell(text(item.name)));
-        items_->setItem(row, 1, make_cell(item.ok ? tr("✓ sound") : tr("✕ damaged")));
+        items_->setItem(row, 1, make_cell(item.ok ? tr("✓ intact") : tr("✕ damaged")));
         items_->setItem(row, 2, make_cell(QString::number(item.count), Qt::AlignRight | Qt::AlignVCenter));
         items_->setItem(row, 3, make_cell(problems.join(QStringLiteral("; "))));
         items_->item(row, 3)->setToolTip(problems.join(QLatin1Char('\n')));

@@ -97,14 +97,15 @@ void AttemptsPage::count_stale() {
     auto count = std::make_shared<std::size_t>(0);
     job_ = BackgroundJob::run(
         this,
-        [count, session = context().session(), services = &context().services()](const Progress&) {
+        [count, session = context().session(),
+         services = static_cast<ScoringService*>(&context().services())](const Progress&) {
             *count = services->stale_scores(session);
         },
         [this, count] {
             job_ = nullptr;
             stale_->setText(
-                tr("Scores made with older metrics or limits: %1. Recomputing writes a new one beside "
-                   "each; the score in force stays.")
+                tr("Scores computed with older metrics or limits: %1. Recomputing adds a new score next "
+                   "to each; the score in force stays.")
                     .arg(*count));
             recompute_->setEnabled(true);
             stale_card_->setVisible(*count > 0);
@@ -121,7 +122,8 @@ void AttemptsPage::recompute() {
     auto scores = std::make_shared<std::vector<RecomputedScore>>();
     job_ = BackgroundJob::run(
         this,
-        [scores, session = context().session(), services = &context().services()](const Progress& progress) {
+        [scores, session = context().session(),
+         services = static_cast<ScoringService*>(&context().services())](const Progress& progress) {
             *scores = services->recompute_scores(session, progress);
         },
         [this, scores] {
@@ -134,13 +136,14 @@ void AttemptsPage::recompute() {
                 if (!score.problem.empty()) problem = text(score.problem);
             }
             const QString line =
-                tr("Recomputed: %1; of these with another result than the score in force: %2.")
+                tr("Recomputed: %1. The result differs from the score in force in %2 of them.")
                     .arg(made)
                     .arg(other);
             if (problem.isEmpty()) {
                 context().say(line);
             } else {
-                context().complain(line + QLatin1Char(' ') + tr("Not all could be: %1").arg(problem));
+                context().complain(line + QLatin1Char(' ') +
+                                   tr("Some could not be recomputed: %1").arg(problem));
             }
             count_stale();
         },
@@ -194,7 +197,7 @@ void AttemptsPage::fill_requests() {
         });
     }
     requests_card_->setVisible(!open.empty());
-    requests_->addWidget(make_label(tr("Corrections asked for: %1").arg(open.size()), "heading"));
+    requests_->addWidget(make_label(tr("Requested corrections: %1").arg(open.size()), "heading"));
     for (const database::CorrectionRequest& request : open) {
         QPushButton* button = make_button(tr("%1, %2: %3")
                                               .arg(text(request.person_name), local_time(request.asked),
@@ -220,8 +223,7 @@ void AttemptsPage::load() {
     for (std::size_t i = 0; i < attempts_.size(); ++i) {
         const database::AttemptSummary& attempt = attempts_[i];
         const bool voided = attempt.state == "voided";
-        QString who = text(attempt.person_name);
-        if (attempt.synthetic) who += tr(" (synthetic)");
+        const QString who = person_text(attempt.person_name, attempt.synthetic);
         QString comments = attempt.comments == 0 ? QString() : QString::number(attempt.comments);
         if (attempt.unread_comments > 0) comments += tr(" (%1 unread)").arg(attempt.unread_comments);
         const QString cells[] = {who,

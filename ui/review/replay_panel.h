@@ -7,7 +7,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "ui/page/application_services.h"
+#include "ui/page/replay_source.h"
 #include "ui/review/attempt_model.h"
 
 class QComboBox;

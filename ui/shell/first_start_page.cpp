@@ -33,8 +33,8 @@ QWidget* FirstStartPage::build_choice() {
     layout->addSpacing(40);
     layout->addWidget(make_label(QStringLiteral("Fulcrum"), "title"));
     layout->addWidget(
-        make_label(tr("A simulator for laparoscopic rectal surgery, and the programme around it: "
-                      "tasks you can feel, scores that say why, reviews and reports.")));
+        make_label(tr("A simulator for laparoscopic rectal surgery with the training programme around it: "
+                      "tasks with force feedback, scores with reasons, reviews and reports.")));
     trouble_ = make_label({}, "bad");
     trouble_->hide();
     layout->addWidget(trouble_);
@@ -47,8 +47,8 @@ QWidget* FirstStartPage::build_choice() {
     QFrame* create = make_card(12);
     card_layout(create)->addWidget(make_label(tr("Create programme"), "heading"));
     card_layout(create)->addWidget(make_label(
-        tr("For a department or a training centre. You become its first administrator; people, roles "
-           "and cohorts come next."),
+        tr("For a department or a training centre. You become its first administrator. Then you add "
+           "people, roles and cohorts."),
         "muted"));
     card_layout(create)->addStretch();
     start_create_ = make_button(tr("Create programme"), "create_programme", "primary");
@@ -60,10 +60,10 @@ QWidget* FirstStartPage::build_choice() {
     row->addWidget(create);
     QFrame* look = make_card(12);
     card_layout(look)->addWidget(make_label(tr("Look around"), "heading"));
-    card_layout(look)->addWidget(make_label(
-        tr("A demonstration programme with a synthetic cohort, really simulated. Nothing in it is a "
-           "person; you can practise, and every screen has something to show."),
-        "muted"));
+    card_layout(look)->addWidget(
+        make_label(tr("A demonstration programme with a simulated cohort: no real people, but real simulated "
+                      "attempts. You can practise in it, and every screen has content."),
+                   "muted"));
     card_layout(look)->addStretch();
     QPushButton* look_button = make_button(tr("Look around"), "look_around");
     connect(look_button, &QPushButton::clicked, this, &FirstStartPage::look_around);
@@ -125,9 +125,9 @@ QWidget* FirstStartPage::build_recovery() {
     layout->addSpacing(30);
     layout->addWidget(make_label(tr("Your recovery code"), "title"));
     QFrame* card = make_card(12);
-    card_layout(card)->addWidget(make_label(
-        tr("It is shown this once and kept only as a hash. Write it down and lock it away: with it the "
-           "last administrator can set a new password; without it nobody can.")));
+    card_layout(card)->addWidget(
+        make_label(tr("It is shown only now. Write it down and lock it away: it is the only way for the last "
+                      "administrator to set a new password.")));
     code_ = make_label({}, "number");
     code_->setObjectName(QStringLiteral("recovery_code"));
     code_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
@@ -170,7 +170,7 @@ void FirstStartPage::show_trouble(const QString& wrong, const QString& way_on) {
 void FirstStartPage::create() {
     if (!create_->isEnabled()) return;
     if (password_->text() != repeat_->text()) {
-        problem_->setText(tr("The two passwords differ."));
+        problem_->setText(tr("The two passwords are not the same."));
         repeat_->setFocus();
         return;
     }
@@ -220,7 +220,7 @@ void FirstStartPage::look_around() {
         open_demo();
         return;
     }
-    ApplicationServices* services = &context().services();
+    StoreService* services = &context().services();
     auto built = std::make_shared<bool>(false);
     BackgroundJob* job = BackgroundJob::run(
         this, [services, built](const Progress& progress) { *built = services->build_demo(progress); },

@@ -4,21 +4,17 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QComboBox>
+#include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
+#include <QWindow>
 #include <typeinfo>
 
 #include "database/records/people.h"
-#include "ui/administration/audit_page.h"
-#include "ui/administration/cohorts_page.h"
-#include "ui/administration/people_page.h"
-#include "ui/administration/station_page.h"
-#include "ui/administration/tissues_page.h"
-#include "ui/dashboards/attempts_page.h"
-#include "ui/dashboards/cohort_page.h"
 #include "ui/review/debrief_page.h"
 #include "ui/shell/first_start_page.h"
 #include "ui/shell/lock_page.h"
+#include "ui/shell/page_table.h"
 #include "ui/shell/password_page.h"
 #include "ui/shell/sign_in_page.h"
 #include "ui/style/text.h"
@@ -30,18 +26,38 @@
 
 namespace fulcrum::ui {
 
-template <typename P>
-P* MainWindow::page() {
-    Page*& slot = pages_[typeid(P).name()];
+namespace {
+
+constexpr QSize preferred_size(1280, 800), smallest_size(960, 600);
+/// Pixels that a window manager's frame usually takes, until its real one is known.
+constexpr QMargins usual_frame(6, 36, 6, 6);
+
+}  // namespace
+
+QRect fit_window(const QRect& wanted, const QRect& available, const QMargins& frame) {
+    const QRect room = available.marginsRemoved(frame);
+    const QSize size = wanted.size().boundedTo(room.size());
+    return {QPoint(std::clamp(wanted.left(), room.left(), room.right() - size.width() + 1),
+                   std::clamp(wanted.top(), room.top(), room.bottom() - size.height() + 1)),
+            size};
+}
+
+Page* MainWindow::page(std::type_index type, Page* (*make)(Context&)) {
+    Page*& slot = pages_[type];
     if (slot == nullptr) {
-        slot = new P(context_);
+        slot = make(context_);
         stack_->addWidget(slot);
     }
-    return static_cast<P*>(slot);
+    return slot;
+}
+
+template <typename P>
+P* MainWindow::page() {
+    return static_cast<P*>(page(typeid(P), [](Context& context) -> Page* { return new P(context); }));
 }
 
 TheatrePage* MainWindow::running_theatre() const {
-    const auto found = pages_.find(typeid(TheatrePage).name());
+    const auto found = pages_.find(typeid(TheatrePage));
     if (found == pages_.end() || found->second == nullptr) return nullptr;
     auto* theatre = static_cast<TheatrePage*>(found->second);
     return theatre->is_running() ? theatre : nullptr;
@@ -51,73 +67,25 @@ MainWindow::MainWindow(ApplicationServices& services, QWidget* parent, int lock_
     : QMainWindow(parent), context_(services), idle_(this, lock_ms, close_ms) {
     setObjectName(QStringLiteral("main_window"));
     setWindowTitle(tr("Fulcrum"));
-    resize(1280, 800);
-    setMinimumSize(960, 640);
-    build_top_bar();
+    build();
     connect_context();
+    const QRect available = screen()->availableGeometry();
+    setMinimumSize(smallest_size.boundedTo(available.marginsRemoved(usual_frame).size()));
+    QRect wanted(QPoint(), preferred_size);
+    wanted.moveCenter(available.center());
+    setGeometry(fit_window(wanted, available, usual_frame));
 }
 
 MainWindow::~MainWindow() = default;
 
-void MainWindow::build_top_bar() {
+void MainWindow::build() {
     auto* proper = new QWidget;
     auto* layout = new QVBoxLayout(proper);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-
-    banner_ = new QFrame;
-    banner_->setProperty("role", "banner");
-    auto* banner_row = new QHBoxLayout(banner_);
-    banner_row->setContentsMargins(16, 3, 16, 3);
-    banner_text_ = make_label(tr("Demonstration: every person and every attempt here is synthetic."));
-    banner_text_->setAlignment(Qt::AlignCenter);
-    banner_row->addWidget(banner_text_);
-    layout->addWidget(banner_);
-    banner_->hide();
-
-    top_bar_ = new QFrame;
-    top_bar_->setProperty("role", "top_bar");
-    auto* bar = new QHBoxLayout(top_bar_);
-    bar->setContentsMargins(18, 8, 18, 8);
-    bar->setSpacing(12);
-    programme_ = make_label({}, "heading");
-    programme_->setWordWrap(false);
-    bar->addWidget(programme_);
-    bar->addStretch();
-    person_ = make_label({});
-    person_->setObjectName(QStringLiteral("signed_in_person"));
-    person_->setWordWrap(false);
-    bar->addWidget(person_);
-    role_ = new QComboBox;
-    role_->setObjectName(QStringLiteral("acting_role"));
-    role_->setAccessibleName(tr("Acting role"));
-    role_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    bar->addWidget(role_);
-    theme_ = make_button(tr("Dark"), "theme");
-    bar->addWidget(theme_);
-    switch_user_ = make_button(tr("Switch user"), "switch_user");
-    switch_user_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+U")));
-    bar->addWidget(switch_user_);
-    layout->addWidget(top_bar_);
-
-    message_ = new QFrame;
-    message_->setProperty("role", "message");
-    auto* message_row = new QHBoxLayout(message_);
-    message_row->setContentsMargins(14, 6, 8, 6);
-    message_text_ = make_label({});
-    message_text_->setObjectName(QStringLiteral("message_text"));
-    message_text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    QPushButton* close = make_button(tr("Close"), "close_message");
-    connect(close, &QPushButton::clicked, this, [this] { message_area_->hide(); });
-    message_row->addWidget(message_text_, 1);
-    message_row->addWidget(close);
-    message_area_ = new QWidget;
-    auto* message_holder = new QHBoxLayout(message_area_);
-    message_holder->setContentsMargins(18, 6, 18, 0);
-    message_holder->addWidget(message_);
-    layout->addWidget(message_area_);
-    message_area_->hide();
-
+    layout->addWidget(build_banner());
+    layout->addWidget(build_top_bar());
+    layout->addWidget(build_message());
     auto* middle = new QHBoxLayout;
     middle->setSpacing(0);
     rail_ = new QFrame;
@@ -136,15 +104,86 @@ void MainWindow::build_top_bar() {
     lock_page_ = new LockPage(context_);
     layers_->addWidget(lock_page_);
     setCentralWidget(layers_);
+}
 
+QWidget* MainWindow::build_banner() {
+    banner_ = new QFrame;
+    banner_->setProperty("role", "banner");
+    auto* row = new QHBoxLayout(banner_);
+    row->setContentsMargins(16, 3, 16, 3);
+    auto* words = make_label(tr("Demonstration: the people are not real, and neither are their attempts."));
+    words->setAlignment(Qt::AlignCenter);
+    row->addWidget(words);
+    banner_->hide();
+    return banner_;
+}
+
+QWidget* MainWindow::build_top_bar() {
+    top_bar_ = new QFrame;
+    top_bar_->setProperty("role", "top_bar");
+    auto* bar = new QHBoxLayout(top_bar_);
+    bar->setContentsMargins(18, 8, 18, 8);
+    bar->setSpacing(12);
+    programme_ = new ElidedLabel;
+    programme_->setProperty("role", "heading");
+    bar->addWidget(programme_, 2);
+    person_ = new ElidedLabel;
+    person_->setObjectName(QStringLiteral("signed_in_person"));
+    person_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    bar->addWidget(person_, 1);
+    role_ = new QComboBox;
+    role_->setObjectName(QStringLiteral("acting_role"));
+    role_->setAccessibleName(tr("Acting role"));
+    role_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    bar->addWidget(role_);
+    theme_ = make_button(tr("Dark"), "theme");
+    bar->addWidget(theme_);
+    switch_user_ = make_button(tr("Switch user"), "switch_user");
+    switch_user_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+U")));
+    bar->addWidget(switch_user_);
     connect(role_, QOverload<int>::of(&QComboBox::activated), this, &MainWindow::change_role);
     connect(switch_user_, &QPushButton::clicked, this, &MainWindow::switch_user);
-    message_timer_.setSingleShot(true);
-    message_timer_.setInterval(6000);
-    connect(&message_timer_, &QTimer::timeout, message_area_, &QWidget::hide);
     connect(theme_, &QPushButton::clicked, this,
             [this] { set_theme(current_theme() == Theme::light ? Theme::dark : Theme::light); });
     theme_->setText(current_theme() == Theme::light ? tr("Dark") : tr("Light"));
+    return top_bar_;
+}
+
+QWidget* MainWindow::build_message() {
+    message_ = new QFrame;
+    message_->setProperty("role", "message");
+    auto* row = new QHBoxLayout(message_);
+    row->setContentsMargins(14, 6, 8, 6);
+    message_text_ = make_label({});
+    message_text_->setObjectName(QStringLiteral("message_text"));
+    message_text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    QPushButton* close = make_button(tr("Close"), "close_message");
+    connect(close, &QPushButton::clicked, this, [this] { message_area_->hide(); });
+    row->addWidget(message_text_, 1);
+    row->addWidget(close);
+    message_area_ = new QWidget;
+    auto* holder = new QHBoxLayout(message_area_);
+    holder->setContentsMargins(18, 6, 18, 0);
+    holder->addWidget(message_);
+    message_area_->hide();
+    message_timer_.setSingleShot(true);
+    message_timer_.setInterval(6000);
+    connect(&message_timer_, &QTimer::timeout, message_area_, &QWidget::hide);
+    return message_area_;
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    QMainWindow::changeEvent(event);
+    // Once the window is active its frame is known.
+    if (event->type() == QEvent::ActivationChange && isActiveWindow()) keep_within_screen();
+}
+
+void MainWindow::keep_within_screen() {
+    if (fitted_ || isMaximized() || isFullScreen() || windowHandle() == nullptr) return;
+    fitted_ = true;
+    const QRect fitting =
+        fit_window(geometry(), screen()->availableGeometry(), windowHandle()->frameMargins());
+    if (fitting != geometry()) setGeometry(fitting);
 }
 
 void MainWindow::connect_context() {
@@ -239,9 +278,9 @@ void MainWindow::show_page(Page* next) {
     rail_->setVisible(!theatre && !before_sign_in && !rail_buttons_.empty());
     banner_->setVisible(context_.services().store() != nullptr && context_.store().is_demo());
     role_->setEnabled(!theatre);
-    for (auto& [button, target] : rail_buttons_) {
+    for (auto& [button, entry] : rail_buttons_) {
         const QSignalBlocker quiet(button);
-        button->setChecked(target() == next);
+        button->setChecked(entry->type == std::type_index(typeid(*next)));
     }
     next->enter();
 }
@@ -250,15 +289,15 @@ void MainWindow::session_changed() {
     idle_.set_active(context_.signed_in());
     if (!context_.signed_in()) {
         // Nothing of one person's screens stays for the next.
-        for (auto& [name, old] : pages_) {
+        for (auto& [type, old] : pages_) {
             if (old == page<FirstStartPage>() || old == page<SignInPage>()) continue;
             old->leave();
             stack_->removeWidget(old);
             old->deleteLater();
         }
-        std::map<std::string, Page*> kept;
-        kept[typeid(FirstStartPage).name()] = page<FirstStartPage>();
-        kept[typeid(SignInPage).name()] = page<SignInPage>();
+        std::map<std::type_index, Page*> kept;
+        kept[typeid(FirstStartPage)] = page<FirstStartPage>();
+        kept[typeid(SignInPage)] = page<SignInPage>();
         pages_ = std::move(kept);
         clear_layout(rail_layout_);
         rail_buttons_.clear();
@@ -287,43 +326,13 @@ void MainWindow::fill_rail() {
     clear_layout(rail_layout_);
     rail_buttons_.clear();
     if (context_.session().must_change_password()) return;
-    std::vector<RailEntry> entries;
-    switch (context_.session().role()) {
-        case database::Role::trainee:
-            entries = {{tr("Home"), "rail_home", [this] { return page<HomePage>(); }},
-                       {tr("My progress"), "rail_progress", [this] { return page<ProgressPage>(); }},
-                       {tr("My attempts"), "rail_attempts", [this] { return page<AttemptsPage>(); }}};
-            break;
-        case database::Role::educator:
-            entries = {{tr("Attempts"), "rail_attempts", [this] { return page<AttemptsPage>(); }},
-                       {tr("Cohorts"), "rail_cohort", [this] { return page<CohortPage>(); }},
-                       {tr("Progress"), "rail_progress", [this] { return page<ProgressPage>(); }},
-                       {tr("Tissue"), "rail_tissues", [this] { return page<TissuesPage>(); }}};
-            break;
-        case database::Role::director:
-            entries = {{tr("Cohorts"), "rail_cohort", [this] { return page<CohortPage>(); }},
-                       {tr("Attempts"), "rail_attempts", [this] { return page<AttemptsPage>(); }},
-                       {tr("Progress"), "rail_progress", [this] { return page<ProgressPage>(); }},
-                       {tr("Assign cohorts"), "rail_assign", [this] { return page<CohortsPage>(); }},
-                       {tr("Tissue"), "rail_tissues", [this] { return page<TissuesPage>(); }}};
-            break;
-        case database::Role::administrator:
-            entries = {{tr("People"), "rail_people", [this] { return page<PeoplePage>(); }},
-                       {tr("Station"), "rail_station", [this] { return page<StationPage>(); }},
-                       {tr("Audit log"), "rail_audit", [this] { return page<AuditPage>(); }}};
-            if (context_.allowed(database::Operation::manage_cohorts)) {
-                entries.push_back({tr("Cohorts"), "rail_assign", [this] { return page<CohortsPage>(); }});
-            }
-            break;
-        case database::Role::station:
-            break;
-    }
-    for (const RailEntry& entry : entries) {
-        QPushButton* button = make_button(entry.title, entry.name, "rail");
+    for (const PageEntry* entry : pages_of(context_)) {
+        QPushButton* button = make_button(page_title(*entry), entry->name, "rail");
         button->setCheckable(true);
         rail_layout_->addWidget(button);
-        rail_buttons_.emplace_back(button, entry.page);
-        connect(button, &QPushButton::clicked, this, [this, target = entry.page] { show_page(target()); });
+        rail_buttons_.emplace_back(button, entry);
+        connect(button, &QPushButton::clicked, this,
+                [this, entry] { show_page(page(entry->type, entry->make)); });
     }
     rail_layout_->addStretch();
     if (!context_.session().is_demo()) {
@@ -339,7 +348,8 @@ void MainWindow::show_home() {
     } else if (context_.session().must_change_password()) {
         show_page(page<PasswordPage>());
     } else if (!rail_buttons_.empty()) {
-        show_page(rail_buttons_.front().second());
+        const PageEntry* first = rail_buttons_.front().second;
+        show_page(page(first->type, first->make));
     }
 }
 
@@ -379,7 +389,7 @@ void MainWindow::show_message(const QString& line, bool is_error) {
     message_text_->setText(line);
     set_role(message_, is_error ? "error" : "message");
     message_area_->show();
-    // What went well goes by itself; what went wrong stays until it was seen.
+    // Good news disappears after a while; a problem stays until the user closes it.
     message_timer_.stop();
     if (!is_error) message_timer_.start();
 }

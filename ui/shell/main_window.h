@@ -5,8 +5,8 @@
 
 #include <QMainWindow>
 #include <QTimer>
-#include <functional>
 #include <map>
+#include <typeindex>
 #include <vector>
 
 #include "ui/page/context.h"
@@ -24,9 +24,15 @@ namespace fulcrum::ui {
 
 class BriefingPage;
 class DebriefPage;
+class ElidedLabel;
 class LockPage;
+struct PageEntry;
 class ProgressPage;
 class TheatrePage;
+
+/// The geometry nearest to `wanted` (without its frame) that the available part of a screen has room for,
+/// frame included.
+QRect fit_window(const QRect& wanted, const QRect& available, const QMargins& frame);
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -35,7 +41,7 @@ class MainWindow : public QMainWindow {
                         int lock_ms = IdleWatch::lock_after_ms, int close_ms = IdleWatch::close_after_ms);
     ~MainWindow() override;
     /// Opens the store if there is one and shows the first page: first start, sign-in, or what went wrong and
-    /// the way on.
+    /// what to do.
     void start();
     Context& context() { return context_; }
     Page* current_page() const;
@@ -43,14 +49,14 @@ class MainWindow : public QMainWindow {
 
   protected:
     void closeEvent(QCloseEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
   private:
-    struct RailEntry {
-        QString title;
-        const char* name;
-        std::function<Page*()> page;
-    };
-    void build_top_bar();
+    void build();
+    QWidget* build_banner();
+    QWidget* build_top_bar();
+    QWidget* build_message();
+    void keep_within_screen();
     void connect_context();
     void session_changed();
     void show_page(Page* page);
@@ -63,6 +69,7 @@ class MainWindow : public QMainWindow {
     void unlock();
     void show_message(const QString& line, bool is_error);
     /// Made on first use.
+    Page* page(std::type_index type, Page* (*make)(Context&));
     template <typename P>
     P* page();
     /// The theatre while an attempt runs in it, else null.
@@ -74,13 +81,15 @@ class MainWindow : public QMainWindow {
     QStackedWidget* stack_ = nullptr;
     QFrame *top_bar_ = nullptr, *rail_ = nullptr, *banner_ = nullptr, *message_ = nullptr;
     QWidget* message_area_ = nullptr;
-    QLabel *programme_ = nullptr, *person_ = nullptr, *banner_text_ = nullptr, *message_text_ = nullptr;
+    ElidedLabel *programme_ = nullptr, *person_ = nullptr;
+    QLabel* message_text_ = nullptr;
     QTimer message_timer_;
     QComboBox* role_ = nullptr;
     QPushButton *switch_user_ = nullptr, *theme_ = nullptr;
     QVBoxLayout* rail_layout_ = nullptr;
-    std::vector<std::pair<QPushButton*, std::function<Page*()>>> rail_buttons_;
-    std::map<std::string, Page*> pages_;
+    std::vector<std::pair<QPushButton*, const PageEntry*>> rail_buttons_;
+    std::map<std::type_index, Page*> pages_;
+    bool fitted_ = false;  ///< to the screen, with its real frame
     LockPage* lock_page_ = nullptr;
 };
 

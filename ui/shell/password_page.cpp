@@ -75,7 +75,7 @@ void PasswordPage::enter() {
 void PasswordPage::change() {
     if (!change_->isEnabled()) return;
     if (new_->text() != again_->text()) {
-        problem_->setText(tr("The two new passwords differ."));
+        problem_->setText(tr("The two new passwords are not the same."));
         again_->setFocus();
         return;
     }
@@ -98,7 +98,7 @@ void PasswordPage::change() {
         [this, changed] {
             for (QLineEdit* edit : {old_, new_, again_}) edit->clear();
             context().set_session(**changed);
-            context().say(tr("The password is changed."));
+            context().say(tr("Password changed."));
         },
         [this](const QString& why) {
             problem_->setText(why);

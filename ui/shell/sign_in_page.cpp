@@ -62,7 +62,7 @@ SignInPage::SignInPage(Context& context) : Page(context, "sign_in_page") {
     row->addWidget(form_, 3);
 
     picker_ = make_card(6);
-    card_layout(picker_)->addWidget(make_label(tr("Signed in here lately"), "heading"));
+    card_layout(picker_)->addWidget(make_label(tr("Recently signed in here"), "heading"));
     picker_list_ = new QVBoxLayout;
     card_layout(picker_)->addLayout(picker_list_);
     card_layout(picker_)->addStretch();
@@ -72,8 +72,8 @@ SignInPage::SignInPage(Context& context) : Page(context, "sign_in_page") {
     recovery_ = make_card(10);
     card_layout(recovery_)->addWidget(make_label(tr("Forgotten password"), "heading"));
     card_layout(recovery_)->addWidget(
-        make_label(tr("An administrator can give you a one-time password, valid for 24 hours. Only the last "
-                      "administrator uses the recovery code:"),
+        make_label(tr("An administrator can give you a one-time password, valid for 24 hours. The last "
+                      "administrator uses the recovery code instead:"),
                    "muted"));
     auto* recovery_form = new QFormLayout;
     recovery_form->setSpacing(10);
@@ -216,7 +216,7 @@ void SignInPage::recover() {
             recovery_password_->clear();
             recovery_code_->clear();
             context().say(
-                tr("The password is set. Your next recovery code, shown this once: %1").arg(text(*next)));
+                tr("Password changed. Your new recovery code, shown only now: %1").arg(text(*next)));
         },
         [this](const QString& why) { problem_->setText(why); });
     job_->watch(job, tr("Checking the recovery code …"));

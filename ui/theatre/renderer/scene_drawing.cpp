@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
+#include "ui/theatre/renderer/edge_smoothing.h"
 #include "ui/theatre/renderer/scene_renderer_parts.h"
 #include "ui/theatre/renderer/scene_views.h"
 
@@ -302,9 +302,15 @@ void SceneRenderer::Impl::draw_scene(QOpenGLExtraFunctions& gl, const SceneFrame
         box->setUniformValue("to_camera", to_camera * pose);
         room->draw(gl);
     }
+    draw_translucent(gl, frame, sight);
+}
+
+void SceneRenderer::Impl::draw_translucent(QOpenGLExtraFunctions& gl, const SceneFrame& frame,
+                                           const GlSurface::Sight& sight) {
     gl.glDisable(GL_CULL_FACE);
     gl.glEnable(GL_BLEND);
-    gl.glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    // What is drawn opaque keeps its mark (edge_smoothing.h).
+    gl.glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
     if (gl_reflection) {
         start(*tissue, frame);
         tissue->setUniformValue("bump", 1.0F);
@@ -331,17 +337,18 @@ void SceneRenderer::Impl::prepare_image(QSize extent) {
     if (image && image->size() == extent) return;
     QOpenGLFramebufferObjectFormat format;
     format.setAttachment(QOpenGLFramebufferObject::Depth);
-    format.setSamples(smooth ? 4 : 0);
+    const bool multisample = quality.smoothing == Smoothing::multisample;
+    format.setSamples(multisample ? 4 : 0);
     image = std::make_unique<QOpenGLFramebufferObject>(extent, format);
     resolved.reset();
-    if (smooth) resolved = std::make_unique<QOpenGLFramebufferObject>(extent);
+    if (multisample) resolved = std::make_unique<QOpenGLFramebufferObject>(extent);
 }
 
 const QImage& SceneRenderer::Impl::draw(const SceneFrame& frame, QSize size) {
     QOpenGLExtraFunctions& gl = *QOpenGLContext::currentContext()->extraFunctions();
     upload_changes();
     const int shorter = std::max(16, std::min(size.width(), size.height()));
-    const double full = frame.enclosed ? share_in_hollow : share_of_resolution;
+    const double full = frame.enclosed ? quality.share_in_hollow : quality.share;
     const double drawn = std::clamp(share * full, 0.25, 1.0);
     const auto scaled = [drawn](int length) {
         return std::max(16, static_cast<int>(std::lround(length * drawn)));
@@ -366,9 +373,11 @@ void SceneRenderer::Impl::read_pixels(QOpenGLExtraFunctions& gl) {
     gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved ? resolved->handle() : image->handle());
     gl.glReadPixels(0, 0, extent.width(), extent.height(), GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV,
                     upside_down.bits());
-    for (int row = 0; row < extent.height(); ++row)
-        std::memcpy(pixels.scanLine(extent.height() - 1 - row), upside_down.constScanLine(row),
-                    4 * static_cast<std::size_t>(extent.width()));
+    if (quality.smoothing == Smoothing::edges) {
+        copy_with_smooth_edges(upside_down, pixels);
+    } else {
+        copy_upright(upside_down, pixels);
+    }
 }
 
 }  // namespace fulcrum::ui

@@ -23,6 +23,20 @@ constexpr double software_coarse_pixels = 24;
 
 }  // namespace
 
+PictureQuality picture_quality(const RendererOptions& options) {
+    QOpenGLFunctions& gl = *QOpenGLContext::currentContext()->functions();
+    const QByteArray device(reinterpret_cast<const char*>(gl.glGetString(GL_RENDERER)));
+    PictureQuality quality;
+    quality.device = QString::fromLatin1(device);
+    quality.software = device.contains("llvmpipe") || device.contains("softpipe") || device.contains("SWR");
+    quality.smoothing = options.multisample || !quality.software ? Smoothing::multisample : Smoothing::edges;
+    quality.share = options.resolution > 0 ? options.resolution : quality.software ? software_resolution : 1;
+    quality.share_in_hollow = options.resolution > 0 ? options.resolution
+                              : quality.software     ? software_hollow_resolution
+                                                     : 1;
+    return quality;
+}
+
 SceneRenderer::SceneRenderer(const RendererOptions& options) : impl_(std::make_unique<Impl>()) {
     impl_->options = options;
 }
@@ -149,16 +163,8 @@ bool SceneRenderer::initialise() {
         recipe.program = compile(recipe.vertex, recipe.fragment, i.error);
         if (!recipe.program) return false;
     }
-    QOpenGLFunctions& gl = *QOpenGLContext::currentContext()->functions();
-    const QByteArray device(reinterpret_cast<const char*>(gl.glGetString(GL_RENDERER)));
-    const bool software =
-        device.contains("llvmpipe") || device.contains("softpipe") || device.contains("SWR");
-    i.smooth = i.options.multisample || !software;
-    i.coarse_pixels = software ? software_coarse_pixels : 0;
-    i.share_of_resolution =
-        i.options.resolution > 0 ? i.options.resolution : (software ? software_resolution : 1.0);
-    i.share_in_hollow =
-        i.options.resolution > 0 ? i.options.resolution : (software ? software_hollow_resolution : 1.0);
+    i.quality = picture_quality(i.options);
+    i.coarse_pixels = i.quality.software ? software_coarse_pixels : 0;
     i.shapes.clear();
     for (int shape = 0; shape < static_cast<int>(ToolShape::count); ++shape)
         i.shapes.push_back(std::make_unique<GlRigid>(make_shape(static_cast<ToolShape>(shape))));

@@ -103,6 +103,23 @@ struct RendererOptions {
     bool multisample = false;  ///< 4 samples on a processor too (a GPU always takes them)
 };
 
+/// How edges are made smooth.
+enum class Smoothing {
+    multisample,  ///< 4 samples a pixel, everywhere
+    edges,        ///< edges of instruments and targets, after drawing (edge_smoothing.h)
+};
+
+/// What a machine's picture is drawn with, and how fine.
+struct PictureQuality {
+    QString device;              ///< as OpenGL names it
+    bool software = false;       ///< a processor draws: there is no graphics card, or none that is offered
+    double share = 1;            ///< of the resolution, along each side
+    double share_in_hollow = 1;  ///< the same in scenes that tissue encloses
+    Smoothing smoothing = Smoothing::multisample;
+};
+/// With a current context.
+PictureQuality picture_quality(const RendererOptions& options = {});
+
 class SceneRenderer {
   public:
     explicit SceneRenderer(const RendererOptions& options = {});

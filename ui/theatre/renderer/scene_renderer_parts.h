@@ -39,9 +39,8 @@ struct SceneRenderer::Impl {
     Geometry cavity, bowel, mesentery, mesentery_rim, reflection;
 
     bool ready = false;
-    double share_of_resolution = 1, share_in_hollow = 1;
-    double share = 1;          // of these
-    bool smooth = false;       // four samples a pixel
+    PictureQuality quality;
+    double share = 1;          // of its resolution
     double coarse_pixels = 0;  // coarse triangles with shorter edges than that are good enough; 0: none are
     using Program = std::unique_ptr<QOpenGLShaderProgram>;
     Program tissue, sheet, marked_sheet, fibres, bowel_wall, lumen, large_sheet, shaded_sheet, wall, plain,
@@ -90,6 +89,7 @@ struct SceneRenderer::Impl {
     void draw_studies(QOpenGLExtraFunctions& gl, const SceneFrame& frame, const GlSurface::Sight& sight);
 
     void draw_scene(QOpenGLExtraFunctions& gl, const SceneFrame& frame);
+    void draw_translucent(QOpenGLExtraFunctions& gl, const SceneFrame& frame, const GlSurface::Sight& sight);
 
     void prepare_image(QSize extent);
 

@@ -395,8 +395,9 @@ Struck struck(vec3 n) {
     vec3 to_lamp = normalize(lamp - place), to_eye = normalize(-place);
     return Struck(n, to_lamp, to_eye, 0.40 * arriving(place), max(dot(n, normalize(to_lamp + to_eye)), 0.0));
 }
-void show(vec3 linear) {
-    colour = vec4(expose(linear + 0.003), 1.0);
+// mark: the alpha that tells it from what is next to it (edge_smoothing.h).
+void show(vec3 linear, float mark) {
+    colour = vec4(expose(linear + 0.003), mark);
 }
 )";
 
@@ -408,7 +409,7 @@ void main() {
     float rim = 1.0 - max(dot(at.n, at.to_eye), 0.0);
     show(at.light * (vec3(0.055, 0.056, 0.060) * max(dot(at.n, at.to_lamp), 0.0) * 3.0 +
                      vec3(0.75, 0.78, 0.82) * (a16 * a16 * a16) +
-                     vec3(0.20, 0.12, 0.10) * rim * rim * rim * 0.25));
+                     vec3(0.20, 0.12, 0.10) * rim * rim * rim * 0.25), 0.25);
 }
 )";
 
@@ -435,7 +436,7 @@ void main() {
     vec3 mirrored = mix(vec3(0.30, 0.11, 0.08), vec3(0.42, 0.25, 0.20), n.y * 0.5 + 0.5);
     float facing_ratio = max(dot(n, at.to_eye), 0.0);
     show(at.light * steel * (vec3(1.1) * max(dot(n, at.to_lamp), 0.0) + 1.9 * broad + 6.0 * sharp +
-                             1.5 * mirrored * (1.15 - facing_ratio)));
+                             1.5 * mirrored * (1.15 - facing_ratio)), 0.0);
 }
 )";
 
@@ -458,7 +459,7 @@ void main() {
     vec3 lit = wet(c, n, n, normalize(0.5 * lamp - place), 0.5, 0.8 * arriving(place) * shade(place).x);
     float rim = 1.0 - max(dot(n, normalize(-place)), 0.0);
     lit += glow * (0.22 * hue + 0.5 * rim * rim * vec3(1.0, 0.97, 0.85));
-    colour = vec4(lit, opacity);
+    colour = vec4(lit, opacity < 1.0 ? opacity : 0.5);
 }
 )";
 

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/page_table.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+#include "ui/administration/audit_page.h"
+#include "ui/administration/cohorts_page.h"
+#include "ui/administration/people_page.h"
+#include "ui/administration/station_page.h"
+#include "ui/administration/tissues_page.h"
+#include "ui/dashboards/attempts_page.h"
+#include "ui/dashboards/cohort_page.h"
+#include "ui/trainee/home_page.h"
+#include "ui/trainee/progress_page.h"
+
+namespace fulcrum::ui {
+namespace {
+
+using database::Role;
+
+template <typename P>
+PageEntry entry(const char* name, const char* title, std::vector<Role> roles) {
+    return {name, title, std::move(roles), typeid(P),
+            [](Context& context) -> Page* { return new P(context); }};
+}
+
+}  // namespace
+
+const std::vector<PageEntry>& page_table() {
+    constexpr Role trainee = Role::trainee, educator = Role::educator, director = Role::director,
+                   administrator = Role::administrator;
+    // clang-format off
+    static const std::vector<PageEntry> table = {
+        entry<HomePage>    ("rail_home",     QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Home"),           {trainee}),
+        entry<ProgressPage>("rail_progress", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "My progress"),    {trainee}),
+        entry<AttemptsPage>("rail_attempts", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "My attempts"),    {trainee}),
+        entry<AttemptsPage>("rail_attempts", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Attempts"),       {educator}),
+        entry<CohortPage>  ("rail_cohort",   QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Cohorts"),        {educator, director}),
+        entry<AttemptsPage>("rail_attempts", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Attempts"),       {director}),
+        entry<ProgressPage>("rail_progress", QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Progress"),       {educator, director}),
+        entry<PeoplePage>  ("rail_people",   QT_TRANSLATE_NOOP("fulcrum::ui::pages", "People"),         {administrator}),
+        entry<StationPage> ("rail_station",  QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Station"),        {administrator}),
+        entry<AuditPage>   ("rail_audit",    QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Audit log"),      {administrator}),
+        entry<CohortsPage> ("rail_assign",   QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Assign cohorts"), {director}),
+        entry<TissuesPage> ("rail_tissues",  QT_TRANSLATE_NOOP("fulcrum::ui::pages", "Tissue"),         {educator, director}),
+    };
+    // clang-format on
+    return table;
+}
+
+std::vector<const PageEntry*> pages_of(Context& context) {
+    std::vector<const PageEntry*> shown;
+    if (!context.signed_in() || context.session().must_change_password()) return shown;
+    for (const PageEntry& one : page_table()) {
+        if (std::find(one.roles.begin(), one.roles.end(), context.session().role()) != one.roles.end())
+            shown.push_back(&one);
+    }
+    return shown;
+}
+
+QString page_title(const PageEntry& entry) {
+    return QCoreApplication::translate("fulcrum::ui::pages", entry.title);
+}
+
+}  // namespace fulcrum::ui
