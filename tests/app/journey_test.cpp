@@ -211,7 +211,8 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     EXPECT_TRUE(first.counting) << first.meta.mode << ", " << first.not_scored_because;
     const QString first_state = attempt_state(first.state), first_points = figure(first.points);
     const QString first_time = shown("headline_0");
-    EXPECT_EQ(shown("debrief_about").contains(" · " + first_points + " points"), first.points.has_value());
+    EXPECT_EQ(shown("debrief_about").contains(" · " + first_points + " of 100 points"),
+              first.points.has_value());
     page.step("A2-debrief", "The debrief of A2");
     replay(debrief);
     bring(*find<QWidget>(window, "event_list"));

@@ -53,7 +53,7 @@ PeoplePage::PeoplePage(Context& context) : Page(context, "people_page") {
     secret_text_->setObjectName(QStringLiteral("one_time_password"));
     secret_text_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     card_layout(secret_)->addWidget(secret_text_);
-    QPushButton* noted = make_button(tr("I have passed it on"), "password_noted");
+    QPushButton* noted = make_button(tr("I have handed it over"), "password_noted");
     connect(noted, &QPushButton::clicked, this, [this] {
         secret_text_->clear();
         secret_->hide();
@@ -67,7 +67,8 @@ PeoplePage::PeoplePage(Context& context) : Page(context, "people_page") {
     table_->setMinimumHeight(240);
     layout->addWidget(table_);
     layout->addWidget(build_editor());
-    picker_ = new QCheckBox(tr("The sign-in screen lists who signed in here in the last 30 days"));
+    picker_ =
+        new QCheckBox(tr("Show the people who signed in here in the last 30 days on the sign-in screen"));
     picker_->setObjectName(QStringLiteral("sign_in_picker"));
     connect(picker_, &QCheckBox::clicked, this, [this](bool on) {
         this->context().guarded([&] {
@@ -185,7 +186,7 @@ void PeoplePage::select() {
 
 void PeoplePage::show_secret(const QString& who, const std::string& secret) {
     secret_text_->setText(
-        tr("%1: %2\nValid for 24 hours, shown this once; it is changed at the first sign-in.")
+        tr("%1: %2\nValid for 24 hours and shown only now. It must be changed at the first sign-in.")
             .arg(who, text(secret)));
     secret_text_->setProperty("password", text(secret));
     secret_->show();

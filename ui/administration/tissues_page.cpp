@@ -25,7 +25,7 @@ QString in_words(const database::TissueValues& values) {
         for (const auto& [key, value] : named)
             parts << QStringLiteral("%1 %2 = %3").arg(text(tissue), text(key), number(value));
     }
-    return parts.isEmpty() ? TissuesPage::tr("the scene's own") : parts.join(QStringLiteral(", "));
+    return parts.isEmpty() ? TissuesPage::tr("scene value") : parts.join(QStringLiteral(", "));
 }
 
 }  // namespace
@@ -35,11 +35,11 @@ TissuesPage::TissuesPage(Context& context) : Page(context, "tissues_page") {
     auto* layout = new QVBoxLayout(body);
     layout->setSpacing(14);
     layout->addWidget(make_label(tr("Tissue"), "title"));
-    layout->addWidget(
-        make_label(tr("The force at which a blade goes into a tissue and on in it. What you set here counts "
-                      "for attempts that "
-                      "begin afterwards; every attempt keeps the scene that it was performed in."),
-                   "muted"));
+    layout->addWidget(make_label(
+        tr("The force at which a blade cuts into a tissue and through it. What you set here applies "
+           "for attempts that "
+           "begin afterwards; every attempt keeps the scene that it was performed in."),
+        "muted"));
     list_ = new QListWidget;
     list_->setObjectName(QStringLiteral("tissue_tasks"));
     list_->setAccessibleName(tr("Tasks"));
@@ -76,7 +76,7 @@ QWidget* TissuesPage::build_editor() {
     change->addWidget(reason_, 1);
     save_ = make_button(tr("Set"), "save_tissues", "primary");
     change->addWidget(save_);
-    back_ = make_button(tr("Back to the scene's own"), "scene_tissues");
+    back_ = make_button(tr("Reset to the scene's values"), "scene_tissues");
     change->addWidget(back_);
     card_layout(card)->addWidget(change_);
     card_layout(card)->addWidget(make_label(tr("Versions"), "heading"));
@@ -137,11 +137,11 @@ void TissuesPage::select() {
 void TissuesPage::show_values() {
     const bool may_set = context().allowed(database::Operation::set_tissues);
     state_->setText(tasks_.empty() ? tr("No task of this programme has tissue that a blade cuts.")
-                    : site_.differ ? tr("The site's own values, version %1").arg(site_.version)
-                                   : tr("The scene's own values"));
+                    : site_.differ ? tr("This site's values, version %1").arg(site_.version)
+                                   : tr("The scene's values"));
     note_->setVisible(!site_.limits_note.empty());
     note_->setText(
-        tr("Attempts are not held against the task's limits, and not scored where a gate rests on them: %1. "
+        tr("Attempts are not compared with the task's limits, and gates based on them are not scored: %1. "
            "Build a benchmark set in this tissue: fulcrum benchmark build %2 --operators --db %3")
             .arg(text(site_.limits_note), text(task_id()), text(context().store().path())));
     edits_.clear();
@@ -203,7 +203,7 @@ void TissuesPage::save() {
         QString typed = edits_[i]->text().trimmed();
         double value = QLocale::c().toDouble(typed.replace(QLatin1Char(','), QLatin1Char('.')), &is_number);
         if (!is_number) {
-            context().complain(tr("%1, %2: \"%3\" is no number; give a number %4 %5")
+            context().complain(tr("%1, %2: \"%3\" is not a number. Enter a number %4 %5")
                                    .arg(text(one.tissue), text(one.words), edits_[i]->text(), text(one.range),
                                         text(one.unit)));
             edits_[i]->setFocus();
@@ -212,11 +212,11 @@ void TissuesPage::save() {
         if (edits_[i]->text() == number(one.value)) value = one.value;  // not touched: every digit stays
         values[one.tissue][one.key] = value;
     }
-    set(values, tr("Set. Attempts that begin from now on use these values."));
+    set(values, tr("Saved. Attempts that begin from now on use these values."));
 }
 
 void TissuesPage::back_to_scene() {
-    set({}, tr("The scene's own values are in force again."));
+    set({}, tr("The scene's values apply again."));
 }
 
 void TissuesPage::set(const database::TissueValues& values, const QString& said) {

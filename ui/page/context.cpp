@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/page/context.h"
 
+#include <QVariant>
 #include <exception>
 
 #include "database/rows/errors.h"

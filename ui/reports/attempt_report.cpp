@@ -13,7 +13,7 @@ namespace fulcrum::ui {
 namespace {
 
 QString tr(const char* source) {
-    return QCoreApplication::translate("fulcrum::ui::report", source);
+    return QCoreApplication::translate("fulcrum::ui", source);
 }
 
 /// Rows of equal cells across the paper; the first columns read from the left, figures from the right.
@@ -49,9 +49,12 @@ void head(Sheet& sheet, const AttemptPaper& paper) {
     sheet.paragraph(beside({text(attempt.person_name), local_time(attempt.meta.started),
                             attempt.meta.mode == "assessed" ? tr("assessed") : tr("practice"),
                             device_class_text(attempt.meta.device_class), attempt_state(attempt.state)}));
-    if (attempt.synthetic || attempt.meta.device_class == "synthetic" || paper.provenance.demo) {
+    const bool operated = attempt.meta.device_class == "synthetic";
+    if (operated || attempt.synthetic || paper.provenance.demo) {
         sheet.font(9, true, paper_palette().bad);
-        sheet.paragraph(tr("Synthetic: made by a simulated operator, not by a person."));
+        sheet.paragraph(operated
+                            ? tr("Performed by a simulated operator, not by a person.")
+                            : tr("Performed in the demonstration, on the account of a synthetic person."));
     }
     if (attempt.provisional) {
         sheet.font(9, true, paper_palette().bad);
@@ -60,9 +63,8 @@ void head(Sheet& sheet, const AttemptPaper& paper) {
                "proficiency or a certificate."));
     }
     sheet.font(11, true);
-    sheet.paragraph(beside(
-        {verdict(attempt.passed, attempt.provisional),
-         attempt.points && attempt.passed ? tr("%1 points").arg(figure(*attempt.points)) : QString()}));
+    sheet.paragraph(beside({verdict(attempt.passed, attempt.provisional),
+                            attempt.points && attempt.passed ? points_text(*attempt.points) : QString()}));
     sheet.font(9);
     const std::string advice = paper.report.score ? paper.report.score->advice : std::string();
     // Where nothing was scored the advice says why.

@@ -10,7 +10,7 @@ namespace fulcrum::ui {
 namespace {
 
 QString tr(const char* source) {
-    return QCoreApplication::translate("fulcrum::ui::report", source);
+    return QCoreApplication::translate("fulcrum::ui", source);
 }
 
 QString joined(const std::vector<std::string>& parts) {
@@ -76,7 +76,7 @@ void footer(Sheet& sheet, const ReportProvenance& provenance, const QString& n) 
     const QString audit = text(provenance.audit_head.substr(0, 16));
     sheet.paragraph(beside(
         {text(provenance.programme),
-         tr("made %1 by %2 (%3)")
+         tr("created %1 by %2 (%3)")
              .arg(local_time(provenance.as_of), text(provenance.made_by), role_text(provenance.made_as)),
          audit.isEmpty() ? audit : tr("audit %1").arg(audit)}));
 }

@@ -10,7 +10,7 @@ namespace fulcrum::ui {
 namespace {
 
 QString tr(const char* source) {
-    return QCoreApplication::translate("fulcrum::ui::pathology", source);
+    return QCoreApplication::translate("fulcrum::ui", source);
 }
 
 QString mm(double metres) {
@@ -53,7 +53,7 @@ PathologyLine grade_line(const PathologyReport& report) {
 PathologyLine coning_line(const PathologyReport& report) {
     PathologyLine line{tr("Coning"), {}, false, -1};
     if (!report.coning) {
-        line.words = tr("Not judged: fewer than three levels were divided at least by half.");
+        line.words = tr("Not assessed: fewer than three levels were at least half divided.");
         return line;
     }
     line.bad = *report.coning > coning_limit;
@@ -96,7 +96,7 @@ PathologyLine circumferential_line(const PathologyReport& report) {
     if (margin.absence == MarginAbsence::no_tumour) {
         line.words = tr("The case has no tumour.");
     } else if (!margin.distance) {
-        line.words = tr("Not given: the plane beside the tumour was not divided.");
+        line.words = tr("Not given: the plane next to the tumour was not divided.");
         line.bad = true;
     } else {
         line.bad = *margin.distance <= positive_margin;
@@ -121,7 +121,7 @@ PathologyLine distal_line(const PathologyReport& report) {
         line.bad = true;
     } else {
         line.words =
-            tr("No transection was done in this task: the distal margin is the way from the tumour's "
+            tr("No transection was done in this task: the distal margin is the distance from the tumour's "
                "lower edge to the lowest level that was divided from side to side, %1 mm (level %2).")
                 .arg(mm(*margin.distance))
                 .arg(report.lowest_level + 1);

@@ -16,7 +16,7 @@ namespace fulcrum::ui {
 namespace {
 
 QString tr(const char* source) {
-    return QCoreApplication::translate("fulcrum::ui::report", source);
+    return QCoreApplication::translate("fulcrum::ui", source);
 }
 
 QString state_text(const database::CohortRow& row) {
@@ -94,7 +94,7 @@ void page_head(Sheet& sheet, const ReportProvenance& provenance, const QString& 
     sheet.font(9, false, paper_palette().muted);
     sheet.paragraph(line);
     sheet.font(9, true, paper_palette().bad);
-    if (synthetic) sheet.paragraph(tr("Synthetic: made by a simulated operator, not by a person."));
+    if (synthetic) sheet.paragraph(tr("Synthetic: the people in this report are not real."));
     if (provisional) {
         sheet.paragraph(
             tr("Provisional limits (synthetic operators): they allow \"passed (provisional)\", never "
@@ -215,10 +215,8 @@ QString cohort_cell(const std::vector<database::CohortRow>& rows, const std::str
             lines << QStringLiteral("%1  %2").arg(state_text(row)).arg(row.attempts);
             continue;
         }
-        lines << tr("%1 · attempts %2 · best %3")
-                     .arg(state_text(row))
-                     .arg(row.attempts)
-                     .arg(figure(row.best_points));
+        const QString best = figure(row.best_points) + (row.best_points ? QStringLiteral("/100") : QString());
+        lines << tr("%1 · attempts %2 · best %3").arg(state_text(row)).arg(row.attempts).arg(best);
         lines << device_class_text(row.device_class);
     }
     return lines.join(QLatin1Char('\n'));

@@ -12,7 +12,7 @@ namespace fulcrum::ui {
 namespace {
 
 QString tr(const char* source) {
-    return QCoreApplication::translate("fulcrum::ui::hud", source);
+    return QCoreApplication::translate("fulcrum::ui", source);
 }
 
 /// The theatre is dark whatever the theme.
@@ -155,7 +155,7 @@ QString goal_detail(const HudState& state, const Goal& goal) {
                 .arg(goal.count)
                 .arg(static_cast<double>(display.blood_ml), 0, 'f', 1);
         case GoalKind::stop_bleeding:
-            return tr("%1 of %2 vessels dry · %3 mL lost")
+            return tr("%1 of %2 vessels controlled · %3 mL lost")
                 .arg(std::lround(display.goal_progress * goal.count))
                 .arg(goal.count)
                 .arg(static_cast<double>(display.blood_ml), 0, 'f', 1);
@@ -173,8 +173,8 @@ QString goal_detail(const HudState& state, const Goal& goal) {
 
 /// What is wrong with the cut now; "" nothing.
 QString cut_warning(const TaskDisplay& display) {
-    if (display.traction_warning > 0) return tr("⚠ pull less");
-    if (display.traction_warning < 0) return tr("⚠ pull more");
+    if (display.traction_warning > 0) return tr("⚠ less traction");
+    if (display.traction_warning < 0) return tr("⚠ more traction");
     if (display.distance_warning)
         return tr("⚠ %1 mm off the line").arg(std::abs(display.cut_distance_m) * 1000, 0, 'f', 1);
     return {};
@@ -211,17 +211,18 @@ QString tool_words(const HandToolView& tool) {
     return words;
 }
 
-void paint_hud(QPainter& painter, const QRectF& whole, const HudState& state) {
-    const Palette& p = dark();
-    painter.save();
-    const QRectF area = scaled(painter, whole, {557, 360});
-    painter.setRenderHint(QPainter::Antialiasing);
-    // What the round picture leaves free at its sides; a small view has room for the figures alone.
-    const double side = 0.5 * (area.width() - std::min(area.width(), area.height()));
-    const bool compact = side < 150 || area.height() < 560;
-    const double margin = compact ? 10 : 18, column = compact ? 150 : 190;
+namespace {
 
-    // Top left: the clock and the mode.
+/// What the round picture leaves free at its sides; a small view has room for the values alone.
+struct Margins {
+    bool compact = false;
+    double margin = 18, column = 190;
+};
+
+/// Top left: the timer and the mode.
+void paint_mode(QPainter& painter, const QRectF& area, const HudState& state, const Margins& room) {
+    const Palette& p = dark();
+    const auto [compact, margin, column] = room;
     painter.setPen(p.text);
     painter.setFont(hud_font(compact ? 18 : 26, true));
     painter.drawText(QRectF(area.left() + margin, area.top() + 10, column, 42),
@@ -238,68 +239,84 @@ void paint_hud(QPainter& painter, const QRectF& whole, const HudState& state) {
                                                  : tr("practice");
     painter.drawText(QRectF(area.left() + margin, area.top() + 76, column, 48),
                      Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, mode);
+}
 
-    // Top right: the goal, line under line. The forces begin below all that it may say, said now or not, so
-    // that they do not jump when a warning comes.
-    double goal_bottom = area.top() + 124;  // of the mode
-    if (state.task != nullptr && !state.task->goals.empty()) {
-        const auto index =
-            std::min(static_cast<std::size_t>(std::max(state.display.goal, 0)), state.task->goals.size() - 1);
-        const Goal& goal = state.task->goals[index];
-        const GoalType& type = type_of(goal.kind);
-        const QRectF box(area.right() - margin - 240, area.top() + 12, 240, 150);
-        painter.setFont(hud_font(12));
-        painter.setPen(p.muted);
-        painter.drawText(QRectF(box.left(), box.top(), box.width(), 22), Qt::AlignRight | Qt::AlignVCenter,
-                         tr("Step %1 of %2").arg(index + 1).arg(state.task->goals.size()));
-        painter.setPen(p.text);
-        double y = box.top() + 22;
-        if (!compact) {
-            painter.setFont(hud_font(13, true));
-            QRectF used;
-            painter.drawText(QRectF(box.left(), y, box.width(), 90), Qt::AlignRight | Qt::TextWordWrap,
-                             text(goal.text), &used);
-            y = used.bottom() + 6;
-        }
-        painter.setFont(hud_font(12));
-        const QString detail = goal_detail(state, goal);
-        painter.drawText(QRectF(box.left(), y, box.width(), 22),
-                         Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip, detail);
-        y += detail.isEmpty() ? 4 : 26;
-        const double length = compact ? 110 : 180;
-        draw_goal_bar(painter, QRectF(box.right() - length, y, length, 8), state.display.goal_progress,
-                      p.good);
-        y += 12;
-        if (state.display.hold_progress > 0) {
-            painter.setPen(p.text);
-            painter.drawText(QRectF(box.left(), y, box.width() - 110, 22), Qt::AlignRight | Qt::AlignVCenter,
-                             tr("hold"));
-            draw_goal_bar(painter, QRectF(box.right() - 100, y + 7, 100, 8), state.display.hold_progress,
-                          p.warning);
-        }
-        if (state.display.hold_progress > 0 || (type.traction && type.measure == GoalMeasure::seconds))
-            y += 22;
-        const bool pulls = type.traction && goal.traction_high_n_m > 0;
-        if (pulls && std::isfinite(state.display.traction_n_m)) {
-            painter.setPen(p.text);
-            painter.drawText(QRectF(box.left(), y, box.width(), 22), Qt::AlignRight | Qt::AlignVCenter,
-                             tr("pull %1 of %2–%3 N/m")
-                                 .arg(state.display.traction_n_m, 0, 'f', 0)
-                                 .arg(goal.traction_low_n_m, 0, 'f', 0)
-                                 .arg(goal.traction_high_n_m, 0, 'f', 0));
-            draw_traction(painter, QRectF(box.right() - length, y + 26, length, 10), state.display, goal);
-        }
-        if (pulls) y += 42;
-        const QString wrong = cut_warning(state.display);
-        if (!wrong.isEmpty()) {
-            painter.setFont(hud_font(13, true));
-            painter.setPen(p.warning);
-            painter.drawText(QRectF(box.left(), y, box.width(), 26), Qt::AlignRight | Qt::AlignVCenter,
-                             wrong);
-        }
-        if (pulls || !wrong.isEmpty()) y += 26;
-        goal_bottom = std::max(goal_bottom, y);
+/// Top right: the goal, line under line. Returns where the room that it may need ends, warnings shown or not.
+double paint_goal(QPainter& painter, const QRectF& area, const HudState& state, const Margins& room) {
+    const Palette& p = dark();
+    const bool compact = room.compact;
+    const double margin = room.margin;
+    const auto index =
+        std::min(static_cast<std::size_t>(std::max(state.display.goal, 0)), state.task->goals.size() - 1);
+    const Goal& goal = state.task->goals[index];
+    const GoalType& type = type_of(goal.kind);
+    const QRectF box(area.right() - margin - 240, area.top() + 12, 240, 150);
+    painter.setFont(hud_font(12));
+    painter.setPen(p.muted);
+    painter.drawText(QRectF(box.left(), box.top(), box.width(), 22), Qt::AlignRight | Qt::AlignVCenter,
+                     tr("Step %1 of %2").arg(index + 1).arg(state.task->goals.size()));
+    painter.setPen(p.text);
+    double y = box.top() + 22;
+    if (!compact) {
+        painter.setFont(hud_font(13, true));
+        QRectF used;
+        painter.drawText(QRectF(box.left(), y, box.width(), 90), Qt::AlignRight | Qt::TextWordWrap,
+                         text(goal.text), &used);
+        y = used.bottom() + 6;
     }
+    painter.setFont(hud_font(12));
+    const QString detail = goal_detail(state, goal);
+    painter.drawText(QRectF(box.left(), y, box.width(), 22),
+                     Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip, detail);
+    y += detail.isEmpty() ? 4 : 26;
+    const double length = compact ? 110 : 180;
+    draw_goal_bar(painter, QRectF(box.right() - length, y, length, 8), state.display.goal_progress, p.good);
+    y += 12;
+    if (state.display.hold_progress > 0) {
+        painter.setPen(p.text);
+        painter.drawText(QRectF(box.left(), y, box.width() - 110, 22), Qt::AlignRight | Qt::AlignVCenter,
+                         tr("hold"));
+        draw_goal_bar(painter, QRectF(box.right() - 100, y + 7, 100, 8), state.display.hold_progress,
+                      p.warning);
+    }
+    if (state.display.hold_progress > 0 || (type.traction && type.measure == GoalMeasure::seconds)) y += 22;
+    const bool pulls = type.traction && goal.traction_high_n_m > 0;
+    if (pulls && std::isfinite(state.display.traction_n_m)) {
+        painter.setPen(p.text);
+        painter.drawText(QRectF(box.left(), y, box.width(), 22), Qt::AlignRight | Qt::AlignVCenter,
+                         tr("traction %1 of %2–%3 N/m")
+                             .arg(state.display.traction_n_m, 0, 'f', 0)
+                             .arg(goal.traction_low_n_m, 0, 'f', 0)
+                             .arg(goal.traction_high_n_m, 0, 'f', 0));
+        draw_traction(painter, QRectF(box.right() - length, y + 26, length, 10), state.display, goal);
+    }
+    if (pulls) y += 42;
+    const QString wrong = cut_warning(state.display);
+    if (!wrong.isEmpty()) {
+        painter.setFont(hud_font(13, true));
+        painter.setPen(p.warning);
+        painter.drawText(QRectF(box.left(), y, box.width(), 26), Qt::AlignRight | Qt::AlignVCenter, wrong);
+    }
+    if (pulls || !wrong.isEmpty()) y += 26;
+    return y;
+}
+
+}  // namespace
+
+void paint_hud(QPainter& painter, const QRectF& whole, const HudState& state) {
+    const Palette& p = dark();
+    painter.save();
+    const QRectF area = scaled(painter, whole, {557, 360});
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double side = 0.5 * (area.width() - std::min(area.width(), area.height()));
+    const bool compact = side < 150 || area.height() < 560;
+    const double margin = compact ? 10 : 18;
+    const Margins room{compact, margin, compact ? 150.0 : 190.0};
+    paint_mode(painter, area, state, room);
+    // The forces begin below all that the goal may say, so that they do not jump when a warning comes.
+    double goal_bottom = area.top() + 124;  // of the mode
+    if (state.task != nullptr && !state.task->goals.empty())
+        goal_bottom = std::max(goal_bottom, paint_goal(painter, area, state, room));
 
     // Both sides: force.
     const double foot_of_bars = area.bottom() - 40;

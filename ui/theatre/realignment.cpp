@@ -13,7 +13,7 @@ namespace {
 constexpr double degrees = 57.29577951308232;
 
 QString tr(const char* source) {
-    return QCoreApplication::translate("fulcrum::ui::realignment", source);
+    return QCoreApplication::translate("fulcrum::ui", source);
 }
 
 QString line_of(int hand, const Realignment::OneHand& one) {
@@ -66,14 +66,14 @@ void paint_realignment(QPainter& painter, const QRectF& area, const Realignment&
                          line);
         y += row;
     };
-    draw(realignment.in_place ? tr("In place: press Enter to go on as practice.")
+    draw(realignment.in_place ? tr("In place. Press Enter to continue as practice.")
                               : tr("The device is back. Bring each instrument onto its ghost."));
     font.setBold(false);
     font.setPointSizeF(12);
     painter.setFont(font);
     for (const QString& line : lines) draw(line);
     painter.setPen(p.muted);
-    draw(tr("The clock stands. Esc: abandon instead."));
+    draw(tr("The timer is stopped. Esc: abandon the attempt."));
     painter.restore();
 }
 

@@ -48,7 +48,7 @@ TheatrePage::TheatrePage(Context& context) : Page(context, "theatre_page"), view
     card_layout(panel_)->addWidget(panel_text_);
     auto* buttons = new QHBoxLayout;
     abandon_ = make_button(tr("Abandon the attempt"), "panel_abandon");
-    resume_ = make_button(tr("Go on"), "panel_resume", "primary");
+    resume_ = make_button(tr("Resume"), "panel_resume", "primary");
     buttons->addWidget(abandon_);
     buttons->addStretch();
     buttons->addWidget(resume_);
@@ -190,7 +190,7 @@ void TheatrePage::pause() {
     session_->pause();
     input_->release_all();
     show_panel(Panel::paused, tr("Paused"),
-               tr("The clock stands and the scene is hidden. A pause is logged."));
+               tr("The timer is stopped and the scene is hidden. The pause is recorded."));
 }
 
 void TheatrePage::resume() {
@@ -216,9 +216,10 @@ void TheatrePage::ask_before_leaving() {
     input_->release_all();
     const bool counts = session_->assessed() && session_->display().moving_seen;
     show_panel(Panel::leaving, tr("Abandon this attempt?"),
-               counts ? tr("It is assessed and you have begun: abandoned counts as failed. Everything up to "
-                           "now is kept.")
-                      : tr("It is kept as abandoned and does not count."));
+               counts
+                   ? tr("This attempt is assessed and has begun: if you abandon it, it is failed. Everything "
+                        "recorded so far is kept.")
+                   : tr("It is stored as abandoned and does not count."));
 }
 
 void TheatrePage::abandon() {
@@ -249,7 +250,7 @@ void TheatrePage::show_panel(Panel panel, const QString& heading, const QString&
     panel_text_->setVisible(!line.isEmpty());
     const bool can_choose = panel != Panel::finishing;
     resume_->setVisible(can_choose);
-    resume_->setText(panel == Panel::failed ? tr("Home") : tr("Go on"));
+    resume_->setText(panel == Panel::failed ? tr("Home") : tr("Resume"));
     abandon_->setVisible(can_choose && panel != Panel::failed);
     place_panel();
     panel_->raise();
@@ -309,7 +310,7 @@ void TheatrePage::follow_phase() {
                 if (isVisible()) session_->resume();
             } else if (shown_ == Panel::none) {
                 show_panel(Panel::paused, tr("Paused"),
-                           tr("The clock stands and the scene is hidden. A pause is logged."));
+                           tr("The timer is stopped and the scene is hidden. The pause is recorded."));
             }
             break;
         case AttemptPhase::device_lost:
@@ -324,7 +325,7 @@ void TheatrePage::follow_phase() {
         case AttemptPhase::failed: {
             const QString why = text(session_->message());
             end_session();
-            show_panel(Panel::failed, tr("The attempt could not go on"), why);
+            show_panel(Panel::failed, tr("The attempt could not continue"), why);
             break;
         }
     }
@@ -382,7 +383,7 @@ void TheatrePage::show_world() {
     hud.display = display;
     hud.assessed = session_->assessed();
     hud.became_practice = session_->became_practice();
-    if (!demonstrated_.isEmpty()) hud.place = tr("demonstration: synthetic expert");
+    if (!demonstrated_.isEmpty()) hud.place = tr("demonstration by a simulated expert");
     hud.active_hand = input_->active_hand();
     hud.shows_active_hand = demonstrated_.isEmpty();
     hud.force_felt = !demonstrated_.isEmpty() || health.force_felt[0] || health.force_felt[1];

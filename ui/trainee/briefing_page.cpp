@@ -33,10 +33,10 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
 
     QFrame* start_card = make_card(8);
     card_layout(start_card)->addWidget(make_label(tr("Does it count?"), "heading"));
-    assessed_ = new QRadioButton(
-        tr("Assessed — it counts from the first movement; abandoned or timed out is failed"));
+    assessed_ = new QRadioButton(tr(
+        "Assessed: it counts from the first movement. If you abandon it or run out of time, it is failed."));
     assessed_->setObjectName(QStringLiteral("mode_assessed"));
-    practice_ = new QRadioButton(tr("Practice — scored and kept, but it does not count"));
+    practice_ = new QRadioButton(tr("Practice: it is scored and kept, but does not count."));
     practice_->setObjectName(QStringLiteral("mode_practice"));
     card_layout(start_card)->addWidget(assessed_);
     card_layout(start_card)->addWidget(practice_);
@@ -47,7 +47,7 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
     card_layout(start_card)->addWidget(tissue_note_);
     start_ = make_button({}, "start_attempt", "primary");
     watch_ = make_button(tr("Watch an expert do it"), "watch_demonstration");
-    watch_->setToolTip(tr("A synthetic expert performs the task; nothing is stored. Escape ends it."));
+    watch_->setToolTip(tr("A simulated expert performs the task. Nothing is stored. Press Escape to stop."));
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(start_);
     buttons->addWidget(watch_);
@@ -95,8 +95,7 @@ void BriefingPage::fill() {
         steps_->addWidget(make_label(QStringLiteral("%1.  %2").arg(++number).arg(text(step))));
     }
     steps_->addWidget(make_label(
-        tr("Time limit %1 · left behind: %2").arg(clock_text(task->time_limit_s), text(task->product)),
-        "muted"));
+        tr("Time limit %1 · outcome: %2").arg(clock_text(task->time_limit_s), text(task->product)), "muted"));
     steps_->addStretch();
     judged_->addWidget(make_label(tr("What is judged"), "heading"));
     for (const GateSpec& gate : task->gates) {
@@ -118,12 +117,12 @@ void BriefingPage::fill() {
     if (!task->critical_errors.empty()) {
         QStringList errors;
         for (const std::string& error : task->critical_errors) errors << text(error).replace('_', ' ');
-        judged_->addWidget(
-            make_label(tr("Fails the attempt at once: %1").arg(errors.join(QStringLiteral(", "))), "bad"));
+        judged_->addWidget(make_label(
+            tr("Critical errors (the attempt is failed): %1").arg(errors.join(QStringLiteral(", "))), "bad"));
     }
     judged_->addStretch();
     mode_note_->setText(
-        demo ? tr("The demonstration takes practice only.")
+        demo ? tr("The demonstration accepts practice attempts only.")
              : tr("You work with mouse and keyboard: force is shown as bars, not felt. F1 shows the keys."));
     show_tissue_note();
 }
@@ -133,11 +132,12 @@ void BriefingPage::show_tissue_note() {
     context().guarded([&] { site = context().services().site_tissues(context().session(), task_id_); });
     QString note;
     if (site.differ)
-        note = tr("This site's own tissue (version %1): it is cut otherwise than the scene says.")
+        note = tr("This site has its own tissue values (version %1): cutting parameters differ from the "
+                  "scene's.")
                    .arg(site.version);
     if (!site.limits_note.empty())
         note += (note.isEmpty() ? QString() : QStringLiteral(" ")) +
-                tr("Gates that rest on the experts' range are not scored: %1.").arg(text(site.limits_note));
+                tr("Gates based on the experts' range are not scored: %1.").arg(text(site.limits_note));
     tissue_note_->setText(note);
     tissue_note_->setVisible(!note.isEmpty());
 }

@@ -68,11 +68,10 @@ NextTask next_task(const std::vector<TaskSummary>& summaries, const std::vector<
     NextTask next;
     next.task_id = chosen->task_id;
     if (all_passed) {
-        next.why =
-            words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
-                                    "You have passed every task; this is the one you have not done for the "
-                                    "longest time (%1)."))
-                .arg(ago);
+        next.why = words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
+                                           "You have passed every task; this is the one you did "
+                                           "longest ago (%1)."))
+                       .arg(ago);
     } else if (chosen->last_attempt == 0) {
         next.why =
             words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
@@ -83,7 +82,7 @@ NextTask next_task(const std::vector<TaskSummary>& summaries, const std::vector<
         next.why = words(QT_TRANSLATE_NOOP(
                              "fulcrum::ui::next_task",
                              "Not passed yet; of the tasks left in stage %1 it is the one you have not "
-                             "practised for the longest time (%2)."))
+                             "practised for longest (%2)."))
                        .arg(text(stage), ago);
     }
     return next;

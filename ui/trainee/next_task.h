@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The next thing to do and why, from the rows of a person's table: the tasks of the lowest stage that is not
+// Next and why, from the rows of a person's table: the tasks of the lowest stage that is not
 // passed, of these the one not practised longest. Pure.
 #pragma once
 

@@ -50,7 +50,7 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     };
     person_ = combo(tr("Person"), "progress_person");
     task_ = combo(tr("Task"), "progress_task");
-    metric_ = combo(tr("Figure"), "progress_metric");
+    metric_ = combo(tr("Metric"), "progress_metric");
     row->addStretch();
     layout->addLayout(row);
     export_ = new ExportRow("export_person");
@@ -65,10 +65,10 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     chart_ = new AttemptChart;
     chart_->setMinimumHeight(280);
     card_layout(card)->addWidget(chart_);
-    card_layout(card)->addWidget(make_label(
-        tr("● passed   ✕ failed   ○ not scored   small: does not count. Device classes are never pooled. "
-           "Choose a point to open the attempt."),
-        "muted"));
+    card_layout(card)->addWidget(
+        make_label(tr("● passed   ✕ failed   ○ not scored   small: does not count. Device classes are shown "
+                      "separately. Select a point to open the attempt."),
+                   "muted"));
     layout->addWidget(card);
     table_ = make_table({tr("No."), tr("Started"), tr("Device"), tr("Mode"), tr("Ended"), tr("Time"),
                          tr("Result"), tr("Points")},

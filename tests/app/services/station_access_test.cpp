@@ -18,7 +18,7 @@ TEST_F(WindowAccess, AdministratorsCheckAndBackUpBesideTheWork) {
     click(*window, "rail_station");
     click(*window, "check_store");
     ASSERT_TRUE(wait_for([&] { return sees(*window, "check_verdict"); }, 60000));
-    EXPECT_TRUE(find<QLabel>(*window, "check_verdict")->text().contains("sound"));
+    EXPECT_TRUE(find<QLabel>(*window, "check_verdict")->text().contains("intact"));
     EXPECT_EQ(find<QTableWidget>(*window, "check_items")->rowCount(), 7);
     auto* station = static_cast<StationPage*>(window->current_page());
     const QString path = programme.folder.filePath("copy.db");

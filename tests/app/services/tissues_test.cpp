@@ -123,7 +123,7 @@ TEST_F(SiteTissue, EducatorsSetThemOnTheirPageAndTheBriefingSaysSo) {
     window.context().set_session(*programme.educator);
     click(window, "rail_tissues");
     auto* state = find<QLabel>(window, "tissue_state");
-    EXPECT_TRUE(state->text().contains("scene's own"));
+    EXPECT_TRUE(state->text().contains("scene's values"));
     auto* table = find<QTableWidget>(window, "tissue_table");
     ASSERT_GE(table->rowCount(), 3);
     const auto* tasks = find<QListWidget>(window, "tissue_tasks");
@@ -132,7 +132,8 @@ TEST_F(SiteTissue, EducatorsSetThemOnTheirPageAndTheBriefingSaysSo) {
 
     type(window, "value_areolar_penetrate_n", "much");
     click(window, "save_tissues");
-    EXPECT_TRUE(find<QLabel>(window, "message_text")->text().contains("is no number; give a number above 0"));
+    EXPECT_TRUE(
+        find<QLabel>(window, "message_text")->text().contains("is not a number. Enter a number above 0"));
     type(window, "value_areolar_penetrate_n", "50");
     type(window, "tissue_reason", "as in our patients");
     click(window, "save_tissues");
@@ -173,7 +174,7 @@ TEST_F(SiteTissue, EducatorsSetThemOnTheirPageAndTheBriefingSaysSo) {
     click(window, "rail_tissues");
     type(window, "tissue_reason", "back");
     click(window, "scene_tissues");
-    EXPECT_TRUE(find<QLabel>(window, "tissue_state")->text().contains("scene's own"));
+    EXPECT_TRUE(find<QLabel>(window, "tissue_state")->text().contains("scene's values"));
     EXPECT_EQ(find<QTableWidget>(window, "tissue_versions")->rowCount(), 2);
     EXPECT_FALSE(sees(window, "tissue_limits"));
     window.context().sign_out();

@@ -55,7 +55,7 @@ class WindowAccess : public ::testing::Test {
     }
     Role role() const { return window->context().session().role(); }
     QString complaint() { return find<QLabel>(*window, "message_text")->text(); }
-    bool refused() { return sees(*window, "message_text") && complaint().contains("not allowed"); }
+    bool refused() { return sees(*window, "message_text") && complaint().startsWith("You may not"); }
     static bool offers(const QComboBox* box, const std::string& id) {
         return box->findData(QString::fromStdString(id)) >= 0;
     }

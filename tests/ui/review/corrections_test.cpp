@@ -155,7 +155,7 @@ TEST_F(Corrections, AGateWithoutALimitSaysNone) {
     auto* gates = find<QTableWidget>(*window, "gates_table");
     ASSERT_EQ(gates->rowCount(), 1);
     EXPECT_EQ(gates->item(0, 3)->text(), "none");
-    EXPECT_EQ(gates->item(0, 5)->text(), "– not judged");
+    EXPECT_EQ(gates->item(0, 5)->text(), "– not assessed");
     EXPECT_FALSE(database::Attempts(*services.store()).score(*tara, id)->gates[0].limit);
 }
 

@@ -52,7 +52,7 @@ TEST(EventLines, FibresThatPartInARowAreOneLine) {
     for (const EventLine& line : model->events) {
         EXPECT_TRUE(line.severe);
         EXPECT_FALSE(line.critical);
-        EXPECT_EQ(line.words, "Fibres part under too much tension");
+        EXPECT_EQ(line.words, "Fibres tore under too much tension");
     }
 }
 
