@@ -90,7 +90,7 @@ void MainWindow::build() {
     middle->setSpacing(0);
     rail_ = new QFrame;
     rail_->setProperty("role", "rail");
-    rail_->setFixedWidth(188);
+    rail_->setFixedWidth(170);
     rail_layout_ = new QVBoxLayout(rail_);
     rail_layout_->setContentsMargins(10, 16, 10, 16);
     rail_layout_->setSpacing(4);

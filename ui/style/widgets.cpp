@@ -206,7 +206,7 @@ QWidget* scrolled(QWidget* body, int width) {
     auto* holder = new QWidget;
     holder->setObjectName(QStringLiteral("page_body"));
     auto* row = new QHBoxLayout(holder);
-    row->setContentsMargins(28, 22, 28, 22);
+    row->setContentsMargins(18, 22, 18, 22);
     row->addStretch(1);
     row->addWidget(body, 1000);
     row->addStretch(1);
