@@ -105,6 +105,86 @@ void PatchBuilder::look_ahead(const RingMotion* rings, const PatchRequest& reque
     }
 }
 
+// Ring frames as skin_vertex() takes them.
+struct MotionFrames {
+    const RingMotion* rings;
+    const RingFrame& operator[](std::size_t r) const { return rings[r].frame; }
+};
+
+// Candidate vertices, by_ring()[first ..], with their positions. Returns the centre of the patch: the contact
+// vertex
+// (-1: none), or the candidate nearest to the shaft.
+static Vector3 gather(const BowelSkin& skin, const MotionFrames& frames, std::int32_t first,
+                      std::int32_t candidates, const ToolKinematics& tool, std::int32_t contact_vertex,
+                      PatchBuilder::Scratch& scratch) {
+    scratch.found.resize(index(candidates));
+    scratch.positions.resize(index(candidates));
+    scratch.distance.resize(index(candidates));
+    scratch.order.resize(index(candidates));
+    Vector3 centre = Vector3::Zero();
+    double best2 = 1e30;
+    for (std::int32_t k = 0; k < candidates; ++k) {
+        const std::int32_t vertex = skin.by_ring()[index(first + k)];
+        scratch.found[index(k)] = vertex;
+        const Vector3 position = skin_vertex(skin.rows()[index(vertex)], frames);
+        scratch.positions[index(k)] = position;
+        if (contact_vertex >= 0) {
+            if (vertex == contact_vertex) centre = position;
+            continue;
+        }
+        const double distance2 = to_shaft(tool, position).distance2;
+        if (distance2 < best2) {
+            best2 = distance2;
+            centre = position;
+        }
+    }
+    return centre;
+}
+
+// The candidates within the radius, at most the patch's capacity, the nearest first choice; in ascending
+// order of vertex. Returns how many there are, in scratch.order.
+static std::int32_t keep_nearest(std::int32_t candidates, const Vector3& centre, double radius,
+                                 PatchBuilder::Scratch& scratch, SurfacePatch& patch) {
+    std::int32_t within = 0;
+    const double radius2 = radius * radius;
+    for (std::int32_t k = 0; k < candidates; ++k) {
+        const double distance2 = (scratch.positions[index(k)] - centre).squaredNorm();
+        scratch.distance[index(k)] = distance2;
+        if (distance2 <= radius2) scratch.order[index(within++)] = k;
+    }
+    if (within > patch_vertex_capacity) {
+        patch.overflow = true;
+        std::nth_element(scratch.order.begin(), scratch.order.begin() + patch_vertex_capacity,
+                         scratch.order.begin() + within, [&](std::int32_t a, std::int32_t b) {
+                             const double da = scratch.distance[index(a)], db = scratch.distance[index(b)];
+                             return da < db ||
+                                    (da <= db && scratch.found[index(a)] < scratch.found[index(b)]);
+                         });
+        within = patch_vertex_capacity;
+    }
+    std::sort(scratch.order.begin(), scratch.order.begin() + within, [&](std::int32_t a, std::int32_t b) {
+        return scratch.found[index(a)] < scratch.found[index(b)];
+    });
+    return within;
+}
+
+// Seed: a triangle completely in the patch at the vertex nearest to the shaft; -1 if there is none. best2:
+// squared distance, m2.
+static std::int32_t find_seed(const ToolKinematics& tool, std::int32_t within,
+                              const PatchBuilder::Scratch& scratch, SurfacePatch& patch, double& best2) {
+    best2 = 1e30;
+    std::int32_t seed = -1;
+    for (std::int32_t v = 0; v < within; ++v) {
+        if (patch.border[index(v)] != 0) continue;
+        const ShaftDistance found = to_shaft(tool, scratch.positions[index(scratch.order[index(v)])]);
+        if (found.distance2 >= best2) continue;
+        best2 = found.distance2;
+        seed = v;
+        patch.seed_shaft = found.fraction;
+    }
+    return seed;
+}
+
 void PatchBuilder::build(const RingMotion* rings, const PatchRequest& request, Scratch& scratch,
                          LocalModel& model) const {
     SurfacePatch& patch = model.patch;
@@ -114,11 +194,7 @@ void PatchBuilder::build(const RingMotion* rings, const PatchRequest& request, S
     if (!request.tool.inside || ring_total < skin_rings) return;
 
     // Nearest ring: at the tool's contact vertex if it has one, else where the shaft is nearest to the tube.
-    struct Frames {
-        const RingMotion* rings;
-        const RingFrame& operator[](std::size_t r) const { return rings[r].frame; }
-    };
-    const Frames frames{rings};
+    const MotionFrames frames{rings};
     bool holds = request.contact_vertex >= 0 && request.contact_vertex < skin_.vertices();
     if (holds) {
         // A tool that has jumped away is no longer in contact, even if the tick still reported it.
@@ -144,51 +220,12 @@ void PatchBuilder::build(const RingMotion* rings, const PatchRequest& request, S
     const int to = std::clamp(nearest - 1 + search_intervals, patch.first_ring, last_row);
 
     const auto& offsets = skin_.by_ring_offsets();
-    const auto& by_ring = skin_.by_ring();
     const std::int32_t candidates = offsets[index(to + 1)] - offsets[index(from)];
-    scratch.found.resize(index(candidates));
-    scratch.positions.resize(index(candidates));
-    scratch.distance.resize(index(candidates));
-    scratch.order.resize(index(candidates));
-    Vector3 centre = Vector3::Zero();
     double best2 = 1e30;
-    for (std::int32_t k = 0; k < candidates; ++k) {
-        const std::int32_t vertex = by_ring[index(offsets[index(from)] + k)];
-        scratch.found[index(k)] = vertex;
-        const Vector3 position = skin_vertex(skin_.rows()[index(vertex)], frames);
-        scratch.positions[index(k)] = position;
-        if (holds) {
-            if (vertex == request.contact_vertex) centre = position;
-            continue;
-        }
-        const double distance2 = to_shaft(tool, position).distance2;
-        if (distance2 < best2) {
-            best2 = distance2;
-            centre = position;
-        }
-    }
+    const Vector3 centre = gather(skin_, frames, offsets[index(from)], candidates, tool,
+                                  holds ? request.contact_vertex : -1, scratch);
 
-    // The nearest of them, in ascending order.
-    std::int32_t within = 0;
-    const double radius2 = options_.radius * options_.radius;
-    for (std::int32_t k = 0; k < candidates; ++k) {
-        const double distance2 = (scratch.positions[index(k)] - centre).squaredNorm();
-        scratch.distance[index(k)] = distance2;
-        if (distance2 <= radius2) scratch.order[index(within++)] = k;
-    }
-    if (within > patch_vertex_capacity) {
-        patch.overflow = true;
-        std::nth_element(scratch.order.begin(), scratch.order.begin() + patch_vertex_capacity,
-                         scratch.order.begin() + within, [&](std::int32_t a, std::int32_t b) {
-                             const double da = scratch.distance[index(a)], db = scratch.distance[index(b)];
-                             return da < db ||
-                                    (da <= db && scratch.found[index(a)] < scratch.found[index(b)]);
-                         });
-        within = patch_vertex_capacity;
-    }
-    std::sort(scratch.order.begin(), scratch.order.begin() + within, [&](std::int32_t a, std::int32_t b) {
-        return scratch.found[index(a)] < scratch.found[index(b)];
-    });
+    const std::int32_t within = keep_nearest(candidates, centre, options_.radius, scratch, patch);
     for (std::int32_t v = 0; v < within; ++v) {
         const std::int32_t id = scratch.found[index(scratch.order[index(v)])];
         scratch.local[index(id)] = v;
@@ -203,17 +240,7 @@ void PatchBuilder::build(const RingMotion* rings, const PatchRequest& request, S
     patch.vertex_count = within;
     connect(scratch, patch);
 
-    // Seed: a triangle completely in the patch at the vertex nearest to the shaft.
-    best2 = 1e30;
-    std::int32_t seed = -1;
-    for (std::int32_t v = 0; v < within; ++v) {
-        if (patch.border[index(v)] != 0) continue;
-        const ShaftDistance found = to_shaft(tool, scratch.positions[index(scratch.order[index(v)])]);
-        if (found.distance2 >= best2) continue;
-        best2 = found.distance2;
-        seed = v;
-        patch.seed_shaft = found.fraction;
-    }
+    const std::int32_t seed = find_seed(tool, within, scratch, patch, best2);
     for (std::int32_t v = 0; v < within; ++v) scratch.local[index(patch.vertex_id[index(v)])] = -1;
     patch.contact = options_.contact;
     patch.curvature_radius = ring_radius_[index(std::clamp(nearest, 0, ring_total - 1))];

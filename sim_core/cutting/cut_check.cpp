@@ -81,130 +81,182 @@ const char* CutCheck::complaint() const {
     return "";
 }
 
-CutCheck check_cut(const CutMesh& mesh, const Vector3* positions) {
-    CutCheck check;
-    const CutModel& model = mesh.model();
-    const auto bad = [&check](bool& flag, std::int32_t what) {
+namespace {
+
+// A directed edge of a visible triangle.
+struct VisibleEdge {
+    std::int32_t from, to, triangle;
+    bool operator<(const VisibleEdge& o) const {
+        return from != o.from ? from < o.from : to != o.to ? to < o.to : triangle < o.triangle;
+    }
+};
+
+// The steps of check_cut, in their order.
+class SurfaceCheck {
+  public:
+    SurfaceCheck(const CutMesh& mesh, const Vector3* positions)
+        : mesh_(mesh),
+          model_(mesh.model()),
+          positions_(positions),
+          corners_(static_cast<std::size_t>(mesh.vertex_count()), 0) {}
+    CutCheck run() {
+        check_triangles();
+        check_edges();
+        check_fans();
+        check_rims();
+        check_insides();
+        return check_;
+    }
+
+  private:
+    void bad(bool& flag, std::int32_t what) {
         flag = false;
-        if (check.first_bad < 0) check.first_bad = what;
-    };
-    struct Edge {
-        std::int32_t from, to, triangle;
-        bool operator<(const Edge& o) const {
-            return from != o.from ? from < o.from : to != o.to ? to < o.to : triangle < o.triangle;
-        }
-    };
-    std::vector<Edge> edges;
-    std::vector<std::int32_t> corners(static_cast<std::size_t>(mesh.vertex_count()), 0);
+        if (check_.first_bad < 0) check_.first_bad = what;
+    }
+    void check_triangles();
+    void check_triangle(std::int32_t t, double& visible_area);
+    void check_edges();
+    void check_fans();
+    void check_rims();
+    void check_insides();
+
+    const CutMesh& mesh_;
+    const CutModel& model_;
+    const Vector3* positions_;
+    CutCheck check_;
+    std::vector<VisibleEdge> edges_, rim_;
+    std::vector<std::int32_t> corners_;  // visible triangles at each vertex
+};
+
+void SurfaceCheck::check_triangle(std::int32_t t, double& visible_area) {
+    const CutTriangle& row = mesh_.triangle(t);
+    if (row.state == CutTriangleState::split && row.first_child < 0 && row.parent < 0 &&
+        mesh_.root(row.root).visible_count == 0 && mesh_.root(row.root).removed_share == 0)
+        bad(check_.hierarchy, t);
+    for (std::int32_t c = row.first_child; c >= 0; c = mesh_.triangle(c).next_sibling)
+        if (mesh_.triangle(c).parent != t || mesh_.triangle(c).root != row.root) bad(check_.hierarchy, c);
+    if (!mesh_.visible(t)) return;
+    if (row.first_child >= 0) bad(check_.hierarchy, t);
+    Vector3 at[3];
+    bool placed = true;
+    for (int i = 0; i < 3; ++i) {
+        const std::int32_t v = vertex_at(row, i);
+        ++corners_[static_cast<std::size_t>(v)];
+        const CutVertex& vertex = mesh_.vertex(v);
+        if (vertex.triangle < 0) bad(check_.one_fan, v);
+        if (!finite(vertex, positions_, v)) bad(check_.finite, v);
+        placed = placed && barycentric_in(model_, vertex, row.root, at[i]);
+        edges_.push_back({v, vertex_at(row, i + 1), t});
+    }
+    if (!placed) {
+        bad(check_.conforming, t);
+        return;
+    }
+    const double share = share_of(at[0], at[1], at[2]);
+    visible_area += share * model_.areas[static_cast<std::size_t>(row.root)];
+    if (!model_.flat[static_cast<std::size_t>(row.root)]) {
+        if (!(share > 0)) bad(check_.oriented, t);
+        if (!(share > least_share)) bad(check_.no_zero_area, t);
+    }
+}
+
+void SurfaceCheck::check_triangles() {
     double visible_area = 0;
     std::int32_t visible = 0;
-    for (std::int32_t t = 0; t < mesh.triangle_count(); ++t) {
-        const CutTriangle& row = mesh.triangle(t);
-        if (row.state == CutTriangleState::split && row.first_child < 0 && row.parent < 0 &&
-            mesh.root(row.root).visible_count == 0 && mesh.root(row.root).removed_share == 0)
-            bad(check.hierarchy, t);
-        for (std::int32_t c = row.first_child; c >= 0; c = mesh.triangle(c).next_sibling)
-            if (mesh.triangle(c).parent != t || mesh.triangle(c).root != row.root) bad(check.hierarchy, c);
-        if (!mesh.visible(t)) continue;
-        ++visible;
-        if (row.first_child >= 0) bad(check.hierarchy, t);
-        Vector3 at[3];
-        bool placed = true;
-        for (int i = 0; i < 3; ++i) {
-            const std::int32_t v = vertex_at(row, i);
-            ++corners[static_cast<std::size_t>(v)];
-            const CutVertex& vertex = mesh.vertex(v);
-            if (vertex.triangle < 0) bad(check.one_fan, v);
-            if (!finite(vertex, positions, v)) bad(check.finite, v);
-            placed = placed && barycentric_in(model, vertex, row.root, at[i]);
-            edges.push_back({v, vertex_at(row, i + 1), t});
-        }
-        if (!placed) {
-            bad(check.conforming, t);
-            continue;
-        }
-        const double share = share_of(at[0], at[1], at[2]);
-        visible_area += share * model.areas[static_cast<std::size_t>(row.root)];
-        if (!model.flat[static_cast<std::size_t>(row.root)]) {
-            if (!(share > 0)) bad(check.oriented, t);
-            if (!(share > least_share)) bad(check.no_zero_area, t);
-        }
+    for (std::int32_t t = 0; t < mesh_.triangle_count(); ++t) {
+        if (mesh_.visible(t)) ++visible;
+        check_triangle(t, visible_area);
     }
-    if (visible != mesh.visible_count()) bad(check.hierarchy, visible);
-    check.area_error =
-        std::abs(visible_area + mesh.area_removed() - model.area) / (model.area > 0 ? model.area : 1.0);
-    check.area_kept = check.area_error <= 1e-9;
+    if (visible != mesh_.visible_count()) bad(check_.hierarchy, visible);
+    check_.area_error =
+        std::abs(visible_area + mesh_.area_removed() - model_.area) / (model_.area > 0 ? model_.area : 1.0);
+    check_.area_kept = check_.area_error <= 1e-9;
+}
 
-    std::sort(edges.begin(), edges.end());
-    const auto find = [&edges](std::int32_t from, std::int32_t to) {
-        const auto place = std::lower_bound(edges.begin(), edges.end(), Edge{from, to, -1});
-        return place != edges.end() && place->from == from && place->to == to ? place->triangle : -1;
+void SurfaceCheck::check_edges() {
+    std::sort(edges_.begin(), edges_.end());
+    const auto find = [this](std::int32_t from, std::int32_t to) {
+        const auto place = std::lower_bound(edges_.begin(), edges_.end(), VisibleEdge{from, to, -1});
+        return place != edges_.end() && place->from == from && place->to == to ? place->triangle : -1;
     };
-    std::vector<Edge> rim;
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        const Edge& e = edges[i];
-        if (i > 0 && edges[i - 1].from == e.from && edges[i - 1].to == e.to)
-            bad(check.manifold_edges, e.triangle);
-        const CutTriangle& row = mesh.triangle(e.triangle);
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+        const VisibleEdge& e = edges_[i];
+        if (i > 0 && edges_[i - 1].from == e.from && edges_[i - 1].to == e.to)
+            bad(check_.manifold_edges, e.triangle);
+        const CutTriangle& row = mesh_.triangle(e.triangle);
         const std::int32_t named = neighbour_at(row, edge_of(row, e.from, e.to));
-        if (named != find(e.to, e.from)) bad(check.conforming, e.triangle);
-        if (named < 0) rim.push_back(e);
+        if (named != find(e.to, e.from)) bad(check_.conforming, e.triangle);
+        if (named < 0) rim_.push_back(e);
     }
-    // One fan: a walk around each vertex from its own triangle finds all its corners.
-    for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
-        const std::int32_t seed = mesh.vertex(v).triangle;
-        const std::int32_t expected = corners[static_cast<std::size_t>(v)];
+}
+
+// One fan: a walk around each vertex from its own triangle finds all its corners.
+void SurfaceCheck::check_fans() {
+    for (std::int32_t v = 0; v < mesh_.vertex_count(); ++v) {
+        const std::int32_t seed = mesh_.vertex(v).triangle;
+        const std::int32_t expected = corners_[static_cast<std::size_t>(v)];
         std::int32_t count = 0;
-        if (seed >= 0 && mesh.visible(seed)) {
+        if (seed >= 0 && mesh_.visible(seed)) {
             for (int sense = 0; sense < 2; ++sense) {
                 std::int32_t t = seed;
                 do {
-                    const int i = corner_of(mesh.triangle(t), v);
+                    const int i = corner_of(mesh_.triangle(t), v);
                     if (i < 0) break;
                     if (sense == 0 || t != seed) ++count;
-                    t = neighbour_at(mesh.triangle(t), sense == 0 ? i + 2 : i);
+                    t = neighbour_at(mesh_.triangle(t), sense == 0 ? i + 2 : i);
                 } while (t >= 0 && t != seed && count <= expected);
                 if (t == seed) break;
             }
         }
-        if (count != expected) bad(check.one_fan, v);
+        if (count != expected) bad(check_.one_fan, v);
     }
-    // Borders: one edge leaves and one reaches each of their vertices, so that they are loops.
-    std::vector<std::int32_t> leaves(corners.size(), 0), reaches(corners.size(), 0);
-    for (const Edge& e : rim) {
+}
+
+// Borders: one edge leaves and one reaches each of their vertices, so that they are loops.
+void SurfaceCheck::check_rims() {
+    std::vector<std::int32_t> leaves(corners_.size(), 0), reaches(corners_.size(), 0);
+    for (const VisibleEdge& e : rim_) {
         ++leaves[static_cast<std::size_t>(e.from)];
         ++reaches[static_cast<std::size_t>(e.to)];
     }
     for (std::size_t v = 0; v < leaves.size(); ++v)
-        if (leaves[v] != reaches[v] || leaves[v] > 1) bad(check.rims_closed, static_cast<std::int32_t>(v));
-    // No vertex inside another visible edge: border edges against the vertices of their root, and of the
-    // adjacent roots if the vertex is on the shared edge, by barycentric coordinates.
-    for (const Edge& e : rim) {
-        const std::int32_t root = mesh.triangle(e.triangle).root;
-        if (model.flat[static_cast<std::size_t>(root)]) continue;
+        if (leaves[v] != reaches[v] || leaves[v] > 1) bad(check_.rims_closed, static_cast<std::int32_t>(v));
+}
+
+// No vertex inside another visible edge: border edges against the vertices of their root, and of the
+// adjacent roots if the vertex is on the shared edge, by barycentric coordinates.
+void SurfaceCheck::check_insides() {
+    for (const VisibleEdge& e : rim_) {
+        const std::int32_t root = mesh_.triangle(e.triangle).root;
+        if (model_.flat[static_cast<std::size_t>(root)]) continue;
         Vector3 a, along, x;
-        if (!barycentric_in(model, mesh.vertex(e.from), root, a) ||
-            !barycentric_in(model, mesh.vertex(e.to), root, along))
+        if (!barycentric_in(model_, mesh_.vertex(e.from), root, a) ||
+            !barycentric_in(model_, mesh_.vertex(e.to), root, along))
             continue;
         along -= a;
         const double squared = along.squaredNorm();
         for (int side = -1; side < 3; ++side) {
             const std::int32_t r =
                 side < 0 ? root
-                         : model.adjacency.triangle_neighbours[static_cast<std::size_t>(3 * root + side)];
+                         : model_.adjacency.triangle_neighbours[static_cast<std::size_t>(3 * root + side)];
             if (r < 0) continue;
-            for (std::int32_t t = mesh.root(r).first_visible; t >= 0; t = mesh.triangle(t).next_in_root) {
-                for (const std::int32_t v : mesh.triangle(t).vertices) {
-                    if (!barycentric_in(model, mesh.vertex(v), root, x)) continue;
+            for (std::int32_t t = mesh_.root(r).first_visible; t >= 0; t = mesh_.triangle(t).next_in_root) {
+                for (const std::int32_t v : mesh_.triangle(t).vertices) {
+                    if (!barycentric_in(model_, mesh_.vertex(v), root, x)) continue;
                     x -= a;
                     const double s = x.dot(along) / squared;
                     if (s > 1e-7 && s < 1 - 1e-7 && (x - s * along).squaredNorm() < 1e-20 * squared)
-                        bad(check.conforming, v);
+                        bad(check_.conforming, v);
                 }
             }
         }
     }
-    return check;
+}
+
+}  // namespace
+
+CutCheck check_cut(const CutMesh& mesh, const Vector3* positions) {
+    return SurfaceCheck(mesh, positions).run();
 }
 
 }  // namespace fulcrum

@@ -165,6 +165,61 @@ bool CutEditor::flip(std::int32_t triangle, int edge) {
     return true;
 }
 
+// Link condition: the rings of the two vertices share only the corners opposite their edge. gone: the
+// `between` triangles that contain both.
+static bool rings_are_apart(const CutState& state, const CutList<std::int32_t>& around, std::int32_t from,
+                            std::int32_t to, const std::int32_t (&gone)[2], std::int32_t between) {
+    for (const std::int32_t t : around) {
+        if (t == gone[0] || t == gone[1]) continue;
+        for (const std::int32_t v : state.triangles[t].vertices) {
+            if (v == from) continue;
+            bool opposite = false;
+            for (std::int32_t k = 0; k < between; ++k)
+                opposite = opposite || corner_of(state.triangles[gone[k]], v) >= 0;
+            if (opposite) continue;
+            // v is in the ring of `from` only, unless a triangle of its own fan contains `to`.
+            const std::int32_t seed = state.vertices[v].triangle;
+            std::int32_t s = seed;
+            for (int sense = 0; sense < 2; ++sense) {
+                s = seed;
+                do {
+                    const CutTriangle& row = state.triangles[s];
+                    if (corner_of(row, to) >= 0) return false;
+                    const int i = corner_of(row, v);
+                    if (i < 0) return false;
+                    s = neighbour_at(row, sense == 0 ? i : i + 2);
+                } while (s >= 0 && s != seed);
+                if (s == seed) break;
+            }
+        }
+    }
+    return true;
+}
+
+// True if the fan keeps its area, and every triangle a positive one, when `from` moves onto `to`.
+static bool keeps_area(const CutModel& model, const CutState& state, const CutList<std::int32_t>& around,
+                       std::int32_t from, std::int32_t to, const std::int32_t (&gone)[2]) {
+    double before = 0, after = 0;
+    std::int32_t touched_root = -1;
+    for (std::int32_t k = 0; k < around.size(); ++k) {
+        const std::int32_t t = around[k];
+        const CutTriangle& row = state.triangles[t];
+        if (touched_root < 0) touched_root = row.root;
+        before += row.share * model.areas[static_cast<std::size_t>(row.root)];
+        if (t == gone[0] || t == gone[1]) continue;
+        Vector3 corners[3];
+        for (int i = 0; i < 3; ++i) {
+            const std::int32_t v = vertex_at(row, i) == from ? to : vertex_at(row, i);
+            if (!barycentric_in(model, state.vertices[v], row.root, corners[i])) return false;
+        }
+        const double share = share_of(corners[0], corners[1], corners[2]);
+        if (!(share > least_share)) return false;
+        after += share * model.areas[static_cast<std::size_t>(row.root)];
+    }
+    const double area_of_root = model.areas[static_cast<std::size_t>(touched_root)];
+    return std::abs(after - before) <= 1e-12 * area_of_root;
+}
+
 bool CutEditor::collapse(std::int32_t from, std::int32_t to) {
     bool closed = false;
     const CutList<std::int32_t>& around = fan(from, closed);
@@ -178,50 +233,8 @@ bool CutEditor::collapse(std::int32_t from, std::int32_t to) {
         gone[between++] = t;
     }
     if (between == 0 || between != (closed ? 2 : 1) || count <= between) return false;
-    // Link condition: the rings of the two share only the corners opposite their edge.
-    for (const std::int32_t t : around) {
-        if (t == gone[0] || t == gone[1]) continue;
-        for (const std::int32_t v : state_->triangles[t].vertices) {
-            if (v == from) continue;
-            bool opposite = false;
-            for (std::int32_t k = 0; k < between; ++k)
-                opposite = opposite || corner_of(state_->triangles[gone[k]], v) >= 0;
-            if (opposite) continue;
-            // v is in the ring of `from` only, unless a triangle of its own fan contains `to`.
-            const std::int32_t seed = state_->vertices[v].triangle;
-            std::int32_t s = seed;
-            for (int sense = 0; sense < 2; ++sense) {
-                s = seed;
-                do {
-                    const CutTriangle& row = state_->triangles[s];
-                    if (corner_of(row, to) >= 0) return false;
-                    const int i = corner_of(row, v);
-                    if (i < 0) return false;
-                    s = neighbour_at(row, sense == 0 ? i : i + 2);
-                } while (s >= 0 && s != seed);
-                if (s == seed) break;
-            }
-        }
-    }
-    double before = 0, after = 0;
-    std::int32_t touched_root = -1;
-    for (std::int32_t k = 0; k < count; ++k) {
-        const std::int32_t t = around[k];
-        const CutTriangle& row = state_->triangles[t];
-        if (touched_root < 0) touched_root = row.root;
-        before += row.share * model_->areas[static_cast<std::size_t>(row.root)];
-        if (t == gone[0] || t == gone[1]) continue;
-        Vector3 corners[3];
-        for (int i = 0; i < 3; ++i) {
-            const std::int32_t v = vertex_at(row, i) == from ? to : vertex_at(row, i);
-            if (!barycentric_in(*model_, state_->vertices[v], row.root, corners[i])) return false;
-        }
-        const double share = share_of(corners[0], corners[1], corners[2]);
-        if (!(share > least_share)) return false;
-        after += share * model_->areas[static_cast<std::size_t>(row.root)];
-    }
-    const double area_of_root = model_->areas[static_cast<std::size_t>(touched_root)];
-    if (std::abs(after - before) > 1e-12 * area_of_root) return false;
+    if (!rings_are_apart(*state_, around, from, to, gone, between)) return false;
+    if (!keeps_area(*model_, *state_, around, from, to, gone)) return false;
 
     // Each triangle between them disappears and its two other neighbours become adjacent.
     for (std::int32_t k = 0; k < between; ++k) {

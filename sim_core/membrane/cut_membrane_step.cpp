@@ -66,6 +66,41 @@ Lanes link_force(const CutMembraneLink& link, const Lanes& displacement, double 
     return across + all_lanes(push) * n;
 }
 
+// Adds the links by their force at the end of the substep, one link after the other: stable for any
+// stiffness. done: fraction of the step at the end of the substep.
+template <class Carried>
+void add_links(const CutMembraneState& state, CutMembraneInputs& inputs, double done, double h, int substeps,
+               const double* inverse, const Carried& carried, Lanes* g) {
+    for (CutMembraneLink& link : inputs.links) {
+        const auto& corner = state.pieces[at(link.piece)].nodes;
+        Lanes end = all_lanes(0);
+        double give = 0;  // 1/kg, mobility of the point
+        for (int c = 0; c < 3; ++c) {
+            const std::size_t n = at(corner[at(c)]);
+            end += all_lanes(link.barycentric[c]) * carried(n);
+            give += link.barycentric[c] * link.barycentric[c] * inverse[n];
+        }
+        const Lanes target = lanes_of(link.start + done * (link.target - link.start));
+        const Lanes force =
+            link_force(link, target - end, link.stiffness / (1 + h * h * link.stiffness * give));
+        for (int c = 0; c < 3; ++c) g[at(corner[at(c)])] -= all_lanes(link.barycentric[c]) * force;
+        link.reaction += vector_of(force) / substeps;
+    }
+}
+
+// Restores the positions of the step's start, at rest.
+void freeze(CutMembraneState& state, CutMembraneInputs& inputs, const std::vector<Vector3>& good,
+            std::size_t nodes, MembraneReport& report) {
+    for (std::size_t n = 0; n < nodes; ++n) {
+        state.positions[n] = good[n];
+        state.velocities[n].setZero();
+    }
+    for (CutMembraneLink& link : inputs.links) link.reaction.setZero();
+    for (DrivenVertex& driven : inputs.driven) driven.reaction.setZero();
+    report.fault = MembraneFault::frozen;
+    report.finite = report.converged = false;
+}
+
 }  // namespace
 
 MembraneReport CutMembrane::step(CutMembraneState& state, CutMembraneInputs& inputs, double dt,
@@ -129,23 +164,8 @@ MembraneReport CutMembrane::step(CutMembraneState& state, CutMembraneInputs& inp
             const double share = anchor[n] / (1 + h * h * anchor[n] * inverse[n]);
             g[n] -= all_lanes(share) * (lanes_of(rest_[at(state.vertex[n])]) - carried(n));
         }
-        // By the force at the end of the substep, one link after the other: stable for any stiffness.
-        const double done = static_cast<double>(k + 1) / report.substeps;
-        for (CutMembraneLink& link : inputs.links) {
-            const auto& corner = state.pieces[at(link.piece)].nodes;
-            Lanes end = all_lanes(0);
-            double give = 0;  // 1/kg, mobility of the point
-            for (int c = 0; c < 3; ++c) {
-                const std::size_t n = at(corner[at(c)]);
-                end += all_lanes(link.barycentric[c]) * carried(n);
-                give += link.barycentric[c] * link.barycentric[c] * inverse[n];
-            }
-            const Lanes target = lanes_of(link.start + done * (link.target - link.start));
-            const Lanes force =
-                link_force(link, target - end, link.stiffness / (1 + h * h * link.stiffness * give));
-            for (int c = 0; c < 3; ++c) g[at(corner[at(c)])] -= all_lanes(link.barycentric[c]) * force;
-            link.reaction += vector_of(force) / report.substeps;
-        }
+        add_links(state, inputs, static_cast<double>(k + 1) / report.substeps, h, report.substeps, inverse,
+                  carried, g);
         for (const auto& [node, number] : scratch.driven_nodes_)
             inputs.driven[at(number)].reaction += vector_of(g[at(node)]) / report.substeps;
         for (std::size_t n = 0; n < nodes; ++n) {
@@ -158,14 +178,7 @@ MembraneReport CutMembrane::step(CutMembraneState& state, CutMembraneInputs& inp
         state.velocities[n] = vector_of(v[n]);
     }
     if (!finite(state)) {
-        for (std::size_t n = 0; n < nodes; ++n) {
-            state.positions[n] = scratch.good_[n];
-            state.velocities[n].setZero();
-        }
-        for (CutMembraneLink& link : inputs.links) link.reaction.setZero();
-        for (DrivenVertex& driven : inputs.driven) driven.reaction.setZero();
-        report.fault = MembraneFault::frozen;
-        report.finite = report.converged = false;
+        freeze(state, inputs, scratch.good_, nodes, report);
         return report;
     }
     for (std::size_t n = 0; n < nodes; ++n) g[n] = all_lanes(0);

@@ -140,6 +140,66 @@ std::size_t RodScratch::bytes() const {
            d.contact_points.capacity() * (sizeof(RodPoint) + sizeof(Vector3) + 4 * sizeof(double));
 }
 
+// Cell, stiffness and natural angles of joint i. Stiffness of the section: N m2.
+static void set_joint(const RodSpec& spec, double bending, double torsional, std::size_t i,
+                      Rod::Tables& tables) {
+    const auto n = static_cast<std::size_t>(spec.segments);
+    const double k1 = spec.intrinsic_curvature[0], k2 = spec.intrinsic_curvature[1];
+    const double curvature = std::sqrt(k1 * k1 + k2 * k2);
+    // Quadrature weights over joints: the trapezoidal rule, which corresponds to a clamp over half a
+    // cell, with Gregory's end correction (5/12, 13/12) at a clamp. The correction removes the leading
+    // error of a bent cantilever (order h^2 q L^2 / 8 EI).
+    const auto joint_cell = [&](std::size_t joint) {
+        return joint == 0   ? 0.5 * tables.rest_length[0]
+               : joint == n ? 0.5 * tables.rest_length[n - 1]
+                            : 0.5 * (tables.rest_length[joint - 1] + tables.rest_length[joint]);
+    };
+    double cell = joint_cell(i);
+    for (std::size_t e = 0; e < 2; ++e) {
+        if (spec.ends[e] != RodEnd::clamped) continue;
+        const double moved = tables.rest_length[e == 0 ? 0 : n - 1] / 12;
+        if (i == (e == 0 ? 0 : n)) cell -= moved;
+        if (i == (e == 0 ? 1 : n - 1)) cell += moved;
+    }
+    tables.cell[i] = cell;
+    const bool end = i == 0 || i == n;
+    const RodEnd kind = i == 0 ? spec.ends[0] : spec.ends[1];
+    if (!end || kind == RodEnd::clamped) tables.bend[i] = bending / cell;
+    if (!end || kind == RodEnd::clamped || kind == RodEnd::held) tables.twist[i] = torsional / cell;
+    if (spec.rest_nodes.empty()) {
+        cell = joint_cell(i);  // the natural angles are those of the rest shape itself
+        const double angle = curvature * cell;
+        require(angle < 3.0,
+                "rod: natural curvature turns by more than 3 rad per segment; use more segments");
+        const double size = curvature > 0 ? 2 * math::tan(0.5 * angle) / curvature : 0;
+        tables.rest_1[i] = k1 * size;
+        tables.rest_2[i] = k2 * size;
+        tables.rest_twist[i] = spec.intrinsic_curvature[2] * cell;
+    } else if (!end) {
+        const Vector3 a = (spec.rest_nodes[i] - spec.rest_nodes[i - 1]).normalized();
+        const Vector3 b = (spec.rest_nodes[i + 1] - spec.rest_nodes[i]).normalized();
+        const Vector3 binormal = a.cross(b) * (2 / (1 + a.dot(b))), d1 = tables.rest_directors[i - 1];
+        tables.rest_1[i] = binormal.dot(d1);
+        tables.rest_2[i] = binormal.dot(a.cross(d1));
+    }
+    if (tables.bend[i] > 0 && (tables.rest_1[i] != 0 || tables.rest_2[i] != 0)) tables.curved = true;
+}
+
+// Penalties of contacts, grasps and held rotations.
+static void set_penalties(const RodSpec& spec, double length, double bending, double axial,
+                          Rod::Tables& tables) {
+    const double shortest = length / spec.segments;
+    const double scale = axial / shortest + 12 * bending / (shortest * shortest * shortest);
+    tables.contact_penalty =
+        30 * scale;  // a larger penalty makes the active set chatter; the multipliers close the gap
+    tables.self_penalty = scale;
+    // The force at a jaw hardly depends on fine segments; a larger penalty would only amplify its rounding
+    // error.
+    const double coarse = spec.segments > 128 ? length / 128 : shortest;
+    tables.grasp_penalty = 1e4 * (axial / coarse + 12 * bending / (coarse * coarse * coarse));
+    tables.turn_penalty = 1e4 * bending / coarse;
+}
+
 Rod::Rod(RodSpec spec) : spec_(std::move(spec)) {
     if (!spec_.layers.empty()) {
         spec_.inner_radius = spec_.outer_radius;
@@ -198,65 +258,15 @@ Rod::Rod(RodSpec spec) : spec_(std::move(spec)) {
         tables->spin_inertia.push_back(0.5 * spec_.linear_density * length * (ro * ro + ri * ri));
     }
     tables->mass = node_mass_;
-    const double k1 = spec_.intrinsic_curvature[0], k2 = spec_.intrinsic_curvature[1];
-    const double curvature = std::sqrt(k1 * k1 + k2 * k2);
     for (std::size_t i = 0; i <= n; ++i) {
-        // Quadrature weights over joints: the trapezoidal rule, which corresponds to a clamp over half a
-        // cell, with Gregory's end correction (5/12, 13/12) at a clamp. The correction removes the leading
-        // error of a bent cantilever (order h^2 q L^2 / 8 EI).
-        const auto joint_cell = [&](std::size_t joint) {
-            return joint == 0   ? 0.5 * tables->rest_length[0]
-                   : joint == n ? 0.5 * tables->rest_length[n - 1]
-                                : 0.5 * (tables->rest_length[joint - 1] + tables->rest_length[joint]);
-        };
-        double cell = joint_cell(i);
-        for (std::size_t e = 0; e < 2; ++e) {
-            if (spec_.ends[e] != RodEnd::clamped) continue;
-            const double moved = tables->rest_length[e == 0 ? 0 : n - 1] / 12;
-            if (i == (e == 0 ? 0 : n)) cell -= moved;
-            if (i == (e == 0 ? 1 : n - 1)) cell += moved;
-        }
-        tables->cell[i] = cell;
-        const bool end = i == 0 || i == n;
-        const RodEnd kind = i == 0 ? spec_.ends[0] : spec_.ends[1];
-        if (!end || kind == RodEnd::clamped) tables->bend[i] = bending_stiffness_ / cell;
-        if (!end || kind == RodEnd::clamped || kind == RodEnd::held)
-            tables->twist[i] = torsional_stiffness_ / cell;
-        if (!shaped) {
-            cell = joint_cell(i);  // the natural angles are those of the rest shape itself
-            const double angle = curvature * cell;
-            require(angle < 3.0,
-                    "rod: natural curvature turns by more than 3 rad per segment; use more segments");
-            const double size = curvature > 0 ? 2 * math::tan(0.5 * angle) / curvature : 0;
-            tables->rest_1[i] = k1 * size;
-            tables->rest_2[i] = k2 * size;
-            tables->rest_twist[i] = spec_.intrinsic_curvature[2] * cell;
-        } else if (!end) {
-            const Vector3 a = (spec_.rest_nodes[i] - spec_.rest_nodes[i - 1]).normalized();
-            const Vector3 b = (spec_.rest_nodes[i + 1] - spec_.rest_nodes[i]).normalized();
-            const Vector3 binormal = a.cross(b) * (2 / (1 + a.dot(b))), d1 = tables->rest_directors[i - 1];
-            tables->rest_1[i] = binormal.dot(d1);
-            tables->rest_2[i] = binormal.dot(a.cross(d1));
-        }
-        if (tables->bend[i] > 0 && (tables->rest_1[i] != 0 || tables->rest_2[i] != 0)) tables->curved = true;
+        set_joint(spec_, bending_stiffness_, torsional_stiffness_, i, *tables);
     }
     if (tables->section) {
         tables->none.assign(padded(n + 1), 0.0);
         tables->unit = tables->none;
         for (std::size_t i = 0; i <= n; ++i) tables->unit[i] = tables->bend[i] > 0 ? 1.0 : 0.0;
     }
-    const double shortest = length_ / spec_.segments;
-    const double scale =
-        axial_stiffness_ / shortest + 12 * bending_stiffness_ / (shortest * shortest * shortest);
-    tables->contact_penalty =
-        30 * scale;  // a larger penalty makes the active set chatter; the multipliers close the gap
-    tables->self_penalty = scale;
-    // The force at a jaw hardly depends on fine segments; a larger penalty would only amplify its rounding
-    // error.
-    const double coarse = spec_.segments > 128 ? length_ / 128 : shortest;
-    tables->grasp_penalty =
-        1e4 * (axial_stiffness_ / coarse + 12 * bending_stiffness_ / (coarse * coarse * coarse));
-    tables->turn_penalty = 1e4 * bending_stiffness_ / coarse;
+    set_penalties(spec_, length_, bending_stiffness_, axial_stiffness_, *tables);
     tables->outer_radius = ro;
     tables_ = tables;
 }

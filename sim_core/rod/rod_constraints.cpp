@@ -219,12 +219,8 @@ void wall_jacobian(const RodShape& shape, const RodPoint& point, const Vector3& 
     }
 }
 
-void add_constraints(const Rod::Tables& tables, const RodShape& shape, RodInputs& inputs, bool hessian,
-                     RodScratch::Data& data) {
-    data.active_changes = 0;
-    data.constraint_residual = data.penetration = data.multiplier_change = data.reaction_squared = 0;
+static void add_tethers(const RodShape& shape, RodInputs& inputs, bool hessian, RodScratch::Data& data) {
     RodJacobian jacobian;
-    double largest_position = 0;
     for (std::size_t i = 0; i < inputs.tethers.size(); ++i) {
         RodTether& tether = inputs.tethers[i];
         tether.force.setZero();
@@ -258,6 +254,13 @@ void add_constraints(const Rod::Tables& tables, const RodShape& shape, RodInputs
             add_wall_geometric(shape, point, tether.offset, force, data.matrix);
         }
     }
+}
+
+// Returns the largest coordinate of a target, m.
+static double add_grasps(const Rod::Tables& tables, const RodShape& shape, RodInputs& inputs, bool hessian,
+                         RodScratch::Data& data) {
+    RodJacobian jacobian;
+    double largest_position = 0;
     for (std::size_t i = 0; i < inputs.grasps.size(); ++i) {
         RodGrasp& grasp = inputs.grasps[i];
         const RodPoint& point = data.grasp_points[i];
@@ -281,6 +284,11 @@ void add_constraints(const Rod::Tables& tables, const RodShape& shape, RodInputs
         }
         if (grasp.hold_rotation) add_held_rotation(tables, shape, i, hessian, data);
     }
+    return largest_position;
+}
+
+static void add_contacts(const Rod::Tables& tables, const RodShape& shape, const RodInputs& inputs,
+                         bool hessian, RodScratch::Data& data) {
     const double penalty = tables.contact_penalty;
     for (std::size_t i = 0; i < inputs.contacts.size(); ++i) {
         const RodContact& contact = inputs.contacts[i];
@@ -328,6 +336,15 @@ void add_constraints(const Rod::Tables& tables, const RodShape& shape, RodInputs
         }
         if (hessian) add_stiffness(data.matrix, point, stiffness);
     }
+}
+
+void add_constraints(const Rod::Tables& tables, const RodShape& shape, RodInputs& inputs, bool hessian,
+                     RodScratch::Data& data) {
+    data.active_changes = 0;
+    data.constraint_residual = data.penetration = data.multiplier_change = data.reaction_squared = 0;
+    add_tethers(shape, inputs, hessian, data);
+    const double largest_position = add_grasps(tables, shape, inputs, hessian, data);
+    add_contacts(tables, shape, inputs, hessian, data);
     data.gradient_noise = 4e-16 * (tables.grasp_penalty * largest_position);
     add_self_contacts(tables, shape, inputs, hessian, data);
 }

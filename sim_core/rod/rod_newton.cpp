@@ -84,6 +84,18 @@ bool factor(RodScratch::Data& data, bool& shifted) {
     return false;
 }
 
+// Halves the step from `share` on until `acceptable` holds for the trial shape; false after 30 attempts.
+template <class Acceptable>
+bool accept_step(const Rod::Tables& tables, RodInputs& inputs, double share, const Acceptable& acceptable,
+                 RodScratch::Data& data) {
+    for (int attempt = 0; attempt < 30; ++attempt, share *= 0.5) {
+        if (!retract(tables, data.shape, data.step.data(), share, data.trial, data.anchor)) continue;
+        if (!evaluate(tables, data.trial, inputs, false, data)) continue;
+        if (acceptable(share)) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 NewtonResult newton(const Rod::Tables& tables, RodInputs& inputs, RodScratch::Data& data, int limit,
@@ -132,19 +144,16 @@ NewtonResult newton(const Rod::Tables& tables, RodInputs& inputs, RodScratch::Da
             return result;
         }
         ++result.iterations;
-        double share = full_steps ? 1.0 : step_bound(data.shape, data, segments);
-        bool accepted = false;
-        for (int attempt = 0; attempt < 30; ++attempt, share *= 0.5) {
-            if (!retract(tables, data.shape, data.step.data(), share, data.trial, data.anchor)) continue;
-            if (!evaluate(tables, data.trial, inputs, false, data)) continue;
-            if (full_steps || prescribed || (data.active_changes > 0 && i < free_changes) ||
-                data.energy <= energy + 1e-4 * share * slope + noise ||
-                (data.energy <= energy + 1e3 * noise + 1e-9 * elastic &&
-                 free_residual(data) < 0.5 * before)) {
-                accepted = true;
-                break;
-            }
-        }
+        const bool free_step = full_steps || prescribed;
+        const bool accepted = accept_step(
+            tables, inputs, full_steps ? 1.0 : step_bound(data.shape, data, segments),
+            [&](double share) {
+                return free_step || (data.active_changes > 0 && i < free_changes) ||
+                       data.energy <= energy + 1e-4 * share * slope + noise ||
+                       (data.energy <= energy + 1e3 * noise + 1e-9 * elastic &&
+                        free_residual(data) < 0.5 * before);
+            },
+            data);
         if (!accepted) {
             // No further decrease above rounding: keep the result so far.
             evaluate(tables, data.shape, inputs, false, data);

@@ -274,6 +274,39 @@ void freeze_shape(RodState& state, const RodState& saved, RodReport& report) {
     if (!std::isfinite(report.residual + report.force_residual)) report.residual = report.force_residual = 1;
 }
 
+// Largest jump of a grasp's target since the last step, in segment lengths; a turn of half a radian counts as
+// one.
+double leap_of(const Rod& rod, const RodState& state, const RodInputs& inputs) {
+    double leap = 0;
+    for (const RodGrasp& grasp : inputs.grasps) {
+        const double distance = (grasp.target - rod.wall_point(state, grasp.s, grasp.offset)).norm();
+        leap = distance > leap ? distance : leap;
+    }
+    leap *= rod.segments() / rod.length();
+    for (const RodGrasp& grasp : inputs.grasps) {
+        // A section that has to turn by more than a radian has no constraint force towards its target.
+        if (!grasp.hold_rotation) continue;
+        const double turn = angle_between(rod.frame_at(state, grasp.s).frame.rotation, grasp.target_rotation);
+        leap = 2 * turn > leap ? 2 * turn : leap;
+    }
+    return leap;
+}
+
+// Targets of ends and grasps after `share` of the remaining motion.
+void set_targets(const RodState& state, const RodInputs& inputs, double share, RodScratch::Data& d) {
+    const std::size_t n = state.nodes.size() - 1;
+    d.target[0] = state.nodes[0] + (inputs.ends[0].position - state.nodes[0]) * share;
+    d.target[1] = state.nodes[n] + (inputs.ends[1].position - state.nodes[n]) * share;
+    for (std::size_t i = 0; i < inputs.grasps.size(); ++i) {
+        const Vector3 now = wall_position(d.shape, d.grasp_points[i], inputs.grasps[i].offset);
+        d.grasp_target[i] = now + (inputs.grasps[i].target - now) * share;
+        if (inputs.grasps[i].hold_rotation) {
+            d.turn_target[i] =
+                between(held_rotation(d.shape, d.grasp_points[i]), inputs.grasps[i].target_rotation, share);
+        }
+    }
+}
+
 }  // namespace
 
 RodReport Rod::step(RodState& state, RodInputs& inputs, double dt, RodScratch& scratch,
@@ -303,18 +336,7 @@ RodReport Rod::step(RodState& state, RodInputs& inputs, double dt, RodScratch& s
         one ? 1
             : (solve.iterations > 0 ? solve.iterations : (solve.level == RodSolve::Level::newton ? 25 : 4));
     // A grasp target that jumps is followed in parts from the start.
-    double leap = 0;
-    for (const RodGrasp& grasp : inputs.grasps) {
-        const double distance = (grasp.target - wall_point(state, grasp.s, grasp.offset)).norm();
-        leap = distance > leap ? distance : leap;
-    }
-    leap *= spec_.segments / length_;
-    for (const RodGrasp& grasp : inputs.grasps) {
-        // A section that has to turn by more than a radian has no constraint force towards its target.
-        if (!grasp.hold_rotation) continue;
-        const double turn = angle_between(frame_at(state, grasp.s).frame.rotation, grasp.target_rotation);
-        leap = 2 * turn > leap ? 2 * turn : leap;
-    }
+    const double leap = leap_of(*this, state, inputs);
     for (int parts = leap > 2 ? 4 : (leap > 1 ? 2 : 1); parts <= 8; parts *= 2) {
         report.substeps = parts;
         report.iterations = 0;
@@ -326,16 +348,7 @@ RodReport Rod::step(RodState& state, RodInputs& inputs, double dt, RodScratch& s
             prepare(*this, state, inputs, dt / parts, d);
             const double share = 1.0 / (parts - part);
             const std::size_t n = static_cast<std::size_t>(spec_.segments);
-            d.target[0] = state.nodes[0] + (inputs.ends[0].position - state.nodes[0]) * share;
-            d.target[1] = state.nodes[n] + (inputs.ends[1].position - state.nodes[n]) * share;
-            for (std::size_t i = 0; i < inputs.grasps.size(); ++i) {
-                const Vector3 now = wall_position(d.shape, d.grasp_points[i], inputs.grasps[i].offset);
-                d.grasp_target[i] = now + (inputs.grasps[i].target - now) * share;
-                if (inputs.grasps[i].hold_rotation) {
-                    d.turn_target[i] = between(held_rotation(d.shape, d.grasp_points[i]),
-                                               inputs.grasps[i].target_rotation, share);
-                }
-            }
+            set_targets(state, inputs, share, d);
             std::copy(d.shape.position.begin(), d.shape.position.end(), d.start.position.begin());
             if (spec_.stiffness_damping > 0) {
                 // The elastic tangent where it is positive: taken at the start, without inertia, loads or
