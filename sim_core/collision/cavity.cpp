@@ -12,6 +12,33 @@
 #include "sim_core/numerics/input_error.h"
 
 namespace fulcrum {
+namespace {
+
+// Numbers of the triangles in the order of the leaves of FCL's tree over them.
+std::vector<std::size_t> leaf_order(const std::vector<Vector3>& vertices,
+                                    const std::vector<fcl::Triangle>& triangles) {
+    fcl::BVHModel<fcl::AABB<double>> tree;
+    tree.beginModel(static_cast<int>(triangles.size()), static_cast<int>(vertices.size()));
+    tree.addSubModel(vertices, triangles);
+    tree.endModel();
+    std::vector<std::size_t> order;
+    order.reserve(triangles.size());
+    std::vector<int> waiting{0};
+    while (!waiting.empty()) {
+        const auto& node = tree.getBV(waiting.back());
+        waiting.pop_back();
+        if (node.isLeaf()) {
+            order.push_back(static_cast<std::size_t>(node.primitiveId()));
+            continue;
+        }
+        waiting.push_back(node.rightChild());
+        waiting.push_back(node.leftChild());
+    }
+    return order;
+}
+
+}  // namespace
+
 CavityModel::CavityModel(const TriangleMesh& mesh, FreeSide side) : mesh_(mesh), side_(side) {
     for (const Vector3& vertex : mesh_.vertices) {
         if (!vertex.allFinite() || vertex.cwiseAbs().maxCoeff() > 1e6) {
@@ -68,29 +95,17 @@ CavityModel::CavityModel(const TriangleMesh& mesh, FreeSide side) : mesh_(mesh),
         if (length > 0) normal /= length;
     }
 
-    fcl::BVHModel<fcl::AABB<double>> tree;
-    tree.beginModel(static_cast<int>(usable.size()), static_cast<int>(mesh_.vertices.size()));
-    tree.addSubModel(mesh_.vertices, usable);
-    tree.endModel();
     // Eight consecutive triangles in the tree's leaf order form a packet.
-    std::vector<int> waiting{0};
     std::vector<Box> boxes;
     packets_.reserve((usable.size() + packet_size - 1) / packet_size);
     int lane = packet_size;
-    while (!waiting.empty()) {
-        const auto& node = tree.getBV(waiting.back());
-        waiting.pop_back();
-        if (!node.isLeaf()) {
-            waiting.push_back(node.rightChild());
-            waiting.push_back(node.leftChild());
-            continue;
-        }
+    for (const std::size_t leaf : leaf_order(mesh_.vertices, usable)) {
         if (lane == packet_size) {
             packets_.emplace_back();
             boxes.emplace_back();
             lane = 0;
         }
-        const std::int32_t t = number[static_cast<std::size_t>(node.primitiveId())];
+        const std::int32_t t = number[leaf];
         fill(packets_.back(), lane++, t);
         const CavityTriangle& triangle = triangles_[static_cast<std::size_t>(t)];
         for (const Vector3& corner : {triangle.a, triangle.b, triangle.c}) boxes.back().add(corner);

@@ -43,7 +43,7 @@ struct WalkPoint {
 };
 
 /// Moves point from its triangle, barycentric coordinates and shaft fraction, for the segment from `from` (0)
-/// to `to` (1).
+/// to `to` (1). Longer than 80 lines: one iteration whose steps share all of its state.
 template <typename Surface>
 void walk_surface(Surface& surface, const Vector3& from, const Vector3& to, const WalkOptions& options,
                   WalkPoint& point) {

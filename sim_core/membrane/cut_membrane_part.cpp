@@ -215,6 +215,7 @@ void CutMembrane::split_vertex(CutMembraneState& state, std::int32_t vertex,
         state.pieces[at(all[at(i)].piece)].nodes[at(all[at(i)].corner)] = all[at(parent(i))].new_node;
 }
 
+// Longer than 80 lines: a fixed sequence of short steps, each of which depends on the one before.
 bool CutMembrane::part(CutMembraneState& state, const MembraneCut& cut,
                        CutMembraneScratch& scratch) const noexcept {
     if (!fits(state, cut)) return false;

@@ -88,6 +88,13 @@ void add_links(const CutMembraneState& state, CutMembraneInputs& inputs, double 
     }
 }
 
+void store(const Lanes* x, const Lanes* v, std::size_t nodes, CutMembraneState& state) {
+    for (std::size_t n = 0; n < nodes; ++n) {
+        state.positions[n] = vector_of(x[n]);
+        state.velocities[n] = vector_of(v[n]);
+    }
+}
+
 // Restores the positions of the step's start, at rest.
 void freeze(CutMembraneState& state, CutMembraneInputs& inputs, const std::vector<Vector3>& good,
             std::size_t nodes, MembraneReport& report) {
@@ -173,10 +180,7 @@ MembraneReport CutMembrane::step(CutMembraneState& state, CutMembraneInputs& inp
             x[n] += step * v[n];
         }
     }
-    for (std::size_t n = 0; n < nodes; ++n) {
-        state.positions[n] = vector_of(x[n]);
-        state.velocities[n] = vector_of(v[n]);
-    }
+    store(x, v, nodes, state);
     if (!finite(state)) {
         freeze(state, inputs, scratch.good_, nodes, report);
         return report;

@@ -28,6 +28,35 @@ void check(const MembraneMaterial& m) {
     within(m.mass_damping, 0, 1e6, "mass_damping");
 }
 
+// Springs in the order of their nodes, so that neighbours in the sheet are neighbours in memory; padded to a
+// multiple of four.
+void place_springs(const std::vector<MembraneSpring>& springs, Membrane::Tables& t) {
+    std::vector<std::int32_t> by_node(springs.size());
+    for (std::size_t s = 0; s < springs.size(); ++s) by_node[s] = static_cast<std::int32_t>(s);
+    const auto ends = [&](std::int32_t s) {
+        const std::int32_t a = t.node_of[at(springs[at(s)].first)], b = t.node_of[at(springs[at(s)].second)];
+        return a < b ? std::make_pair(a, b) : std::make_pair(b, a);
+    };
+    std::sort(by_node.begin(), by_node.end(),
+              [&](std::int32_t a, std::int32_t b) { return ends(a) < ends(b); });
+    t.place_of.resize(springs.size());
+    for (const std::int32_t s : by_node) {
+        t.place_of[at(s)] = static_cast<std::int32_t>(t.first.size());
+        t.first.push_back(ends(s).first);
+        t.second.push_back(ends(s).second);
+        t.stiffness.push_back(springs[at(s)].stiffness);
+        t.rest.push_back(springs[at(s)].rest_length);
+        t.spring_of.push_back(s);
+    }
+    while (t.first.size() % 4 != 0) {
+        t.first.push_back(0);
+        t.second.push_back(0);
+        t.stiffness.push_back(0);
+        t.rest.push_back(0);
+        t.spring_of.push_back(-1);
+    }
+}
+
 std::unique_ptr<Membrane::Tables> make_tables(const std::vector<Vector3>& rest,
                                               const std::vector<MembraneSpring>& springs,
                                               const std::vector<std::int32_t>& attached,
@@ -95,32 +124,7 @@ std::unique_ptr<Membrane::Tables> make_tables(const std::vector<Vector3>& rest,
         t.inner_edge.push_back(edge[1] < t.free ? static_cast<std::int32_t>(t.inner_edges.size()) : -1);
         if (edge[1] < t.free) t.inner_edges.push_back(edge);
     }
-
-    // Springs in the order of their nodes, so that neighbours in the sheet are neighbours in memory.
-    std::vector<std::int32_t> by_node(springs.size());
-    for (std::size_t s = 0; s < springs.size(); ++s) by_node[s] = static_cast<std::int32_t>(s);
-    const auto ends = [&](std::int32_t s) {
-        const std::int32_t a = t.node_of[at(springs[at(s)].first)], b = t.node_of[at(springs[at(s)].second)];
-        return a < b ? std::make_pair(a, b) : std::make_pair(b, a);
-    };
-    std::sort(by_node.begin(), by_node.end(),
-              [&](std::int32_t a, std::int32_t b) { return ends(a) < ends(b); });
-    t.place_of.resize(springs.size());
-    for (const std::int32_t s : by_node) {
-        t.place_of[at(s)] = static_cast<std::int32_t>(t.first.size());
-        t.first.push_back(ends(s).first);
-        t.second.push_back(ends(s).second);
-        t.stiffness.push_back(springs[at(s)].stiffness);
-        t.rest.push_back(springs[at(s)].rest_length);
-        t.spring_of.push_back(s);
-    }
-    while (t.first.size() % 4 != 0) {
-        t.first.push_back(0);
-        t.second.push_back(0);
-        t.stiffness.push_back(0);
-        t.rest.push_back(0);
-        t.spring_of.push_back(-1);
-    }
+    place_springs(springs, t);
     return made;
 }
 

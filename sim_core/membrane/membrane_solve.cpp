@@ -288,6 +288,36 @@ inline void pack(const Lanes& value, double* to) {
     to[2] = value[2];
 }
 
+// Halves the step from d.trial towards d.position until the potential decreases enough; false after 12
+// attempts. length: fraction of the step; next: potential there.
+bool search(const Membrane::Tables& t, Data& d, double value, double slope, double& length, double& next) {
+    const auto count = at(t.free);
+    for (std::size_t i = count; i < at(t.nodes); ++i) d.trial[i] = d.position[i];
+    for (int halving = 0; halving < 12; ++halving, length *= 0.5) {
+        for (std::size_t i = 0; halving > 0 && i < count; ++i)
+            d.trial[i] = all_lanes(0.5) * (d.trial[i] + d.position[i]);
+        next = potential(t, d, d.trial.data(), d.trial_gradient.data());
+        if (next <= value + 1e-4 * length * slope + 1e-15 * std::abs(value)) return true;
+    }
+    return false;
+}
+
+// Writes the step and the change of the gradient into a slot of the memory. product: of the two; squared: of
+// the change.
+void pack_pair(Data& d, std::size_t slot, std::size_t count, double& product, double& squared) {
+    double *step = d.moved[slot].data(), *change = d.turned[slot].data();
+    Lanes across = all_lanes(0), square = all_lanes(0);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Lanes moved_by = d.trial[i] - d.position[i], turned_by = d.trial_gradient[i] - d.gradient[i];
+        across += moved_by * turned_by;
+        square += turned_by * turned_by;
+        pack(moved_by, step + 3 * i);
+        pack(turned_by, change + 3 * i);
+    }
+    product = sum_lanes(across);
+    squared = sum_lanes(square);
+}
+
 }  // namespace
 
 void minimise_quasi_newton(const Membrane::Tables& t, Data& d, int iterations, double tolerance,
@@ -344,35 +374,18 @@ void minimise_quasi_newton(const Membrane::Tables& t, Data& d, int iterations, d
             continue;
         }
         double length = 1, next = 0;
-        bool lower = false;
-        for (std::size_t i = count; i < at(t.nodes); ++i) d.trial[i] = d.position[i];
-        for (int halving = 0; halving < 12; ++halving, length *= 0.5) {
-            for (std::size_t i = 0; halving > 0 && i < count; ++i)
-                d.trial[i] = all_lanes(0.5) * (d.trial[i] + d.position[i]);
-            next = potential(t, d, d.trial.data(), d.trial_gradient.data());
-            lower = next <= value + 1e-4 * length * slope + 1e-15 * std::abs(value);
-            if (lower) break;
-        }
+        const bool lower = search(t, d, value, slope, length, next);
         if (!lower) {
             if (d.remembered == 0) break;  // only rounding remains
             d.remembered = 0;
             continue;
         }
         const auto next_slot = static_cast<std::size_t>((d.newest + 1) % Data::memory);
-        double *step = d.moved[next_slot].data(), *change = d.turned[next_slot].data();
-        Lanes across = all_lanes(0), squared = all_lanes(0);
-        for (std::size_t i = 0; i < count; ++i) {
-            const Lanes moved_by = d.trial[i] - d.position[i],
-                        turned_by = d.trial_gradient[i] - d.gradient[i];
-            across += moved_by * turned_by;
-            squared += turned_by * turned_by;
-            pack(moved_by, step + 3 * i);
-            pack(turned_by, change + 3 * i);
-        }
-        const double product = sum_lanes(across);
+        double product = 0, squared = 0;
+        pack_pair(d, next_slot, count, product, squared);
         // The oldest pair's slot was overwritten: without a new pair in it, it is dropped.
         d.remembered = std::min(d.remembered, Data::memory - 1);
-        if (product > 1e-21 * sum_lanes(squared) && product > 0) {
+        if (product > 1e-21 * squared && product > 0) {
             for (int k = 0; k < pairs; ++k) {
                 double sum = products[k];  // direction . turned[k]
                 for (int j = 0; j < pairs; ++j) sum += share[j] * d.products[slot[j]][slot[k]];
