@@ -172,8 +172,56 @@ std::string svg_bars(const BarChart& chart) {
     return svg.finish();
 }
 
+// Fill of each category of a map.
+static constexpr std::array<const char*, 4> map_fills = {"#009E73", "#F0E442", "#D55E00", "#000000"};
+
+// Borders of the cells at these values: half-way between neighbours.
+static std::vector<double> cell_borders(const std::vector<double>& values, bool logarithmic) {
+    std::vector<double> v;
+    for (const double value : values) v.push_back(logarithmic ? std::log10(value) : value);
+    std::vector<double> edges;
+    const std::size_t n = v.size();
+    for (std::size_t i = 0; i + 1 < n; ++i) edges.push_back(0.5 * (v[i] + v[i + 1]));
+    const double first = n > 1 ? v[0] - 0.5 * (v[1] - v[0]) : v[0] - 0.5,
+                 last = n > 1 ? v[n - 1] + 0.5 * (v[n - 1] - v[n - 2]) : v[0] + 0.5;
+    edges.insert(edges.begin(), first);
+    edges.push_back(last);
+    if (logarithmic) {
+        for (double& edge : edges) edge = std::pow(10.0, edge);
+    }
+    return edges;
+}
+
+static std::size_t nearest_index(const std::vector<double>& values, double value) {
+    return static_cast<std::size_t>(std::min_element(values.begin(), values.end(),
+                                                     [value](double a, double b) {
+                                                         return std::fabs(a - value) < std::fabs(b - value);
+                                                     }) -
+                                    values.begin());
+}
+
+static void draw_legend(Svg& svg, const CategoryMap& map, double right, double top) {
+    double row = top + 8;
+    for (std::size_t c = 0; c < map.categories.size(); ++c, row += 20) {
+        svg.rectangle(right + 16, row - 8, 16, 16, map_fills[c]);
+        if (c == 1) svg.marker(right + 24, row, 5, 4, "#444444", false);
+        if (c >= 2) svg.marker(right + 24, row, 4, 4, "#ffffff", true);
+        svg.text(right + 40, row + 4, map.categories[c], 11);
+    }
+    std::vector<std::string> listed;
+    for (const MapPanel& panel : map.panels) {
+        for (const ChartSeries& curve : panel.curves) {
+            if (std::find(listed.begin(), listed.end(), curve.name) != listed.end()) continue;
+            svg.line(right + 16, row, right + 34, row, listed.empty() ? "#000000" : "#0072B2", 2.5,
+                     curve.dashed);
+            svg.text(right + 40, row + 4, curve.name, 11);
+            listed.push_back(curve.name);
+            row += 20;
+        }
+    }
+}
+
 std::string svg_map(const CategoryMap& map) {
-    static constexpr std::array<const char*, 4> fills = {"#009E73", "#F0E442", "#D55E00", "#000000"};
     const double left = 86, top = 66, size = map.panels.size() > 2 ? 250 : 340, gap = 34;
     const auto count = static_cast<double>(std::max<std::size_t>(1, map.panels.size()));
     const double right = left + count * size + (count - 1) * gap, bottom = top + size;
@@ -184,33 +232,9 @@ std::string svg_map(const CategoryMap& map) {
     Svg svg(std::max(right + 16 + legend_width(names), title_width(map.title, left)),
             bottom + (map.note.empty() ? 56 : 78));
     svg.text(left, 26, map.title, 15, "start", 0, ink, true);
-    // Cells extend half-way to their neighbours.
-    const auto borders = [](const std::vector<double>& values, bool logarithmic) {
-        std::vector<double> v;
-        for (const double value : values) v.push_back(logarithmic ? std::log10(value) : value);
-        std::vector<double> edges;
-        const std::size_t n = v.size();
-        for (std::size_t i = 0; i + 1 < n; ++i) edges.push_back(0.5 * (v[i] + v[i + 1]));
-        const double first = n > 1 ? v[0] - 0.5 * (v[1] - v[0]) : v[0] - 0.5,
-                     last = n > 1 ? v[n - 1] + 0.5 * (v[n - 1] - v[n - 2]) : v[0] + 0.5;
-        edges.insert(edges.begin(), first);
-        edges.push_back(last);
-        if (logarithmic) {
-            for (double& edge : edges) edge = std::pow(10.0, edge);
-        }
-        return edges;
-    };
     if (map.x.empty() || map.y.empty()) return svg.finish();
-    const std::vector<double> x_edges = borders(map.x, map.x_logarithmic),
-                              y_edges = borders(map.y, map.y_logarithmic);
-    const auto place_of = [](const std::vector<double>& values, double value) {
-        return static_cast<std::size_t>(std::min_element(values.begin(), values.end(),
-                                                         [value](double a, double b) {
-                                                             return std::fabs(a - value) <
-                                                                    std::fabs(b - value);
-                                                         }) -
-                                        values.begin());
-    };
+    const std::vector<double> x_edges = cell_borders(map.x, map.x_logarithmic),
+                              y_edges = cell_borders(map.y, map.y_logarithmic);
     std::vector<std::string> curves;
     for (std::size_t p = 0; p < map.panels.size(); ++p) {
         const MapPanel& panel = map.panels[p];
@@ -220,11 +244,11 @@ std::string svg_map(const CategoryMap& map) {
         y.place(bottom, top);
         svg.text(0.5 * (from + to), top - 10, panel.title, 12, "middle");
         for (const MapCell& cell : panel.cells) {
-            const std::size_t i = place_of(map.x, cell.x), j = place_of(map.y, cell.y);
+            const std::size_t i = nearest_index(map.x, cell.x), j = nearest_index(map.y, cell.y);
             const double x0 = x.at(x_edges[i]), x1 = x.at(x_edges[i + 1]), y0 = y.at(y_edges[j + 1]),
                          y1 = y.at(y_edges[j]);
             const auto category = static_cast<std::size_t>(std::clamp(cell.category, 0, 3));
-            svg.rectangle(x0, y0, x1 - x0, y1 - y0, fills[category], "#ffffff");
+            svg.rectangle(x0, y0, x1 - x0, y1 - y0, map_fills[category], "#ffffff");
             // A mark as well, for greyscale prints.
             const double mark = std::min(4.0, 0.22 * std::min(x1 - x0, y1 - y0));
             if (category == 1) svg.marker(0.5 * (x0 + x1), 0.5 * (y0 + y1), 5, mark, "#444444", false);
@@ -242,24 +266,7 @@ std::string svg_map(const CategoryMap& map) {
         svg.text(0.5 * (from + to), bottom + 40, map.x_label, 12, "middle");
     }
     svg.text(20, 0.5 * (top + bottom), map.y_label, 12, "middle", -90);
-    double row = top + 8;
-    for (std::size_t c = 0; c < map.categories.size(); ++c, row += 20) {
-        svg.rectangle(right + 16, row - 8, 16, 16, fills[c]);
-        if (c == 1) svg.marker(right + 24, row, 5, 4, "#444444", false);
-        if (c >= 2) svg.marker(right + 24, row, 4, 4, "#ffffff", true);
-        svg.text(right + 40, row + 4, map.categories[c], 11);
-    }
-    std::vector<std::string> listed;
-    for (const MapPanel& panel : map.panels) {
-        for (const ChartSeries& curve : panel.curves) {
-            if (std::find(listed.begin(), listed.end(), curve.name) != listed.end()) continue;
-            svg.line(right + 16, row, right + 34, row, listed.empty() ? "#000000" : "#0072B2", 2.5,
-                     curve.dashed);
-            svg.text(right + 40, row + 4, curve.name, 11);
-            listed.push_back(curve.name);
-            row += 20;
-        }
-    }
+    draw_legend(svg, map, right, top);
     if (!map.note.empty()) svg.text(left, bottom + 64, map.note, 11, "start", 0, "#555555");
     return svg.finish();
 }

@@ -58,75 +58,10 @@ Times times_of(std::vector<float> us, double yardstick_us) {
     return {at(0.5), at(0.99), at(1)};
 }
 
-}  // namespace
-
-ResultPage cut_strokes_page(int strokes) {
-    const std::string count = std::to_string(strokes);
-    ResultPage page("cut_strokes", count + " random strokes",
-                    "fulcrum lab strokes " + count + " --output docs/results");
-    const std::vector<std::string> columns = {"steps cut",
-                                              "hit nothing",
-                                              "rolled back",
-                                              "cut on retry",
-                                              "not cut",
-                                              "invariants broken",
-                                              "rolled back, % of steps",
-                                              "worst area error, relative"};
-    ResultTable table, time_table, stress_table;
-    table.name = "cut_strokes";
-    table.columns = {"surface", "strokes", "steps"};
-    table.columns.insert(table.columns.end(), columns.begin(), columns.end());
-    time_table.columns = {"surface", "median, mG", "p99, mG", "worst, mG"};
-    std::vector<double> yardsticks;
-    struct Run {
-        std::string name;
-        StrokeTally tally;
-    };
-    std::vector<Run> runs;
-    StrokeTally all;
-    for (const StrokeSurface& surface : stroke_surfaces())
-        for (const bool deform : {false, true}) {
-            for (int k = 0; k < 5; ++k) {
-                const double begin = processor_time_us();
-                time_yardstick_us();
-                yardsticks.push_back(processor_time_us() - begin);
-            }
-            runs.push_back({surface.name + (deform ? ", moving" : ", at rest"),
-                            run_strokes(surface.mesh, deform, std::max(1, strokes / 8), deform ? 11 : 7)});
-            all.add(runs.back().tally);
-        }
-    std::nth_element(yardsticks.begin(),
-                     yardsticks.begin() + static_cast<std::ptrdiff_t>(yardsticks.size() / 2),
-                     yardsticks.end());
-    const double yardstick = yardsticks[yardsticks.size() / 2];
-    nlohmann::json surfaces = nlohmann::json::array(), cases = nlohmann::json::array();
-    runs.push_back({"total", all});
-    for (const Run& run : runs) {
-        const Times times = times_of(run.tally.step_us, yardstick);
-        table.rows.push_back(row_of(run.name, run.tally));
-        time_table.rows.push_back(
-            {run.name, short_number(times.median), short_number(times.p99), short_number(times.worst)});
-        surfaces.push_back(json_of(run.name, run.tally));
-        surfaces.back()["median_mg"] = times.median;
-        surfaces.back()["p99_mg"] = times.p99;
-        surfaces.back()["worst_mg"] = times.worst;
-    }
-    page.paragraph(
-        "Each stroke has one to four steps with a blade 0.2 to 6 mm wide and starts anywhere: inside a "
-        "triangle, at a vertex, on or along an edge. \"Moving\" means that the surface deforms during the "
-        "stroke, stretched by up to a third. Every step is validated on everything that it touched, and the "
-        "whole surface after every tenth stroke. Pieces without a fixed vertex are dropped.");
-    page.table(table);
-    page.heading("Time of a step");
-    page.paragraph(
-        "Processor time of one step: the change of topology and the validation of everything that it "
-        "touched. G is the processor time of one 512 x 512 x 512 double matrix product in the same process; "
-        "1 mG is a thousandth of it. Here G = " +
-        short_number(yardstick / 1000) + " ms. Budgets: a step of 2 mm with a blade of 1 mm, " +
-        short_number(budget_mg) + " mG median (lab_bench, cut_topology); any step, " +
-        short_number(worst_budget_mg) + " mG at worst.");
-    page.table(time_table);
-
+// Runs the stress cases and adds their section to the page. Returns their part of the document.
+nlohmann::json add_stress_cases(ResultPage& page, int strokes, const std::vector<std::string>& columns) {
+    nlohmann::json cases = nlohmann::json::array();
+    ResultTable stress_table;
     page.heading("Stress cases");
     const int meshes = std::max(1, strokes / 300);
     page.paragraph(
@@ -156,6 +91,79 @@ ResultPage cut_strokes_page(int strokes) {
     }
     add_row("total", stress);
     page.table(stress_table);
+    return cases;
+}
+
+}  // namespace
+
+ResultPage cut_strokes_page(int strokes) {
+    const std::string count = std::to_string(strokes);
+    ResultPage page("cut_strokes", count + " random strokes",
+                    "fulcrum lab strokes " + count + " --output docs/results");
+    const std::vector<std::string> columns = {"steps cut",
+                                              "hit nothing",
+                                              "rolled back",
+                                              "cut on retry",
+                                              "not cut",
+                                              "invariants broken",
+                                              "rolled back, % of steps",
+                                              "worst area error, relative"};
+    ResultTable table, time_table;
+    table.name = "cut_strokes";
+    table.columns = {"surface", "strokes", "steps"};
+    table.columns.insert(table.columns.end(), columns.begin(), columns.end());
+    time_table.columns = {"surface", "median, mG", "p99, mG", "worst, mG"};
+    std::vector<double> yardsticks;
+    struct Run {
+        std::string name;
+        StrokeTally tally;
+    };
+    std::vector<Run> runs;
+    StrokeTally all;
+    for (const StrokeSurface& surface : stroke_surfaces())
+        for (const bool deform : {false, true}) {
+            for (int k = 0; k < 5; ++k) {
+                const double begin = processor_time_us();
+                time_yardstick_us();
+                yardsticks.push_back(processor_time_us() - begin);
+            }
+            runs.push_back({surface.name + (deform ? ", moving" : ", at rest"),
+                            run_strokes(surface.mesh, deform, std::max(1, strokes / 8), deform ? 11 : 7)});
+            all.add(runs.back().tally);
+        }
+    std::nth_element(yardsticks.begin(),
+                     yardsticks.begin() + static_cast<std::ptrdiff_t>(yardsticks.size() / 2),
+                     yardsticks.end());
+    const double yardstick = yardsticks[yardsticks.size() / 2];
+    nlohmann::json surfaces = nlohmann::json::array();
+    runs.push_back({"total", all});
+    for (const Run& run : runs) {
+        const Times times = times_of(run.tally.step_us, yardstick);
+        table.rows.push_back(row_of(run.name, run.tally));
+        time_table.rows.push_back(
+            {run.name, short_number(times.median), short_number(times.p99), short_number(times.worst)});
+        surfaces.push_back(json_of(run.name, run.tally));
+        surfaces.back()["median_mg"] = times.median;
+        surfaces.back()["p99_mg"] = times.p99;
+        surfaces.back()["worst_mg"] = times.worst;
+    }
+    page.paragraph(
+        "Each stroke has one to four steps with a blade 0.2 to 6 mm wide and starts anywhere: inside a "
+        "triangle, at a vertex, on or along an edge. \"Moving\" means that the surface deforms during the "
+        "stroke, stretched by up to a third. Every step is validated on everything that it touched, and the "
+        "whole surface after every tenth stroke. Pieces without a fixed vertex are dropped.");
+    page.table(table);
+    page.heading("Time of a step");
+    page.paragraph(
+        "Processor time of one step: the change of topology and the validation of everything that it "
+        "touched. G is the processor time of one 512 x 512 x 512 double matrix product in the same process; "
+        "1 mG is a thousandth of it. Here G = " +
+        short_number(yardstick / 1000) + " ms. Budgets: a step of 2 mm with a blade of 1 mm, " +
+        short_number(budget_mg) + " mG median (lab_bench, cut_topology); any step, " +
+        short_number(worst_budget_mg) + " mG at worst.");
+    page.table(time_table);
+
+    const nlohmann::json cases = add_stress_cases(page, strokes, columns);
     page.document(
         {{"strokes", strokes}, {"yardstick_us", yardstick}, {"surfaces", surfaces}, {"stress", cases}});
     return page;

@@ -104,21 +104,9 @@ void run_bend_experiment(const JsonDocument& file, ExperimentResult& result) {
     result.columns = 2;
 }
 
-// The intestine is suspended from its two ends and released: it falls to the ground and onto itself.
-void run_fall_experiment(const JsonDocument& file, ExperimentResult& result) {
-    ExperimentBowelSpec spec;
-    spec.length = number_of(file, "length_m", 0.9, 0.2, 2);
-    spec.radius = number_of(file, "radius_m", 0.015, 0.005, 0.05);
-    spec.segments = static_cast<int>(number_of(file, "segments", 90, 16, 512));
-    spec.sphere_spacing = 0.8 * spec.radius;
-    spec.floor = true;
-    const int frames = static_cast<int>(number_of(file, "frames", 44, 2, 400));
-    const double rate = number_of(file, "frames_per_second", 33, 5, 200),
-                 height = number_of(file, "height_m", 0.5, 0.1, 3);
-    const double span = number_of(file, "span_m", 0.16, 0.05, 1.5);
-    ExperimentBowel bowel(spec);
-    // Suspended from both ends: a static solve from a U in a slightly tilted plane, so that it does not fall
-    // exactly onto its own line.
+// Suspends the bowel from both ends: a static solve from a U in a slightly tilted plane, so that it does not
+// fall exactly onto its own line.
+static void suspend(const ExperimentBowelSpec& spec, double span, double height, ExperimentBowel& bowel) {
     const auto n = static_cast<std::size_t>(spec.segments);
     std::vector<Vector3> nodes;
     const double drop = 0.5 * (spec.length - 0.5 * pi * span);
@@ -152,6 +140,22 @@ void run_fall_experiment(const JsonDocument& file, ExperimentResult& result) {
         bowel.state().velocities[i] =
             Vector3(0.05 * std::sin(5 * share), 0.12 * std::sin(2 * pi * share) + 0.05, 0);
     }
+}
+
+// The intestine is suspended from its two ends and released: it falls to the ground and onto itself.
+void run_fall_experiment(const JsonDocument& file, ExperimentResult& result) {
+    ExperimentBowelSpec spec;
+    spec.length = number_of(file, "length_m", 0.9, 0.2, 2);
+    spec.radius = number_of(file, "radius_m", 0.015, 0.005, 0.05);
+    spec.segments = static_cast<int>(number_of(file, "segments", 90, 16, 512));
+    spec.sphere_spacing = 0.8 * spec.radius;
+    spec.floor = true;
+    const int frames = static_cast<int>(number_of(file, "frames", 44, 2, 400));
+    const double rate = number_of(file, "frames_per_second", 33, 5, 200),
+                 height = number_of(file, "height_m", 0.5, 0.1, 3);
+    const double span = number_of(file, "span_m", 0.16, 0.05, 1.5);
+    ExperimentBowel bowel(spec);
+    suspend(spec, span, height, bowel);
     ExperimentMesh ground;
     ground.name = "floor";
     ground.mesh = make_floor(0.6);

@@ -12,6 +12,21 @@
 
 namespace fulcrum::lab {
 
+// The contact vertex: the top of the tube (+z), on a bulge near the middle.
+static std::int32_t contact_vertex(const std::vector<Vector3>& rest, double length) {
+    std::int32_t vertex = 0;
+    double best = std::numeric_limits<double>::infinity();
+    for (std::size_t v = 0; v < rest.size(); ++v) {
+        const double distance =
+            std::hypot(rest[v].x() - 0.5 * length - 0.25 * 0.06, 0.5 * rest[v].y()) - rest[v].z();
+        if (distance < best) {
+            best = distance;
+            vertex = static_cast<std::int32_t>(v);
+        }
+    }
+    return vertex;
+}
+
 void run_filter_experiment(const JsonDocument& file, ExperimentResult& result) {
     const double length = number_of(file, "length_m", 0.12, 0.05, 0.5),
                  radius = number_of(file, "radius_m", 0.016, 0.005, 0.05);
@@ -26,17 +41,7 @@ void run_filter_experiment(const JsonDocument& file, ExperimentResult& result) {
     const MeshAdjacency& adjacency = skin.adjacency();
     const std::vector<Vector3>& rest = skin.rest().vertices;
     const SurfaceView view = view_of(skin.rest(), adjacency);
-    // The contact vertex: the top of the tube (+z), on a bulge near the middle.
-    std::int32_t vertex = 0;
-    double best = std::numeric_limits<double>::infinity();
-    for (std::size_t v = 0; v < rest.size(); ++v) {
-        const double distance =
-            std::hypot(rest[v].x() - 0.5 * length - 0.25 * 0.06, 0.5 * rest[v].y()) - rest[v].z();
-        if (distance < best) {
-            best = distance;
-            vertex = static_cast<std::int32_t>(v);
-        }
-    }
+    const std::int32_t vertex = contact_vertex(rest, length);
     const Vector3 normal = skin.rest_normals()[static_cast<std::size_t>(vertex)];
     const WinklerBed bed = winkler_bed(young, 0.35, wall, backing, 0.08);
     result.columns = 3;

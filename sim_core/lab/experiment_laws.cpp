@@ -41,6 +41,27 @@ struct LawRod {
     }
 };
 
+// The bowel around a rod: 0 linear, in front and blue; 1 EXP2, behind and red.
+ExperimentMesh shown_rod(const BowelSkin& skin, const LawRod& law, const RodState& state, int k) {
+    std::vector<RingFrame> frames(static_cast<std::size_t>(skin.rings()));
+    ring_frames(
+        skin.cage(),
+        [&](double s) {
+            const RodMotion motion = law.rod.frame_at(state, s);
+            return RingFrame{motion.frame.position + Vector3(0, k == 0 ? -0.021 : 0.021, 0),
+                             motion.frame.rotation};
+        },
+        frames.data());
+    ExperimentMesh shown;
+    shown.name = k == 0 ? "linear" : "EXP2";
+    shown.mesh.triangles = skin.rest().triangles;
+    shown.mesh.vertices.resize(static_cast<std::size_t>(skin.vertices()));
+    skin_all(skin, frames.data(), shown.mesh.vertices.data());
+    shown.colour =
+        k == 0 ? std::array<float, 3>{0.18F, 0.36F, 0.62F} : std::array<float, 3>{0.72F, 0.30F, 0.26F};
+    return shown;
+}
+
 }  // namespace
 
 void run_law_experiment(const JsonDocument& file, ExperimentResult& result) {
@@ -94,23 +115,7 @@ void run_law_experiment(const JsonDocument& file, ExperimentResult& result) {
         for (int k = 0; k < 2; ++k) {
             const LawRod& law = k == 0 ? linear : exp2;
             const RodState state = law.pulled(Vector3(force, 0, 0));
-            std::vector<RingFrame> frames(static_cast<std::size_t>(skin.rings()));
-            ring_frames(
-                skin.cage(),
-                [&](double s) {
-                    const RodMotion motion = law.rod.frame_at(state, s);
-                    return RingFrame{motion.frame.position + Vector3(0, k == 0 ? -0.021 : 0.021, 0),
-                                     motion.frame.rotation};
-                },
-                frames.data());
-            ExperimentMesh shown;
-            shown.name = k == 0 ? "linear" : "EXP2";
-            shown.mesh.triangles = skin.rest().triangles;
-            shown.mesh.vertices.resize(static_cast<std::size_t>(skin.vertices()));
-            skin_all(skin, frames.data(), shown.mesh.vertices.data());
-            shown.colour = k == 0 ? std::array<float, 3>{0.18F, 0.36F, 0.62F}
-                                  : std::array<float, 3>{0.72F, 0.30F, 0.26F};
-            panel.meshes.push_back(shown);
+            panel.meshes.push_back(shown_rod(skin, law, state, k));
             reach[k] = state.nodes.back().x() / length - 1;
         }
         panel.title +=

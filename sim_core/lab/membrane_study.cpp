@@ -23,10 +23,7 @@ nlohmann::json finite_or_null(double value) {
     return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
 }
 
-}  // namespace
-
-nlohmann::json run_membrane_study(const JsonDocument& study) {
-    const TriangleMesh mesh = mesh_of(study, "mesh");
+MembraneMaterial material_of(const JsonDocument& study) {
     MembraneMaterial material;
     material.structural_stiffness = number_of(study, "stiffness_n_m", 0, 1e12);
     material.shear_stiffness =
@@ -35,6 +32,22 @@ nlohmann::json run_membrane_study(const JsonDocument& study) {
         number_of(study, "bend_stiffness_n_m", 0.05 * material.structural_stiffness, 0, 1e12);
     material.mass = number_of(study, "mass_kg", 1e-12, 1e6);
     material.pre_strain = number_of(study, "pre_strain", 0, -0.5, 1);
+    return material;
+}
+
+// rad/s, of the membrane at rest.
+double highest_frequency(const TriangleMesh& mesh, const MembraneMaterial& material,
+                         const std::vector<std::int32_t>& fixed, double dt) {
+    const Membrane bare(mesh, material, fixed);
+    MembraneScratch scratch = bare.make_scratch(dt);
+    return bare.limit(bare.make_state(), scratch).frequency;
+}
+
+}  // namespace
+
+nlohmann::json run_membrane_study(const JsonDocument& study) {
+    const TriangleMesh mesh = mesh_of(study, "mesh");
+    MembraneMaterial material = material_of(study);
     const double ratio = number_of(study, "damping", 0, 0, 1e3);
     const double dt = number_of(study, "dt_s", 1e-9, 1);
     const double steps_given = number_of(study, "steps", 0, 1e7);
@@ -52,12 +65,7 @@ nlohmann::json run_membrane_study(const JsonDocument& study) {
                    "fix a vertex and use \"implicit\" or \"global_local\", or give steps");
 
     // The damping ratio refers to the stiffest mode, which is known once the membrane is built.
-    double frequency = 0;
-    {
-        const Membrane bare(mesh, material, fixed);
-        MembraneScratch scratch = bare.make_scratch(dt);
-        frequency = bare.limit(bare.make_state(), scratch).frequency;
-    }
+    const double frequency = highest_frequency(mesh, material, fixed, dt);
     material.stiffness_damping = frequency > 0 ? 2 * ratio / frequency : 0;
     const Membrane membrane(mesh, material, fixed);
     MembraneScratch scratch = membrane.make_scratch(steps > 0 ? dt : 0.0);

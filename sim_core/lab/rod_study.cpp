@@ -186,6 +186,31 @@ bool finite_result(const RodState& state, const RodReport& report) {
     return report.finite && Rod::finite(state);
 }
 
+json result_of(const Rod& rod, const RodState& state, const RodInputs& inputs, const RodReport& report) {
+    json result;
+    json nodes = json::array(), twist = json::array();
+    for (const Vector3& node : state.nodes) nodes.push_back(row(node));
+    double angle = 0;
+    for (std::size_t j = 0; j < state.joint_twist.size() - 1; ++j) {
+        angle += state.joint_twist[j];
+        twist.push_back(angle);
+    }
+    RodEnergy energy = rod.energy(state, inputs);
+    result["nodes"] = nodes;
+    result["twist_rad"] = twist;
+    result["energy_j"] = {{"bend", energy.bend},
+                          {"twist", energy.twist},
+                          {"stretch", energy.stretch},
+                          {"external", energy.external}};
+    result["reaction_n"] = json::array({row(report.end_force[0]), row(report.end_force[1])});
+    result["reaction_nm"] = json::array({row(report.end_moment[0]), row(report.end_moment[1])});
+    result["residual"] = report.residual;
+    result["converged"] = report.converged;
+    result["positive_definite"] = report.positive_definite;
+    result["finite"] = finite_result(state, report);
+    return result;
+}
+
 }  // namespace
 
 json run_rod_study(const json& study, const std::string& file) {
@@ -198,7 +223,6 @@ json run_rod_study(const json& study, const std::string& file) {
         reader.fail("/", error.what(), "change the value");
     }
     const Rod& rod = *made;
-    const std::size_t n = static_cast<std::size_t>(rod.segments());
     add_point_loads(reader, rod, c.inputs);
     RodState state = rod.make_state();
     RodScratch scratch = rod.make_scratch();
@@ -251,28 +275,8 @@ json run_rod_study(const json& study, const std::string& file) {
     const double time =
         std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
 
-    json result;
-    json nodes = json::array(), twist = json::array();
-    for (const Vector3& node : state.nodes) nodes.push_back(row(node));
-    double angle = 0;
-    for (std::size_t j = 0; j < n; ++j) {
-        angle += state.joint_twist[j];
-        twist.push_back(angle);
-    }
-    RodEnergy energy = rod.energy(state, inputs);
-    result["nodes"] = nodes;
-    result["twist_rad"] = twist;
-    result["energy_j"] = {{"bend", energy.bend},
-                          {"twist", energy.twist},
-                          {"stretch", energy.stretch},
-                          {"external", energy.external}};
-    result["reaction_n"] = json::array({row(report.end_force[0]), row(report.end_force[1])});
-    result["reaction_nm"] = json::array({row(report.end_moment[0]), row(report.end_moment[1])});
-    result["residual"] = report.residual;
+    json result = result_of(rod, state, inputs, report);
     result["iterations"] = iterations;
-    result["converged"] = report.converged;
-    result["positive_definite"] = report.positive_definite;
-    result["finite"] = finite_result(state, report);
     result["time_us"] = time;
     return result;
 }

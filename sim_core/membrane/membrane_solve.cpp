@@ -320,6 +320,7 @@ void pack_pair(Data& d, std::size_t slot, std::size_t count, double& product, do
 
 }  // namespace
 
+// Longer than 80 lines: one iteration whose two passes over the memory share its products.
 void minimise_quasi_newton(const Membrane::Tables& t, Data& d, int iterations, double tolerance,
                            MembraneReport& report) {
     const auto count = at(t.free);
