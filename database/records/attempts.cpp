@@ -51,8 +51,8 @@ TraceChunk chunk_of_row(Query& rows) {
                                 const std::string& number, const StoreError& error) {
     throw StoreError(StoreErrorKind::corrupt,
                      store.path() + ": " + stream_name(stream) + " chunk " + number + " of attempt " +
-                         attempt_id + ": " + error.wrong(),
-                     error.way_on());
+                         attempt_id + ": " + error.problem(),
+                     error.hint());
 }
 
 StoreError missing_chunk() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a store call can refuse, each with a clear line and a way on. The command line exits 2 on kinds that
-// the caller can mend (is_bad_input), 1 on the others; the window shows what() and way_on().
+// Errors of store calls, each with a problem and a hint. The command line exits 2 on kinds that the caller
+// can correct (is_bad_input), 1 on the others; the window shows problem() and hint().
 #pragma once
 
 #include <stdexcept>
@@ -15,7 +15,7 @@ enum class StoreErrorKind {
     newer_schema,  ///< written by a newer program
     older_schema,  ///< must be migrated, but the store was opened read-only
     read_only,     ///< the file, its folder or the connection cannot be written
-    locked,        ///< another program holds it for longer than we waited
+    locked,        ///< another program held it for longer than the waiting time
     corrupt,       ///< integrity, checksum or audit chain broken
     disk_full,
     not_found,    ///< no such person, attempt, cohort, comment
@@ -25,18 +25,18 @@ enum class StoreErrorKind {
     failed,       ///< anything else that SQLite reports, in its words
 };
 
-/// what() is one line: `wrong; way on`.
+/// what() is one line: `problem; hint`.
 class StoreError : public std::runtime_error {
   public:
-    StoreError(StoreErrorKind kind, std::string wrong, std::string way_on)
-        : std::runtime_error(wrong + "; " + way_on),
+    StoreError(StoreErrorKind kind, std::string problem, std::string hint)
+        : std::runtime_error(problem + "; " + hint),
           kind_(kind),
-          wrong_(std::move(wrong)),
-          way_on_(std::move(way_on)) {}
+          problem_(std::move(problem)),
+          hint_(std::move(hint)) {}
     StoreErrorKind kind() const noexcept { return kind_; }
-    const std::string& wrong() const noexcept { return wrong_; }
-    const std::string& way_on() const noexcept { return way_on_; }
-    /// The caller gave something wrong (exit 2), as against the store having failed (exit 1).
+    const std::string& problem() const noexcept { return problem_; }
+    const std::string& hint() const noexcept { return hint_; }
+    /// True if the caller gave invalid input (exit 2), false if the store failed (exit 1).
     bool is_bad_input() const noexcept {
         return kind_ != StoreErrorKind::corrupt && kind_ != StoreErrorKind::disk_full &&
                kind_ != StoreErrorKind::locked && kind_ != StoreErrorKind::failed;
@@ -44,7 +44,7 @@ class StoreError : public std::runtime_error {
 
   private:
     StoreErrorKind kind_;
-    std::string wrong_, way_on_;
+    std::string problem_, hint_;
 };
 
 /// The access table says no. Nothing was read or written.

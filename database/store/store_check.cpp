@@ -181,7 +181,7 @@ CheckReport check_store(const Store& store, const StoreProgress& progress) {
             if (!watch.stopped()) checker(item);
         } catch (const StoreError& error) {
             // A damaged page stops one check, not the others.
-            if (!watch.stopped()) item.problems.push_back(error.wrong());
+            if (!watch.stopped()) item.problems.push_back(error.problem());
         }
         report.complete = !watch.stopped();
         if (!report.complete) return;

@@ -185,8 +185,8 @@ StoreErrorKind error_kind(Call&& call) {
     try {
         call();
     } catch (const StoreError& error) {
-        EXPECT_FALSE(error.wrong().empty());
-        EXPECT_FALSE(error.way_on().empty());
+        EXPECT_FALSE(error.problem().empty());
+        EXPECT_FALSE(error.hint().empty());
         return error.kind();
     }
     ADD_FAILURE() << "no StoreError was thrown";

@@ -160,11 +160,11 @@ void FirstStartPage::enter() {
     start_create_->setFocus();
 }
 
-void FirstStartPage::show_trouble(const QString& wrong, const QString& way_on) {
-    trouble_->setText(wrong + QStringLiteral("\n") + way_on);
-    trouble_->setVisible(!wrong.isEmpty());
-    again_->setVisible(!wrong.isEmpty());
-    start_create_->setEnabled(wrong.isEmpty());
+void FirstStartPage::show_trouble(const QString& problem, const QString& hint) {
+    trouble_->setText(problem + QStringLiteral("\n") + hint);
+    trouble_->setVisible(!problem.isEmpty());
+    again_->setVisible(!problem.isEmpty());
+    start_create_->setEnabled(problem.isEmpty());
 }
 
 void FirstStartPage::create() {

@@ -20,7 +20,7 @@ class FirstStartPage : public Page {
     explicit FirstStartPage(Context& context);
     void enter() override;
     /// A store is there but cannot be used.
-    void show_trouble(const QString& wrong, const QString& way_on);
+    void show_trouble(const QString& problem, const QString& hint);
 
   signals:
     void try_again();

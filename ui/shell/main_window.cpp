@@ -251,7 +251,7 @@ void MainWindow::start() {
             show_page(first);
         }
     } catch (const database::StoreError& error) {
-        first->show_trouble(text(error.wrong()), text(error.way_on()));
+        first->show_trouble(text(error.problem()), text(error.hint()));
         show_page(first);
     }
 }

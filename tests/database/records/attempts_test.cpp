@@ -68,8 +68,9 @@ TEST(Attempt, IsNotReadAsAShorterOneWhereItsRecordLostItsEnd) {
             ADD_FAILURE() << lost;
         } catch (const StoreError& error) {
             EXPECT_EQ(error.kind(), StoreErrorKind::corrupt);
-            EXPECT_NE(error.wrong().find(id + " has 0 of its 4 events"), std::string::npos) << error.wrong();
-            EXPECT_EQ(error.way_on(), "restore the newest backup");
+            EXPECT_NE(error.problem().find(id + " has 0 of its 4 events"), std::string::npos)
+                << error.problem();
+            EXPECT_EQ(error.hint(), "restore the newest backup");
         }
         EXPECT_EQ(error_kind([&] { programme.attempts().read_events(ann, id); }), StoreErrorKind::corrupt);
         const auto report = programme.store->check(programme.store->station_session());
@@ -99,7 +100,7 @@ TEST(Attempt, IsNotReadWhereItsSamplesOrInputsLostTheirEnd) {
             ADD_FAILURE() << lost;
         } catch (const StoreError& error) {
             EXPECT_EQ(error.kind(), StoreErrorKind::corrupt);
-            EXPECT_NE(error.wrong().find(id + told), std::string::npos) << error.wrong();
+            EXPECT_NE(error.problem().find(id + told), std::string::npos) << error.problem();
         }
         EXPECT_EQ(error_kind([&] {
                       programme.attempts().read_overview(

@@ -117,7 +117,7 @@ TEST(Store, NewerSchemaIsRefusedUntouched) {
         FAIL();
     } catch (const StoreError& error) {
         EXPECT_EQ(error.kind(), StoreErrorKind::newer_schema);
-        EXPECT_NE(error.wrong().find("schema 99"), std::string::npos);
+        EXPECT_NE(error.problem().find("schema 99"), std::string::npos);
         EXPECT_TRUE(error.is_bad_input());
     }
 }
