@@ -65,7 +65,7 @@ void require_utf8(const std::vector<std::string>& words) {
 std::string nearest(const std::string& word, const std::vector<std::string>& known) {
     if (word.size() > 40) return {};
     std::string best;
-    std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
+    std::size_t least = word.size() < 3 ? 2 : std::max<std::size_t>(2, word.size() / 3) + 1;
     for (const std::string& one : known) {
         const std::size_t distance = edit_distance(word, one);
         if (distance < least) {
@@ -128,8 +128,9 @@ const Command* CommandTable::find(const std::string& name) const {
 }
 
 bool CommandTable::is_group(const std::string& name) const {
-    return std::any_of(commands_.begin(), commands_.end(),
-                       [&](const Command& command) { return group_of(command.name) == name; });
+    return !name.empty() && std::any_of(commands_.begin(), commands_.end(), [&](const Command& command) {
+        return group_of(command.name) == name;
+    });
 }
 
 std::vector<std::string> CommandTable::names() const {
