@@ -33,8 +33,7 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
 
     QFrame* start_card = make_card(8);
     card_layout(start_card)->addWidget(make_label(tr("Does it count?"), "heading"));
-    assessed_ = new QRadioButton(tr(
-        "Assessed: it counts from the first movement. If you abandon it or run out of time, it is failed."));
+    assessed_ = new QRadioButton(tr("Assessed: it counts from the first movement, even if you abandon it."));
     assessed_->setObjectName(QStringLiteral("mode_assessed"));
     practice_ = new QRadioButton(tr("Practice: it is scored and kept, but does not count."));
     practice_->setObjectName(QStringLiteral("mode_practice"));
