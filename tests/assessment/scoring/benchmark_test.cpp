@@ -216,7 +216,8 @@ TEST(BenchmarkBuilder, LeavesOutAndLogsAnOutlier) {
 
 TEST(BenchmarkBuilder, CountsAndSteadyFiguresBecomeAbsoluteGates) {
     TaskDefinition task = small_task();
-    task.gates = {{"slip", "", "", "benchmark", 0, ""}, {"f_sd", "left", "", "benchmark", 0, ""}};
+    task.gates = {{"slip", "", "", GateKind::benchmark, 0, ""},
+                  {"f_sd", "left", "", GateKind::benchmark, 0, ""}};
     task.metrics = {"slip", "f_sd"};
     BenchmarkRequest request;
     for (int p = 0; p < 8; ++p)
