@@ -7,8 +7,11 @@
 #include <QSqlError>
 #include <QSqlRecord>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <random>
+#include <thread>
 
 namespace fulcrum::database {
 namespace {
@@ -18,19 +21,34 @@ std::string unique_connection_name() {
     return "fulcrum-" + std::to_string(counter.fetch_add(1));
 }
 
+/// Waits for another program's write: up to the patience of the connection, a random few milliseconds at a
+/// time. SQLite's own waiting grows to 100 ms a time, and of eight programs at once the one that has waited
+/// longest then asks the least often.
+int wait_for_others(void* connection, int tries) {
+    static thread_local std::chrono::steady_clock::time_point start;
+    static thread_local std::minstd_rand random{std::random_device{}()};
+    const auto now = std::chrono::steady_clock::now();
+    if (tries == 0) start = now;
+    const auto patience =
+        std::chrono::milliseconds(static_cast<const Connection*>(connection)->busy_timeout_ms());
+    if (now - start >= patience) return 0;
+    std::this_thread::sleep_for(std::chrono::microseconds(500 + random() % 4500));
+    return 1;
+}
+
 }  // namespace
 
 Connection::Connection(const std::string& path, bool read_only, bool create, int busy_timeout_ms)
-    : path_(path), name_(unique_connection_name()), read_only_(read_only) {
+    : path_(path), name_(unique_connection_name()), read_only_(read_only), busy_timeout_ms_(busy_timeout_ms) {
     database_ = QSqlDatabase::addDatabase("QSQLITE", QString::fromStdString(name_));
     if (!database_.isValid()) {
         throw StoreError(StoreErrorKind::failed, "the SQLite driver of Qt is missing",
                          "install libqt5sql5-sqlite (and start within a Qt application)");
     }
-    QString options = "QSQLITE_BUSY_TIMEOUT=" + QString::number(busy_timeout_ms);
+    QString options;
     QString name = QString::fromStdString(path);
     if (read_only) {
-        options += ";QSQLITE_OPEN_READONLY";
+        options = "QSQLITE_OPEN_READONLY";
         // A store whose folder cannot be written has no room for SQLite's shared-memory file; without a log
         // beside it, it can be read as it stands.
         const std::filesystem::path file(path);
@@ -59,6 +77,7 @@ Connection::Connection(const std::string& path, bool read_only, bool create, int
         fail(text, code == 0 ? SQLITE_CANTOPEN : code);
     }
     sqlite3_extended_result_codes(handle(), 1);
+    sqlite3_busy_handler(handle(), wait_for_others, this);
     execute("PRAGMA foreign_keys = ON");
     // Full: a commit that was acknowledged survives a power cut; at one commit a second it costs nothing that
     // matters.

@@ -28,6 +28,8 @@ class Connection {
 
     const std::string& path() const noexcept { return path_; }
     bool is_read_only() const noexcept { return read_only_; }
+    /// How long a statement waits for another program's write before it fails as locked.
+    int busy_timeout_ms() const noexcept { return busy_timeout_ms_; }
     QSqlDatabase& database() noexcept { return database_; }
     sqlite3* handle() const;
     /// Any number of statements, no results.
@@ -41,6 +43,7 @@ class Connection {
     friend class Transaction;
     std::string path_, name_;
     bool read_only_;
+    int busy_timeout_ms_;
     int depth_ = 0;
     QSqlDatabase database_;
 };
