@@ -159,7 +159,7 @@ TEST(Rooms, HaveNoCycle) {
     EXPECT_EQ(find_cycle(declared_rooms()), "");
 }
 
-TEST(Rooms, OnlyTheCommandsForItIncludeTheLaboratory) {
+TEST(Rooms, OnlyTheProgramIncludesTheLaboratory) {
     const std::set<std::string> allowed = {"app", "app/cli", "app/lab", "app/services"};
     for (const auto& [name, room] : declared_rooms()) {
         if (room.uses.count("sim_core/lab") != 0) {
