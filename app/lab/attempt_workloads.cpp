@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/lab/attempt_workloads.h"
+#include "sim_core/world/parts/bowel/bowel_part.h"
 
 #include <deque>
 #include <memory>
@@ -97,10 +98,10 @@ std::vector<lab::Workload> attempt_workloads() {
             bench->rig->observe(bench->engine.world().snapshot(), bench->engine.display());
             bench->ticks();
         };
-        const BowelPart* bowel = bench->engine.world().bowel();
+        const BowelPart* bowel = bench->engine.world().find<BowelPart>();
         prepared.bytes = bowel->bytes_rod() + bowel->bytes_collision() + bowel->bytes_surface();
         prepared.error = [bench] {
-            return std::optional<double>(bench->engine.world().bowel()->report().residual);
+            return std::optional<double>(bench->engine.world().find<BowelPart>()->report().residual);
         };
         prepared.error_unit = "relative rod residual of the last step";
         return prepared;

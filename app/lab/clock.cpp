@@ -11,7 +11,7 @@
 #include "app/live/real_time.h"
 #include "assessment/operators/operator.h"
 #include "sim_core/lab/chart.h"
-#include "sim_core/world/snapshot.h"
+#include "sim_core/world/part/snapshot.h"
 
 namespace fulcrum::app {
 namespace {

@@ -2,14 +2,16 @@
 // The world's step while the plane behind the rectum is divided: rectum held and lifted, a hook led along one
 // septum after the other.
 #include "app/lab/plane_workload.h"
+#include "sim_core/world/parts/bowel/bowel_part.h"
+#include "sim_core/world/parts/sheet/sheet_part.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include "app/assets.h"
+#include "sim_core/anatomy/scene_anatomy.h"
 #include "sim_core/haptics/loop.h"
-#include "sim_core/world/parts/bowel/anatomy_binding.h"
 #include "sim_core/world/world.h"
 
 namespace fulcrum::app {
@@ -94,7 +96,8 @@ struct Plane {
         const Vector3 here = view.line[i] + (share * static_cast<double>(count) - 0.5 - std::floor(at)) *
                                                 (view.line[i + 1] - view.line[i]);
         return here +
-               before * curve.cranial(world.sheet()->layout().arc_lengths[static_cast<std::size_t>(septum)]);
+               before * curve.cranial(
+                            world.find<SheetPart>()->layout().arc_lengths[static_cast<std::size_t>(septum)]);
     }
     /// Moves the hook on by a step: to the septum, into it, along it, out of it, to the next.
     void aim() {
@@ -137,9 +140,9 @@ lab::Workload plane_workload() {
             plane->loop.adopt(plane->world.local_models());
             plane->aim();
         };
-        const BowelPart* bowel = plane->world.bowel();
-        prepared.bytes = plane->world.sheet()->bytes() + bowel->bytes_rod() + bowel->bytes_collision() +
-                         bowel->bytes_surface();
+        const BowelPart* bowel = plane->world.find<BowelPart>();
+        prepared.bytes = plane->world.find<SheetPart>()->bytes() + bowel->bytes_rod() +
+                         bowel->bytes_collision() + bowel->bytes_surface();
         prepared.error = [plane] { return std::optional<double>(plane->worst_outcome); };
         prepared.error_unit = "worst outcome of a step; 0: as it should be";
         return prepared;

@@ -11,7 +11,7 @@
 #include "assessment/task/task.h"
 #include "sim_core/instrument/device.h"
 #include "sim_core/scene/scene.h"
-#include "sim_core/world/snapshot.h"
+#include "sim_core/world/part/snapshot.h"
 
 namespace fulcrum {
 

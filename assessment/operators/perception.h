@@ -8,7 +8,7 @@
 
 #include "assessment/task/monitor.h"
 #include "sim_core/scene/scene.h"
-#include "sim_core/world/snapshot.h"
+#include "sim_core/world/part/snapshot.h"
 
 namespace fulcrum {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "sim_core/world/snapshot.h"
+#include "sim_core/world/part/snapshot.h"
 
 namespace fulcrum {
 

@@ -10,7 +10,7 @@
 #include "assessment/task/task.h"
 #include "assessment/trace/cut_strokes.h"
 #include "sim_core/scene/scene.h"
-#include "sim_core/world/snapshot.h"
+#include "sim_core/world/part/snapshot.h"
 
 namespace fulcrum {
 

@@ -10,7 +10,7 @@
 #include "sim_core/scene/scene.h"
 #include "sim_core/telemetry/event.h"
 #include "sim_core/telemetry/sample.h"
-#include "sim_core/world/snapshot.h"
+#include "sim_core/world/part/snapshot.h"
 
 namespace fulcrum {
 

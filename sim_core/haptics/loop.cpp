@@ -84,7 +84,7 @@ HapticLoop::HapticLoop(const Scene& scene, const World& world) : parts_(std::mak
         ToolContactModel& contact = parts.contact[hand];
         parts.has_hand[hand] = true;
         contact = make_tool_contact(scene, make_instrument(spec, scene.tick_period()));
-        contact.cavity = world.cavity();
+        contact.cavity = world.wall();
         if (scene.cavity || scene.bands || scene.presacral) {
             const int index = scene.tissue_index(scene.cavity      ? scene.cavity->tissue
                                                  : scene.presacral ? scene.presacral->tissue

@@ -366,4 +366,13 @@ std::size_t CutMembrane::bytes() const {
                sizeof(std::int32_t);
 }
 
+std::size_t CutMembraneState::bytes() const {
+    const auto own = [](const auto&... tables) {
+        return (std::size_t{0} + ... + (tables.capacity() * sizeof(tables[0])));
+    };
+    return own(positions, velocities, masses, vertex, held, isolated, pieces, first_piece, contacts,
+               first_contact, first, second, next_spring, stiffness, rest, first_spring, free_nodes,
+               free_contacts, free_springs);
+}
+
 }  // namespace fulcrum

@@ -91,6 +91,7 @@ struct CutMembraneState {
     double removed_mass = 0;      ///< kg
     std::int32_t node_end = 0;    ///< nodes from this one on were never used
     std::int32_t bend_count = 0;  ///< bend springs in use
+    std::size_t bytes() const;    ///< that its tables own
 };
 
 /// A spring between a point on a piece and an external object: jaws, the tip of a tool, a blade.

@@ -112,6 +112,9 @@ class MembraneScratch {
     ~MembraneScratch();
     MembraneScratch(MembraneScratch&&) noexcept;
     MembraneScratch& operator=(MembraneScratch&&) noexcept;
+    /// A step resumes from a copy bit for bit.
+    MembraneScratch(const MembraneScratch& other);
+    MembraneScratch& operator=(const MembraneScratch& other);
     struct Data;
     Data& data() { return *data_; }
     std::size_t bytes() const;

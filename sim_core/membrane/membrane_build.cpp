@@ -134,6 +134,12 @@ MembraneScratch::MembraneScratch() = default;
 MembraneScratch::~MembraneScratch() = default;
 MembraneScratch::MembraneScratch(MembraneScratch&&) noexcept = default;
 MembraneScratch& MembraneScratch::operator=(MembraneScratch&&) noexcept = default;
+MembraneScratch::MembraneScratch(const MembraneScratch& other)
+    : data_(other.data_ ? std::make_unique<Data>(*other.data_) : nullptr) {}
+MembraneScratch& MembraneScratch::operator=(const MembraneScratch& other) {
+    if (this != &other) data_ = other.data_ ? std::make_unique<Data>(*other.data_) : nullptr;
+    return *this;
+}
 int MembraneScratch::builds() const {
     return data_->builds;
 }

@@ -1,35 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// The world of one attempt: the parts a scene lists, stepped together, and what they show to the others.
+// The world of one attempt: the parts that a scene lists, stepped together (part.h), and what they show.
 //
 // World thread. step() neither allocates, locks nor throws. A part that the scene does not list is not in
 // memory.
 #pragma once
 
 #include <memory>
-#include <string>
+#include <type_traits>
 #include <vector>
 
-#include "sim_core/collision/cavity.h"
 #include "sim_core/contact/local_model.h"
-#include "sim_core/contact/tool_contact.h"
 #include "sim_core/instrument/instrument.h"
 #include "sim_core/instrument/tick_output.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/telemetry/sample.h"
-#include "sim_core/world/parts/bands/bands_part.h"
-#include "sim_core/world/parts/bowel/bowel_part.h"
-#include "sim_core/world/parts/sheet/sheet_part.h"
-#include "sim_core/world/parts/structures/structures_part.h"
-#include "sim_core/world/snapshot.h"
+#include "sim_core/world/part/part.h"
+#include "sim_core/world/part/snapshot.h"
 
 namespace fulcrum {
-
-/// What one part costs: `fulcrum lab cost`.
-struct PartCost {
-    std::string part;
-    double us_per_step = 0;  ///< of the last step, measured only after measure(true)
-    std::size_t bytes = 0;
-};
 
 class World {
   public:
@@ -48,61 +36,65 @@ class World {
     const WorldSnapshot& snapshot() const noexcept { return snapshot_; }
     const LocalModels& local_models() const noexcept { return models_; }
     const Scene& scene() const noexcept { return scene_; }
+    /// The wall that instruments feel, null without. Constant: any thread may read it.
+    const CavityModel* wall() const noexcept { return wall_; }
 
-    /// Parts, null where the scene does not list them. Their constant data may be read by any thread.
-    const BowelPart* bowel() const noexcept { return bowel_.get(); }
-    BowelPart* bowel() noexcept { return bowel_.get(); }
-    const SheetPart* sheet() const noexcept { return sheet_.get(); }
-    SheetPart* sheet() noexcept { return sheet_.get(); }
-    const BandsPart* bands() const noexcept { return bands_.get(); }
-    const StructuresPart* structures() const noexcept { return structures_.get(); }
-    const CavityModel* cavity() const noexcept { return cavity_.get(); }
+    /// The part or coupling of a type, null where the scene does not list it. For the laboratory and tests.
+    template <typename Kind>
+    Kind* find() noexcept {
+        if constexpr (std::is_base_of_v<Coupling, Kind>) {
+            for (const std::unique_ptr<Coupling>& coupling : couplings_) {
+                if (auto* found = dynamic_cast<Kind*>(coupling.get())) return found;
+            }
+            return nullptr;
+        } else {
+            return find_part<Kind>(parts_);
+        }
+    }
+    template <typename Kind>
+    const Kind* find() const noexcept {
+        return const_cast<World*>(this)->find<Kind>();
+    }
 
-    /// All that changes from step to step: saved in mid-attempt, a world of the same scene and seed goes on
-    /// from it bit for bit with the same tick outputs. Null where the scene lists `membranes`, whose solver
-    /// remembers more than their state. Not for the real-time path.
+    /// All that changes from step to step: saved in mid-attempt, a world of the same scene and seed resumes
+    /// from it bit for bit with the same tick outputs. Not for the real-time path.
     struct Saved;
     std::shared_ptr<const Saved> save() const;
     void restore(const Saved& saved);
+    /// Hash of all parts now.
+    std::uint64_t hash() const noexcept;
 
     void measure(bool on);
     std::vector<PartCost> costs() const;
 
   private:
-    /// The instruments against the surface as the world sees it: the tick's own law, at the end of the step
-    /// that is being made. The force that moves the bowel must not be the tick's: that one was made for a
-    /// surface up to ten ticks old, and would throw a light bowel to and fro under a tool that does not move.
-    struct HandContacts {
-        ToolContactModel model[hand_count];
-        ToolContactState state[hand_count];
-        ToolContactScratch scratch[hand_count];
-        ToolContactResult result[hand_count];
+    /// A part and its coupling to what it hangs on, in the order of solving.
+    struct Solved {
+        Part* part = nullptr;
+        Coupling* coupling = nullptr;  ///< null: it hangs on nothing
+        double us = 0;                 ///< of apply and solve in the last step
     };
-    void build_anatomy(std::uint64_t seed);
-    void hang_septa();
-    HeldTool held(int hand, const TickOutput& last) const noexcept;
-    void find_contacts(const TickOutput& last, ToolAction* actions) noexcept;
+    void order_solving();
+    void begin_input(const TickOutput* outputs, std::size_t count) noexcept;
+    void decide_takers() noexcept;
+    std::uint32_t advance() noexcept;
     void fill_models(const TickOutput& last) noexcept;
     void fill_snapshot(const TickOutput& last) noexcept;
-    std::uint64_t hash() const noexcept;
 
     Scene scene_;
-    std::unique_ptr<CavityModel> cavity_;
-    std::unique_ptr<BowelPart> bowel_;
-    std::unique_ptr<SheetPart> sheet_;
-    std::unique_ptr<BandsPart> bands_;
-    std::unique_ptr<StructuresPart> structures_;
-    std::vector<TargetModel> targets_;
-    InstrumentModel instruments_[hand_count];
+    PartList parts_;  ///< in the order of building, publishing and hashing
+    std::vector<std::unique_ptr<Coupling>> couplings_;
+    std::vector<Solved> solving_;
+    const CavityModel* wall_ = nullptr;
     bool has_instrument_[hand_count] = {false, false};
     std::unique_ptr<ScopeModel> scope_;
+    StepInput input_;
     LocalModels models_;
-    std::unique_ptr<HandContacts> contacts_;  ///< with a bowel
     WorldSnapshot snapshot_;
     std::uint32_t steps_ = 0;
     std::uint32_t next_hash_tick_ = hash_every_ticks;
     bool measuring_ = false;
-    double models_us_ = 0, snapshot_us_ = 0, sheet_us_ = 0, bands_us_ = 0, structures_us_ = 0;
+    double models_us_ = 0, snapshot_us_ = 0;
 };
 
 }  // namespace fulcrum

@@ -3,8 +3,10 @@
 // (flat: what a step touches does not depend on the size), and the search for pieces, which is linear; a step
 // through the bowel's wall.
 #include <benchmark/benchmark.h>
+#include <utility>
 
 #include "sim_core/lab/cut_run.h"
+#include "sim_core/world/parts/bowel/bowel_part.h"
 #include "sim_core/world/world.h"
 #include "tests/support/support.h"
 
@@ -51,10 +53,12 @@ void save(benchmark::State& bench) {
 // the new vertices, detached pieces; with (1) or without the data for the window.
 void bowel_wall(benchmark::State& bench) {
     World world(load_scene(test::source_path("assets/scenes/bowel_enterotomy.json")), 1);
-    BowelCut& cut = *world.bowel()->cut();
-    const BowelSkin& skin = world.bowel()->skin();
-    const RingFrame* const frames = world.bowel()->ring_frames();
-    const BowelCut::State uncut = cut.save();
+    BowelCut& cut = *world.find<BowelPart>()->cut();
+    const BowelSkin& skin = world.find<BowelPart>()->skin();
+    const RingFrame* const frames = world.find<BowelPart>()->ring_frames();
+    StateList::Values uncut;
+    StateList saving(uncut);
+    cut.list_state(saving);
     WorldSnapshot snapshot = world.snapshot();
     // Lines along the bowel, from vertex to vertex of the generator's rings of 48.
     constexpr int around = 48, first_ring = 100, steps = 150, lines = 3;
@@ -62,7 +66,8 @@ void bowel_wall(benchmark::State& bench) {
     for (auto _ : bench) {
         bench.PauseTiming();
         if (next == lines * steps) {
-            cut.restore(uncut);
+            StateList restoring(std::as_const(uncut));
+            cut.list_state(restoring);
             next = 0;
         }
         const int from = 1 + (first_ring + next % steps) * around + 7 * (next / steps), to = from + around;

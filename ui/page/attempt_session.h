@@ -13,7 +13,7 @@
 #include "database/access/access.h"
 #include "sim_core/instrument/device.h"
 #include "sim_core/scene/scene.h"
-#include "sim_core/world/snapshot.h"
+#include "sim_core/world/part/snapshot.h"
 
 namespace fulcrum::ui {
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "sim_core/scene/scene.h"
-#include "sim_core/world/snapshot.h"
+#include "sim_core/world/part/snapshot.h"
 
 namespace fulcrum::ui {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "sim_core/scene/scene.h"
-#include "sim_core/world/snapshot.h"
+#include "sim_core/world/part/snapshot.h"
 #include "ui/page/attempt_session.h"
 #include "ui/theatre/hud.h"
 #include "ui/theatre/renderer/drawing_pace.h"

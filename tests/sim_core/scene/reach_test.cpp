@@ -2,10 +2,11 @@
 // Ergonomics of the scenes: the objects of a task can be reached through the trocars and seen by the scope.
 #include <gtest/gtest.h>
 
+#include "sim_core/anatomy/scene_anatomy.h"
 #include "sim_core/instrument/instrument.h"
 #include "sim_core/numerics/functions.h"
 #include "sim_core/scene/scene.h"
-#include "sim_core/world/parts/bowel/anatomy_binding.h"
+#include "sim_core/world/parts/bowel/bowel_anatomy.h"
 #include "tests/support/support.h"
 
 namespace fulcrum {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "sim_core/haptics/loop.h"
+#include "sim_core/world/parts/bowel/bowel_part.h"
 #include "sim_core/world/world.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/support.h"
@@ -38,7 +39,7 @@ Press press(const Scene& scene) {
     const InstrumentSpec& spec = scene.instruments[0];
     const int hand = static_cast<int>(spec.hand);
     const Trocar pivot = make_trocar(spec.trocar);
-    const std::vector<Vector3>& nodes = world.bowel()->state().nodes;
+    const std::vector<Vector3>& nodes = world.find<BowelPart>()->state().nodes;
     const Vector3 centre = nodes[nodes.size() / 2],
                   along = (nodes[nodes.size() / 2 + 1] - centre).normalized();
     const Vector3 in = (centre - pivot.position).normalized();
@@ -73,7 +74,8 @@ Press press(const Scene& scene) {
         result.hash = result.hash * 31 + record.state_hash;
         result.dented_at_most =
             std::max(result.dented_at_most, static_cast<int>(world.snapshot().dent_count));
-        result.largest_by_jaws = std::max(result.largest_by_jaws, world.bowel()->jaw_force(spec.hand).norm());
+        result.largest_by_jaws =
+            std::max(result.largest_by_jaws, world.find<BowelPart>()->jaw_force(spec.hand).norm());
         loop.adopt(world.local_models());
         const JawPushModel& felt = world.local_models().hand[hand].jaws;
         result.largest_felt_of_jaws = std::max(result.largest_felt_of_jaws, felt.force.norm());

@@ -10,6 +10,7 @@
 #include "sim_core/geometry/closest_point.h"
 #include "sim_core/haptics/loop.h"
 #include "sim_core/numerics/random.h"
+#include "sim_core/world/parts/bowel/bowel_part.h"
 #include "sim_core/world/world.h"
 #include "tests/support/support.h"
 
@@ -46,7 +47,7 @@ class Hands {
           pending_(world_.local_models()) {}
 
     const Scene& scene() const { return scene_; }
-    const std::vector<Vector3>& line() const { return world_.bowel()->state().nodes; }
+    const std::vector<Vector3>& line() const { return world_.find<BowelPart>()->state().nodes; }
     Vector3 trocar(int hand) const { return scene_.instrument(static_cast<Hand>(hand))->trocar.position; }
 
     /// Shaft to centre line, where they are nearest: from the bowel to the shaft.
@@ -84,7 +85,7 @@ class Hands {
             const Vector3 out = trocar(0) - Vector3(0, 0, 0.03);
             run_step(away, out, out, none);
             double fastest = 0;
-            for (const Vector3& velocity : world_.bowel()->state().velocities)
+            for (const Vector3& velocity : world_.find<BowelPart>()->state().velocities)
                 fastest = std::max(fastest, velocity.norm());
             if (fastest < 0.02) break;
         }

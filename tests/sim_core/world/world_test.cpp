@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "sim_core/haptics/loop.h"
+#include "sim_core/world/parts/bowel/bowel_part.h"
 #include "sim_core/world/world.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/support.h"
@@ -63,8 +64,8 @@ struct Hands {
 
 TEST(World, TargetSceneHasNoTissueInMemory) {
     Hands run("a2_targets");
-    EXPECT_EQ(run.world.bowel(), nullptr);
-    EXPECT_EQ(run.world.cavity(), nullptr);
+    EXPECT_EQ(run.world.find<BowelPart>(), nullptr);
+    EXPECT_EQ(run.world.wall(), nullptr);
     EXPECT_TRUE(run.world.snapshot().rings.empty());
     EXPECT_TRUE(run.world.snapshot().nodes.empty());
     EXPECT_TRUE(run.world.snapshot().membranes.empty());
@@ -79,7 +80,7 @@ TEST(World, TargetSceneHasNoTissueInMemory) {
 
 TEST(World, BowelComesToRestAndIsSupported) {
     Hands run("b1_bowel");
-    const BowelPart& bowel = *run.world.bowel();
+    const BowelPart& bowel = *run.world.find<BowelPart>();
     double fastest = 0;
     for (int i = 0; i < 200; ++i) run.step();
     for (const Vector3& velocity : bowel.state().velocities) fastest = std::max(fastest, velocity.norm());
@@ -96,7 +97,7 @@ TEST(World, SceneSelectsExp2AndALayeredWall) {
     Hands run(stiffening);
     double fastest = 0;
     for (int i = 0; i < 100; ++i) run.step();
-    for (const Vector3& velocity : run.world.bowel()->state().velocities)
+    for (const Vector3& velocity : run.world.find<BowelPart>()->state().velocities)
         fastest = std::max(fastest, velocity.norm());
     EXPECT_LT(fastest, 5e-3);
     EXPECT_LT(run.world.snapshot().residual_penetration, 1e-3);
@@ -162,9 +163,9 @@ TEST(World, StepsAndTicksNeitherLockNorWaitNorDoInputOutput) {
 TEST(World, PausedStepDoesNotMoveTheBowel) {
     Hands run("b1_bowel");
     run.step();
-    const std::vector<Vector3> before = run.world.bowel()->state().nodes;
+    const std::vector<Vector3> before = run.world.find<BowelPart>()->state().nodes;
     for (int i = 0; i < 20; ++i) run.step([](RigSample& input) { input.flags |= rig_paused; });
-    EXPECT_EQ(before, run.world.bowel()->state().nodes);
+    EXPECT_EQ(before, run.world.find<BowelPart>()->state().nodes);
 }
 
 TEST(World, NewWorldShowsTheInstrumentsAtTheirStartPose) {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "sim_core/world/bands_view.h"
+#include "sim_core/world/part/bands_view.h"
 #include "ui/theatre/renderer/scene_renderer.h"
 
 namespace fulcrum::ui {

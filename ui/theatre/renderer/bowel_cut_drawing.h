@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim_core/bowel/bowel_skin.h"
-#include "sim_core/world/snapshot.h"
+#include "sim_core/world/part/snapshot.h"
 #include "ui/theatre/renderer/scene_renderer.h"
 #include "ui/theatre/renderer/surface_mesh.h"
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "sim_core/world/parts/bowel/anatomy_binding.h"
+#include "sim_core/anatomy/scene_anatomy.h"
 
 namespace fulcrum::ui {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "sim_core/anatomy/scene_anatomy.h"
 #include "sim_core/bowel/display_skin.h"
-#include "sim_core/world/parts/bowel/anatomy_binding.h"
 #include "ui/theatre/renderer/bands_drawing.h"
 #include "ui/theatre/renderer/bowel_cut_drawing.h"
 #include "ui/theatre/renderer/hollow_drawing.h"

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "sim_core/scene/scene.h"
-#include "sim_core/world/snapshot.h"
+#include "sim_core/world/part/snapshot.h"
 #include "ui/theatre/renderer/scene_renderer.h"
 
 namespace fulcrum::ui {

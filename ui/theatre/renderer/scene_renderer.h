@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "sim_core/anatomy/anatomy.h"
-#include "sim_core/world/snapshot.h"
+#include "sim_core/world/part/snapshot.h"
 #include "ui/theatre/renderer/sheet_mesh.h"
 
 namespace fulcrum::ui {

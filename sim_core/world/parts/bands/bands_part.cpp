@@ -18,6 +18,7 @@ constexpr double least_seal = 0.5;    // of a vessel that is divided: less is an
 BandsPart::BandsPart(const Scene& scene, std::uint64_t seed)
     : spec_(*scene.bands),
       layout_(place_bands(spec_, seed)),
+      bed_(bed_mesh(spec_), FreeSide::front),
       field_(scene, spec_, make_bands_field(spec_, layout_, patches_), 2 * layout_.vessel_bands.size()) {
     const double section = spec_.width * spec_.thickness, segment = spec_.length / strand_segments;
     strand_model_.rest_length = segment / (1 + spec_.pre_strain);
@@ -38,11 +39,16 @@ BandsPart::BandsPart(const Scene& scene, std::uint64_t seed)
     place_outlets();
 }
 
-std::uint32_t BandsPart::step(const TickOutput* outputs, std::size_t count, double dt) noexcept {
+void BandsPart::apply(const StepInput& input) noexcept {
     field_.begin_step();
     for (int number = 0; number < hand_count; ++number) {
-        if (field_.hand(number).instrument != nullptr) step_tool(number, outputs, count, dt);
+        if (field_.hand(number).instrument != nullptr)
+            step_tool(number, input.outputs, input.count, input.dt);
     }
+}
+
+std::uint32_t BandsPart::solve(const StepInput& input) noexcept {
+    const double dt = input.dt;
     step_strands(dt);
     place_outlets();
     const HeatReport heat = field_.step_heat(dt);
@@ -153,8 +159,8 @@ void BandsPart::place_outlets() noexcept {
     }
 }
 
-void BandsPart::fill_local_model(Hand number, LocalModel& model) const noexcept {
-    const FieldHand& hand = field_.hand(static_cast<int>(number));
+void BandsPart::publish_model(int number, const TickOutput& /*last*/, LocalModel& model) noexcept {
+    const FieldHand& hand = field_.hand(number);
     const Grip& grip = grips_[static_cast<std::size_t>(number)];
     model.energises = hand.usable() && gives_energy(hand.kind());
     if (grip.band < 0) return;
@@ -235,23 +241,29 @@ void BandsPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
     }
 }
 
-void BandsPart::hash(StateHash& hash) const noexcept {
-    for (const StrandState& strand : strands_) {
-        for (const Vector3& position : strand.position) hash.add(position);
-        hash.add(static_cast<std::int64_t>(strand.parted));
-    }
-    field_.hash(hash);
-    for (int number = 0; number < hand_count; ++number) {
-        const FieldHand& hand = field_.hand(number);
-        hash.add(static_cast<std::int64_t>(hand.index));
-        hash.add(static_cast<std::int64_t>(grips_[static_cast<std::size_t>(number)].band));
-        hash.add(hand.exchange_left);
-        hash.add(hand.blade.rise);
-    }
+void BandsPart::list_state(StateList& list) {
+    list.hashed(strands_, [this](StateHash& hash) {
+        for (const StrandState& strand : strands_) {
+            for (const Vector3& position : strand.position) hash.add(position);
+            hash.add(static_cast<std::int64_t>(strand.parted));
+        }
+    });
+    field_.list_state(list, [this](StateHash& hash, std::size_t hand) {
+        hash.add(static_cast<std::int64_t>(grips_[hand].band));
+    });
+    list.kept(grips_).kept(overload_time_).kept(torn_).kept(clip_nodes_);
+    list.kept(progress_).kept(sealed_).kept(parted_tension_).kept(parted_at_);
 }
 
-std::size_t BandsPart::bytes() const {
-    return sizeof(*this) + strands_.size() * (sizeof(StrandState) + sizeof(BandPlace)) + field_.bytes();
+void BandsPart::add_costs(double us, std::vector<PartCost>& costs) const {
+    costs.push_back({"cavity", 0, bed_.bytes()});
+    costs.push_back(
+        {"bands", us,
+         sizeof(*this) + strands_.size() * sizeof(BandPlace) + field_.model_bytes() + state_bytes()});
+}
+
+std::unique_ptr<Part> build_bands_part(const Scene& scene, std::uint64_t seed, const PartList& /*parts*/) {
+    return scene.bands ? std::make_unique<BandsPart>(scene, seed) : nullptr;
 }
 
 }  // namespace fulcrum

@@ -14,27 +14,29 @@
 #include "sim_core/numerics/state_hash.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/strand/strand.h"
-#include "sim_core/world/bands_view.h"
+#include "sim_core/world/part/bands_view.h"
+#include "sim_core/world/part/part.h"
+#include "sim_core/world/part/snapshot.h"
 #include "sim_core/world/parts/bands/bands_layout.h"
 #include "sim_core/world/parts/field/operative_field.h"
-#include "sim_core/world/snapshot.h"
 
 namespace fulcrum {
 
-class BandsPart {
+class BandsPart : public Part {
   public:
     /// The scene lists bands.
     BandsPart(const Scene& scene, std::uint64_t seed);
 
-    /// One step of dt over the outputs of `count` ticks (at least one), oldest first. Returns
-    /// StepRecord::outcome.
-    std::uint32_t step(const TickOutput* outputs, std::size_t count, double dt) noexcept;
+    bool holds(int hand) const noexcept override { return grips_[static_cast<std::size_t>(hand)].band >= 0; }
+    void apply(const StepInput& input) noexcept override;
+    std::uint32_t solve(const StepInput& input) noexcept override;
     /// What a hand holds for the tick, and whether its pedal gives energy.
-    void fill_local_model(Hand hand, LocalModel& model) const noexcept;
-    void size_snapshot(WorldSnapshot& snapshot) const;
-    void fill_snapshot(WorldSnapshot& snapshot) const noexcept;
-    void hash(StateHash& hash) const noexcept;
-    std::size_t bytes() const;
+    void publish_model(int hand, const TickOutput& last, LocalModel& model) noexcept override;
+    void size_snapshot(WorldSnapshot& snapshot) const override;
+    void fill_snapshot(WorldSnapshot& snapshot) const noexcept override;
+    const CavityModel* wall() const noexcept override { return &bed_; }
+    void list_state(StateList& list) override;
+    void add_costs(double us, std::vector<PartCost>& costs) const override;
 
     const BandsLayout& layout() const { return layout_; }
     const OperativeField& field() const { return field_; }
@@ -71,6 +73,7 @@ class BandsPart {
 
     BandsSpec spec_;
     BandsLayout layout_;
+    CavityModel bed_;  ///< as instruments feel it
     StrandModel strand_model_;
     BandPatches patches_;
     OperativeField field_;  ///< outlets: 2 v trunk, 2 v + 1 branch of vessel v
@@ -87,5 +90,7 @@ class BandsPart {
     std::vector<std::int32_t> parted_at_;   ///< first parted segment by band, -1 none
     std::array<Grip, hand_count> grips_;
 };
+
+std::unique_ptr<Part> build_bands_part(const Scene& scene, std::uint64_t seed, const PartList& parts);
 
 }  // namespace fulcrum

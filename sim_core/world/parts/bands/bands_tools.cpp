@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim_core/world/jaw_rules.h"
+#include "sim_core/world/part/jaw_rules.h"
 #include "sim_core/world/parts/bands/bands_part.h"
 
 namespace fulcrum {

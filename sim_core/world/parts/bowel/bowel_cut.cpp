@@ -485,16 +485,23 @@ void BowelCut::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
     events_.append_to(snapshot);
 }
 
-void BowelCut::hash(StateHash& hash) const noexcept {
-    hash.add(skin_.digest());
-    for (const HandState& hand : hands_) {
-        hash.add(static_cast<std::int64_t>(hand.touch));
-        hash.add(static_cast<std::int64_t>(hand.place.root));
-        hash.add(hand.place.barycentric);
-        hash.add(hand.cover);
-        hash.add(hand.target);
-        hash.add(hand.drag);
-    }
+void BowelCut::list_state(StateList& list) {
+    list.hashed_through([this] { return skin_.save(); },
+                        [this](const CutSkin::State& state) {
+                            skin_.restore(state);
+                            followed_ = skin_.version();
+                        },
+                        [this](StateHash& hash) { hash.add(skin_.digest()); }, [] { return 0; });
+    list.hashed(hands_, [this](StateHash& hash) {
+        for (const HandState& hand : hands_) {
+            hash.add(static_cast<std::int64_t>(hand.touch));
+            hash.add(static_cast<std::int64_t>(hand.place.root));
+            hash.add(hand.place.barycentric);
+            hash.add(hand.cover);
+            hash.add(hand.target);
+            hash.add(hand.drag);
+        }
+    });
 }
 
 std::size_t BowelCut::bytes() const {

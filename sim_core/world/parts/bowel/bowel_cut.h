@@ -19,9 +19,10 @@
 #include "sim_core/bowel/cut_skin.h"
 #include "sim_core/contact/tool_contact.h"
 #include "sim_core/numerics/state_hash.h"
-#include "sim_core/world/blade_rules.h"
-#include "sim_core/world/snapshot.h"
-#include "sim_core/world/step_events.h"
+#include "sim_core/world/part/blade_rules.h"
+#include "sim_core/world/part/snapshot.h"
+#include "sim_core/world/part/state_list.h"
+#include "sim_core/world/part/step_events.h"
 
 namespace fulcrum {
 
@@ -50,10 +51,6 @@ class BowelCut {
         double grip = 0;                     ///< N, most of it
         double slope = 0;                    ///< N/m, of it
         Vector3 velocity = Vector3::Zero();  ///< m/s, of the place
-    };
-    struct State {
-        CutSkin::State skin;
-        std::array<HandState, hand_count> hands;
     };
 
     BowelCut(const Scene& scene, const BowelSkin& skin, const std::vector<std::int32_t>& held);
@@ -87,13 +84,7 @@ class BowelCut {
     void forget_events() noexcept { events_.clear(); }
     void size_snapshot(WorldSnapshot& snapshot) const;
     void fill_snapshot(WorldSnapshot& snapshot) const noexcept;
-    void hash(StateHash& hash) const noexcept;
-    State save() const { return {skin_.save(), hands_}; }
-    void restore(const State& state) {
-        skin_.restore(state.skin);
-        hands_ = state.hands;
-        followed_ = skin_.version();
-    }
+    void list_state(StateList& list);
     std::size_t bytes() const;
 
   private:

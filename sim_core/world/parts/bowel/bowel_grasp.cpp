@@ -5,7 +5,7 @@
 
 #include "sim_core/contact/jaws.h"
 #include "sim_core/contact/series_stiffness.h"
-#include "sim_core/world/jaw_rules.h"
+#include "sim_core/world/part/jaw_rules.h"
 #include "sim_core/world/parts/bowel/bowel_part.h"
 
 namespace fulcrum {
@@ -34,10 +34,26 @@ std::int32_t BowelPart::nearest_to(const Vector3& jaws, double& least) const noe
     return nearest;
 }
 
-double BowelPart::distance_to_jaws(const ToolAction& action) const noexcept {
-    double least = grasp_reach * grasp_reach;
-    nearest_to(action.tool.tip - 0.5 * action.instrument->jaw_length * action.tool.axis, least);
-    return std::sqrt(least);
+double BowelPart::nearest_membrane(const Vector3& jaws, double least) const noexcept {
+    Vector3 closest;
+    for (const MembranePart& membrane : membranes_) membrane.nearest_triangle(jaws, least, closest);
+    return least;
+}
+
+double BowelPart::offer(int hand, const HeldTool& held) const noexcept {
+    const HandGrasp& grasp = grasps_[hand];
+    const ToolKinematics& tool = held.tool;
+    if (!type_of(held.instrument->kind).grasps || !tool.present || !tool.inside || !grasp.ready ||
+        grasp.state.held || sheet_grasps_[hand].membrane >= 0)
+        return no_offer;
+    const double opening = tool.jaw_angle / std::max(1e-9, held.instrument->jaw_opening);
+    if (!(opening < close_share && tool.grip > least_grip)) return no_offer;
+    const Vector3 jaws = tool.tip - 0.5 * held.instrument->jaw_length * tool.axis;
+    constexpr double reach = grasp_reach * grasp_reach;
+    double least = reach;
+    nearest_to(jaws, least);
+    least = nearest_membrane(jaws, least);
+    return least < reach ? std::sqrt(least) : no_offer;
 }
 
 void BowelPart::begin_grasp(int hand, const ToolAction& action) noexcept {
@@ -215,7 +231,7 @@ void BowelPart::update_grasps(const ToolAction* actions, double dt) noexcept {
                 grasp.filtered.count = 0;
             }
         } else if (closed && grasp.ready && action.tool.inside) {
-            if (!action.busy) begin_grasp(hand, action);
+            if (action.takes) begin_grasp(hand, action);
             grasp.ready = false;
         }
         if (!grasp.state.held) continue;
@@ -241,13 +257,23 @@ void BowelPart::update_grasps(const ToolAction* actions, double dt) noexcept {
     }
 }
 
-void BowelPart::fill_local_model(Hand hand, const PatchRequest& request, LocalModel& model) noexcept {
+void BowelPart::publish_model(int hand, const TickOutput& last, LocalModel& model) noexcept {
+    const Touch& touch = touches_[static_cast<std::size_t>(hand)];
+    PatchRequest request;
+    request.tool = last.contact[hand].tool;
+    request.shaft_radius = touch.model.instrument.shaft_radius;
+    request.contact_vertex = last.contact[hand].vertex;
+    request.horizon = 2 * scene_.step_period();  // until the next model is there, were it a whole step late
+    fill_grasp(hand, request, model);
+    if (cut_) cut_->fill_local_model(hand, model);
+}
+
+void BowelPart::fill_grasp(int hand, const PatchRequest& request, LocalModel& model) noexcept {
     Stopwatch watch(measuring_, costs_.patches);
     patches_->build(rings_.data(), request, patch_scratch_, model);
-    model.jaws = jaw_felt_[static_cast<int>(hand)];
-    if (sheet_grasps_[static_cast<int>(hand)].membrane >= 0)
-        fill_sheet_model(sheet_grasps_[static_cast<int>(hand)], static_cast<int>(hand), model);
-    const HandGrasp& grasp = grasps_[static_cast<int>(hand)];
+    model.jaws = jaw_felt_[hand];
+    if (sheet_grasps_[hand].membrane >= 0) fill_sheet_model(sheet_grasps_[hand], hand, model);
+    const HandGrasp& grasp = grasps_[hand];
     if (!grasp.state.held) return;
     model.mode = LocalMode::grasp;
     const int index = scene_.tissue_index(scene_.bowel->tissue);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim_core/numerics/functions.h"
+#include "sim_core/scene/perforation.h"
 
 namespace fulcrum {
 namespace {
@@ -108,6 +109,14 @@ BowelPart::BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel
 
     state_ = rod_->make_state();
     good_ = state_;
+    size_lists(scene);
+    hang_tethers(scene);
+    update_rings(0.0);
+    lay_down();
+    if (scene.tissues[static_cast<std::size_t>(scene.tissue_index(spec.tissue))].cutting) make_cut();
+}
+
+void BowelPart::size_lists(const Scene& scene) {
     const int spheres = static_cast<int>(spheres_.arc_lengths.size());
     const int tethers =
         static_cast<int>(anatomy_.cranial_holds.size()) + (scene.tethers ? scene.tethers->count : 0);
@@ -125,7 +134,7 @@ BowelPart::BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel
     patch_damage_.assign(static_cast<std::size_t>(patch_count(*skin_, 2, 4)), 0.0F);
     remembered_lambda_.assign(static_cast<std::size_t>(spheres * planes_remembered), 0.0);
     remembered_normal_.assign(remembered_lambda_.size(), Vector3::Zero());
-    inputs_.gravity = spec.weight * scene.gravity;
+    inputs_.gravity = scene.bowel->weight * scene.gravity;
     membranes_.reserve(anatomy_.membranes.size());
     std::size_t hung = 0;
     for (std::size_t i = 0; i < anatomy_.membranes.size(); ++i) {
@@ -133,10 +142,16 @@ BowelPart::BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel
         hung += membranes_.back().attachments();
     }
     with_jaws_ = scene.fidelity.tool_contact == ToolContactLevel::jaws;
-    for (const InstrumentSpec& instrument : scene.instruments) {
-        if (!with_jaws_) break;
-        jaw_models_[static_cast<int>(instrument.hand)] = make_instrument(instrument, scene.step_period());
-        jaw_pushes_[static_cast<int>(instrument.hand)].assign(centres_.size(), Vector3::Zero());
+    touches_.resize(hand_count);
+    for (const InstrumentSpec& spec : scene.instruments) {
+        const auto hand = static_cast<std::size_t>(spec.hand);
+        const InstrumentModel instrument =
+            make_instrument(spec, scene.step_period());  // one step is its tick
+        touches_[hand].has_instrument = true;
+        touches_[hand].model = make_tool_contact(scene, instrument);
+        if (!with_jaws_) continue;
+        jaw_models_[hand] = instrument;
+        jaw_pushes_[hand].assign(centres_.size(), Vector3::Zero());
         hung += centres_.size();
     }
     inputs_.loads.reserve(2 * 16 + extra_loads + hung);
@@ -150,26 +165,25 @@ BowelPart::BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel
     good_inputs_.self_contacts.reserve(inputs_.self_contacts.capacity());
     good_inputs_.loads.reserve(inputs_.loads.capacity());
     good_inputs_.tethers.reserve(static_cast<std::size_t>(std::max(1, tethers)));
+}
+
+void BowelPart::hang_tethers(const Scene& scene) {
     inputs_.tethers = anatomy_.cranial_holds;
     for (RodTether& hold : inputs_.tethers) hold.s = std::min(hold.s, rod_->length());
-    if (scene.tethers) {
-        const TetherSpec& tether = *scene.tethers;
-        for (int i = 0; i < tether.count; ++i) {
-            const double share = tether.first + (tether.last - tether.first) * (i + 0.5) / tether.count;
-            RodTether spring;
-            spring.s = share * rod_->length();
-            const auto root = resample(anatomy_.root_line, 2 * tether.count + 1);
-            spring.anchor = root[static_cast<std::size_t>(std::lround(share * 2.0 * tether.count))];
-            spring.stiffness = tether.stiffness;
-            spring.damping = tether.damping;
-            spring.rest_length =
-                tether.slack * (rod_->frame_at(state_, spring.s).frame.position - spring.anchor).norm();
-            inputs_.tethers.push_back(spring);
-        }
+    if (!scene.tethers) return;
+    const TetherSpec& tether = *scene.tethers;
+    for (int i = 0; i < tether.count; ++i) {
+        const double share = tether.first + (tether.last - tether.first) * (i + 0.5) / tether.count;
+        RodTether spring;
+        spring.s = share * rod_->length();
+        const auto root = resample(anatomy_.root_line, 2 * tether.count + 1);
+        spring.anchor = root[static_cast<std::size_t>(std::lround(share * 2.0 * tether.count))];
+        spring.stiffness = tether.stiffness;
+        spring.damping = tether.damping;
+        spring.rest_length =
+            tether.slack * (rod_->frame_at(state_, spring.s).frame.position - spring.anchor).norm();
+        inputs_.tethers.push_back(spring);
     }
-    update_rings(0.0);
-    lay_down();
-    if (scene.tissues[static_cast<std::size_t>(scene.tissue_index(spec.tissue))].cutting) make_cut();
 }
 
 void BowelPart::lay_down() {
@@ -194,21 +208,53 @@ double BowelPart::weight() const {
     return scene_.gravity.norm() * scene_.bowel->linear_density * rod_->length();
 }
 
-std::uint32_t BowelPart::step(const ToolAction* actions, double dt, const std::vector<RodLoad>* more,
-                              std::uint32_t tick) noexcept {
+void BowelPart::begin_step() noexcept {
+    if (cut_) cut_->forget_events();
+}
+
+void BowelPart::apply(const StepInput& input) noexcept {
+    for (int hand = 0; hand < hand_count; ++hand) {
+        ToolAction& action = actions_[hand];
+        action = ToolAction();
+        if (!touches_[static_cast<std::size_t>(hand)].has_instrument) continue;
+        action.instrument = input.held[hand].instrument;
+        action.tool = input.held[hand].tool;
+        action.busy = input.busy(hand, this);
+        action.takes = input.taker[hand] == this;
+    }
+    touch_tools(input);
+    apply(actions_, input.tick(), input.dt);
+}
+
+std::uint32_t BowelPart::solve(const StepInput& input) noexcept {
+    return solve(actions_, input.tick(), input.dt);
+}
+
+void BowelPart::touch_tools(const StepInput& input) noexcept {
+    const TickOutput& last = input.last();
+    for (int hand = 0; hand < hand_count; ++hand) {
+        Touch& touch = touches_[static_cast<std::size_t>(hand)];
+        if (!touch.has_instrument) continue;
+        const LocalModel& local = input.models->hand[hand];
+        step_tool_contact(touch.model, local, last.contact[hand].tool, local.tick + 1, touch.state,
+                          touch.scratch, touch.result);
+        if (touch.result.touching_surface) actions_[hand].contact = &touch.result;
+        if (local.mode == LocalMode::surface) actions_[hand].near = &touch.result;
+    }
+}
+
+void BowelPart::apply(const ToolAction* actions, std::uint32_t tick, double dt) noexcept {
     {
         Stopwatch watch(measuring_, costs_.grasps);
         update_grasps(actions, dt);
     }
-    {
-        Stopwatch watch(measuring_, costs_.loads);
-        gather_loads(actions, dt);
-        if (with_jaws_) press_jaws(actions);
-        if (cut_) press_blades(actions, tick, dt);
-        for (std::size_t i = 0; more != nullptr && i < std::min(more->size(), extra_loads); ++i) {
-            if (inputs_.loads.size() < inputs_.loads.capacity()) inputs_.loads.push_back((*more)[i]);
-        }
-    }
+    Stopwatch watch(measuring_, costs_.loads);
+    gather_loads(actions, dt);
+    if (with_jaws_) press_jaws(actions);
+    if (cut_) press_blades(actions, tick, dt);
+}
+
+std::uint32_t BowelPart::solve(const ToolAction* actions, std::uint32_t tick, double dt) noexcept {
     std::uint32_t membrane_outcome = 0;
     {
         Stopwatch watch(measuring_, costs_.membranes);
@@ -221,27 +267,47 @@ std::uint32_t BowelPart::step(const ToolAction* actions, double dt, const std::v
     }
     {
         Stopwatch watch(measuring_, costs_.rod);
-        good_ = state_;
-        good_inputs_ = inputs_;
-        report_ = rod_->step(state_, inputs_, dt, scratch_, solve_);
-        if (solve_.level == RodSolve::Level::newton_k && report_.finite && !report_.converged &&
-            report_.residual > unsolved_residual) {
-            // A fixed number of iterations ended far from balance, as when contacts change hands: one step of
-            // reactions that nobody exerted would be felt and scored. This step is worth the full solve, in
-            // parts if need be.
-            state_ = good_;
-            inputs_ = good_inputs_;
-            RodSolve full = solve_;
-            full.level = RodSolve::Level::newton;
-            full.iterations = 0;
-            report_ = rod_->step(state_, inputs_, dt, scratch_, full);
-        }
+        solve_rod(dt);
     }
+    const std::uint32_t outcome = outcome_of(membrane_outcome);
+    remember_forces();
+    read_grasps();
+    {
+        Stopwatch watch(measuring_, costs_.rings);
+        update_rings(dt);
+    }
+    {
+        Stopwatch watch(measuring_, costs_.dents);
+        update_dents(actions, dt);
+    }
+    if (cut_ && cut_->follow(actions, ring_frames_.data(), tick, dt)) keep_hold(actions);
+    return outcome;
+}
+
+void BowelPart::solve_rod(double dt) noexcept {
+    good_ = state_;
+    good_inputs_ = inputs_;
+    report_ = rod_->step(state_, inputs_, dt, scratch_, solve_);
+    if (solve_.level != RodSolve::Level::newton_k || !report_.finite || report_.converged ||
+        !(report_.residual > unsolved_residual))
+        return;
+    // A fixed number of iterations ended far from balance, as when contacts change hands: one step of
+    // reactions that nobody exerted would be felt and scored. This step is worth the full solve, in parts if
+    // need be.
+    state_ = good_;
+    inputs_ = good_inputs_;
+    RodSolve full = solve_;
+    full.level = RodSolve::Level::newton;
+    full.iterations = 0;
+    report_ = rod_->step(state_, inputs_, dt, scratch_, full);
+}
+
+std::uint32_t BowelPart::outcome_of(std::uint32_t membrane_outcome) noexcept {
     std::uint32_t outcome = 0;
     if (!report_.finite || !Rod::finite(state_)) {
         state_ = good_;
         Rod::stop(state_);
-        for (MembranePart& membrane : membranes_) membrane.restore();
+        for (MembranePart& membrane : membranes_) membrane.take_back();
         outcome = 3;
     } else if (report_.fault == RodFault::frozen) {
         outcome = 2;
@@ -250,7 +316,11 @@ std::uint32_t BowelPart::step(const ToolAction* actions, double dt, const std::v
     }
     outcome = std::max(outcome, membrane_outcome);
     frozen_steps_ = outcome >= 2 ? frozen_steps_ + 1 : 0;
-    if (frozen_steps_ > 40) outcome = 4;  // 0.2 s without a solution: say so instead of pretending
+    if (frozen_steps_ > 40) outcome = 4;  // 0.2 s without a solution: report it
+    return outcome;
+}
+
+void BowelPart::remember_forces() noexcept {
     for (std::size_t i = 0; i < inputs_.contacts.size(); ++i) {
         const auto slot = static_cast<std::size_t>(contacts_.cavity[i].sphere) * planes_remembered;
         for (std::size_t k = slot; k < slot + planes_remembered; ++k) {
@@ -261,6 +331,9 @@ std::uint32_t BowelPart::step(const ToolAction* actions, double dt, const std::v
             }
         }
     }
+}
+
+void BowelPart::read_grasps() noexcept {
     for (int hand = 0, k = 0; hand < hand_count; ++hand) {
         HandGrasp& grasp = grasps_[hand];
         if (!grasp.state.held) continue;
@@ -272,16 +345,6 @@ std::uint32_t BowelPart::step(const ToolAction* actions, double dt, const std::v
         if (report_.converged)
             grasp.stiffness = rod_->stiffness_at(state_, solved.s, solved.offset, scratch_);
     }
-    {
-        Stopwatch watch(measuring_, costs_.rings);
-        update_rings(dt);
-    }
-    {
-        Stopwatch watch(measuring_, costs_.dents);
-        update_dents(actions, dt);
-    }
-    if (cut_ && cut_->follow(actions, ring_frames_.data(), tick, dt)) keep_hold(actions);
-    return outcome;
 }
 
 void BowelPart::find_contacts() noexcept {
@@ -437,29 +500,54 @@ void BowelPart::update_dents(const ToolAction* actions, double dt) noexcept {
     step_dents(bed_, skin_->vertex_areas().data(), loads, count, dt, dents_);
 }
 
-void BowelPart::hash(StateHash& hash) const noexcept {
-    for (const Vector3& node : state_.nodes) hash.add(node);
-    for (const Vector3& director : state_.directors) hash.add(director);
-    for (const double twist : state_.joint_twist) hash.add(twist);
-    for (const Vector3& velocity : state_.velocities) hash.add(velocity);
-    for (const HandGrasp& grasp : grasps_) {
-        hash.add(static_cast<std::int64_t>(grasp.state.held));
-        hash.add(grasp.state.arc_length);
-        hash.add(grasp.state.offset);
-        hash.add(grasp.state.reaction);
-    }
-    for (int i = 0; i < dents_.count; ++i) {
-        hash.add(static_cast<std::int64_t>(dents_.entries[static_cast<std::size_t>(i)].vertex));
-        hash.add(dents_.entries[static_cast<std::size_t>(i)].displacement);
-    }
-    if (with_jaws_) {
-        for (const std::vector<Vector3>& pushes : jaw_pushes_) {
-            for (const Vector3& push : pushes) hash.add(push);
+void BowelPart::list_state(StateList& list) {
+    list.hashed(state_.nodes).hashed(state_.directors).hashed(state_.joint_twist).hashed(state_.velocities);
+    list.kept(state_.spins).kept(state_.ends);
+    list.hashed(grasps_, [this](StateHash& hash) {
+        for (const HandGrasp& grasp : grasps_) {
+            hash.add(static_cast<std::int64_t>(grasp.state.held));
+            hash.add(grasp.state.arc_length);
+            hash.add(grasp.state.offset);
+            hash.add(grasp.state.reaction);
         }
-    }
-    for (const float damage : patch_damage_) hash.add(static_cast<double>(damage));
-    for (const MembranePart& membrane : membranes_) membrane.hash(hash);
-    if (cut_) cut_->hash(hash);
+    });
+    list.kept(sheet_grasps_);
+    list.hashed(dents_, [this](StateHash& hash) {
+        for (int i = 0; i < dents_.count; ++i) {
+            hash.add(static_cast<std::int64_t>(dents_.entries[static_cast<std::size_t>(i)].vertex));
+            hash.add(dents_.entries[static_cast<std::size_t>(i)].displacement);
+        }
+    });
+    for (std::vector<Vector3>& pushes : jaw_pushes_) list.hashed(pushes);  // empty but at the level "jaws"
+    list.kept(jaw_felt_).kept(applied_push_);
+    list.hashed(patch_damage_);
+    for (MembranePart& membrane : membranes_) membrane.list_state(list);
+    if (cut_) cut_->list_state(list);
+    if (lumen_) list.kept(*lumen_);
+    // The next step's loads meet the stiffness of the last factor, which is in the rod's scratch.
+    list.kept(inputs_).kept(scratch_).kept(report_);
+    list.kept(lists_).kept(contacts_).kept(remembered_lambda_).kept(remembered_normal_);
+    list.kept(rings_).kept(ring_frames_).kept(ring_stretch_);
+    list.kept(frozen_steps_);
+    for (Touch& touch : touches_) list.kept(touch.state);
+}
+
+void BowelPart::add_costs(double /*us*/, std::vector<PartCost>& costs) const {
+    costs.push_back({"rod", costs_.rod + costs_.grasps + costs_.loads, bytes_rod()});
+    costs.push_back({"collision", costs_.collision, bytes_collision()});
+    costs.push_back({"cage_and_surface", costs_.rings + costs_.dents, bytes_surface()});
+    if (scene_.tethers)
+        costs.push_back({"tethers", 0, sizeof(RodTether) * static_cast<std::size_t>(scene_.tethers->count)});
+    if (!membranes_.empty()) costs.push_back({"membranes", costs_.membranes, bytes_membranes()});
+}
+
+std::unique_ptr<Part> build_bowel_part(const Scene& scene, std::uint64_t seed, const PartList& parts) {
+    if (!scene.bowel) return nullptr;
+    auto bowel = std::make_unique<BowelPart>(scene, bowel_anatomy(scene), wall_of(parts));
+    const double puncture = draw_perforation_forces(
+        scene, seed)[static_cast<std::size_t>(scene.tissue_index(scene.bowel->tissue))];
+    if (puncture > 0) bowel->set_puncture_force(puncture);
+    return bowel;
 }
 
 std::size_t BowelPart::bytes_rod() const {

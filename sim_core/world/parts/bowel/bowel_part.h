@@ -18,23 +18,14 @@
 #include "sim_core/numerics/state_hash.h"
 #include "sim_core/rod/rod.h"
 #include "sim_core/scene/scene.h"
+#include "sim_core/world/part/part.h"
+#include "sim_core/world/part/snapshot.h"
+#include "sim_core/world/part/stopwatch.h"
+#include "sim_core/world/parts/bowel/bowel_anatomy.h"
 #include "sim_core/world/parts/bowel/bowel_cut.h"
 #include "sim_core/world/parts/membranes/membrane_part.h"
-#include "sim_core/world/snapshot.h"
-#include "sim_core/world/stopwatch.h"
 
 namespace fulcrum {
-
-/// Rest geometry of a bowel and how it lies in the body.
-struct BowelAnatomy {
-    TriangleMesh surface;                  ///< rest tube along +x, closed
-    double length = 0;                     ///< m
-    RadiusProfile radius;                  ///< lumen radius by rest arc length
-    std::vector<Vector3> centre_line;      ///< in situ, patient frame, first = rectum
-    std::vector<Vector3> root_line;        ///< mesenteric root on the wall, first = rectal end
-    std::vector<MembraneSheet> membranes;  ///< one for each of Scene::membranes
-    std::vector<RodTether> cranial_holds;  ///< not empty: its cranial end is free but for these
-};
 
 /// One hand over one step, as the bowel sees it.
 struct ToolAction {
@@ -43,45 +34,52 @@ struct ToolAction {
     const ToolContactResult* contact =
         nullptr;  ///< with the surface as it would be at the step's end; null: none
     const ToolContactResult* near =
-        nullptr;  ///< the same without contact too; null: the surface is out of reach
-    bool slipping = false;
+        nullptr;        ///< the same without contact too; null: the surface is out of reach
     bool busy = false;  ///< its jaws hold something else
+    bool takes = true;  ///< jaws that close take hold here; false: something else is nearer
 };
 
 /// How much deeper a tool's jaws are in a sphere of the bowel than its shaft: depth m, normal out of the
 /// sphere into the jaw; by_jaw false for a tool without jaws.
 SolidContact jaws_in_sphere(const ToolShape& tool, const Vector3& centre, double radius);
 
-class BowelPart {
+class BowelPart : public Part {
   public:
     /// Builds rod, cage and skin, lays the bowel into the cavity and lets it come to rest. cavity must
     /// outlive this. Throws InputError where the anatomy cannot carry a cage.
     BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel* cavity);
 
-    /// One step of dt seconds: grasps, loads, rod, collision, rings, dents. Returns StepRecord::outcome.
-    /// more: what else acts on the rod in this step, up to extra_loads; null: nothing. tick: that it ends
-    /// with.
-    std::uint32_t step(const ToolAction* actions, double dt, const std::vector<RodLoad>* more = nullptr,
-                       std::uint32_t tick = 0) noexcept;
+    void begin_step() noexcept override;
+    double offer(int hand, const HeldTool& held) const noexcept override;
+    bool holds(int hand) const noexcept override {
+        return grasps_[hand].state.held || sheet_grasps_[hand].membrane >= 0;
+    }
+    void apply(const StepInput& input) noexcept override;
+    std::uint32_t solve(const StepInput& input) noexcept override;
+    /// Patch, grasp and blade of a hand; leaves step, tick and targets alone.
+    void publish_model(int hand, const TickOutput& last, LocalModel& model) noexcept override;
+    void size_snapshot(WorldSnapshot& snapshot) const override;
+    void fill_snapshot(WorldSnapshot& snapshot) const noexcept override;
+    void list_state(StateList& list) override;
+    void measure(bool on) override { measuring_ = on; }
+    void add_costs(double us, std::vector<PartCost>& costs) const override;
+
+    /// First half of a step of dt seconds that ends with this tick: grasps, and loads of tools and blades.
+    void apply(const ToolAction* actions, std::uint32_t tick, double dt) noexcept;
+    /// What else acts on the rod in this step; between the two halves. At most extra_loads.
+    void add_load(const RodLoad& load) noexcept {
+        if (inputs_.loads.size() < inputs_.loads.capacity()) inputs_.loads.push_back(load);
+    }
     static constexpr std::size_t extra_loads = 64;
-    /// m, from the middle of a hand's jaws to the wall; the jaws' reach where it is further.
-    double distance_to_jaws(const ToolAction& action) const noexcept;
+    /// Second half: collision, rod, rings, dents, cuts. Returns StepRecord::outcome.
+    std::uint32_t solve(const ToolAction* actions, std::uint32_t tick, double dt) noexcept;
+    /// Both halves, with nothing else acting on the rod.
+    std::uint32_t step(const ToolAction* actions, double dt) noexcept {
+        apply(actions, 0, dt);
+        return solve(actions, 0, dt);
+    }
     /// Turns every velocity off.
     void stop() noexcept;
-    /// Hand's patch and grasp for the tick; leaves step, tick and targets alone.
-    void fill_local_model(Hand hand, const PatchRequest& request, LocalModel& model) noexcept;
-    /// What holds its tool along the wall: a blade in it, lips about it. After fill_local_model.
-    void fill_blade(Hand hand, LocalModel& model) const noexcept {
-        if (cut_) cut_->fill_local_model(static_cast<int>(hand), model);
-    }
-    void fill_snapshot(WorldSnapshot& snapshot) const noexcept;
-    void size_snapshot(WorldSnapshot& snapshot) const;
-    void hash(StateHash& hash) const noexcept;
-    /// All that changes from step to step; a part made for the same scene goes on from it bit for bit.
-    /// Null with membranes, whose solver remembers more than their state.
-    struct Saved;
-    std::shared_ptr<const Saved> save() const;
-    void restore(const Saved& saved);
 
     const BowelSkin& skin() const { return *skin_; }
     const Rod& rod() const { return *rod_; }
@@ -100,10 +98,6 @@ class BowelPart {
     const BowelCut* cut() const { return cut_.get(); }
     BowelCut* cut() { return cut_.get(); }
     const RingFrame* ring_frames() const { return ring_frames_.data(); }
-    /// A step that advances nothing makes no events.
-    void forget_events() noexcept {
-        if (cut_) cut_->forget_events();
-    }
     const std::vector<MembranePart>& membranes() const { return membranes_; }
     double weight() const;  ///< N
     /// N, of a hand's jaws on the bowel in the last step; zero but at the level "jaws" of tool_contact.
@@ -115,7 +109,6 @@ class BowelPart {
         double grasps = 0, loads = 0, collision = 0, rod = 0, rings = 0, dents = 0, patches = 0,
                membranes = 0;
     };
-    void measure(bool on) { measuring_ = on; }
     const Costs& costs() const { return costs_; }
 
   private:
@@ -138,7 +131,26 @@ class BowelPart {
                 hold_offset = Vector3::Zero();
         double stiffness = 0, slip_time = 0;
     };
+    /// A hand's instrument against the surface as the world has it: the tick's own law, at the end of the
+    /// step that is being made. The force that moves the bowel must not be the tick's: that one was made for
+    /// a surface up to ten ticks old, and would throw a light bowel to and fro under a still tool.
+    struct Touch {
+        bool has_instrument = false;
+        ToolContactModel model;
+        ToolContactState state;
+        ToolContactScratch scratch;
+        ToolContactResult result;
+    };
     void lay_down();
+    void remember_forces() noexcept;
+    void read_grasps() noexcept;
+    std::uint32_t outcome_of(std::uint32_t membrane_outcome) noexcept;
+    void solve_rod(double dt) noexcept;
+    void touch_tools(const StepInput& input) noexcept;
+    void size_lists(const Scene& scene);
+    void hang_tethers(const Scene& scene);
+    double nearest_membrane(const Vector3& jaws, double least) const noexcept;
+    void fill_grasp(int hand, const PatchRequest& request, LocalModel& model) noexcept;
     void update_grasps(const ToolAction* actions, double dt) noexcept;
     std::int32_t nearest_to(const Vector3& jaws, double& least) const noexcept;
     void begin_grasp(int hand, const ToolAction& action) noexcept;
@@ -186,6 +198,8 @@ class BowelPart {
     std::vector<RingWrench> wrenches_;
     std::vector<Vector3> surface_;  ///< scratch positions for the filter at a grasp
     PatchBuilder::Scratch patch_scratch_;
+    std::vector<Touch> touches_;      ///< by hand
+    ToolAction actions_[hand_count];  ///< of the step
     HandGrasp grasps_[hand_count];
     SheetGrasp sheet_grasps_[hand_count];
     Vector3 applied_push_[hand_count] = {Vector3::Zero(), Vector3::Zero()};
@@ -201,5 +215,7 @@ class BowelPart {
     bool measuring_ = false;
     Costs costs_;
 };
+
+std::unique_ptr<Part> build_bowel_part(const Scene& scene, std::uint64_t seed, const PartList& parts);
 
 }  // namespace fulcrum

@@ -5,7 +5,7 @@
 
 #include "sim_core/geometry/closest_point.h"
 #include "sim_core/numerics/functions.h"
-#include "sim_core/world/jaw_rules.h"
+#include "sim_core/world/part/jaw_rules.h"
 #include "sim_core/world/parts/field/operative_field.h"
 
 namespace fulcrum {

@@ -216,32 +216,10 @@ void OperativeField::fill_view(BandsView& view) const noexcept {
     view.heat_given = heat_.given;
 }
 
-void OperativeField::hash(StateHash& hash) const noexcept {
-    for (const double rise : heat_.rise) hash.add(rise);
-    for (const double dose : heat_.dose) hash.add(dose);
-    for (const double depth : pool_.depth) hash.add(depth);
-    for (const FieldOutlet& outlet : outlets_) {
-        hash.add(outlet.bleed.lost);
-        hash.add(open_share(outlet.bleed));
-    }
-    hash.add(smoke_.mass);
-}
-
-void OperativeField::restore(const State& state) {
-    heat_ = state.heat;
-    pool_ = state.pool;
-    smoke_ = state.smoke;
-    outlets_ = state.outlets;
-    nerve_divided_ = state.nerve_divided;
-    hands_ = state.hands;
-    clips_left_ = state.clips_left;
-}
-
-std::size_t OperativeField::bytes() const {
+std::size_t OperativeField::model_bytes() const {
     const std::size_t patches = model_.heat.patches.size();
-    return sizeof(*this) + outlets_.size() * sizeof(FieldOutlet) +
-           patches * (sizeof(HeatPatch) + 14 * sizeof(double)) +
-           model_.heat.links.size() * (sizeof(HeatLink) + 1) + pool_.depth.size() * 2 * sizeof(double);
+    return patches * (sizeof(HeatPatch) + 9 * sizeof(double)) + model_.heat.links.size() * sizeof(HeatLink) +
+           pool_.depth.size() * sizeof(double);
 }
 
 }  // namespace fulcrum

@@ -21,7 +21,8 @@
 #include "sim_core/instrument/tick_output.h"
 #include "sim_core/numerics/state_hash.h"
 #include "sim_core/scene/scene.h"
-#include "sim_core/world/bands_view.h"
+#include "sim_core/world/part/bands_view.h"
+#include "sim_core/world/part/state_list.h"
 #include "sim_core/world/parts/field/field_bed.h"
 
 namespace fulcrum {
@@ -173,22 +174,11 @@ class OperativeField {
 
     void size_view(BandsView& view) const;
     void fill_view(BandsView& view) const noexcept;
-    /// Heat, blood, outlets and smoke; hands are the owner's to add.
-    void hash(StateHash& hash) const noexcept;
-    /// All that changes from step to step.
-    struct State {
-        HeatState heat;
-        PoolState pool;
-        SmokeState smoke;
-        std::vector<FieldOutlet> outlets;
-        std::vector<std::uint8_t> nerve_divided;
-        std::array<FieldHand, hand_count> hands;
-        std::int32_t clips_left = 0;
-    };
-    State save() const { return {heat_, pool_, smoke_, outlets_, nerve_divided_, hands_, clips_left_}; }
-    /// State of a field made from the same scene and seed.
-    void restore(const State& state);
-    std::size_t bytes() const;
+    /// Heat, blood, smoke, outlets, nerves, hands. owner(hash, hand): what the owner adds of a hand, behind
+    /// its instrument.
+    template <typename Owner>
+    void list_state(StateList& list, Owner&& owner);
+    std::size_t model_bytes() const;
 
   private:
     FieldSpec spec_;
@@ -206,6 +196,31 @@ class OperativeField {
     bool suction_ = false;
     std::int32_t clips_left_ = 0;
 };
+
+template <typename Owner>
+void OperativeField::list_state(StateList& list, Owner&& owner) {
+    list.hashed(heat_.rise).hashed(heat_.dose);
+    list.kept(heat_.water).kept(heat_.damage).kept(heat_.parted);
+    list.kept(heat_.given).kept(heat_.perfused).kept(heat_.boiled);
+    list.hashed(pool_.depth).kept(pool_.poured).kept(pool_.removed);
+    list.hashed(outlets_, [this](StateHash& hash) {
+        for (const FieldOutlet& outlet : outlets_) {
+            hash.add(outlet.bleed.lost);
+            hash.add(open_share(outlet.bleed));
+        }
+    });
+    list.hashed(smoke_.mass);
+    list.hashed(hands_, [this, &owner](StateHash& hash) {
+        for (std::size_t number = 0; number < hands_.size(); ++number) {
+            const FieldHand& hand = hands_[number];
+            hash.add(static_cast<std::int64_t>(hand.index));
+            owner(hash, number);
+            hash.add(hand.exchange_left);
+            hash.add(hand.blade.rise);
+        }
+    });
+    list.kept(nerve_divided_).kept(clips_left_);
+}
 
 /// m from the blade (heel to tip) to a point.
 double distance_to_blade(const FieldHand& hand, const ToolKinematics& tool, const Vector3& point) noexcept;

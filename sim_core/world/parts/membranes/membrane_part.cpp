@@ -6,7 +6,7 @@
 
 #include "sim_core/geometry/closest_point.h"
 #include "sim_core/numerics/input_error.h"
-#include "sim_core/world/sheet_material.h"
+#include "sim_core/world/part/sheet_material.h"
 
 namespace fulcrum {
 namespace {
@@ -214,7 +214,7 @@ void MembranePart::read_holds() noexcept {
     }
 }
 
-void MembranePart::restore() noexcept {
+void MembranePart::take_back() noexcept {
     state_.positions = good_.positions;
     stop();
 }
@@ -233,15 +233,17 @@ void MembranePart::fill_snapshot(MembraneView& view) const noexcept {
     view.topology = state_.topology;
 }
 
-void MembranePart::hash(StateHash& hash) const noexcept {
-    for (const Vector3& position : state_.positions) hash.add(position);
-    for (const Vector3& velocity : state_.velocities) hash.add(velocity);
-    hash.add(static_cast<std::int64_t>(state_.topology));
-    for (const Hold& hold : holds_) {
-        hash.add(static_cast<std::int64_t>(hold.grip.triangle));
-        hash.add(hold.target);
-        hash.add(hold.grip.reaction);
-    }
+void MembranePart::list_state(StateList& list) {
+    list.hashed(state_.positions).hashed(state_.velocities).kept(state_.cut).hashed(state_.topology);
+    list.hashed(holds_, [this](StateHash& hash) {
+        for (const Hold& hold : holds_) {
+            hash.add(static_cast<std::int64_t>(hold.grip.triangle));
+            hash.add(hold.target);
+            hash.add(hold.grip.reaction);
+        }
+    });
+    // The solver remembers its matrix, what is held in it, and its last steps.
+    list.kept(scratch_).kept(inputs_).kept(report_).kept(pull_);
 }
 
 std::size_t MembranePart::bytes() const {

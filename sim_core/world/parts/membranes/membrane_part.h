@@ -15,7 +15,8 @@
 #include "sim_core/numerics/state_hash.h"
 #include "sim_core/rod/rod.h"
 #include "sim_core/scene/scene.h"
-#include "sim_core/world/snapshot.h"
+#include "sim_core/world/part/snapshot.h"
+#include "sim_core/world/part/state_list.h"
 
 namespace fulcrum {
 
@@ -61,7 +62,7 @@ class MembranePart {
     double grip_stiffness(int hand) const noexcept;
 
     /// Takes the last step back, at rest: when the rod's was.
-    void restore() noexcept;
+    void take_back() noexcept;
     /// Turns every velocity off.
     void stop() noexcept;
 
@@ -77,7 +78,7 @@ class MembranePart {
 
     void size_snapshot(MembraneView& view) const;
     void fill_snapshot(MembraneView& view) const noexcept;
-    void hash(StateHash& hash) const noexcept;
+    void list_state(StateList& list);
     std::size_t bytes() const;
 
   private:

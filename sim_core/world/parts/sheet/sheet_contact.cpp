@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "sim_core/geometry/closest_point.h"
-#include "sim_core/world/jaw_rules.h"
+#include "sim_core/world/part/jaw_rules.h"
 #include "sim_core/world/parts/sheet/sheet_part.h"
 
 namespace fulcrum {
@@ -273,8 +273,7 @@ void SheetPart::take(int number, const SheetAction& action) noexcept {
         if (grip.place.fragment < 0) return;
         grip.target = grip.last = place(grip.place);
         grip.correction = grip.target - jaw;
-        if (grip.correction.norm() > grasp_reach ||
-            (hand.grip_count == 0 && grip.correction.norm() > action.other)) {
+        if (grip.correction.norm() > grasp_reach) {
             if (hand.grip_count == 0) return;
             continue;
         }
@@ -295,6 +294,19 @@ bool SheetPart::closing(int number, const SheetAction& action) const noexcept {
     return opening < close_share && tool.grip > least_grip && hand.ready && tool.inside;
 }
 
+double SheetPart::offer(int number, const HeldTool& held) const noexcept {
+    SheetAction action;
+    action.instrument = held.instrument;
+    action.tool = held.tool;
+    if (!closing(number, action)) return no_offer;
+    const Vector3 offset(0, 0, -0.5 * held.instrument->jaw_length);
+    const Vector3 jaw = held.tool.tip + held.tool.rotation * offset;
+    const SheetPlace nearest = closest(jaw);
+    if (nearest.fragment < 0) return no_offer;
+    const double distance = (place(nearest) - jaw).norm();
+    return distance <= grasp_reach ? distance : no_offer;
+}
+
 void SheetPart::update_jaws(int number, const SheetAction& action, double dt) noexcept {
     HandState& hand = state_.hands[static_cast<std::size_t>(number)];
     const ToolKinematics& tool = action.tool;
@@ -303,7 +315,7 @@ void SheetPart::update_jaws(int number, const SheetAction& action, double dt) no
     if (opening > open_share) hand.ready = true;
     if (!hand.held) {
         if (closing(number, action)) {
-            if (!action.busy) take(number, action);
+            if (action.takes) take(number, action);
             hand.ready = false;
         }
         return;
@@ -446,15 +458,15 @@ void SheetPart::fill_grasp(const HandState& hand, LocalModel& model) const noexc
     model.grasp.tissue = tissue_index_;
 }
 
-void SheetPart::fill_local_model(int number, LocalModel& model) const noexcept {
+void SheetPart::publish_model(int number, const TickOutput& /*last*/, LocalModel& model) noexcept {
     const HandState& hand = state_.hands[static_cast<std::size_t>(number)];
-    model.sheet = SheetContactModel();
     if (hand.held) {
         fill_grasp(hand, model);
         return;
     }
     const bool near = hand.touch == BladeTouch::away && hand.known && hand.cover > least_cover;
-    if (hand.touch == BladeTouch::touching || hand.touch == BladeTouch::cutting || near)
+    const bool taken = model.sheet.tissue >= 0;  // by a blade in another part's tissue
+    if (!taken && (hand.touch == BladeTouch::touching || hand.touch == BladeTouch::cutting || near))
         fill_touch(hand, model.sheet);
 }
 

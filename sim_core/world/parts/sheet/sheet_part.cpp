@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "sim_core/anatomy/scene_anatomy.h"
 #include "sim_core/numerics/input_error.h"
-#include "sim_core/world/parts/bowel/anatomy_binding.h"
-#include "sim_core/world/sheet_material.h"
+#include "sim_core/world/part/sheet_material.h"
 
 namespace fulcrum {
 namespace {
@@ -161,7 +161,23 @@ void SheetPart::update_positions() noexcept {
     }
 }
 
-std::uint32_t SheetPart::step(const SheetAction* actions, std::uint32_t tick, double dt) noexcept {
+void SheetPart::apply(const StepInput& input) noexcept {
+    for (int hand = 0; hand < hand_count; ++hand) {
+        SheetAction& action = actions_[hand];
+        action.instrument = input.held[hand].instrument;
+        action.tool = input.held[hand].tool;
+        action.energised = input.held[hand].energised;
+        action.busy = input.busy(hand, this);
+        action.takes = input.taker[hand] == this;
+    }
+    apply(actions_, input.tick(), input.dt);
+}
+
+std::uint32_t SheetPart::solve(const StepInput& input) noexcept {
+    return solve(actions_, input.tick(), input.dt);
+}
+
+void SheetPart::apply(const SheetAction* actions, std::uint32_t tick, double dt) noexcept {
     events_.clear();
     faults_ = 0;
     tick_ = tick;
@@ -171,10 +187,12 @@ std::uint32_t SheetPart::step(const SheetAction* actions, std::uint32_t tick, do
         approach(hand, actions[hand], tick, dt);
     }
     add_links(actions);
+}
+
+std::uint32_t SheetPart::solve(const SheetAction* actions, std::uint32_t tick, double dt) noexcept {
     const MembraneReport report = membrane_.step(state_.membrane, inputs_, dt, scratch_);
     if (report.fault == MembraneFault::refused || report.fault == MembraneFault::frozen) faults_ = 2;
     read_links();
-    sum_pulls();
     update_positions();
     for (int hand = 0; hand < hand_count; ++hand) {
         if (actions[hand].instrument == nullptr) continue;
@@ -185,6 +203,22 @@ std::uint32_t SheetPart::step(const SheetAction* actions, std::uint32_t tick, do
     measure_station();
     part_fibres(tick, dt);
     return faults_;
+}
+
+Vector3 SheetPart::trial_edge_force(int axis, double displacement, double dt) {
+    CutMembraneState trial = state_.membrane;
+    CutMembraneInputs inputs = inputs_;
+    for (DrivenVertex& driven : inputs.driven) {
+        if (axis >= 0) driven.target[axis] += displacement;
+    }
+    membrane_.step(trial, inputs, dt, scratch_);
+    Vector3 sum = Vector3::Zero();
+    for (const DrivenVertex& driven : inputs.driven) sum += driven.reaction;
+    return sum;
+}
+
+void SheetPart::stop() noexcept {
+    for (Vector3& v : state_.membrane.velocities) v.setZero();
 }
 
 void SheetPart::drop_loose(std::uint32_t tick) noexcept {
@@ -268,8 +302,7 @@ void SheetPart::add_place_event(std::uint32_t tick, EventKind kind, int hand, co
 void SheetPart::restore(const State& state, const CutState& surface) {
     state_ = state;
     surface_.restore(surface);
-    list_visible();
-    events_.clear();
+    follow_restore();
 }
 
 void SheetPart::size_snapshot(WorldSnapshot& snapshot) const {
@@ -348,35 +381,57 @@ void SheetPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
     }
 }
 
-void SheetPart::hash(StateHash& hash) const noexcept {
-    const CutMembraneState& m = state_.membrane;
-    for (std::size_t n = 0; n < at(m.node_end); ++n) {
-        hash.add(m.positions[n]);
-        hash.add(m.velocities[n]);
-        hash.add(m.masses[n]);
-    }
-    hash.add(static_cast<std::int64_t>(m.topology));
-    hash.add(surface_.digest());
-    for (const HandState& hand : state_.hands) {
-        hash.add(static_cast<std::int64_t>(hand.touch));
-        hash.add(static_cast<std::int64_t>(hand.place.fragment));
-        hash.add(hand.place.barycentric);
-        hash.add(hand.side);
-        hash.add(hand.cover);
-        hash.add(hand.target);
-        hash.add(hand.reaction);
-        hash.add(hand.adrift ? hand.drifted : Vector3(Vector3::Zero()));
-        hash.add(static_cast<std::int64_t>(hand.grip_count));
-        hash.add(hand.pull);
-    }
-    if (spec_.fibres) state_.fibres.hash(hash);
+void SheetPart::follow_restore() {
+    list_visible();
+    events_.clear();
+}
+
+void SheetPart::list_state(StateList& list) {
+    list.hashed(state_.membrane, [this](StateHash& hash) {
+        const CutMembraneState& m = state_.membrane;
+        for (std::size_t n = 0; n < at(m.node_end); ++n) {
+            hash.add(m.positions[n]);
+            hash.add(m.velocities[n]);
+            hash.add(m.masses[n]);
+        }
+        hash.add(static_cast<std::int64_t>(m.topology));
+    });
+    list.hashed_through(
+        [this] { return surface_.state(); }, [this](const CutState& surface) { surface_.restore(surface); },
+        [this](StateHash& hash) { hash.add(surface_.digest()); }, [this] { return surface_.bytes(); });
+    list.hashed(state_.hands, [this](StateHash& hash) {
+        for (const HandState& hand : state_.hands) {
+            hash.add(static_cast<std::int64_t>(hand.touch));
+            hash.add(static_cast<std::int64_t>(hand.place.fragment));
+            hash.add(hand.place.barycentric);
+            hash.add(hand.side);
+            hash.add(hand.cover);
+            hash.add(hand.target);
+            hash.add(hand.reaction);
+            hash.add(hand.adrift ? hand.drifted : Vector3(Vector3::Zero()));
+            hash.add(static_cast<std::int64_t>(hand.grip_count));
+            hash.add(hand.pull);
+        }
+    });
+    list.hashed(state_.fibres, [this](StateHash& hash) {
+        if (spec_.fibres) state_.fibres.hash(hash);
+    });
+    list.kept(state_.positions).kept(state_.bindings).kept(state_.loose).kept(state_.any_loose);
+    list.kept(state_.line).kept(state_.divided).kept(state_.traction).kept(state_.next_station);
+}
+
+void SheetPart::add_costs(double us, std::vector<PartCost>& costs) const {
+    costs.push_back({"sheet", us, bytes()});
+}
+
+std::unique_ptr<Part> build_sheet_part(const Scene& scene, std::uint64_t /*seed*/,
+                                       const PartList& /*parts*/) {
+    if (!scene.sheet && !scene.septa) return nullptr;
+    return std::make_unique<SheetPart>(scene, scene.step_period());
 }
 
 std::size_t SheetPart::bytes() const {
-    return membrane_.bytes() + static_cast<std::size_t>(surface_.bytes()) +
-           state_.positions.capacity() * (sizeof(Vector3) + sizeof(SheetPlace)) +
-           state_.membrane.positions.capacity() * (2 * sizeof(Vector3) + sizeof(double)) +
-           state_.membrane.stiffness.capacity() * (2 * sizeof(double) + 4 * sizeof(std::int32_t));
+    return sizeof(*this) + membrane_.bytes() + state_bytes();
 }
 
 }  // namespace fulcrum

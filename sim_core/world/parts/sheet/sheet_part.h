@@ -23,21 +23,21 @@
 #include "sim_core/numerics/state_hash.h"
 #include "sim_core/rod/rod.h"
 #include "sim_core/scene/scene.h"
-#include "sim_core/world/blade_rules.h"
+#include "sim_core/world/part/blade_rules.h"
+#include "sim_core/world/part/part.h"
+#include "sim_core/world/part/snapshot.h"
+#include "sim_core/world/part/step_events.h"
 #include "sim_core/world/parts/sheet/sheet_fibres.h"
 #include "sim_core/world/parts/sheet/sheet_layout.h"
-#include "sim_core/world/snapshot.h"
-#include "sim_core/world/step_events.h"
 
 namespace fulcrum {
 
 /// One hand over one step, as the sheet sees it.
 struct SheetAction {
-    const InstrumentSpec* instrument = nullptr;              ///< null: no such hand
-    ToolKinematics tool;                                     ///< at the step's last tick
-    bool busy = false;                                       ///< its jaws hold something else
-    double other = std::numeric_limits<double>::infinity();  ///< m, from the middle of its jaws to what else
-                                                             ///< they could take
+    const InstrumentSpec* instrument = nullptr;  ///< null: no such hand
+    ToolKinematics tool;                         ///< at the step's last tick
+    bool busy = false;                           ///< its jaws hold something else
+    bool takes = true;       ///< jaws that close take hold here; false: something else is nearer
     bool energised = false;  ///< its blade is under power: it needs CuttingSpec::energy_factor of the forces
 };
 
@@ -48,7 +48,7 @@ struct SheetPlace {
     std::int32_t triangle = -1;             ///< visible one that it lies in
 };
 
-class SheetPart {
+class SheetPart : public Part {
   public:
     static constexpr int grip_points = 3;
 
@@ -103,29 +103,37 @@ class SheetPart {
     /// Builds the sheet and lets it come to rest. Throws InputError (place "/sheet" or "/septa").
     SheetPart(const Scene& scene, double dt);
 
-    // Septa hang on the rectum, two-way: before each step their edge is carried to where the rod's wall
-    // points are about to be, after it what holds the edge there acts on the rod, equal and opposite, in the
-    // rod's same step.
-    /// state: the rod in the shape that the septa were made for. Throws InputError where they are too stiff
-    /// for its mass.
-    void hang_on(const Scene& scene, const Rod& rod, const RodState& state, double dt);
-    void carry_edge(const Rod& rod, const RodState& state, double dt) noexcept;
-    /// One for each septum; empty without.
-    const std::vector<RodLoad>& pulls() const { return pulls_; }
-    /// Stiffness that the moved edge meets within one step over the rod's inertia (1 would be the limit).
-    double coupling() const { return coupling_; }
+    void begin_step() noexcept override { events_.clear(); }
+    double offer(int hand, const HeldTool& held) const noexcept override;
+    void apply(const StepInput& input) noexcept override;
+    std::uint32_t solve(const StepInput& input) noexcept override;
+    void publish_model(int hand, const TickOutput& last, LocalModel& model) noexcept override;
+    void size_snapshot(WorldSnapshot& snapshot) const override;
+    void fill_snapshot(WorldSnapshot& snapshot) const noexcept override;
+    void list_state(StateList& list) override;
+    void follow_restore() override;
+    void add_costs(double us, std::vector<PartCost>& costs) const override;
+    using Part::restore;
+
+    /// Vertices that something else moves (SheetLayout::driven): target in, reaction out.
+    std::vector<DrivenVertex>& edge() { return inputs_.driven; }
+    /// N, sum of the edge's reactions in a step in which it is moved by a displacement (m) along an axis; -1:
+    /// not moved. Changes no state.
+    Vector3 trial_edge_force(int axis, double displacement, double dt);
     /// Turns every velocity off.
     void stop() noexcept;
     /// Jaws that would take hold in this step if something is within their reach.
     bool closing(int hand, const SheetAction& action) const noexcept;
-    bool holds(int hand) const { return state_.hands[static_cast<std::size_t>(hand)].held; }
+    bool holds(int hand) const noexcept override { return state_.hands[static_cast<std::size_t>(hand)].held; }
 
-    /// One step of dt seconds that ends with this tick. Returns StepRecord::outcome.
-    std::uint32_t step(const SheetAction* actions, std::uint32_t tick, double dt) noexcept;
-    void fill_local_model(int hand, LocalModel& model) const noexcept;
-    void size_snapshot(WorldSnapshot& snapshot) const;
-    void fill_snapshot(WorldSnapshot& snapshot) const noexcept;
-    void hash(StateHash& hash) const noexcept;
+    /// First half of a step of dt seconds that ends with this tick: jaws and tips on the sheet.
+    void apply(const SheetAction* actions, std::uint32_t tick, double dt) noexcept;
+    /// Second half: the membrane, then blades. Returns StepRecord::outcome.
+    std::uint32_t solve(const SheetAction* actions, std::uint32_t tick, double dt) noexcept;
+    std::uint32_t step(const SheetAction* actions, std::uint32_t tick, double dt) noexcept {
+        apply(actions, tick, dt);
+        return solve(actions, tick, dt);
+    }
 
     const State& state() const { return state_; }
     const CutMesh& surface() const { return surface_; }
@@ -136,8 +144,6 @@ class SheetPart {
     void restore(const State& state, const CutState& surface);
     const Event* events() const { return events_.data(); }
     int event_count() const { return events_.count(); }
-    /// A step that advances nothing makes no events.
-    void forget_events() noexcept { events_.clear(); }
     std::size_t bytes() const;
     Vector3 place(const SheetPlace& at) const noexcept;  ///< m
     Vector3 rest(const SheetPlace& at) const noexcept;   ///< m, in the sheet's frame as SheetView::rest
@@ -215,7 +221,6 @@ class SheetPart {
     void list_visible() noexcept;
     void settle(double dt) noexcept;
     void mark_line(const SacralCurve& curve);
-    void sum_pulls() noexcept;
     const CuttingSpec* cutting_at(const SheetPlace& where) const noexcept;
     std::int32_t septum_of(const SheetPlace& where) const noexcept {
         return where.fragment < 0
@@ -258,13 +263,10 @@ class SheetPart {
     CutMembraneScratch scratch_;
     State state_;
     std::vector<double> line_positions_;
-    std::int32_t stations_ = 0;     ///< of one septum
-    std::vector<Vector3> offsets_;  ///< of the driven vertices, ring frame
-    double coupling_ = 0;
+    std::int32_t stations_ = 0;  ///< of one septum
     // Scratch.
     CutMembraneInputs inputs_;
-    std::vector<Vector3> arms_;  ///< m, of the driven vertices from the rod's centre line
-    std::vector<RodLoad> pulls_;
+    SheetAction actions_[hand_count];  ///< of the step
     std::array<int, hand_count> tip_link_ = {-1, -1}, jaw_link_ = {-1, -1};
     MembraneCut cut_;
     std::vector<std::int32_t> visible_, near_;
@@ -274,5 +276,7 @@ class SheetPart {
     // in a step.
     StepEvents<static_cast<int>(hand_count * 4 * ((BladeTrack::capacity + 1) / 2)) + 32> events_;
 };
+
+std::unique_ptr<Part> build_sheet_part(const Scene& scene, std::uint64_t seed, const PartList& parts);
 
 }  // namespace fulcrum

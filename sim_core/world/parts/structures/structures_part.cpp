@@ -6,9 +6,10 @@
 #include <map>
 #include <utility>
 
+#include "sim_core/anatomy/scene_anatomy.h"
 #include "sim_core/geometry/closest_point.h"
 #include "sim_core/numerics/functions.h"
-#include "sim_core/world/jaw_rules.h"
+#include "sim_core/world/part/jaw_rules.h"
 #include "sim_core/world/parts/sheet/sheet_part.h"
 
 namespace fulcrum {
@@ -285,7 +286,7 @@ void StructuresPart::apply_energy(int number, const ToolKinematics& tool, double
     }
 }
 
-void StructuresPart::fill_local_model(int number, LocalModel& model) const noexcept {
+void StructuresPart::publish_model(int number, const TickOutput& /*last*/, LocalModel& model) noexcept {
     const FieldHand& hand = field_.hand(number);
     model.energises = hand.usable() && gives_energy(hand.kind());
 }
@@ -314,29 +315,29 @@ void StructuresPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
     }
 }
 
-void StructuresPart::hash(StateHash& hash) const noexcept {
-    field_.hash(hash);
-    for (int number = 0; number < hand_count; ++number) {
-        const FieldHand& hand = field_.hand(number);
-        hash.add(static_cast<std::int64_t>(hand.index));
-        hash.add(hand.exchange_left);
-        hash.add(hand.blade.rise);
-    }
-    for (const std::int32_t vein : outlet_vein_) hash.add(static_cast<std::int64_t>(vein));
-    for (std::size_t n = 0; n < layout_.nerves.size(); ++n)
-        hash.add(static_cast<std::int64_t>(field_.divided(n) ? 1 : 0));
+void StructuresPart::list_state(StateList& list) {
+    field_.list_state(list, [](StateHash&, std::size_t) {});
+    list.hashed(outlet_vein_);
+    list.also_hashed([this](StateHash& hash) {
+        for (std::size_t n = 0; n < layout_.nerves.size(); ++n)
+            hash.add(static_cast<std::int64_t>(field_.divided(n) ? 1 : 0));
+    });
 }
 
-void StructuresPart::restore(const Saved& saved) {
-    field_.restore(saved.field);
-    outlet_vein_ = saved.outlet_vein;
-}
-
-std::size_t StructuresPart::bytes() const {
+void StructuresPart::add_costs(double us, std::vector<PartCost>& costs) const {
     std::size_t lines = 0;
     for (const VeinPlace& vein : layout_.veins) lines += vein.line.size();
     for (const std::vector<Vector3>& nerve : layout_.nerves) lines += 2 * nerve.size();
-    return sizeof(*this) + field_.bytes() + lines * sizeof(Vector3) + root_area_.size() * 9;
+    costs.push_back({"structures", us,
+                     sizeof(*this) + field_.model_bytes() + lines * sizeof(Vector3) + root_area_.size() * 9 +
+                         state_bytes()});
+}
+
+std::unique_ptr<Part> build_structures_part(const Scene& scene, std::uint64_t seed, const PartList& parts) {
+    if (!scene.structures) return nullptr;
+    const RectumParameters rectum = rectum_parameters(scene);
+    return std::make_unique<StructuresPart>(scene, presacral_wall(rectum.curve, rectum.promontory),
+                                            *wall_of(parts), find_part<SheetPart>(parts), seed);
 }
 
 }  // namespace fulcrum

@@ -22,22 +22,16 @@
 #include "sim_core/instrument/tick_output.h"
 #include "sim_core/numerics/state_hash.h"
 #include "sim_core/scene/scene.h"
+#include "sim_core/world/part/part.h"
+#include "sim_core/world/part/snapshot.h"
 #include "sim_core/world/parts/field/operative_field.h"
 #include "sim_core/world/parts/structures/structures_layout.h"
-#include "sim_core/world/snapshot.h"
 
 namespace fulcrum {
 
 class SheetPart;
 
-/// How the rest of the world meets what a hand holds now.
-struct HeldTool {
-    const InstrumentSpec* instrument = nullptr;  ///< with the kind that the hand has now
-    ToolKinematics tool;     ///< primary button as a blade; outside while instruments are exchanged
-    bool energised = false;  ///< the blade is under power
-};
-
-class StructuresPart {
+class StructuresPart : public Part {
   public:
     static constexpr double least_opening = 0.25;  ///< share of a vein's lumen; provisional
     static constexpr double same_opening = 0.004;  ///< m
@@ -51,19 +45,18 @@ class StructuresPart {
     HeldTool held(int hand, const ToolKinematics& tool) const noexcept;
     /// One step of dt over the outputs of `count` ticks (at least one), oldest first, after the sheet's.
     void step(const TickOutput* outputs, std::size_t count, double dt) noexcept;
+    void exchange(int hand, HeldTool& now) const noexcept override { now = held(hand, now.tool); }
+    /// The whole step: what the hands do here depends on where the sheet is at its end.
+    std::uint32_t solve(const StepInput& input) noexcept override {
+        step(input.outputs, input.count, input.dt);
+        return 0;
+    }
     /// Whether the hand's pedal gives energy.
-    void fill_local_model(int hand, LocalModel& model) const noexcept;
-    void size_snapshot(WorldSnapshot& snapshot) const;
-    void fill_snapshot(WorldSnapshot& snapshot) const noexcept;
-    void hash(StateHash& hash) const noexcept;
-    std::size_t bytes() const;
-    struct Saved {
-        OperativeField::State field;
-        std::vector<std::int32_t> outlet_vein;
-    };
-    Saved save() const { return {field_.save(), outlet_vein_}; }
-    /// Of a part made from the same scene and seed.
-    void restore(const Saved& saved);
+    void publish_model(int hand, const TickOutput& last, LocalModel& model) noexcept override;
+    void size_snapshot(WorldSnapshot& snapshot) const override;
+    void fill_snapshot(WorldSnapshot& snapshot) const noexcept override;
+    void list_state(StateList& list) override;
+    void add_costs(double us, std::vector<PartCost>& costs) const override;
 
     const StructuresLayout& layout() const { return layout_; }
     const OperativeField& field() const { return field_; }
@@ -101,5 +94,7 @@ class StructuresPart {
     double wall_stiffness_ = 0, energy_factor_ = 1;
     std::array<std::array<InstrumentSpec, 6>, hand_count> kinds_;  ///< the scene's, with each kind in turn
 };
+
+std::unique_ptr<Part> build_structures_part(const Scene& scene, std::uint64_t seed, const PartList& parts);
 
 }  // namespace fulcrum

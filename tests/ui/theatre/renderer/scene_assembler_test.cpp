@@ -6,7 +6,8 @@
 #include <QColor>
 #include <QImage>
 
-#include "sim_core/world/parts/bowel/anatomy_binding.h"
+#include "sim_core/anatomy/scene_anatomy.h"
+#include "sim_core/world/parts/bowel/bowel_anatomy.h"
 #include "sim_core/world/world.h"
 #include "ui/theatre/renderer/offscreen.h"
 

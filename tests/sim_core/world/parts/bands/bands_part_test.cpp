@@ -8,6 +8,7 @@
 
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/scene/json_document.h"
+#include "sim_core/world/parts/bands/bands_part.h"
 #include "tests/sim_core/world/parts/bands/bands_stage.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/extremes.h"
@@ -20,7 +21,7 @@ using test::bands_scene;
 using test::BandsStage;
 
 std::size_t vessel_band(const BandsStage& stage, std::size_t vessel = 0) {
-    return static_cast<std::size_t>(stage.world.bands()->layout().vessel_bands[vessel]);
+    return static_cast<std::size_t>(stage.world.find<BandsPart>()->layout().vessel_bands[vessel]);
 }
 
 /// Divides a band with the right hand while the left holds it `lift` m high; returns the time in s, -1 if it
@@ -42,10 +43,10 @@ double divide(BandsStage& stage, std::size_t band, double lift, bool* flagged = 
 TEST(BandsPart, ExistsOnlyIfTheSceneListsIt) {
     const Scene plain = load_scene(test::source_path("assets/scenes/a2_targets.json"));
     const World without(plain, 1), with(bands_scene(), 1);
-    EXPECT_EQ(without.bands(), nullptr);
+    EXPECT_EQ(without.find<BandsPart>(), nullptr);
     EXPECT_TRUE(without.snapshot().bands.empty());
     for (const PartCost& cost : without.costs()) EXPECT_NE(cost.part, "bands");
-    ASSERT_NE(with.bands(), nullptr);
+    ASSERT_NE(with.find<BandsPart>(), nullptr);
     EXPECT_EQ(with.snapshot().bands.size(), 1u);
     bool listed = false;
     for (const PartCost& cost : with.costs()) listed = listed || (cost.part == "bands" && cost.bytes > 10000);
@@ -140,9 +141,9 @@ TEST(BandsPart, ShearsDivideTheGraspedBandAndHeatIsBalanced) {
     EXPECT_GT(seconds, 1.0);
     EXPECT_LT(seconds, 8.0);
     EXPECT_TRUE(flagged);
-    const HeatState& heat = stage.world.bands()->field().heat();
+    const HeatState& heat = stage.world.find<BandsPart>()->field().heat();
     const double out =
-        stored_heat(stage.world.bands()->field().model().heat, heat) + heat.perfused + heat.boiled;
+        stored_heat(stage.world.find<BandsPart>()->field().model().heat, heat) + heat.perfused + heat.boiled;
     EXPECT_NEAR(heat.given, out, 1e-9 * heat.given);
     EXPECT_GT(heat.given, 20.0);
     EXPECT_GT(stage.view().smoke, 0.01);
@@ -189,11 +190,12 @@ TEST(BandsPart, VesselBleedsAfterDivisionMoreUnderTensionAndAClipStopsIt) {
         const double lost = stage.view().lost;
         EXPECT_GT(lost, 0.1e-6);
         stage.run(1);
-        EXPECT_EQ(stage.view().outlets[1].lost, stage.world.bands()->field().outlets()[1].bleed.lost);
-        EXPECT_NEAR(stage.world.bands()->field().pool().poured, stage.view().lost, 1e-15);
-        EXPECT_NEAR(
-            pooled_volume(stage.world.bands()->layout().bed.pool, stage.world.bands()->field().pool()),
-            stage.view().lost, 1e-12);
+        EXPECT_EQ(stage.view().outlets[1].lost,
+                  stage.world.find<BandsPart>()->field().outlets()[1].bleed.lost);
+        EXPECT_NEAR(stage.world.find<BandsPart>()->field().pool().poured, stage.view().lost, 1e-15);
+        EXPECT_NEAR(pooled_volume(stage.world.find<BandsPart>()->layout().bed.pool,
+                                  stage.world.find<BandsPart>()->field().pool()),
+                    stage.view().lost, 1e-12);
     }
     EXPECT_LT(seconds[1], seconds[0]);
     EXPECT_GT(flow[1], 1.5 * flow[0]);
@@ -203,7 +205,7 @@ TEST(BandsPart, ClipBeforeDivisionPreventsBleedingAndHeatSealsTheRoot) {
     BandsStage stage;
     const std::size_t band = vessel_band(stage);
     stage.exchange_to(Hand::right, InstrumentKind::clip_applier);
-    const Vector3 root = stage.world.bands()->layout().bands[band].vessel_root;
+    const Vector3 root = stage.world.find<BandsPart>()->layout().bands[band].vessel_root;
     stage.go(Hand::right, stage.tip_for_jaws(Hand::right, root + Vector3(0, 0, 0.003)));
     stage.close(Hand::right);
     EXPECT_EQ(stage.view().tools[1].last_clip_outlet, 1);

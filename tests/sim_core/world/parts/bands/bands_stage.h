@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim_core/haptics/loop.h"
+#include "sim_core/world/parts/bands/bands_part.h"
 #include "sim_core/world/world.h"
 #include "tests/support/support.h"
 
@@ -80,7 +81,7 @@ class BandsStage {
     }
     /// Grasps a band with a hand at a fraction of its length from the root.
     void take(Hand hand, std::size_t band, double share) {
-        const StrandState& strand = world.bands()->strand(band);
+        const StrandState& strand = world.find<BandsPart>()->strand(band);
         const Vector3 place = strand.position[static_cast<std::size_t>(std::lround(share * strand_segments))];
         open(hand);
         go(hand, tip_for_jaws(hand, place + Vector3(0, 0, 0.02)));

@@ -4,6 +4,7 @@
 
 #include "sim_core/geometry/closest_point.h"
 #include "sim_core/numerics/functions.h"
+#include "sim_core/world/parts/bowel/bowel_part.h"
 #include "tests/sim_core/world/parts/sheet/sheet_rig.h"
 
 namespace fulcrum::test {
@@ -17,8 +18,8 @@ struct BowelCutRig : SheetRig {
         top = highest_near(world.snapshot().nodes[world.snapshot().nodes.size() / 2]);
     }
 
-    const BowelPart& bowel() const { return *world.bowel(); }
-    BowelCut& cut() { return *world.bowel()->cut(); }
+    const BowelPart& bowel() const { return *world.find<BowelPart>(); }
+    BowelCut& cut() { return *world.find<BowelPart>()->cut(); }
     const BowelCut::HandState& blade() const { return bowel().cut()->hand(1); }
     Vector3 now(std::int32_t vertex) const {
         return skin_vertex(bowel().skin().rows()[static_cast<std::size_t>(vertex)], bowel().ring_frames());

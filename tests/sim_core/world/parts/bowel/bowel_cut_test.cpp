@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The bowel's wall cut in the world: scissors through the complete chain of device, tick, world and surface;
 // the force to the hand, grasps across a cut, saving and replay.
+#include "sim_core/world/parts/bowel/bowel_part.h"
 #include "tests/sim_core/world/parts/bowel/bowel_cut_rig.h"
 
 #include <gtest/gtest.h>
@@ -187,7 +188,7 @@ TEST(BowelCut, UncutBowelIsUnchangedBitForBit) {
     for (TissueSpec& tissue : plain.tissues) tissue.cutting.reset();
     BowelCutRig rig;
     test::SheetRig other(plain);
-    EXPECT_EQ(other.world.bowel()->cut(), nullptr);
+    EXPECT_EQ(other.world.find<BowelPart>()->cut(), nullptr);
     EXPECT_TRUE(other.world.snapshot().bowel_cut.hidden.empty());
     const Vector3 start = rig.top_now();
     for (test::SheetRig* one : {static_cast<test::SheetRig*>(&rig), &other}) {
@@ -210,7 +211,7 @@ TEST(BowelCut, ReplaysFromASavedCutBitForBit) {
     ASSERT_NE(saved, nullptr);
     const auto hash_of = [](const World& world) {
         StateHash hash;
-        world.bowel()->hash(hash);
+        world.find<BowelPart>()->hash(hash);
         return hash.value();
     };
     std::vector<std::vector<TickOutput>> outputs;
@@ -229,7 +230,7 @@ TEST(BowelCut, ReplaysFromASavedCutBitForBit) {
         fresh.step(outputs[i].data(), outputs[i].size());
         ASSERT_EQ(hash_of(fresh), hashes[i]) << i;
     }
-    EXPECT_EQ(fresh.bowel()->cut()->skin().surface().digest(), rig.cut().skin().surface().digest());
+    EXPECT_EQ(fresh.find<BowelPart>()->cut()->skin().surface().digest(), rig.cut().skin().surface().digest());
     for (int h = 0; h < hand_count; ++h)
         EXPECT_EQ(fresh.local_models().hand[h].sheet.drag, rig.world.local_models().hand[h].sheet.drag);
 }

@@ -5,10 +5,12 @@
 
 #include <cmath>
 
+#include "sim_core/anatomy/scene_anatomy.h"
 #include "sim_core/haptics/loop.h"
 #include "sim_core/lab/membrane_reference.h"
 #include "sim_core/numerics/input_error.h"
-#include "sim_core/world/parts/bowel/anatomy_binding.h"
+#include "sim_core/world/parts/bowel/bowel_anatomy.h"
+#include "sim_core/world/parts/bowel/bowel_part.h"
 #include "sim_core/world/world.h"
 #include "tests/support/support.h"
 
@@ -182,7 +184,7 @@ TEST(MembranePart, GraspedSheetInTheWorldPullsOnTheJawsAndBendsTheBowel) {
     Scene scene = load_scene(test::source_path("assets/scenes/b1_mesentery.json"));
     scene.fidelity.membrane_iterations = 12;  // momentum is closed but for the solve's residual
     World world(scene, 1);
-    const MembranePart& part = world.bowel()->membranes()[0];
+    const MembranePart& part = world.find<BowelPart>()->membranes()[0];
     const Membrane& membrane = part.membrane();
     // The free vertex farthest from the sheet's held edges and from the bowel.
     std::int32_t chosen = -1;
@@ -241,8 +243,8 @@ TEST(MembranePart, GraspedSheetInTheWorldPullsOnTheJawsAndBendsTheBowel) {
     tool.grip = grasper.grip_force;
     step(4, Vector3::Zero());
     ASSERT_TRUE(part.grip(0).held);
-    EXPECT_FALSE(world.bowel()->grasp(Hand::left).held);
-    const std::vector<Vector3> nodes = world.bowel()->state().nodes;
+    EXPECT_FALSE(world.find<BowelPart>()->grasp(Hand::left).held);
+    const std::vector<Vector3> nodes = world.find<BowelPart>()->state().nodes;
     const Triangle& corners = membrane.triangles()[static_cast<std::size_t>(part.grip(0).triangle)];
     const auto corner = [&](std::size_t c) {
         return part.state().positions[static_cast<std::size_t>(corners[c])];
@@ -263,7 +265,7 @@ TEST(MembranePart, GraspedSheetInTheWorldPullsOnTheJawsAndBendsTheBowel) {
     EXPECT_FALSE(snapshot.grasps[1].held);
     double moved = 0;
     for (std::size_t i = 0; i < nodes.size(); ++i)
-        moved = std::max(moved, (world.bowel()->state().nodes[i] - nodes[i]).norm());
+        moved = std::max(moved, (world.find<BowelPart>()->state().nodes[i] - nodes[i]).norm());
     EXPECT_GT(moved, 5e-4) << "the bowel follows";
     tool.jaw_angle = grasper.jaw_opening;
     step(2, Vector3::Zero());
@@ -316,11 +318,12 @@ TEST(MembranePart, TheSnapshotShowsTheSheetOnTheBowel) {
     const World world(scene, 1);
     ASSERT_EQ(world.snapshot().membranes.size(), 1U);
     const MembraneView& view = world.snapshot().membranes[0];
-    const MembranePart& part = world.bowel()->membranes()[0];
+    const MembranePart& part = world.find<BowelPart>()->membranes()[0];
     EXPECT_EQ(view.positions.size(), part.membrane().masses().size());
     EXPECT_EQ(view.triangles, part.membrane().triangles());
     // The edge is on the bowel's wall: at the distance from the centre line given by the anatomy.
-    const RodFrame frame = world.bowel()->rod().frame_at(world.bowel()->state(), 0.45).frame;
+    const RodFrame frame =
+        world.find<BowelPart>()->rod().frame_at(world.find<BowelPart>()->state(), 0.45).frame;
     double nearest = 1;
     for (const Vector3& p : view.positions) nearest = std::min(nearest, (p - frame.position).norm());
     EXPECT_GT(nearest, 0.5 * scene.bowel->outer_radius);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "sim_core/world/snapshot.h"
+#include "sim_core/world/part/snapshot.h"
 
 namespace fulcrum::test {
 

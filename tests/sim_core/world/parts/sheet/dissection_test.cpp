@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sim_core/world/parts/sheet/sheet_part.h"
 #include "tests/sim_core/world/parts/sheet/sheet_rig.h"
 #include "tests/support/allocation_count.h"
 
@@ -26,7 +27,7 @@ void divide(test::SheetRig& rig, double from, double to, double speed = 0.03) {
 
 TEST(SheetWorld, SceneWithoutASheetHasNone) {
     World world(load_scene(test::source_path("assets/scenes/a2_targets.json")), 1);
-    EXPECT_EQ(world.sheet(), nullptr);
+    EXPECT_EQ(world.find<SheetPart>(), nullptr);
     EXPECT_TRUE(world.snapshot().sheet.positions.empty());
     EXPECT_TRUE(world.snapshot().events.empty());
 }
@@ -122,7 +123,7 @@ TEST(SheetWorld, NoCutWithoutForceButtonAndBlade) {
 TEST(SheetWorld, SwapsNeitherRaiseTheEnergyNorMoveVertices) {
     test::SheetRig rig;
     rig.hold_flap(0.01, Vector3(0, 0.006, 0.010));
-    SheetPart& sheet = *rig.world.sheet();
+    SheetPart& sheet = *rig.world.find<SheetPart>();
     Vector3 at = on_line(rig.scene, 0.03, 0);
     double lost = 0;
     int still = 0;
@@ -183,7 +184,7 @@ TEST(SheetWorld, SameInputGivesTheSameBitsAndASaveContinuesIdentically) {
     }
     for (std::uint32_t i = 0; i < 60; ++i) {
         actions[1].tool.tip += Vector3(1.5e-4, 0, 0);
-        rig.world.sheet()->step(actions, 1000 + i, 0.005);
+        rig.world.find<SheetPart>()->step(actions, 1000 + i, 0.005);
         other.step(actions, 1000 + i, 0.005);
     }
     StateHash a, b;

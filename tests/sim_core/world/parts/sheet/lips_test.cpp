@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "sim_core/numerics/input_error.h"
+#include "sim_core/world/parts/sheet/sheet_part.h"
 #include "tests/sim_core/world/parts/sheet/drags.h"
 #include "tests/sim_core/world/parts/sheet/sheet_rig.h"
 
@@ -174,7 +175,7 @@ TEST(SheetLips, LipThinnerThanTheToolCarriesNoForce) {
         test::SheetRig rig;
         if (thin == 1) {
             for (const double y : {-0.0008, 0.0008})
-                cut_along(*rig.world.sheet(), rig.scene, straight(-0.03, y, 0.03, y, 40));
+                cut_along(*rig.world.find<SheetPart>(), rig.scene, straight(-0.03, y, 0.03, y, 40));
             rig.steps(60);
         }
         rig.go(1, over(rig.scene, 0.0, 0, 0.02), 0.2);
@@ -189,9 +190,9 @@ TEST(SheetLips, LipThinnerThanTheToolCarriesNoForce) {
 
 TEST(SheetLips, FlapCutFromBorderToBorderFollowsTheJaws) {
     test::SheetRig rig;
-    cut_along(*rig.world.sheet(), rig.scene, straight(-0.061, 0, 0.061, 0, 60));
+    cut_along(*rig.world.find<SheetPart>(), rig.scene, straight(-0.061, 0, 0.061, 0, 60));
     expect_whole(rig.sheet());
-    EXPECT_EQ(rig.world.sheet()->surface().version(), rig.sheet().state().membrane.topology);
+    EXPECT_EQ(rig.world.find<SheetPart>()->surface().version(), rig.sheet().state().membrane.topology);
     CutMesh pieces = rig.sheet().surface();
     EXPECT_EQ(pieces.find_pieces(), 2);
     for (const std::uint8_t isolated : rig.sheet().state().membrane.isolated)
@@ -217,7 +218,7 @@ double gape(double pre_strain) {
     Scene scene = test::sheet_scene();
     scene.sheet->pre_strain = pre_strain;
     test::SheetRig rig(scene);
-    cut_along(*rig.world.sheet(), rig.scene, straight(-0.025, 0, 0.025, 0, 30));
+    cut_along(*rig.world.find<SheetPart>(), rig.scene, straight(-0.025, 0, 0.025, 0, 30));
     rig.steps(100);
     double lower = -1, upper = 1;
     for (std::int32_t v = 0; v < rig.sheet().surface().vertex_count(); ++v) {
@@ -244,7 +245,7 @@ TEST(SheetLips, SlitGapesByThePreStrain) {
 TEST(SheetLips, CircleFallsAndIsRemovedButSpiralStays) {
     for (const bool closed : {true, false}) {
         test::SheetRig rig;
-        SheetPart& sheet = *rig.world.sheet();
+        SheetPart& sheet = *rig.world.find<SheetPart>();
         const double before = sheet.surface().area_visible();
         cut_along(sheet, rig.scene, closed ? winding(0.010, 0.010, 1.05) : winding(0.003, 0.012, 2.0));
         expect_whole(sheet);
@@ -281,7 +282,7 @@ TEST(SheetLips, CircleFallsAndIsRemovedButSpiralStays) {
 
 TEST(SheetLips, JawsKeepAnIsolatedPieceAndLoseRemovedTissue) {
     test::SheetRig rig;
-    SheetPart& sheet = *rig.world.sheet();
+    SheetPart& sheet = *rig.world.find<SheetPart>();
     rig.hold_at(0, 0.004, Vector3(0, 0.001, 0.003));
     ASSERT_TRUE(rig.hand(0).held);
     for (const double y : {0.022, -0.022}) cut_along(sheet, rig.scene, straight(-0.062, y, 0.062, y, 50));
@@ -311,7 +312,7 @@ TEST(SheetLips, JawsKeepAnIsolatedPieceAndLoseRemovedTissue) {
 
 TEST(SheetLips, StepWithoutCutChangesNothing) {
     test::SheetRig rig;
-    SheetPart& sheet = *rig.world.sheet();
+    SheetPart& sheet = *rig.world.find<SheetPart>();
     StateHash before, after;
     sheet.hash(before);
     BladeStep blade;

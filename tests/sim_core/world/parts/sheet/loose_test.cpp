@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "sim_core/world/blade_rules.h"
+#include "sim_core/world/part/blade_rules.h"
 #include "tests/sim_core/world/parts/sheet/sheet_rig.h"
 
 namespace fulcrum {

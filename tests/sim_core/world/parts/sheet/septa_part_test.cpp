@@ -8,6 +8,8 @@
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/numerics/random.h"
 #include "sim_core/scene/json_document.h"
+#include "sim_core/world/couplings/septa_on_rectum.h"
+#include "sim_core/world/parts/sheet/sheet_part.h"
 #include "tests/sim_core/world/parts/sheet/septa_rig.h"
 
 namespace fulcrum {
@@ -87,6 +89,10 @@ TEST(Septa, AreBetweenFasciaAndMuscularisWithConsecutiveLines) {
     }
 }
 
+const std::vector<RodLoad>& pulls_on_rectum(const test::SeptaRig& rig) {
+    return rig.world.find<SeptaOnRectum>()->edge().pulls();
+}
+
 /// Septa on a rod that floats free in space.
 struct Afloat {
     Scene scene = test::septa_scene();
@@ -95,6 +101,7 @@ struct Afloat {
     RodScratch scratch;
     RodInputs inputs;
     SheetPart sheet;
+    SeptaEdge edge;
 
     static RodSpec spec(const Scene& scene) {
         RodSpec spec;
@@ -115,11 +122,14 @@ struct Afloat {
         return scene;
     }
     Afloat()
-        : rod(spec(scene)), state(rod.make_state()), scratch(rod.make_scratch()), sheet(undamped(scene), dt) {
+        : rod(spec(scene)),
+          state(rod.make_state()),
+          scratch(rod.make_scratch()),
+          sheet(undamped(scene), dt),
+          edge(scene, sheet, rod, state, dt) {
         inputs.ends[0] = state.ends[0];
         inputs.ends[1] = state.ends[1];
         inputs.loads.reserve(64);
-        sheet.hang_on(scene, rod, state, dt);
     }
     Vector3 momentum() const {
         Vector3 sum = Vector3::Zero();
@@ -136,13 +146,14 @@ TEST(Septa, PullOnTheRectumIsEqualAndOppositeToTheEdgeSupport) {
     double size = 0;
     for (int i = 0; i < 60; ++i) {
         const Vector3 before = pair.momentum();
-        pair.sheet.carry_edge(pair.rod, pair.state, dt);
+        pair.edge.carry(pair.rod, pair.state, dt);
         ASSERT_EQ(pair.sheet.step(nothing, 0, dt), 0U);
+        pair.edge.sum_pulls();
         Vector3 held = Vector3::Zero(), pull = Vector3::Zero();
         for (const DrivenVertex& driven : pair.sheet.inputs().driven) held += driven.reaction;
-        for (const RodLoad& load : pair.sheet.pulls()) pull += load.force;
+        for (const RodLoad& load : pair.edge.pulls()) pull += load.force;
         EXPECT_LT((held + pull).norm(), 1e-10) << "exactly the same force";
-        pair.inputs.loads = pair.sheet.pulls();
+        pair.inputs.loads = pair.edge.pulls();
         pair.rod.step(pair.state, pair.inputs, dt, pair.scratch);
         EXPECT_LT((pair.momentum() - before - dt * pull).norm(), 1e-8) << "and the rod gains that impulse";
         size += dt * pull.norm();
@@ -208,12 +219,12 @@ TEST(Septa, CutFromBorderToBorderMakesTwoPiecesAndReleasesTheRectum) {
     rig.take_rectum();
     rig.lift(0.008);
     rig.steps(100);
-    SheetPart& sheet = *rig.world.sheet();
+    SheetPart& sheet = *rig.world.find<SheetPart>();
     const SeptaSpec& spec = *rig.scene.septa;
     for (int k : {1, 3}) {
-        const double pull = sheet.pulls()[static_cast<std::size_t>(k)].force.norm();
+        const double pull = pulls_on_rectum(rig)[static_cast<std::size_t>(k)].force.norm();
         std::vector<double> others;
-        for (const RodLoad& load : sheet.pulls()) others.push_back(load.force.norm());
+        for (const RodLoad& load : pulls_on_rectum(rig)) others.push_back(load.force.norm());
         const std::size_t count = rig.view().line.size() / 4;
         std::vector<Vector3> path;
         const Vector3* line = &rig.view().line[static_cast<std::size_t>(k) * count];
@@ -246,8 +257,8 @@ TEST(Septa, CutFromBorderToBorderMakesTwoPiecesAndReleasesTheRectum) {
         for (std::int32_t p = 0; p < pieces; ++p)
             EXPECT_TRUE(surface.piece(p).fixed) << "one is attached to the fascia, one to the rectum";
         rig.steps(100);
-        EXPECT_LT(sheet.pulls()[static_cast<std::size_t>(k)].force.norm(), 0.05 * pull);
-        EXPECT_GT(sheet.pulls()[0].force.norm(), 0.8 * others[0]) << "the others still pull";
+        EXPECT_LT(pulls_on_rectum(rig)[static_cast<std::size_t>(k)].force.norm(), 0.05 * pull);
+        EXPECT_GT(pulls_on_rectum(rig)[0].force.norm(), 0.8 * others[0]) << "the others still pull";
         EXPECT_TRUE(check_cut(sheet.surface(), sheet.state().positions.data()).passed());
     }
     EXPECT_EQ(rig.record.outcome, 0U);

@@ -3,7 +3,7 @@
 // along a septum.
 #pragma once
 
-#include "sim_core/world/parts/bowel/anatomy_binding.h"
+#include "sim_core/anatomy/scene_anatomy.h"
 #include "tests/sim_core/world/parts/sheet/sheet_rig.h"
 
 namespace fulcrum::test {

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 
+#include "sim_core/world/couplings/septa_on_rectum.h"
+#include "sim_core/world/parts/bowel/bowel_part.h"
+#include "sim_core/world/parts/sheet/sheet_part.h"
 #include "tests/sim_core/world/parts/sheet/drags.h"
 #include "tests/sim_core/world/parts/sheet/septa_rig.h"
 #include "tests/support/allocation_count.h"
@@ -27,7 +30,7 @@ TEST(SeptaWorld, RestsWithoutFaultAndWithoutMotion) {
         EXPECT_LT((rig.world.snapshot().nodes[i] - nodes[i]).norm(), 2e-4);
     EXPECT_EQ(rig.largest_force, 0);
     for (int k = 0; k < 4; ++k) EXPECT_GT(rig.traction(k), 0) << "pre-strained";
-    EXPECT_LT(rig.sheet().coupling(), 0.5);
+    EXPECT_LT(rig.world.find<SeptaOnRectum>()->edge().coupling(), 0.5);
 }
 
 TEST(SeptaWorld, LiftingTheRectumRaisesTheTractionAcrossEveryPlane) {
@@ -82,8 +85,8 @@ TEST(SeptaWorld, JawsGraspTheNearerTissue) {
             output.sample.tick = 5 * i;
             world.step(&output, 1);
         }
-        EXPECT_EQ(world.sheet()->holds(0), at.septum) << at.height;
-        EXPECT_EQ(world.bowel()->grasp(Hand::left).held, !at.septum) << at.height;
+        EXPECT_EQ(world.find<SheetPart>()->holds(0), at.septum) << at.height;
+        EXPECT_EQ(world.find<BowelPart>()->grasp(Hand::left).held, !at.septum) << at.height;
         EXPECT_TRUE(world.snapshot().grasps[0].held);
         EXPECT_EQ(world.snapshot().grasps[0].arc_length < 0, at.septum) << "shown as what it is";
         EXPECT_EQ(world.local_models().hand[0].mode, LocalMode::grasp);
@@ -97,7 +100,7 @@ TEST(SeptaWorld, HookDividesTheFirstSeptumAndReleasesTheRectum) {
     rig.take_rectum();
     rig.lift(0.010);
     const double held_before = rig.world.snapshot().grasps[0].reaction.norm();
-    const double pull_before = rig.sheet().pulls()[0].force.norm();
+    const double pull_before = rig.world.find<SeptaOnRectum>()->edge().pulls()[0].force.norm();
     rig.divide(0, 0.02, 1.2);
     rig.withdraw();
     rig.steps(60);
@@ -125,7 +128,7 @@ TEST(SeptaWorld, HookDividesTheFirstSeptumAndReleasesTheRectum) {
     }
     // Its pull on the rectum is gone except for the strand that remains at the border, and so is the
     // counter-force on the hand.
-    EXPECT_LT(rig.sheet().pulls()[0].force.norm(), 0.3 * pull_before);
+    EXPECT_LT(rig.world.find<SeptaOnRectum>()->edge().pulls()[0].force.norm(), 0.3 * pull_before);
     EXPECT_LT(rig.world.snapshot().grasps[0].reaction.norm(), held_before);
     EXPECT_TRUE(check_cut(rig.sheet().surface(), rig.sheet().state().positions.data()).passed())
         << check_cut(rig.sheet().surface(), rig.sheet().state().positions.data()).complaint();
@@ -291,7 +294,7 @@ Kept dissect(test::SeptaRig& rig) {
         kept.outputs.push_back(rig.outputs);
         StateHash hash;
         rig.sheet().hash(hash);
-        rig.world.bowel()->hash(hash);
+        rig.world.find<BowelPart>()->hash(hash);
         kept.hashes.push_back(hash.value());
     }
     return kept;
@@ -322,19 +325,19 @@ TEST(SeptaWorld, SaveInTheMiddleOfADissectionRestores) {
         kept.outputs.push_back(rig.outputs);
         StateHash hash;
         rig.sheet().hash(hash);
-        rig.world.bowel()->hash(hash);
+        rig.world.find<BowelPart>()->hash(hash);
         kept.hashes.push_back(hash.value());
     }
     EXPECT_GT(rig.sheet().surface().version(), version + 10) << "cutting must continue";
     World fresh(rig.scene, 1);
     for (World* world : {&rig.world, &fresh}) {
         world->restore(*saved);
-        EXPECT_EQ(world->sheet()->surface().version(), version);
+        EXPECT_EQ(world->find<SheetPart>()->surface().version(), version);
         for (std::size_t i = 0; i < kept.outputs.size(); ++i) {
             world->step(kept.outputs[i].data(), kept.outputs[i].size());
             StateHash hash;
-            world->sheet()->hash(hash);
-            world->bowel()->hash(hash);
+            world->find<SheetPart>()->hash(hash);
+            world->find<BowelPart>()->hash(hash);
             ASSERT_EQ(hash.value(), kept.hashes[i])
                 << (world == &fresh ? "in a world made anew, step " : "in the same world, step ") << i;
         }

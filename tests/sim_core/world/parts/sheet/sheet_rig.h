@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim_core/haptics/loop.h"
+#include "sim_core/world/parts/sheet/sheet_part.h"
 #include "sim_core/world/world.h"
 #include "tests/support/support.h"
 
@@ -50,7 +51,7 @@ struct SheetRig {
             wish[h].tip = asked[h] = middle + Vector3(h == 0 ? 0.04 : -0.04, 0, 0.05);
         }
     }
-    const SheetPart& sheet() const { return *world.sheet(); }
+    const SheetPart& sheet() const { return *world.find<SheetPart>(); }
     const SheetPart::HandState& hand(int h) const {
         return sheet().state().hands[static_cast<std::size_t>(h)];
     }

@@ -397,7 +397,7 @@ TEST(SheetUnderPower, HeldInstrumentDecidesWhetherItIsABlade) {
     EXPECT_GT(stage.view().tools[1].exchange_left, 1.0F);
     EXPECT_FALSE(blade(button_primary | button_energy));
     LocalModel model;
-    stage.part.fill_local_model(1, model);
+    stage.part.publish_model(1, TickOutput(), model);
     EXPECT_FALSE(model.energises);
     EXPECT_EQ(stage.part.held(0, stage.tool[0]).instrument->kind, InstrumentKind::grasper);
 }

@@ -8,6 +8,8 @@
 #include <memory>
 #include <string>
 
+#include "sim_core/world/parts/sheet/sheet_part.h"
+#include "sim_core/world/parts/structures/structures_part.h"
 #include "tests/sim_core/world/parts/bands/bands_stage.h"
 #include "tests/support/allocation_count.h"
 
@@ -22,25 +24,26 @@ Scene posterior_scene(const std::string& variant = "") {
 
 TEST(StructuresInTheWorld, VeinsAreOnTheFasciaAndNervesAwayFromThePlane) {
     const World world(posterior_scene(), 5);
-    ASSERT_NE(world.structures(), nullptr);
+    ASSERT_NE(world.find<StructuresPart>(), nullptr);
     const BandsView& view = world.snapshot().bands.at(0);
     ASSERT_EQ(view.veins.size(), 3U + static_cast<std::size_t>(world.scene().structures->rungs));
     for (const VeinView& vein : view.veins) {
         EXPECT_GT(vein.radius, 0);
         for (const Vector3& point : vein.line) {
-            const CavityPoint nearest = world.cavity()->closest(point, 0.01);
+            const CavityPoint nearest = world.wall()->closest(point, 0.01);
             ASSERT_GE(nearest.triangle, 0);
             EXPECT_LT(std::abs(nearest.distance), 1e-9);
         }
     }
-    EXPECT_EQ(view.sheet_char.size(), static_cast<std::size_t>(world.sheet()->surface().root_count()));
+    EXPECT_EQ(view.sheet_char.size(),
+              static_cast<std::size_t>(world.find<SheetPart>()->surface().root_count()));
     bool listed = false;
     for (const PartCost& cost : world.costs())
         listed = listed || (cost.part == "structures" && cost.bytes > 10000);
     EXPECT_TRUE(listed);
     // Scenes of bands and others have none of it.
     const World other(test::bands_scene(), 5);
-    EXPECT_EQ(other.structures(), nullptr);
+    EXPECT_EQ(other.find<StructuresPart>(), nullptr);
     EXPECT_TRUE(other.snapshot().bands.at(0).veins.empty());
     EXPECT_TRUE(other.snapshot().bands.at(0).sheet_char.empty());
 }
@@ -66,7 +69,7 @@ TEST(StructuresInTheWorld, MarkedLineIsAtASafeDistanceFromTheNerves) {
 void injure(BandsStage& stage) {
     const std::vector<Vector3>& line = stage.view().veins[0].line;
     const Vector3 place = line[line.size() * 2 / 5];
-    const Vector3 out = stage.world.cavity()->closest(place + Vector3(0, 0, 1e-4), 0.01).normal;
+    const Vector3 out = stage.world.wall()->closest(place + Vector3(0, 0, 1e-4), 0.01).normal;
     stage.go(Hand::right, place + 0.03 * out);
     stage.go(Hand::right, place + 0.003 * out);
     stage.press(Hand::right, button_primary, true);
@@ -134,7 +137,7 @@ TEST(StructuresInTheWorld, AnotherWorldContinuesFromASaveDuringBleeding) {
         ASSERT_NE(saved, nullptr);
         for (int i = 0; i < 40; ++i) stage.world.step(&last, 1);
         StateHash hash;
-        stage.world.structures()->hash(hash);
+        stage.world.find<StructuresPart>()->hash(hash);
         hashes[0] = hash.value();
         lost[0] = stage.view().lost;
     }
@@ -142,7 +145,7 @@ TEST(StructuresInTheWorld, AnotherWorldContinuesFromASaveDuringBleeding) {
     other.restore(*saved);
     for (int i = 0; i < 40; ++i) other.step(&last, 1);
     StateHash hash;
-    other.structures()->hash(hash);
+    other.find<StructuresPart>()->hash(hash);
     hashes[1] = hash.value();
     lost[1] = other.snapshot().bands.at(0).lost;
     EXPECT_EQ(hashes[0], hashes[1]);

@@ -14,7 +14,7 @@
 #include "sim_core/numerics/types.h"
 #include "sim_core/rigid/target_sphere.h"
 #include "sim_core/telemetry/event.h"
-#include "sim_core/world/bands_view.h"
+#include "sim_core/world/part/bands_view.h"
 
 namespace fulcrum {
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "sim_core/telemetry/event.h"
-#include "sim_core/world/snapshot.h"
+#include "sim_core/world/part/snapshot.h"
 
 namespace fulcrum {
 

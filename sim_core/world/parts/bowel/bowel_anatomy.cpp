@@ -1,31 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim_core/world/parts/bowel/anatomy_binding.h"
+#include "sim_core/world/parts/bowel/bowel_anatomy.h"
 
+#include "sim_core/anatomy/scene_anatomy.h"
 #include "sim_core/numerics/input_error.h"
 
 namespace fulcrum {
-
-PelvisParameters pelvis_parameters(const CavitySpec& spec) {
-    PelvisParameters pelvis;
-    pelvis.width = spec.pelvis_width;
-    pelvis.depth = spec.pelvis_depth;
-    pelvis.seed = spec.seed;
-    return pelvis;
-}
-
-BowelParameters bowel_parameters(const BowelSpec& spec) {
-    BowelParameters bowel;
-    bowel.length = spec.length;
-    bowel.radius = spec.outer_radius;
-    bowel.vertices = spec.surface_vertices;
-    bowel.seed = spec.seed;
-    return bowel;
-}
-
-TriangleMesh cavity_mesh(const CavitySpec& spec) {
-    return make_cavity(pelvis_parameters(spec)).mesh;
-}
-
 namespace {
 
 // Held along the bowel (first column) and along the root (last column).
@@ -40,23 +19,6 @@ MembraneSheet mesentery_sheet(const MesenteryShape& shape) {
     }
     return sheet;
 }
-
-}  // namespace
-
-RectumParameters rectum_parameters(const Scene& scene) {
-    RectumParameters rectum;
-    const PresacralSpec& presacral = *scene.presacral;
-    rectum.curve = {presacral.centre, presacral.curve_radius, presacral.caudal_angle,
-                    scene.bowel->outer_radius, presacral.gap};
-    rectum.length = scene.bowel->length;
-    rectum.promontory = rectum.curve.arc_length(presacral.promontory_angle);
-    rectum.vertices = scene.bowel->surface_vertices;
-    rectum.unevenness = presacral.unevenness;
-    rectum.seed = presacral.seed;
-    return rectum;
-}
-
-namespace {
 
 // Three ties at the cranial end, as an assistant holds it: to either side and in front, and back to the
 // promontory.
