@@ -56,8 +56,8 @@ void CutMonitor::event(const Event& event) noexcept {
     const double b = element.from + last * (element.to - element.from);
     const double count = static_cast<double>(cells_.size());
     // A cell is divided when its middle was passed.
-    const auto cell_from = [&](double place) {
-        return static_cast<std::size_t>(std::clamp(std::ceil(place / cell_ - 0.5), 0.0, count));
+    const auto cell_from = [&](double along) {
+        return static_cast<std::size_t>(std::clamp(std::ceil(along / cell_ - 0.5), 0.0, count));
     };
     for (std::size_t i = cell_from(std::min(a, b)); i < cell_from(std::max(a, b)); ++i) {
         cells_divided_ += cells_[i] == 0 ? 1U : 0U;
