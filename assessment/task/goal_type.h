@@ -29,7 +29,7 @@ enum class GoalKind : std::uint8_t {
     let_go,         ///< hold nothing and cut nothing (B2, C4)
     divide_bands,   ///< divide a number of bands (B3)
     stop_bleeding,  ///< every vessel divided, none of them bleeding for a while (B3)
-    palpate,        ///< rest an instrument on a stretch of bowel, in contact for a while (A3)
+    palpate,        ///< rest an instrument on a stretch of bowel, in contact for a while (B0)
 };
 
 /// The part of a scene that a goal works on. Synthetic operators have one behaviour for each.
