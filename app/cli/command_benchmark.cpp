@@ -6,9 +6,9 @@
 #include <mutex>
 #include <thread>
 
-#include "app/assets.h"
 #include "app/cli/commands.h"
 #include "app/live/performance.h"
+#include "assessment/assets/assets.h"
 #include "assessment/scoring/benchmark_builder.h"
 #include "database/records/attempts.h"
 #include "sim_core/numerics/files.h"

@@ -5,9 +5,9 @@
 #include <iostream>
 #include <sstream>
 
-#include "app/assets.h"
 #include "app/cli/commands.h"
 #include "app/live/performance.h"
+#include "assessment/assets/assets.h"
 #include "assessment/metrics/metrics_json.h"
 #include "assessment/scoring/benchmark.h"
 #include "assessment/scoring/score.h"

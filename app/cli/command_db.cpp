@@ -6,8 +6,8 @@
 
 #include "app/cli/commands.h"
 #include "app/live/interrupted.h"
-#include "app/rescoring.h"
 #include "database/records/people.h"
+#include "database/scoring/rescoring.h"
 #include "database/store/audit.h"
 
 namespace fulcrum::app {
@@ -141,7 +141,7 @@ int audit(const Arguments& arguments) {
     return problems.empty() ? 0 : 1;
 }
 
-nlohmann::json json_of(const ui::RecomputedScore& one) {
+nlohmann::json json_of(const RecomputedScore& one) {
     return {{"attempt", one.attempt_id},
             {"task", one.task_id},
             {"because", one.why},
@@ -161,10 +161,10 @@ int recompute(const Arguments& arguments) {
         store.require(*session, database::Operation::recompute_score);
         person = person_named(arguments, store, *session);
     }
-    const std::vector<ui::RecomputedScore> scores = recompute_scores(path, *session, person);
+    const std::vector<RecomputedScore> scores = recompute_scores(path, *session, person);
     bool all = true;
     nlohmann::json rows = nlohmann::json::array();
-    for (const ui::RecomputedScore& one : scores) {
+    for (const RecomputedScore& one : scores) {
         all = all && one.problem.empty();
         rows.push_back(json_of(one));
         if (arguments.has("--json")) continue;

@@ -2,13 +2,13 @@
 // fulcrum perform: one attempt without a window, stored and scored.
 #include <iostream>
 
-#include "app/assets.h"
 #include "app/cli/commands.h"
 #include "app/live/interrupted.h"
 #include "app/live/live_attempt.h"
 #include "app/live/performance.h"
 #include "app/live/trace_input.h"
 #include "app/live/trace_rig.h"
+#include "assessment/assets/assets.h"
 #include "assessment/metrics/metrics_json.h"
 #include "assessment/operators/operator.h"
 #include "database/records/recorder.h"

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <iostream>
 
-#include "app/assets.h"
 #include "app/cli/commands.h"
 #include "app/live/performance.h"
+#include "assessment/assets/assets.h"
 #include "database/records/attempts.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/numerics/number_text.h"

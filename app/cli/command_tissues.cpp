@@ -4,17 +4,17 @@
 #include <sstream>
 
 #include "app/cli/commands.h"
-#include "app/site_tissues.h"
 #include "database/records/tissues.h"
+#include "database/scoring/site_tissues.h"
 #include "sim_core/numerics/number_text.h"
 
 namespace fulcrum::app {
 namespace {
 
 /// "areolar.penetrate_n=0.12,fat.penetrate_n=0.3" over what is in force.
-database::TissueValues parse_values(const std::string& list, const ui::SiteTissues& site) {
+database::TissueValues parse_values(const std::string& list, const SiteTissues& site) {
     database::TissueValues values;
-    for (const ui::SiteTissueValue& one : site.values) values[one.tissue][one.key] = one.value;
+    for (const SiteTissueValue& one : site.values) values[one.tissue][one.key] = one.value;
     std::stringstream parts(list);
     for (std::string part; std::getline(parts, part, ',');) {
         const std::size_t dot = part.find('.'), equals = part.find('=');
@@ -28,10 +28,10 @@ database::TissueValues parse_values(const std::string& list, const ui::SiteTissu
     return values;
 }
 
-nlohmann::json json_of(const std::string& task, const ui::SiteTissues& site,
+nlohmann::json json_of(const std::string& task, const SiteTissues& site,
                        const std::vector<database::TissueSetting>& history) {
     nlohmann::json values = nlohmann::json::array(), versions = nlohmann::json::array();
-    for (const ui::SiteTissueValue& one : site.values)
+    for (const SiteTissueValue& one : site.values)
         values.push_back({{"tissue", one.tissue},
                           {"key", one.key},
                           {"unit", one.unit},
@@ -64,18 +64,18 @@ int run_tissues(const Arguments& arguments) {
     const database::Session session = sets ? person_session(arguments, store) : session_of(arguments, store);
     if (sets) {
         store.require(session, database::Operation::set_tissues);
-        const ui::SiteTissues before = site_tissues(store, session, task);
+        const SiteTissues before = site_tissues(store, session, task);
         set_site_tissues(store, session, task, before.version,
                          arguments.has("--set") ? parse_values(*arguments.value("--set"), before)
                                                 : database::TissueValues(),
                          arguments.value_or("--reason", ""));
     }
-    const ui::SiteTissues site = site_tissues(store, session, task);
+    const SiteTissues site = site_tissues(store, session, task);
     if (arguments.has("--json")) {
         print_json(json_of(task, site, database::Tissues(store).history(session, task)));
         return 0;
     }
-    for (const ui::SiteTissueValue& one : site.values)
+    for (const SiteTissueValue& one : site.values)
         std::cout << one.tissue << '.' << one.key << " = " << one.value << ' ' << one.unit << "  (scene "
                   << one.scene << ", " << one.range << ")  " << one.words << '\n';
     if (site.values.empty()) std::cout << task << " has no tissue that is cut by force\n";

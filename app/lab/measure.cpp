@@ -5,9 +5,9 @@
 #include <cmath>
 #include <map>
 
-#include "app/assets.h"
 #include "app/lab/attempt_workloads.h"
 #include "app/live/performance.h"
+#include "assessment/assets/assets.h"
 #include "assessment/metrics/metrics_json.h"
 #include "assessment/operators/operator.h"
 #include "sim_core/lab/bench.h"

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <memory>
 
-#include "app/assets.h"
+#include "assessment/assets/assets.h"
 #include "sim_core/anatomy/scene_anatomy.h"
 #include "sim_core/haptics/loop.h"
 #include "sim_core/world/world.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/live/interrupted.h"
 
-#include "app/rescoring.h"
+#include "database/scoring/rescoring.h"
 #include "sim_core/numerics/input_error.h"
 
 namespace fulcrum::app {

@@ -9,32 +9,13 @@
 #include <optional>
 #include <string>
 
-#include "app/scoring.h"
 #include "assessment/attempt/memory_sink.h"
 #include "database/records/attempts.h"
 #include "database/records/recorder.h"
-#include "database/store/store.h"
-#include "sim_core/scene/cutting_values.h"
+#include "database/scoring/loaded_task.h"
+#include "database/scoring/scoring.h"
 
 namespace fulcrum::app {
-
-/// A task with everything it needs.
-struct LoadedTask {
-    TaskDefinition task;
-    Scene scene;
-    std::string scene_text;  ///< what `scene` was read from, its fidelity aside
-};
-/// Throws InputError. `fidelity` empty: the scene's own. `cutting`: values in place of the scene file's own;
-/// what does not fit the scene is told with `source`, who says so.
-LoadedTask load_task_and_scene(const std::string& task_id, const std::string& fidelity = {},
-                               const CuttingValues& cutting = {}, const std::string& source = {});
-/// With what this site says of the task's tissues. Throws InputError, AccessDenied.
-LoadedTask load_site_task(const database::Store& store, const database::Session& session,
-                          const std::string& task_id, const std::string& fidelity = {});
-/// As a stored attempt used it: the scene from its record; from the assets for attempts of before scenes were
-/// kept. Throws InputError (the task is not known here), AccessDenied, StoreError.
-LoadedTask load_recorded(const database::Attempts& attempts, const database::Session& session,
-                         const database::AttemptSummary& summary);
 
 /// Memory and store at once; store trouble is kept and rethrown by rethrow() on the caller's side.
 class RecordingSink : public MemorySink {

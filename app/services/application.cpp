@@ -5,15 +5,15 @@
 #include <filesystem>
 #include <random>
 
-#include "app/assets.h"
 #include "app/live/interrupted.h"
 #include "app/live/live_attempt.h"
-#include "app/rescoring.h"
 #include "app/services/demo.h"
 #include "app/services/replay_source.h"
-#include "app/site_tissues.h"
+#include "assessment/assets/assets.h"
 #include "assessment/metrics/version.h"
 #include "assessment/operators/operator.h"
+#include "database/scoring/rescoring.h"
+#include "database/scoring/site_tissues.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/window_application.h"
 #include "ui/style/palette.h"
@@ -85,9 +85,9 @@ class Services : public ui::ApplicationServices {
         const database::Store store = database::Store::open(store_path(session.is_demo()), options);
         return database::Attempts(store).stale_scores(session, scoring_in_force()).size();
     }
-    std::vector<ui::RecomputedScore> recompute_scores(const database::Session& session,
-                                                      const ui::Progress& progress) override {
-        return app::recompute_scores(store_path(session.is_demo()), session, {}, progress);
+    std::vector<RecomputedScore> recompute_scores(const database::Session& session,
+                                                  const ui::Progress& progress) override {
+        return fulcrum::recompute_scores(store_path(session.is_demo()), session, {}, progress);
     }
     Scene scene_of(const database::Session& session, const database::AttemptSummary& attempt) const override {
         return load_recorded(database::Attempts(*store_), session, attempt).scene;
@@ -98,12 +98,12 @@ class Services : public ui::ApplicationServices {
         return make_replay_source(load_recorded(database::Attempts(*store_), session, attempt),
                                   attempt.meta.seed, std::move(trace));
     }
-    ui::SiteTissues site_tissues(const database::Session& session, const std::string& task_id) override {
-        return app::site_tissues(*store_, session, task_id);
+    SiteTissues site_tissues(const database::Session& session, const std::string& task_id) override {
+        return fulcrum::site_tissues(*store_, session, task_id);
     }
     void set_site_tissues(const database::Session& session, const std::string& task_id, int seen,
                           const database::TissueValues& values, const std::string& reason) override {
-        app::set_site_tissues(*store_, session, task_id, seen, values, reason);
+        fulcrum::set_site_tissues(*store_, session, task_id, seen, values, reason);
     }
     std::string program_version() const override { return version_line(); }
 

@@ -7,10 +7,10 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "app/assets.h"
 #include "app/live/performance.h"
 #include "app/services/application.h"
 #include "app/services/program.h"
+#include "assessment/assets/assets.h"
 #include "assessment/operators/operator.h"
 #include "database/records/recorder.h"
 #include "sim_core/numerics/files.h"

@@ -2,9 +2,9 @@
 // fulcrum report: progress on paper and as data, from the query that the screens use.
 #include <iostream>
 
-#include "app/assets.h"
 #include "app/services/application.h"
 #include "app/services/program.h"
+#include "assessment/assets/assets.h"
 #include "assessment/task/task.h"
 #include "ui/reports/report.h"
 

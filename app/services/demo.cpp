@@ -8,8 +8,8 @@
 #include <mutex>
 #include <thread>
 
-#include "app/assets.h"
 #include "app/live/performance.h"
+#include "assessment/assets/assets.h"
 #include "database/records/people.h"
 #include "sim_core/numerics/output_file.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/assets.h"
+#include "assessment/assets/assets.h"
 #include "sim_core/lab/chart.h"
 #include "sim_core/lab/experiment.h"
 #include "ui/theatre/renderer/picture.h"

@@ -7,7 +7,7 @@
 #include <QProcess>
 #include <nlohmann/json.hpp>
 
-#include "app/assets.h"
+#include "assessment/assets/assets.h"
 #include "tests/app/journey_page.h"
 #include "tests/app/mouse_hand.h"
 #include "tests/app/window_fixture.h"

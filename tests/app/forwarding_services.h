@@ -36,8 +36,8 @@ class ForwardingServices : public ui::ApplicationServices {
     std::size_t stale_scores(const database::Session& session) override {
         return own_->stale_scores(session);
     }
-    std::vector<ui::RecomputedScore> recompute_scores(const database::Session& session,
-                                                      const ui::Progress& progress) override {
+    std::vector<RecomputedScore> recompute_scores(const database::Session& session,
+                                                  const ui::Progress& progress) override {
         return own_->recompute_scores(session, progress);
     }
     std::unique_ptr<ui::ReplaySource> open_replay(const database::Session& session,
@@ -48,7 +48,7 @@ class ForwardingServices : public ui::ApplicationServices {
     Scene scene_of(const database::Session& session, const database::AttemptSummary& attempt) const override {
         return own_->scene_of(session, attempt);
     }
-    ui::SiteTissues site_tissues(const database::Session& session, const std::string& task_id) override {
+    SiteTissues site_tissues(const database::Session& session, const std::string& task_id) override {
         return own_->site_tissues(session, task_id);
     }
     void set_site_tissues(const database::Session& session, const std::string& task_id, int seen,

@@ -25,8 +25,8 @@
 #include <fstream>
 #include <thread>
 
-#include "app/assets.h"
 #include "app/live/live_attempt.h"
+#include "assessment/assets/assets.h"
 #include "assessment/operators/operator.h"
 #include "database/records/people.h"
 #include "sim_core/lab/result_page.h"

@@ -14,6 +14,8 @@
 
 #include "database/records/tissues.h"
 #include "database/rows/attempt_records.h"
+#include "database/scoring/rescoring.h"
+#include "database/scoring/site_tissues.h"
 #include "database/store/store.h"
 #include "ui/page/attempt_session.h"
 #include "ui/page/replay_source.h"
@@ -34,32 +36,6 @@ struct InterruptedScore {
     double duration_s = 0;       ///< of the recorded part
     std::optional<bool> passed;  ///< false: failed for good; empty: it does not count
     std::string why;             ///< what failed, or why it was not scored
-};
-
-/// A score that was out of date and now has a newer one next to it.
-struct RecomputedScore {
-    std::string attempt_id, person_name, task_id;
-    std::string why;                      ///< what it was based on, and what is in force now
-    std::optional<bool> passed_in_force;  ///< of the score in force, which stays
-    std::optional<bool> passed;           ///< of the new one
-    std::string not_scored_because;       ///< where it has neither passed nor failed
-    std::string problem;                  ///< why there is no new one; empty if there is
-};
-
-/// One value that a site may set in place of the scene file's.
-struct SiteTissueValue {
-    std::string tissue, key;
-    std::string words, unit, range;  ///< for screens
-    double scene = 0;                ///< what the scene file says
-    double value = 0;                ///< what is in force
-};
-
-/// The tissues of a task that blades cut.
-struct SiteTissues {
-    std::vector<SiteTissueValue> values;  ///< empty: the task cuts nothing by force
-    int version = 0;                      ///< of the site's values in force; 0: never set
-    bool differ = false;                  ///< from the scene file's
-    std::string limits_note;  ///< why attempts are not held against the task's limits; empty if they are
 };
 
 /// The programme's store on the UI thread, and the demonstration.

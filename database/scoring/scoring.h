@@ -16,7 +16,7 @@
 #include "sim_core/telemetry/event.h"
 #include "sim_core/telemetry/sample.h"
 
-namespace fulcrum::app {
+namespace fulcrum {
 
 struct ScoredAttempt {
     AttemptState state = AttemptState::interrupted;
@@ -49,4 +49,4 @@ database::ScoreRow to_row(const ScoredAttempt& scored, const std::string& limits
 /// Name of a benchmark set with its version, as stored with an attempt; empty for null.
 std::string limits_name(const BenchmarkSet* benchmark);
 
-}  // namespace fulcrum::app
+}  // namespace fulcrum

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/scoring.h"
+#include "database/scoring/scoring.h"
 
 #include <filesystem>
 
-#include "app/assets.h"
+#include "assessment/assets/assets.h"
 #include "assessment/metrics/metrics_json.h"
 #include "assessment/metrics/version.h"
 
-namespace fulcrum::app {
+namespace fulcrum {
 
 std::optional<BenchmarkSet> benchmark_in_force(const std::string& task_id) {
     const std::string path = asset_path("benchmarks/" + task_id + ".json");
@@ -126,4 +126,4 @@ std::string limits_name(const BenchmarkSet* benchmark) {
            std::to_string(benchmark->version);
 }
 
-}  // namespace fulcrum::app
+}  // namespace fulcrum

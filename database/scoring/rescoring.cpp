@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/rescoring.h"
+#include "database/scoring/rescoring.h"
 
-#include "app/assets.h"
-#include "app/live/performance.h"
+#include "assessment/assets/assets.h"
+#include "assessment/attempt/engine.h"
 #include "assessment/metrics/registry.h"
+#include "database/scoring/loaded_task.h"
 #include "sim_core/numerics/input_error.h"
 
-namespace fulcrum::app {
+namespace fulcrum {
 namespace {
 
 /// The world's targets as they stood in that attempt.
@@ -18,8 +19,7 @@ std::vector<Vector3> targets_of(const LoadedTask& loaded, std::uint64_t seed) {
     return targets;
 }
 
-void recompute(const database::Attempts& attempts, const database::Session& session,
-               ui::RecomputedScore& one) {
+void recompute(const database::Attempts& attempts, const database::Session& session, RecomputedScore& one) {
     const std::optional<BenchmarkSet> benchmark = benchmark_in_force(one.task_id);
     const BenchmarkSet* limits = benchmark ? &*benchmark : nullptr;
     const ScoredAttempt scored =
@@ -50,22 +50,20 @@ database::ScoringInForce scoring_in_force() {
     return now;
 }
 
-std::vector<ui::RecomputedScore> recompute_scores(const std::string& store_path,
-                                                  const database::Session& session,
-                                                  const std::string& person_id,
-                                                  const ui::Progress& progress) {
+std::vector<RecomputedScore> recompute_scores(const std::string& store_path, const database::Session& session,
+                                              const std::string& person_id,
+                                              const database::StoreProgress& progress) {
     database::StoreOptions options;
     options.close_interrupted = false;
     const database::Store store = database::Store::open(store_path, options);
     const database::Attempts attempts(store);
     const std::vector<database::StaleScore> stale =
         attempts.stale_scores(session, scoring_in_force(), person_id);
-    std::vector<ui::RecomputedScore> recomputed;
+    std::vector<RecomputedScore> recomputed;
     for (const database::StaleScore& old : stale) {
         const double share = static_cast<double>(recomputed.size()) / static_cast<double>(stale.size());
         if (progress && !progress(share, old.person_name + ", " + old.task_id)) break;
-        ui::RecomputedScore one{
-            old.attempt_id, old.person_name, old.task_id, old.why, old.passed, {}, {}, {}};
+        RecomputedScore one{old.attempt_id, old.person_name, old.task_id, old.why, old.passed, {}, {}, {}};
         try {
             recompute(attempts, session, one);
         } catch (const InputError& error) {
@@ -79,4 +77,4 @@ std::vector<ui::RecomputedScore> recompute_scores(const std::string& store_path,
     return recomputed;
 }
 
-}  // namespace fulcrum::app
+}  // namespace fulcrum

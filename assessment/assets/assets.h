@@ -1,11 +1,11 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: Apache-2.0
 // Where the program's data files lie: FULCRUM_ASSETS, or assets/ beside the program or above it.
 #pragma once
 
 #include <string>
 #include <vector>
 
-namespace fulcrum::app {
+namespace fulcrum {
 
 /// Folder that holds scenes/, tasks/, benchmarks/. Throws InputError naming what was looked at.
 std::string assets_folder();
@@ -16,4 +16,4 @@ std::vector<std::string> task_ids();
 /// File of a task id ("B1"). Throws InputError listing the ids there are.
 std::string task_file(const std::string& id);
 
-}  // namespace fulcrum::app
+}  // namespace fulcrum

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/assets.h"
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/assets/assets.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -9,7 +9,7 @@
 #include "assessment/task/task.h"
 #include "sim_core/numerics/input_error.h"
 
-namespace fulcrum::app {
+namespace fulcrum {
 namespace fs = std::filesystem;
 
 std::string assets_folder() {
@@ -62,4 +62,4 @@ std::string task_file(const std::string& id) {
     throw InputError("command line", "task", "no task '" + id + "'", "name one of " + known);
 }
 
-}  // namespace fulcrum::app
+}  // namespace fulcrum

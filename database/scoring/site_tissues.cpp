@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/site_tissues.h"
+#include "database/scoring/site_tissues.h"
 
-#include "app/live/performance.h"
-#include "app/scoring.h"
 #include "database/records/tissues.h"
+#include "database/scoring/loaded_task.h"
+#include "database/scoring/scoring.h"
 #include "sim_core/scene/cutting_values.h"
 
-namespace fulcrum::app {
+namespace fulcrum {
 
-ui::SiteTissues site_tissues(const database::Store& store, const database::Session& session,
-                             const std::string& task_id) {
+SiteTissues site_tissues(const database::Store& store, const database::Session& session,
+                         const std::string& task_id) {
     const CuttingValues scene = cutting_values(load_task_and_scene(task_id).scene);
     const LoadedTask here = load_site_task(store, session, task_id);
     const CuttingValues in_force = cutting_values(here.scene);
-    ui::SiteTissues site;
+    SiteTissues site;
     site.version = database::Tissues(store).in_force(session, task_id).version;
     site.differ = !cutting_difference(in_force, scene).empty();
     for (const auto& [tissue, values] : scene) {
@@ -41,4 +41,4 @@ int set_site_tissues(const database::Store& store, const database::Session& sess
     return database::Tissues(store).set(session, task_id, seen, kept, reason);
 }
 
-}  // namespace fulcrum::app
+}  // namespace fulcrum

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A task with its scene: from the assets, with this site's values of the tissues, or as an attempt used it.
+#pragma once
+
+#include <string>
+
+#include "assessment/task/task.h"
+#include "database/records/attempts.h"
+#include "database/store/store.h"
+#include "sim_core/scene/cutting_values.h"
+#include "sim_core/scene/scene.h"
+
+namespace fulcrum {
+
+/// A task with everything it needs.
+struct LoadedTask {
+    TaskDefinition task;
+    Scene scene;
+    std::string scene_text;  ///< what `scene` was read from, its fidelity aside
+};
+/// Throws InputError. `fidelity` empty: the scene's own. `cutting`: values in place of the scene file's own;
+/// errors about them name `source`.
+LoadedTask load_task_and_scene(const std::string& task_id, const std::string& fidelity = {},
+                               const CuttingValues& cutting = {}, const std::string& source = {});
+/// With the values that this site has set for the task's tissues. Throws InputError, AccessDenied.
+LoadedTask load_site_task(const database::Store& store, const database::Session& session,
+                          const std::string& task_id, const std::string& fidelity = {});
+/// As a stored attempt used it: the scene from its record; from the assets where the record has none (older
+/// programs). Throws InputError (the task is not known here), AccessDenied, StoreError.
+LoadedTask load_recorded(const database::Attempts& attempts, const database::Session& session,
+                         const database::AttemptSummary& summary);
+
+}  // namespace fulcrum
