@@ -8,6 +8,7 @@
 #include "app/live/live_attempt.h"
 #include "assessment/operators/operator.h"
 #include "database/records/people.h"
+#include "tests/app/counters.h"
 #include "tests/app/forwarding_services.h"
 #include "tests/ui/hands.h"
 #include "ui/shell/main_window.h"
