@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/page/application_services.h"
+#include "ui/services/application_services.h"
 
 namespace fulcrum::app {
 

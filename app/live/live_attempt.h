@@ -21,7 +21,7 @@
 #include "app/live/loop_statistics.h"
 #include "app/live/performance.h"
 #include "database/records/recorder.h"
-#include "ui/page/application_services.h"
+#include "ui/services/application_services.h"
 
 namespace fulcrum::app {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window's program: implements what ui/page/application_services.h asks for.
+// The window's program: implements what ui/services/application_services.h asks for.
 #pragma once
 
 #include <memory>
 #include <string>
 
-#include "ui/page/application_services.h"
+#include "ui/services/application_services.h"
 
 namespace fulcrum::app {
 

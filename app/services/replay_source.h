@@ -6,7 +6,7 @@
 
 #include "app/live/performance.h"
 #include "database/rows/trace_codec.h"
-#include "ui/page/application_services.h"
+#include "ui/services/application_services.h"
 
 namespace fulcrum::app {
 

@@ -330,4 +330,21 @@ Figure count_events(const Analysis& analysis, const Selection& row, EventKind ki
     return figure;
 }
 
+void worst_window(const MotionBlock& block, const std::vector<double>& amount,
+                  std::vector<ScoredInterval>& out) {
+    const std::size_t width = std::min<std::size_t>(500, amount.size());
+    if (width == 0) return;
+    double sum = 0, best = -1;
+    std::size_t best_end = width;
+    for (std::size_t i = 0; i < amount.size(); ++i) {
+        sum += amount[i];
+        if (i >= width) sum -= amount[i - width];
+        if (i + 1 >= width && sum > best) {
+            best = sum;
+            best_end = i + 1;
+        }
+    }
+    out.push_back({best, block.interval({best_end - width, best_end})});
+}
+
 }  // namespace fulcrum

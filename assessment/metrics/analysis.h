@@ -166,6 +166,9 @@ struct ScoredInterval {
     TimeInterval interval;
 };
 std::vector<TimeInterval> worst_first(std::vector<ScoredInterval> intervals);
+/// Appends the 5 s of a block in which `amount`, one value for each sample, has its largest sum.
+void worst_window(const MotionBlock& block, const std::vector<double>& amount,
+                  std::vector<ScoredInterval>& out);
 
 /// Events of a kind that the row's hand and tissue select, with half a second to either side of each as
 /// evidence.

@@ -15,24 +15,6 @@ namespace {
 constexpr double mm = 1e3;  // mm in a metre
 constexpr double degrees = 180.0 / 3.14159265358979323846;
 
-/// The 5 s of a block in which a per-sample amount adds up to most: where a person should look.
-void worst_window(const MotionBlock& block, const std::vector<double>& amount,
-                  std::vector<ScoredInterval>& out) {
-    const std::size_t width = std::min<std::size_t>(500, amount.size());
-    if (width == 0) return;
-    double sum = 0, best = -1;
-    std::size_t best_end = width;
-    for (std::size_t i = 0; i < amount.size(); ++i) {
-        sum += amount[i];
-        if (i >= width) sum -= amount[i - width];
-        if (i + 1 >= width && sum > best) {
-            best = sum;
-            best_end = i + 1;
-        }
-    }
-    out.push_back({best, block.interval({best_end - width, best_end})});
-}
-
 Figure value_of(double value, std::vector<TimeInterval> evidence = {}) {
     Figure figure;
     figure.value = value;

@@ -34,7 +34,7 @@ void check(const std::string& file, const std::string& tissue, const std::string
         std::string known;
         for (const CuttingKey& one : cutting_keys)
             known += (known.empty() ? "" : ", ") + std::string(one.key);
-        throw InputError(file, place, "this is not a cutting value", "use one of  " + known);
+        throw InputError(file, place, "this is not a cutting value", "use one of " + known);
     }
     const CuttingRange range = cutting_range(key);
     const bool low = range.above ? !(value > range.minimum) : !(value >= range.minimum);
@@ -51,7 +51,7 @@ json& cutting_of(json& scene, const std::string& file, const std::string& label)
         known += (known.empty() ? "" : ", ") + tissue.at("label").get<std::string>();
     }
     throw InputError(file, "/tissues/" + label, "the scene has no tissue of this name with cutting values",
-                     known.empty() ? "choose a task in which tissue is cut" : "use one of  " + known);
+                     known.empty() ? "choose a task in which tissue is cut" : "use one of " + known);
 }
 
 }  // namespace

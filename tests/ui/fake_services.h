@@ -9,7 +9,7 @@
 
 #include "database/records/recorder.h"
 #include "database/rows/trace_codec.h"
-#include "ui/page/application_services.h"
+#include "ui/services/application_services.h"
 
 namespace fulcrum::ui::test {
 

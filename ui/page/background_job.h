@@ -10,7 +10,7 @@
 #include <functional>
 #include <memory>
 
-#include "ui/page/application_services.h"
+#include "ui/services/application_services.h"
 
 class QLabel;
 class QProgressBar;

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "database/access/access.h"
-#include "ui/page/application_services.h"
+#include "ui/services/application_services.h"
 
 namespace fulcrum::ui {
 

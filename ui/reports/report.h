@@ -11,7 +11,7 @@
 
 #include "assessment/task/task.h"
 #include "database/records/report_data.h"
-#include "ui/page/application_services.h"
+#include "ui/services/application_services.h"
 
 namespace fulcrum::ui {
 

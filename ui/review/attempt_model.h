@@ -15,7 +15,7 @@
 #include "database/records/report_data.h"
 #include "sim_core/scene/scene.h"
 #include "ui/charts/decimation.h"
-#include "ui/page/application_services.h"
+#include "ui/services/application_services.h"
 
 namespace fulcrum::ui {
 

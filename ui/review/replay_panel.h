@@ -7,8 +7,8 @@
 #include <QWidget>
 #include <memory>
 
-#include "ui/page/replay_source.h"
 #include "ui/review/attempt_model.h"
+#include "ui/services/replay_source.h"
 
 class QComboBox;
 class QLabel;

@@ -6,7 +6,7 @@
 #include <QRectF>
 
 #include "sim_core/scene/scene.h"
-#include "ui/page/attempt_session.h"
+#include "ui/services/attempt_session.h"
 #include "ui/theatre/renderer/scene_renderer.h"
 
 class QPainter;

@@ -11,7 +11,7 @@
 
 #include "sim_core/scene/scene.h"
 #include "sim_core/world/part/snapshot.h"
-#include "ui/page/attempt_session.h"
+#include "ui/services/attempt_session.h"
 #include "ui/theatre/hud.h"
 #include "ui/theatre/renderer/drawing_pace.h"
 #include "ui/theatre/renderer/scope_picture.h"

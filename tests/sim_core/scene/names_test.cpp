@@ -51,7 +51,7 @@ TEST(Names, AnUnknownWordIsRefusedWithItsPlaceAndTheKnownOnes) {
         named(document, document.root().at("kind"), "/kind", instrument_types);
         FAIL() << "accepted";
     } catch (const InputError& error) {
-        EXPECT_STREQ(error.place().c_str(), "2");
+        EXPECT_EQ(error.place(), "2 (/kind)");
         EXPECT_NE(error.problem().find("\"drill\""), std::string::npos) << error.what();
         EXPECT_NE(error.hint().find("grasper, probe, harmonic"), std::string::npos) << error.what();
     }

@@ -17,8 +17,8 @@
 #include "database/scoring/rescoring.h"
 #include "database/scoring/site_tissues.h"
 #include "database/store/store.h"
-#include "ui/page/attempt_session.h"
-#include "ui/page/replay_source.h"
+#include "ui/services/attempt_session.h"
+#include "ui/services/replay_source.h"
 
 namespace fulcrum::database {
 struct Trace;
