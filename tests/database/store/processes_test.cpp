@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One store and many programs: no score that was acknowledged is lost, nobody is refused, and a program may
-// be killed at any moment. FULCRUM_STORE_ROUNDS sets how many rounds and kills (200 for the long run);
-// FULCRUM_STORE_PAGE is the folder that gets its page.
+// be killed at any moment. FULCRUM_STORE_ROUNDS sets how many rounds and kills (200 for the long run).
 #include "tests/database/processes.h"
 
 #include <fcntl.h>
@@ -132,6 +131,13 @@ TEST_F(StoreProcesses, OpeningTheStoreAgainKeepsTheLocksOfTheFirstConnection) {
 TEST_F(StoreProcesses, FiftyForeignOpensAndAKillLoseNoScoreAndNoSecondOfTheRunningAttempt) {
     Store::create(path);
     const pid_t window = start_child("window", folder_path);
+    // The child ends with the test, also where an assertion returns early.
+    const struct KillAtEnd {
+        pid_t child;
+        ~KillAtEnd() {
+            if (is_running(child)) kill_child(child);
+        }
+    } kill_at_end{window};
     ASSERT_TRUE(wait_until(window, [&] { return counters.begun.load() == 1; }));
     for (int open = 0; open < 50; ++open) {
         const std::uint32_t before = counters.acknowledged.load();
