@@ -52,7 +52,7 @@ TEST_F(WindowAccess, AdministratorsReadTheAuditLogByPersonKindAndPeriod) {
     };
     EXPECT_EQ(table->rowCount(), Audit(*services->store()).count());
     ASSERT_TRUE(
-        wait_for([&] { return find<QLabel>(*window, "audit_chain")->text().contains("holds"); }, 60000));
+        wait_for([&] { return find<QLabel>(*window, "audit_chain")->text().contains("intact"); }, 60000));
     keep_picture(*window, "audit-log");
     choose(kind, "attempt.request_correction");
     ASSERT_EQ(table->rowCount(), 2) << "Ann's and Eve's";
@@ -83,7 +83,7 @@ TEST_F(WindowAccess, ABrokenChainIsNamedWhereAdministratorsLook) {
     act_as(programme.asker(Role::administrator));
     click(*window, "rail_audit");
     ASSERT_TRUE(
-        wait_for([&] { return find<QLabel>(*window, "audit_chain")->text().contains("broken"); }, 60000));
+        wait_for([&] { return find<QLabel>(*window, "audit_chain")->text().contains("damaged"); }, 60000));
     EXPECT_TRUE(find<QLabel>(*window, "audit_chain")->text().contains("audit row 4"));
     click(*window, "rail_station");
     click(*window, "check_store");
