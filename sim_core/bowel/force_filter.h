@@ -7,8 +7,8 @@
 
 #include <array>
 
-#include "sim_core/geometry/mesh.h"
 #include "sim_core/bowel/filter_level.h"
+#include "sim_core/geometry/mesh.h"
 
 namespace fulcrum {
 

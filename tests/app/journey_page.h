@@ -38,10 +38,9 @@ class JourneyPage {
     /// tests: the filter by which test_app makes the page.
     void write(const char* folder, const char* id, const char* title, const char* tests,
                const std::string& about) const {
-        lab::ResultPage page(
-            id, title,
-            std::string("FULCRUM_PICTURES=docs/images FULCRUM_JOURNEY_PAGE=") + folder +
-                " xvfb-run -a -s '-screen 0 1280x800x24' test_app --gtest_filter=" + tests);
+        lab::ResultPage page(id, title,
+                             std::string("FULCRUM_PICTURES=docs/images FULCRUM_JOURNEY_PAGE=") + folder +
+                                 " xvfb-run -a -s '-screen 0 1280x800x24' test_app --gtest_filter=" + tests);
         page.paragraph(about);
         lab::ResultTable table;
         table.columns = {"what", "value"};

@@ -7,6 +7,7 @@
 #include <QFrame>
 #include <QImage>
 #include <QLabel>
+#include <QPushButton>
 #include <QScrollBar>
 #include <QTemporaryDir>
 
@@ -273,7 +274,14 @@ TEST_F(Screens, AreDrawnInBothThemesAtBothSizes) {
             window->resize(size);
             size_ = size;
             settle();
-            visit(attempt, [&](const QString& screen) { keep(screen); });
+            visit(attempt, [&](const QString& screen) {
+                keep(screen);
+                for (const QPushButton* button : window->findChildren<QPushButton*>()) {
+                    if (!button->isVisible()) continue;
+                    EXPECT_GE(button->width(), button->sizeHint().width())
+                        << screen.toStdString() << ": " << button->text().toStdString();
+                }
+            });
         }
     }
     const QStringList pictures =

@@ -92,7 +92,7 @@ void MainWindow::build() {
     rail_->setProperty("role", "rail");
     rail_->setFixedWidth(170);
     rail_layout_ = new QVBoxLayout(rail_);
-    rail_layout_->setContentsMargins(10, 16, 10, 16);
+    rail_layout_->setContentsMargins(8, 16, 8, 16);
     rail_layout_->setSpacing(4);
     middle->addWidget(rail_);
     stack_ = new QStackedWidget;

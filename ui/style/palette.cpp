@@ -45,10 +45,10 @@ QPushButton:disabled { color: @muted; background: @window; }
 QPushButton[role="primary"] { background: @accent; color: @accent_text; border: 1px solid @accent; font-weight: 600; }
 QPushButton[role="primary"]:focus { border: 2px solid @text; }
 QPushButton[role="primary"]:disabled { background: @line; color: @muted; border-color: @line; }
-QPushButton[role="rail"] { background: transparent; border: none; border-radius: 7px; padding: 9px 14px; text-align: left; }
+QPushButton[role="rail"] { background: transparent; border: none; border-radius: 7px; padding: 9px 8px; text-align: left; }
 QPushButton[role="rail"]:hover { background: @raised; }
 QPushButton[role="rail"]:checked { background: @accent; color: @accent_text; font-weight: 600; }
-QPushButton[role="rail"]:focus { border: 2px solid @text; padding: 7px 12px; }
+QPushButton[role="rail"]:focus { border: 2px solid @text; padding: 7px 6px; }
 QPushButton[role="link"] { background: transparent; border: none; color: @accent; padding: 3px 4px; text-align: left; }
 QPushButton[role="link"]:hover, QPushButton[role="link"]:focus { text-decoration: underline; border: none; }
 QPushButton[role="card"] { background: @card; border: 1px solid @line; border-radius: 10px; padding: 14px; text-align: left; }

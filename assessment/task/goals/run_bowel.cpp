@@ -73,8 +73,7 @@ std::optional<GoalFault> check_run(const Goal& goal) {
                          "give the shortest step first"};
     const double room = goal.to_m > goal.from_m ? goal.to_m - goal.from_m : goal.from_m - goal.to_m;
     if (room + 1e-9 < goal.length_m)
-        return GoalFault{"length_m",
-                         "there are only " + std::to_string(room) + " m between from_m and to_m",
+        return GoalFault{"length_m", "there are only " + std::to_string(room) + " m between from_m and to_m",
                          "ask for less, or move from_m and to_m apart"};
     return std::nullopt;
 }

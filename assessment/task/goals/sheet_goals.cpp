@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// take_tension, divide_line and let_go: a sheet or septa are held taut, divided along the marked line, let go.
+// take_tension, divide_line and let_go: a sheet or septa are held taut, divided along the marked line, let
+// go.
 #include <algorithm>
 #include <cmath>
 
