@@ -114,20 +114,20 @@ void HandMonitor::tick(const TickSample& tick_sample, EventSink& sink) noexcept 
     on_wall_ = watch.wall;
 }
 
-HoldChange HandMonitor::hold(const GraspState& grasp, std::uint32_t tick, std::int8_t tissue,
-                             EventSink& sink) noexcept {
+HoldChange HandMonitor::hold(const GraspState& grasp, std::uint32_t tick, EventSink& sink) noexcept {
     HoldChange change = HoldChange::none;
     if (grasp.held && !held_) {
         held_ = true;
-        emit(sink, tick, EventKind::grasp, tissue, grasp.patch, grasp.arc_length);
+        emit(sink, tick, EventKind::grasp, grasp.tissue, grasp.patch, grasp.arc_length);
         change = HoldChange::grasped;
     } else if (!grasp.held && held_) {
         held_ = false;
         if (grasp.slipped) {
-            emit(sink, tick, EventKind::slip, tissue, last_grasp_.patch, last_grasp_.arc_length);
+            emit(sink, tick, EventKind::slip, last_grasp_.tissue, last_grasp_.patch, last_grasp_.arc_length);
             change = HoldChange::slipped;
         } else {
-            emit(sink, tick, EventKind::release, tissue, last_grasp_.patch, last_grasp_.arc_length);
+            emit(sink, tick, EventKind::release, last_grasp_.tissue, last_grasp_.patch,
+                 last_grasp_.arc_length);
             released_ = {last_grasp_.patch, tick, true};
             change = HoldChange::released;
         }

@@ -30,8 +30,7 @@ class HandMonitor {
     /// One tick: forces, pressure, perforation, wall contact.
     void tick(const TickSample& sample, EventSink& sink) noexcept;
     /// After the step: the hold as the world left it. `tick` stamps the events.
-    HoldChange hold(const GraspState& grasp, std::uint32_t tick, std::int8_t tissue,
-                    EventSink& sink) noexcept;
+    HoldChange hold(const GraspState& grasp, std::uint32_t tick, EventSink& sink) noexcept;
     /// Speed of the tip over the last 20 ms inside the body, m/s; 0 outside or before 20 ms have passed.
     double speed() const noexcept { return speed_; }
     /// Whether this hand grasped last, its patch and when it let go, to tell a regrasp by either hand.

@@ -76,7 +76,6 @@ struct TaskMonitor::State {
     TaskDisplay display;
     double tick_period = 1e-3, tool_reach = 0.005;
     std::uint64_t critical_kinds = 0;  // bit by EventKind
-    int held_tissue = -1;
 
     bool begun = false, paused = false, lost = false, late = false, colliding = false;
     std::uint32_t unpaused_ticks = 0, elapsed_ticks = 0;  // since the beginning; since the first movement
@@ -102,9 +101,6 @@ struct TaskMonitor::State {
             hands[static_cast<std::size_t>(h)].configure(static_cast<Hand>(h), scene, &tissues,
                                                          task.warning_margin);
         }
-        if (scene.bowel) held_tissue = scene.tissue_index(scene.bowel->tissue);
-        if (scene.sheet) held_tissue = scene.tissue_index(scene.sheet->tissue);
-        if (scene.bands) held_tissue = scene.tissue_index(scene.bands->tissue);
         for (const EventKind kind :
              {EventKind::perforation, EventKind::tear, EventKind::drop, EventKind::tool_collision,
               EventKind::vessel_injury, EventKind::nerve_injury}) {
@@ -222,15 +218,15 @@ void TaskMonitor::State::watch_hold(std::size_t h, HoldChange change, const Worl
                 (last_tick - released.tick) * tick_period > regrasp_window)
                 continue;
             events.emit(last_tick, EventKind::regrasp, grasp.patch, grasp.arc_length, static_cast<int>(h),
-                        held_tissue);
+                        grasp.tissue);
             other.forget_released();
             break;
         }
     }
-    if (change == HoldChange::slipped && !world.grasps[1 - h].held &&
+    if (change == HoldChange::slipped && grasp.body != HeldBody::sheet && !world.grasps[1 - h].held &&
         goals.height(world, grasp) > drop_height) {
         events.emit(last_tick, EventKind::drop, grasp.patch, grasp.arc_length, static_cast<int>(h),
-                    held_tissue);
+                    grasp.tissue);
     }
 }
 
@@ -247,7 +243,7 @@ void TaskMonitor::State::step(const WorldSnapshot& world, std::uint32_t running,
     goals.bands(bands);
     std::array<HoldChange, hand_count> changes{};
     for (std::size_t h = 0; h < hand_count; ++h) {
-        changes[h] = hands[h].hold(world.grasps[h], now, static_cast<std::int8_t>(held_tissue), events);
+        changes[h] = hands[h].hold(world.grasps[h], now, events);
         watch_hold(h, changes[h], world, events);
     }
     const double overlap = shaft_overlap(world.tools[0], world.tools[1], tool_reach);

@@ -18,7 +18,11 @@
 
 namespace fulcrum {
 
-/// What a pair of jaws holds.
+/// What jaws can hold.
+enum class HeldBody : std::uint8_t { none, bowel, membrane, sheet, band };
+
+/// What a pair of jaws holds. The part that holds, or that held last, writes it; `tissue`, `body` and
+/// `slipped` stay until the next hold.
 struct GraspState {
     bool held = false;
     double arc_length = 0;               ///< m along the bowel; -1 where it is a membrane that is held
@@ -26,6 +30,8 @@ struct GraspState {
     Vector3 point = Vector3::Zero();     ///< wall point, patient frame, m
     Vector3 reaction = Vector3::Zero();  ///< N, jaw on tissue
     std::int32_t patch = -1;             ///< of the bowel's wall; -1 of a membrane
+    HeldBody body = HeldBody::none;
+    std::int8_t tissue = -1;  ///< index in Scene::tissues of what is or was last held; -1: nothing yet
     bool slipped =
         false;  ///< the last hold ended because its reaction left the friction cone, not by opening the jaws
 };

@@ -166,6 +166,7 @@ class KinematicWorld : public EventSink {
         }
         if (std::abs((world_.nodes[nearest] - jaws(h)).norm() - scene_.bowel->outer_radius) > 0.006) return;
         grasp.held = true;
+        grasp.tissue = static_cast<std::int8_t>(scene_.tissue_index(scene_.bowel->tissue));
         grasp.slipped = false;
         grasp.arc_length = world_.node_arc_lengths[nearest];
         grasp.patch = static_cast<std::int32_t>(nearest);

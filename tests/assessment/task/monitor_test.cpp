@@ -96,6 +96,9 @@ struct Bench {
     void grasp(Hand hand, double arc_length, int patch = 0) {
         GraspState& state = world.grasps[static_cast<int>(hand)];
         state.held = true;
+        state.tissue = static_cast<std::int8_t>(scene.tissue_index(scene.bowel   ? scene.bowel->tissue
+                                                                   : scene.sheet ? scene.sheet->tissue
+                                                                                 : scene.bands->tissue));
         state.slipped = false;
         state.arc_length = arc_length;
         state.patch = patch;

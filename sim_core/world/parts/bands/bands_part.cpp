@@ -233,6 +233,8 @@ void BandsPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
         grasp.held = grip.band >= 0;
         grasp.slipped = grip.slipped;
         if (grip.band < 0) continue;
+        grasp.body = HeldBody::band;
+        grasp.tissue = static_cast<std::int8_t>(tissue_index_);
         const StrandState& strand = strands_[static_cast<std::size_t>(grip.band)];
         grasp.arc_length = grip.hold.node * spec_.length / strand_segments;
         grasp.point = strand.position[static_cast<std::size_t>(grip.hold.node)];

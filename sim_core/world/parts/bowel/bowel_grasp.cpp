@@ -319,13 +319,24 @@ void BowelPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
     std::copy(dents_.entries.begin(), dents_.entries.begin() + dents_.count, snapshot.dents.begin());
     snapshot.dent_count = dents_.count;
     std::copy(patch_damage_.begin(), patch_damage_.end(), snapshot.patch_damage.begin());
+    const auto held_tissue = static_cast<std::int8_t>(scene_.tissue_index(scene_.bowel->tissue));
     for (int hand = 0; hand < hand_count; ++hand) {
         GraspState& shown = snapshot.grasps[hand];
+        const GraspState before = shown;
+        const bool membrane = sheet_grasps_[hand].membrane >= 0, wall = grasps_[hand].state.held;
+        // Another part's hold, or how it ended, is that part's to write.
+        if (!membrane && !wall && before.body != HeldBody::none && before.body != HeldBody::bowel &&
+            before.body != HeldBody::membrane)
+            continue;
         shown = grasps_[hand].state;
-        if (sheet_grasps_[hand].membrane < 0) continue;
+        shown.body = wall ? HeldBody::bowel : before.body;
+        shown.tissue = wall ? held_tissue : before.tissue;
+        if (!membrane) continue;
         const SheetGrip& grip = membranes_[static_cast<std::size_t>(sheet_grasps_[hand].membrane)].grip(hand);
         shown = GraspState();
         shown.held = true;
+        shown.body = HeldBody::membrane;
+        shown.tissue = held_tissue;  // a mesentery has no tissue of its own
         shown.arc_length = -1;
         shown.point = grip.point;
         shown.reaction = grip.reaction;

@@ -366,11 +366,16 @@ void SheetPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
     for (std::size_t h = 0; h < hand_count; ++h) {
         const HandState& hand = state_.hands[h];
         GraspState& grasp = snapshot.grasps[h];
-        if (septa_) {
-            // The same jaws may hold the rectum: what they hold there stays shown.
-            if (!hand.held) continue;
-            grasp = GraspState();
-            grasp.arc_length = -1;
+        // What the same jaws hold elsewhere, or held there last, is not the sheet's to write.
+        if (!hand.held && grasp.body != HeldBody::sheet) continue;
+        if (hand.held) {
+            if (septa_) {
+                grasp = GraspState();
+                grasp.arc_length = -1;
+            }
+            grasp.body = HeldBody::sheet;
+            grasp.tissue =
+                static_cast<std::int8_t>(in_fat(rest(hand.grips[0].place)) ? fat_index_ : tissue_index_);
         }
         grasp.held = hand.held;
         grasp.slipped = hand.slipped;

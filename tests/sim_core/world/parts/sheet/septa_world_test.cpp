@@ -95,6 +95,44 @@ TEST(SeptaWorld, JawsGraspTheNearerTissue) {
     }
 }
 
+TEST(SeptaWorld, ASeptumThatSlipsIsReportedAsASlipOfItsTissue) {
+    const Scene scene = test::septa_scene();
+    const SacralCurve curve = rectum_parameters(scene).curve;
+    const double s = curve.arc_length(scene.septa->first_angle), half = 0.5 * scene.instruments[0].jaw_length;
+    World world(scene, 1);
+    TickOutput output;
+    ToolKinematics& tool = output.contact[0].tool;
+    tool.axis = curve.cranial(s);
+    tool.rotation.col(2) = tool.axis;
+    tool.rotation.col(0) = Vector3::UnitX();
+    tool.rotation.col(1) = tool.axis.cross(Vector3::UnitX());
+    tool.tip = curve.point(s, 0.2, 0.006) + half * tool.axis;
+    tool.trocar = tool.tip - 0.2 * tool.axis;
+    tool.inside = tool.present = true;
+    tool.grip = 8;
+    std::uint32_t tick = 0;
+    const auto step = [&] {
+        output.sample.tick = tick += 5;
+        world.step(&output, 1);
+        return world.snapshot().grasps[0];
+    };
+    for (int i = 0; i < 4; ++i) step();
+    ASSERT_TRUE(world.find<SheetPart>()->holds(0));
+    EXPECT_EQ(world.snapshot().grasps[0].body, HeldBody::sheet);
+    tool.grip = 1;  // weak jaws, pulled away from the plane
+    GraspState grasp = world.snapshot().grasps[0];
+    for (int i = 0; i < 400 && grasp.held; ++i) {
+        tool.tip += 2e-4 * tool.axis;
+        tool.trocar += 2e-4 * tool.axis;
+        grasp = step();
+    }
+    ASSERT_FALSE(grasp.held);
+    EXPECT_TRUE(grasp.slipped) << "not released";
+    EXPECT_EQ(grasp.body, HeldBody::sheet);
+    EXPECT_EQ(grasp.tissue, scene.tissue_index("fat")) << "the mesorectal side of the plane, not the bowel";
+    EXPECT_TRUE(step().slipped) << "until the next hold";
+}
+
 TEST(SeptaWorld, HookDividesTheFirstSeptumAndReleasesTheRectum) {
     test::SeptaRig rig;
     rig.take_rectum();
