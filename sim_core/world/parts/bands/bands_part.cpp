@@ -167,10 +167,8 @@ void BandsPart::publish_model(int number, const TickOutput& /*last*/, LocalModel
     const StrandState& strand = strands_[static_cast<std::size_t>(grip.band)];
     model.mode = LocalMode::grasp;
     model.grasp = GraspModel();
-    model.grasp.point = grip.hold.target - grip.correction;
-    model.grasp.velocity = grip.target_velocity;
+    hand.jaws.fill(model.grasp);
     model.grasp.reaction = hold_force(grip.hold, strand);
-    model.grasp.hold_offset = grip.hold_offset;
     // The chain on either side, in series with the pinched tissue.
     double chains = 0;
     for (const int direction : {-1, 1}) {
@@ -231,7 +229,7 @@ void BandsPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
         view.tools[number].band = grip.band >= 0 ? grip.band : grip.touched;
         GraspState& grasp = snapshot.grasps[number];
         grasp.held = grip.band >= 0;
-        grasp.slipped = grip.slipped;
+        grasp.slipped = field_.hand(number).jaws.slipped();
         if (grip.band < 0) continue;
         grasp.body = HeldBody::band;
         grasp.tissue = static_cast<std::int8_t>(tissue_index_);

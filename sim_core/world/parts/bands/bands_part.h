@@ -47,14 +47,11 @@ class BandsPart : public Part {
     struct Grip {
         std::int32_t band = -1, touched = -1;
         StrandHold hold;
-        Vector3 correction = Vector3::Zero(), target_velocity = Vector3::Zero(),
-                hold_offset = Vector3::Zero();
-        double slip_time = 0;  ///< s
-        bool slipped = false;
     };
 
     void step_tool(int number, const TickOutput* outputs, std::size_t count, double dt) noexcept;
     void step_jaws(int number, const ToolKinematics& tool, double dt) noexcept;
+    void take_band(int number, const ToolKinematics& tool) noexcept;
     void fire_clip(int number, const ToolKinematics& tool) noexcept;
     void apply_energy(int number, const ToolKinematics& tool, double duty) noexcept;
     void touch_with_blade(int number, const ToolKinematics& tool) noexcept;

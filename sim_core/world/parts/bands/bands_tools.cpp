@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim_core/world/part/jaw_rules.h"
 #include "sim_core/world/parts/bands/bands_part.h"
 
 namespace fulcrum {
-
-using namespace jaw_rules;
 
 void BandsPart::step_tool(int number, const TickOutput* outputs, std::size_t count, double dt) noexcept {
     FieldHand& hand = field_.hand(number);
@@ -38,53 +35,51 @@ void BandsPart::step_tool(int number, const TickOutput* outputs, std::size_t cou
 void BandsPart::step_jaws(int number, const ToolKinematics& tool, double dt) noexcept {
     FieldHand& hand = field_.hand(number);
     Grip& grip = grips_[static_cast<std::size_t>(number)];
-    const InstrumentType& type = type_of(hand.kind());
-    double opening = 0;
-    const bool closed = field_.jaws_closed(hand, tool, opening);
-    if (grip.band >= 0) {
-        const StrandState& strand = strands_[static_cast<std::size_t>(grip.band)];
-        const double capacity = 2.0 * tissue_.friction * tool.grip;
-        grip.slip_time = hold_force(grip.hold, strand).norm() > capacity ? grip.slip_time + dt : 0.0;
-        grip.slipped = grip.slip_time > slip_delay;
-        if (opening > jaw_rules::open_share || tool.grip <= 0.5 * least_grip || grip.slipped ||
-            !tool.inside) {
+    JawLoad load;
+    load.friction = tissue_.friction;
+    if (grip.band >= 0)
+        load.reaction = hold_force(grip.hold, strands_[static_cast<std::size_t>(grip.band)]).norm();
+    switch (OperativeField::step_jaws(hand, tool, load, dt)) {
+        case JawAction::none:
+            return;
+        case JawAction::let_go:
             grip.band = -1;
             grip.hold.node = -1;
-        }
-    } else if (closed && (type.grasps_strands || type.clips)) {
-        hand.ready = false;
-        if (type.clips) {
-            fire_clip(number, tool);
             return;
-        }
-        const Vector3 jaws = tool.tip - 0.5 * hand.instrument->jaw_length * tool.axis;
-        double least = grasp_reach;
-        for (std::size_t b = 0; b < strands_.size(); ++b) {
-            double distance = 0;
-            const int node = nearest_node(strands_[b], jaws, distance);
-            if (node < 0 || !(distance < least)) continue;
-            least = distance;
-            grip.band = static_cast<std::int32_t>(b);
-            grip.hold.node = std::clamp(node, 1, strand_nodes - 2);
-        }
-        if (grip.band < 0) return;
-        const Vector3 point =
-            strands_[static_cast<std::size_t>(grip.band)].position[static_cast<std::size_t>(grip.hold.node)];
-        grip.hold.target = point;
-        grip.hold.stiffness = pinch_share * tissue_.stiffness;
-        grip.correction = point - jaws;
-        grip.target_velocity.setZero();
-        grip.hold_offset = Vector3(0, 0, -0.5 * hand.instrument->jaw_length);
-        grip.slip_time = 0;
-        grip.slipped = false;
+        case JawAction::close:
+            if (type_of(hand.kind()).clips)
+                fire_clip(number, tool);
+            else if (type_of(hand.kind()).grasps_strands)
+                take_band(number, tool);
+            if (grip.band < 0) return;
+            break;  // it follows the jaws from this step on
+        case JawAction::hold:
+            break;
+    }
+    hand.jaws.carry(tool, dt);
+    grip.hold.target = hand.jaws.point(0).target;
+}
+
+void BandsPart::take_band(int number, const ToolKinematics& tool) noexcept {
+    FieldHand& hand = field_.hand(number);
+    Grip& grip = grips_[static_cast<std::size_t>(number)];
+    const Vector3 jaws = tool.tip - 0.5 * hand.instrument->jaw_length * tool.axis;
+    double least = Jaws::reach;
+    for (std::size_t b = 0; b < strands_.size(); ++b) {
+        double distance = 0;
+        const int node = nearest_node(strands_[b], jaws, distance);
+        if (node < 0 || !(distance < least)) continue;
+        least = distance;
+        grip.band = static_cast<std::int32_t>(b);
+        grip.hold.node = std::clamp(node, 1, strand_nodes - 2);
     }
     if (grip.band < 0) return;
-    grip.correction *= std::max(0.0, 1.0 - dt / correction_time);
-    Vector3 motion = tool.tip + tool.rotation * grip.hold_offset + grip.correction - grip.hold.target;
-    const double longest = fastest_hold * dt;
-    if (motion.norm() > longest) motion *= longest / motion.norm();
-    grip.hold.target += motion;
-    grip.target_velocity = motion / dt;
+    const Vector3 point =
+        strands_[static_cast<std::size_t>(grip.band)].position[static_cast<std::size_t>(grip.hold.node)];
+    grip.hold.stiffness = Jaws::pinch_share * tissue_.stiffness;
+    hand.jaws.clear_points();
+    hand.jaws.add_point(Vector3(0, 0, -0.5 * hand.instrument->jaw_length), jaws, point);
+    hand.jaws.take();
 }
 
 void BandsPart::fire_clip(int number, const ToolKinematics& tool) noexcept {

@@ -5,11 +5,9 @@
 
 #include "sim_core/contact/jaws.h"
 #include "sim_core/contact/series_stiffness.h"
-#include "sim_core/world/part/jaw_rules.h"
 #include "sim_core/world/parts/bowel/bowel_part.h"
 
 namespace fulcrum {
-using namespace jaw_rules;
 
 // The wall's vertex within the root of `least`, m2, which is lowered to its squared distance; -1: none.
 std::int32_t BowelPart::nearest_to(const Vector3& jaws, double& least) const noexcept {
@@ -41,15 +39,12 @@ double BowelPart::nearest_membrane(const Vector3& jaws, double least) const noex
 }
 
 double BowelPart::offer(int hand, const HeldTool& held) const noexcept {
-    const HandGrasp& grasp = grasps_[hand];
     const ToolKinematics& tool = held.tool;
-    if (!type_of(held.instrument->kind).grasps || !tool.present || !tool.inside || !grasp.ready ||
-        grasp.state.held || sheet_grasps_[hand].membrane >= 0)
+    if (!type_of(held.instrument->kind).grasps ||
+        !grasps_[hand].jaws.closing(tool, held.instrument->jaw_opening))
         return no_offer;
-    const double opening = tool.jaw_angle / std::max(1e-9, held.instrument->jaw_opening);
-    if (!(opening < close_share && tool.grip > least_grip)) return no_offer;
     const Vector3 jaws = tool.tip - 0.5 * held.instrument->jaw_length * tool.axis;
-    constexpr double reach = grasp_reach * grasp_reach;
+    constexpr double reach = Jaws::reach * Jaws::reach;
     double least = reach;
     nearest_to(jaws, least);
     least = nearest_membrane(jaws, least);
@@ -58,7 +53,7 @@ double BowelPart::offer(int hand, const HeldTool& held) const noexcept {
 
 void BowelPart::begin_grasp(int hand, const ToolAction& action) noexcept {
     const Vector3 jaws = action.tool.tip - 0.5 * action.instrument->jaw_length * action.tool.axis;
-    double least = grasp_reach * grasp_reach;
+    double least = Jaws::reach * Jaws::reach;
     const std::int32_t nearest = nearest_to(jaws, least);
     if (begin_sheet_grasp(hand, action, jaws, least) || nearest < 0) return;
     HandGrasp& grasp = grasps_[hand];
@@ -71,13 +66,10 @@ void BowelPart::begin_grasp(int hand, const ToolAction& action) noexcept {
     grasp.state.point = point;
     grasp.state.reaction.setZero();
     grasp.state.patch = patches_->tissue_patches()[static_cast<std::size_t>(nearest)];
-    grasp.correction = point - jaws;
-    grasp.target = point;
-    grasp.velocity.setZero();
-    grasp.hold_offset = Vector3(0, 0, -0.5 * action.instrument->jaw_length);
+    grasp.jaws.clear_points();
+    grasp.jaws.add_point(Vector3(0, 0, -0.5 * action.instrument->jaw_length), jaws, point);
+    grasp.jaws.take();
     grasp.vertex = nearest;
-    grasp.slip_time = 0;
-    grasp.ready = false;
     grasp.stiffness = rod_->stiffness_at(state_, grasp.state.arc_length, grasp.state.offset, scratch_);
     spread_pull(grasp, action);
 }
@@ -125,12 +117,10 @@ void BowelPart::keep_hold(const ToolAction* actions) noexcept {
         if (!grasp.state.held || actions[hand].instrument == nullptr) continue;
         const std::int32_t start = *skin_->adjacency().triangles_of(grasp.vertex).begin();
         const std::int32_t left =
-            cut_->nearest_left(grasp.state.point, start, grasp_reach, ring_frames_.data());
+            cut_->nearest_left(grasp.state.point, start, Jaws::reach, ring_frames_.data());
         if (left < 0) {
-            grasp.state.held = false;
-            grasp.state.slipped = true;
-            grasp.state.reaction.setZero();
-            grasp.filtered.count = 0;
+            grasp.jaws.lose();
+            end_grasp(hand);
             continue;
         }
         grasp.vertex = left;
@@ -141,7 +131,7 @@ void BowelPart::keep_hold(const ToolAction* actions) noexcept {
 
 bool BowelPart::begin_sheet_grasp(int hand, const ToolAction& action, const Vector3& jaws,
                                   double nearest_bowel) noexcept {
-    SheetGrasp& grasp = sheet_grasps_[hand];
+    HandGrasp& grasp = grasps_[hand];
     double least = nearest_bowel;
     Vector3 point = Vector3::Zero();
     std::int32_t triangle = -1;
@@ -155,53 +145,45 @@ bool BowelPart::begin_sheet_grasp(int hand, const ToolAction& action, const Vect
     }
     if (triangle < 0) return false;
     const double wall =
-        pinch_share *
+        Jaws::pinch_share *
         scene_.tissues[static_cast<std::size_t>(scene_.tissue_index(scene_.bowel->tissue))].stiffness;
     MembranePart& part = membranes_[static_cast<std::size_t>(grasp.membrane)];
     part.take(hand, triangle, point, wall);
-    grasp.correction = point - jaws;
-    grasp.target = point;
-    grasp.velocity.setZero();
-    grasp.hold_offset = Vector3(0, 0, -0.5 * action.instrument->jaw_length);
-    grasp.stiffness = part.grip_stiffness(hand);
-    grasp.slip_time = 0;
+    grasp.jaws.clear_points();
+    grasp.jaws.add_point(Vector3(0, 0, -0.5 * action.instrument->jaw_length), jaws, point);
+    grasp.jaws.take();
+    grasp.stiffness = part.grip_stiffness(hand) * Matrix3::Identity();
     return true;
 }
 
-void BowelPart::update_sheet_grasp(int hand, const ToolAction& action, double opening, double dt) noexcept {
-    const TissueSpec& tissue =
-        scene_.tissues[static_cast<std::size_t>(scene_.tissue_index(scene_.bowel->tissue))];
-    SheetGrasp& grasp = sheet_grasps_[hand];
-    MembranePart& part = membranes_[static_cast<std::size_t>(grasp.membrane)];
-    const double capacity = 2.0 * tissue.friction * action.tool.grip;
-    grasp.slip_time = part.grip(hand).reaction.norm() > capacity ? grasp.slip_time + dt : 0.0;
-    if (opening > open_share || action.tool.grip <= 0.5 * least_grip || grasp.slip_time > slip_delay ||
-        !action.tool.inside) {
-        part.let_go(hand);
+// Jaws that hold nothing any more.
+void BowelPart::end_grasp(int hand) noexcept {
+    HandGrasp& grasp = grasps_[hand];
+    grasp.state.slipped = grasp.jaws.slipped();
+    if (grasp.membrane >= 0) {
+        membranes_[static_cast<std::size_t>(grasp.membrane)].let_go(hand);
         grasp.membrane = -1;
-        grasps_[hand].state.slipped = grasp.slip_time > slip_delay;
         return;
     }
-    grasp.correction *= std::max(0.0, 1.0 - dt / correction_time);
-    Vector3 motion =
-        action.tool.tip + action.tool.rotation * grasp.hold_offset + grasp.correction - grasp.target;
-    const double longest = fastest_hold * dt;
-    if (motion.norm() > longest) motion *= longest / motion.norm();
-    grasp.target += motion;
-    grasp.velocity = motion / dt;
-    part.carry(hand, grasp.target);
+    grasp.state.held = false;
+    grasp.state.reaction.setZero();
+    grasp.filtered.count = 0;
 }
 
-void BowelPart::fill_sheet_model(const SheetGrasp& grasp, int hand, LocalModel& model) const noexcept {
+const Vector3& BowelPart::grasp_reaction(int hand) const noexcept {
+    const HandGrasp& grasp = grasps_[hand];
+    return grasp.membrane < 0 ? grasp.state.reaction
+                              : membranes_[static_cast<std::size_t>(grasp.membrane)].grip(hand).reaction;
+}
+
+void BowelPart::fill_sheet_model(int hand, LocalModel& model) const noexcept {
     const int index = scene_.tissue_index(scene_.bowel->tissue);
     const TissueSpec& tissue = scene_.tissues[static_cast<std::size_t>(index)];
     model.mode = LocalMode::grasp;
     model.grasp = GraspModel();
-    model.grasp.point = grasp.target - grasp.correction;
-    model.grasp.velocity = grasp.velocity;
-    model.grasp.reaction = membranes_[static_cast<std::size_t>(grasp.membrane)].grip(hand).reaction;
-    model.grasp.hold_offset = grasp.hold_offset;
-    model.grasp.stiffness = grasp.stiffness * Matrix3::Identity();
+    grasps_[hand].jaws.fill(model.grasp);
+    model.grasp.reaction = grasp_reaction(hand);
+    model.grasp.stiffness = grasps_[hand].stiffness;
     model.grasp.damping = tissue.damping;
     model.grasp.friction = tissue.friction;
     model.grasp.tissue = static_cast<std::int16_t>(index);
@@ -213,35 +195,27 @@ void BowelPart::update_grasps(const ToolAction* actions, double dt) noexcept {
     for (int hand = 0; hand < hand_count; ++hand) {
         const ToolAction& action = actions[hand];
         HandGrasp& grasp = grasps_[hand];
-        if (action.instrument == nullptr || !action.tool.present || !type_of(action.instrument->kind).grasps)
-            continue;
-        const double opening = action.tool.jaw_angle / std::max(1e-9, action.instrument->jaw_opening);
-        const bool closed = opening < close_share && action.tool.grip > least_grip;
-        if (opening > open_share) grasp.ready = true;
-        if (sheet_grasps_[hand].membrane >= 0) {
-            update_sheet_grasp(hand, action, opening, dt);
-        } else if (grasp.state.held) {
-            const double capacity = 2.0 * tissue.friction * action.tool.grip;
-            grasp.slip_time = grasp.state.reaction.norm() > capacity ? grasp.slip_time + dt : 0.0;
-            if (opening > open_share || action.tool.grip <= 0.5 * least_grip ||
-                grasp.slip_time > slip_delay || !action.tool.inside) {
-                grasp.state.held = false;
-                grasp.state.slipped = grasp.slip_time > slip_delay;
-                grasp.state.reaction.setZero();
-                grasp.filtered.count = 0;
-            }
-        } else if (closed && grasp.ready && action.tool.inside) {
-            if (action.takes) begin_grasp(hand, action);
-            grasp.ready = false;
+        if (action.instrument == nullptr || !type_of(action.instrument->kind).grasps) continue;
+        const JawLoad load{grasp_reaction(hand).norm(), tissue.friction};
+        switch (grasp.jaws.step(action.tool, action.instrument->jaw_opening, load, dt)) {
+            case JawAction::none:
+                continue;
+            case JawAction::let_go:
+                end_grasp(hand);
+                continue;
+            case JawAction::close:
+                if (action.takes) begin_grasp(hand, action);
+                // The wall follows the jaws from this step on, a membrane from the next.
+                if (!grasp.state.held) continue;
+                break;
+            case JawAction::hold:
+                break;
         }
-        if (!grasp.state.held) continue;
-        grasp.correction *= std::max(0.0, 1.0 - dt / correction_time);
-        const Vector3 wanted = action.tool.tip + action.tool.rotation * grasp.hold_offset + grasp.correction;
-        Vector3 motion = wanted - grasp.target;
-        const double longest = fastest_hold * dt;
-        if (motion.norm() > longest) motion *= longest / motion.norm();
-        grasp.target += motion;
-        grasp.velocity = motion / dt;
+        grasp.jaws.carry(action.tool, dt);
+        if (grasp.membrane >= 0) {
+            membranes_[static_cast<std::size_t>(grasp.membrane)].carry(hand, grasp.jaws.point(0).target);
+            continue;
+        }
         patch_damage_[static_cast<std::size_t>(std::max(0, grasp.state.patch))] +=
             static_cast<float>(action.tool.grip * dt);
     }
@@ -251,7 +225,7 @@ void BowelPart::update_grasps(const ToolAction* actions, double dt) noexcept {
         RodGrasp hold;
         hold.s = grasp.state.arc_length;
         hold.offset = grasp.state.offset;
-        hold.target = grasp.target;
+        hold.target = grasp.jaws.point(0).target;
         hold.reaction = grasp.state.reaction;
         inputs_.grasps.push_back(hold);
     }
@@ -272,20 +246,16 @@ void BowelPart::fill_grasp(int hand, const PatchRequest& request, LocalModel& mo
     Stopwatch watch(measuring_, costs_.patches);
     patches_->build(rings_.data(), request, patch_scratch_, model);
     model.jaws = jaw_felt_[hand];
-    if (sheet_grasps_[hand].membrane >= 0) fill_sheet_model(sheet_grasps_[hand], hand, model);
+    if (grasps_[hand].membrane >= 0) fill_sheet_model(hand, model);
     const HandGrasp& grasp = grasps_[hand];
     if (!grasp.state.held) return;
     model.mode = LocalMode::grasp;
     const int index = scene_.tissue_index(scene_.bowel->tissue);
-    model.grasp.point =
-        grasp.target -
-        grasp.correction;  // where the jaws are: the correction is the tissue's own way to them
-    model.grasp.velocity = grasp.velocity;
+    grasp.jaws.fill(model.grasp);
     model.grasp.reaction = grasp.state.reaction;
-    model.grasp.hold_offset = grasp.hold_offset;
     // In series with the pinched wall itself: however firmly the rod is held elsewhere, the jaws feel no more
     // than tissue.
-    const double wall = pinch_share * scene_.tissues[static_cast<std::size_t>(index)].stiffness;
+    const double wall = Jaws::pinch_share * scene_.tissues[static_cast<std::size_t>(index)].stiffness;
     model.grasp.stiffness = stiffness_in_series(grasp.stiffness, wall);
     model.grasp.damping = scene_.tissues[static_cast<std::size_t>(index)].damping;
     model.grasp.friction = scene_.tissues[static_cast<std::size_t>(index)].friction;
@@ -323,7 +293,7 @@ void BowelPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
     for (int hand = 0; hand < hand_count; ++hand) {
         GraspState& shown = snapshot.grasps[hand];
         const GraspState before = shown;
-        const bool membrane = sheet_grasps_[hand].membrane >= 0, wall = grasps_[hand].state.held;
+        const bool membrane = grasps_[hand].membrane >= 0, wall = grasps_[hand].state.held;
         // Another part's hold, or how it ended, is that part's to write.
         if (!membrane && !wall && before.body != HeldBody::none && before.body != HeldBody::bowel &&
             before.body != HeldBody::membrane)
@@ -332,7 +302,7 @@ void BowelPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
         shown.body = wall ? HeldBody::bowel : before.body;
         shown.tissue = wall ? held_tissue : before.tissue;
         if (!membrane) continue;
-        const SheetGrip& grip = membranes_[static_cast<std::size_t>(sheet_grasps_[hand].membrane)].grip(hand);
+        const SheetGrip& grip = membranes_[static_cast<std::size_t>(grasps_[hand].membrane)].grip(hand);
         shown = GraspState();
         shown.held = true;
         shown.body = HeldBody::membrane;

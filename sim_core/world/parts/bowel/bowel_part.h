@@ -18,6 +18,7 @@
 #include "sim_core/numerics/state_hash.h"
 #include "sim_core/rod/rod.h"
 #include "sim_core/scene/scene.h"
+#include "sim_core/world/part/jaws.h"
 #include "sim_core/world/part/part.h"
 #include "sim_core/world/part/snapshot.h"
 #include "sim_core/world/part/stopwatch.h"
@@ -51,9 +52,7 @@ class BowelPart : public Part {
 
     void begin_step() noexcept override;
     double offer(int hand, const HeldTool& held) const noexcept override;
-    bool holds(int hand) const noexcept override {
-        return grasps_[hand].state.held || sheet_grasps_[hand].membrane >= 0;
-    }
+    bool holds(int hand) const noexcept override { return grasps_[hand].jaws.held(); }
     void apply(const StepInput& input) noexcept override;
     std::uint32_t solve(const StepInput& input) noexcept override;
     /// Patch, grasp and blade of a hand; leaves step, tick and targets alone.
@@ -113,23 +112,12 @@ class BowelPart : public Part {
 
   private:
     struct HandGrasp {
-        GraspState state;
-        Vector3 correction = Vector3::Zero();   ///< m, wall point minus jaws when the grasp began; decays
-        Vector3 target = Vector3::Zero();       ///< m, where the wall point was held last
-        Vector3 velocity = Vector3::Zero();     ///< m/s, of the target
-        Vector3 hold_offset = Vector3::Zero();  ///< m, tool frame, relative to the tip
-        FilteredForce filtered;                 ///< shares of a pull at the grasp
-        Matrix3 stiffness = Matrix3::Zero();    ///< N/m, rod seen at the wall point
+        Jaws jaws;
+        int membrane = -1;                    ///< that they hold, -1: the wall, or nothing
+        GraspState state;                     ///< of the wall
+        FilteredForce filtered;               ///< shares of a pull at the grasp
+        Matrix3 stiffness = Matrix3::Zero();  ///< N/m, rod seen at the wall point, or membrane
         std::int32_t vertex = -1;
-        bool ready = true;     ///< the jaws were open since the last grasp
-        double slip_time = 0;  ///< s of load beyond what the jaws can hold
-    };
-    /// Jaws on a membrane: as on the bowel, by the sheet's own holds.
-    struct SheetGrasp {
-        int membrane = -1;  ///< that is held, -1: none
-        Vector3 correction = Vector3::Zero(), target = Vector3::Zero(), velocity = Vector3::Zero(),
-                hold_offset = Vector3::Zero();
-        double stiffness = 0, slip_time = 0;
     };
     /// A hand's instrument against the surface as the world has it: the tick's own law, at the end of the
     /// step that is being made. The force that moves the bowel must not be the tick's: that one was made for
@@ -156,8 +144,9 @@ class BowelPart : public Part {
     void begin_grasp(int hand, const ToolAction& action) noexcept;
     bool begin_sheet_grasp(int hand, const ToolAction& action, const Vector3& jaws,
                            double nearest_bowel) noexcept;
-    void update_sheet_grasp(int hand, const ToolAction& action, double opening, double dt) noexcept;
-    void fill_sheet_model(const SheetGrasp& grasp, int hand, LocalModel& model) const noexcept;
+    void end_grasp(int hand) noexcept;
+    const Vector3& grasp_reaction(int hand) const noexcept;
+    void fill_sheet_model(int hand, LocalModel& model) const noexcept;
     void gather_loads(const ToolAction* actions, double dt) noexcept;
     void press_jaws(const ToolAction* actions) noexcept;
     void press_blades(const ToolAction* actions, std::uint32_t tick, double dt) noexcept;
@@ -201,7 +190,6 @@ class BowelPart : public Part {
     std::vector<Touch> touches_;      ///< by hand
     ToolAction actions_[hand_count];  ///< of the step
     HandGrasp grasps_[hand_count];
-    SheetGrasp sheet_grasps_[hand_count];
     Vector3 applied_push_[hand_count] = {Vector3::Zero(), Vector3::Zero()};
     bool with_jaws_ = false;  ///< level "jaws"
     InstrumentModel jaw_models_[hand_count];

@@ -15,7 +15,6 @@ void BowelPart::list_state(StateList& list) {
             hash.add(grasp.state.reaction);
         }
     });
-    list.kept(sheet_grasps_);
     list.hashed(dents_, [this](StateHash& hash) {
         for (int i = 0; i < dents_.count; ++i) {
             hash.add(static_cast<std::int64_t>(dents_.entries[static_cast<std::size_t>(i)].vertex));

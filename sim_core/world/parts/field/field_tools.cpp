@@ -5,7 +5,6 @@
 
 #include "sim_core/geometry/closest_point.h"
 #include "sim_core/numerics/functions.h"
-#include "sim_core/world/part/jaw_rules.h"
 #include "sim_core/world/parts/field/operative_field.h"
 
 namespace fulcrum {
@@ -52,7 +51,7 @@ void OperativeField::exchange(int number, const TickOutput* outputs, std::size_t
         hand.index = (hand.index + 1) % hand.kind_count;
         hand.exchange_left = spec_.exchange_time;
         hand.blade = BladeState();
-        hand.ready = false;
+        hand.jaws.block();
     }
 }
 
@@ -70,11 +69,11 @@ double OperativeField::pedal(int number, const TickOutput* outputs, std::size_t 
     return static_cast<double>(pressed) / static_cast<double>(count);
 }
 
-bool OperativeField::jaws_closed(FieldHand& hand, const ToolKinematics& tool, double& opening) noexcept {
-    opening = tool.jaw_angle / std::max(1e-9, hand.instrument->jaw_opening);
-    if (opening > jaw_rules::open_share) hand.ready = true;
-    return opening < jaw_rules::close_share && tool.grip > jaw_rules::least_grip && hand.ready &&
-           tool.inside && hand.usable();
+JawAction OperativeField::step_jaws(FieldHand& hand, const ToolKinematics& tool, const JawLoad& load,
+                                    double dt) noexcept {
+    ToolKinematics now = tool;
+    now.inside = tool.inside && hand.usable();
+    return hand.jaws.step(now, hand.instrument->jaw_opening, load, dt);
 }
 
 bool OperativeField::fire_clip(FieldHand& hand, const ToolKinematics& tool, double& least) noexcept {

@@ -22,6 +22,7 @@
 #include "sim_core/numerics/state_hash.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/world/part/bands_view.h"
+#include "sim_core/world/part/jaws.h"
 #include "sim_core/world/part/state_list.h"
 #include "sim_core/world/parts/field/field_bed.h"
 
@@ -79,7 +80,7 @@ struct FieldHand {
     int kind_count = 1, index = 0;
     double exchange_left = 0;   ///< s
     std::uint16_t buttons = 0;  ///< of the last tick
-    bool ready = true;          ///< the jaws were open since they last closed
+    Jaws jaws;
     bool active = false;
     EnergyTarget target = EnergyTarget::nothing;
     double nerve_distance = 1;  ///< m
@@ -141,8 +142,9 @@ class OperativeField {
     void clear(FieldHand& hand) noexcept;
     /// Share of the ticks in which the pedal is down.
     static double pedal(int number, const TickOutput* outputs, std::size_t count) noexcept;
-    /// Jaws that have closed with force since they were open last; `opening` 0 .. 1 is told too.
-    bool jaws_closed(FieldHand& hand, const ToolKinematics& tool, double& opening) noexcept;
+    /// Jaws of the instrument that the hand has; closed on nothing while it is exchanged.
+    static JawAction step_jaws(FieldHand& hand, const ToolKinematics& tool, const JawLoad& load,
+                               double dt) noexcept;
     /// On the nearest outlet within reach; true if there is one. `least` (m) is how near.
     bool fire_clip(FieldHand& hand, const ToolKinematics& tool, double& least) noexcept;
     bool clips_left() const { return clips_left_ > 0; }

@@ -5,13 +5,11 @@
 #include <limits>
 
 #include "sim_core/geometry/closest_point.h"
-#include "sim_core/world/part/jaw_rules.h"
 #include "sim_core/world/parts/sheet/sheet_part.h"
 
 namespace fulcrum {
 
 using namespace blade_rules;
-using namespace jaw_rules;
 
 namespace {
 
@@ -187,7 +185,7 @@ void SheetPart::approach(int number, const SheetAction& action, std::uint32_t ti
     HandState& hand = state_.hands[static_cast<std::size_t>(number)];
     const ToolKinematics& tool = action.tool;
     const double radius = action.instrument->tip_radius;
-    if (!tool.inside || !tool.present || !tool.tip.allFinite() || hand.held || action.busy) {
+    if (!tool.inside || !tool.present || !tool.tip.allFinite() || hand.jaws.held() || action.busy) {
         if (hand.touch == BladeTouch::cutting) leave(number, tick);
         hand.touch = BladeTouch::away;
         hand.known = hand.linked = hand.over = false;
@@ -264,34 +262,28 @@ void SheetPart::approach(int number, const SheetAction& action, std::uint32_t ti
 
 void SheetPart::take(int number, const SheetAction& action) noexcept {
     HandState& hand = state_.hands[static_cast<std::size_t>(number)];
-    hand.grip_count = 0;
+    hand.jaws.clear_points();
     for (const double share : {-0.5, -0.5 + jaw_span, -0.5 - jaw_span}) {
-        HandState::Grip grip;
-        grip.offset = Vector3(0, 0, share * action.instrument->jaw_length);
-        const Vector3 jaw = action.tool.tip + action.tool.rotation * grip.offset;
-        grip.place = closest(jaw);
-        if (grip.place.fragment < 0) return;
-        grip.target = grip.last = place(grip.place);
-        grip.correction = grip.target - jaw;
-        if (grip.correction.norm() > grasp_reach) {
-            if (hand.grip_count == 0) return;
+        const Vector3 offset(0, 0, share * action.instrument->jaw_length);
+        const Vector3 jaw = action.tool.tip + action.tool.rotation * offset;
+        const SheetPlace nearest = closest(jaw);
+        if (nearest.fragment < 0) return;
+        const Vector3 tissue = place(nearest);
+        if ((tissue - jaw).norm() > Jaws::reach) {
+            if (hand.jaws.count() == 0) return;
             continue;
         }
-        hand.grips[static_cast<std::size_t>(hand.grip_count++)] = grip;
+        hand.held_at[static_cast<std::size_t>(hand.jaws.count())] = nearest;
+        hand.jaws.add_point(offset, jaw, tissue);
     }
-    hand.held = true;
-    hand.slipped = false;
-    hand.slip_time = 0;
+    hand.jaws.take();
     hand.pull.setZero();
-    hand.jaw_velocity.setZero();
 }
 
 bool SheetPart::closing(int number, const SheetAction& action) const noexcept {
-    const HandState& hand = state_.hands[static_cast<std::size_t>(number)];
-    const ToolKinematics& tool = action.tool;
-    if (!type_of(action.instrument->kind).grasps || !tool.present || hand.held) return false;
-    const double opening = tool.jaw_angle / std::max(1e-9, action.instrument->jaw_opening);
-    return opening < close_share && tool.grip > least_grip && hand.ready && tool.inside;
+    return type_of(action.instrument->kind).grasps &&
+           state_.hands[static_cast<std::size_t>(number)].jaws.closing(action.tool,
+                                                                       action.instrument->jaw_opening);
 }
 
 double SheetPart::offer(int number, const HeldTool& held) const noexcept {
@@ -304,39 +296,25 @@ double SheetPart::offer(int number, const HeldTool& held) const noexcept {
     const SheetPlace nearest = closest(jaw);
     if (nearest.fragment < 0) return no_offer;
     const double distance = (place(nearest) - jaw).norm();
-    return distance <= grasp_reach ? distance : no_offer;
+    return distance <= Jaws::reach ? distance : no_offer;
 }
 
 void SheetPart::update_jaws(int number, const SheetAction& action, double dt) noexcept {
     HandState& hand = state_.hands[static_cast<std::size_t>(number)];
-    const ToolKinematics& tool = action.tool;
-    if (!type_of(action.instrument->kind).grasps || !tool.present) return;
-    const double opening = tool.jaw_angle / std::max(1e-9, action.instrument->jaw_opening);
-    if (opening > open_share) hand.ready = true;
-    if (!hand.held) {
-        if (closing(number, action)) {
+    if (!type_of(action.instrument->kind).grasps) return;
+    const JawLoad load{hand.pull.norm(), tissue_.friction, hand.jaws.count() == 0};
+    switch (hand.jaws.step(action.tool, action.instrument->jaw_opening, load, dt)) {
+        case JawAction::none:
+            break;
+        case JawAction::close:  // what they take follows them from the next step on
             if (action.takes) take(number, action);
-            hand.ready = false;
-        }
-        return;
-    }
-    hand.slip_time = hand.pull.norm() > 2 * tissue_.friction * tool.grip ? hand.slip_time + dt : 0.0;
-    if (opening > open_share || tool.grip <= 0.5 * least_grip || hand.slip_time > slip_delay ||
-        !tool.inside || hand.grip_count == 0) {
-        hand.held = false;
-        hand.slipped = hand.slip_time > slip_delay || hand.grip_count == 0;
-        hand.pull.setZero();
-        return;
-    }
-    for (int g = 0; g < hand.grip_count; ++g) {
-        HandState::Grip& grip = hand.grips[static_cast<std::size_t>(g)];
-        grip.correction *= std::max(0.0, 1 - dt / correction_time);
-        Vector3 motion = tool.tip + tool.rotation * grip.offset + grip.correction - grip.target;
-        const double longest = fastest_hold * dt;
-        if (motion.norm() > longest) motion *= longest / motion.norm();
-        grip.last = grip.target;
-        grip.target += motion;
-        if (g == 0) hand.jaw_velocity = motion / dt;
+            break;
+        case JawAction::hold:
+            hand.jaws.carry(action.tool, dt);
+            break;
+        case JawAction::let_go:
+            hand.pull.setZero();
+            break;
     }
 }
 
@@ -348,16 +326,16 @@ void SheetPart::add_links(const SheetAction* actions) noexcept {
         if (actions[h].instrument == nullptr) continue;
         const InstrumentSpec& instrument = *actions[h].instrument;
         const ToolKinematics& tool = actions[h].tool;
-        if (hand.held) {
+        if (hand.jaws.held()) {
             jaw_link_[static_cast<std::size_t>(h)] = static_cast<int>(inputs_.links.size());
-            for (int g = 0; g < hand.grip_count; ++g) {
-                const HandState::Grip& grip = hand.grips[static_cast<std::size_t>(g)];
+            for (int g = 0; g < hand.jaws.count(); ++g) {
+                const SheetPlace& held = hand.held_at[static_cast<std::size_t>(g)];
                 CutMembraneLink link;
-                link.piece = grip.place.fragment;
-                link.barycentric = grip.place.barycentric;
-                link.stiffness = pinch_share * tissue_.stiffness / hand.grip_count;
-                link.start = grip.last;
-                link.target = grip.target;
+                link.piece = held.fragment;
+                link.barycentric = held.barycentric;
+                link.stiffness = Jaws::pinch_share * tissue_.stiffness / hand.jaws.count();
+                link.start = hand.jaws.point(g).last;
+                link.target = hand.jaws.point(g).target;
                 link.grip = std::numeric_limits<double>::infinity();
                 inputs_.links.push_back(link);
             }
@@ -402,7 +380,7 @@ void SheetPart::read_links() noexcept {
         if (tip_link_[h] >= 0) hand.reaction = inputs_.links[static_cast<std::size_t>(tip_link_[h])].reaction;
         if (jaw_link_[h] < 0) continue;
         hand.pull.setZero();
-        for (int g = 0; g < hand.grip_count; ++g)
+        for (int g = 0; g < hand.jaws.count(); ++g)
             hand.pull += inputs_.links[static_cast<std::size_t>(jaw_link_[h] + g)].reaction;
     }
 }
@@ -442,15 +420,12 @@ void SheetPart::fill_touch(const HandState& hand, SheetContactModel& model) cons
 }
 
 void SheetPart::fill_grasp(const HandState& hand, LocalModel& model) const noexcept {
-    const HandState::Grip& grip = hand.grips[0];
     model.mode = LocalMode::grasp;
     model.grasp = GraspModel();
-    model.grasp.point = grip.target - grip.correction;
-    model.grasp.velocity = hand.jaw_velocity;
+    hand.jaws.fill(model.grasp);
     model.grasp.reaction = hand.pull;
-    model.grasp.hold_offset = grip.offset;
-    model.grasp.stiffness = series(pinch_share * tissue_.stiffness,
-                                   sheet_springs * hand.grip_count * spec_.structural_stiffness) *
+    model.grasp.stiffness = series(Jaws::pinch_share * tissue_.stiffness,
+                                   sheet_springs * hand.jaws.count() * spec_.structural_stiffness) *
                             Matrix3::Identity();
     model.grasp.damping = tissue_.damping;
     model.grasp.friction = tissue_.friction;
@@ -460,7 +435,7 @@ void SheetPart::fill_grasp(const HandState& hand, LocalModel& model) const noexc
 
 void SheetPart::publish_model(int number, const TickOutput& /*last*/, LocalModel& model) noexcept {
     const HandState& hand = state_.hands[static_cast<std::size_t>(number)];
-    if (hand.held) {
+    if (hand.jaws.held()) {
         fill_grasp(hand, model);
         return;
     }

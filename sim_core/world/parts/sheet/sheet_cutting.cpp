@@ -380,15 +380,17 @@ void SheetPart::take_over() noexcept {
             hand.linked = hand.linked && hand.place.fragment >= 0;
         }
         // Jaws keep what is still between them.
-        int kept = 0;
-        for (int g = 0; g < hand.grip_count; ++g) {
-            HandState::Grip grip = hand.grips[static_cast<std::size_t>(g)];
-            if (changed(grip.place))
-                grip.place = find_in_root(surface_.fragment(grip.place.fragment).root, grip.place.barycentric,
-                                          kept_slack);
-            if (grip.place.fragment >= 0) hand.grips[static_cast<std::size_t>(kept++)] = grip;
+        std::size_t kept = 0;
+        for (std::size_t g = 0; kept < static_cast<std::size_t>(hand.jaws.count()); ++g) {
+            SheetPlace held = hand.held_at[g];
+            if (changed(held))
+                held = find_in_root(surface_.fragment(held.fragment).root, held.barycentric, kept_slack);
+            if (held.fragment >= 0) {
+                hand.held_at[kept++] = held;
+            } else {
+                hand.jaws.drop_point(static_cast<int>(kept));
+            }
         }
-        hand.grip_count = kept;
     }
     for (SheetPlace& point : state_.line) {
         if (!changed(point)) continue;

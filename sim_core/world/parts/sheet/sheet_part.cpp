@@ -65,7 +65,7 @@ SheetPart::SheetPart(const Scene& scene, double dt)
     cut_.roots.reserve(at(surface_.root_count()));
     cut_.pieces.reserve(at(surface_.capacity().fragments));
     cut_.contacts.reserve(6 * at(surface_.capacity().fragments));
-    inputs_.links.reserve((grip_points + 1) * hand_count);
+    inputs_.links.reserve((Jaws::most_points + 1) * hand_count);
     inputs_.gravity = spec_.weight * gravity_;
     inputs_.isolated_gravity = gravity_;
     for (std::int32_t v = 0; v < surface_.vertex_count(); ++v) bind(v);
@@ -253,8 +253,8 @@ void SheetPart::drop_loose(std::uint32_t tick) noexcept {
 
 bool SheetPart::jaws_hold(std::int32_t piece) const noexcept {
     for (const HandState& hand : state_.hands) {
-        for (int g = 0; hand.held && g < hand.grip_count; ++g) {
-            const std::int32_t triangle = hand.grips[static_cast<std::size_t>(g)].place.triangle;
+        for (int g = 0; hand.jaws.held() && g < hand.jaws.count(); ++g) {
+            const std::int32_t triangle = hand.held_at[static_cast<std::size_t>(g)].triangle;
             if (triangle >= 0 && surface_.piece_of_triangle(triangle) == piece) return true;
         }
     }
@@ -367,22 +367,22 @@ void SheetPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
         const HandState& hand = state_.hands[h];
         GraspState& grasp = snapshot.grasps[h];
         // What the same jaws hold elsewhere, or held there last, is not the sheet's to write.
-        if (!hand.held && grasp.body != HeldBody::sheet) continue;
-        if (hand.held) {
+        if (!hand.jaws.held() && grasp.body != HeldBody::sheet) continue;
+        if (hand.jaws.held()) {
             if (septa_) {
                 grasp = GraspState();
                 grasp.arc_length = -1;
             }
             grasp.body = HeldBody::sheet;
             grasp.tissue =
-                static_cast<std::int8_t>(in_fat(rest(hand.grips[0].place)) ? fat_index_ : tissue_index_);
+                static_cast<std::int8_t>(in_fat(rest(hand.held_at[0])) ? fat_index_ : tissue_index_);
         }
-        grasp.held = hand.held;
-        grasp.slipped = hand.slipped;
-        grasp.reaction = hand.held ? hand.pull : Vector3(Vector3::Zero());
-        if (!hand.held) continue;
-        grasp.point = place(hand.grips[0].place);
-        grasp.offset = rest(hand.grips[0].place);
+        grasp.held = hand.jaws.held();
+        grasp.slipped = hand.jaws.slipped();
+        grasp.reaction = hand.jaws.held() ? hand.pull : Vector3(Vector3::Zero());
+        if (!hand.jaws.held()) continue;
+        grasp.point = place(hand.held_at[0]);
+        grasp.offset = rest(hand.held_at[0]);
     }
 }
 
@@ -414,7 +414,7 @@ void SheetPart::list_state(StateList& list) {
             hash.add(hand.target);
             hash.add(hand.reaction);
             hash.add(hand.adrift ? hand.drifted : Vector3(Vector3::Zero()));
-            hash.add(static_cast<std::int64_t>(hand.grip_count));
+            hash.add(static_cast<std::int64_t>(hand.jaws.count()));
             hash.add(hand.pull);
         }
     });

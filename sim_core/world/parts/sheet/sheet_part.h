@@ -24,6 +24,7 @@
 #include "sim_core/rod/rod.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/world/part/blade_rules.h"
+#include "sim_core/world/part/jaws.h"
 #include "sim_core/world/part/part.h"
 #include "sim_core/world/part/snapshot.h"
 #include "sim_core/world/part/step_events.h"
@@ -50,8 +51,6 @@ struct SheetPlace {
 
 class SheetPart : public Part {
   public:
-    static constexpr int grip_points = 3;
-
     /// What a hand does to the sheet, remembered from step to step.
     struct HandState {
         BladeTouch touch = BladeTouch::away;
@@ -74,16 +73,9 @@ class SheetPart : public Part {
         bool adrift = false;  ///< the blade is between lips, in no tissue
         Vector3 drifted = Vector3::Zero();  ///< m: where it was then at the last step's end
         // Jaws.
-        bool held = false, ready = true, slipped = false;
-        struct Grip {
-            SheetPlace place;
-            Vector3 offset = Vector3::Zero();  ///< m, tool frame, from the tip
-            Vector3 correction = Vector3::Zero(), target = Vector3::Zero(), last = Vector3::Zero();
-        };
-        std::array<Grip, grip_points> grips;
-        int grip_count = 0;
-        Vector3 jaw_velocity = Vector3::Zero(), pull = Vector3::Zero();
-        double slip_time = 0;
+        Jaws jaws;
+        std::array<SheetPlace, Jaws::most_points> held_at;  ///< place of each of their points
+        Vector3 pull = Vector3::Zero();                     ///< N, jaws on sheet
     };
     /// All that changes; with the surface's own state a step goes on from it bit for bit.
     struct State {
@@ -124,7 +116,9 @@ class SheetPart : public Part {
     void stop() noexcept;
     /// Jaws that would take hold in this step if something is within their reach.
     bool closing(int hand, const SheetAction& action) const noexcept;
-    bool holds(int hand) const noexcept override { return state_.hands[static_cast<std::size_t>(hand)].held; }
+    bool holds(int hand) const noexcept override {
+        return state_.hands[static_cast<std::size_t>(hand)].jaws.held();
+    }
 
     /// First half of a step of dt seconds that ends with this tick: jaws and tips on the sheet.
     void apply(const SheetAction* actions, std::uint32_t tick, double dt) noexcept;

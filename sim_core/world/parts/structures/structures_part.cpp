@@ -9,7 +9,6 @@
 #include "sim_core/anatomy/scene_anatomy.h"
 #include "sim_core/geometry/closest_point.h"
 #include "sim_core/numerics/functions.h"
-#include "sim_core/world/part/jaw_rules.h"
 #include "sim_core/world/parts/sheet/sheet_part.h"
 
 namespace fulcrum {
@@ -162,19 +161,17 @@ void StructuresPart::step_tool(int number, const TickOutput* outputs, std::size_
     FieldHand& hand = field_.hand(number);
     const ToolKinematics& tool = outputs[count - 1].contact[number].tool;
     // What jaws hold is let go of first.
-    const bool holds =
-        type_of(hand.kind()).grasps && tool.jaw_angle < jaw_rules::open_share * hand.instrument->jaw_opening;
+    const bool holds = type_of(hand.kind()).grasps && Jaws::may_hold(tool, hand.instrument->jaw_opening);
     field_.exchange(number, outputs, count, holds, dt);
     field_.clear(hand);
     if (!tool.present || !tool.tip.allFinite()) {
         hand.cutting = false;
         return;
     }
-    double opening = 0, least = 0;
-    if (field_.jaws_closed(hand, tool, opening) && type_of(hand.kind()).clips) {
-        hand.ready = false;
-        if (field_.clips_left()) field_.fire_clip(hand, tool, least);
-    }
+    double least = 0;
+    if (OperativeField::step_jaws(hand, tool, JawLoad(), dt) == JawAction::close &&
+        type_of(hand.kind()).clips && field_.clips_left())
+        field_.fire_clip(hand, tool, least);
     const double pedal = OperativeField::pedal(number, outputs, count);
     const bool energised = pedal > 0 && gives_energy(hand.kind());
     field_.divide_nerves(number, tool, energised);

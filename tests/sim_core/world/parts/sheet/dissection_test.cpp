@@ -39,7 +39,7 @@ TEST(SheetWorld, BladeDividesTheSheetAlongTheLineUnderTraction) {
     const double slack = rig.sheet().state().traction[10];
     rig.hold_flap(0, Vector3(0, 0.006, 0.008));
     rig.steps(30);
-    ASSERT_TRUE(rig.hand(0).held);
+    ASSERT_TRUE(rig.hand(0).jaws.held());
     EXPECT_TRUE(rig.world.snapshot().grasps[0].held);
     EXPECT_GT(rig.sheet().state().traction[10], 1.5 * slack) << "traction must open the plane";
     divide(rig, 0.02, 0.075);

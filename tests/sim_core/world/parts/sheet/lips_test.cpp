@@ -284,28 +284,28 @@ TEST(SheetLips, JawsKeepAnIsolatedPieceAndLoseRemovedTissue) {
     test::SheetRig rig;
     SheetPart& sheet = *rig.world.find<SheetPart>();
     rig.hold_at(0, 0.004, Vector3(0, 0.001, 0.003));
-    ASSERT_TRUE(rig.hand(0).held);
+    ASSERT_TRUE(rig.hand(0).jaws.held());
     for (const double y : {0.022, -0.022}) cut_along(sheet, rig.scene, straight(-0.062, y, 0.062, y, 50));
     expect_whole(sheet);
     EXPECT_GT(sheet.state().any_loose, 0);
     const double visible = sheet.surface().area_visible();
     rig.steps(230);
-    EXPECT_TRUE(rig.hand(0).held);
+    EXPECT_TRUE(rig.hand(0).jaws.held());
     EXPECT_GT(sheet.state().any_loose, 0) << "the jaws hold it";
     EXPECT_GT(sheet.surface().area_visible(), visible - 1e-4);
     rig.go(0, rig.wish[0].tip + Vector3(0, 0, 0.03), 0.1);
     EXPECT_LT(rig.hand(0).pull.norm(), 0.1) << "light";
     // The tissue between the jaws is cut away.
-    for (int g = 0; g < rig.hand(0).grip_count; ++g) {
-        const Vector3 at = sheet.rest(rig.hand(0).grips[static_cast<std::size_t>(g)].place);
+    for (int g = 0; g < rig.hand(0).jaws.count(); ++g) {
+        const Vector3 at = sheet.rest(rig.hand(0).held_at[static_cast<std::size_t>(g)]);
         const double gx = at.x() - 0.5 * rig.scene.sheet->line_length;
         cut_along(sheet, rig.scene, straight(gx - 0.003, at.y(), gx + 0.003, at.y(), 2), 0.004);
     }
     rig.steps(3);
-    EXPECT_LT(rig.hand(0).grip_count, 3);
+    EXPECT_LT(rig.hand(0).jaws.count(), 3);
     rig.wish[0].closed = false;
     rig.steps(240);
-    EXPECT_FALSE(rig.hand(0).held);
+    EXPECT_FALSE(rig.hand(0).jaws.held());
     EXPECT_EQ(sheet.state().any_loose, 0) << "released, it falls and is removed";
     expect_whole(sheet);
 }

@@ -40,7 +40,7 @@ TEST(SeptaWorld, LiftingTheRectumRaisesTheTractionAcrossEveryPlane) {
     rig.take_rectum();
     ASSERT_TRUE(rig.world.snapshot().grasps[0].held);
     EXPECT_GT(rig.world.snapshot().grasps[0].arc_length, 0) << "of the rectum";
-    EXPECT_FALSE(rig.hand(0).held) << "not of a septum";
+    EXPECT_FALSE(rig.hand(0).jaws.held()) << "not of a septum";
     for (const double by : {0.003, 0.006, 0.009, 0.012}) {
         rig.lift(by);
         ASSERT_TRUE(rig.world.snapshot().grasps[0].held);
