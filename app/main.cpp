@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program: without a command the window, with one the same product without it.
+// The program: without a command it opens the window, with a command it runs that command.
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -22,7 +22,7 @@ namespace {
 
 using namespace fulcrum;
 
-/// Prints one line on standard error, whatever the text holds; returns the exit status.
+/// Prints the text as one line on standard error; returns the exit status.
 int report(std::string line, int status) {
     for (char& c : line)
         if (c == '\n' || c == '\r') c = ' ';
@@ -80,7 +80,7 @@ int run(const app::Invocation& call) {
 }
 
 int run_command_line(const std::vector<std::string>& words, int& argc, char** argv) {
-    std::signal(SIGPIPE, SIG_IGN);  // run() reports a reader that has gone
+    std::signal(SIGPIPE, SIG_IGN);  // run() reports a closed pipe
     const app::Invocation call = app::program_commands().parse(words);
     if (!call.draws()) {
         const QCoreApplication application(argc, argv);

@@ -43,13 +43,13 @@ Arguments::Arguments(const std::vector<std::string>& words, const Command& comma
             read_option(command, words, at);
         }
     }
-    if (wants_help()) return;  // whatever else is wrong with the line
+    if (wants_help()) return;  // before any other error of the line
     if (words_.size() < command.minimum_words)
-        throw UsageError(command.name, "too few words", "usage: " + command.usage());
+        throw UsageError(command.name, "too few arguments", "usage: " + command.usage());
     if (words_.size() > command.maximum_words)
-        throw UsageError(words_[command.maximum_words], "one word too many", "usage: " + command.usage());
+        throw UsageError(words_[command.maximum_words], "unexpected argument", "usage: " + command.usage());
     for (const std::string& word : words_)
-        if (word.empty()) throw UsageError("''", "a word is empty", "usage: " + command.usage());
+        if (word.empty()) throw UsageError("''", "an argument is empty", "usage: " + command.usage());
 }
 
 void Arguments::read_option(const Command& command, const std::vector<std::string>& words, std::size_t& at) {
@@ -111,15 +111,14 @@ std::string Arguments::folder(const std::string& option, const std::string& fall
     try {
         require_writable_file((folder / "trial").string());
     } catch (const InputError&) {
-        throw UsageError(option, "nothing can be written in " + folder.string(),
-                         "name a folder that can be written");
+        throw UsageError(option, "cannot write to " + folder.string(), "name a writable folder");
     }
     return folder.string();
 }
 
 void Arguments::exclude(const std::string& one, const std::string& other) const {
     if (has(one) && has(other))
-        throw UsageError(one, "cannot be combined with " + other, "leave one of them out");
+        throw UsageError(one, "cannot be combined with " + other, "use only one of them");
 }
 
 std::optional<long long> parse_integer(const std::string& text, long long low, long long high) {

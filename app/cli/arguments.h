@@ -30,12 +30,12 @@ class Arguments {
     bool wants_help() const { return has("--help"); }
     std::optional<std::string> value(const std::string& option) const;
     std::string value_or(const std::string& option, const std::string& fallback) const;
-    /// Throws UsageError where the argument is not a whole number in [low, high].
+    /// Throws UsageError if the argument is not an integer in [low, high].
     long long integer(const std::string& option, long long fallback, long long low, long long high) const;
-    /// The folder that an option names, or the fallback; made where it does not exist. Throws UsageError
-    /// where nothing can be written in it: called before the work whose results go there.
+    /// The folder that an option names, or the fallback; created if missing. Throws UsageError if it is not
+    /// writable: call it before the work whose results go there.
     std::string folder(const std::string& option, const std::string& fallback) const;
-    /// Throws UsageError where both are given.
+    /// Throws UsageError if both are given.
     void exclude(const std::string& one, const std::string& other) const;
 
   private:
@@ -44,7 +44,7 @@ class Arguments {
     std::map<std::string, std::string> values_;
 };
 
-/// A whole number in [low, high]; nothing for any other text.
+/// An integer in [low, high]; nothing for any other text.
 std::optional<long long> parse_integer(const std::string& text, long long low, long long high);
 
 }  // namespace fulcrum::app

@@ -147,7 +147,7 @@ std::vector<std::string> CommandTable::names_in(const std::string& group) const 
     return actions;
 }
 
-/// Takes the group and its action out of `words`; options may stand before the action.
+/// Takes the group and its action out of `words`; options may precede the action.
 std::string CommandTable::action_of(std::vector<std::string>& words) const {
     const std::string group = words[0];
     const std::vector<std::string> actions = names_in(group);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One table describes every command and its options. Parsing, --help, the shell completion and the man page
-// are all made from it.
+// One table describes every command and its options. Parsing, --help, shell completion and the man page are
+// generated from it.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@ struct Option {
     std::string name;                       ///< "--seed"
     std::string argument = {};              ///< "N"; empty: a flag
     std::string help = {};                  ///< one sentence, shown by --help and in the man page
-    std::string fallback = {};              ///< what holds without the option; shown where not empty
+    std::string fallback = {};              ///< the default value; shown if not empty
     std::vector<std::string> choices = {};  ///< the allowed arguments; empty: any
     std::string letter = {};                ///< "-o"
 };
@@ -34,7 +34,7 @@ struct Command {
     std::string usage() const;  ///< "fulcrum db backup TO [options]"
 };
 
-/// What one command line asks for.
+/// One parsed command line.
 struct Invocation {
     const Command* command = nullptr;  ///< null: only `text` is printed
     Arguments arguments;
@@ -50,15 +50,15 @@ class CommandTable {
     /// `version`: what --version prints after the program's name.
     CommandTable(std::vector<Command> commands, std::string version);
     const std::vector<Command>& commands() const { return commands_; }
-    /// Throws UsageError: unknown command or option (naming the nearest), wrong number of words, an argument
-    /// that is missing, empty, given twice, not UTF-8 or not one of the choices.
+    /// Throws UsageError for an unknown command or option (with the nearest known one), a wrong number of
+    /// words, and an argument that is missing, empty, given twice, not UTF-8 or not one of the choices.
     Invocation parse(const std::vector<std::string>& words) const;
 
     std::string help() const;
-    /// Of a command or of a group such as "db". Throws UsageError for any other name.
+    /// Help on a command or a group such as "db". Throws UsageError for any other name.
     std::string help(const std::string& name) const;
     std::string manual() const;  ///< fulcrum.1, in roff
-    /// A completion script. Throws UsageError for any shell but bash and zsh.
+    /// A completion script. Throws UsageError for shells other than bash and zsh.
     std::string completion(const std::string& shell) const;
 
   private:
@@ -71,7 +71,7 @@ class CommandTable {
     std::string version_;
 };
 
-/// The one of `known` that `word` is most likely a misspelling of; empty: none is near.
+/// The entry of `known` that `word` most likely misspells; empty if none is similar.
 std::string nearest(const std::string& word, const std::vector<std::string>& known);
 
 }  // namespace fulcrum::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fulcrum benchmark build: a benchmark set from operator individuals or from named experts' attempts.
+// fulcrum benchmark build: builds a benchmark set from synthetic operators or from named experts' attempts.
 #include <algorithm>
 #include <atomic>
 #include <iostream>
@@ -17,7 +17,7 @@ namespace fulcrum::app {
 namespace {
 
 constexpr int individuals = 8, counted = 3, familiarisation = 3;
-constexpr std::uint64_t first_seed = 1000;  // 1000-1999 are the benchmark's own
+constexpr std::uint64_t first_seed = 1000;  // seeds 1000-1999 are reserved for benchmarks
 
 struct Job {
     std::string preset;
@@ -25,8 +25,8 @@ struct Job {
     std::uint64_t seed = 0;
 };
 
-/// Runs the counted attempts of all individuals on the machine's cores. Operators do not learn, so they need
-/// no familiarisation; the set says 0.
+/// Runs the counted attempts of all individuals, one thread per core. Operators do not learn, so they need no
+/// familiarisation; the set records 0.
 std::vector<BenchmarkAttempt> run_operators(const LoadedTask& loaded, const std::string& preset,
                                             std::uint64_t seed_base) {
     std::vector<Job> jobs;
@@ -72,7 +72,7 @@ std::vector<BenchmarkAttempt> run_operators(const LoadedTask& loaded, const std:
     return attempts;
 }
 
-/// Attempts in tissue that is cut as in `loaded`.
+/// Attempts whose cutting parameters equal those of `loaded`.
 std::vector<BenchmarkAttempt> stored_attempts(const database::Store& store, const database::Session& session,
                                               const LoadedTask& loaded,
                                               const std::vector<std::string>& logins) {
@@ -89,7 +89,7 @@ std::vector<BenchmarkAttempt> stored_attempts(const database::Store& store, cons
         filter.task_id = loaded.task.id;
         filter.include_voided = false;
         std::vector<database::AttemptSummary> list = attempts.list(session, filter);
-        std::reverse(list.begin(), list.end());  // oldest first: the first ones were familiarisation
+        std::reverse(list.begin(), list.end());  // oldest first: the first attempts are familiarisation
         int seen = 0;
         for (const database::AttemptSummary& summary : list) {
             if (summary.meta.mode != "assessed" || summary.state != "completed" || ++seen <= familiarisation)
@@ -137,7 +137,7 @@ std::vector<std::string> split(const std::string& list) {
     return parts;
 }
 
-/// The task as this site has it where a store is named, and who asks.
+/// The task with the site's tissue values if a store is named, and the session.
 struct Setting {
     LoadedTask loaded;
     std::optional<database::Store> store;
@@ -172,7 +172,7 @@ BenchmarkRequest request_for(const Arguments& arguments, const Setting& setting)
         request.provisional = false;
         request.familiarisation = familiarisation;
         const std::vector<std::string> logins = split(*arguments.value("--experts"));
-        if (logins.empty()) throw UsageError("--experts", "names nobody", "give logins separated by commas");
+        if (logins.empty()) throw UsageError("--experts", "is empty", "give logins separated by commas");
         request.experts = stored_attempts(*setting.store, *setting.session, loaded, logins);
     }
     return request;
@@ -204,7 +204,7 @@ int run_benchmark_build(const Arguments& arguments) {
         throw UsageError("benchmark build", "needs either --operators or --experts", "give one of them");
     const Setting setting = setting_of(arguments);
     const std::optional<std::string> output = arguments.value("--output");
-    if (output) require_writable_file(*output);  // before minutes of work
+    if (output) require_writable_file(*output);  // checked before minutes of work
 
     const BenchmarkBuild build = build_benchmark(setting.loaded.task, request_for(arguments, setting));
     if (build.set && output) write_whole_file(*output, benchmark_to_json(*build.set).dump(2) + "\n");
@@ -224,9 +224,9 @@ Command benchmark_command() {
             "TASK",
             1,
             1,
-            "Builds a benchmark set and says how many of its own experts' attempts would pass.",
-            joined({{"--operators", "", "From synthetic operators; the set is provisional."},
-                    {"--experts", "LOGIN,LOGIN,...", "From stored attempts of these people; needs --as."},
+            "Builds a benchmark set and prints the share of its own experts' attempts that would pass.",
+            joined({{"--operators", "", "Use synthetic operators; the set is provisional."},
+                    {"--experts", "LOGIN,LOGIN,...", "Use the stored attempts of these people; needs --as."},
                     {"--output", "FILE", "Write the set to this file.", "", {}, "-o"}},
                    session_options()),
             run_benchmark_build};

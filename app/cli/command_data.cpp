@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fulcrum metrics, check: files that people and other programs write.
+// fulcrum metrics, fulcrum check: read files that people and other programs write.
 #include <array>
 #include <filesystem>
 #include <iostream>
@@ -28,7 +28,7 @@ std::string read_standard_input() {
     while (std::cin.read(part.data(), part.size()) || std::cin.gcount() > 0) {
         text.append(part.data(), static_cast<std::size_t>(std::cin.gcount()));
         if (text.size() > standard_input_limit)
-            throw InputError("standard input", "", "is larger than 1 GiB", "give less");
+            throw InputError("standard input", "", "is larger than 1 GiB", "give a smaller input");
     }
     return text;
 }
@@ -63,7 +63,7 @@ int run_metrics(const Arguments& arguments) {
     return 0;
 }
 
-/// Checks a file; says what it is, by its content.
+/// Checks a file; returns its kind, determined from its content.
 std::string check_text(const std::string& text, const std::string& file) {
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     if (first == std::string::npos || (text[first] != '{' && text[first] != '[')) {

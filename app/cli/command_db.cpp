@@ -54,8 +54,8 @@ int backup(const Arguments& arguments) {
     return 0;
 }
 
-/// A day ("2026-11-21", from its first moment UTC) or a moment ("2026-11-21T04:07:37Z"). `end`: a day ends
-/// with its last moment.
+/// A day ("2026-11-21") or a time ("2026-11-21T04:07:37Z"), UTC. A day means its beginning, with `end` its
+/// end.
 database::UtcMilliseconds moment_of(const Arguments& arguments, const std::string& option, bool end) {
     const auto given = arguments.value(option);
     if (!given) return 0;
@@ -65,7 +65,7 @@ database::UtcMilliseconds moment_of(const Arguments& arguments, const std::strin
     const QDateTime moment = QDateTime::fromString(words, QStringLiteral("yyyy-MM-dd'T'HH:mm:ss'Z'"));
     if (!moment.isValid())
         throw UsageError(option, "'" + *given + "' is not a time",
-                         "give a day (2026-11-21) or a moment (2026-11-21T04:07:37Z), UTC");
+                         "give a day (2026-11-21) or a time (2026-11-21T04:07:37Z), UTC");
     return QDateTime(moment.date(), moment.time(), Qt::UTC).toMSecsSinceEpoch();
 }
 
@@ -174,7 +174,7 @@ int recompute(const Arguments& arguments) {
     if (arguments.has("--json")) {
         print_json({{"store", path}, {"recomputed", rows}});
     } else if (scores.empty()) {
-        std::cout << "every score that you may recompute is up to date\n";
+        std::cout << "all scores that you may recompute are up to date\n";
     }
     return all ? 0 : 1;
 }
@@ -200,7 +200,7 @@ int score(const Arguments& arguments) {
     if (arguments.has("--json")) {
         print_json({{"store", store_path(arguments)}, {"scored", rows}});
     } else if (rows.empty()) {
-        std::cout << "no interrupted attempt that you may score is without a score\n";
+        std::cout << "all interrupted attempts that you may score have a score\n";
     }
     return 0;
 }
@@ -208,7 +208,7 @@ int score(const Arguments& arguments) {
 }  // namespace
 
 std::vector<Command> store_commands() {
-    const Option person{"--person", "LOGIN", "Only what concerns this person."};
+    const Option person{"--person", "LOGIN", "Only entries about this person."};
     return {
         {"db create", "", 0, 0, "Creates an empty store.", {store_option(), json_option()}, create},
         {"db check", "", 0, 0, "Checks that the store is complete and unchanged.", session_options(), check},
@@ -216,14 +216,14 @@ std::vector<Command> store_commands() {
         {"db audit", "", 0, 0, "Lists the audit log and checks its chain.",
          joined({person,
                  {"--kind", "KIND", "Only entries of this operation, or of the group before its dot."},
-                 {"--from", "TIME", "From this day (2026-11-21) or moment (2026-11-21T04:07:37Z), UTC."},
-                 {"--until", "TIME", "Up to this day or moment, UTC."},
-                 {"--limit", "N", "At most so many entries, the newest.", "500"}},
+                 {"--from", "TIME", "From this day (2026-11-21) or time (2026-11-21T04:07:37Z), UTC."},
+                 {"--until", "TIME", "Up to this day or time, UTC."},
+                 {"--limit", "N", "Show at most this many of the newest entries.", "500"}},
                 session_options()),
          audit},
         {"db score", "", 0, 0, "Scores interrupted attempts that have no score yet.", session_options(),
          score},
-        {"db recompute", "", 0, 0, "Computes outdated scores again; the scores in force stay.",
+        {"db recompute", "", 0, 0, "Recomputes outdated scores; the scores in force stay unchanged.",
          joined({person}, session_options()), recompute}};
 }
 

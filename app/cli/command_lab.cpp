@@ -48,7 +48,7 @@ int size_sweep(const Arguments& arguments) {
 
 int bench(const Arguments& arguments) {
     if (arguments.has("--sweep")) return size_sweep(arguments);
-    arguments.exclude("--only", "--output");  // a page holds every workload
+    arguments.exclude("--only", "--output");  // a page contains every workload
     make_output(arguments);
     const Measured measured = measure_workloads(arguments.value("--only"));
     return deliver(arguments, measured.page, measured.document);
@@ -122,29 +122,31 @@ Option page_option() {
 
 std::vector<Command> laboratory_commands() {
     const std::vector<Option> page = {page_option(), json_option()};
-    return {
-        {"lab bench", "", 0, 0, "Times the reference workloads against their budgets.",
-         joined({{"--only", "NAME", "Time this workload only."},
-                 {"--sweep", "", "Time every model over a range of sizes instead."}},
-                page),
-         bench},
-        {"lab cost", "", 0, 0, "Measures what each part of each scene costs.", page, cost},
-        {"lab clock", "", 0, 0,
-         "Measures ticks and steps in real time, with a cutting blade and a blunt one.", page, clock},
-        {"lab validate", "", 0, 0, "Compares every model with closed forms and references.", page, validate},
-        {"lab tradeoff", "", 0, 0,
-         "Measures error against time for each level of each model, and how scores move.", page, tradeoff},
-        {"lab stability", "", 0, 0, "Maps where each model stays bounded.", page, stability},
-        {"lab cut", "", 0, 0, "Measures the cutting of surfaces.", page, cut},
-        {"lab strokes", "[N]", 0, 1, "Cuts with N random strokes (100000) and checks every surface.", page,
-         strokes},
-        {"lab run",
-         "STUDY.json",
-         1,
-         1,
-         "Runs one model on given input and prints its full result.",
-         {json_option()},
-         run_study}};
+    return {{"lab bench", "", 0, 0, "Times the reference workloads and compares them with their budgets.",
+             joined({{"--only", "NAME", "Time this workload only."},
+                     {"--sweep", "", "Time every model over a range of sizes instead."}},
+                    page),
+             bench},
+            {"lab cost", "", 0, 0, "Measures the time of each part of each scene.", page, cost},
+            {"lab clock", "", 0, 0,
+             "Measures ticks and steps in real time, with a cutting and a blunt blade.", page, clock},
+            {"lab validate", "", 0, 0, "Compares every model with closed-form and reference solutions.", page,
+             validate},
+            {"lab tradeoff", "", 0, 0,
+             "Measures error against time for each level of each model, and the effect on scores.", page,
+             tradeoff},
+            {"lab stability", "", 0, 0, "Maps the parameters for which each model stays bounded.", page,
+             stability},
+            {"lab cut", "", 0, 0, "Measures the cutting of surfaces.", page, cut},
+            {"lab strokes", "[N]", 0, 1, "Cuts with N random strokes (100000) and checks every surface.",
+             page, strokes},
+            {"lab run",
+             "STUDY.json",
+             1,
+             1,
+             "Runs one model on given input and prints its full result.",
+             {json_option()},
+             run_study}};
 }
 
 }  // namespace fulcrum::app

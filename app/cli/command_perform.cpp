@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fulcrum perform: one attempt without a window, stored and scored.
+// fulcrum perform: performs, stores and scores one attempt without a window.
 #include <iostream>
 
 #include "app/cli/commands.h"
@@ -26,13 +26,13 @@ struct Result {
     std::optional<LoopStatistics> statistics;
 };
 
-/// The person who gets the attempt: synthetic or external, never real.
+/// The person to whom the attempt belongs: synthetic or external, never real.
 database::Person subject(const Arguments& arguments, const database::Store& store,
                          const database::Session& session, const std::string& operator_name,
                          std::uint64_t seed) {
     const database::People people(store);
     if (const auto login = arguments.value("--person")) {
-        // The station may see synthetic and external people only, so a refusal means a real person.
+        // The station can see synthetic and external people only, so a refusal means a real person.
         bool real = false;
         try {
             const auto known = people.find_login(store.station_session(), *login);
@@ -41,8 +41,9 @@ database::Person subject(const Arguments& arguments, const database::Store& stor
             real = true;
         }
         if (real) {
-            throw UsageError("--person", *login + " is a real person",
-                             "name a synthetic or external person; operators and traces write to no other");
+            throw UsageError(
+                "--person", *login + " is a real person",
+                "name a synthetic or external person; operators and traces may not perform for others");
         }
         return people.ensure_synthetic(
             session, *login, *login,
@@ -143,7 +144,7 @@ int run_perform(const Arguments& arguments) {
     arguments.exclude("--operator", "--input");
     const std::string fidelity = arguments.value_or("--fidelity", "");
     LoadedTask loaded =
-        load_task_and_scene(arguments.words()[0], fidelity);  // errors come before a store is made
+        load_task_and_scene(arguments.words()[0], fidelity);  // errors are reported before a store is created
     const auto seed = static_cast<std::uint64_t>(arguments.integer("--seed", 1, 0, 4'000'000'000LL));
     const std::string operator_name =
         arguments.has("--input") ? "" : arguments.value_or("--operator", "expert");
@@ -212,12 +213,13 @@ Command perform_command() {
           "The synthetic operator that performs.",
           "expert",
           {"novice", "intermediate", "expert"}},
-         {"--input", "TRACE.csv", "Perform the movements of a trace instead of an operator's."},
+         {"--input", "TRACE.csv", "Perform the movements of a trace instead of those of an operator."},
          seed_option(),
-         {"--person", "LOGIN", "The synthetic or external person who gets the attempt; made when missing.",
-          "one per operator and seed"},
-         {"--practice", "", "Perform for practice: measured, but not assessed."},
-         {"--fidelity", "LEVEL", "How finely the scene is modelled.", "the scene's own", fidelity_names()},
+         {"--person", "LOGIN",
+          "The synthetic or external person to whom the attempt belongs; created if missing.",
+          "one person for each operator and seed"},
+         {"--practice", "", "Perform in practice mode: measured, but not assessed."},
+         {"--fidelity", "LEVEL", "The level of detail of the models.", "the scene's own", fidelity_names()},
          {"--realtime", "",
           "Run in real time with the threads of the window instead of as fast as possible."},
          store_option(),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fulcrum replay: runs a stored attempt again from its record.
+// fulcrum replay: simulates a stored attempt again from its record.
 #include <cmath>
 #include <iostream>
 
@@ -80,15 +80,14 @@ int run_replay(const Arguments& arguments) {
 }  // namespace
 
 Command replay_command() {
-    return {
-        "replay",
-        "ATTEMPT",
-        1,
-        1,
-        "Runs a stored attempt again from its record.",
-        joined({{"--verify", "", "Exit with 1 where state hash, forces or metrics differ from the record."}},
-               session_options()),
-        run_replay};
+    return {"replay",
+            "ATTEMPT",
+            1,
+            1,
+            "Simulates a stored attempt again from its record.",
+            joined({{"--verify", "", "Exit with 1 if state hash, forces or metrics differ from the record."}},
+                   session_options()),
+            run_replay};
 }
 
 }  // namespace fulcrum::app

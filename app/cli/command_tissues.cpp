@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fulcrum tissues: how a task's tissues resist blades at this site.
+// fulcrum tissues: the site's cutting parameters of a task's tissues.
 #include <iostream>
 #include <sstream>
 
@@ -11,7 +11,7 @@
 namespace fulcrum::app {
 namespace {
 
-/// "areolar.penetrate_n=0.12,fat.penetrate_n=0.3" over what is in force.
+/// Applies "areolar.penetrate_n=0.12,fat.penetrate_n=0.3" to the values in force.
 database::TissueValues parse_values(const std::string& list, const SiteTissues& site) {
     database::TissueValues values;
     for (const SiteTissueValue& one : site.values) values[one.tissue][one.key] = one.value;
@@ -78,8 +78,8 @@ int run_tissues(const Arguments& arguments) {
     for (const SiteTissueValue& one : site.values)
         std::cout << one.tissue << '.' << one.key << " = " << one.value << ' ' << one.unit << "  (scene "
                   << one.scene << ", " << one.range << ")  " << one.words << '\n';
-    if (site.values.empty()) std::cout << task << " has no tissue that is cut by force\n";
-    std::cout << "version " << site.version << (site.differ ? "" : ", the scene file's own") << '\n';
+    if (site.values.empty()) std::cout << task << " has no tissue with cutting parameters\n";
+    std::cout << "version " << site.version << (site.differ ? "" : ", equal to the scene file") << '\n';
     if (!site.limits_note.empty()) std::cout << "not scored: " << site.limits_note << '\n';
     return 0;
 }
@@ -91,11 +91,11 @@ Command tissues_command() {
             "TASK",
             1,
             1,
-            "Shows how a task's tissues resist blades at this site, or sets it.",
+            "Shows or sets the site's cutting parameters of a task's tissues.",
             joined({{"--set", "LIST",
                      "New values: TISSUE.KEY=NUMBER, separated by commas. Numbers have a decimal point."},
-                    {"--scene-values", "", "Go back to the values of the scene file."},
-                    {"--reason", "TEXT", "Why; kept in the audit log."}},
+                    {"--scene-values", "", "Restore the values of the scene file."},
+                    {"--reason", "TEXT", "The reason; recorded in the audit log."}},
                    session_options()),
             run_tissues};
 }

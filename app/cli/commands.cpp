@@ -65,7 +65,8 @@ database::Session session_of(const Arguments& arguments, const database::Store& 
     if (!login) {
         for (const char* option : {"--role", "--password-file"})
             if (arguments.has(option))
-                throw UsageError(option, "has no meaning without --as", "say who signs in: --as LOGIN");
+                throw UsageError(option, "has no meaning without --as",
+                                 "name the person who signs in: --as LOGIN");
         return store.station_session();
     }
     std::optional<database::Role> role;
@@ -79,7 +80,7 @@ database::Session session_of(const Arguments& arguments, const database::Store& 
 
 database::Session person_session(const Arguments& arguments, const database::Store& store) {
     if (!arguments.has("--as"))
-        throw UsageError("--as", "is missing; this command uses data of people",
+        throw UsageError("--as", "is missing; this command reads personal data",
                          "sign in with --as LOGIN, and --password-file FILE where there is no terminal");
     return session_of(arguments, store);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands that need no window, and what they share. Each command's row of the table and its code are in
-// one file.
+// The commands that need no window, and their shared functions. Each file contains a command's row of the
+// table and its code.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -13,7 +13,7 @@
 
 namespace fulcrum::app {
 
-/// Everything that this room offers.
+/// All commands of app/cli.
 std::vector<Command> headless_commands();
 
 Command perform_command();
@@ -35,7 +35,7 @@ std::vector<Option> joined(std::vector<Option> more, const std::vector<Option>& 
 /// One JSON document on standard output.
 void print_json(const nlohmann::json& document);
 std::string store_path(const Arguments& arguments);
-/// Opens the store named by --db, or the default one; `create`: makes it when missing.
+/// Opens the store named by --db, or the default one; `create`: creates a missing store.
 database::Store open_store(const Arguments& arguments, bool create, bool read_only = false);
 /// --as LOGIN with the password from --password-file or the terminal; without it the station.
 database::Session session_of(const Arguments& arguments, const database::Store& store);

@@ -85,9 +85,8 @@ std::string joined(const std::vector<std::string>& words, const char* between) {
 }
 
 const char* const exit_statuses =
-    "0: done. 1: the work failed, or what was checked is wrong. 2: wrong usage or bad input; one line on "
-    "standard "
-    "error says what, where and what to do.";
+    "0: success. 1: the command failed, or a check found an error. 2: wrong usage or invalid input; one line "
+    "on standard error says what is wrong, where, and what to do.";
 
 /// The case branch that completes one command.
 std::string completion_of(const Command& command) {
@@ -144,7 +143,7 @@ std::string CommandTable::manual() const {
         ".TH FULCRUM 1 \"\" \"fulcrum " + roff(version_) +
         "\" \"User Commands\"\n.SH NAME\nfulcrum \\- trainer "
         "for laparoscopic bowel surgery\n.SH SYNOPSIS\n.B fulcrum\n.br\n.B fulcrum\n.I COMMAND\n[options]\n"
-        ".SH DESCRIPTION\nWithout a command the window opens. With one the same program works without a "
+        ".SH DESCRIPTION\nWithout a command the window opens. With a command the program runs it without a "
         "window.\nEvery command that takes \\fB\\-\\-json\\fR prints one JSON document on standard output "
         "and "
         "everything else on standard error.\n.SH COMMANDS\n";
@@ -158,7 +157,7 @@ std::string CommandTable::manual() const {
     return text + ".SH OPTIONS\n.TP\n.B \\-\\-version\nPrint the version and exit.\n.SH EXIT STATUS\n" +
            roff(exit_statuses) +
            "\n.SH ENVIRONMENT\n.TP\n.B FULCRUM_DATA\nFolder of the window's stores.\n.TP\n.B "
-           "FULCRUM_ASSETS\nFolder of tasks, scenes and benchmarks, where it is not next to the program.\n";
+           "FULCRUM_ASSETS\nFolder of tasks, scenes and benchmarks, if it is not next to the program.\n";
 }
 
 std::string CommandTable::completion(const std::string& shell) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the laboratory's commands share: pages and where they go.
+// Shared functions of the laboratory's commands: pages and their folder.
 #pragma once
 
 #include "app/cli/commands.h"
@@ -8,8 +8,8 @@
 namespace fulcrum::app {
 
 Option page_option();  ///< --output
-/// Makes the folder of --output. Called after every check of the command line and before the work, so that a
-/// wrong command leaves no folder.
+/// Creates the folder of --output. Call it after all checks of the command line and before the work, so that
+/// a wrong command leaves no folder.
 void make_output(const Arguments& arguments);
 /// Writes the page to --output, or prints it; with --json prints the document. Returns 0.
 int deliver(const Arguments& arguments, const lab::ResultPage& page, nlohmann::json document);

@@ -25,7 +25,7 @@ void note_signal(int number) {
     signal_seen = number;
 }
 
-/// The terminal without echo, and signals noted instead of obeyed, while it exists.
+/// Switches the terminal's echo off and defers signals during its lifetime.
 class SilentTerminal {
   public:
     SilentTerminal() {
@@ -51,7 +51,7 @@ class SilentTerminal {
     std::array<struct sigaction, caught.size()> actions_{};
 };
 
-/// The line before its newline; ends early at a signal.
+/// The line without its newline; ends early at a signal.
 std::string read_line() {
     std::string line;
     for (char c = 0; line.size() < longest_password;) {
@@ -77,18 +77,18 @@ std::string ask_password(const std::string& login) {
         }
         std::cerr << '\n';
         if (signal_seen == 0) {
-            if (line.empty()) throw UsageError("--as", "no password was typed", "type it and press Enter");
+            if (line.empty()) throw UsageError("--as", "no password was entered", "type it and press Enter");
             return line;
         }
-        std::raise(signal_seen);  // now as the shell expects; a stopped program asks again when resumed
+        std::raise(signal_seen);  // deliver it now; a program that was stopped asks again when resumed
     }
 }
 
 std::string read_password(const std::string& path) {
     const auto fail = [&](const char* problem) {
-        return InputError(path, "", problem, "name a file with the password on its first line");
+        return InputError(path, "", problem, "give a file with the password on its first line");
     };
-    // Without O_NONBLOCK a named pipe that nobody writes to would hold the program here.
+    // Without O_NONBLOCK a named pipe without a writer would block the program.
     const int file = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     if (file < 0) throw fail("cannot be read");
     std::string text;

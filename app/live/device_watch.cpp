@@ -62,7 +62,7 @@ void DeviceWatch::follow(const RigSample& sample, bool on_hold) noexcept {
         const DeviceSample& device = sample.hand[h];
         std::int32_t(&offset)[4] = offset_[h];
         DeviceSample& held = held_[h];
-        if (!on_hold && was_held_) {  // the clutch: exactly what HapticLoop does with the same flags
+        if (!on_hold && was_held_) {  // the clutch: the same computation as in HapticLoop
             for (int i = 0; i < 3; ++i) offset[i] = clutch_offset(held.handle[i], device.handle[i]);
             offset[3] = clutch_offset(held.roll, device.roll);
         }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Are the devices there, and may the hands take hold again? Decides the device_lost flag of every tick
+// Detects a lost device and decides when the trainee may resume; sets the device_lost flag of every tick
 // (docs/MANUAL.md, When a device is lost).
 //
-//   watching  a reading that is no number or jumps loses the device at once, silence after silent_ticks
-//   lost      the instruments stand; the devices move freely beside them. When every device has answered
-//   usably for steady_ticks
-//             it is back, and when each hand is within 5 mm and 10 degrees of where its instrument stands,
-//             resume() is heard. After limit_ticks the attempt is over.
+//   watching  a reading that is not a number, or a jump, means that the device is lost at once; silence
+//             means it after silent_ticks
+//   lost      the instruments are stopped and the devices move freely. After steady_ticks of usable readings
+//             from every device, the devices are back; with each hand within 5 mm and 10 degrees of its
+//             instrument, resume() is accepted. After limit_ticks the attempt ends.
 //
-// Haptic thread: no allocation, lock or exception. A pure function of what it is given.
+// Haptic thread: no allocation, lock or exception. The result depends on the arguments only.
 #pragma once
 
 #include <cstdint>
@@ -18,16 +18,16 @@
 namespace fulcrum::app {
 
 struct DeviceWatchLimits {
-    std::uint32_t silent_ticks = 50;     ///< a device that does not answer for longer is lost
-    std::uint32_t steady_ticks = 100;    ///< of usable readings until it is back
-    std::uint32_t limit_ticks = 60000;   ///< lost for longer: interrupted
+    std::uint32_t silent_ticks = 50;     ///< a device that is silent for longer is lost
+    std::uint32_t steady_ticks = 100;    ///< consecutive usable readings until the device counts as back
+    std::uint32_t limit_ticks = 60000;   ///< after this time without the device the attempt is interrupted
     double distance = 5e-3;              ///< m, of the handle
     double angle = 0.17453292519943295;  ///< rad, of shaft and roll
 };
 
 enum class DeviceTrouble : std::uint8_t { none, silent, impossible_reading };
 
-/// Where a hand's device is, seen from where its instrument stands. Valid while lost.
+/// Pose of a hand's device relative to its stopped instrument. Valid while a device is lost.
 struct HandAlignment {
     DeviceSample device;  ///< with the clutch applied: the pose that the instrument would take
     double distance = 0;  ///< m between handles
@@ -39,19 +39,20 @@ class DeviceWatch {
   public:
     explicit DeviceWatch(const DeviceWatchLimits& limits = {}) : limits_(limits) {}
 
-    /// One tick: the flag to add to the sample's (rig_device_lost or 0). `paused`: instruments stand for
-    /// another reason. `resume`: the trainee asks to go on; heard only while in_place().
+    /// Processes one tick; returns the flag to add to the sample's flags (rig_device_lost or 0). `paused`:
+    /// the instruments are stopped for another reason. `resume`: the trainee asks to resume; ignored unless
+    /// in_place().
     std::uint32_t tick(const RigSample& sample, bool paused, bool resume) noexcept;
 
     bool lost() const noexcept { return lost_; }
     bool back() const noexcept { return lost_ && steady_ >= limits_.steady_ticks; }
     bool in_place() const noexcept { return back() && hand_[0].in_place && hand_[1].in_place; }
-    /// Lost for longer than the limit.
+    /// The device has been lost for longer than the limit.
     bool expired() const noexcept { return lost_ && lost_for_ > limits_.limit_ticks; }
-    /// The watch has let the trainee take hold again after a loss: from here on it is practice.
+    /// The trainee has resumed after a loss: from then on the attempt is practice.
     bool went_on() const noexcept { return went_on_; }
     DeviceTrouble trouble() const noexcept { return trouble_; }
-    /// 0 left, 1 right, 2 scope: whose device it was.
+    /// The device that was lost: 0 left, 1 right, 2 scope.
     int culprit() const noexcept { return culprit_; }
     std::uint32_t lost_for() const noexcept { return lost_for_; }
     const HandAlignment& alignment(Hand hand) const noexcept { return hand_[static_cast<int>(hand)]; }
@@ -62,7 +63,7 @@ class DeviceWatch {
 
     DeviceWatchLimits limits_;
     HandAlignment hand_[hand_count];
-    DeviceSample held_[hand_count];            // as the loop holds it: the pose of the instrument
+    DeviceSample held_[hand_count];            // as in the haptic loop: the pose of the instrument
     std::int32_t offset_[hand_count][4] = {};  // the loop's clutch: handle and roll
     std::uint32_t silent_[3] = {0, 0, 0}, lost_for_ = 0, steady_ = 0;
     DeviceTrouble trouble_ = DeviceTrouble::none;

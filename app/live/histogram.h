@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Durations in fixed memory: counted, never stored, so that an hour of ticks costs what a second does.
+// A histogram of durations: its memory does not grow with the number of durations.
 #pragma once
 
 #include <array>
@@ -8,13 +8,13 @@
 
 namespace fulcrum::app {
 
-/// What is said of many durations.
+/// Quantiles of many durations.
 struct Durations {
     double p50_us = 0, p99_us = 0, p999_us = 0, worst_us = 0;
 };
 
-/// Counts durations of 0 .. 65 ms in steps of 1 us up to 4 ms and 64 us beyond. One writer;
-/// any thread may read meanwhile: every number is whole, only the sum may be a few counts behind.
+/// Counts durations of 0 .. 65 ms in steps of 1 us up to 4 ms and of 64 us above. One thread writes; any
+/// thread may read at the same time and may then miss the last few counts.
 class DurationHistogram {
   public:
     void add(double us) noexcept {
@@ -41,7 +41,7 @@ class DurationHistogram {
 
   private:
     static constexpr std::size_t fine = 4096;
-    /// The one writer needs no read-modify-write.
+    /// With a single writer no atomic read-modify-write is needed.
     static void increase(std::atomic<std::uint32_t>& value) noexcept {
         value.store(value.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
     }

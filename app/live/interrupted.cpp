@@ -9,7 +9,7 @@ namespace {
 
 ScoredAttempt score_one(const database::Attempts& attempts, const database::Session& session,
                         const database::AttemptSummary& summary) {
-    // Only the limits that were in force at the start judge it.
+    // Score only against the limits that were in force at the start of the attempt.
     std::optional<BenchmarkSet> benchmark = benchmark_in_force(summary.meta.task_id);
     if (benchmark && limits_name(&*benchmark) != summary.meta.limits) benchmark.reset();
     return score_stored(attempts, session, summary, benchmark ? &*benchmark : nullptr);

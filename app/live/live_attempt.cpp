@@ -17,7 +17,7 @@ constexpr std::uint32_t flush_every_ticks = 700;
 constexpr std::size_t world_ring_ticks =
     512;  // half a second: a world that stalls longer loses ticks, counted
 constexpr std::size_t record_ring_ticks = 8192;  // eight seconds of a stalled disk
-constexpr int catch_up_ticks = 20;               // later than that the clock is moved instead
+constexpr int catch_up_ticks = 20;               // above this delay the deadline is moved instead
 
 struct RecordTick {
     RigSample input;
@@ -32,7 +32,7 @@ struct View {
     WorldSnapshot snapshot;
     TaskDisplay display;
 };
-/// How the devices stand to the instruments while one was lost.
+/// Alignment of the devices with the instruments while a device is lost.
 struct Watched {
     bool back = false, in_place = false;
     DeviceTrouble trouble = DeviceTrouble::none;
@@ -50,8 +50,10 @@ const char* device_name(int culprit) {
 
 struct LiveAttempt::State : public AttemptSink {
     LiveRequest request;
-    std::unique_ptr<AttemptEngine> engine;  // made by the recorder thread; the owner reads it once `built`
-    std::unique_ptr<database::Recorder> recorder;  // made when the attempt begins; null for a demonstration
+    std::unique_ptr<AttemptEngine>
+        engine;  // created by the recorder thread; the owner reads it once `built` is set
+    std::unique_ptr<database::Recorder>
+        recorder;  // created when the attempt begins; null for a demonstration
     std::vector<Vector3> targets;
 
     Ring<TickOutput> world_ring{world_ring_ticks};
@@ -69,7 +71,7 @@ struct LiveAttempt::State : public AttemptSink {
     std::atomic<std::uint32_t> tick_count{0};
     std::atomic<bool> ended{false}, finished{false}, failed{false};
 
-    mutable std::mutex end_mutex;  // guards what the recorder thread leaves for the owner: message and result
+    mutable std::mutex end_mutex;  // guards message and result, which the recorder thread passes to the owner
     std::string trouble;
     std::exception_ptr error;
     std::optional<ui::AttemptOutcome> result;
@@ -194,7 +196,7 @@ void LiveAttempt::State::run_world() noexcept {
         ticks_ready.wait();
         TickOutput output;
         while (outputs.size() < world_ring_ticks && world_ring.pop(output)) outputs.push_back(output);
-        // Up to the last multiple of m: what came after belongs to the next step.
+        // Up to the last multiple of m: later ticks belong to the next step.
         std::size_t count = 0;
         for (std::size_t i = 0; i < outputs.size(); ++i) {
             if (outputs[i].sample.tick % ticks_per_step == 0) count = i + 1;
@@ -247,7 +249,7 @@ void LiveAttempt::State::drain() {
             recorder->append(world.step);
         }
     }
-    // Before a second is full: what a kill costs counts from here.
+    // At least once a second: a kill loses only the ticks after the last flush.
     if (recorder && tick_count.load() >= flushed_tick + flush_every_ticks) {
         try {
             recorder->flush();
@@ -256,7 +258,7 @@ void LiveAttempt::State::drain() {
             if (locked.kind() != database::StoreErrorKind::locked) throw;
         }
     }
-    // At once, not at the end: what is killed after this is found as practice.
+    // Relabelled immediately, not at the end, so that the attempt is practice even if the program is killed.
     if (relabel_wanted && recorder->relabel_as_practice("a device was lost and came back"))
         relabel_wanted = false;
 }
@@ -277,7 +279,7 @@ void LiveAttempt::State::run_recorder() {
             recorder =
                 std::make_unique<database::Recorder>(request.store_path, *request.session, request.meta);
     } catch (const std::exception& why) {
-        return fail(std::string("the attempt could not begin: ") + why.what(), std::current_exception());
+        return fail(std::string("the attempt could not be started: ") + why.what(), std::current_exception());
     }
     running.store(true);
     world_thread = std::thread([this] { run_world(); });
@@ -296,14 +298,14 @@ void LiveAttempt::State::run_recorder() {
         stop.store(true);
         if (haptic_thread.joinable()) haptic_thread.join();
         if (world_thread.joinable()) world_thread.join();
-        fail(std::string("the attempt could not be stored to its end: ") + why.what() +
-                 "; what was written before is kept and listed as interrupted",
+        fail(std::string("the attempt could not be stored completely: ") + why.what() +
+                 "; the part that was stored is kept and listed as interrupted",
              std::current_exception());
     }
 }
 
 void LiveAttempt::State::finish() {
-    if (!recorder) {  // a demonstration leaves nothing behind
+    if (!recorder) {  // a demonstration is not stored
         finished.store(true);
         return;
     }
@@ -321,7 +323,7 @@ void LiveAttempt::State::finish() {
         recorder->append(mark);
     }
     recorder->flush();
-    // Scored from the record, not from memory: what is stored is what counts.
+    // Scored from the stored record, not from memory, so that the score belongs to what was stored.
     database::Store store = database::Store::open(request.store_path, [] {
         database::StoreOptions options;
         options.read_only = true;
@@ -378,7 +380,8 @@ ui::AttemptPhase LiveAttempt::phase() const {
     if (state.finished.load()) return ui::AttemptPhase::finished;
     if (!state.built.load()) return ui::AttemptPhase::starting;
     if (!state.begun.load()) return ui::AttemptPhase::ready;
-    if (!state.running.load()) return ui::AttemptPhase::starting;  // the store is being told
+    if (!state.running.load())
+        return ui::AttemptPhase::starting;  // the recorder is writing the start to the store
     if (state.stop.load()) return ui::AttemptPhase::finishing;
     if (state.device_lost.load()) return ui::AttemptPhase::device_lost;
     if (state.paused.load()) return ui::AttemptPhase::paused;
@@ -424,7 +427,7 @@ void LiveAttempt::abandon() {
 }
 void LiveAttempt::interrupt() {
     state_->stop.store(true);
-    start();  // a recorder thread that still waits for the beginning sees that there is none
+    start();  // wakes a recorder thread that still waits for the start; it then sees `stop`
 }
 
 ui::Realignment LiveAttempt::realignment() {
@@ -455,11 +458,11 @@ std::string LiveAttempt::message() const {
     if (state.device_lost.load()) {
         const Watched& watched = state.watched.value();
         const std::string what = watched.trouble == DeviceTrouble::impossible_reading
-                                     ? " gave an impossible reading (no number, or a jump)."
+                                     ? " gave an impossible reading (not a number, or a jump)."
                                      : " does not answer.";
         return device_name(watched.culprit) + what +
-               " Force was taken to zero, the clock stands, and nothing is lost. Reconnect it: within a "
-               "minute the attempt goes on as practice, after that it is closed as "
+               " The force was reduced to zero and the timer is stopped; the recording is kept. Reconnect "
+               "the device: within one minute the attempt can resume as practice, after that it is closed as "
                "interrupted.";
     }
     return {};

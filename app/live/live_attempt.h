@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One attempt on the clock: the engine's two halves on their threads, the recorder on a third
+// One attempt in real time: the engine's two halves on two threads, the recorder on a third
 // (docs/THREADS.md).
 //
-//   haptic thread   1 kHz on an absolute clock; reads the rig, ticks the loop, pushes to two rings; never
-//   locks, allocates or writes world thread    steps when m ticks are there; publishes models and view
-//   through triple buffers recorder thread builds the world; once the attempt has begun drains both record
-//   rings into the store; after the end reads the record
-//                   back, scores it, finishes the attempt
+//   haptic thread    1 kHz on an absolute clock: reads the rig, ticks the loop, pushes to two rings;
+//                    never locks, allocates or writes
+//   world thread     steps after every m ticks; publishes models and view through triple buffers
+//   recorder thread  builds the world; after the start moves both rings of the record into the store;
+//                    at the end reads the record back, scores it and finishes the attempt
 //
-// Nothing is on the clock and nothing is stored before start(): whoever prepares a picture first does so in
-// peace.
+// Before start() nothing is timed and nothing is stored, so that the first picture can be prepared.
 //
 // The thread that owns a LiveAttempt (the window's, or the command line's) only polls and raises flags.
 #pragma once
@@ -32,17 +31,18 @@ struct LiveRequest {
     std::shared_ptr<Rig> rig;
     std::string store_path;  ///< empty: a demonstration, which is neither stored nor scored
     std::optional<database::Session>
-        session;  ///< set with store_path: whose right it is to perform and to read the record back
+        session;  ///< set with store_path: the session that performs the attempt and reads the record
     database::AttemptMeta meta;  ///< person, mode, device
     std::optional<BenchmarkSet> benchmark;
 };
 
 class LiveAttempt : public ui::AttemptSession {
   public:
-    /// Returns at once; the world is built on a thread. What goes wrong there ends in AttemptPhase::failed.
+    /// Returns immediately; the world is built on another thread. An error there leads to
+    /// AttemptPhase::failed.
     explicit LiveAttempt(LiveRequest request);
-    /// Closes an attempt that still runs as interrupted, waits until it is stored. One that has not begun
-    /// leaves nothing.
+    /// Closes a running attempt as interrupted and waits until it is stored. Of an attempt that has not begun
+    /// nothing is stored.
     ~LiveAttempt() override;
 
     const Scene& scene() const override;
@@ -65,11 +65,11 @@ class LiveAttempt : public ui::AttemptSession {
 
     /// Waits until the attempt is finished or failed.
     void wait();
-    /// After wait(): throws what went wrong, if something did (InputError, StoreError, AccessDenied).
+    /// After wait(): rethrows the error of a failed attempt (InputError, StoreError, AccessDenied).
     void rethrow() const;
-    /// At any time: the threads count in atomics.
+    /// May be called at any time: the counters are atomic.
     LoopStatistics statistics() const;
-    /// After the end: what was scored. Null before.
+    /// The score after the end of the attempt; null before.
     const ScoredAttempt* scored() const;
     std::uint64_t state_hash() const;
 

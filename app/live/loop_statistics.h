@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How an attempt's threads kept their clock: counted by them in atomics, read by anybody at any time.
+// Timing statistics of an attempt's threads: atomic counters that any thread may read at any time.
 #pragma once
 
 #include <atomic>
@@ -11,27 +11,29 @@
 
 namespace fulcrum::app {
 
-/// How the loop kept its clock.
+/// Missed ticks, late steps and durations.
 struct LoopStatistics {
     std::uint64_t ticks = 0;
-    std::uint64_t missed_by_program = 0;     ///< a tick began a period late by the thread's own work or waits
-    std::uint64_t missed_by_scheduler = 0;   ///< a tick began a period late because it had no processor
-    std::uint64_t waits_in_ticks = 0;        ///< times that the thread gave the processor up within a tick
-    std::uint64_t preemptions_in_ticks = 0;  ///< times that the system ran another thread in its place
+    std::uint64_t missed_by_program =
+        0;  ///< ticks that began a period late because of the thread's own work or waits
+    std::uint64_t missed_by_scheduler =
+        0;                             ///< ticks that began a period late because the thread had no processor
+    std::uint64_t waits_in_ticks = 0;  ///< voluntary context switches within ticks
+    std::uint64_t preemptions_in_ticks = 0;  ///< involuntary context switches within ticks
     std::uint64_t page_faults_in_ticks = 0;
     std::uint64_t late_steps = 0;
     std::uint64_t lost_samples = 0;
-    Durations wake;  ///< lateness of waking
-    Durations tick;  ///< of a tick
-    Durations own;   ///< of it the thread's own processor time
-    Durations step;  ///< of a world step
+    Durations wake;  ///< delay of waking
+    Durations tick;  ///< duration of a tick
+    Durations own;   ///< processor time of a tick
+    Durations step;  ///< duration of a world step
     bool real_time_priority = false;
 };
 
-/// As `perform --realtime --json` and `lab clock` write it.
+/// The format of `perform --realtime --json` and `lab clock`.
 nlohmann::json statistics_json(const LoopStatistics& statistics);
 
-/// One writer a counter: the haptic thread, but for the steps, which are the world thread's.
+/// Each counter has one writer: the world thread for the steps, the haptic thread for all others.
 class LoopCounters {
   public:
     void tick_begins(std::int64_t late_ns, Lateness lateness) noexcept {
@@ -57,7 +59,7 @@ class LoopCounters {
                                           missed_by_scheduler_.load(std::memory_order_relaxed));
     }
     std::uint32_t late_steps() const noexcept { return static_cast<std::uint32_t>(late_steps_.load()); }
-    /// All but ticks and lost_samples, which others count.
+    /// All values except ticks and lost_samples, which are counted elsewhere.
     LoopStatistics read() const noexcept {
         LoopStatistics read;
         read.missed_by_program = missed_by_program_.load();

@@ -17,7 +17,7 @@
 
 namespace fulcrum::app {
 
-/// Memory and store at once; store trouble is kept and rethrown by rethrow() on the caller's side.
+/// Records in memory and in the store; keeps an error of the store until the caller calls rethrow().
 class RecordingSink : public MemorySink {
   public:
     explicit RecordingSink(database::Recorder& recorder) : recorder_(recorder) {}
@@ -38,7 +38,7 @@ struct PerformRequest {
     std::string operator_name;  ///< empty: input_trace
     const AttemptRecord* input_trace = nullptr;
     std::uint64_t seed = 1;
-    std::optional<std::uint64_t> individual;  ///< operator: who performs; without it the seed draws one
+    std::optional<std::uint64_t> individual;  ///< of the operator; without it the seed selects one
     bool assessed = true;
     std::function<bool(double)> keep_going;  ///< simulated seconds; may be empty
 };
@@ -52,17 +52,17 @@ struct Performed {
     std::size_t allocations = 0;
 };
 
-/// Runs and scores; stores when a recorder is given (finish() included). Throws InputError, StoreError.
+/// Runs and scores an attempt; with a recorder also stores and finishes it. Throws InputError, StoreError.
 Performed perform(const PerformRequest& request, database::Recorder* recorder, const BenchmarkSet* benchmark);
 
-/// What perform writes about an attempt into the store before it starts.
+/// The data of an attempt that are stored before it starts.
 database::AttemptMeta attempt_meta(const LoadedTask& loaded, std::uint64_t seed, const std::string& mode,
                                    const std::string& device_class, const std::string& device,
                                    const BenchmarkSet* benchmark);
-/// What is written at the end.
+/// The data of an attempt that are stored at its end.
 database::AttemptResult attempt_result(const ScoredAttempt& scored, const RunOutcome& outcome, double wall_s,
                                        std::uint32_t missed, std::uint64_t lost, const std::string& limits);
-/// The name of the CPU feature level that this build computes with; a replay is bit for bit within it.
+/// Name of the CPU feature level that this build uses; replays are bit-identical within one level.
 std::string cpu_features();
 std::string hex(std::uint64_t value);
 

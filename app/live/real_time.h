@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What threads on the clock need from the system: monotonic time, sleeping until a deadline, priority, a
+// System services for real-time threads: monotonic time, sleeping until a deadline, priority, a
 // signal.
 #pragma once
 
@@ -26,7 +26,7 @@ inline void sleep_until(std::int64_t deadline_ns) {
     }
 }
 
-/// False where the system does not grant it; the thread goes on as it was.
+/// False if the system refuses; the thread then keeps its priority.
 inline bool raise_priority(int priority) {
     sched_param parameter{};
     parameter.sched_priority = priority;
@@ -45,7 +45,7 @@ class Signal {
         while (sem_wait(&semaphore_) != 0 && errno == EINTR) {
         }
     }
-    /// False when the time ran out.
+    /// False on timeout.
     bool wait_for_ms(int milliseconds) noexcept {
         timespec time{};
         clock_gettime(CLOCK_REALTIME, &time);

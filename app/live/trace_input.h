@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A documented trace as hands: tip positions, roll and jaw force become what a device would have said.
+// Converts a trace in the CSV format of docs/FORMATS.md into the readings of a device.
 #pragma once
 
 #include <string>
@@ -10,8 +10,7 @@
 
 namespace fulcrum::app {
 
-/// Resampled to the scene's tick rate; a hand that the file does not describe rests at its start. Throws
-/// InputError.
+/// Resamples to the scene's tick rate; a hand that is not in the file stays at its start. Throws InputError.
 std::vector<RigSample> inputs_from_csv(const std::string& path, const Scene& scene);
 
 }  // namespace fulcrum::app

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A device that replays the hands of a record: the same samples at the same ticks; after the last one the
-// attempt is abandoned.
+// A device that replays the readings of a record, tick by tick; after the last one the attempt is abandoned.
 #pragma once
 
 #include <vector>
@@ -15,7 +14,8 @@ class TraceRig : public Rig {
     void read(std::uint32_t tick, RigSample& sample) override {
         if (tick >= 1 && tick <= inputs_.size()) {
             sample = inputs_[tick - 1];
-            sample.flags &= ~static_cast<std::uint32_t>(rig_world_late);  // a fact of the other run's clock
+            sample.flags &=
+                ~static_cast<std::uint32_t>(rig_world_late);  // depends on the timing of the original run
         } else {
             if (!inputs_.empty()) sample = inputs_.back();
             sample.flags |= rig_abandon;

@@ -21,8 +21,7 @@
 namespace fulcrum::app {
 namespace {
 
-/// Devices without force, and their classes, are the rig's business; the store, the tasks and the threads are
-/// here.
+/// Owns the store, the tasks and the attempts' threads; devices are handled by the rig.
 class Services : public ui::ApplicationServices {
   public:
     explicit Services(std::string folder) : folder_(std::move(folder)) {
@@ -48,7 +47,7 @@ class Services : public ui::ApplicationServices {
     }
 
     std::unique_ptr<ui::AttemptSession> start_attempt(const ui::AttemptRequest& request) override {
-        // The recorder asks again; here it is refused before a scene is made.
+        // The recorder checks again; checked here so that no scene is built for a refused attempt.
         store_->require(request.session, database::Operation::perform_attempt,
                         database::Subject::person(request.session.person_id()));
         LiveRequest live{load_site_task(*store_, request.session, request.task_id),
@@ -109,7 +108,7 @@ class Services : public ui::ApplicationServices {
 
   private:
     static constexpr std::uint64_t demonstration_seed = 7;
-    /// Outside 1000-1999, which are the benchmarks' own.
+    /// Outside 1000-1999, which are reserved for benchmarks.
     static std::uint64_t draw_seed() {
         std::random_device device;
         return 2000 + device() % 1'000'000'000U;

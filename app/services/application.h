@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window's program: implements what ui/services/application_services.h asks for.
+// The program behind the window: implements ui/services/application_services.h.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@ namespace fulcrum::app {
 int run_window();
 std::string version_line();
 
-/// `data_folder`: where the stores lie; empty: the user's data folder.
+/// `data_folder`: folder of the stores; empty: the user's data folder.
 std::unique_ptr<ui::ApplicationServices> make_services(const std::string& data_folder = {});
 
 }  // namespace fulcrum::app

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fulcrum demonstrate: what ./run does without a display: performs one attempt, writes its report and a
-// picture of it.
+// fulcrum demonstrate: performs one attempt, writes its report and a picture. ./run uses it without a
+// display.
 #include <QBuffer>
 #include <QImage>
 #include <filesystem>
@@ -59,7 +59,7 @@ double perform_and_report(const LoadedTask& loaded, std::uint64_t seed, const st
     const Performed performed = perform(request, &recorder, benchmark ? &*benchmark : nullptr);
     const double duration = performed.scored.duration_s;
     std::cerr << "performed " << task << ": " << row_of(attempt_states, performed.scored.state).name
-              << " after " << duration << " s, " << performed.wall_s << " s of work\n";
+              << " after " << duration << " s, computed in " << performed.wall_s << " s\n";
 
     ui::ReportRequest report;
     report.person_id = performer.id;
@@ -72,7 +72,7 @@ double perform_and_report(const LoadedTask& loaded, std::uint64_t seed, const st
     return duration;
 }
 
-/// Draws the moment at 40 % of the attempt. Throws InputError when the picture cannot be written.
+/// Draws the scene at 40 % of the attempt. Throws InputError if the picture cannot be written.
 void draw_moment(const LoadedTask& loaded, std::uint64_t seed, double duration, const std::string& path) {
     const WorldSnapshot snapshot = world_at(loaded, "expert", seed, 0.4 * duration);
     ui::RendererOptions options;

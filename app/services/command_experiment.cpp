@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fulcrum lab experiment: the experiments of assets/experiments as pages with pictures.
+// fulcrum lab experiment: runs the experiments of assets/experiments and writes their pages and pictures.
 #include "app/cli/laboratory.h"
 #include "app/services/experiment.h"
 #include "app/services/program.h"

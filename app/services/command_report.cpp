@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fulcrum report: progress on paper and as data, from the query that the screens use.
+// fulcrum report: progress reports as PDF, CSV or JSON, from the same query as the screens.
 #include <iostream>
 
 #include "app/services/application.h"

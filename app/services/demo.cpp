@@ -26,8 +26,8 @@ constexpr Trainee trainees[] = {
     {"demo-chiara", "Chiara (synthetic)", "expert"},
 };
 
-/// Attempts of each trainee at a task: each has come a little further along the curriculum than the one
-/// before.
+/// Number of attempts of each trainee at a task: each trainee is a little further in the curriculum than the
+/// previous one.
 const int* attempts_at(const std::string& stage) {
     static constexpr int first[] = {2, 1, 1}, second[] = {1, 1, 1}, later[] = {0, 0, 1};
     return stage == "A" ? first : stage == "B" ? second : later;
@@ -40,7 +40,7 @@ struct Job {
     std::uint64_t seed = 0;
 };
 
-/// The longest first, so that no core waits for the last of them.
+/// The longest first, so that the cores finish at about the same time.
 std::vector<Job> jobs_of_cohort() {
     std::vector<Job> jobs;
     std::uint64_t seed = 3000;
@@ -60,7 +60,7 @@ std::vector<Job> jobs_of_cohort() {
     return jobs;
 }
 
-/// One attempt, simulated and recorded. `keep_going` gets the share of its time limit that has passed.
+/// Simulates and records one attempt. `keep_going` gets the elapsed share of its time limit.
 void simulate(const Job& job, const std::string& store_path, const database::Session& station,
               const std::string& person_id, const std::function<bool(double)>& keep_going) {
     const BenchmarkSet* benchmark = job.benchmark ? &*job.benchmark : nullptr;
@@ -79,7 +79,7 @@ void simulate(const Job& job, const std::string& store_path, const database::Ses
     perform(request, &recorder, benchmark);
 }
 
-/// All attempts, one thread a core; false when stopped. Throws what an attempt throws.
+/// Simulates all attempts, one thread per core; false if stopped. Throws what an attempt throws.
 bool simulate_all(const std::vector<Job>& jobs, const std::string& store_path,
                   const database::Session& station, const std::vector<std::string>& members,
                   const ui::Progress& progress) {
@@ -122,7 +122,7 @@ bool simulate_all(const std::vector<Job>& jobs, const std::string& store_path,
     return !stopped;
 }
 
-/// The people and their cohort; the trainees' ids.
+/// Creates the people and their cohort; returns the trainees' ids.
 std::vector<std::string> create_people(const database::Store& store, const database::Session& station) {
     const database::People people(store);
     std::vector<std::string> members;
@@ -159,7 +159,7 @@ bool build_demo(const std::string& path, const ui::Progress& progress) {
         if (complete) store.seal_demo(station);
     }
     if (complete) {
-        remove_store(path);  // what an older program left unfinished
+        remove_store(path);  // an unfinished store of an older program
         rename_replacing(unfinished, path);
     }
     remove_store(unfinished);

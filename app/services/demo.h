@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The demonstration: a really simulated synthetic cohort in a store of its own, and one attempt for a machine
-// without a display.
+// The demonstration: a store of its own with simulated attempts of a synthetic cohort.
 #pragma once
 
 #include <string>
@@ -9,7 +8,8 @@
 
 namespace fulcrum::app {
 
-/// Builds the demo store; false when stopped, leaving nothing. Throws InputError, StoreError.
+/// Builds the demonstration's store; false if stopped, and then no store is left. Throws InputError,
+/// StoreError.
 bool build_demo(const std::string& path, const ui::Progress& progress);
 
 }  // namespace fulcrum::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole command line: the commands without a window, and those that draw reports and pictures.
+// All commands: those of app/cli, and those that draw reports and pictures.
 #pragma once
 
 #include "app/cli/commands.h"

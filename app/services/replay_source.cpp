@@ -81,7 +81,7 @@ class Replay : public ui::ReplaySource {
             steps_done_.store(steps_total_);
         } catch (const std::exception&) {
             differs_from_.store(
-                0.0);  // the tissue cannot be re-simulated here: the record's own poses are all there is
+                0.0);  // the tissue cannot be simulated here: only the recorded poses are shown
             steps_done_.store(steps_total_);
         }
     }
@@ -134,7 +134,7 @@ class Replay : public ui::ReplaySource {
             shown_.nodes[i] += u * (next.nodes[i] - shown_.nodes[i]);
         for (std::size_t i = 0; i < shown_.rings.size(); ++i) {
             shown_.rings[i].position += u * (next.rings[i].position - shown_.rings[i].position);
-            // A lumen under pressure scales the first two directors.
+            // Lumen pressure scales the first two directors.
             const double before = shown_.rings[i].rotation.col(0).norm(),
                          after = next.rings[i].rotation.col(0).norm();
             const auto turned = [](Matrix3 directors, double scale) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the world looked like at a moment of a stored attempt: recorded poses, re-simulated tissue.
+// The scene at any moment of a stored attempt: recorded poses, tissue simulated again.
 #pragma once
 
 #include <memory>
@@ -10,8 +10,8 @@
 
 namespace fulcrum::app {
 
-/// Re-simulates on a thread of its own and keeps a picture of the tissue ten times a second; between two of
-/// them tissue is blended, instruments and scope are drawn from the record itself. Owner's thread only.
+/// Simulates on a thread of its own and keeps ten snapshots of the tissue per second; the tissue between two
+/// snapshots is interpolated, instruments and scope come from the record. Owner's thread only.
 std::unique_ptr<ui::ReplaySource> make_replay_source(LoadedTask loaded, std::uint64_t seed,
                                                      std::shared_ptr<const database::Trace> trace);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A programme in which every scope has somebody inside and somebody outside, for the walks through all cells.
+// A programme with at least one person inside and one outside of every scope, for tests of the access table.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ using fulcrum::database::test::expected_allowed;
 using fulcrum::database::test::expected_scope;
 using fulcrum::database::test::Programme;
 
-/// Somebody whose data are asked for, with an attempt, a comment on it, a correction asked for, a cohort.
+/// A person whose data are requested, with an attempt, a comment on it, a requested correction and a cohort.
 struct Target {
     std::string login, person, attempt, comment, cohort_id, cohort;
 };
@@ -43,7 +43,7 @@ class AccessProgramme : public Programme {
         synthetic = make_target("robot", session("station"), robot.id, "", "", nullptr);
     }
 
-    /// The person of that role who asks.
+    /// The person of that role who makes the request.
     const Session& asker(Role role) const {
         switch (role) {
             case Role::trainee:
@@ -81,7 +81,7 @@ class AccessProgramme : public Programme {
         relation.synthetic = target.login == "robot";
         return relation;
     }
-    /// As a cohort stands to the asker: trainees are in it, educators teach it.
+    /// Relation of a cohort to the person who asks: trainees are in it, educators teach it.
     static Relation cohort_relation(Role role, const Target& target) {
         Relation relation;
         relation.own = role == Role::trainee && target.cohort == "Year 1";

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How an attempt begins in the real window, what a spoilt device does to it, and what an interrupted one
-// comes to.
+// Attempts in the real window: their start, a faulty device, and the score of an interrupted attempt.
 #include "app/live/performance.h"
 #include "database/records/recorder.h"
 #include "tests/app/mouse_hand.h"
@@ -12,10 +11,9 @@ namespace {
 using namespace fulcrum::ui;
 using namespace fulcrum::ui::test;
 
-// However long the scene takes to prepare, nothing is on the clock meanwhile: the first tick comes after the
-// first picture, and hands that moved before it are no movement of the attempt. Who leaves while it prepares
-// leaves no attempt behind.
-TEST_F(Window, TheClockBeginsWhenTheSceneIsPreparedAndShown) {
+// No time counts while the scene is prepared: the first tick follows the first picture, and movements before
+// it do not count. If the trainee leaves during preparation, no attempt is stored.
+TEST_F(Window, TimerStartsWhenTheSceneIsPreparedAndShown) {
     create_programme_and_trainee();
     const auto begin = [&] {
         click(window, "briefing_B1");
@@ -31,7 +29,7 @@ TEST_F(Window, TheClockBeginsWhenTheSceneIsPreparedAndShown) {
     home();
     begin();
     TheatreView* view = theatre().view();
-    QTest::keyPress(view, Qt::Key_D);  // impatient hands
+    QTest::keyPress(view, Qt::Key_D);  // hands move before the start
     int before = 0;
     while (theatre().session()->phase() != AttemptPhase::running) {
         ASSERT_EQ(theatre().session()->health().ticks, 0U);
@@ -44,14 +42,13 @@ TEST_F(Window, TheClockBeginsWhenTheSceneIsPreparedAndShown) {
     EXPECT_GT(view->pictures(), 0);
     QTest::keyRelease(view, Qt::Key_D);
     QTest::qWait(400);
-    EXPECT_FALSE(theatre().session()->display().moving_seen)
-        << "what moved before the beginning counts for nothing";
+    EXPECT_FALSE(theatre().session()->display().moving_seen) << "movement before the start does not count";
     abandon();
     EXPECT_EQ(newest_attempt().state, "abandoned");
 }
 
-// Must show 7 through the real window: no number, a jump of a metre, silence, each while a sphere is pressed.
-TEST_F(Window, ASpoiltDeviceLosesItsForceByARampPausesAndGoesOnAsPracticeFromWhereItWas) {
+// The three device faults (not a number, a jump of a metre, silence), each while a sphere is pressed.
+TEST_F(Window, FaultyDeviceRampsForceToZeroPausesAndResumesAsPracticeFromTheSamePose) {
     services.spoils_devices = true;
     create_programme_and_trainee();
     start("A2", true);
@@ -61,7 +58,7 @@ TEST_F(Window, ASpoiltDeviceLosesItsForceByARampPausesAndGoesOnAsPracticeFromWhe
     SpoiltRig& rig = *services.rig;
     for (const auto fault :
          {SpoiltRig::Fault::not_a_number, SpoiltRig::Fault::jump, SpoiltRig::Fault::silence}) {
-        // Pressing, and no longer on the way anywhere: a hand goes to where the mouse was, device or no
+        // Wait until the hand presses and has stopped: it moves to the mouse's target even without its
         // device.
         ASSERT_TRUE(hand.work_until(
             [&] {
@@ -70,7 +67,7 @@ TEST_F(Window, ASpoiltDeviceLosesItsForceByARampPausesAndGoesOnAsPracticeFromWhe
                        rig.behind(Hand::right, wanted) < 2e-3;
             },
             150000));
-        // At rest to the last of its filters: where the device is put down is measured against it.
+        // All filters have settled: the displacement of the device is measured from this pose.
         ASSERT_TRUE(wait_for([&] {
             const HandTargets& wanted = theatre().input()->targets();
             return rig.behind(Hand::left, wanted) < 1e-5 && rig.behind(Hand::right, wanted) < 1e-5;
@@ -85,7 +82,7 @@ TEST_F(Window, ASpoiltDeviceLosesItsForceByARampPausesAndGoesOnAsPracticeFromWhe
                   std::string::npos)
             << message;
         keep_picture(window, "30-device-lost");
-        if (fault == SpoiltRig::Fault::silence) rig.displace(0.012);  // put down 12 mm further out
+        if (fault == SpoiltRig::Fault::silence) rig.displace(0.012);  // displaced outwards by 12 mm
         rig.spoil(SpoiltRig::Fault::none);
         ASSERT_TRUE(wait_for([&] { return aligned().back; }));
         ASSERT_TRUE(wait_for([&] { return !sees(window, "theatre_panel"); }));
@@ -96,9 +93,10 @@ TEST_F(Window, ASpoiltDeviceLosesItsForceByARampPausesAndGoesOnAsPracticeFromWhe
             QTest::keyClick(theatre().view(), Qt::Key_Return);
             QTest::qWait(150);
             EXPECT_EQ(theatre().session()->phase(), AttemptPhase::device_lost)
-                << "12 mm away nothing takes hold";
+                << "at 12 mm the attempt must not resume";
             EXPECT_EQ(theatre().input()->active_hand(), Hand::left);
-            turn_wheel(*theatre().view(), 3 * 120);  // three notches further in: onto its ghost
+            turn_wheel(*theatre().view(),
+                       3 * 120);  // three notches inwards: onto the ghost of the instrument
         }
         ASSERT_TRUE(wait_for([&] { return aligned().in_place; }));
         keep_picture(window, "32-device-in-place");
@@ -111,7 +109,7 @@ TEST_F(Window, ASpoiltDeviceLosesItsForceByARampPausesAndGoesOnAsPracticeFromWhe
     abandon();
     EXPECT_TRUE(shown("debrief_about").contains("practice")) << shown("debrief_about").toStdString();
 
-    // Nothing is lost, and the record says all of it.
+    // Nothing is lost, and the record contains every change.
     const database::AttemptSummary attempt = newest_attempt();
     EXPECT_EQ(attempt.meta.mode, "practice");
     EXPECT_FALSE(attempt.counting);
@@ -133,7 +131,7 @@ TEST_F(Window, ASpoiltDeviceLosesItsForceByARampPausesAndGoesOnAsPracticeFromWhe
     };
     for (std::size_t i = 1; i < trace.samples.size(); ++i) {
         const bool held = (trace.samples[i].rig_flags & rig_device_lost) != 0;
-        if (held) {  // 300 N/s at most, never up again, and zero after the 20 ms that 6 N may take
+        if (held) {  // falls by at most 300 N/s, never rises, and is zero after 20 ms (the time for 6 N)
             EXPECT_LE(force(i), force(i - 1) + 1e-3) << i;
             EXPECT_GE(force(i), force(i - 1) - 0.301 - 2e-3) << i;
             EXPECT_EQ(trace.samples[i].hand[0].tip[0], trace.samples[i - 1].hand[0].tip[0]);
@@ -143,12 +141,12 @@ TEST_F(Window, ASpoiltDeviceLosesItsForceByARampPausesAndGoesOnAsPracticeFromWhe
             EXPECT_EQ(force(i), 0) << i;
         }
     }
-    EXPECT_GE(ramps, 1) << "a press that ends of itself in the moment of the fault leaves nothing to ramp";
+    EXPECT_GE(ramps, 1) << "no force was pressed at the moment of any fault";
 }
 
-// What a crash leaves behind: running in the store, interrupted when it is opened next, scored at the
-// sign-in.
-TEST_F(Window, WhatWasInterruptedIsScoredAtTheNextSignInAndShownOnHome) {
+// After a crash an attempt is still marked as running; the next start marks it as interrupted, and the
+// sign-in scores it.
+TEST_F(Window, InterruptedAttemptIsScoredAtTheNextSignInAndShownOnHome) {
     create_programme_and_trainee();
     std::string whole, broken;
     for (const bool breaks : {false, true}) {
@@ -176,7 +174,7 @@ TEST_F(Window, WhatWasInterruptedIsScoredAtTheNextSignInAndShownOnHome) {
             }
         }
         recorder.flush();
-    }  // without finish(): as if the power had gone
+    }  // without finish(): as after a power cut
     switch_user();
     window.start();  // the program starts again on the same store
     expect_page("sign_in_page");
@@ -202,7 +200,7 @@ TEST_F(Window, WhatWasInterruptedIsScoredAtTheNextSignInAndShownOnHome) {
     wait_for_debrief();
 }
 
-TEST_F(Window, AnExpertDemonstratesAndLeavesNothing) {
+TEST_F(Window, DemonstrationByAnExpertIsNotStored) {
     create_programme_and_trainee();
     click(window, "briefing_A2");
     expect_page("briefing_page");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a program that will be killed tells whoever kills it: shared memory outlives a kill.
+// Counters of a program that will be killed, in shared memory: readable after the kill.
 #pragma once
 
 #include <atomic>
@@ -11,15 +11,15 @@
 namespace fulcrum::app::test {
 
 struct Counters {
-    std::atomic<std::uint32_t> ticks{0};     ///< of the attempt that runs
+    std::atomic<std::uint32_t> ticks{0};     ///< of the running attempt
     std::atomic<std::uint32_t> begun{0};     ///< attempts whose first tick was read
     std::atomic<std::uint32_t> finished{0};  ///< attempts whose score was acknowledged as stored
 };
 
-/// Null when the file cannot be made.
+/// Null if the file cannot be created.
 Counters* map_counters(const char* path);
 
-/// Somebody's hands, a person's device or an operator; counts the ticks that were read.
+/// Passes on the readings of a device or an operator and counts them.
 template <typename OwnRig>
 class CountingRig : public OwnRig {
   public:
@@ -41,10 +41,10 @@ class CountingRig : public OwnRig {
     Counters& counters_;
 };
 
-/// One short attempt after the other, each abandoned and scored, until the kill: an operator's hands on the
-/// attempt's threads, without a window.
+/// Runs short attempts of an operator without a window, each abandoned and scored, until the process is
+/// killed.
 int perform_until_killed(const char* folder, const char* counters, unsigned long seed);
-/// The same by a person at the window: signs in, starts, moves, abandons by mouse and key events.
+/// The same through the window: signs in, starts, moves and abandons by mouse and key events.
 int use_window_until_killed(const char* folder, const char* counters, unsigned long seed);
 
 inline constexpr const char* trainee_login = "tara";

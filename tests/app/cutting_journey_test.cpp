@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tasks in which tissue is divided, through the window by mouse and keys. In the suite the pedal and the
-// exchange of B3 are tried and abandoned; FULCRUM_JOURNEY_PAGE=docs/results works at B2, B3 and C4 behind the
-// mouse, with an expert's mind, from briefing to debrief, replay and reports, and writes their page;
-// FULCRUM_PICTURES keeps the screens.
+// The cutting tasks through the window, by mouse and keys. By default the test uses pedal and instrument
+// exchange in B3 and abandons it. With FULCRUM_JOURNEY_PAGE=docs/results a synthetic expert performs B2, B3
+// and C4 by mouse and key events, from briefing to debrief, replay and reports, and the test writes their
+// page. FULCRUM_PICTURES=FOLDER stores the screens.
 #include <QComboBox>
 #include <QProcess>
 #include <nlohmann/json.hpp>
@@ -44,7 +44,8 @@ class CuttingJourney : public Window {
         std::function<bool()> reached;
         bool pictured = false;
     };
-    /// Behind the mouse until the moments are reached or the time is up; what is not over then is abandoned.
+    /// Performs the task by mouse until all moments are reached or the time is up, then abandons it if
+    /// necessary.
     std::vector<Event> perform(const char* task, int milliseconds, const std::vector<Moment>& moments) {
         brief(task);
         start(task, false);
@@ -81,7 +82,7 @@ class CuttingJourney : public Window {
         look_back(task, attempt.meta.id);
         return events;
     }
-    /// Debrief; its replay at an event; the reports.
+    /// Opens the debrief, its replay at an event, and the reports.
     void look_back(const char* task, const std::string& id) {
         DebriefPage& debrief = wait_for_debrief();
         page.step(std::string(task) + "-debrief", std::string("The debrief of ") + task);
@@ -106,7 +107,7 @@ class CuttingJourney : public Window {
         }
         pages_of(folder.filePath(text(std::string(task) + ".pdf")), std::string("The report of ") + task);
     }
-    /// A PDF's pages as pictures.
+    /// Adds the pages of a PDF as pictures.
     void pages_of(const QString& pdf, const std::string& what) {
         const QString pictures = qEnvironmentVariable("FULCRUM_PICTURES");
         if (pictures.isEmpty()) return;
@@ -119,7 +120,7 @@ class CuttingJourney : public Window {
         page.list(name, what);
     }
 
-    /// B2, B3 and C4 to their end: minutes.
+    /// Performs B2, B3 and C4; takes minutes.
     void divide_tissue() {
         const std::vector<Event> plane = perform(
             "B2", 150000,
@@ -145,7 +146,7 @@ class CuttingJourney : public Window {
         choose_progress_of("C4");
         page.step("progress", "The trainee's progress, at C4");
     }
-    /// In the list of tasks, by keys; its attempts stand in the table.
+    /// Selects a task in the list by keys; the table then shows its attempts.
     void choose_progress_of(const char* task) {
         auto* tasks = find<QComboBox>(window, "progress_task");
         const int wanted = tasks->findData(QString::fromLatin1(task));
@@ -159,8 +160,8 @@ class CuttingJourney : public Window {
     JourneyPage page{window, "cutting"};
 };
 
-TEST_F(CuttingJourney, PedalAndExchangeAnswerToKeys) {
-    constexpr int patience = 120000;  // ms; a starved machine is slow, not wrong
+TEST_F(CuttingJourney, KeysOperatePedalAndExchange) {
+    constexpr int patience = 120000;  // ms; long enough for a slow machine
     create_programme_and_trainee();
     start("B3", false);
     ASSERT_FALSE(world().bands.empty());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program's own services; what a test may put in between is the hands.
+// The program's own services; a test may replace the device of the hands.
 #pragma once
 
 #include <functional>
@@ -57,7 +57,7 @@ class ForwardingServices : public ui::ApplicationServices {
     }
     std::string program_version() const override { return own_->program_version(); }
 
-    /// Given the hand's own device, what the attempt is to read instead.
+    /// Gets the real device, returns the device that the attempt reads instead.
     std::function<std::shared_ptr<Rig>(std::shared_ptr<Rig>)> between;
 
   private:

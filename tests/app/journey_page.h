@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page of a journey through the window: figures, and screens in the order in which they were seen.
+// The results page of a journey through the window: values and screens, in order.
 #pragma once
 
 #include <string>
@@ -14,16 +14,16 @@ namespace fulcrum::app::test {
 
 class JourneyPage {
   public:
-    /// prefix: of the pictures' names.
+    /// `prefix`: of the pictures' names.
     JourneyPage(QWidget& window, const char* prefix) : window_(window), prefix_(QLatin1String(prefix)) {}
 
-    /// What the screen shows now; kept where FULCRUM_PICTURES says.
+    /// Adds a picture of the current screen; stored in the folder FULCRUM_PICTURES.
     void step(const std::string& picture, const std::string& what) {
         const QString name = next_name(picture);
         ui::test::keep_picture(window_, name);
         list(name, what);
     }
-    /// For a picture that is made otherwise, and then listed.
+    /// Adds a picture that is made elsewhere.
     QString next_name(const std::string& picture) const {
         return QStringLiteral("%1-%2-%3")
             .arg(prefix_)
@@ -35,7 +35,7 @@ class JourneyPage {
     }
     void say(const std::string& what, const std::string& figure) { figures_.push_back({what, figure}); }
 
-    /// tests: the filter by which test_app makes the page.
+    /// `tests`: the filter with which test_app makes the page.
     void write(const char* folder, const char* id, const char* title, const char* tests,
                const std::string& about) const {
         lab::ResultPage page(id, title,
@@ -56,7 +56,7 @@ class JourneyPage {
   private:
     QWidget& window_;
     QString prefix_;
-    std::vector<std::pair<std::string, std::string>> steps_;  // what is seen, its picture
+    std::vector<std::pair<std::string, std::string>> steps_;  // description, picture
     std::vector<std::vector<std::string>> figures_;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole way on one machine with nothing faked: programme, people, attempts by mouse and keyboard,
-// debrief, replay, comment, void, the director's files. In the suite A2 is abandoned after a sphere;
-// FULCRUM_JOURNEY_PAGE=docs/results completes it, waits until a lost device's minute is over, and writes
-// their page; FULCRUM_PICTURES keeps the screens.
+// The whole workflow with the real program: programme, people, attempts by mouse and keyboard, debrief,
+// replay, comment, void, the director's files. By default A2 is abandoned after one sphere. With
+// FULCRUM_JOURNEY_PAGE=docs/results it is completed, the minute of a lost device is waited for, and the page
+// is written. FULCRUM_PICTURES=FOLDER stores the screens.
 #include <QComboBox>
 #include <QHeaderView>
 #include <QPlainTextEdit>
@@ -68,7 +68,7 @@ class Journey : public Window {
         }
         FAIL() << "no row with " << wanted.begin()->toStdString();
     }
-    /// Works at A2 until it has ended, or until a sphere has been held.
+    /// Performs A2 until it has ended, or until one sphere has been held.
     void work_at_a2(bool to_its_end) {
         const auto mind = make_pointing_mind(theatre().session()->scene());
         MouseHand hand(theatre(), *mind);
@@ -81,7 +81,7 @@ class Journey : public Window {
         }
         page.say("mouse and key events of A2", std::to_string(hand.events()));
     }
-    /// The replay by its own controls: an event, a step, played slowly, scrubbed, a penalty.
+    /// Uses the controls of the replay: an event, a step, slow playback, the slider, a penalty.
     void replay(DebriefPage& debrief) {
         auto* events = find<QListWidget>(window, "event_list");
         const auto choose_event = [&](int row) {
@@ -118,7 +118,7 @@ class Journey : public Window {
         EXPECT_TRUE(wait_for([&] { return std::abs(panel->shown_time() - debrief.moment()) < 0.02; }, 120000))
             << panel->shown_time() << " shown, asked for " << debrief.moment();
     }
-    /// Neither a head nor a cell of the table is cut off.
+    /// No heading or cell of the table is cut off.
     void expect_whole(QTableWidget& table) {
         const auto expect_room = [&](int column, int height, const QString& words, int weight) {
             QFont font = table.font();
@@ -143,7 +143,7 @@ class Journey : public Window {
             [&] { return sees(window, "message_text") && shown("message_text").endsWith(path); }, 120000))
             << path.toStdString();
     }
-    /// Every figure of the debrief against the file that the trainee saved.
+    /// Compares every value of the debrief with the file that the trainee saved.
     void compare_figures(const std::vector<Cells>& file, const database::AttemptSummary& attempt) {
         std::size_t row = 2;
         while (row < file.size() && cell_of(file, row, "attempt_id") != attempt.meta.id) ++row;
@@ -248,7 +248,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     ASSERT_TRUE(wait_for([&] { return sees(window, "theatre_panel"); }));
     page.step("device-gone", "The device is lost: the force is zero, the timer is stopped");
     if (!whole) click(window, "panel_abandon");
-    // Left alone it is closed when its minute is over.
+    // Without action the attempt is closed after one minute.
     ASSERT_TRUE(wait_for([&] { return window.current_page()->objectName() == "debrief_page"; }, 240000));
     DebriefPage& of_lost = wait_for_debrief();
     const database::AttemptSummary lost = newest_attempt();
@@ -305,7 +305,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     EXPECT_TRUE(shown("debrief_notes").contains("started by mistake"));
     switch_user();
 
-    // The director's files say what the trainee's debrief said.
+    // The director's files contain the values of the trainee's debrief.
     sign_in("dora", "dora's password");
     expect_page("cohort_page");
     auto* table = find<QTableWidget>(window, "cohort_table");

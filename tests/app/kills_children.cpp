@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The programs that are killed.
+// The programs that the tests kill.
 #include <QCoreApplication>
 #include <chrono>
 #include <random>
@@ -26,10 +26,10 @@ class CountingOperator : public CountingRig<ObservingRig> {
     }
 };
 
-/// Ends the child: whoever watches it reports that it ended by itself.
+/// Ends the child; the parent reports that it ended by itself.
 void need(bool condition, const char* what) {
     if (condition) return;
-    std::fprintf(stderr, "the window did not come to: %s\n", what);
+    std::fprintf(stderr, "the window did not reach: %s\n", what);
     std::_Exit(3);
 }
 

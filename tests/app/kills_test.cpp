@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program killed at random times during an attempt on the clock with all its threads: without a
-// window, and the whole window used by mouse and key events. FULCRUM_KILLS sets how often, 200 for the long
-// run; FULCRUM_KILLS_PAGE is the folder that gets its page.
+// Kills the program at random times during an attempt in real time: once without a window, once the whole
+// window, used by mouse and key events. FULCRUM_KILLS sets the number of kills (200 for the long run);
+// FULCRUM_KILLS_PAGE is the folder for its page.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -40,14 +40,15 @@ int kills(int usually) {
     return asked != nullptr ? std::atoi(asked) : usually;
 }
 
-/// What all the kills of a run came to.
+/// Results of all kills of a run.
 struct Toll {
     int kills = 0;
-    std::size_t begun = 0, missing = 0;  ///< attempts whose first tick was read; of these not in the store
-    std::size_t scored = 0;              ///< found with the score that was stored before the kill
+    std::size_t begun = 0,
+                missing = 0;  ///< attempts whose first tick was read; of these, missing in the store
+    std::size_t scored = 0;   ///< found with a score stored before the kill
     std::size_t interrupted = 0, scored_after = 0, finished = 0, finished_lost = 0;
-    std::vector<std::uint32_t> lost_ticks;  ///< of each attempt that was cut off
-    std::vector<double> recorded_s;         ///< of each of these
+    std::vector<std::uint32_t> lost_ticks;  ///< of each interrupted attempt
+    std::vector<double> recorded_s;         ///< of each interrupted attempt
     std::uint32_t worst() const {
         return lost_ticks.empty() ? 0 : *std::max_element(lost_ticks.begin(), lost_ticks.end());
     }
@@ -67,7 +68,7 @@ class Kills : public ::testing::Test {
                       counters_path = folder_path + "/counters";
     Counters* counters;
     std::mt19937_64 random{20261121};
-    std::set<std::string> earlier;  ///< attempts of the rounds before
+    std::set<std::string> earlier;  ///< attempts of the previous rounds
     Toll toll;
 };
 
@@ -82,7 +83,7 @@ void Kills::round(const char* child_option, int number, const database::Session&
         ::_exit(127);
     }
     int status = 0;
-    while (counters->begun.load() == begun_before) {  // at random from the first tick on
+    while (counters->begun.load() == begun_before) {  // at a random time after the first tick
         ASSERT_EQ(::waitpid(child, &status, WNOHANG), 0) << "the child ended by itself: " << status;
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
@@ -92,7 +93,7 @@ void Kills::round(const char* child_option, int number, const database::Session&
     ASSERT_TRUE(WIFSIGNALED(status)) << "the child ended by itself: " << status;
     const std::size_t finished = counters->finished.load() - finished_before;
 
-    // The next start: what was running is listed as interrupted, and scored from its record.
+    // The next start lists a running attempt as interrupted and scores it from its record.
     const database::Store store = database::Store::open(store_path);
     const database::Attempts attempts(store);
     const std::size_t open = attempts.interrupted_without_score(performer).size();
@@ -115,7 +116,7 @@ void Kills::round(const char* child_option, int number, const database::Session&
         toll.lost_ticks.push_back(counters->ticks.load() - static_cast<std::uint32_t>(trace.samples.size()));
         toll.recorded_s.push_back(attempt.duration_s);
     }
-    EXPECT_GE(scored, finished) << "a score that was acknowledged is gone";
+    EXPECT_GE(scored, finished) << "an acknowledged score is lost";
     EXPECT_GE(seen, std::size_t{counters->begun.load() - begun_before});
     const std::size_t now_scored = score_interrupted(store_path, performer).size();
     EXPECT_EQ(now_scored, open);
@@ -131,7 +132,7 @@ void Kills::round(const char* child_option, int number, const database::Session&
     toll.finished_lost += finished > scored ? finished - scored : 0;
 }
 
-/// A second where the recorder's thread gets the processor; a machine that starves it for seconds loses
+/// One second if the recorder's thread gets the processor; a machine that starves it for seconds loses
 /// those.
 void expect_a_second_at_most(const Toll& toll) {
     EXPECT_LE(toll.worst(), toll.kills >= 200 ? 1000U : 5000U);
@@ -167,9 +168,10 @@ void write_page(const char* page_folder, const Toll& toll) {
         {"of these missing at the next start", figure(static_cast<double>(toll.missing))},
         {"found with their score", figure(static_cast<double>(toll.scored))},
         {"found listed as interrupted", figure(static_cast<double>(toll.interrupted))},
-        {"of these scored from their record then", figure(static_cast<double>(toll.scored_after))},
+        {"of these scored from their record at the next start",
+         figure(static_cast<double>(toll.scored_after))},
         {"attempts whose debrief was shown before the kill", figure(static_cast<double>(toll.finished))},
-        {"scores of these lost", figure(static_cast<double>(toll.finished_lost))},
+        {"of these scores lost", figure(static_cast<double>(toll.finished_lost))},
         {"ticks of trace lost: median", lost.empty() ? "–" : figure(lost[lost.size() / 2])},
         {"ticks of trace lost: worst", figure(toll.worst())},
         {"recorded part of these, s: shortest", recorded.empty() ? "–" : figure(recorded.front(), "%.2f")},

@@ -15,7 +15,7 @@ namespace fulcrum::app::test {
 namespace {
 
 constexpr double metres_per_pixel = 0.35e-3,
-                 metres_per_wheel_unit = 4e-3 / 120;  // of the handle, as the help says
+                 metres_per_wheel_unit = 4e-3 / 120;  // of the handle, as in the help
 constexpr double near_enough = 0.6e-3;                // m of the handle
 
 Vector3 handle_of(const DeviceSample& sample) {
@@ -127,7 +127,7 @@ void MouseHand::buttons() {
         }
         if (!asks_exchange_[h] || bands.empty()) continue;
         asks_exchange_[h] = false;
-        if (bands[0].tools[h].exchange_left > 0) continue;  // it is coming
+        if (bands[0].tools[h].exchange_left > 0) continue;  // the exchange is in progress
         take(h);
         QTest::keyPress(theatre_.view(), Qt::Key_T);
         const bool coming = QTest::qWaitFor(
@@ -136,7 +136,7 @@ void MouseHand::buttons() {
                        theatre_.session()->snapshot().bands[0].tools[h].exchange_left > 0;
             },
             1000);
-        asks_exchange_[h] = !coming;  // once more, if it was not seen
+        asks_exchange_[h] = !coming;  // repeated if the key was missed
         if (theatre_.session() != nullptr) QTest::keyRelease(theatre_.view(), Qt::Key_T);
         ++events_;
     }
@@ -147,7 +147,7 @@ void MouseHand::jaws() {
                                      theatre_.session()->scene().instrument(Hand::right)};
     for (int h = 0; h < hand_count; ++h) {
         if (specs[h] == nullptr || (!type_of(specs[h]->kind).jaws && !specs[h]->cuts())) continue;
-        // A blade cuts while its button is held: the window's jaws and button are one.
+        // A blade cuts while its button is held: the window uses one button for jaws and blade.
         const auto& bands = theatre_.session()->snapshot().bands;
         const bool blade = bands.empty() ? specs[h]->cuts()
                                          : bands[0].tools[h].kind == InstrumentKind::scissors ||
@@ -166,7 +166,7 @@ void MouseHand::scope() {
     const Vector3 error = handle_of(wish_.camera) - theatre_.input()->targets().camera.handle;
     const Vector3 seen = theatre_.session()->snapshot().camera.orientation.inverse() *
                          (make_trocar(scene.camera->trocar).rotation * error);
-    // The scope's arrows look: its handle goes the other way.
+    // The arrow keys turn the view: the scope's handle moves the opposite way.
     int key = 0;
     const double least = scope_key_ != 0 ? 0.006 : 0.016;
     if (std::max(std::abs(seen.x()), std::abs(seen.y())) > least) {
@@ -209,7 +209,7 @@ void MouseHand::steer() {
         turn_wheel(*view, units);
         ++events_;
     }
-    // Across the shaft: what of the mouse's two directions, seen through the scope, brings the handle there.
+    // Across the shaft: the mouse movement, as seen through the scope, that brings the handle there.
     const Matrix3 to_trocar =
         make_trocar(session.scene().instrument(static_cast<Hand>(h))->trocar).rotation.transpose() *
         session.snapshot().camera.orientation.toRotationMatrix();

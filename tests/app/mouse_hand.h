@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A hand at the mouse and the keyboard: knows where it wants the instruments and gets them there by mouse
-// moves, wheel turns, clicks and keys, all of them events that the window handles as it handles a person's.
+// Moves the instruments to given targets by mouse moves, wheel turns, clicks and keys: the events that a
+// person at the window causes.
 #pragma once
 
 #include <functional>
@@ -12,8 +12,8 @@
 
 namespace fulcrum::app::test {
 
-/// Goes for the lit sphere, from the trocar's side, and rests on it. Sees what the screen shows.
-/// `depth`: m pressed beyond the touch.
+/// Approaches the lit sphere from the trocar's side and stays on it, using what the screen shows. `depth`: m
+/// pressed in beyond contact.
 std::unique_ptr<ObservingRig> make_pointing_mind(const Scene& scene, double depth = 0);
 
 /// Turns the wheel over the view; 120 units are a notch.
@@ -21,9 +21,9 @@ void turn_wheel(ui::TheatreView& view, int units);
 
 class MouseHand {
   public:
-    /// `mind`: is shown what is on the screen and answers, tick by tick, where it wants the handles.
+    /// `mind`: reads the screen and returns the wanted poses of the handles, tick by tick.
     MouseHand(ui::TheatrePage& theatre, ObservingRig& mind) : theatre_(theatre), mind_(mind) {}
-    /// Works until `done`, the attempt's end or the time is up; true if done or ended.
+    /// Runs until `done`, the end of the attempt, or the timeout; true if done or ended.
     bool work_until(const std::function<bool()>& done, int milliseconds);
     int events() const { return events_; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program as other programs see it: exit statuses, JSON, errors that name file, place and hint.
+// The interface to other programs: exit statuses, JSON, errors that name file, place and hint.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -49,7 +49,7 @@ class Program : public ::testing::Test {
 };
 
 #if defined(__x86_64__)
-// The C library can be told to report fewer instructions than the processor has.
+// The C library can be set to report fewer instructions than the processor has.
 TEST_F(Program, EndsWithOneLineOnAProcessorWithoutItsInstructions) {
     for (const char* missing : {"AVX2", "FMA", "BMI2"}) {
         QProcess process;
@@ -99,7 +99,7 @@ TEST_F(Program, PerformsStoresAndReplaysA2) {
 }
 
 TEST_F(Program, RefusesBadCommandLinesWithTwo) {
-    // Below a file nothing can be written: said before the work, which is why this test is quick.
+    // A path below a file is not writable: reported before the work, so this test is quick.
     std::ofstream(path("file").toStdString()) << "a file";
     const QString below = path("file") + "/below";
     const QStringList lines[] = {
@@ -150,7 +150,7 @@ TEST_F(Program, LeavesNoFolderForAWrongCommand) {
 }
 
 TEST_F(Program, RefusesBrokenTraces) {
-    // What is wrong, the file, the row (and column) it is found at.
+    // The fault, the file, and the row (and column) that the message must name.
     const std::array<const char*, 3> traces[] = {
         {"empty", "", ":1: t"},
         {"no t", "left.px\nm\n1\n", ":1: t"},
@@ -176,7 +176,7 @@ TEST_F(Program, RefusesBrokenTraces) {
 }
 
 TEST_F(Program, MeasuresAnyTrace) {
-    // 100 mm in 2 s: at constant speed from a standing start to a dead stop, and as a minimum-jerk reach.
+    // 100 mm in 2 s: at constant speed, and as a minimum-jerk movement.
     for (const bool abrupt : {true, false}) {
         std::string text = "t,left.px,left.py,left.pz\ns,m,m,m\n";
         for (int i = 0; i <= 2000; ++i) {
@@ -250,7 +250,7 @@ TEST_F(Program, ReportsOutputThatCannotBeWritten) {
                       {"-o", "pipefail", "-c", QString::fromStdString("'" + program + "' manual " + target)});
         ASSERT_TRUE(process.waitForFinished());
         if (std::string(target) == "| true" && process.exitCode() == 0)
-            continue;  // all of it fitted into the pipe
+            continue;  // the whole output fitted into the pipe
         EXPECT_EQ(process.exitCode(), 1) << target;
         const std::string errors = process.readAllStandardError().toStdString();
         EXPECT_NE(errors.find("fulcrum: standard output: "), std::string::npos) << target << ": " << errors;

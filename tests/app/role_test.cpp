@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who is offered an attempt, and from whom the program's services and its store take one.
+// Which roles may start an attempt in the window, in the services and in the store.
 #include "app/live/performance.h"
 #include "database/records/recorder.h"
 #include "tests/app/window_fixture.h"
@@ -12,13 +12,13 @@ using namespace fulcrum::ui::test;
 
 class Roles : public Window {
   protected:
-    /// Whether any page that the rail leads to has a way into an attempt.
+    /// Whether any page of the rail offers an attempt.
     bool offered() {
         for (const char* rail : {"rail_home", "rail_progress", "rail_attempts", "rail_cohort", "rail_assign",
                                  "rail_people", "rail_station", "rail_audit"}) {
             if (!sees(window, rail)) continue;
             click(window, rail);
-            // What is new on a page is shown with the next turn of the loop.
+            // New widgets appear after the next turn of the event loop.
             QCoreApplication::processEvents();
             QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
             for (QAbstractButton* button : window.findChildren<QAbstractButton*>()) {
@@ -29,7 +29,7 @@ class Roles : public Window {
         }
         return false;
     }
-    /// What the window's Start asks for, and what the recorder asks of the store.
+    /// The requests of the window's Start button and of the recorder.
     void take(bool performs, const char* who) {
         const database::Session& session = window.context().session();
         const LoadedTask loaded = load_task_and_scene("A2");
@@ -37,7 +37,7 @@ class Roles : public Window {
         database::AttemptMeta meta =
             attempt_meta(loaded, 5, "assessed", "mouse-keyboard", "mouse and keyboard", nullptr);
         meta.person_id = session.person_id();
-        const auto begin = [&] { services.start_attempt(request); };  // made ready, and put away again
+        const auto begin = [&] { services.start_attempt(request); };  // prepared, then closed
         const auto record = [&] { database::Recorder(services.store_path(false), session, meta); };
         if (performs) {
             EXPECT_NO_THROW(begin()) << who;
@@ -49,7 +49,7 @@ class Roles : public Window {
     }
 };
 
-TEST_F(Roles, AttemptsAreOfferedToTraineesAloneAndTakenFromNobodyElse) {
+TEST_F(Roles, OnlyTraineesAreOfferedAttemptsAndOnlyTheirAttemptsAreAccepted) {
     create_programme();
     const QString tara_once = add_person("Tara Trainee", "tara", "trainee");
     const QString ed_once = add_person("Ed Educator", "ed", "educator");

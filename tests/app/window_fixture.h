@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program's own window over its own services, threads, world, recorder and store, and a person in front
-// of it.
+// The program's own window with its services, threads, world, recorder and store, and functions that use it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,22 +18,20 @@
 
 namespace fulcrum::app::test {
 
-/// A rig that passes a hand's own device on and spoils it when asked to: the device interface is where real
-/// devices fail.
+/// Passes on the readings of the hands' device and simulates its faults.
 class SpoiltRig : public Rig {
   public:
     enum class Fault { none, not_a_number, jump, silence };
     explicit SpoiltRig(std::shared_ptr<Rig> rig) : rig_(std::move(rig)) {}
     void spoil(Fault fault) { fault_.store(fault); }
-    /// m, added to the left handle: as if it had been put down elsewhere.
+    /// m, added to the left handle: simulates a device that was moved.
     void displace(double along) { displaced_.store(along); }
     void read(std::uint32_t tick, RigSample& sample) override;
     void write_force(Hand hand, const Vector3& force) override;
     bool has_force(Hand) const override { return true; }
     double damping(Hand) const override { return -1; }
     double sent(Hand hand) const { return sent_[static_cast<int>(hand)].load(); }
-    /// m between a hand's handle and where it is wanted: the rest of a way that it goes even without its
-    /// device.
+    /// m between a hand's handle and its target.
     double behind(Hand hand, const ui::HandTargets& wanted) const;
 
   private:
@@ -45,7 +42,7 @@ class SpoiltRig : public Rig {
     DeviceSample last_;
 };
 
-/// The program's services over devices that can be spoilt.
+/// The program's services with devices that can be made faulty.
 class ServicesWithRig : public ForwardingServices {
   public:
     explicit ServicesWithRig(const std::string& folder) : ForwardingServices(folder) {
@@ -56,7 +53,7 @@ class ServicesWithRig : public ForwardingServices {
         };
     }
     bool spoils_devices = false;
-    std::shared_ptr<SpoiltRig> rig;  ///< of the attempt that was started last, where devices are spoilt
+    std::shared_ptr<SpoiltRig> rig;  ///< of the latest attempt; null unless spoils_devices
 };
 
 class Window : public ::testing::Test {
@@ -70,20 +67,20 @@ class Window : public ::testing::Test {
     void switch_user();
     void sign_in(const QString& login, const QString& password);
     void first_sign_in(const QString& login, const QString& once, const QString& password);
-    /// Alma, the administrator, makes the programme and Tara, who signs in.
+    /// Alma, the administrator, creates the programme and Tara's account; Tara signs in.
     void create_programme_and_trainee();
-    /// From home through the briefing into the theatre, until the attempt is on the clock.
+    /// From the home page through the briefing to the theatre; returns when the attempt runs.
     void start(const char* task, bool assessed);
     ui::TheatrePage& theatre() { return *static_cast<ui::TheatrePage*>(window.current_page()); }
-    /// What the picture says of a device that is back; back is false while it says nothing.
+    /// The realignment shown in the picture; `back` is false while none is shown.
     ui::Realignment aligned() { return theatre().view()->realignment().value_or(ui::Realignment()); }
-    /// Moves both hands until the attempt has seen it.
+    /// Moves both hands until the attempt has detected a movement.
     void move_hands(int moves);
     void abandon();
     ui::DebriefPage& wait_for_debrief();
     void home();
     database::AttemptSummary newest_attempt();
-    /// A fresh engine runs the stored record bit for bit.
+    /// Replays the stored record in a new engine and expects bit-identical results.
     void expect_replays(const std::string& attempt_id);
 
     QTemporaryDir folder;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every command that reads or writes people's data, as every role, on every kind of person: allowed or
-// refused as docs/MANUAL.md says, scope included. The commands run in this process by the call that main()
+// Every command that reads or writes people's data, for every role and every kind of person: allowed or
+// refused as in docs/MANUAL.md, scope included. The commands run in this process by the call that main()
 // makes.
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ class CommandLine : public ::testing::Test {
         out.close();
         keep();
     }
-    /// The store as it is now, to be put back between cells.
+    /// A copy of the store, restored between cells.
     void keep() {
         QFile::remove(QString::fromStdString(file("kept.db")));
         const Store store = Store::open(programme.path);
@@ -55,7 +55,7 @@ class CommandLine : public ::testing::Test {
         return {"--as",       AccessProgramme::login_of(role), "--role", role_name(role), "--password-file",
                 password_file};
     }
-    /// True: done. False: refused for who asks. Anything else fails the test.
+    /// True: succeeded. False: access refused. Any other outcome fails the test.
     bool allowed(std::vector<std::string> words, Role role, const std::string& cell) const {
         for (const std::string& word : as(role)) words.push_back(word);
         words.insert(words.end(), {"--db", programme.path});
@@ -68,10 +68,11 @@ class CommandLine : public ::testing::Test {
             done = true;
         } catch (const AccessDenied& error) {
             EXPECT_NE(std::string(error.what()).find(';'), std::string::npos) << cell;
-        } catch (const UsageError& error) {  // commands that the station may not give ask for --as
+        } catch (const UsageError& error) {  // commands that the station may not use require --as
             EXPECT_NE(std::string(error.what()).find("--as"), std::string::npos)
                 << cell << ": " << error.what();
-        } catch (const InputError& error) {  // who may not list a person learns no more than that
+        } catch (const InputError& error) {  // the message must not reveal whether a person exists whom the
+                                             // asker may not list
             EXPECT_NE(std::string(error.what()).find("may read"), std::string::npos)
                 << cell << ": " << error.what();
         }
@@ -106,7 +107,7 @@ TEST_F(CommandLine, ReportsPeopleAndCohortsAsTheTableSays) {
         for (const Target* target : {&programme.ann, &programme.eve, &programme.synthetic}) {
             const std::string path = file("person.json");
             const std::string name = cell(Operation::export_person, role, *target);
-            // The station has the right to synthetic people, and no report without somebody who asks for it.
+            // The station may read synthetic people, but a report needs a person who signs in.
             const bool expected =
                 role != Role::station &&
                 expected_allowed(Operation::export_person, role, programme.relation(role, *target));
@@ -165,7 +166,7 @@ TEST_F(CommandLine, RecomputesScoresAsTheTableSays) {
     }
 }
 
-TEST_F(CommandLine, RecomputingTwiceAddsOneScoreAndLeavesTheOneInForce) {
+TEST_F(CommandLine, RecomputingTwiceAddsOneScoreAndKeepsTheScoreInForce) {
     const std::string cell = "as the educator";
     ASSERT_TRUE(allowed({"db", "recompute"}, Role::educator, cell));
     ASSERT_TRUE(allowed({"db", "recompute"}, Role::educator, cell));
@@ -184,7 +185,7 @@ TEST_F(CommandLine, RecomputingTwiceAddsOneScoreAndLeavesTheOneInForce) {
     EXPECT_TRUE(store.check(store.station_session()).ok);
 }
 
-TEST_F(CommandLine, ScoresWhatWasInterruptedAsTheTableSays) {
+TEST_F(CommandLine, ScoresInterruptedAttemptsAsTheTableSays) {
     const Target* targets[] = {&programme.ann, &programme.eve, &programme.own, &programme.synthetic};
     std::map<std::string, std::string> interrupted;
     for (const Target* target : targets) {
@@ -261,7 +262,7 @@ TEST_F(CommandLine, WrongInputNamesThePlaceAndTheHint) {
     EXPECT_THROW(run_command({"db", "--json"}), UsageError);
 }
 
-TEST_F(CommandLine, TheAuditLogEndsInOneWhereItsChainIsBroken) {
+TEST_F(CommandLine, AuditLogExitsWithOneIfItsChainIsBroken) {
     {
         const Store store = Store::open(programme.path);
         store.connection().execute("DROP TRIGGER audit_entry_is_fixed");
@@ -295,7 +296,8 @@ TEST_F(CommandLine, ReadsExpertsForABenchmarkAsTheTableSays) {
             const bool expected =
                 role != Role::station &&
                 expected_allowed(Operation::read_attempt, role, programme.relation(role, *target));
-            // One attempt makes no benchmark: who may read it is told so (status 1), who may not is refused.
+            // One attempt is too few for a benchmark: status 1 for those who may read it, refusal for all
+            // others.
             std::vector<std::string> words = {"benchmark", "build", "A2", "--experts", target->login};
             for (const std::string& word : as(role)) words.push_back(word);
             words.insert(words.end(), {"--db", programme.path, "--json"});
@@ -318,7 +320,7 @@ TEST_F(CommandLine, ReadsExpertsForABenchmarkAsTheTableSays) {
 }
 
 TEST_F(CommandLine, PerformsForSyntheticPeopleOnly) {
-    // create_synthetic and perform_attempt: the station's alone; no option lets a person in a role use it.
+    // create_synthetic and perform_attempt belong to the station; no option gives them to a person.
     std::ostringstream output;
     std::streambuf* const before = std::cout.rdbuf(output.rdbuf());
     EXPECT_THROW(run_command({"perform", "A2", "--person", "ann", "--db", programme.path}), UsageError);

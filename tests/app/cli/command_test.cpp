@@ -46,7 +46,7 @@ TEST(CommandTable, ReadsOptionsInEveryWrittenForm) {
     EXPECT_TRUE(table.parse({"perform", "A2", "--practice"}).arguments.has("--practice"));
 }
 
-TEST(CommandTable, RefusesWrongLinesAndNamesTheNearestRightOne) {
+TEST(CommandTable, RefusesWrongLinesAndSuggestsTheNearestWord) {
     const std::pair<std::vector<std::string>, const char*> cases[] = {
         {{"preform", "A2"}, "did you mean perform?"},
         {{"perform", "A2", "--sed", "1"}, "did you mean --seed?"},
@@ -55,9 +55,9 @@ TEST(CommandTable, RefusesWrongLinesAndNamesTheNearestRightOne) {
         {{"db"}, "the action is missing"},
         {{"db", "check", "--format", "pfd"}, "did you mean pdf?"},
         {{"--hepl"}, "did you mean --help?"},
-        {{"perform"}, "too few words"},
-        {{"perform", "A2", "A3"}, "A3: one word too many"},
-        {{"perform", ""}, "a word is empty"},
+        {{"perform"}, "too few arguments"},
+        {{"perform", "A2", "A3"}, "A3: unexpected argument"},
+        {{"perform", ""}, "an argument is empty"},
         {{""}, "unknown command"},
         {{"perform", "A2", "--seed"}, "its argument is missing"},
         {{"perform", "A2", "--seed", ""}, "its argument is empty"},
@@ -79,7 +79,7 @@ TEST(CommandTable, RefusesWrongLinesAndNamesTheNearestRightOne) {
     EXPECT_NE(refusal({huge}).find("unknown command"), std::string::npos);
 }
 
-TEST(CommandTable, HelpComesBeforeEveryOtherComplaint) {
+TEST(CommandTable, HelpIsShownWhateverElseIsWrong) {
     const CommandTable table = small_table();
     for (const std::vector<std::string>& words : {std::vector<std::string>{"perform", "--help"},
                                                   {"perform", "-h"},

@@ -42,7 +42,7 @@ class Prompt {
         EXPECT_EQ(tcgetattr(terminal_, &state), 0);
         return (state.c_lflag & ECHO) != 0;
     }
-    /// The prompt is printed before the echo goes, so this waits for it.
+    /// The prompt is printed before the echo is switched off, so this waits for that.
     void wait_until_silent() const {
         while (echoes()) usleep(1000);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// When a device counts as lost, when as back, and when the hands may take hold again.
+// When a device counts as lost, when as back, and when the trainee may resume.
 #include "app/live/device_watch.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Two hands and a scope that read what the test says.
+/// Two hands and a scope with readings set by the test.
 struct Bench {
     DeviceWatch watch;
     DeviceReading reading[3];
@@ -43,7 +43,7 @@ struct Bench {
     }
 };
 
-TEST(DeviceWatch, LosesADeviceThatYieldsNoNumberOrJumpsAtOnce) {
+TEST(DeviceWatch, LosesADeviceAtOnceWhenItsReadingIsNotANumberOrJumps) {
     for (int device = 0; device < 3; ++device) {
         for (const double reading :
              {nan, std::numeric_limits<double>::infinity(), 1.0}) {  // the last: a jump of a metre
@@ -58,7 +58,7 @@ TEST(DeviceWatch, LosesADeviceThatYieldsNoNumberOrJumpsAtOnce) {
     }
 }
 
-TEST(DeviceWatch, LosesASilentDeviceAfterFiftyTicksAndNotForLess) {
+TEST(DeviceWatch, LosesASilentDeviceAfterMoreThanFiftyTicks) {
     Bench bench;
     bench.steps(10);
     bench.reading[1].present = false;
@@ -75,7 +75,7 @@ TEST(DeviceWatch, LosesASilentDeviceAfterFiftyTicksAndNotForLess) {
     }
 }
 
-TEST(DeviceWatch, TakesHoldOnlyWithinFiveMillimetresAndTenDegrees) {
+TEST(DeviceWatch, ResumesOnlyWithinFiveMillimetresAndTenDegrees) {
     struct Case {
         double millimetres, degrees;
         bool in_place;
@@ -85,10 +85,10 @@ TEST(DeviceWatch, TakesHoldOnlyWithinFiveMillimetresAndTenDegrees) {
         Bench bench;
         bench.lose_by_silence();
         ASSERT_TRUE(bench.watch.lost());
-        bench.reading[0].handle.z() -= c.millimetres * 1e-3;  // along the shaft: no angle of its own
+        bench.reading[0].handle.z() -= c.millimetres * 1e-3;  // along the shaft: changes no angle
         bench.reading[0].roll += c.degrees * 3.14159265358979 / 180;
         EXPECT_EQ(bench.step(true), std::uint32_t{rig_device_lost})
-            << "back only when it has answered for a while";
+            << "back only after enough usable readings";
         bench.steps(120);
         ASSERT_TRUE(bench.watch.back());
         EXPECT_NEAR(bench.watch.alignment(Hand::left).distance, c.millimetres * 1e-3, 2e-7);
@@ -112,12 +112,12 @@ TEST(DeviceWatch, CountsTheShaftsDirectionAsAngle) {
     EXPECT_FALSE(bench.watch.in_place());
 }
 
-TEST(DeviceWatch, AsksForTheSamePlaceWhereverTheClutchHasPutTheDevice) {
+TEST(DeviceWatch, RequiresTheSamePoseWhateverTheClutchOffset) {
     Bench bench;
     bench.steps(10);
     bench.paused = true;
     bench.steps(10);
-    bench.reading[0].handle.x() += 0.03;  // moved during the pause: clutched in where it stands
+    bench.reading[0].handle.x() += 0.03;  // moved during the pause: the clutch takes the new pose
     bench.steps(10);
     bench.paused = false;
     bench.steps(10);
@@ -125,7 +125,7 @@ TEST(DeviceWatch, AsksForTheSamePlaceWhereverTheClutchHasPutTheDevice) {
     EXPECT_LT(bench.watch.alignment(Hand::left).distance, 1e-7);
     bench.lose_by_silence();
     bench.steps(120);
-    EXPECT_TRUE(bench.watch.in_place()) << "the clutch is no misalignment";
+    EXPECT_TRUE(bench.watch.in_place()) << "the clutch offset is not a misalignment";
     bench.reading[0].handle.x() -= 0.03;
     bench.steps(5);
     EXPECT_NEAR(bench.watch.alignment(Hand::left).distance, 0.03, 2e-7);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A late tick is the program's or the scheduler's by what its thread did, not by what the wall clock says.
+// A late tick is attributed to program or scheduler by its thread's processor time, not by wall time.
 #include "app/live/tick_account.h"
 
 #include <gtest/gtest.h>
@@ -12,14 +12,14 @@ namespace {
 constexpr std::int64_t us = 1000;
 constexpr std::int64_t period = 1000 * us;
 
-/// Counts as the haptic thread does, from durations that the test gives.
+/// Counts as the haptic thread does, from durations set by the test.
 struct Clock {
     TickAccount account{period};
     std::int64_t late = 0;
     int program = 0, scheduler = 0;
 
-    /// A tick whose work took `wall`, of it `processor` on the processor, and after which the thread was
-    /// woken `woken` late where it slept.
+    /// A tick whose work took `wall`, including `processor` on the processor; if the thread then slept, it
+    /// was woken `woken` late.
     Lateness tick(std::int64_t wall, std::int64_t processor, std::int64_t waits = 0, std::int64_t woken = 0) {
         late += wall - period;
         if (late < 0) late = woken;
@@ -33,20 +33,20 @@ struct Clock {
     }
 };
 
-TEST(TickAccount, LongOnTheWallAndShortOnTheProcessorIsTheSchedulers) {
+TEST(TickAccount, LongWallTimeAndShortProcessorTimeIsCausedByTheScheduler) {
     Clock clock;
     EXPECT_EQ(clock.tick(2500 * us, 20 * us), Lateness::by_scheduler);
 }
 
-TEST(TickAccount, LongOnTheProcessorIsThePrograms) {
+TEST(TickAccount, LongProcessorTimeIsCausedByTheProgram) {
     Clock clock;
     EXPECT_EQ(clock.tick(2500 * us, 2500 * us), Lateness::by_program);
-    // Taken away for half of it: what the thread did itself still fills the period.
+    // Preempted for half of the time: the thread's own work still fills the period.
     Clock halved;
     EXPECT_EQ(halved.tick(2500 * us, 1000 * us), Lateness::by_program);
 }
 
-TEST(TickAccount, JustBelowThePeriodOfOwnWorkIsNotThePrograms) {
+TEST(TickAccount, OwnWorkJustBelowThePeriodIsCausedByTheScheduler) {
     Clock clock;
     EXPECT_EQ(clock.tick(2500 * us, 1000 * us - 1), Lateness::by_scheduler);
 }
@@ -57,23 +57,23 @@ TEST(TickAccount, LateByLessThanAPeriodIsNotMissed) {
     EXPECT_EQ(clock.program + clock.scheduler, 0);
 }
 
-TEST(TickAccount, WokenLateIsTheSchedulers) {
+TEST(TickAccount, LateWakingIsCausedByTheScheduler) {
     Clock clock;
     EXPECT_EQ(clock.tick(20 * us, 25 * us, 0, 3000 * us), Lateness::by_scheduler);
 }
 
-TEST(TickAccount, ATickThatWaitsByItselfIsChargedWithTheWall) {
+TEST(TickAccount, TickWithAVoluntaryWaitCountsWithItsWallTime) {
     Clock clock;
     EXPECT_EQ(clock.tick(2500 * us, 20 * us, 1), Lateness::by_program);
-    Clock quick;  // a wait that costs no period is nobody's miss
+    Clock quick;  // a wait shorter than a period causes no missed tick
     EXPECT_EQ(quick.tick(400 * us, 20 * us, 1), Lateness::in_time);
-    // It waited shortly, and was then woken late by the system.
+    // A short wait, after which the system woke the thread late.
     EXPECT_EQ(quick.tick(20 * us, 20 * us, 1, 2000 * us), Lateness::by_scheduler);
 }
 
-TEST(TickAccount, TicksThatCatchUpBelongToWhoeverMadeThemLate) {
+TEST(TickAccount, TicksThatCatchUpAreAttributedToTheCauseOfTheDelay) {
     Clock own;
-    own.tick(5200 * us, 5200 * us);  // 4.2 ms behind; each quick tick makes good 0.98
+    own.tick(5200 * us, 5200 * us);  // 4.2 ms behind; each short tick recovers 0.98 ms
     own.quick_ticks(10);
     EXPECT_EQ(own.program, 4);
     EXPECT_EQ(own.scheduler, 0);
@@ -84,10 +84,10 @@ TEST(TickAccount, TicksThatCatchUpBelongToWhoeverMadeThemLate) {
     EXPECT_EQ(stolen.scheduler, 4);
 }
 
-TEST(TickAccount, ManyTicksAlittleTooLongAddUp) {
+TEST(TickAccount, ManyTicksALittleTooLongAddUp) {
     Clock clock;
     for (int i = 0; i < 30; ++i) clock.tick(1100 * us, 1100 * us);
-    EXPECT_EQ(clock.program, 21);  // from the tenth on a period behind
+    EXPECT_EQ(clock.program, 21);  // a period behind from the tenth tick
     EXPECT_EQ(clock.scheduler, 0);
 }
 
@@ -99,7 +99,7 @@ TEST(TickAccount, OwnDelayIsForgottenOnceCaughtUp) {
     EXPECT_EQ(clock.program, 1);
 }
 
-TEST(TickAccount, NothingIsOwedWhenTheClockWasMoved) {
+TEST(TickAccount, NoDelayIsLeftAfterTheDeadlineWasMoved) {
     Clock clock;
     clock.tick(30000 * us, 30000 * us);
     clock.account.clock_moved();
@@ -112,7 +112,7 @@ TEST(ThreadUse, ProcessorTimeGrowsWithWorkAndWaitsWithSleep) {
     ThreadUse after = before;
     while (after.processor_ns < before.processor_ns + 1000000) after = use_of_this_thread();
     EXPECT_GE(after.waits, before.waits);
-    // One nap is enough unless the machine stood still until its end.
+    // One sleep is enough unless the machine was suspended until its end.
     const timespec nap{0, 1000000};
     for (int i = 0; i < 100 && use_of_this_thread().waits == after.waits; ++i) nanosleep(&nap, nullptr);
     EXPECT_GT(use_of_this_thread().waits, after.waits);

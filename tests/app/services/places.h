@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where each operation of the access table has its place: what stands for it in the window, and the commands
-// that do it. A new operation does not compile before it says where it is.
+// For each operation of the access table: the widgets and the commands that perform it. A new operation does
+// not compile until it is listed here.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ namespace fulcrum::app::test {
 using fulcrum::database::Operation;
 using fulcrum::database::Role;
 
-/// Names of what the window shows to those who may do it, any one of them, somewhere on their pages; empty:
-/// the window has no place for it.
+/// Widgets of which at least one is visible on some page to everyone who may perform the operation; empty:
+/// the window does not offer it.
 inline std::vector<const char*> window_places(Operation operation) {
     switch (operation) {
         case Operation::read_sign_in_list:
@@ -30,7 +30,7 @@ inline std::vector<const char*> window_places(Operation operation) {
         case Operation::change_password:
             return {"rail_password"};
         case Operation::create_synthetic:
-            return {};  // the station's, by `fulcrum perform`
+            return {};  // by the station, with `fulcrum perform`
         case Operation::list_cohorts:
             return {"filter_cohort", "cohort_choice", "cohort_list"};
         case Operation::manage_cohorts:
@@ -54,7 +54,7 @@ inline std::vector<const char*> window_places(Operation operation) {
         case Operation::read_comment:
             return {"comment_words"};
         case Operation::mark_comment_read:
-            return {"unread_comment"};  // opening it marks it
+            return {"unread_comment"};  // opening the comment marks it as read
         case Operation::void_attempt:
             return {"void_attempt"};
         case Operation::reassign_attempt:
@@ -83,22 +83,22 @@ inline std::vector<const char*> window_places(Operation operation) {
     return {};
 }
 
-/// Cells that the table allows and the window leaves out, with the reason.
+/// The reason why the window does not offer an operation that the table allows; null: it offers it.
 inline const char* window_leaves_out(Operation operation, Role role) {
     if (role == Role::station && operation != Operation::read_sign_in_list)
-        return "before anybody signed in the window shows who signed in here, and nothing else";
+        return "before sign-in the window shows only the people who have signed in here";
     if (role == Role::trainee && operation == Operation::list_cohorts)
-        return "a trainee's pages are about their own attempts";
+        return "a trainee's pages show only their own attempts";
     if (role == Role::trainee && operation == Operation::list_people)
-        return "of one person there is nothing to choose; their name stands in the title bar";
+        return "a single person needs no selection; the title bar shows the name";
     if (role == Role::trainee && operation == Operation::read_tissues)
-        return "a trainee's briefing says that the site has values of its own, not which";
+        return "a trainee's briefing states that the site has its own values, without the values";
     if (role == Role::educator && operation == Operation::score_interrupted)
-        return "scored in the background at the educator's sign-in; home, where it is told, is the trainee's";
+        return "scored in the background at the educator's sign-in; it is shown on the trainee's home page";
     return nullptr;
 }
 
-/// The commands that do it; empty: the command line has no place for it.
+/// The commands that perform the operation; empty: no command does.
 inline std::vector<std::string> commands_of(Operation operation) {
     switch (operation) {
         case Operation::create_synthetic:

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What administrators look after in the window (store, audit log), everybody's own password, and what the
-// station sees before anybody has signed in.
+// The administrators' pages (store, audit log), changing one's own password, and the window before sign-in.
 #include <QDateEdit>
 #include <QFile>
 #include <QPushButton>
@@ -13,7 +12,7 @@
 namespace fulcrum::app::test {
 namespace {
 
-TEST_F(WindowAccess, AdministratorsCheckAndBackUpBesideTheWork) {
+TEST_F(WindowAccess, AdministratorsCheckAndBackUpInTheBackground) {
     act_as(programme.asker(Role::administrator));
     click(*window, "rail_station");
     click(*window, "check_store");
@@ -27,11 +26,11 @@ TEST_F(WindowAccess, AdministratorsCheckAndBackUpBesideTheWork) {
         wait_for([&] { return sees(*window, "message_text") && complaint().contains("Backed up"); }, 60000));
     EXPECT_TRUE(Store::open(path.toStdString()).check(services->store()->station_session()).ok);
     keep_picture(*window, "station");
-    // A file that is there already is never written over.
+    // An existing file is never overwritten.
     station->back_up_to(path);
     ASSERT_TRUE(wait_for([&] { return complaint().contains("already there"); }, 60000));
     ASSERT_TRUE(wait_for([&] { return find<QPushButton>(*window, "back_up")->isEnabled(); }));
-    // A folder that is not there.
+    // A folder that does not exist.
     station->back_up_to(programme.folder.filePath("copy.db/below.db"));
     ASSERT_TRUE(wait_for([&] { return !complaint().contains("already there"); }, 60000));
     EXPECT_TRUE(QFile::exists(path));
@@ -67,7 +66,7 @@ TEST_F(WindowAccess, AdministratorsReadTheAuditLogByPersonKindAndPeriod) {
     ASSERT_EQ(table->rowCount(), 1);
     EXPECT_EQ(table->item(0, 1)->text(), "Otto Cator");
     EXPECT_EQ(table->item(0, 2)->text(), "educator");
-    EXPECT_EQ(table->item(0, 4)->text(), "Eve Elsewhere") << "whose attempt it is about";
+    EXPECT_EQ(table->item(0, 4)->text(), "Eve Elsewhere") << "the person whose attempt it concerns";
     choose(period, -2);
     find<QDateEdit>(*window, "audit_from")->setDate(QDate(2001, 1, 1));
     find<QDateEdit>(*window, "audit_until")->setDate(QDate(2001, 1, 2));
@@ -76,7 +75,7 @@ TEST_F(WindowAccess, AdministratorsReadTheAuditLogByPersonKindAndPeriod) {
     EXPECT_EQ(table->rowCount(), 0);
 }
 
-TEST_F(WindowAccess, ABrokenChainIsNamedWhereAdministratorsLook) {
+TEST_F(WindowAccess, ABrokenAuditChainIsShownToAdministrators) {
     Connection& connection = services->store()->connection();
     connection.execute("DROP TRIGGER audit_entry_is_fixed");
     connection.execute("UPDATE audit_entry SET time = time + 1 WHERE sequence = 4");
@@ -94,7 +93,7 @@ TEST_F(WindowAccess, ABrokenChainIsNamedWhereAdministratorsLook) {
         EXPECT_EQ(items->item(row, 3)->text().isEmpty(), items->item(row, 0)->text() != "audit chain") << row;
 }
 
-TEST_F(WindowAccess, EverybodyChangesTheirOwnPassword) {
+TEST_F(WindowAccess, EveryoneCanChangeTheirOwnPassword) {
     for (const Role asked : people_roles) {
         act_as(programme.asker(asked));
         click(*window, "rail_password");
@@ -114,7 +113,7 @@ TEST_F(WindowAccess, TheStationSeesWhoSignedInAndNothingElse) {
     window->start();
     settle();
     ASSERT_EQ(window->current_page()->objectName(), "sign_in_page");
-    EXPECT_TRUE(sees(*window, "pick_person")) << "read_sign_in_list is everybody's";
+    EXPECT_TRUE(sees(*window, "pick_person")) << "everyone may read the sign-in list";
     for (const char* rail :
          {"rail_people", "rail_assign", "rail_cohort", "rail_attempts", "rail_progress", "rail_home"})
         EXPECT_FALSE(sees(*window, rail)) << rail;

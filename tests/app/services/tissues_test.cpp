@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A site's tissue values from the educator's page and the command line to the attempts that begin afterwards:
-// what they are performed in, replayed in, and held against.
+// A site's tissue values, set on the educator's page or by command: later attempts are performed, replayed
+// and scored with them.
 #include <gtest/gtest.h>
 
 #include <QFile>
@@ -30,7 +30,7 @@ using namespace fulcrum::ui;
 using namespace fulcrum::ui::test;
 
 constexpr Role people_roles[] = {Role::trainee, Role::educator, Role::director, Role::administrator};
-/// Nothing of a table is cut off at its right.
+/// The table is not cut off at its right edge.
 bool shown_whole(const QTableWidget& table) {
     const QAbstractItemView& view = table;
     const int last = table.columnCount() - 1;
@@ -67,7 +67,7 @@ TEST_F(SiteTissue, AnAttemptIsPerformedAndReplayedInTheTissueItBeganIn) {
     const Performed performed = perform(request, &recorder, nullptr);
     ASSERT_TRUE(std::any_of(performed.record.events.begin(), performed.record.events.end(),
                             [](const Event& event) { return event.kind == EventKind::cut_advance; }))
-        << "the values are met by cutting alone";
+        << "the values affect cutting only";
 
     set({{"areolar", {{"penetrate_n", 0.2}, {"static_friction_n", 0.2}}}}, "tougher still");
     const Attempts attempts(store);
@@ -81,7 +81,7 @@ TEST_F(SiteTissue, AnAttemptIsPerformedAndReplayedInTheTissueItBeganIn) {
 
     const LoadedTask shipped = load_task_and_scene("B2");
     AttemptEngine other(shipped.scene, shipped.task, summary.meta.seed);
-    EXPECT_FALSE(replay_record(other, performed.record).identical) << "the values change what the hands felt";
+    EXPECT_FALSE(replay_record(other, performed.record).identical) << "the values change the forces";
     EXPECT_EQ(load_site_task(store, station, "B2").scene.tissues[0].cutting->penetrate, 0.2);
 }
 
@@ -112,7 +112,7 @@ TEST_F(SiteTissue, LimitsMadeInOtherTissueDoNotScoreAnAttempt) {
     EXPECT_NE(score.not_scored_because.find("cut otherwise"), std::string::npos) << score.not_scored_because;
 }
 
-TEST_F(SiteTissue, EducatorsSetThemOnTheirPageAndTheBriefingSaysSo) {
+TEST_F(SiteTissue, EducatorsSetValuesOnTheirPageAndTheBriefingStatesIt) {
     programme.store.reset();
     const auto services = make_services(programme.folder.path().toStdString());
     MainWindow window(*services);
@@ -154,7 +154,7 @@ TEST_F(SiteTissue, EducatorsSetThemOnTheirPageAndTheBriefingSaysSo) {
     EXPECT_TRUE(shown_whole(*find<QTableWidget>(window, "tissue_versions")));
     keep_picture(window, "tissues");
     EXPECT_EQ(Tissues(*services->store()).in_force(*programme.educator, "B2").values, tough)
-        << "what equals the scene's own is left to the scene";
+        << "values equal to the scene's are not stored";
 
     window.context().set_session(programme.session("ann"));
     EXPECT_FALSE(sees(window, "rail_tissues"));
@@ -181,7 +181,8 @@ TEST_F(SiteTissue, EducatorsSetThemOnTheirPageAndTheBriefingSaysSo) {
 }
 
 TEST_F(SiteTissue, TheCommandLineReadsAndSetsAsTheTableSays) {
-    const fulcrum::test::GermanLocale german;  // numbers have a decimal point all the same
+    const fulcrum::test::GermanLocale
+        german;  // in a locale with decimal commas numbers still have a decimal point
     programme.store.reset();
     const std::string password_file = programme.folder.filePath("password.txt").toStdString();
     QFile out(QString::fromStdString(password_file));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window over a programme with an attempt of everybody's, for tests of who may do what in it.
+// The window of a programme in which everyone has an attempt, for tests of the access table.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ class WindowAccess : public ::testing::Test {
     ~WindowAccess() override {
         if (window->context().signed_in()) window->context().sign_out();
     }
-    /// What is new is shown, and what is old goes, with the next turn of the event loop.
+    /// Handles pending events: widgets appear and disappear in the next turn of the event loop.
     static void settle() {
         QCoreApplication::processEvents();
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
@@ -65,7 +65,7 @@ class WindowAccess : public ::testing::Test {
         return static_cast<P*>(window->current_page());
     }
     void look_everywhere(std::set<std::string>& seen);
-    /// An attempt of Ann's that lost its program; found by the store that the window opens next.
+    /// An attempt of Ann's whose program ended; found when the window opens the store next.
     void record_interrupted() {
         {
             Recorder recorder(programme.path, programme.session("ann"), example_meta(programme.id("ann")),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every cell that has a place in the window, through the program's own services: what is denied is not shown,
-// and is refused where it is asked for all the same; what is allowed is there and works.
+// Every cell of the access table in the window, with the program's own services: what is denied is not shown,
+// and is refused if it is requested anyway; what is allowed is shown and works.
 #include <QCheckBox>
 #include <QListWidget>
 #include <QPlainTextEdit>
@@ -60,7 +60,7 @@ void WindowAccess::expect_debrief(const Target& target, const std::string& cell)
 }
 
 TEST_F(WindowAccess, DebriefsOpenAndOfferWhatTheTableSays) {
-    // Those whose look marks nothing as read come first.
+    // First the roles whose visit does not mark anything as read.
     for (const Role asked : {Role::administrator, Role::director, Role::educator, Role::trainee}) {
         act_as(programme.asker(asked));
         for (const Target* target : {&programme.ann, &programme.eve, &programme.own}) {
@@ -91,10 +91,10 @@ TEST_F(WindowAccess, VoidReassignAndRequestWorkWhereTheyAreOffered) {
     click(*window, "reassign_confirm");
     ASSERT_TRUE(wait_for(
         [&] { return sees(*window, "verdict") && find<QLabel>(*window, "verdict")->text() == "voided"; }));
-    EXPECT_FALSE(sees(*window, "void_attempt")) << "once is enough";
+    EXPECT_FALSE(sees(*window, "void_attempt")) << "an attempt is voided only once";
 }
 
-TEST_F(WindowAccess, ListsHoldThosePeopleAndCohortsThatTheTableSays) {
+TEST_F(WindowAccess, ListsShowThePeopleAndCohortsThatTheTableAllows) {
     for (const Role asked : people_roles) {
         act_as(programme.asker(asked));
         const std::string who = role_name(asked);
@@ -179,7 +179,7 @@ void WindowAccess::expect_progress(const Target& target, const std::string& cell
     ASSERT_TRUE(wait_for([&] { return !sees(*window, "cancel_job"); }));
 }
 
-TEST_F(WindowAccess, ProgressAndItsReportAreThereAsTheTableSays) {
+TEST_F(WindowAccess, ProgressAndItsReportAreOfferedAsTheTableSays) {
     for (const Role asked : people_roles) {
         act_as(programme.asker(asked));
         for (const Target* target : {&programme.ann, &programme.eve}) {
@@ -189,11 +189,11 @@ TEST_F(WindowAccess, ProgressAndItsReportAreThereAsTheTableSays) {
     }
 }
 
-TEST_F(WindowAccess, AdministratorsRunAccountsAndDirectorsCohorts) {
+TEST_F(WindowAccess, AdministratorsManageAccountsAndDirectorsManageCohorts) {
     act_as(programme.asker(Role::administrator));
     click(*window, "rail_people");
     auto* people = find<QTableWidget>(*window, "people_table");
-    ASSERT_EQ(people->rowCount(), 8) << "everyone, the synthetic one too";
+    ASSERT_EQ(people->rowCount(), 8) << "everyone, including the synthetic person";
     int row = -1;
     for (int i = 0; i < people->rowCount(); ++i) {
         if (people->item(i, 1)->text() == "eve") row = i;
@@ -221,7 +221,7 @@ TEST_F(WindowAccess, AdministratorsRunAccountsAndDirectorsCohorts) {
         People(*services->store()).find_cohort(programme.asker(Role::director), "Elsewhere, renamed"));
 }
 
-/// Every page of the role, and a debrief where it may open one: the names of what was visible on any of them.
+/// The names of all widgets visible on the pages of a role, including a debrief if the role may open one.
 void WindowAccess::look_everywhere(std::set<std::string>& seen) {
     const auto look = [&] {
         settle();
@@ -258,7 +258,7 @@ void WindowAccess::look_everywhere(std::set<std::string>& seen) {
 }
 
 TEST_F(WindowAccess, EveryCellOfEveryOperationIsOfferedOrNotAsTheTableSays) {
-    // The trainee comes first: what was interrupted is told to whoever it is scored for.
+    // The trainee first: an interrupted attempt is shown to the person at whose sign-in it is scored.
     People(*services->store()).sign_in("ann", database::test::password);
     record_interrupted();
     int offered = 0, withheld = 0;
@@ -286,7 +286,7 @@ TEST_F(WindowAccess, EveryCellOfEveryOperationIsOfferedOrNotAsTheTableSays) {
                 EXPECT_FALSE(shown) << cell;
                 ++withheld;
             } else if (window_leaves_out(operation, role) != nullptr) {
-                EXPECT_FALSE(shown) << cell << ": no longer left out";
+                EXPECT_FALSE(shown) << cell << ": remove it from window_leaves_out()";
             } else {
                 EXPECT_TRUE(shown) << cell;
                 ++offered;
@@ -297,7 +297,7 @@ TEST_F(WindowAccess, EveryCellOfEveryOperationIsOfferedOrNotAsTheTableSays) {
     EXPECT_GE(withheld, 60);
 }
 
-TEST(AccessPlaces, EveryOperationHasOneInTheWindowOrOnTheCommandLine) {
+TEST(AccessPlaces, EveryOperationIsInTheWindowOrOnTheCommandLine) {
     for (int i = 0; i < operation_count; ++i) {
         const auto operation = static_cast<Operation>(i);
         EXPECT_FALSE(window_places(operation).empty() && commands_of(operation).empty())
@@ -319,7 +319,7 @@ TEST_F(WindowAccess, EducatorsRecomputeTheScoresOfTheirCohorts) {
     ASSERT_TRUE(wait_for([&] { return !sees(*window, "recompute_scores"); }, 60000));
     EXPECT_EQ(attempts.scores(director, programme.own.attempt).size(), 2U);
     EXPECT_EQ(attempts.scores(director, programme.eve.attempt).size(), 1U) << "of another cohort";
-    EXPECT_EQ(attempts.scores(director, evaluated).front().points, 60) << "the one in force stays";
+    EXPECT_EQ(attempts.scores(director, evaluated).front().points, 60) << "the score in force is unchanged";
     emit window->context().debrief_wanted(QString::fromStdString(evaluated), -1);
     ASSERT_TRUE(wait_for([&] { return sees(*window, "debrief_notes"); }));
     EXPECT_TRUE(find<QLabel>(*window, "debrief_notes")->text().contains("Recomputed"));
