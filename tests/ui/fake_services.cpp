@@ -94,7 +94,7 @@ class FakeAttempt : public AttemptSession {
     void abandon() override { end("abandoned", EventKind::abandoned); }
     void interrupt() override { end("interrupted", EventKind::interrupted); }
     std::string message() const override {
-        return phase_ == AttemptPhase::device_lost ? "The device does not answer; plug it in again and go on."
+        return phase_ == AttemptPhase::device_lost ? "The device does not answer; reconnect it to resume."
                                                    : "";
     }
     const std::optional<AttemptOutcome>& outcome() const override { return outcome_; }
@@ -241,7 +241,7 @@ database::ScoreRow FakeAttempt::score(const std::string& state) const {
     row.passed = done && force_met;
     row.points = 75.0;
     row.advice = force_met
-                     ? "Left hand: shorten the way, move in one sweep from target to target."
+                     ? "Left hand: shorten the path, move in one sweep from target to target."
                      : "Left hand: you pressed with 9 N, 2.3 times the limit; slow down before you touch.";
     return row;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Services for the window's tests: a real store in a temporary folder, and attempts without threads or
-// physics. Time passes when the window asks for the newest world; the record, its events and its score go
-// through the real Recorder.
+// physics. Time advances when the window requests the newest world; record, events and score go through the
+// real Recorder.
 #pragma once
 
 #include <QTemporaryDir>
@@ -13,10 +13,10 @@
 
 namespace fulcrum::ui::test {
 
-/// What the test can do to the attempt that runs.
+/// Actions of the test on the running attempt.
 struct AttemptControl {
-    bool complete = false;     ///< ends it as completed at the next update
-    bool drop_device = false;  ///< as if the device were gone
+    bool complete = false;     ///< completes it at the next update
+    bool drop_device = false;  ///< the device is lost
     bool press_hard = false;   ///< the left hand presses with 9 N: over-force
     int ticks_per_update = 200;
     std::string last_attempt_id;

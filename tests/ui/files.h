@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is in the files that the window has written.
+// Reads the files that the window has written.
 #pragma once
 
 #include <gtest/gtest.h>

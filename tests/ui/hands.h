@@ -44,7 +44,7 @@ inline bool wait_for(const std::function<bool()>& condition, int milliseconds = 
     return QTest::qWaitFor(condition, milliseconds);
 }
 
-/// Scrolls the page until the widget is seen, as a person does with the wheel.
+/// Scrolls the page with the wheel until the widget is visible.
 inline void bring(QWidget& widget) {
     for (QWidget* above = widget.parentWidget(); above != nullptr; above = above->parentWidget()) {
         if (auto* area = qobject_cast<QScrollArea*>(above)) area->ensureWidgetVisible(&widget);
@@ -66,7 +66,7 @@ inline void type(QWidget& window, const char* name, const QString& words) {
     edit->selectAll();
     QTest::keyClicks(edit, words);
 }
-/// The whole form of *Create programme*: the department's and its administrator's, Alma.
+/// Fills the form *Create programme*: the department and its administrator, Alma.
 inline void type_programme(QWidget& window) {
     type(window, "programme_name", "Department of Surgery");
     type(window, "administrator_name", "Alma Admin");
@@ -75,7 +75,7 @@ inline void type_programme(QWidget& window) {
     type(window, "administrator_password_again", "correct horse");
 }
 
-/// A check box or radio button, by a click on its mark, if it is not as wished already.
+/// Clicks a check box or radio button unless it already has the wanted state.
 inline void check(QWidget& window, const char* name, bool on = true) {
     auto* box = find<QAbstractButton>(window, name);
     ASSERT_NE(box, nullptr);
@@ -83,7 +83,7 @@ inline void check(QWidget& window, const char* name, bool on = true) {
     EXPECT_EQ(box->isChecked(), on) << name;
 }
 
-/// The check mark of a list's item, by a click.
+/// Clicks the check mark of a list item.
 inline void check_item(QListWidget& list, int row) {
     QListWidgetItem* item = list.item(row);
     list.scrollToItem(item);
@@ -93,7 +93,7 @@ inline void check_item(QListWidget& list, int row) {
     EXPECT_EQ(item->checkState(), Qt::Checked);
 }
 
-/// A row of a table, by a click on its first cell.
+/// Selects a row of a table by a click on its first cell.
 inline void choose_row(QTableWidget& table, int row) {
     table.scrollToItem(table.item(row, 0));
     QTest::mouseClick(table.viewport(), Qt::LeftButton, {},
@@ -101,19 +101,19 @@ inline void choose_row(QTableWidget& table, int row) {
     EXPECT_EQ(table.currentRow(), row);
 }
 
-/// Kept where FULCRUM_PICTURES says, for people to look at.
+/// Stores a picture in the folder FULCRUM_PICTURES, for inspection.
 inline void keep_picture(QWidget& window, const QString& name) {
     const QByteArray folder = qgetenv("FULCRUM_PICTURES");
     if (folder.isEmpty()) return;
     QDir().mkpath(QString::fromLocal8Bit(folder));
     QTest::qWait(120);
-    // From the screen, as a person sees it.
+    // Grabbed from the screen.
     QPixmap picture = window.screen()->grabWindow(window.winId());
     if (picture.isNull()) picture = window.grab();
     picture.save(QString::fromLocal8Bit(folder) + QLatin1Char('/') + name + QStringLiteral(".png"));
 }
 
-/// The whole body of a scrolled page, beyond what the window shows.
+/// Stores a picture of the whole scrolled page.
 inline void keep_body(QWidget& window, QWidget& page, const QString& name) {
     const QByteArray folder = qgetenv("FULCRUM_PICTURES");
     if (folder.isEmpty()) return;

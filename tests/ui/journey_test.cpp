@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The main workflow through the window, with real key and mouse events: programme, people, attempts
-// (completed, abandoned, device gone), debrief, replay, comment, void, cohort table, exports.
+// (completed, abandoned, device lost), debrief, replay, comment, void, cohort table, exports.
 #include <gtest/gtest.h>
 
 #include <QComboBox>
@@ -176,7 +176,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     keep_picture(window, "08-debrief");
     keep_body(window, debrief, "08-debrief-whole");
 
-    // A click on the penalty leads to its moment, in replay and chart alike.
+    // A click on the penalty moves replay and chart to its time.
     auto* events = find<QListWidget>(window, "event_list");
     QListWidgetItem* penalty = nullptr;
     for (int row = 0; row < events->count(); ++row) {
@@ -254,7 +254,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     EXPECT_TRUE(shown("debrief_notes").contains("started by mistake"));
     switch_user();
 
-    // The trainee reads the comment where it was made.
+    // The trainee reads the comment at its time in the replay.
     sign_in("tara", "tara's password");
     expect_page("home_page");
     keep_picture(window, "13-home-with-comment");
@@ -266,7 +266,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     EXPECT_FALSE(sees(window, "unread_comment"));
     switch_user();
 
-    // The director's table, and the same figures in every export.
+    // The director's table, and the same values in every export.
     sign_in("dora", "dora's password");
     expect_page("cohort_page");
     auto* table = find<QTableWidget>(window, "cohort_table");
@@ -308,7 +308,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
               "completed");
 }
 
-TEST_F(Journey, RefusesAWrongPasswordAndSaysNoMore) {
+TEST_F(Journey, RefusesAWrongPasswordWithoutDetails) {
     create_programme();
     switch_user();
     type(window, "login", "alma");
@@ -382,7 +382,7 @@ TEST(Lock, HidesTheContentPausesTheAttemptAndClosesItLater) {
     ASSERT_EQ(theatre->objectName(), "theatre_page");
     services.control.ticks_per_update = 10;
     ASSERT_TRUE(wait_for([&] { return theatre->session()->phase() == AttemptPhase::running; }));
-    window.context().note_input();  // however long the scene took: the hands rest from here on
+    window.context().note_input();  // from here on the hands rest
     ASSERT_TRUE(wait_for([&] { return sees(window, "lock_page"); }));
     EXPECT_FALSE(theatre->isVisible());
     ASSERT_NE(theatre->session(), nullptr);

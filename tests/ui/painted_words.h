@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A paint device that keeps where words and filled shapes are painted instead of painting them.
+// A paint device that records the positions of words and filled shapes instead of painting them.
 #pragma once
 
 #include <QPaintDevice>
@@ -14,7 +14,7 @@ namespace fulcrum::ui::test {
 struct PaintedWords {
     QString words;
     QRectF place;
-    bool whole = true;  ///< not cut off by the box it is written into
+    bool whole = true;  ///< not cut off by its box
 };
 
 class WordsEngine : public QPaintEngine {
@@ -46,7 +46,7 @@ class WordsEngine : public QPaintEngine {
         const QRectF place(point.x(), point.y() - item.ascent(), item.width(),
                            item.ascent() + item.descent());
         if (item.text().trimmed().isEmpty()) return;
-        // px: a region is of whole pixels, a letter may lean over its advance by one.
+        // px: regions have whole pixels, and a letter may exceed its advance by one.
         const bool whole = clip_.isNull() || clip_.adjusted(-1, -1, 1, 1).contains(place);
         words.push_back({item.text(), transform_.mapRect(place), whole});
     }
@@ -63,7 +63,7 @@ class WordsEngine : public QPaintEngine {
 
 class WordsDevice : public QPaintDevice {
   public:
-    /// dots_per_inch as a desktop's text scale sets it: 96 at 100 %.
+    /// dots_per_inch: from the desktop's text scale, 96 at 100 %.
     explicit WordsDevice(QSize size, int dots_per_inch = 96) : size_(size), dots_per_inch_(dots_per_inch) {}
     QPaintEngine* paintEngine() const override { return &engine_; }
     const std::vector<PaintedWords>& words() const { return engine_.words; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every screen of every role: none reports an error by itself, all fit a small display, and a change of the
-// theme reaches all of them. With FULCRUM_PICTURES=FOLDER the screens are kept there, in both themes at
+// Every screen of every role: none reports an error without an action, all fit a small display, and a change
+// of theme changes all of them. With FULCRUM_PICTURES=FOLDER the screens are stored there, in both themes at
 // 1024 x 768 and 1920 x 1080.
 #include <gtest/gtest.h>
 
@@ -108,7 +108,7 @@ class Screens : public ::testing::Test {
         if (!line->isVisible() || line->parentWidget()->property("role").toString() != "error") return {};
         return line->text();
     }
-    /// The page has the room that it needs, and the window is as large as it was made.
+    /// The page has the space that it needs, and the window has kept its size.
     void expect_fits(const QString& screen) {
         EXPECT_EQ(window->size(), size_) << screen.toStdString();
         for (QScrollArea* area : window->current_page()->findChildren<QScrollArea*>()) {
@@ -134,7 +134,7 @@ class Screens : public ::testing::Test {
                                 .arg(size_.height())
                                 .arg(current_theme() == Theme::light ? "light" : "dark"));
     }
-    /// Calls `look` with every screen open: those of the rail for each role, and those reached from them.
+    /// Opens every screen of every role and calls `look`.
     template <typename F>
     void visit(const std::string& attempt, F look) {
         for (const auto& [role, session] : sessions) {
@@ -261,8 +261,7 @@ TEST_F(Screens, FollowAThemeSwitchedWhileTheyAreOpen) {
 }
 
 TEST_F(Screens, AreDrawnInBothThemesAtBothSizes) {
-    // Without a folder of one's own the pictures go where they are deleted: that they can be made is tested
-    // all the same.
+    // Without FULCRUM_PICTURES the pictures are drawn into a temporary folder.
     QTemporaryDir own;
     const bool asked = !qEnvironmentVariableIsEmpty("FULCRUM_PICTURES");
     if (!asked) qputenv("FULCRUM_PICTURES", own.path().toLocal8Bit());
@@ -317,7 +316,7 @@ TEST_F(Screens, NameNoOperationOfTheStoreInARefusal) {
         const std::string name = database::operation_name(static_cast<database::Operation>(i));
         const QString line = error_text(database::AccessDenied(name, "trainee", "not in this role"));
         EXPECT_TRUE(line.startsWith("You may not ")) << line.toStdString();
-        EXPECT_FALSE(line.startsWith("You may not do this")) << name << " has no words of its own";
+        EXPECT_FALSE(line.startsWith("You may not do this")) << name << " has no sentence of its own";
         EXPECT_FALSE(line.contains('_')) << line.toStdString();
     }
 }

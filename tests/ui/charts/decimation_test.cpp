@@ -57,7 +57,7 @@ TEST(Decimation, ShowsEverySampleOfAShortView) {
     EXPECT_EQ(points[1].y, static_cast<double>(series.y[50'000]));
 }
 
-TEST(Decimation, RisesKeepsExtremesAndStaysWithinTheLimitForAnyView) {
+TEST(Decimation, IncreasesInTimeKeepsExtremesAndStaysWithinTheLimitForAnyView) {
     rc::check([] {
         const auto count = *rc::gen::inRange<std::size_t>(1, 60'000);
         const Series series = noise(count, *rc::gen::arbitrary<unsigned>());
@@ -86,7 +86,7 @@ TEST(Decimation, RisesKeepsExtremesAndStaysWithinTheLimitForAnyView) {
     });
 }
 
-TEST(Decimation, LeavesOutWhatIsNotANumber) {
+TEST(Decimation, OmitsValuesThatAreNotNumbers) {
     Series series = noise(10'000, 3);
     series.y[5000] = std::numeric_limits<float>::quiet_NaN();
     series.y[6000] = std::numeric_limits<float>::infinity();
@@ -105,7 +105,7 @@ TEST(Decimation, GivesTheValueAtATime) {
     EXPECT_TRUE(MinMaxPyramid().view(0, 1).empty());
 }
 
-TEST(TimeAxis, HasTicksThatItsLabelsTell) {
+TEST(TimeAxis, HasTicksThatItsLabelsShowExactly) {
     EXPECT_DOUBLE_EQ(tick_interval(30), 5);
     EXPECT_DOUBLE_EQ(tick_interval(80), 10);
     EXPECT_DOUBLE_EQ(tick_interval(3600), 500);
@@ -114,7 +114,7 @@ TEST(TimeAxis, HasTicksThatItsLabelsTell) {
         const double interval = tick_interval(span);
         EXPECT_LE(span / interval, 8 + 1e-6) << span;
         EXPECT_GE(span / interval, 3) << span;
-        // Written with the decimals that the axis gives it, each tick is itself.
+        // With the axis's number of decimals each label gives its tick exactly.
         const double unit = interval < 0.1 ? 0.01 : interval < 1 ? 0.1 : 1;
         EXPECT_NEAR(interval / unit, std::round(interval / unit), 1e-9) << span;
     }

@@ -11,7 +11,7 @@
 namespace fulcrum::ui {
 namespace {
 
-/// 500 s at 1 kHz, a ripple with one sample that stands out.
+/// 500 s at 1 kHz, a ripple with one outlier.
 std::shared_ptr<const MinMaxPyramid> record_with_a_peak() {
     std::vector<double> x;
     std::vector<float> y;
@@ -49,7 +49,7 @@ TEST(TimeChart, ShowsAsManyPointsAsItsWidthHoldsAndEveryPeak) {
     EXPECT_GT(narrow.points, 500);
     EXPECT_LE(narrow.points, 1502);
     EXPECT_EQ(narrow.highest, 9);
-    const double bucket = 500.0 / 400;  // s, wider than any: the border's own bucket reaches the border
+    const double bucket = 500.0 / 400;  // s, wider than any bucket: the last bucket extends to the border
     EXPECT_LT(narrow.first, bucket);
     EXPECT_GT(narrow.last, 499.999 - bucket);
     for (const double span : {250.0, 100.0, 20.0, 2.0, 0.1}) {

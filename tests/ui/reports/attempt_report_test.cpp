@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One attempt's report: the same figures as CSV, as JSON, in words; a PDF of one page.
+// One attempt's report: the same values as CSV, as JSON and in words; a PDF of one page.
 #include <gtest/gtest.h>
 
 #include <QFile>
@@ -65,7 +65,7 @@ AttemptPaper paper() {
     return paper;
 }
 
-TEST(AttemptReport, CsvJsonAndWordsCarryTheSameFigures) {
+TEST(AttemptReport, CsvJsonAndWordsContainTheSameValues) {
     const AttemptPaper one = paper();
     const nlohmann::json json = nlohmann::json::parse(attempt_json(one));
     EXPECT_EQ(json["pathology"]["tme_grade"], 2);
@@ -96,7 +96,7 @@ TEST(AttemptReport, CsvJsonAndWordsCarryTheSameFigures) {
     EXPECT_EQ(findings, 12);
 }
 
-TEST(AttemptReport, IsWordedAsAPathologistWould) {
+TEST(AttemptReport, UsesThePathologistsTerms) {
     const auto words = [](const PathologyReport& report, const char* title) {
         QString all;
         for (const PathologyLine& line : pathology_lines(report))
@@ -120,7 +120,7 @@ TEST(AttemptReport, IsWordedAsAPathologistWould) {
     EXPECT_EQ(pathology_rows(nothing)[0][3], QStringLiteral("–"));
 }
 
-TEST(AttemptReport, IsAPageOfPdf) {
+TEST(AttemptReport, IsOnePdfPage) {
     const QTemporaryDir folder;
     const QString path = folder.filePath("attempt.pdf");
     write_attempt_pdf(paper(), plain(path));
@@ -129,9 +129,9 @@ TEST(AttemptReport, IsAPageOfPdf) {
     const QByteArray pdf = file.readAll();
     EXPECT_TRUE(pdf.startsWith("%PDF"));
     EXPECT_TRUE(pdf.contains("/Count 1")) << "one page";
-    const QByteArray kept = qgetenv("FULCRUM_REPORT_PAGE");  // to be looked at
+    const QByteArray kept = qgetenv("FULCRUM_REPORT_PAGE");  // for inspection
     if (!kept.isEmpty()) QFile::copy(path, QString::fromLocal8Bit(kept));
-    // An attempt without a specimen has a page as well.
+    // An attempt without a specimen also has a page.
     AttemptPaper plain_one = paper();
     plain_one.report.pathology.reset();
     write_attempt_pdf(plain_one, plain(folder.filePath("plain.pdf")));

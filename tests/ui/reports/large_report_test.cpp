@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Much on paper: of a cohort of two hundred everybody has a page, a person's table goes on over as many pages
-// as it needs. How long it takes is measured by benchmark_review.
+// Large reports: each of two hundred trainees has a page, and a person's table continues over several pages.
+// benchmark_review measures the time.
 #include <gtest/gtest.h>
 
 #include <QDir>
@@ -16,8 +16,8 @@
 namespace fulcrum::ui {
 namespace {
 
-// FULCRUM_PICTURES keeps the paper.
-TEST(LargeReport, FiveTasksStandOnItWithTheirWholeTitles) {
+// FULCRUM_PICTURES=FOLDER stores the report.
+TEST(LargeReport, ShowsFiveTasksWithTheirFullTitles) {
     const QTemporaryDir folder;
     const database::Store store = database::Store::create(folder.filePath("five.db").toStdString());
     const std::vector<const char*> ids = {"A2", "B1", "B2", "B3", "C4"};
@@ -53,7 +53,7 @@ TEST(LargeReport, FiveTasksStandOnItWithTheirWholeTitles) {
     }
 }
 
-// Forty rows, each with a number of its own in every column of figures.
+// Forty rows with a different number in every cell.
 PersonReport person_of_forty_rows() {
     PersonReport report;
     report.provenance.programme = "Surgery";
@@ -90,7 +90,7 @@ PersonReport person_of_forty_rows() {
     return report;
 }
 
-TEST(LargeReport, APersonsFortyRowsAllStandOnItAndAreCounted) {
+TEST(LargeReport, ShowsAndCountsAllFortyRowsOfAPerson) {
     const QTemporaryDir folder;
     const PersonReport report = person_of_forty_rows();
     const QString path = folder.filePath("forty.pdf");
@@ -112,7 +112,7 @@ TEST(LargeReport, APersonsFortyRowsAllStandOnItAndAreCounted) {
         heads += has_rows ? 1 : 0;
         for (const QByteArray& line : page.split('\n')) lines << line.simplified();
     }
-    EXPECT_GE(heads, 2) << "the table goes on over further pages";
+    EXPECT_GE(heads, 2) << "the table continues on further pages";
     for (std::size_t i = 0; i < report.rows.size(); ++i) {
         const database::CohortRow& row = report.rows[i];
         const QByteArray device = i % 2 == 0 ? "haptic device" : "mouse and keyboard";
@@ -130,7 +130,7 @@ TEST(LargeReport, APersonsFortyRowsAllStandOnItAndAreCounted) {
         }
         EXPECT_EQ(found, 1) << row.task_id << ": " << figures.toStdString();
     }
-    // Every task has its chart: its name stands alone above it, beside that of another one.
+    // Every task has a chart with its name above it; two charts share a row.
     for (const ReportTask& task : report.tasks) {
         const QByteArray id = QByteArray::fromStdString(task.id);
         int charts = 0;
@@ -168,7 +168,7 @@ TEST(LargeReport, HasAPageForEachOfTwoHundredTrainees) {
         EXPECT_GE(all.count(name), 2) << name;
 }
 
-TEST(LargeReport, StopsWhereItIsToldToAndLeavesNoFile) {
+TEST(LargeReport, StopsOnRequestAndLeavesNoFile) {
     const QTemporaryDir folder;
     const database::Store store = database::Store::create(folder.filePath("large.db").toStdString());
     const auto large = database::test::make_large_programme(store, 12, 1, 1, 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands on the pages of a PDF.
+// The text of the pages of a PDF.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 namespace fulcrum::ui {
 
-/// The pages of a PDF as they are laid out.
+/// The text of each page, in its layout.
 inline QList<QByteArray> pages_of(const std::string& path) {
     QProcess process;
     process.start(QStringLiteral("pdftotext"),

@@ -14,7 +14,7 @@
 namespace fulcrum::ui {
 namespace {
 
-/// A reader of our own for the CSV, RFC 4180.
+/// A CSV reader after RFC 4180.
 std::vector<std::vector<std::string>> read_csv(const std::string& csv) {
     std::vector<std::vector<std::string>> rows{{std::string()}};
     bool quoted = false;
@@ -118,7 +118,7 @@ TEST(ReportCsv, HasUnitsRawAndScaledColumnsAndADictionaryLineEach) {
     for (std::size_t i = 0; i < rows[0].size(); ++i) EXPECT_EQ(dictionary[i + 1][0], rows[0][i]);
 }
 
-TEST(Report, CsvAndJsonCarryTheSameFigures) {
+TEST(Report, CsvAndJsonContainTheSameValues) {
     const CohortReport report = cohort();
     const auto rows = read_csv(cohort_csv(report));
     const nlohmann::json json = nlohmann::json::parse(cohort_json(report));
@@ -137,7 +137,7 @@ TEST(Report, CsvAndJsonCarryTheSameFigures) {
     EXPECT_EQ(json["provenance"]["programme"], "Surgery");
 }
 
-TEST(ReportCsv, GivesOneColumnAMetricHandAndTissue) {
+TEST(ReportCsv, HasOneColumnPerMetricHandAndTissue) {
     PersonReport report;
     report.login = "ada";
     database::PersonProgress progress;
@@ -166,7 +166,7 @@ TEST(ReportCsv, GivesOneColumnAMetricHandAndTissue) {
     EXPECT_EQ(cell(rows, 2, "points_scaled"), "0.5");
 }
 
-TEST(Figures, AreWrittenOneWay) {
+TEST(Figures, HaveOneFormat) {
     EXPECT_EQ(figure(0.0).toStdString(), "0");
     EXPECT_EQ(figure(12.34).toStdString(), "12.3");
     EXPECT_EQ(figure(1234.4).toStdString(), "1234");
@@ -178,14 +178,14 @@ TEST(Figures, AreWrittenOneWay) {
     EXPECT_EQ(figure_with_unit(3.0, "count").toStdString(), "3");
 }
 
-TEST(Figures, StandBesideEachOtherWhereTheyAreThere) {
+TEST(Figures, AreJoinedWithoutEmptyParts) {
     EXPECT_EQ(beside({"Surgery", "attempt report"}).toStdString(), "Surgery · attempt report");
     EXPECT_EQ(beside({"", "attempt report"}).toStdString(), "attempt report");
     EXPECT_EQ(beside({"a", QString(), "b", ""}).toStdString(), "a · b");
     EXPECT_TRUE(beside({"", QString()}).isEmpty());
 }
 
-/// No line of the paper begins or ends with what separates two parts, and none has a part missing inside.
+/// No line of the report begins or ends with a separator or contains two in a row.
 void expect_no_part_missing(const QByteArray& page) {
     for (const QByteArray& one : page.split('\n')) {
         const QString line = QString::fromUtf8(one.simplified());
@@ -195,8 +195,8 @@ void expect_no_part_missing(const QByteArray& page) {
     }
 }
 
-// A store that nobody founded a programme in, as the one of a demonstration, and a person without a name.
-TEST(Report, LinesOnPaperBeginWithWhatIsThere) {
+// A store without a programme, as in the demonstration, and a person without a name.
+TEST(Report, LinesHaveNoSeparatorForMissingParts) {
     const QTemporaryDir folder;
     const std::string path = plain(folder.filePath("a.pdf"));
     CohortReport of_many = cohort();

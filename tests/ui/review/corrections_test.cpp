@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What goes wrong with attempts in real life, and how it is put right at the window with real events: wrong
-// person, a gate that no benchmark has a limit for, reports that are written while one goes on working.
+// Corrections through the window with real events: an attempt of the wrong person, a gate without a limit in
+// any benchmark, reports written in the background.
 #include <gtest/gtest.h>
 
 #include <QComboBox>
@@ -104,7 +104,7 @@ class Corrections : public ::testing::Test {
     std::unique_ptr<MainWindow> window;
 };
 
-TEST_F(Corrections, ATraineeAsksAndTheEducatorReassignsToTheRightPerson) {
+TEST_F(Corrections, TraineeRequestsAndEducatorReassignsToTheRightPerson) {
     const std::string id = record(*tara);
     act_as(*tara);
     open_debrief(id);
@@ -121,7 +121,7 @@ TEST_F(Corrections, ATraineeAsksAndTheEducatorReassignsToTheRightPerson) {
     EXPECT_FALSE(sees(*window, "reassign_person"));
     click(*window, "reassign_attempt");
     auto* people = find<QComboBox>(*window, "reassign_person");
-    ASSERT_EQ(people->count(), 1) << "the cohort's other trainee, nobody else";
+    ASSERT_EQ(people->count(), 1) << "only the cohort's other trainee";
     EXPECT_EQ(people->currentText(), "Theo Trainee");
     click(*window, "reassign_confirm");
     EXPECT_TRUE(shown("message_text").contains("reason"));
@@ -148,7 +148,7 @@ TEST_F(Corrections, ATraineeAsksAndTheEducatorReassignsToTheRightPerson) {
     EXPECT_TRUE(shown("debrief_notes").contains("Reassigned"));
 }
 
-TEST_F(Corrections, AGateWithoutALimitSaysNone) {
+TEST_F(Corrections, GateWithoutALimitIsNotAssessed) {
     const std::string id = record(*tara);
     act_as(*tara);
     open_debrief(id);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of an attempt's events is worth a line in its debrief.
+// Which events of an attempt have a line in its debrief.
 #include <gtest/gtest.h>
 
 #include <QTemporaryDir>
@@ -11,8 +11,8 @@
 namespace fulcrum::ui {
 namespace {
 
-// Fibres part many times a second: a line where they begin to, and again after they have held for a while.
-TEST(EventLines, FibresThatPartInARowAreOneLine) {
+// Fibres tear many times a second: one line at the beginning, and another after a pause.
+TEST(EventLines, FibresThatTearInASeriesAreOneLine) {
     const QTemporaryDir folder;
     const database::Store store = database::Store::create(folder.filePath("fibres.db").toStdString());
     const database::Session station = store.station_session();
@@ -65,7 +65,7 @@ TEST(EventLines, ANerveUnderABladeIsNotInjuredByHeat) {
     EXPECT_EQ(event_words(event, {}), "Nerve injured by heat");
 }
 
-TEST(EventLines, CrumbsThatNobodySeesAreNone) {
+TEST(EventLines, TinyPiecesHaveNoLine) {
     Event event;
     event.kind = EventKind::piece_fallen;
     event.value = 5e-9F;

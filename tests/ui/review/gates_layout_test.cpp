@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The gates' table shows every word of where a limit comes from.
+// The table of gates shows the full source of each limit.
 #include <gtest/gtest.h>
 
 #include <QApplication>
@@ -13,7 +13,7 @@
 namespace fulcrum::ui::test {
 namespace {
 
-TEST(GatesLayout, TheWholeSourceOfALimitIsPainted) {
+TEST(GatesLayout, ShowsTheFullSourceOfALimit) {
     apply_theme(*qApp, Theme::light);
     const std::vector<std::string> sources = {
         "Training limit of this task, provisional: half of the cut within half a millimetre of the plane",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the head-up display writes never lies over something else that it writes, at any size of the picture.
+// The texts of the head-up display do not overlap, at any size of the picture.
 #include <gtest/gtest.h>
 
 #include <QImage>
@@ -13,13 +13,13 @@
 namespace fulcrum::ui::test {
 namespace {
 
-/// All that can be said at once of a goal of this kind.
+/// All texts that a goal of this kind can show at the same time.
 struct Shown {
     TaskDefinition task;
     HudState hud;
 };
 
-/// What is said at once, beside the goal.
+/// The other texts that can be shown at the same time.
 void say_all(HudState& hud) {
     hud.place = QStringLiteral("replay ×0.5");
     hud.shows_active_hand = true;
@@ -49,7 +49,7 @@ Shown everything(GoalKind kind) {
     Shown shown;
     Goal goal;
     goal.kind = kind;
-    goal.text = "Divide the plane level by level down to the levator, taut";
+    goal.text = "Divide the plane level by level under traction";
     goal.count = 10;
     goal.length_m = 0.224;
     goal.height_m = 0.03;
@@ -63,13 +63,13 @@ Shown everything(GoalKind kind) {
     return shown;
 }
 
-/// px: lines of one paragraph stand closer by what ascent and descent are rounded up, in pixels of the
+/// px: lines of one paragraph are closer because ascent and descent are rounded up, in pixels of the
 /// layout.
 double rounding_at(int dots_per_inch) {
     return std::max(1.0, dots_per_inch / 96.0);
 }
 
-/// Nothing lies over anything, nothing is cut off.
+/// No text overlaps another, none is cut off.
 void expect_apart(Shown& shown, QSize size, int dots_per_inch, const std::string& what) {
     shown.hud.task = &shown.task;
     WordsDevice device(size, dots_per_inch);
@@ -118,7 +118,7 @@ const QSize sizes[] = {QSize(557, 360),  QSize(700, 400),  QSize(800, 480),  QSi
 /// Text at 75, 100, 125 and 150 % of the desktop's usual size.
 const int text_scales[] = {72, 96, 120, 144};
 
-TEST(HudLayout, NothingLiesOverAnythingWhateverIsToBeDone) {
+TEST(HudLayout, TextsOfEveryGoalKindDoNotOverlap) {
     for (const GoalType& type : goal_types) {
         Shown shown = everything(type.kind);
         for (const QSize size : sizes)
@@ -127,8 +127,8 @@ TEST(HudLayout, NothingLiesOverAnythingWhateverIsToBeDone) {
     }
 }
 
-// Each goal of each task in its own words, with its own instruments, warnings and modes.
-TEST(HudLayout, NothingLiesOverAnythingInAnyTask) {
+// Each goal of each task with its texts, instruments, warnings and modes.
+TEST(HudLayout, TextsOfEveryTaskDoNotOverlap) {
     const QString places[] = {QString(), QStringLiteral("demonstration: synthetic expert"),
                               QStringLiteral("replay ×0.25")};
     int goals = 0;
@@ -171,7 +171,7 @@ TEST(HudLayout, NothingLiesOverAnythingInAnyTask) {
     EXPECT_GE(goals, 12);
 }
 
-TEST(HudLayout, ForcesStandStillWhenAWarningComes) {
+TEST(HudLayout, ForcesKeepTheirPlaceWhenAWarningAppears) {
     const auto hand_at = [](Shown& shown) {
         shown.hud.task = &shown.task;
         WordsDevice device(QSize(557, 360));

@@ -44,7 +44,7 @@ TEST(MouseKeyboard, StartsWhereTheSceneSays) {
 }
 
 // A2 asks for the left hand first; the mouse moved the right one.
-TEST(MouseKeyboard, BeginsWithTheHandThatTheFirstGoalAsksFor) {
+TEST(MouseKeyboard, BeginsWithTheHandOfTheFirstGoal) {
     const Scene targets = scene();
     MouseKeyboardInput input(targets);
     const TaskDefinition a2 = load_task(fulcrum::test::source_path("assets/tasks/A2.json"));
@@ -74,7 +74,7 @@ TEST(MouseKeyboard, PedalAndExchangeAreButtonsOfTheActiveHandWhileHeld) {
     EXPECT_EQ(settle(*input.rig(), 1).hand[1].buttons & (button_energy | button_exchange), 0);
 }
 
-TEST(MouseKeyboard, TheTipGoesAgainstTheMouse) {
+TEST(MouseKeyboard, TheTipMovesOppositeToTheMouse) {
     const Scene targets = scene();
     MouseKeyboardInput input(targets);
     DeviceSample start;
@@ -90,7 +90,7 @@ TEST(MouseKeyboard, TheTipGoesAgainstTheMouse) {
     EXPECT_GT(std::abs(moved.x()), std::abs(moved.y()));
 }
 
-TEST(MouseKeyboard, TheWheelMovesTheTipAlongItsShaftAndTheOtherHandStays) {
+TEST(MouseKeyboard, TheWheelMovesTheTipAlongItsShaftAndNotTheOtherHand) {
     const Scene targets = scene();
     MouseKeyboardInput input(targets);
     const RigSample before = settle(*input.rig());
@@ -163,7 +163,7 @@ TEST(MouseKeyboard, NeverLeavesTheTrocarsCone) {
     EXPECT_GE(input.targets().hand[1].handle.norm(), handle_clearance);
 }
 
-TEST(MouseKeyboard, SaysThatADeviceIsGone) {
+TEST(MouseKeyboard, ReportsALostDevice) {
     const Scene targets = scene();
     MouseKeyboardInput input(targets);
     input.set_connected(false);

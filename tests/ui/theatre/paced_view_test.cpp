@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The live view draws its scene as coarsely as its pace says, and words as finely as ever. The pace is told
-// durations here that no clock measured. FULCRUM_PICTURES keeps the pictures.
+// The live view draws the scene at the resolution chosen by DrawingPace, and text always at full resolution.
+// The durations are set by the test. FULCRUM_PICTURES=FOLDER stores the pictures.
 #include <gtest/gtest.h>
 
 #include <QApplication>
@@ -34,7 +34,7 @@ class PacedView : public ::testing::Test {
         if (!folder.isEmpty()) image.save(QDir(folder).filePath(QString::fromLatin1(name) + ".png"));
         return image;
     }
-    /// Two windows of the pace: one of them at least knows nothing else.
+    /// Two averaging windows of the pace: at least one contains only these durations.
     void tell(double ms) {
         for (int i = 0; i < 30; ++i) view.pace().drawn(ms);
     }
@@ -45,10 +45,10 @@ class PacedView : public ::testing::Test {
     TheatreView view;
 };
 
-TEST_F(PacedView, ALevelOfThePaceIsDrawnAndWordsStayAsTheyAre) {
+TEST_F(PacedView, SceneIsDrawnAtThePacesResolutionAndTextAtFullResolution) {
     ASSERT_TRUE(view.is_loaded()) << view.drawing_error().toStdString();
     constexpr int coarsest = DrawingPace::levels - 1;
-    // Not paced, what the pace is told changes nothing.
+    // Without pacing, the durations have no effect.
     const QImage fine = picture("fine");
     const double full = view.resolution();
     EXPECT_GT(full, 0.5);
@@ -64,7 +64,7 @@ TEST_F(PacedView, ALevelOfThePaceIsDrawnAndWordsStayAsTheyAre) {
     EXPECT_NEAR(view.resolution(), full * DrawingPace::share_at(coarsest), 0.005);
     ASSERT_EQ(coarse.size(), fine.size());
     EXPECT_NE(coarse, fine);
-    // The same picture, less sharp; beside the round image, where words stand, to the pixel the same.
+    // The same picture, less sharp; identical outside the round image, where the text is.
     double difference = 0;
     int beside = 0, words = 0;
     const double middle_x = 0.5 * fine.width(), middle_y = 0.5 * fine.height();

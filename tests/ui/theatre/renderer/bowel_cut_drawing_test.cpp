@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A bowel whose wall is cut, as it is drawn: one sees in through an opening, what came free falls out of the
-// picture, beside a cut there is no seam, and a bowel that is whole looks as one that cannot be cut.
-// FULCRUM_PICTURES keeps the pictures.
+// Drawing of a bowel whose wall is cut: an opening shows the lumen, a detached piece falls out of the
+// picture, there is no seam next to a cut, and an uncut bowel looks like one that cannot be cut.
+// FULCRUM_PICTURES=FOLDER stores the pictures.
 #include "ui/theatre/renderer/bowel_cut_drawing.h"
 
 #include <gtest/gtest.h>
@@ -71,7 +71,7 @@ class BowelCutPicture : public ::testing::Test {
     CameraPose camera;
 };
 
-TEST_F(BowelCutPicture, ASlitShowsAndAWholeBowelLooksAsOneThatCannotBeCut) {
+TEST_F(BowelCutPicture, SlitIsVisibleAndUncutBowelLooksLikeOneThatCannotBeCut) {
     const WorldSnapshot whole = seen();
     const QImage before = draw(whole, "bowel-whole");
     EXPECT_EQ(assembler.assemble(whole).bowel_hidden, nullptr);
@@ -93,9 +93,9 @@ TEST_F(BowelCutPicture, ADiscFallsAndLeavesAnOpeningIntoTheLumen) {
     const QImage falling = draw(lower, "bowel-disc-falls");
     EXPECT_GT(differing(cut, falling, 24), 2000);
     for (int i = 0; i < 220; ++i) rig.step();
-    ASSERT_GT(rig.world.snapshot().bowel_cut.removed_area, 1e-4) << "fallen and removed";
+    ASSERT_GT(rig.world.snapshot().bowel_cut.removed_area, 1e-4) << "the disc has fallen and was removed";
     const QImage open = draw(seen(), "bowel-open"), whole = draw(healed(seen()), "bowel-healed");
-    // Within the rim it is dark and red, for little light gets in; the rim itself is lit and paler.
+    // Inside the rim it is dark and red, because little light enters; the rim itself is lit and paler.
     int dark = 0, lit = 0, redder = 0;
     for (int y = 0; y < side; ++y) {
         for (int x = 0; x < side; ++x) {
@@ -112,10 +112,10 @@ TEST_F(BowelCutPicture, ADiscFallsAndLeavesAnOpeningIntoTheLumen) {
     EXPECT_GT(lit, 1500);
 }
 
-TEST_F(BowelCutPicture, WhatIsLeftOfATriangleLooksAsItDid) {
+TEST_F(BowelCutPicture, RemainingPartOfATriangleLooksUnchanged) {
     const WorldSnapshot whole = seen();
     const QImage before = draw(whole, "bowel-unhidden");
-    // Every triangle near is drawn by its own corners as what is left of it: all of it.
+    // Every nearby triangle is drawn as a remaining part that is the whole triangle.
     WorldSnapshot parted = whole;
     BowelCutView& view = parted.bowel_cut;
     const TriangleMesh& mesh = rig.bowel().skin().rest();
@@ -136,7 +136,7 @@ TEST_F(BowelCutPicture, WhatIsLeftOfATriangleLooksAsItDid) {
     sheet.build(frame.sheets[0].surface);
     EXPECT_EQ(sheet.rim_edges(), 0U) << "nothing was taken away";
     EXPECT_LT(differing(before, after, 4), 20) << "rounding at the edges of triangles";
-    // Restored, it is what it was.
+    // After restoring, the picture is the original one.
     EXPECT_EQ(draw(whole, "bowel-again"), before);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pace alone, told durations of a machine that is made up: fixed + pixels, in ms.
+// DrawingPace with durations of a simulated machine: a fixed part plus a part per pixel, in ms.
 #include "ui/theatre/renderer/drawing_pace.h"
 
 #include <gtest/gtest.h>
@@ -21,14 +21,14 @@ struct Machine {
     double picture_ms(double share) const { return fixed + pixels * share * share; }
 };
 
-/// Steps that so many pictures lead to.
+/// The step after this many pictures.
 int run(DrawingPace& pace, const Machine& machine, int pictures) {
     int steps = 0;
     for (int i = 0; i < pictures; ++i) steps += pace.drawn(machine.picture_ms(pace.share())) ? 1 : 0;
     return steps;
 }
 
-TEST(DrawingPace, LevelsGrowCoarserFromTheFullResolution) {
+TEST(DrawingPace, LevelsGetCoarserFromFullResolution) {
     EXPECT_EQ(DrawingPace::share_at(0), 1);
     for (int level = 1; level < DrawingPace::levels; ++level)
         EXPECT_LT(DrawingPace::share_at(level), DrawingPace::share_at(level - 1));
@@ -43,7 +43,7 @@ TEST(DrawingPace, AFastMachineKeepsTheFullResolution) {
     EXPECT_EQ(pace.level(), 0);
 }
 
-TEST(DrawingPace, ASlowMachineIsWithinTheGoalAfterASecondAndStaysThere) {
+TEST(DrawingPace, SlowMachineReachesTheGoalWithinASecondAndKeepsIt) {
     DrawingPace pace;
     EXPECT_GE(run(pace, {5, 20}, 45), 1);
     EXPECT_LE(Machine({5, 20}).picture_ms(pace.share()), DrawingPace::goal_ms);
@@ -51,14 +51,14 @@ TEST(DrawingPace, ASlowMachineIsWithinTheGoalAfterASecondAndStaysThere) {
     EXPECT_EQ(run(pace, {5, 20}, half_minute), 0);
 }
 
-TEST(DrawingPace, OneTooSlowForAnyLevelIsDrawnInTheCoarsestAtOnce) {
+TEST(DrawingPace, MachineTooSlowForEveryLevelUsesTheCoarsestAtOnce) {
     DrawingPace pace;
     EXPECT_EQ(run(pace, {20, 80}, 15), 1);
     EXPECT_EQ(pace.level(), coarsest);
     EXPECT_EQ(run(pace, {20, 80}, half_minute), 0);
 }
 
-TEST(DrawingPace, SlowPicturesNowAndThenChangeNothing) {
+TEST(DrawingPace, OccasionalSlowPicturesChangeNothing) {
     DrawingPace pace;
     for (int i = 0; i < half_minute; ++i) EXPECT_FALSE(pace.drawn(i % 3 == 0 ? 90 : 12)) << i;
 }
@@ -67,13 +67,13 @@ TEST(DrawingPace, ItReturnsStepByStepWhenThereIsTimeAgain) {
     DrawingPace pace;
     run(pace, {10, 60}, 60);
     ASSERT_EQ(pace.level(), coarsest);
-    // Not in the first seconds: a lull is not yet a faster machine.
+    // Not in the first seconds: a short pause does not mean a faster machine.
     EXPECT_EQ(run(pace, {3, 10}, 75), 0);
     EXPECT_EQ(run(pace, {3, 10}, half_minute), coarsest);
     EXPECT_EQ(pace.level(), 0);
 }
 
-TEST(DrawingPace, ALoadThatComesAndGoesIsFollowedLessAndLessOften) {
+TEST(DrawingPace, FollowsAVaryingLoadLessAndLessOften) {
     DrawingPace pace;
     const auto come_and_go = [&pace](int times) {
         int steps = 0;
@@ -88,7 +88,7 @@ TEST(DrawingPace, ALoadThatComesAndGoesIsFollowedLessAndLessOften) {
     EXPECT_LT(come_and_go(10), first);
 }
 
-TEST(DrawingPace, RestartedItIsAsNew) {
+TEST(DrawingPace, RestartResetsEverything) {
     DrawingPace pace, fresh;
     run(pace, {10, 60}, 67);
     pace.restart();
@@ -99,7 +99,7 @@ TEST(DrawingPace, RestartedItIsAsNew) {
     }
 }
 
-TEST(DrawingPace, WhatIsNoDurationDoesNotCount) {
+TEST(DrawingPace, IgnoresInvalidDurations) {
     DrawingPace pace;
     for (int i = 0; i < 100; ++i) {
         for (const double ms : {std::nan(""), -1.0, std::numeric_limits<double>::infinity(),
@@ -118,7 +118,7 @@ RC_GTEST_PROP(DrawingPace, EveryEvenLoadSettlesWithinTheGoalOrAtTheCoarsestLevel
     const double settled = machine.picture_ms(pace.share());
     RC_ASSERT(settled <= DrawingPace::goal_ms || pace.level() == coarsest);
     RC_ASSERT(run(pace, machine, half_minute) == 0);
-    // No coarser than it has to be, within the room that is left for a step up.
+    // No coarser than necessary, except for the margin required before a step up.
     if (pace.level() > 0) {
         const double finer = machine.picture_ms(DrawingPace::share_at(pace.level() - 1));
         RC_ASSERT(finer > 0.75 * DrawingPace::goal_ms);

@@ -11,7 +11,8 @@ namespace {
 
 constexpr int side = 96;
 
-/// White, marked 0, where `inside` holds at a pixel's centre; else black, marked 255. First row lowest.
+/// White with mark 0 where `inside` is true at the pixel's centre, otherwise black with mark 255. Bottom row
+/// first.
 QImage drawn(const std::function<double(double, double)>& inside) {
     QImage image(side, side, QImage::Format_RGB32);
     for (int y = 0; y < side; ++y) {
@@ -42,7 +43,7 @@ double error_along_edge(const QImage& shown, const std::function<double(double, 
     return sum / count;
 }
 
-TEST(EdgeSmoothing, TakesTwoFifthsOfTheErrorOffSlantedAndRoundEdges) {
+TEST(EdgeSmoothing, ReducesTheErrorOfSlantedAndRoundEdgesByTwoFifths) {
     const std::function<double(double, double)> shapes[] = {
         [](double x, double y) { return y - 20 - x / 7; },
         [](double x, double y) { return x - 30 + y / 5; },
@@ -58,14 +59,14 @@ TEST(EdgeSmoothing, TakesTwoFifthsOfTheErrorOffSlantedAndRoundEdges) {
     }
 }
 
-TEST(EdgeSmoothing, LeavesStraightEdgesAndUnmarkedContrastAlone) {
+TEST(EdgeSmoothing, DoesNotChangeStraightEdgesAndUnmarkedContrast) {
     const auto half = [](double x, double) { return 48 - x; };
     const QImage raw = drawn(half);
     QImage plain(side, side, QImage::Format_RGB32), smooth(side, side, QImage::Format_RGB32);
     copy_upright(raw, plain);
     copy_with_smooth_edges(raw, smooth);
     EXPECT_EQ(smooth, plain);
-    // Tissue against tissue: the same mark on both sides of a slanted edge.
+    // Two tissues: the same mark on both sides of a slanted edge.
     QImage tissue = drawn([](double x, double y) { return y - 20 - x / 7; });
     for (int y = 0; y < side; ++y) {
         for (int x = 0; x < side; ++x) reinterpret_cast<QRgb*>(tissue.scanLine(y))[x] |= 0xff000000U;

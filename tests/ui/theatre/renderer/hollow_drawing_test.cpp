@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sacral hollow as it is drawn: round about, the rectum in its fat, fibres that part, char, veins.
-// FULCRUM_PICTURES keeps the pictures.
+// Drawing of the sacral hollow: walls, the rectum in its fat, tearing fibres, char, veins.
+// FULCRUM_PICTURES=FOLDER stores the pictures.
 #include "ui/theatre/renderer/hollow_drawing.h"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ class Hollow : public ::testing::Test {
     std::unique_ptr<SceneRenderer> renderer;
 };
 
-TEST_F(Hollow, TheRectumLiesInItsFatAndWallsCloseTheRoom) {
+TEST_F(Hollow, RectumIsSurroundedByFatAndWallsCloseTheCavity) {
     const SceneFrame& frame = assembler.assemble(snapshot);
     EXPECT_TRUE(frame.enclosed);
     ASSERT_NE(septa(frame), nullptr);
@@ -69,7 +69,7 @@ TEST_F(Hollow, TheRectumLiesInItsFatAndWallsCloseTheRoom) {
         still += sheet.version != 0 ? 1 : 0;
         if (sheet.wear != SheetWear::fat) continue;
         ++fat;
-        // Between bowel and fascia, and behind the bowel as far from it as the septa's fat is deep.
+        // Between bowel and fascia, at the depth of the septa's fat behind the bowel.
         double farthest = 0;
         for (std::size_t v = 0; v < sheet.surface.vertices; ++v) {
             const Vector3& p = sheet.surface.positions[v];
@@ -82,7 +82,7 @@ TEST_F(Hollow, TheRectumLiesInItsFatAndWallsCloseTheRoom) {
                     0.0015);
     }
     EXPECT_EQ(fat, 1);
-    EXPECT_EQ(still, 2) << "fascia and walls are laid once";
+    EXPECT_EQ(still, 2) << "fascia and walls are uploaded once";
 
     const QImage image = picture("C4-at-rest");
     int lit = 0, bluish = 0, seen = 0;
@@ -96,10 +96,10 @@ TEST_F(Hollow, TheRectumLiesInItsFatAndWallsCloseTheRoom) {
         }
     }
     EXPECT_GT(lit, seen * 8 / 10) << "walls all round, no hole";
-    EXPECT_LT(bluish, seen / 10) << "instruments alone, no training box";
+    EXPECT_LT(bluish, seen / 10) << "only the instruments are bluish: no training box";
 }
 
-TEST_F(Hollow, WhatEnergyDividedIsBlack) {
+TEST_F(Hollow, TissueDividedByEnergyIsBlack) {
     const QImage before = picture("C4-unburnt");
     BandsView energy;
     energy.sheet_char.assign(static_cast<std::size_t>(snapshot.sheet.triangle_count), 0);
@@ -122,9 +122,9 @@ TEST_F(Hollow, WhatEnergyDividedIsBlack) {
     EXPECT_GT(darker(before, after, 40), 300);
 }
 
-TEST_F(Hollow, FibresPartWhereTheyAreStretched) {
+TEST_F(Hollow, FibresTearWhereTheyAreStretched) {
     const QImage before = picture("C4-unstretched");
-    // The rectum drawn forwards: all that hangs on it goes along, the more the higher up it is.
+    // The rectum pulled forward: attached tissue follows, more so in its upper part.
     for (std::int32_t v = 0; v < snapshot.sheet.vertex_count; ++v) {
         const auto k = static_cast<std::size_t>(v);
         const double up =
@@ -137,7 +137,7 @@ TEST_F(Hollow, FibresPartWhereTheyAreStretched) {
     EXPECT_NE(before, after);
 }
 
-TEST_F(Hollow, VeinsShineBlueThroughTheFascia) {
+TEST_F(Hollow, VeinsAreVisibleAsBlueThroughTheFascia) {
     const QImage before = picture("C4-no-veins");
     const SacralCurve curve{scene.presacral->centre, scene.presacral->curve_radius,
                             scene.presacral->caudal_angle, scene.bowel->outer_radius, scene.presacral->gap};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figures: panels side by side, what is in them where it belongs, in its colour, lit whatever the distance.
+// Figures: panels side by side, with contents in the right place and colour, lit equally at every distance.
 #include "ui/theatre/renderer/picture.h"
 
 #include <gtest/gtest.h>
@@ -63,7 +63,7 @@ TEST(Picture, PanelsShowTheirMeshesEquallyLitAtAnyDistance) {
     EXPECT_GT(light, 150);
 }
 
-TEST(Picture, AccentColoursTheVerticesThatHaveIt) {
+TEST(Picture, AccentColoursOnlyTheAccentedVertices) {
     PicturePanel p = panel(0.02, 0.1);
     p.meshes[0].accent.assign(8, 1.0F);
     PictureOptions options;
@@ -72,13 +72,13 @@ TEST(Picture, AccentColoursTheVerticesThatHaveIt) {
     EXPECT_GT(c.blue(), c.red() + 30);
 }
 
-TEST(Picture, CameraLooksWhereItIsTold) {
+TEST(Picture, CameraLooksAtItsTarget) {
     const CameraPose camera = camera_towards({0.1, -0.2, 0.3}, {0.05, 0.1, 0.0}, {0, 0, 1}, 0.6);
     const QVector3D at = SceneRenderer::project(camera, {0.05, 0.1, 0.0}, QSize(300, 300));
     EXPECT_NEAR(at.x(), 150, 0.01);
     EXPECT_NEAR(at.y(), 150, 0.01);
     EXPECT_LT(SceneRenderer::project(camera, {0.05, 0.1, 0.05}, QSize(300, 300)).y(), 140);
-    // Straight down: any way round is as good.
+    // Straight down: any rotation is acceptable.
     EXPECT_TRUE(camera_towards({0, 0, 1}, {0, 0, 0}, {0, 0, 1}, 0.6).orientation.coeffs().allFinite());
 }
 

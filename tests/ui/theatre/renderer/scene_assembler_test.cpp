@@ -16,7 +16,7 @@ namespace {
 
 const std::string scenes = std::string(FULCRUM_SOURCE_DIR) + "/assets/scenes/";
 
-TEST(SceneAssembler, DrawsTheBowelWhereTheWorldHasIt) {
+TEST(SceneAssembler, DrawsTheBowelAtItsPositionInTheWorld) {
     const Scene scene = load_scene(scenes + "b1_bowel.json");
     const World world(scene, 1);
     WorldSnapshot snapshot = world.snapshot();
@@ -26,7 +26,7 @@ TEST(SceneAssembler, DrawsTheBowelWhereTheWorldHasIt) {
     ASSERT_NE(frame.mesentery_positions, nullptr);
     ASSERT_EQ(frame.tools.size(), scene.instruments.size());
     const std::size_t vertices = bowel_anatomy(scene).surface.vertices.size();
-    // Every ring has skin round it.
+    // Every ring is surrounded by the drawn surface.
     for (std::size_t r = 2; r + 2 < snapshot.rings.size(); r += 4) {
         double nearest = 1;
         for (std::size_t v = 0; v < vertices; ++v) {
@@ -36,15 +36,15 @@ TEST(SceneAssembler, DrawsTheBowelWhereTheWorldHasIt) {
         EXPECT_GT(nearest, 0.4 * scene.bowel->outer_radius);
         EXPECT_LT(nearest, 1.2 * scene.bowel->outer_radius);
     }
-    // What the world lifts is drawn lifted.
+    // A lifted ring is drawn lifted.
     const float before = frame.bowel_positions[3 * 5000 + 2];
     for (RingFrame& ring : snapshot.rings) ring.position.z() += 0.01;
     EXPECT_NEAR(assembler.assemble(snapshot).bowel_positions[3 * 5000 + 2], before + 0.01F, 1e-5F);
 }
 
-TEST(SceneAssembler, TheMesenteryIsDrawnWhereTheWorldsMembraneIs) {
+TEST(SceneAssembler, DrawsTheMesenteryAtThePositionOfTheMembrane) {
     const Scene scene = load_scene(scenes + "b1_mesentery.json");
-    // The bowel as it is laid without membranes: whose rings these are does not matter here.
+    // The bowel without membranes.
     WorldSnapshot snapshot = World(load_scene(scenes + "b1_bowel.json"), 1).snapshot();
     const BowelAnatomy anatomy = bowel_anatomy(scene);
     ASSERT_EQ(anatomy.membranes.size(), 1U);
@@ -64,7 +64,7 @@ TEST(SceneAssembler, TheMesenteryIsDrawnWhereTheWorldsMembraneIs) {
     }
 }
 
-TEST(SceneAssembler, TargetsOnlyNeedNoBowel) {
+TEST(SceneAssembler, DrawsASceneWithTargetsOnly) {
     const Scene scene = load_scene(scenes + "a2_targets.json");
     const World world(scene, 3);
     SceneAssembler assembler(scene, world.snapshot());
@@ -79,7 +79,7 @@ TEST(SceneAssembler, TargetsOnlyNeedNoBowel) {
     EXPECT_GT(qRed(image.pixel(160, 120)) + qGreen(image.pixel(160, 120)) + qBlue(image.pixel(160, 120)), 30);
 }
 
-TEST(SceneAssembler, ASheetIsDrawnAsTheWorldHasItBetweenItsTools) {
+TEST(SceneAssembler, DrawsASheetAsInTheWorldBetweenItsTools) {
     const Scene scene = load_scene(scenes + "b2_areolar.json");
     ASSERT_TRUE(scene.sheet);
     WorldSnapshot snapshot;
@@ -116,14 +116,14 @@ TEST(SceneAssembler, ASheetIsDrawnAsTheWorldHasItBetweenItsTools) {
     const QImage whole = render_offscreen(renderer, frame, QSize(320, 320));
     const QColor middle = whole.pixelColor(110, 130);
     EXPECT_GT(middle.red(), middle.blue() + 15);
-    // What is gone is not drawn: the box behind it is bluish.
+    // Removed parts are not drawn: the box behind them is bluish.
     view.triangle_count = 0;
     const QImage gone = render_offscreen(renderer, assembler.assemble(snapshot), QSize(320, 320));
     const QColor behind = gone.pixelColor(110, 130);
     EXPECT_LT(behind.red(), behind.blue() + 5);
 }
 
-TEST(SceneAssembler, EachKindOfInstrumentHasItsEnd) {
+TEST(SceneAssembler, EachKindOfInstrumentHasItsOwnTip) {
     SceneFrame frame;
     frame.camera.position = Vector3(0, 0, 0.05);
     SceneRenderer renderer;

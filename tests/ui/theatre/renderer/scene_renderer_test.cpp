@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures held against the sentences of docs/QUALITY.md, Look, that a number can test. Needs a display with
+// Tests the measurable statements of docs/QUALITY.md, Look. Needs a display with
 // OpenGL.
 #include "ui/theatre/renderer/scene_renderer.h"
 
@@ -44,7 +44,7 @@ double luminance(const QColor& c) {
     return 0.2126 * c.redF() + 0.7152 * c.greenF() + 0.0722 * c.blueF();
 }
 
-// Mean luminance of the pixels whose distance from the middle lies between two shares of the image's radius.
+// Mean luminance of the pixels whose distance from the centre is between two shares of the image's radius.
 double ring_luminance(const QImage& image, double low, double high) {
     double sum = 0;
     int count = 0;
@@ -146,7 +146,7 @@ TEST_F(Renderer, ProjectionAgreesWithThePicture) {
                 1e-6);
 }
 
-TEST_F(Renderer, JawsOpenAndATipNearTissueThrowsAShadow) {
+TEST_F(Renderer, JawsOpenAndATipNearTissueCastsAShadow) {
     const CavityShape cavity = make_cavity({});
     renderer_.set_cavity(cavity);
     // A tip 3 mm over the posterior wall, one 35 mm over it.
@@ -167,7 +167,7 @@ TEST_F(Renderer, JawsOpenAndATipNearTissueThrowsAShadow) {
     EXPECT_GT(different_pixels(bare, closed), 500);
     frame.tools[0].pose.jaw_angle = 1.0;
     EXPECT_GT(different_pixels(closed, picture(frame)), 50);
-    // The same tool as a ghost throws no shadow; beside the real one the tissue is darker than without.
+    // A ghost of the tool casts no shadow; next to the real tool the tissue is darker than without it.
     frame.tools = {tool_at(near_tip, 0.0)};
     const QImage near_tissue = picture(frame);
     frame.tools[0].ghost = true;
@@ -235,7 +235,7 @@ TEST_F(Renderer, PauseHidesTheScene) {
     EXPECT_EQ(ring_luminance(picture(frame), 0, 2), 0.0);
 }
 
-TEST_F(Renderer, SameFrameGivesTheSamePictureAndAReleasedRendererStartsAgain) {
+TEST_F(Renderer, SameFrameGivesTheSamePictureAlsoAfterReleasingTheRenderer) {
     renderer_.set_cavity(make_cavity({}));
     SceneFrame frame;
     frame.camera = look({0, 0.12, 0.08}, {0, 0.02, -0.03});

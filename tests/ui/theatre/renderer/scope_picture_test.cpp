@@ -25,7 +25,7 @@ TEST(ScopePicture, ARoundImageInABlackFrameDarkerTowardsItsRim) {
         EXPECT_EQ(image.pixel(outside), qRgb(0, 0, 0)) << outside.x();
     EXPECT_LT(grey(200 + 92, 100), 200);
     EXPECT_GT(grey(200 + 92, 100), 100);
-    EXPECT_EQ(grey(200 + 55, 100), 255);  // nothing is taken from the middle
+    EXPECT_EQ(grey(200 + 55, 100), 255);  // the centre is not darkened
     EXPECT_NEAR(grey(200 - 80, 100), grey(200 + 79, 100), 1);
 }
 

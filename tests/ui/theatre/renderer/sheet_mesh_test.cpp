@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sheet with thickness: closed, of the right volume, with a cut face along each rim; and how it looks.
+// A sheet with thickness: closed, with the right volume and a cut face along each rim; and its appearance.
 #include "ui/theatre/renderer/sheet_mesh.h"
 
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ TEST(SheetMesh, IsClosedAndHoldsAreaTimesThickness) {
     SheetMesh mesh;
     mesh.build(g.surface());
     EXPECT_EQ(mesh.rim_edges(), 2U * (60 + 30) + 2U * (39 + 1));
-    // Each edge, told by its ends' places, is passed equally often both ways.
+    // Each edge, identified by the positions of its ends, occurs equally often in both directions.
     std::map<std::array<std::array<long, 3>, 2>, int> passed;
     const auto place = [&mesh](std::uint32_t index) {
         const Vector3 p = vertex(mesh, index);
@@ -72,7 +72,7 @@ TEST(SheetMesh, IsClosedAndHoldsAreaTimesThickness) {
     EXPECT_NEAR(volume, (60 * 30 - 39) * 4e-6 * 0.0012, 1e-12);
 }
 
-TEST(SheetMesh, LeavesOutWhatNamesNoVertexAndDrawsNothingOfNothing) {
+TEST(SheetMesh, SkipsInvalidTrianglesAndAcceptsAnEmptySheet) {
     Grid g = grid([](int, int) { return false; });
     SheetMesh mesh;
     mesh.build(g.surface());
@@ -86,10 +86,10 @@ TEST(SheetMesh, LeavesOutWhatNamesNoVertexAndDrawsNothingOfNothing) {
     EXPECT_TRUE(mesh.vertices().empty());
 }
 
-TEST(SheetMesh, ACutGapesShowsPalerInsideAndTheInkLineIsDark) {
+TEST(SheetMesh, CutGapesIsPalerInsideAndInkLineIsDark) {
     Grid g = grid([](int i, int j) { return j == 15 && i > 8 && i < 32; });
     for (Vector3& p : g.positions) {
-        // Hung from behind, pulled towards the eye at the front, the cut's lips drawn apart.
+        // Fixed at the back, pulled towards the camera at the front, the lips of the cut apart.
         const double side = p.y() < 0.031 ? -1 : 1,
                      apart = std::max(0.0, 1 - std::pow((p.x() - 0.041) / 0.022, 2));
         p.y() += side * 0.004 * apart * std::exp(-std::pow((p.y() - 0.031) / 0.012, 2));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Splitting of vertices: what the pipeline draws is still the same surface.
+// Splitting of vertices: the drawn surface is unchanged.
 #include "ui/theatre/renderer/surface_mesh.h"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ TEST(SurfaceMesh, SeamIsClosedByCopiesAndNoTriangleRunsRoundTheTube) {
             EXPECT_EQ(static_cast<std::int32_t>(own(surface, surface.indices[3 * t + c])),
                       bowel.surface.triangles[t][c]);
     }
-    // Coarse ones included: two columns of 48 at most.
+    // Including coarse ones: at most two columns of 48.
     for (std::size_t t = 0; t < surface.indices.size(); t += 3) {
         float low = 1e9F, high = -1e9F;
         for (std::size_t c = 0; c < 3; ++c) {
@@ -129,8 +129,8 @@ TEST(ToolMesh, NormalsAreUnitAndIndicesValid) {
     }
 }
 
-// A dome that goes round and round its pole draws the texture out into a star.
-TEST(SurfaceMesh, DomesWearTheTextureUndrawn) {
+// Rings around the pole of a dome would stretch the texture into a star.
+TEST(SurfaceMesh, DomesDoNotStretchTheTexture) {
     RectumParameters rectum;
     rectum.curve.centre = Vector3(0, 0, 0.1);
     rectum.curve.curve_radius = 0.1;

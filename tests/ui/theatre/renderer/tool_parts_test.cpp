@@ -33,12 +33,12 @@ TEST(ToolParts, JawsOpenOnBothSidesShearsOnOne) {
     EXPECT_EQ(moved(InstrumentKind::grasper), 2);
     EXPECT_EQ(moved(InstrumentKind::scissors), 2);
     EXPECT_EQ(moved(InstrumentKind::clip_applier), 2);
-    EXPECT_EQ(moved(InstrumentKind::harmonic), 2);  // an arm and its pad; the bar stays
+    EXPECT_EQ(moved(InstrumentKind::harmonic), 2);  // an arm and its pad; the bar does not move
     for (const InstrumentKind end : {InstrumentKind::hook, InstrumentKind::suction, InstrumentKind::probe})
         EXPECT_EQ(moved(end), 0);
 }
 
-TEST(ToolParts, EachReachesItsTipAndIsHeldByAnInsulatedShaft) {
+TEST(ToolParts, EachReachesItsTipAndHasAnInsulatedShaft) {
     for (const InstrumentType& type : instrument_types) {
         const std::vector<ToolPart> parts = parts_of(type.kind, 0);
         EXPECT_TRUE(
@@ -56,7 +56,7 @@ TEST(ToolParts, EachReachesItsTipAndIsHeldByAnInsulatedShaft) {
     }
 }
 
-TEST(ToolParts, WhatIsOutsideHasNone) {
+TEST(ToolParts, InstrumentOutsideTheBodyHasNone) {
     std::vector<ToolPart> parts;
     add_tool_parts(DrawnTool(), parts);
     EXPECT_TRUE(parts.empty());

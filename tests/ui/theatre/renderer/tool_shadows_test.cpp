@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the instruments' shadows matter: close about their jaws and on what lies behind them, seen from the
+// Where shadows of instruments matter: close to their jaws and on surfaces behind them, as seen from the
 // lamp.
 #include "ui/theatre/renderer/tool_shadows.h"
 
@@ -10,7 +10,7 @@ namespace {
 
 constexpr float ball = 0.006F;  // m
 
-/// Jaws of 20 mm straight ahead, 10 cm before the lens.
+/// Jaws of 20 mm straight ahead, 10 cm in front of the lens.
 SceneFrame one_tool() {
     SceneFrame frame;
     DrawnTool tool;
@@ -21,29 +21,29 @@ SceneFrame one_tool() {
     return frame;
 }
 
-TEST(ToolShadows, MatterAboutTheJawsAndBehindThem) {
+TEST(ToolShadows, MatterAroundTheJawsAndBehindThem) {
     const ToolShadows shadows = tool_shadows(one_tool(), QMatrix4x4());
     EXPECT_TRUE(shadows.may_vary_in({0, 0, -0.10F}, ball));
     EXPECT_TRUE(shadows.may_vary_in({-0.03F, 0, -0.10F}, ball)) << "along the jaws";
-    EXPECT_FALSE(shadows.may_vary_in({0.03F, 0, -0.10F}, ball)) << "beyond the tip, beside it";
+    EXPECT_FALSE(shadows.may_vary_in({0.03F, 0, -0.10F}, ball)) << "beyond the tip, to the side";
     EXPECT_FALSE(shadows.may_vary_in({0, -0.03F, -0.10F}, ball));
-    // The lamp of the shadows sits above the lens: a shadow falls lower than the tip.
+    // The lamp that casts the shadows is above the lens: a shadow is lower than the tip.
     const QVector3D ray = (QVector3D(0, 0, -0.10F) - shadows.lamp).normalized();
     EXPECT_LT(ray.y(), 0);
     EXPECT_TRUE(shadows.may_vary_in(QVector3D(0, 0, -0.10F) + 0.03F * ray, ball));
     EXPECT_FALSE(shadows.may_vary_in(QVector3D(0, 0, -0.10F) + 0.12F * ray, ball)) << "too soft to show";
     EXPECT_FALSE(shadows.may_vary_in(QVector3D(0, 0, -0.10F) + 0.03F * ray + QVector3D(0.03F, 0, 0), ball));
-    EXPECT_FALSE(shadows.may_vary_in({0, 0, -0.10F}, 0.10F)) << "what lies round about";
+    EXPECT_FALSE(shadows.may_vary_in({0, 0, -0.10F}, 0.10F)) << "the surroundings";
 }
 
-TEST(ToolShadows, AreWhereTheyAreFromWhereverOneLooks) {
+TEST(ToolShadows, DoNotDependOnTheCamera) {
     QMatrix4x4 to_camera;
     to_camera.rotate(70, 1, 2, 3);
     to_camera.translate(0.1F, -0.2F, 0.3F);
     const ToolShadows shadows = tool_shadows(one_tool(), to_camera);
     EXPECT_TRUE(shadows.may_vary_in({0, 0, -0.10F}, ball));
     EXPECT_FALSE(shadows.may_vary_in(to_camera.map(QVector3D(0, 0, -0.10F)), ball));
-    // What the shaders read is in camera space.
+    // The values for the shaders are in camera space.
     EXPECT_LT(shadows.to[0].toVector3D().distanceToPoint(to_camera.map(QVector3D(0, 0, -0.10F))), 1e-6F);
     EXPECT_LT(to_camera.map(shadows.lamp).distanceToPoint({0, 0.0035F + 0.016F, 0.001F}), 1e-6F);
 }
@@ -59,7 +59,7 @@ TEST(ToolShadows, AStrainedTipReachesFarther) {
     EXPECT_TRUE(strained.may_vary_in(beside, ball));
 }
 
-TEST(ToolShadows, OnlyWhatIsInsideAndNoGhostThrowsOne) {
+TEST(ToolShadows, AreCastOnlyByInstrumentsInsideTheBodyAndNotByGhosts) {
     SceneFrame frame = one_tool();
     frame.tools[0].ghost = true;
     EXPECT_FALSE(tool_shadows(frame, QMatrix4x4()).may_vary_in({0, 0, -0.10F}, ball));
