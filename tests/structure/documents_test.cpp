@@ -224,29 +224,5 @@ TEST(Documents, EverySourceThatIsNamedIsInTheBibliography) {
     ASSERT_EQ(citations("// after Flash and Hogan 1985 and Pan et al. 2011").size(), 2U);
 }
 
-/// A word that the documents avoid; empty: none. Names of metrics and keys come from elsewhere: lines of
-/// tables that are generated are left out by the caller.
-std::string avoided_word(const std::string& line) {
-    static const std::regex pattern(R"(\b(anew|besides?|meanwhile|untold|told|mend|mended|hitherto)\b)");
-    std::smatch match;
-    return std::regex_search(line, match, pattern) ? match.str() : std::string();
-}
-
-TEST(Documents, UsePlainWords) {
-    for (const fs::path& path : files_with({".md"})) {
-        bool generated = false;
-        int number = 0;
-        for (const std::string& line : lines_of(test::text_of(relative_name(path)))) {
-            ++number;
-            if (line.rfind("<!-- generated: ", 0) == 0) generated = true;
-            if (line.rfind("<!-- end of ", 0) == 0) generated = false;
-            if (generated) continue;
-            EXPECT_EQ(avoided_word(line), "") << relative_name(path) << ":" << number;
-        }
-    }
-    EXPECT_EQ(avoided_word("the page is made anew"), "anew");
-    EXPECT_EQ(avoided_word("inside and sidebar"), "");
-}
-
 }  // namespace
 }  // namespace fulcrum

@@ -70,11 +70,10 @@ AuditPage::AuditPage(Context& context) : Page(context, "audit_page") {
     older_ = make_button(tr("Show older ones"), "audit_older");
     connect(older_, &QPushButton::clicked, this, &AuditPage::load_older);
     layout->addWidget(older_, 0, Qt::AlignLeft);
-    layout->addWidget(
-        make_label(tr("What is said of an attempt is withheld here: it is for those who may read "
-                      "the attempt. Whoever owns the file can write the chain anew; reports "
-                      "carry its head, to compare."),
-                   "muted"));
+    layout->addWidget(make_label(tr("Texts about an attempt are not shown here; they are visible to people "
+                                    "who may read the attempt. Anyone with access to the file can rewrite "
+                                    "the chain: compare its head with the one in a report."),
+                                 "muted"));
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolled(body, 1240));

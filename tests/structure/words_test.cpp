@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// Documents and user-visible texts use plain English: a short list of words and phrases that are always
+// wrong.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/support/generated.h"
+#include "tests/support/support.h"
+
+namespace fulcrum {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
+
+/// Files with one of the extensions below a folder of the repository, as paths relative to the repository.
+std::vector<std::string> files_below(const std::string& folder, const std::vector<std::string>& extensions) {
+    const fs::path root = test::source_path("");
+    std::vector<std::string> found;
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+        const std::string extension = entry.path().extension().string();
+        if (entry.is_regular_file() &&
+            std::find(extensions.begin(), extensions.end(), extension) != extensions.end())
+            found.push_back(fs::relative(entry.path(), root).generic_string());
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+/// The first word of the text that is always wrong; empty: none.
+std::string avoided_word(const std::string& text) {
+    static const std::regex pattern(
+        R"re(\b(anew|besides?|meanwhile|untold|told|mend|mended|mends|hitherto|whilst|whiles|thereof|whereupon|)re"
+        R"re(goes on|otherwise than|clock stands|comes? to rest on|is no (number|file|folder|name|text))\b)re");
+    std::smatch match;
+    return std::regex_search(text, match, pattern) ? match.str() : std::string();
+}
+
+/// The text between quotation marks in a line of C++, all literals one after another; comments are left out.
+std::string literals_of(const std::string& line) {
+    std::string text;
+    bool inside = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (!inside && line.compare(i, 2, "//") == 0) break;
+        if (!inside && line.compare(i, 3, "'\"'") == 0) {
+            i += 2;
+        } else if (line[i] == '"') {
+            inside = !inside;
+            text += ' ';
+        } else if (inside) {
+            if (line[i] == '\\') ++i;
+            if (i < line.size()) text += line[i];
+        }
+    }
+    return text;
+}
+
+TEST(Words, DocumentsUsePlainWords) {
+    std::vector<std::string> documents = files_below("docs", {".md"});
+    for (const char* name : {"README.md", "CONTRIBUTING.md", "CHANGELOG.md"}) documents.push_back(name);
+    for (const std::string& name : documents) {
+        bool generated = false;  // tables of names from elsewhere
+        int number = 0;
+        for (const std::string& line : lines_of(test::text_of(name))) {
+            ++number;
+            if (line.rfind("<!-- generated: ", 0) == 0) generated = true;
+            if (line.rfind("<!-- end of ", 0) == 0) generated = false;
+            if (!generated) {
+                EXPECT_EQ(avoided_word(line), "") << name << ":" << number;
+            }
+        }
+    }
+    EXPECT_GT(documents.size(), 30U);
+}
+
+TEST(Words, ScreensAndMessagesUsePlainWords) {
+    std::size_t literals = 0;
+    for (const char* folder : {"sim_core", "app", "ui"})
+        for (const std::string& name : files_below(folder, {".h", ".cpp"})) {
+            int number = 0;
+            for (const std::string& line : lines_of(test::text_of(name))) {
+                ++number;
+                const std::string text = literals_of(line);
+                if (text.find(' ', 1) == std::string::npos) continue;
+                ++literals;
+                EXPECT_EQ(avoided_word(text), "") << name << ":" << number;
+            }
+        }
+    EXPECT_GT(literals, 2000U);
+}
+
+TEST(Words, TasksScenesAndSchemasUsePlainWords) {
+    std::size_t files = 0;
+    for (const std::string& name : files_below("assets", {".json"})) {
+        ++files;
+        int number = 0;
+        for (const std::string& line : lines_of(test::text_of(name)))
+            EXPECT_EQ(avoided_word(line), "") << name << ":" << ++number;
+    }
+    EXPECT_GT(files, 20U);
+}
+
+TEST(Words, AnAvoidedWordIsFound) {
+    EXPECT_EQ(avoided_word("the page is made anew"), "anew");
+    EXPECT_EQ(avoided_word("'x' is no number"), "is no number");
+    EXPECT_EQ(avoided_word("the clock stands and the scene is hidden"), "clock stands");
+    for (const char* plain : {"inside and sidebar", "amended", "retold"})
+        EXPECT_EQ(avoided_word(plain), "") << plain;
+}
+
+TEST(Words, OnlyLiteralsAreRead) {
+    EXPECT_EQ(avoided_word(literals_of("f(tr(\"try\"), \"again, or make it anew\");")), "anew");
+    EXPECT_EQ(avoided_word(literals_of("bool told = said('\"', \"\\\"plain\\\"\");  // told anew")), "");
+}
+
+}  // namespace
+}  // namespace fulcrum
