@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Run at build time: writes OUTPUT with the commit that is being built; touches it only when that changes.
-# A tree whose sources differ from the commit says so; generated pages are no sources.
+# A tree whose sources differ from the commit is marked; generated pages do not count as sources.
 execute_process(COMMAND git rev-parse --short=12 HEAD WORKING_DIRECTORY ${SOURCE} OUTPUT_VARIABLE commit
     OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
 if(failed)

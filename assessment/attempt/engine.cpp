@@ -31,7 +31,7 @@ struct AttemptEngine::Parts {
     }
 
     static constexpr std::size_t longest_step_ticks =
-        4096;  // a world that is later than this is a fault of its own
+        4096;  // a world that is later than this is reported as a fault
 };
 
 AttemptEngine::AttemptEngine(const Scene& scene, const TaskDefinition& task, std::uint64_t seed)
@@ -94,7 +94,7 @@ RunOutcome run_headless(AttemptEngine& engine, Rig& rig, AttemptSink& sink,
     if (observer != nullptr) observer->observe(engine.initial_snapshot(), engine.display());
 
     RunOutcome outcome;
-    bool pending = false;  // a step is done and waits for the tick it is due at
+    bool pending = false;  // a step is done and waits for its tick
     for (std::uint32_t tick = 1; !engine.ended(); ++tick) {
         RigSample input;
         input.tick = tick;
@@ -127,7 +127,7 @@ RunOutcome run_headless(AttemptEngine& engine, Rig& rig, AttemptSink& sink,
 
 namespace {
 
-/// Keeps what a replay re-makes.
+/// Stores the results of the replay.
 class ReplaySink : public AttemptSink {
   public:
     explicit ReplaySink(ReplayOutcome& outcome) : outcome_(outcome) {}
@@ -175,14 +175,14 @@ ReplayOutcome replay_record(AttemptEngine& engine, const AttemptRecord& record, 
     for (std::size_t i = 0; i < record.inputs.size() && !stopped; ++i) {
         const RigSample& input = record.inputs[i];
         const TickSample& recorded = record.samples[i];
-        if (recorded.model_step != adopted) {  // the record says which step's model made this tick
+        if (recorded.model_step != adopted) {  // the step whose model was used in this tick, from the record
             while (next_step < record.steps.size() && record.steps[next_step].step <= recorded.model_step)
                 step_once();
             engine.adopt(engine.world().local_models());
             adopted = recorded.model_step;
         }
         TickOutput output = engine.tick(input);
-        output.sample.missed = recorded.missed;  // a fact of the wall clock, not of the simulation
+        output.sample.missed = recorded.missed;  // depends on wall time, not on the simulation
         if (!same_sample(output.sample, recorded)) diverged(recorded.tick);
         if (keep_samples) outcome.samples.push_back(output.sample);
         outputs.push_back(output);

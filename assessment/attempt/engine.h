@@ -5,7 +5,7 @@
 //
 // Order, for m ticks a step: step j consumes the input ticks up to j*m and is due at tick (j+1)*m; its model
 // and snapshot are adopted at the next tick that follows a multiple of m. A late step is adopted later; the
-// record says by which model every tick was made.
+// record names the model of every tick.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@
 
 namespace fulcrum {
 
-/// Where an attempt's record goes. Called on the haptic side (on_tick) and the world side (on_event,
+/// Receives an attempt's record. Called on the haptic side (on_tick) and the world side (on_event,
 /// on_step); without a window both are one thread.
 class AttemptSink : public EventSink {
   public:
@@ -32,7 +32,7 @@ class AttemptSink : public EventSink {
     virtual void on_step(const StepRecord& step) noexcept = 0;
 };
 
-/// What a step leaves for the other side: the model for the tick, the picture for the viewport, the task for
+/// Output of a step for the other side: the model for the tick, the snapshot for the viewport, the task for
 /// the HUD.
 struct StepProducts {
     const LocalModels* models = nullptr;
@@ -42,7 +42,7 @@ struct StepProducts {
 
 class AttemptEngine {
   public:
-    /// Builds the scene's parts. Throws InputError where scene and task do not fit together. The seed draws
+    /// Builds the scene's parts. Throws InputError if scene and task do not fit together. The seed selects
     /// the variant.
     AttemptEngine(const Scene& scene, const TaskDefinition& task, std::uint64_t seed);
     ~AttemptEngine();
@@ -54,7 +54,7 @@ class AttemptEngine {
     std::uint64_t seed() const noexcept;
     World& world() noexcept;
     HapticLoop& loop() noexcept;
-    /// What the world shows before the first tick.
+    /// The snapshot before the first tick.
     const WorldSnapshot& initial_snapshot() const noexcept;
 
     /// Haptic side: one tick with the model adopted last.
@@ -82,9 +82,9 @@ struct RunOutcome {
     bool cancelled = false;
 };
 
-/// Runs an attempt to its end in this thread, as fast as it can. `keep_going` is asked about once a simulated
-/// second with the simulated time; returning false interrupts the attempt. `after_step` is called after every
-/// world step. A rig that is also an ObservingRig is shown the world.
+/// Runs an attempt to its end in this thread, as fast as possible. `keep_going` is called about once per
+/// simulated second with the simulated time; returning false interrupts the attempt. `after_step` is called
+/// after every world step. A rig that is also an ObservingRig is shown the world.
 RunOutcome run_headless(AttemptEngine& engine, Rig& rig, AttemptSink& sink,
                         const std::function<bool(double)>& keep_going = {},
                         const std::function<void()>& after_step = {});
@@ -102,11 +102,11 @@ struct ReplayOutcome {
     double first_divergence_s = -1;  ///< -1: none
     std::uint64_t state_hash = 0;
     std::vector<Event> events;        ///< as re-simulated
-    std::vector<TickSample> samples;  ///< as re-simulated, when asked for
+    std::vector<TickSample> samples;  ///< as re-simulated, on request
 };
 
-/// Runs a fresh engine over a record, following its schedule, and compares every sample and every step's hash
-/// with it. `after_step` sees every step's world; returning false stops.
+/// Runs a new engine over a record, following its schedule, and compares every sample and every step's hash
+/// with it. `after_step` gets the world after every step; returning false stops.
 ReplayOutcome replay_record(AttemptEngine& engine, const AttemptRecord& record, bool keep_samples = false,
                             const std::function<bool(const WorldSnapshot&)>& after_step = {});
 

@@ -6,7 +6,7 @@
 
 namespace fulcrum {
 
-/// Grows with the attempt: not for threads on the clock.
+/// Grows with the attempt: not for real-time threads.
 class MemorySink : public AttemptSink {
   public:
     void on_event(const Event& event) noexcept override { record.events.push_back(event); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The small statistics that benchmarks and comparisons need.
+// Statistics for benchmarks and comparisons.
 #pragma once
 
 #include <optional>
@@ -20,9 +20,9 @@ struct MedianInterval {
     double median = 0;
     double low = 0, high = 0;  ///< order statistics number rank_low and n + 1 - rank_low
     int rank_low = 0;          ///< from 1
-    double coverage = 0;       ///< exact binomial coverage, >= the level asked for
+    double coverage = 0;       ///< exact binomial coverage, >= the requested level
 };
-/// Narrowest symmetric pair of order statistics that covers the median with at least `level`; none where even
+/// Narrowest symmetric pair of order statistics that covers the median with at least `level`; none if even
 /// the extremes do not (fewer than 6 values at 0.95).
 std::optional<MedianInterval> median_interval(std::vector<double> values, double level = 0.95);
 
@@ -44,7 +44,7 @@ struct ExpertBenchmark {
     std::vector<LeftOutExpert> left_out;
 };
 /// One pass of the outlier rule, then the random-effects estimate; experts without values are not counted.
-/// None where fewer than `minimum_experts` are left.
+/// None if fewer than `minimum_experts` are left.
 std::optional<ExpertBenchmark> expert_benchmark(const std::vector<ExpertValues>& experts,
                                                 int minimum_experts = 6);
 

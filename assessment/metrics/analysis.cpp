@@ -11,8 +11,8 @@ namespace fulcrum {
 namespace {
 
 constexpr double motion_cutoff = 10.0, force_cutoff = 50.0;  // Hz
-// What lies above it is the device's noise: physiological tremor (6 to 12 Hz, its harmonics to 25 Hz) is the
-// hand's own, and a low-pass at 10 Hz would count half of it as noise of the device.
+// Higher frequencies are noise of the device. Physiological tremor (6 to 12 Hz, harmonics up to 25 Hz)
+// belongs to the hand; a low-pass at 10 Hz would count half of it as noise of the device.
 constexpr double noise_cutoff = 50.0;  // Hz
 constexpr std::size_t decimation = 10;
 constexpr double shortest_segment_s = 0.3, longest_segment_s = 10.0, slowest_peak = 0.020;
@@ -28,7 +28,7 @@ Eigen::Matrix3Xd decimate(const std::vector<double>& x, const std::vector<double
     return out;
 }
 
-/// The block's own samples between the two rests: what MotionBlock keeps of decimated columns with held ends.
+/// The block's own samples, without the held ends of the decimated columns.
 Eigen::Matrix3Xd between_rests(const Eigen::Matrix3Xd& points, std::size_t size, const Vector3& before,
                                const Vector3& after) {
     Eigen::Matrix3Xd out(3, static_cast<Eigen::Index>(size + 2));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What metrics share: the record resampled and filtered once, cut into blocks, with pauses and movement
-// segments found. Kinematics: 1 kHz, 10 Hz low-pass, then 100 Hz. Forces: 1 kHz, 50 Hz low-pass. Nothing runs
-// across the border of a block.
+// Shared by all metrics: the record resampled and filtered once, divided into blocks, with its pauses and
+// movement segments. Kinematics: 1 kHz, 10 Hz low-pass, then 100 Hz. Forces: 1 kHz, 50 Hz low-pass. Filters
+// and segments end at the border of a block.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,7 +19,7 @@ namespace fulcrum {
 
 inline constexpr double force_rate = 1000.0;  ///< Hz
 inline constexpr double motion_rate = 100.0;  ///< Hz
-inline constexpr double contact_force = 0.1;  ///< N, below it a force counts as none
+inline constexpr double contact_force = 0.1;  ///< N, smaller forces count as zero
 inline constexpr double rest_speed = 0.005;   ///< m/s
 inline constexpr double rest_time = 0.2;      ///< s, shortest pause
 
@@ -40,7 +40,7 @@ std::vector<Run> runs_of(std::size_t size, Test test) {
     return runs;
 }
 
-/// A trace block at 1 kHz: where its samples lie between those of the trace.
+/// A trace block at 1 kHz: positions of its samples between those of the trace.
 class UniformGrid {
   public:
     UniformGrid(const std::vector<double>& t, const TraceBlock& block);
@@ -65,8 +65,8 @@ class UniformGrid {
 
 /// One hand's motion in one block at 100 Hz. `position` and `axis` begin and end with the rest that the
 /// filter holds before the first and after the last sample (`held` columns at each side), so that no path is
-/// lost where a block ends in motion; between the rest and the block the hand counts as moving straight: the
-/// filter's ringing within the held time is nobody's movement. Everything else covers the block alone.
+/// lost if a block ends in motion. Between the held columns and the block the hand counts as moving straight:
+/// the filter's ringing in the held time is not a movement. All other members cover the block only.
 struct MotionBlock {
     static constexpr std::size_t held = 1;
     double begin = 0;                           ///< s
@@ -92,10 +92,10 @@ struct Segment {
     std::size_t block = 0;
     Run core, whole;
 };
-/// Pauses of a speed profile at 100 Hz: below 5 mm/s for 0.2 s; a rest cut short by an end of the profile is
-/// one too.
+/// Pauses of a speed profile at 100 Hz: below 5 mm/s for 0.2 s; a rest cut short by an end of the profile
+/// also counts.
 std::vector<std::uint8_t> find_pauses(const std::vector<double>& speed);
-/// Movement segments that are kept: 0.3 s to 10 s long, peak at least 20 mm/s, a pause on both sides.
+/// Valid movement segments: 0.3 s to 10 s long, peak at least 20 mm/s, a pause on both sides.
 std::vector<Segment> find_segments(const std::vector<double>& speed, const std::vector<std::uint8_t>& pause);
 
 /// One hand's forces in one block at 1 kHz.
@@ -132,7 +132,7 @@ class Analysis {
     const std::vector<Event>& events() const { return events_; }
     const MetricContext& context() const { return context_; }
     const HandAnalysis& hand(int h) const { return hands_[static_cast<std::size_t>(h)]; }
-    /// The trace's labels, then those that only the context names.
+    /// The labels of the trace, then those that are only in the context.
     const std::vector<std::string>& tissues() const { return tissues_; }
     /// Force limit of a tissue, N.
     std::optional<double> force_limit(int tissue) const;
@@ -158,9 +158,9 @@ class Analysis {
     double mean_rate_ = 0;
 };
 
-/// At most this many intervals stand as evidence of a row; the worst are kept.
+/// Largest number of intervals in the evidence of a row; the worst are kept.
 inline constexpr std::size_t evidence_limit = 20;
-/// An interval with a score; the evidence of a row is the intervals by falling score.
+/// An interval with a score; the evidence of a row is sorted by falling score.
 struct ScoredInterval {
     double score = 0;
     TimeInterval interval;

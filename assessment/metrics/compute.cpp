@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the registry over a record: which rows there are, and what is absent before a metric's function is
-// asked.
+// Computes all metrics of a record: determines the rows, and which are absent before their function is
+// called.
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -14,7 +14,7 @@ namespace fulcrum {
 
 namespace {
 
-constexpr double lost_limit_s = 0.1;  // the same span that splits a trace when it is a gap
+constexpr double lost_limit_s = 0.1;  // the length of a gap that splits a trace
 
 /// "column left.py is missing", or nothing.
 std::string missing_column(const Trace& trace, int h, Channel channel) {
@@ -35,7 +35,7 @@ std::string missing_channels(const Analysis& analysis, const MetricDescriptor& d
     return {};
 }
 
-/// Why a row cannot be measured, whatever the trainee did; empty where it can.
+/// The reason why a row cannot be measured, independent of the trainee; empty if it can.
 std::string not_measurable(const Analysis& analysis, const MetricDescriptor& d, const Selection& row) {
     const Trace& trace = analysis.trace();
     if (d.needs_events && !analysis.context().events_recorded) return "the record carries no events";
@@ -52,7 +52,7 @@ std::string not_measurable(const Analysis& analysis, const MetricDescriptor& d, 
     }
     if (d.channels.empty()) return {};
     if (analysis.grids().empty()) return "fewer than two samples follow each other";
-    // A mean rate from rounded times may fall short of a round figure by its last digits.
+    // A mean rate computed from rounded times may be slightly below a round value.
     if (analysis.mean_rate() < d.minimum_rate * 0.999) {
         std::ostringstream reason;
         reason << "the mean rate of " << std::round(analysis.mean_rate() * 10) / 10 << " Hz is below "

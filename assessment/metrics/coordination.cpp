@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the two hands worked together. Both hands' motion blocks lie on the same grids.
+// Coordination of the two hands. Their motion blocks have the same grids.
 #include <cmath>
 
 #include "assessment/metrics/analysis.h"

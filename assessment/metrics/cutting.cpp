@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a marked line was divided: under what traction, how far beside it, how much of it. All from the events
-// of the cut; positions and distances are those of the tissue at rest.
+// Division of a marked line: traction, distance from the line, divided length. Computed from the events of
+// the cut; positions and distances are those of the tissue at rest.
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double to_mm = 1e3, to_mm2 = 1e6;
 
-/// The strokes, or why a figure cannot be given.
+/// The strokes, or the reason why there is no value.
 struct Cut {
     std::vector<CutStroke> strokes;
     std::optional<Figure> absence;
@@ -59,7 +59,7 @@ class TractionShare {
         if (off <= 0) {
             inside_ += amount;
         } else if (amount > 0) {
-            // Stretches that follow each other are one piece of evidence, as bad as its worst moment.
+            // Consecutive intervals are one piece of evidence with the largest score of them.
             if (!outside_.empty() && when.begin <= outside_.back().interval.end + 0.1) {
                 outside_.back().interval.end = std::max(outside_.back().interval.end, when.end);
                 outside_.back().score = std::max(outside_.back().score, off);
@@ -97,7 +97,8 @@ Figure traction_eff(const Analysis& analysis, const Selection& /*row*/) {
     if (!has_band(plan)) return no_band();
     TractionShare share(plan);
     for (const CutStroke& stroke : cut.strokes) {
-        // What an advance says holds from the one before it; the last one's until the blade is out.
+        // The values of an advance apply since the previous advance; those of the last until the blade is
+        // out.
         double since = stroke.begin;
         std::optional<double> traction;
         for (const CutElement& element : stroke.elements) {

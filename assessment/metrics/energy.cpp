@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Energy, heat and blood: how long energy was on, how safely, what it heated beside its target, what was
-// lost.
+// Energy, heat and blood: time and safety of activations, thermal spread, blood loss.
 #include <algorithm>
 
 #include "assessment/metrics/analysis.h"
@@ -11,7 +10,7 @@ namespace fulcrum {
 
 namespace {
 
-/// From begin to end of each activation of a row's hand, with what held throughout.
+/// The activations of a row's hand, with the conditions that held throughout.
 struct ActivationSpan {
     TimeInterval when;
     Activation held;
@@ -42,7 +41,8 @@ Figure energy_safe(const Analysis& analysis, const Selection& row) {
         if (span.held.safe()) {
             ++safe;
         } else {
-            // The nearer the named structure the worse; out of view and off target count as much as 2 mm.
+            // Smaller distances from the named structure are worse; out of view and off target count as much
+            // as 2 mm.
             unsafe.push_back({!span.held.clear ? 1.0 - span.distance : 0.5, span.when});
         }
     }
@@ -59,8 +59,7 @@ Figure energy_time(const Analysis& analysis, const Selection& row) {
     double sum = 0;
     std::vector<ScoredInterval> spans;
     for (const TraceBlock& block : trace.blocks) {
-        // A sample says what holds until the next; the last one of a block lasts as long as the one before
-        // it.
+        // A sample is valid until the next; the last one of a block is as long as the one before it.
         for (std::size_t i = block.first; i < block.last;) {
             if (on[i] == 0) {
                 ++i;
@@ -86,8 +85,8 @@ Figure energy_time(const Analysis& analysis, const Selection& row) {
     return figure;
 }
 
-/// The last value that an event of a running sum or maximum told; 0 where none did. Where it rose most is the
-/// evidence.
+/// The last value reported by the events of a running sum or maximum; 0 without events. The evidence is the
+/// interval with the largest increase.
 Figure last_told(const Analysis& analysis, EventKind kind) {
     if (analysis.trace().t.empty()) return absent(Absence::not_measured, "nothing was recorded");
     double value = 0, before = 0;
@@ -112,7 +111,7 @@ Figure lateral_heat(const Analysis& analysis, const Selection& /*row*/) {
 Figure bleed_ml(const Analysis& analysis, const Selection& /*row*/) {
     Figure figure = last_told(analysis, EventKind::blood_loss);
     if (!figure.value) return figure;
-    // The bleedings themselves say where to look, the one that lost most first.
+    // The evidence is the bleedings, the largest loss first.
     struct Open {
         std::int32_t outlet = 0;
         double begin = 0;

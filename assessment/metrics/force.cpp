@@ -111,8 +111,8 @@ Figure impulse(const Analysis& analysis, const Selection& row) {
     return figure;
 }
 
-/// Limits by tissue of a row, or the reason why there are none. Samples of tissues without a limit count for
-/// nothing.
+/// Limits by tissue of a row, or the reason why there are none. Samples of tissues without a limit do not
+/// count.
 std::vector<std::optional<double>> limits_of(const Analysis& analysis, const Selection& row) {
     std::vector<std::optional<double>> limits;
     for (std::size_t k = 0; k < analysis.tissues().size(); ++k) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the jaws did to tissue, and the counted events. A grasp lasts while the jaws press on tissue with more
-// than 0.1 N.
+// Jaw forces on tissue, and counted events. A grasp lasts while the jaws press on tissue with more than 0.1
+// N.
 #include <algorithm>
 #include <map>
 
@@ -82,7 +82,7 @@ Figure grasp_ftp_patch(const Analysis& analysis, const Selection& row) {
     for (const ForceBlock& block : analysis.hand(row.hand).force)
         for (const Run& grasp :
              runs_of(block.jaw.size(), [&](std::size_t i) { return grasping(block, i, row); })) {
-            // One grasp may slide from patch to patch; each gets its own share.
+            // A grasp may slide from patch to patch; each patch gets its share.
             for (std::size_t first = grasp.first; first < grasp.last;) {
                 std::size_t last = first + 1;
                 while (last < grasp.last && block.patch[last] == block.patch[first]) ++last;
@@ -107,9 +107,9 @@ Figure grasp_ftp_patch(const Analysis& analysis, const Selection& row) {
     return figure;
 }
 
-constexpr double new_contact_s = 0.1;  // s off the tissue after which a touch is another one
+constexpr double new_contact_s = 0.1;  // s without contact after which a contact counts as a new one
 
-/// How often the instrument came onto the row's tissue.
+/// Number of contacts of the instrument with the row's tissue.
 Figure contacts(const Analysis& analysis, const Selection& row) {
     std::vector<ScoredInterval> touches;
     for (const ForceBlock& block : analysis.hand(row.hand).force) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the instrument moved: time, paths, depth, workspace. Positions after the 10 Hz filter at 100 Hz.
+// Movement of the instrument: time, paths, depth, workspace. Positions after the 10 Hz filter at 100 Hz.
 #include <algorithm>
 #include <cmath>
 
@@ -38,7 +38,7 @@ Figure time(const Analysis& analysis, const Selection&) {
         const std::optional<double> first = analysis.first_movement(h);
         if (first && (!begin || *first < *begin)) begin = first;
     }
-    // Work done haltingly has no run that is long enough: the monitor saw it begin, and its clock ran.
+    // Slow, halting work has no movement that is long enough; the beginning then comes from the monitor.
     for (const Event& event : analysis.events()) {
         if (event.kind != EventKind::first_movement) continue;
         const double seen = analysis.trace().time_of(event);
@@ -106,7 +106,7 @@ Figure depth_axis(const Analysis& analysis, const Selection& row) {
                     std::move(worst));
 }
 
-/// Times at which the hand reached a target, grasped or let go.
+/// Times at which the hand reached a target, grasped or released.
 std::vector<double> way_points(const Analysis& analysis, int h) {
     std::vector<double> times;
     for (const Event& event : analysis.events()) {
@@ -135,10 +135,10 @@ Figure econ(const Analysis& analysis, const Selection& row) {
     for (std::size_t i = 0; i + 1 < times.size(); ++i) {
         const auto from = analysis.block_at(row.hand, times[i]),
                    to = analysis.block_at(row.hand, times[i + 1]);
-        if (!from || from != to) continue;  // nothing runs across a gap
+        if (!from || from != to) continue;  // no movement spans a gap
         const MotionBlock& block = hand.motion[*from];
         std::size_t first = block.index(times[i]), last = block.index(times[i + 1]);
-        // Holds at either end are no part of the way.
+        // Holds at either end are not part of the path.
         while (first < last && block.pause[first] != 0) ++first;
         while (last > first && block.pause[last] != 0) --last;
         const auto size = static_cast<Eigen::Index>(last - first + 1);
@@ -347,7 +347,7 @@ MetricDescriptor with_axis(MetricDescriptor d) {
     return d;
 }
 
-/// Time, paths and how straight they were.
+/// Time, paths and their straightness.
 void add_paths(std::vector<Metric>& metrics) {
     using D = Direction;
     using A = Aggregation;
@@ -360,7 +360,7 @@ void add_paths(std::vector<Metric>& metrics) {
          "In a trace file without events the last sample is the end.",
          "the task took {value}, above the limit of {limit}",
          "look at the next goal while finishing this one, and keep both hands at work"});
-    d.version = 2;  // 2: who works before the first movement, haltingly, has begun
+    d.version = 2;  // 2: halting work before the first movement also starts the time
     d.hands = Hands::either;
     d.absent_means = AbsentMeans::failed;
     add(d, time);
@@ -461,7 +461,7 @@ void add_movements(std::vector<Metric>& metrics) {
     add(d, idle);
 }
 
-/// Speed, the volume worked in, and whether it was in view.
+/// Speed, working volume, visibility.
 void add_speed_and_place(std::vector<Metric>& metrics) {
     using D = Direction;
     using A = Aggregation;

@@ -11,7 +11,7 @@ namespace fulcrum {
 
 class Analysis;
 
-/// What a metric's function gives: a value, or why there is none.
+/// Result of a metric's function: a value, or the reason why there is none.
 struct Figure {
     std::optional<double> value;
     Absence absence = Absence::none;
@@ -28,8 +28,8 @@ struct Selection {
     int tissue = -1;
 };
 
-/// A descriptor and its pure function of the analysed record. The channels and rate that the descriptor asks
-/// for are there.
+/// A descriptor and its pure function of the analysed record. The channels and rate that the descriptor
+/// requires are present.
 struct Metric {
     MetricDescriptor descriptor;
     Figure (*compute)(const Analysis& analysis, const Selection& row) = nullptr;

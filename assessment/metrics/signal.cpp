@@ -30,7 +30,7 @@ struct Butterworth {
         a2 = (1.0 - std::sqrt(2.0) * k + k * k) * norm;
     }
 
-    /// One pass over [begin, end) in place, started as if the first value had always been there.
+    /// One pass over [begin, end) in place, with the steady state of the first value as initial state.
     template <typename Iterator>
     void run(Iterator begin, Iterator end) const {
         if (begin == end) return;
@@ -159,7 +159,7 @@ std::vector<std::size_t> find_peaks(const std::vector<double>& signal, double pr
         if (top && is_prominent(signal, i, end, prominence)) peaks.push_back((i + end) / 2);
         i = end + 1;
     }
-    // The highest first; each one it keeps clears its neighbourhood.
+    // The highest first; each accepted peak removes the lower ones near it.
     std::vector<std::size_t> order(peaks.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::stable_sort(order.begin(), order.end(),
@@ -211,8 +211,8 @@ double ellipsoid_volume(const Eigen::Matrix3Xd& points, double radius_squared) {
 double pearson(const std::vector<double>& a, const std::vector<double>& b) {
     assert(a.size() == b.size());
     if (a.empty()) return not_a_number;
-    // Plain loops: Eigen's sums over a std::vector's memory depend on its alignment, and a metric must be the
-    // same bits each time.
+    // Plain loops: Eigen's sums over a std::vector's memory depend on its alignment, and a metric must be
+    // bit-identical each time.
     const auto n = static_cast<double>(a.size());
     double mean_a = 0, mean_b = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {

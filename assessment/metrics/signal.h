@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bare functions of a sampled signal that metrics are made of. They meet their closed forms to 1e-6.
+// Functions of sampled signals, used by the metrics. They agree with closed forms to 1e-6.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,8 +29,8 @@ double ldlj(const std::vector<double>& speed, double rate);
 double dimensionless_jerk(const std::vector<double>& speed, double rate);
 
 /// Local maxima (the middle of a plateau), prominence at least `prominence`, at least `distance` samples
-/// apart: of two that are nearer the lower goes. Of equal maxima without a dip of `prominence` between them
-/// the first counts. Rising indices.
+/// apart: of two that are closer the lower is dropped. Of equal maxima without a dip of `prominence` between
+/// them the first counts. Rising indices.
 std::vector<std::size_t> find_peaks(const std::vector<double>& signal, double prominence,
                                     std::size_t distance);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How smoothly the hands moved: per movement segment, never over a whole attempt.
+// Smoothness of movement: per movement segment, never over a whole attempt.
 #include <algorithm>
 #include <cmath>
 
@@ -22,7 +22,7 @@ struct SegmentValues {
     std::vector<ScoredInterval> where;  ///< score: roughness, so that the worst come first
 };
 
-/// Median over segments, or why there is none.
+/// Median over segments, or the reason why there is none.
 Figure median_over(const HandAnalysis& hand, SegmentValues found, const char* kind) {
     if (found.values.size() < fewest_segments)
         return absent(Absence::not_done, std::to_string(found.values.size()) + " " + kind + ", fewer than " +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Figures of the pathology report as metrics: grade, margins, deepest defect, distance from the plane by
+// Values of the pathology report as metrics: grade, margins, deepest defect, distance from the plane by
 // sector.
 #include "assessment/metrics/analysis.h"
 #include "assessment/metrics/descriptor_text.h"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double to_mm = 1e3;
 
-/// The report, or why there is none.
+/// The report, or the reason why there is none.
 struct Finding {
     PathologyReport report;
     std::optional<Figure> absence;
@@ -32,7 +32,7 @@ Finding finding_of(const Analysis& analysis) {
     return finding;
 }
 
-/// Where the cut lay deepest in the fat, the deepest first.
+/// The deepest parts of the cut in the fat, the deepest first.
 std::vector<TimeInterval> defect_times(const PathologyReport& report) {
     std::vector<TimeInterval> times;
     for (const Defect& defect : report.defects)

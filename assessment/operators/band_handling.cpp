@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bands one after another: the left hand takes and lifts, the right hand divides with the shears; what bleeds
-// is clipped at once, smoke and blood are sucked away in passing.
+// Bands, one after another: the left hand grasps and lifts, the right hand divides with the shears. Bleeding
+// is clipped at once; smoke and blood are removed by suction.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -10,11 +10,11 @@
 namespace fulcrum {
 namespace {
 
-constexpr double hover = 0.022;                          // m above the place, on the way there
+constexpr double hover = 0.022;                          // m above the place, while approaching
 constexpr double open_share = 0.8, closed_share = 0.08;  // of the widest opening
 constexpr double shortest_close_s = 0.4;
 constexpr double longest_burn_s = 9;
-constexpr double press_s = 0.08;              // a button is pressed that long
+constexpr double press_s = 0.08;              // duration of a button press
 constexpr double smoke_that_disturbs = 0.25;  // share of light
 constexpr double suck_s = 1.5;
 constexpr int clip_attempts = 4;
@@ -146,7 +146,7 @@ class BandHandling : public Behaviour {
         if (bleeding >= 0) {
             outlet_ = bleeding;
             attempts_ = 0;
-            if (seen.tools[1].clips_left <= 0) outlet_ = -1;  // nothing left to stop it with: go on
+            if (seen.tools[1].clips_left <= 0) outlet_ = -1;  // no clips left: continue
         } else {
             outlet_ = -1;
         }
@@ -178,7 +178,7 @@ class BandHandling : public Behaviour {
         go(0, hold_node_, body, Stage::hold_above, skill_.choice_s * right.random().uniform(0.6, 1.4));
     }
 
-    /// Where to hold and where to divide: who looks ahead divides on the side away from the nerve.
+    /// Where to hold and where to divide: an operator with foresight divides on the side away from the nerve.
     void plan_band(const Perception& seen, Body& body) noexcept {
         Random& random = body.limb[1]->random();
         const BandView& band = seen.bands[static_cast<std::size_t>(band_)];
@@ -284,7 +284,7 @@ class BandHandling : public Behaviour {
     void burn(const Perception& seen, Body& body) noexcept {
         Limb& right = *body.limb[1];
         if (!seen.bands[static_cast<std::size_t>(band_)].divided() && right.time() < until_) return;
-        // Who hesitates keeps the pedal down a little longer.
+        // A hesitant operator keeps the pedal down a little longer.
         release_ = right.time() + 0.15 * skill_.hesitation;
         stage_ = Stage::let_go;
         until_ = release_ + 0.5 * skill_.dwell_s + 0.2;
@@ -295,7 +295,7 @@ class BandHandling : public Behaviour {
         go(1, 0, body, Stage::clip_above, skill_.choice_s * body.limb[1]->random().uniform(0.4, 1.0));
     }
 
-    // The exchange button until the hand holds what it wants.
+    // Presses the exchange button until the hand holds the wanted instrument.
     void swap(const Perception& seen, Body& body) noexcept {
         Limb& right = *body.limb[1];
         if (right.time() < until_swap_) return;
@@ -355,7 +355,7 @@ class BandHandling : public Behaviour {
     Stage stage_ = Stage::choose;
     InstrumentKind wanted_ = InstrumentKind::harmonic;
     bool begun_ = false, stopped_ = false, started_[hand_count] = {false, false};
-    bool divided_ = false;  // what was held is through: the jaws wait for the pedal
+    bool divided_ = false;  // the held tissue is divided: the jaws wait for the pedal
     int band_ = 0, outlet_ = -1, hold_node_ = 9, cut_node_ = 4, node_[hand_count] = {9, 4}, attempts_ = 0;
     double until_ = 0, until_swap_ = 0, release_ = 0, delay_ = 0, sucked_ = 0;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an operator wants to do next, for each kind of task. A behaviour sees what was shown a reaction time
-// ago and moves two limbs.
+// Decisions of an operator, for each kind of task. A behaviour sees the display of one reaction time ago and
+// moves two limbs.
 #pragma once
 
 #include <memory>
@@ -11,13 +11,13 @@
 
 namespace fulcrum {
 
-/// The operator's hands and eyes, as a behaviour uses them. Limbs that the scene does not give are null.
+/// The operator's limbs and view, as used by a behaviour. Limbs that the scene lacks are null.
 struct Body {
     Limb* limb[hand_count] = {nullptr, nullptr};
     const DelayLine* eyes = nullptr;
     Vector3 view =
         Vector3(0, -1, -1).normalized();  ///< unit, the camera's line of sight: depth is misjudged along it
-    Vector3 gaze = Vector3::Zero();       ///< m, what the behaviour looks at; the camera follows
+    Vector3 gaze = Vector3::Zero();       ///< m, the point that the behaviour looks at; the camera follows
 };
 
 class Behaviour {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// When the pedal of a blade with energy is down. Who looks ahead presses when the blade is felt on the
-// tissue, in short activations, lets go before the blade comes to the rim, and divides cold beside a nerve;
-// who does not presses on the way there and holds it until the blade is out again.
+// When the pedal of a blade with energy is down. An operator with foresight activates energy in contact with
+// the tissue, in short activations, releases the pedal before the rim, and divides cold near a nerve. An
+// operator without foresight presses the pedal while approaching and holds it until the blade is out again.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ class BladePedal {
     /// A stroke is planned.
     void plan(Limb& limb) noexcept {
         if (!energy_) return;
-        // Whoever looks ahead at all thinks of the nerves first, and of the tissue beside them next.
+        // With a little foresight an operator avoids the nerves, with more also the tissue next to them.
         const double careless = (1 - skill_.foresight) * (1 - skill_.foresight);
         waits_ = limb.random().uniform() >= careless;
         spares_ = limb.random().uniform() >= careless * careless;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where jaws must be to take hold of a tube's wall.
+// Positions of the jaws from which they can grasp a tube's wall.
 #pragma once
 
 #include "assessment/operators/limb.h"
@@ -7,8 +7,8 @@
 
 namespace fulcrum {
 
-/// Where the tip must be so that the middle of the jaws lies `off` m beside the centre line: the side of the
-/// tube that the shaft passes along, a little towards the trocar, never beneath the tube.
+/// Position of the tip for which the middle of the jaws is `off` m from the centre line: on the side of the
+/// tube where the shaft passes, a little towards the trocar, never below the tube.
 inline Vector3 tip_beside_tube(const Limb& limb, const LinePoint& point, double off) noexcept {
     const Vector3 axis = (point.position - limb.trocar().position).normalized();
     Vector3 side = axis.cross(point.tangent);
@@ -22,7 +22,7 @@ inline Vector3 tip_beside_tube(const Limb& limb, const LinePoint& point, double 
     return middle + 0.5 * limb.spec().jaw_length * shaft;
 }
 
-/// On the way there.
+/// A point of the approach.
 inline Vector3 tip_above_tube(const Limb& limb, const Vector3& place, double hover) noexcept {
     const Vector3 out = (limb.trocar().position - place).normalized();
     return place + hover * (0.7 * out + Vector3(0, 0, 0.5));

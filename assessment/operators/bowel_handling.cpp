@@ -11,21 +11,21 @@
 namespace fulcrum {
 namespace {
 
-constexpr double hover = 0.020;  // m above the place of a grasp, on the way there
+constexpr double hover = 0.020;  // m above the place of a grasp, while approaching
 constexpr double jaw_clearance =
     0.003;  // m from the wall to the shaft's axis when the jaws close: the shaft does not press
 constexpr double deeper = 0.0015;  // m nearer at every further attempt
 constexpr int attempts_at_a_place = 4;
-constexpr double sideways = 0.008;     // m along the bowel after that
-constexpr double tent_height = 0.007;  // m that a fresh grasp is lifted, to see that it holds
-constexpr double lift_margin = 0.006;  // m above the height asked for
-constexpr double open_share = 0.85, closed_share = 0.12;            // of the widest opening
+constexpr double sideways = 0.008;                        // m along the bowel after that
+constexpr double tent_height = 0.007;                     // m by which a new grasp is lifted to test it
+constexpr double lift_margin = 0.006;                     // m above the required height
+constexpr double open_share = 0.85, closed_share = 0.12;  // of the widest opening
 constexpr double before_frontier = 0.004, beyond_frontier = 0.018;  // m along the bowel
-constexpr double shaft_clearance = 0.011;                    // m between the shafts' axes on a planned way
+constexpr double shaft_clearance = 0.011;                    // m between the shafts' axes on a planned path
 constexpr double way_tolerance = 0.015;                      // m from a point that is only passed
-constexpr double shortest_close_s = 0.35;                    // the jaws need that long to close
+constexpr double shortest_close_s = 0.35;                    // time for the jaws to close
 constexpr double press_step_m = 0.0004, press_step_s = 0.3;  // of a tip that palpates
-constexpr double grip_reserve = 1.5;                         // grip over what the seen load needs
+constexpr double grip_reserve = 1.5;  // grip force divided by the force that the load needs
 
 /// Where the tip's sphere touches the wall of a tube `radius` m thick, on the side that the shaft comes from.
 Vector3 tip_on_tube(const Limb& limb, const LinePoint& point, double radius) noexcept {
@@ -93,7 +93,7 @@ class BowelHandling : public Behaviour {
         // A new goal begins with free hands.
         goal_ = seen.display.goal;
         for (int hand = 0; hand < hand_count; ++hand) {
-            open(*body.limb[hand]);  // also one that has closed and does not yet see what it holds
+            open(*body.limb[hand]);  // also a hand that has closed and does not see its grasp yet
             holds_[hand] = false;
         }
         holder_ = -1;
@@ -104,7 +104,7 @@ class BowelHandling : public Behaviour {
         clear_away_ = goal_ > 0;
     }
 
-    // Tissue that left the jaws: the hand opens and the place is taken again.
+    // The tissue has slipped: the hand opens and grasps the same place again.
     void notice_losses(const Perception& seen, Body& body) noexcept {
         for (int hand = 0; hand < hand_count; ++hand) {
             if (!holds_[hand] || seen.grasps[hand].held || body.limb[hand]->time() < believe_[hand]) continue;
@@ -124,7 +124,7 @@ class BowelHandling : public Behaviour {
         if (goal.kind == GoalKind::run_bowel) {
             direction_ = goal.to_m >= goal.from_m ? 1 : -1;
             const double frontier = goal.from_m + direction_ * seen.display.run_covered_m;
-            // Without a hold that counts the run goes on where it got to, rather a little before it.
+            // Without a valid grasp the run resumes at its last position, or a little before it.
             const bool counts =
                 holder_ >= 0 && std::abs(direction_ * (holder_place_ - frontier)) < beyond_frontier;
             place = counts ? holder_place_ + direction_ * skill_.bowel.stride
@@ -230,7 +230,7 @@ class BowelHandling : public Behaviour {
         stage_ = Stage::close;
         limb.jaws(closed_share * limb.spec().jaw_opening,
                   std::max(1.5, skill_.grip_force + skill_.grip_spread * limb.random().normal()));
-        // Jaws close in about a quarter of a second; what came of it is seen a reaction time later.
+        // Jaws close in about a quarter of a second; the result is seen a reaction time later.
         until_ = limb.time() + std::max(shortest_close_s, skill_.dwell_s) + skill_.reaction_s + 0.05;
     }
 
@@ -269,7 +269,7 @@ class BowelHandling : public Behaviour {
         until_ = limb.time() + skill_.dwell_s;
     }
 
-    // The fresh grasp holds: the other hand lets go and goes ahead, or this one lifts.
+    // The new grasp holds: the other hand releases and moves ahead, or this one lifts.
     void finish_grasp(const Goal& goal, Body& body) noexcept {
         if (goal.kind == GoalKind::lift_and_hold) {
             stage_ = Stage::raise;
@@ -298,7 +298,7 @@ class BowelHandling : public Behaviour {
         }
     }
 
-    // A hand holds as firmly as the load needs, at least as firmly as it is used to.
+    // The grip is as firm as the load requires, and at least as firm as this hand's usual grip.
     void hold_gently(const Perception& seen, Body& body) noexcept {
         for (int hand = 0; hand < hand_count; ++hand) {
             if (!holds_[hand]) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hand that holds the scope: it re-aims when what the operator looks at leaves the middle of the image.
+// The hand that holds the scope: it re-aims when the point of attention leaves the middle of the image.
 #pragma once
 
 #include "assessment/operators/skill.h"
@@ -12,9 +12,9 @@ namespace fulcrum {
 class CameraHand {
   public:
     CameraHand(const Skill& skill, const Scene& scene);
-    /// What the operator looks at now, m; call once a decision.
+    /// The point of attention, m; call once per decision.
     void look_at(const Vector3& point) noexcept;
-    /// One tick further: what the scope's device reports.
+    /// Advances one tick; returns the reading of the scope's device.
     DeviceSample tick() noexcept;
     /// Line of sight of the last sample, unit.
     Vector3 view() const noexcept { return view_; }

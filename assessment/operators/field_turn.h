@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Smoke or blood hide what is worked on: a hand exchanges its blade for suction and sucks, smoke where it
-// stands, blood where it wells up; on the way back it clips what still bleeds, and takes the blade again.
+// When smoke or blood hides the field, a hand exchanges its blade for suction and removes it, then clips
+// vessels that still bleed, and takes the blade again.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ class FieldTurn {
 
     bool wanted(const Perception& seen, const Limb& limb) const noexcept {
         if (limb.spec().exchange.empty() || limb.time() < over_ + least_pause_s) return false;
-        // What goes on bleeding after some turns is left: the work goes on beside it.
+        // A vessel that still bleeds after several attempts is left, and the work continues.
         return seen.smoke > smoke_that_disturbs || (turns_ < most_turns && worst_outlet(seen) >= 0);
     }
     void begin(const Perception& seen) noexcept {
@@ -65,7 +65,7 @@ class FieldTurn {
     static constexpr double open_share = 0.8, closed_share = 0.05, clip_grip = 4;  // jaws; N
     static constexpr int most_turns = 4, most_clips = 3;
 
-    /// The exchange button, one press at a time, until the hand holds what it wants.
+    /// Presses the exchange button until the hand holds the wanted instrument.
     bool exchanged(const HandToolView& tool, Limb& limb) noexcept {
         if (limb.time() < until_) return false;
         limb.hold_buttons(0);
@@ -81,7 +81,7 @@ class FieldTurn {
         until_ = limb.time() + press_s;
         return false;
     }
-    /// Before the bleeding point, back along the way that the shaft comes.
+    /// A point in front of the bleeding, along the shaft.
     Vector3 place(const Perception& seen, const Limb& limb, double away) const noexcept {
         const Vector3& point = seen.outlets[static_cast<std::size_t>(outlet_)].position;
         return point + (off + away) * (limb.trocar().position - point).normalized();

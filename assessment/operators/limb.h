@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One arm of a synthetic operator: minimum-jerk sub-movements that may overlap, signal-dependent noise,
-// tremor and drift, jaws that close at a hand's pace, and the way from a wished tip to the device's handle.
+// tremor and drift, jaws that close at a hand's pace, and the conversion from the wanted tip to the device's
+// handle.
 #pragma once
 
 #include <array>
@@ -17,22 +18,22 @@ class Limb {
   public:
     Limb(const Skill& skill, const InstrumentSpec& spec, double tick_period, const Random& random);
 
-    /// One tick further; call once a tick, before sample().
+    /// Advances one tick; call once per tick, before sample().
     void tick() noexcept;
-    /// Where the tip is wished now, noise included.
+    /// The wanted position of the tip, with noise.
     Vector3 tip() const noexcept { return planned_ + wander_; }
-    /// Where the tip will be when all sub-movements under way have ended, noise left out.
+    /// The position of the tip after all current sub-movements, without noise.
     Vector3 destination() const noexcept;
     /// Time until the last sub-movement ends; negative: since it ended.
     double remaining() const noexcept { return end_time_ - time_; }
     /// Starts a sub-movement with the individual's gain and noise towards a displacement from destination().
-    /// `width` (m) is the size of what is aimed at: smaller takes longer. `slowness` multiplies the duration.
+    /// `width` (m) is the size of the target: smaller takes longer. `slowness` multiplies the duration.
     void reach(const Vector3& displacement, double width, double slowness = 1) noexcept;
     /// A smooth movement of exactly this displacement in this time: for tissue that is held.
     void carry(const Vector3& displacement, double duration) noexcept;
     /// Ends all sub-movements where they are, within a tenth of a second.
     void stop() noexcept;
-    /// Jaw opening (rad) and closing force (N) wished; they change at a hand's pace.
+    /// Wanted jaw opening (rad) and closing force (N); they change at the speed of a hand.
     void jaws(double opening, double grip) noexcept {
         jaw_wish_ = opening;
         grip_wish_ = grip;
@@ -43,7 +44,7 @@ class Limb {
     void hold_buttons(std::uint16_t buttons) noexcept { buttons_ = buttons; }
     double jaw() const noexcept { return jaw_; }
     double grip() const noexcept { return grip_; }
-    /// What the device reports.
+    /// The reading of the device.
     DeviceSample sample() noexcept;
     /// Time since the attempt began.
     double time() const noexcept { return time_; }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A synthetic operator: hands without a person. It drives the device interface closed-loop and sees what a
-// trainee sees (the world after the last step, the task's display), after a reaction delay. Whatever it makes
-// is marked synthetic.
+// A synthetic operator: drives the device interface in a closed loop and sees what a trainee sees (the world
+// after the last step, the task's display) after a reaction delay. Its attempts are marked as synthetic.
 #pragma once
 
 #include <memory>

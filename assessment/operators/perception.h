@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an operator has seen, kept for as long as it takes to react.
+// The views of the last reaction time.
 #pragma once
 
 #include <array>
@@ -41,12 +41,12 @@ inline int worst_outlet(const Perception& seen) noexcept {
     return worst;
 }
 
-/// Keeps the last looks; memory is taken when the scene is known, never later.
+/// Keeps the last views; allocates memory only when the scene is set.
 class DelayLine {
   public:
     DelayLine(const Scene& scene, double longest_delay_s);
     void push(std::uint32_t tick, const WorldSnapshot& world, const TaskDisplay& display) noexcept;
-    /// The newest look that is at least `delay` ticks old at `now`; before there is one, the oldest.
+    /// The newest view that is at least `delay` ticks old at `now`, or else the oldest.
     const Perception& seen(std::uint32_t now, std::uint32_t delay) const noexcept;
     bool empty() const noexcept { return count_ == 0; }
     const std::vector<double>& arc_lengths() const noexcept { return arc_lengths_; }

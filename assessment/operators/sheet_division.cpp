@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// One hand takes the flap and keeps the sheet taut, the other divides it along the marked line, stroke by
-// stroke. Of septa behind a rectum: the one hand takes the rectum and lifts it off the sacrum, further down
-// as the dissection goes down; the other divides septum after septum, and sucks smoke and blood away.
+// One hand grasps the flap and keeps the sheet taut, the other divides it along the marked line, stroke by
+// stroke. With septa behind a rectum, one hand grasps the rectum and lifts it off the sacrum, regrasping
+// further down as the dissection proceeds; the other divides septum after septum and removes smoke and blood
+// by suction.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -83,7 +84,7 @@ class SheetDivision : public Behaviour {
         const GoalKind kind = goals_[static_cast<std::size_t>(seen.display.goal)].kind;
         if (blade_ == Blade::wait && sight_.level != sight_.level_of(seen.display.cut_next_m)) {
             sight_.level = sight_.level_of(seen.display.cut_next_m);
-            judge_tension(*body.limb[holder_], skill_.traction.error);  // every level is judged anew
+            judge_tension(*body.limb[holder_], skill_.traction.error);  // every level is judged again
         }
         const Site site = site_at(seen, body, seen.display.cut_next_m);
         body.gaze = site.point;
@@ -156,8 +157,8 @@ class SheetDivision : public Behaviour {
                     site_at(seen, body, of_septa() ? (sight_.level + 0.5) * sight_.septum : hold_place_);
                 hold_reach_.start(limb, tip_before_hold(seen, body, there, limb), body.view, 0.015,
                                   skill_.choice_s * limb.random().uniform(0.6, 1.4), 4);
-                // Everybody has a tension of their own that they take for the right one, and errs anew with
-                // every hold.
+                // Each operator has an individual idea of the right tension, with a new error for every
+                // grasp.
                 judge_tension(limb, skill_.traction.error);
                 hold_ = Hold::travel;
                 break;
@@ -207,8 +208,8 @@ class SheetDivision : public Behaviour {
         }
     }
 
-    /// The tension that this hand takes for the right one: in the lower half of the band, where tissue opens
-    /// and still gives.
+    /// The tension that this hand aims at: in the lower half of the band, where tissue opens and still
+    /// yields.
     void judge_tension(Limb& limb, double error) noexcept {
         const double low = line_.traction_low_n_m, share = 0.35;
         const double right = low + share * (line_.traction_high_n_m - low);
@@ -249,7 +250,7 @@ class SheetDivision : public Behaviour {
                                        : std::abs(seen.display.cut_next_m - hold_place_) > reach_of_hold;
         const bool vain = limb.time() - slack_since_ > seconds_to_wait;
         const bool slack = traction < wanted_ * (1 - skill_.traction.slack);
-        // What the blade presses is not what this hand pulls: it holds still until the blade is out.
+        // While the blade presses, traction is not adjusted: this hand waits until the blade is out.
         // In a stroke, who has learned it goes on adjusting, and keeps this hold.
         const bool stroking = blade_ == Blade::stroke;
         const bool blade_presses =
@@ -262,7 +263,7 @@ class SheetDivision : public Behaviour {
             let_go(limb);
             return;
         }
-        // See what the last pull did before the next.
+        // Wait for the effect of the last movement.
         if (limb.remaining() > -skill_.reaction_s - (of_septa() ? settle_s : 0)) return;
         const double missing = wanted_ - traction;
         if (std::abs(missing) < 0.4 * skill_.traction.slack * wanted_ || (missing > 0 && stretched)) return;
@@ -271,7 +272,7 @@ class SheetDivision : public Behaviour {
         if (std::abs(step) < (of_septa() ? 0.4 : 1) * least_step) return;
         const Vector3 way = of_septa() ? (0.95 * site.across + 0.3 * site.up).normalized()
                                        : (0.85 * site.across + 0.53 * site.up).normalized();
-        if (step < 0 && (limb.destination() - taken_).dot(way) < 0) return;  // nothing is pulled any more
+        if (step < 0 && (limb.destination() - taken_).dot(way) < 0) return;  // no traction any more
         limb.carry(step * way, std::abs(step) / skill_.lift_speed);
     }
 
@@ -285,7 +286,7 @@ class SheetDivision : public Behaviour {
     void divide(const Perception& seen, Body& body, bool allowed) noexcept {
         if (of_septa() && seen.display.force[cutter_] > skill_.comfortable_force &&
             (blade_ == Blade::cross || blade_ == Blade::travel || blade_ == Blade::stroke)) {
-            lift(seen, body);  // whatever this is, it is not the plane
+            lift(seen, body);  // this is not the plane
             return;
         }
         switch (blade_) {
@@ -423,7 +424,7 @@ class SheetDivision : public Behaviour {
         const double here = place_of(seen, body, seen.tip[cutter_]);
         pedal_.stroke(limb, seen, cutter_, way_ * (to_ - here));
         const bool slack = !taut(seen) && skill_.foresight > 0.5;
-        // Who looks ahead stops when the tissue goes slack; the stroke under way is carried to its end.
+        // An operator with foresight stops when the tissue goes slack; the current stroke is completed.
         if (out || way_ * (here - to_) > -0.001 || (slack && limb.remaining() <= 0)) {
             lift(seen, body);
             return;

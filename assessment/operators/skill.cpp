@@ -87,8 +87,7 @@ double bounded_normal(Random& random) {
     return std::clamp(random.normal(), -2.0, 2.0);
 }
 
-/// Tempo is a temperament as much as a skill: it stretches whatever the hands do, and who takes more time
-/// aims a little better.
+/// Applies the individual's tempo: it scales all durations, and slower operators aim a little better.
 void change_pace(Skill& skill, double factor) {
     skill.duration_scale *= factor;
     skill.choice_s *= factor;
@@ -148,7 +147,7 @@ bool draw_individual(const std::string& preset, std::uint64_t seed, Skill& skill
     }
     Random random(seed, individual_stream);
     const double width = width_of(preset);
-    // Nobody lies further out than two standard deviations: an expert of a set is an expert.
+    // Limited to two standard deviations, so that every drawn expert performs as an expert.
     const auto deviate = [&] { return bounded_normal(random); };
     const double ability = deviate(), tempo = deviate();
     const auto vary = [&](double& value, double spread) {
@@ -166,7 +165,7 @@ bool draw_individual(const std::string& preset, std::uint64_t seed, Skill& skill
     vary(skill.comfortable_force, 0.10);
     vary(skill.tolerance, 0.08);
     change_pace(skill, math::exp(width * tempo_spread * tempo));
-    // Drawn last: an individual's other faculties are the same numbers as before there were blades.
+    // Drawn last, so that the other values of an individual do not depend on it.
     vary(skill.traction.error, 0.12);
     vary(skill.traction.slack, 0.10);
     vary(skill.line.error, 0.12);

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a synthetic operator's hands can do: one set of numbers an individual, drawn around a preset. The
-// presets are ours, chosen so that the movements have the size and speed that studies of laparoscopic novices
-// and experts report; they are not measured people.
-//
-// Individuals: every faculty varies by a log-normal factor, a third of its variance shared (a better or worse
-// hand on the whole), and each has a tempo of their own that stretches all they do (20 % among experts, 15 %
-// more from one attempt to the next); all of it 1.15 times as wide for intermediates, 1.3 times for novices,
-// and nobody beyond two standard deviations. docs/results/operators_*.md shows what spread of time and path
-// results.
+// The skill of a synthetic operator: one set of numbers per individual, drawn around a preset. The presets
+// were chosen for this project so that size and speed of movements agree with studies of laparoscopic novices
+// and experts; they are not measurements of people. Individuals: every value varies by a log-normal factor; a
+// third of its variance is shared by all values of an individual. Each individual also has a tempo that
+// scales all durations (20 % among experts, 15 % more between attempts). All spreads are 1.15 times as wide
+// for intermediates and 1.3 times for novices, and limited to two standard deviations.
+// docs/results/operators_*.md shows the resulting spread of time and path.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +13,11 @@
 
 namespace fulcrum {
 
-/// What only a behaviour on targets asks for.
+/// Skill used only on targets.
 struct TargetSkill {
     double standoff = 0.002;  ///< m kept from a rigid target by the first movement, made good by the second
 };
-/// What only a behaviour on bowel asks for.
+/// Skill used only on bowel.
 struct BowelSkill {
     double stride = 0.055;  ///< m of bowel from one grasp to the next
 };
@@ -28,13 +26,13 @@ struct TractionSkill {
     double error = 0.1;  ///< of the traction held for the right one, relative, from hold to hold
     double slack = 0.2;  ///< relative distance from it that is accepted
 };
-/// What only dividing a sheet along a line asks for.
+/// Skill used only for dividing a sheet along a line.
 struct LineSkill {
     double error = 0.0004;  ///< m off the line, from stroke to stroke
     double stroke = 0.018;  ///< m of one stroke of a blade
 };
 
-/// What every behaviour uses, and what some use alone.
+/// Skill used by every behaviour, and the parts used by some.
 struct Skill {
     double reaction_s = 0.2;    ///< from seeing to acting: decisions use what was shown this long ago
     double choice_s = 0.4;      ///< mean extra time to decide where to go next
@@ -54,7 +52,7 @@ struct Skill {
     double grip_force = 4;     ///< N, jaws on tissue
     double grip_spread = 0.3;  ///< N, from grasp to grasp
     double comfortable_force = 1.2;  ///< N, tissue force at which traction and pressing stop
-    double tolerance = 1e-3;         ///< m, nearer than this is good enough
+    double tolerance = 1e-3;         ///< m, a smaller distance is accepted
     double lift_speed = 0.02;        ///< m/s, moving tissue that is held
     double foresight = 0.5;          ///< share of movements planned clear of the other instrument
     double hesitation = 0;           ///< pieces beyond one in which held tissue is moved

@@ -48,7 +48,7 @@ class Targeting : public Behaviour {
         reach.update(*limb, seen.tip[hand]);
         if (!on_detour_ && reach.started()) reach.follow(goal(target, 0));
 
-        // On the sphere: press as firmly as this hand likes to, by what it feels.
+        // On the sphere: press with this hand's usual force, using the displayed force.
         if (!on_detour_ && reach.arrived() && limb->time() > press_time_) {
             const double force = seen.display.force[hand];
             const double error = std::clamp((skill_.touch_force - force) / stiffness_, -0.003, 0.0008);
@@ -61,7 +61,7 @@ class Targeting : public Behaviour {
     }
 
   private:
-    // The hand that is not asked goes back to where it began, out of the other's way.
+    // The hand that is not needed returns to its start.
     void park(int hand, const Perception& seen, Body& body) noexcept {
         Limb* limb = body.limb[hand];
         if (limb == nullptr) return;
@@ -84,7 +84,7 @@ class Targeting : public Behaviour {
         if (parking_[hand]) reaches_[hand].update(*limb, seen.tip[hand]);
     }
 
-    // Starts the next leg: to a point beside what is in the way, or to the target itself.
+    // Starts the next movement: to the target, or to a point that avoids an obstacle.
     void set_out(Limb& limb, const TargetSphere& target, const std::vector<TargetSphere>& targets,
                  Reach& reach, const Vector3& view, double delay) noexcept {
         const int hand = static_cast<int>(target.hand);
@@ -103,8 +103,8 @@ class Targeting : public Behaviour {
         return target.centre + (reach_ + standoff) * approach_;
     }
 
-    /// The next point on a way that stays clear of the other spheres: the target itself, or a point beside
-    /// the sphere in the way.
+    /// The next point of a path that avoids the other spheres: the target, or a point next to the sphere that
+    /// is in the way.
     Vector3 way_round(const Vector3& from, const TargetSphere& target,
                       const std::vector<TargetSphere>& targets, int hand) const noexcept {
         const Vector3 way = target.centre - from;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a pathologist would say of the specimen that a dissection leaves, from the cut surface alone: where
-// the cut lay beside the intended plane, how deep it went into the mesorectum, which margins are left. All
-// places are those of the tissue at rest.
+// A simulated pathology report on the specimen of a dissection, from the cut surface alone: distance of the
+// cut from the intended plane, depth in the mesorectum, margins. All positions are those of the tissue at
+// rest.
 //
 // The dissected tissue is a row of levels, each a strip between the sacrum's fascia (height 0) and the wall
 // of the rectum (height `fat`), bridged by areolar tissue (to `areolar`) and mesorectal fat. The intended
@@ -32,7 +32,7 @@ struct Tumour {
     double length = 0;  ///< m, craniocaudal, centred on its level
 };
 
-/// What of scene and task the report is made with. Lengths in m.
+/// The data of scene and task for the report. Lengths in m.
 struct SpecimenPlan {
     int levels = 0;
     double line = 0;     ///< of the marked line on one level

@@ -27,7 +27,7 @@ struct BenchmarkLevel {
     std::vector<std::string> left_out;     ///< experts left out of this metric by the outlier rule
 };
 
-/// Whose attempts made a set.
+/// The people from whose attempts a set was made.
 struct BenchmarkPerson {
     std::string name;
     int attempts = 0;         ///< counted
@@ -48,8 +48,8 @@ struct BenchmarkSet {
     double expert_pass_share = 0;  ///< of their counted attempts, each scored with its expert left out
     std::vector<BenchmarkPerson> experts, novices;
     std::vector<BenchmarkLevel> levels;
-    /// What blades met in the tissues of the scene that the set was made in; nothing: what the scene file
-    /// says. An attempt with other values is not held against the set.
+    /// Cutting parameters with which the set was made; empty: those of the scene file. The set does not score
+    /// attempts with other values.
     CuttingValues cutting;
 
     /// Null when the set has no level for it.

@@ -48,7 +48,7 @@ std::vector<ExpertValues> values_by_person(const std::vector<BenchmarkAttempt>& 
     return people;
 }
 
-/// Counts, shares, grades, and what varies by less than the metric's precision take no z.
+/// Counts, shares, grades, and metrics that vary by less than their precision have no z.
 bool takes_z(const MetricDescriptor& d, const ExpertBenchmark& benchmark) {
     if (d.aggregation == Aggregation::count || d.aggregation == Aggregation::share ||
         d.aggregation == Aggregation::grade)

@@ -28,7 +28,7 @@ struct BenchmarkRequest {
     CuttingValues cutting;  ///< as BenchmarkSet::cutting
 };
 
-/// What was tried, so that the screen can show it even after a refusal.
+/// The values that were tried, for the screen, also after a refusal.
 struct BenchmarkTrial {
     double k = 0;
     double pass_share = 0;

@@ -7,9 +7,9 @@ namespace fulcrum {
 namespace {
 
 constexpr double millilitres = 1e6;  // per m3
-constexpr double loss_step = 0.25;   // mL between two tellings of the sum
-constexpr double dose_pause = 0.5;   // s between two tellings of the dose
-constexpr double least_dose = 0.01;  // min, below it nothing is told
+constexpr double loss_step = 0.25;   // mL between two reports of the sum
+constexpr double dose_pause = 0.5;   // s between two reports of the dose
+constexpr double least_dose = 0.01;  // min, smaller doses are not reported
 
 void emit(EventSink& sink, std::uint32_t tick, EventKind kind, int hand, std::int8_t tissue,
           std::int32_t detail, double value) noexcept {

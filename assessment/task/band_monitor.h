@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bands, vessels and nerves as events: activations and what they were like, divisions, bleeding, clips, heat
-// where none belongs. Without Scene::bands and Scene::structures it stays at rest.
+// Events of bands, vessels and nerves: activations with their conditions, divisions, bleeding, clips, thermal
+// spread. Inactive without Scene::bands and Scene::structures.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ class BandMonitor {
     void tick(const TickSample& sample) noexcept;
     /// After the step, with its last tick.
     void step(const WorldSnapshot& world, std::uint32_t tick, EventSink& sink) noexcept;
-    /// Before the attempt's end is said: what is still open is closed, sums are told once more.
+    /// Before the end of the attempt: ends open activations and reports the sums once more.
     void finish(std::uint32_t tick, EventSink& sink) noexcept;
 
     int divided() const noexcept { return divided_; }

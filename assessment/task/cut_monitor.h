@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Live view of a cut along a marked line: how much is divided, how far beside the line the blade is, whether
-// the tissue is taut where it is or will be cut.
+// Follows a cut along a marked line: divided length, distance of the blade from the line, traction at the
+// place that is or will be cut.
 #pragma once
 
 #include <array>
@@ -14,11 +14,11 @@
 
 namespace fulcrum {
 
-/// Which way the traction is wrong.
+/// Whether the traction is too low or too high.
 enum class TractionFault : std::int8_t { slack = -1, none = 0, tight = 1 };
 
-/// One attempt's cut. Allocates nothing after construction, never throws. Without a divide_line goal it stays
-/// at rest.
+/// One attempt's cut. Allocates nothing after construction, never throws. Inactive without a divide_line
+/// goal.
 class CutMonitor {
   public:
     static constexpr double cell = 0.0005;  ///< m of the line that count as divided together
@@ -33,7 +33,7 @@ class CutMonitor {
     double length() const noexcept { return goal_ ? goal_->length_m : 0; }  ///< m
     double divided() const noexcept { return cells_divided_ * cell_; }      ///< m of the line
     /// First place that is not divided, m along the line; its length where all is. Bridges too narrow to be
-    /// cut are passed over. What lies before it counts towards the goal, so that nothing is left behind.
+    /// cut are skipped. Only the line before it counts towards the goal, so that no gap remains.
     double next() const noexcept { return first_open_ * cell_; }
     double traction() const noexcept { return traction_; }  ///< N/m
     double distance() const noexcept { return distance_; }  ///< m, signed, of the last advance

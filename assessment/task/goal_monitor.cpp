@@ -92,7 +92,7 @@ void GoalMonitor::tick(const TickSample& sample, const WorldSnapshot& world, Eve
 void GoalMonitor::step(const WorldSnapshot& world, const std::array<HoldChange, hand_count>& changes,
                        std::uint32_t tick, std::uint32_t ticks, EventSink& sink) noexcept {
     for (const HoldChange change : changes) grasped_ever_ = grasped_ever_ || change == HoldChange::grasped;
-    if (!grasped_ever_) {  // the bowel may still be settling; what it was like before it was touched is its
+    if (!grasped_ever_) {  // the bowel may still be settling; its last state before the first contact is its
                            // rest
         const std::size_t count = std::min(watch_->rest_heights.size(), world.nodes.size());
         for (std::size_t i = 0; i < count; ++i) watch_->rest_heights[i] = world.nodes[i].z();

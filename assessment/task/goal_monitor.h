@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A task's goals, one after another; each is followed by its tracker.
+// A task's goals, one after another, each with its tracker.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ class GoalMonitor {
         watch_->bands_divided = bands.divided();
         watch_->vessels_dry = bands.dry();
     }
-    /// The hand is where the current goal wants it, as of the last tick.
+    /// Whether the hand was where the current goal requires it in the last tick.
     bool at_target(Hand hand) const noexcept { return !done() && tracker().at_target(hand); }
     bool done() const noexcept { return goal_ >= static_cast<int>(trackers_.size()); }
     /// Writes the goal part of the display.

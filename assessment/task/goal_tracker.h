@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What follows one goal from its begin to its end.
+// Follows one goal from its beginning to its end.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace fulcrum {
 
-/// What all goals of an attempt look at: brought up to date before a tracker's step.
+/// The data that all goals of an attempt use, updated before a tracker's step.
 struct GoalWatch {
     GoalWatch(const TaskDefinition& task, const Scene& scene);
 
@@ -77,7 +77,7 @@ class GoalTracker {
     }
     /// After the world's step.
     virtual bool step(const GoalStep& /*step*/, GoalEvents& /*events*/) noexcept { return false; }
-    /// This hand is where the goal wants it, as of the last tick.
+    /// Whether this hand was where the goal requires it in the last tick.
     virtual bool at_target(Hand /*hand*/) const noexcept { return false; }
     virtual void show(TaskDisplay& display) const noexcept = 0;
 

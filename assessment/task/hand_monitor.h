@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one hand does to tissue, as events: forces above limits, pressure, perforation, wall contact, grasps
-// and how they end.
+// Events of one hand on tissue: forces above limits, pressure, perforation, wall contact, grasps and their
+// ends.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ struct TissueWatch {
     bool wall = false;             ///< contact is worth an event
 };
 
-/// What a step changed about a hand's hold.
+/// The change of a hand's grasp in a step.
 enum class HoldChange : std::uint8_t { none, grasped, released, slipped };
 
 /// One hand. Fixed size, allocates nothing, never throws.

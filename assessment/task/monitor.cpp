@@ -166,15 +166,15 @@ void TaskMonitor::State::watch_hand(std::size_t h, const TickSample& sample,
     } else {
         run_ticks[h] = 0;
     }
-    // A hand that holds, cuts or burns tissue, or is where the task wants it, is at work, however haltingly
-    // it came there.
+    // A hand that holds, cuts or heats tissue, or is where the task requires it, is working, even if it moved
+    // there slowly.
     const std::uint16_t flags = sample.hand[h].flags;
     const bool at_work =
         goals.at_target(static_cast<Hand>(h)) ||
         ((flags & hand_inside) != 0 && (flags & (hand_grasping | hand_cutting | hand_energy)) != 0);
     if (display.moving_seen || !(at_work || run_ticks[h] * tick_period >= moving_duration)) return;
     display.moving_seen = true;
-    // The run began earlier; that it was a run is known only now.
+    // The movement began earlier; only now is it long enough to count.
     const std::uint32_t age = run_ticks[h] > 0 ? run_ticks[h] - 1 : 0;
     elapsed_ticks = age;
     events.emit(sample.tick - age, EventKind::first_movement, 0, 0, static_cast<int>(h));
@@ -202,7 +202,7 @@ bool TaskMonitor::State::tick(const TickSample& sample, const WorldSnapshot& wor
     bands.tick(sample);
     goals.tick(sample, world, events);
     if (goals.done()) return true;
-    // An attempt in which nothing moves is timed out as well, or one without hands would never end.
+    // An attempt without any movement also times out; otherwise it would never end.
     const std::uint32_t clock = display.moving_seen ? elapsed_ticks : unpaused_ticks;
     if (clock * tick_period >= task.time_limit_s) end(sample.tick, EventKind::timed_out, events);
     return true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Turns samples into events and goals into an end, live. Runs right after every world step on the thread that
-// stepped the world; allocates nothing after construction; a pure function of what it is given, so a replay
-// makes the same events.
+// Detects events, progress and the end of an attempt while it runs. Runs after every world step on the same
+// thread; allocates nothing after construction. Its result depends on its arguments only, so a replay gives
+// the same events.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,7 @@ class EventSink {
     virtual void on_event(const Event& event) noexcept = 0;
 };
 
-/// What the HUD and the operators know of the task. Plain data, copied with the snapshot.
+/// The state of the task for the HUD and the operators. Plain data, copied with the snapshot.
 struct TaskDisplay {
     std::int32_t goal = 0;            ///< index of the current goal
     std::int32_t active_target = -1;  ///< index into WorldSnapshot::targets to touch now

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the pathology report of a task is made with: the scene's figures of the tissue, the task's of what was
-// asked and of the tumour.
+// The data for the pathology report of a task: tissue dimensions from the scene, goals and tumour from the
+// task.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cut as its events tell it: strokes (a blade in tissue, from breaking through to leaving it) of elements,
-// each the way from one report of the blade's place to the next.
+// A cut reconstructed from its events: strokes (a blade in tissue, from penetration to leaving it) that
+// consist of elements, each from one reported position of the blade to the next.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@ struct CutElement {
 /// One blade from breaking through to leaving the tissue, or fibres that parted under tension.
 struct CutStroke {
     int hand = 0;               ///< -1: fibres parted
-    double begin = 0, end = 0;  ///< s; a stroke that nothing ends lasts to the attempt's end
+    double begin = 0, end = 0;  ///< s; a stroke without an end event lasts to the attempt's end
     std::vector<CutElement> elements;
 };
 

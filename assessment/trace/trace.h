@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The time series of an attempt as metrics read it: columns of SI doubles in the patient frame, whatever the
-// source. An empty column means that the channel was not recorded; a metric that needs it is absent and says
-// so.
+// The time series of an attempt for the metrics: columns of SI doubles in the patient frame, whatever the
+// source. An empty column means that the channel was not recorded; a metric that needs it is absent with this
+// reason.
 #pragma once
 
 #include <array>

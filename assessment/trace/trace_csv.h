@@ -9,7 +9,7 @@
 
 namespace fulcrum {
 
-/// What a trace file may hold; beyond it the reader says so instead of filling the memory.
+/// Limits of a trace file; above them the reader reports an error instead of filling the memory.
 inline constexpr std::size_t trace_csv_row_limit = 8'000'000;
 inline constexpr std::size_t trace_csv_column_limit = 256;
 inline constexpr std::size_t trace_csv_line_limit = 65'536;  ///< bytes
