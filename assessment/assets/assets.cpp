@@ -26,7 +26,7 @@ std::string assets_folder() {
         }
         if (folder == folder.root_path()) break;
     }
-    throw InputError("assets", "", "not found beside the program or above it",
+    throw InputError("assets", "", "not found next to the program or above it",
                      "set FULCRUM_ASSETS to the assets folder");
 }
 

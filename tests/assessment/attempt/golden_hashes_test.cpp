@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// State hashes of one expert attempt on every task with a benchmark. A change of structure leaves them as
-// they are; a change of the physics, of a scene or of an operator changes them, and is then a decision: write
-// the new value in the same commit and say why.
+// State hashes of one expert attempt on every task with a benchmark. A change of structure must not change
+// them. After a deliberate change of physics, of a scene or of an operator, write the new value in the same
+// commit and give the reason.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Jaws that let go: the tool stands where the tissue was drawn to, and that must not be felt or scored as a
+// Opening the jaws: the tool is where the tissue was pulled to, and that must not be felt or scored as a
 // push.
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::uint32_t arrive = 600, close = 700, open_again = 1500, last = 2100;
 
-/// The left hand goes to a place; there its jaws close, hold and open without another move of the hand, or
-/// stay open.
+/// The left hand moves to a place; there its jaws close, hold and open without further movement, or stay
+/// open.
 class LeftHand : public Rig {
   public:
     LeftHand(const Scene& scene, const Vector3& place, bool closes) : closes_(closes) {
@@ -23,7 +23,7 @@ class LeftHand : public Rig {
         const InstrumentModel model = make_instrument(spec, scene.tick_period());
         const Vector3 direction = (place - model.trocar.position).normalized();
         from_ = handle_for_tip(model.trocar, model.trocar.position + spec.start_insertion * direction);
-        // The middle of the jaws at the surface: the tip stands half a jaw inside.
+        // The middle of the jaws is at the surface: the tip is half a jaw inside.
         to_ = handle_for_tip(model.trocar, place + 0.5 * model.jaw_length * direction);
         opening_ = model.jaw_opening;
         for (int hand = 0; hand < hand_count; ++hand) {
@@ -87,7 +87,7 @@ struct Stage {
             if ((rings[r].position - trocar).norm() < (rings[nearest].position - trocar).norm()) nearest = r;
         }
     }
-    /// Past the flank of the ring nearest to the left trocar, so that its wall lies between the jaws.
+    /// Next to the side of the ring nearest to the left trocar, so that its wall is between the jaws.
     Vector3 flank() const {
         const Vector3 along = (rings[nearest + 1].position - rings[nearest - 1].position).normalized();
         const Vector3 side = along.cross(rings[nearest].position - trocar).normalized();
@@ -99,7 +99,7 @@ struct Stage {
     double radius() const { return 0.016; }
 };
 
-TEST(Contact, AToolThatStandsOnTheBowelIsNotShaken) {
+TEST(Contact, ForceOnAToolAtRestOnTheBowelIsSteady) {
     Stage stage;
     LeftHand rig(stage.scene, stage.crest(), false);
     Samples samples;
@@ -114,7 +114,7 @@ TEST(Contact, AToolThatStandsOnTheBowelIsNotShaken) {
     EXPECT_LT(most - least, 0.15) << "N from " << least << " to " << most;
 }
 
-TEST(Release, TheTissueThatTheJawsLeaveIsNotPushedAtOnce) {
+TEST(Release, ReleasedTissueIsNotPushedSuddenly) {
     Stage stage;
     LeftHand rig(stage.scene, stage.flank(), true);
     Samples samples;
@@ -140,7 +140,7 @@ TEST(Release, TheTissueThatTheJawsLeaveIsNotPushedAtOnce) {
         EXPECT_LT(step, 0.3) << "N in one ms, tick " << i - release;
     }
     EXPECT_TRUE(touched) << "the contact comes back, slowly";
-    // At the hand the held force goes by the slew limit; what the contact itself gives to the hand comes on
+    // The force of the grasp falls with the slew limit; the force of the contact itself begins to act
     // top.
     for (std::size_t i = release; i < samples.left.size(); ++i) {
         const double step =

@@ -53,7 +53,7 @@ TEST(ExpertBenchmark, UsesTheHarmonicMeanOfUnequalNumbers) {
     EXPECT_NEAR(benchmark->deviation, std::sqrt(50.0 - mean_square * 3.0 / 8.0 + mean_square), 1e-12);
 }
 
-TEST(ExpertBenchmark, NeverGoesBelowTheSpreadWithinExperts) {
+TEST(ExpertBenchmark, IsNeverBelowTheSpreadWithinExperts) {
     const auto benchmark = expert_benchmark({{"a", {0, 10}}, {"b", {0.1, 10.1}}}, 2);
     ASSERT_TRUE(benchmark);
     EXPECT_NEAR(benchmark->deviation, std::sqrt(50.0), 1e-9);
@@ -88,7 +88,7 @@ TEST(MedianInterval, NeedsSixValues) {
     EXPECT_FALSE(median_interval({}));
 }
 
-TEST(MedianInterval, CoversAsOftenAsItSays) {
+TEST(MedianInterval, CoversAsOftenAsStated) {
     std::mt19937 random(11);
     std::exponential_distribution<double> draw(1.0);
     int covered = 0;

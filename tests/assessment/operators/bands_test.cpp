@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operators at B3: they complete it, the record replays bit for bit, and skill shows where it should.
+// Operators at B3: they complete it, the record replays bit for bit, and better skill gives better results.
 #include <gtest/gtest.h>
 
 #include "assessment/attempt/memory_sink.h"

@@ -33,7 +33,7 @@ class FieldStage {
         seen.tools[1].clips_left = 12;
         seen.tip[1] = limb->tip();
     }
-    /// Until the blade is back; the kinds that the hand held, in order.
+    /// Runs until the blade is back; returns the kinds of instrument that the hand held, in order.
     std::vector<InstrumentKind> turn(double longest_s) {
         FieldTurn field(skill);
         std::vector<InstrumentKind> held{InstrumentKind::hook};
@@ -76,7 +76,7 @@ class FieldStage {
     bool sucked_there = false;
 };
 
-TEST(FieldTurn, SmokeIsSuckedWhereTheHandStands) {
+TEST(FieldTurn, SmokeIsRemovedAtThePositionOfTheHand) {
     FieldStage stage("expert", 0, 0.5);
     const Vector3 before = stage.limb->destination();
     const std::vector<InstrumentKind> held = stage.turn(30);
@@ -88,7 +88,7 @@ TEST(FieldTurn, SmokeIsSuckedWhereTheHandStands) {
     EXPECT_LT((stage.limb->destination() - before).norm(), 1e-9);
 }
 
-TEST(FieldTurn, WhatBleedsIsSuckedAndClippedWhereItWellsUp) {
+TEST(FieldTurn, BleedingIsSuctionedAndClippedAtItsSource) {
     for (const char* preset : {"expert", "intermediate", "novice"}) {
         FieldStage stage(preset, 2e-7, 0);
         const std::vector<InstrumentKind> held = stage.turn(60);
@@ -99,19 +99,19 @@ TEST(FieldTurn, WhatBleedsIsSuckedAndClippedWhereItWellsUp) {
     }
 }
 
-TEST(FieldTurn, WithoutClipsTheWorkGoesOn) {
+TEST(FieldTurn, WithoutClipsTheWorkContinues) {
     FieldStage stage("expert", 2e-7, 0);
     stage.seen.tools[1].clips_left = 0;
     EXPECT_EQ(stage.turn(30).back(), InstrumentKind::hook);
     EXPECT_EQ(stage.clipped_within, 1.0);
 }
 
-TEST(FieldTurn, NothingIsWantedOfAClearField) {
+TEST(FieldTurn, AClearFieldNeedsNoAction) {
     const FieldStage stage("novice", 0, 0.1);
     EXPECT_FALSE(FieldTurn(stage.skill).wanted(stage.seen, *stage.limb));
 }
 
-/// Seconds under power while a blade comes (1 s), divides (3 s) and goes (1 s).
+/// Seconds with energy on while a blade approaches (1 s), divides (3 s) and withdraws (1 s).
 std::array<double, 3> powered(FieldStage& stage, double foresight, bool beside_nerve) {
     stage.skill.foresight = foresight;
     BladePedal pedal(stage.skill, true);
@@ -134,7 +134,7 @@ std::array<double, 3> powered(FieldStage& stage, double foresight, bool beside_n
     return seconds;
 }
 
-TEST(BladePedal, WhoLooksAheadActivatesInTheTissueOnlyAndInPieces) {
+TEST(BladePedal, OperatorWithForesightActivatesOnlyInTissueAndBriefly) {
     FieldStage stage("expert", 0, 0);
     const auto seconds = powered(stage, 1, false);
     EXPECT_EQ(seconds[0], 0);
@@ -144,7 +144,7 @@ TEST(BladePedal, WhoLooksAheadActivatesInTheTissueOnlyAndInPieces) {
     EXPECT_EQ(powered(stage, 1, true)[1], 0) << "cold beside a nerve";
 }
 
-TEST(BladePedal, WhoDoesNotHeatsTheAirAndTheNerve) {
+TEST(BladePedal, OperatorWithoutForesightHeatsAirAndNerve) {
     FieldStage stage("novice", 0, 0);
     const auto seconds = powered(stage, 0, true);
     EXPECT_NEAR(seconds[0], 1, 0.011);

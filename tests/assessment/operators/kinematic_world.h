@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A world of kinematics alone, for operators: rigid targets, a bowel that lies still but for what is held.
-// Instruments and monitor are the product's own.
+// A kinematic world for operators: rigid targets, and a bowel that moves only where it is held. Instruments
+// and monitor are the real ones.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ class KinematicWorld : public EventSink {
         if (scene.bowel) lay(*scene.bowel);
     }
 
-    /// Until the monitor ends the attempt.
+    /// Runs until the monitor ends the attempt.
     void run() {
         std::vector<TickSample> ticks(static_cast<std::size_t>(scene_.ticks_per_step));
         rig_.observe(world_, monitor_.display());

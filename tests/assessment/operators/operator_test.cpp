@@ -65,7 +65,7 @@ TEST_P(OperatorOnTask, EveryPresetCompletesAndTheExpertIsFasterAndTravelsLess) {
     EXPECT_LT(median(time[1]), median(time[2]));
 }
 
-TEST_P(OperatorOnTask, SameSeedMovesTheSameAndOthersDoNot) {
+TEST_P(OperatorOnTask, SameSeedGivesTheSameMovementAndOtherSeedsDoNot) {
     const Stage stage(GetParam());
     const auto record = [&](std::uint64_t seed) {
         const auto rig = make_operator("novice", stage.task, stage.scene, seed);
@@ -111,7 +111,7 @@ TEST(Operator, DoesNotReactBeforeItsReactionTime) {
             const Vector3 last = tool_pose(model, sample.hand[0]).tip;
             rig->read(tick, sample);
             const double speed = tick > 1 ? (tool_pose(model, sample.hand[0]).tip - last).norm() * 1000 : 0;
-            // One reaction time and the least time to choose must pass before the hand goes.
+            // One reaction time and the shortest time to decide must pass before the hand moves.
             const double free_at = 1000 + 1000 * (skill.reaction_s + 0.6 * skill.choice_s);
             (tick < free_at ? before : after) = std::max(tick < free_at ? before : after, speed);
             if (tick % 5 == 0) rig->observe(world, display);
@@ -178,7 +178,7 @@ TEST(Limb, SubMovementsAreMinimumJerkWithoutNoise) {
     EXPECT_NEAR((limb.tip() - start - Vector3(0.06, 0, 0)).norm(), 0, 1e-12);
 }
 
-TEST(Limb, TremorHasItsStrengthAndLiesBetweenEightAndTwelveHertz) {
+TEST(Limb, TremorHasTheGivenStrengthBetweenEightAndTwelveHertz) {
     Skill skill;
     skill.path_noise = skill.drift = 0;
     skill.tremor = 2e-5;
@@ -247,7 +247,7 @@ TEST(Skill, IndividualsVaryAroundTheirPresetAndAreRepeatable) {
     EXPECT_FALSE(draw_individual("", 1, a));
 }
 
-TEST(Skill, TempoSpreadsAsAmongPeopleAndNobodyLeavesTheirGroup) {
+TEST(Skill, TempoVariesAsAmongPeopleWithinTwoStandardDeviations) {
     const char* presets[] = {"expert", "intermediate", "novice"};
     double spread[3], slowest[3], fastest[3];
     for (int p = 0; p < 3; ++p) {

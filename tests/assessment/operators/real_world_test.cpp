@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operators on the product's own world: they finish the tasks, and the same seed ends in the same state.
+// Operators in the real world model: they complete the tasks, and the same seed gives the same final state.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -65,7 +65,7 @@ class Recording : public AttemptSink {
 };
 
 // Six seeds here; the twenty that docs/results shows are run by benchmark_operators.
-TEST(OperatorOnTheWorld, ExpertsAndNovicesDifferAmongThemselvesAndLieApart) {
+TEST(OperatorOnTheWorld, ExpertsAndNovicesVaryAndAreSeparated) {
     const TaskDefinition task = load_task(test::source_path("assets/tasks/A2.json"));
     const Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
     std::vector<std::string> tissues;
@@ -83,7 +83,8 @@ TEST(OperatorOnTheWorld, ExpertsAndNovicesDifferAmongThemselvesAndLieApart) {
             const Trace trace = trace_from_samples(record.samples, record.events, tissues, scene.tick_rate);
             for (const MetricResult& row : compute_metrics(trace, record.events, context)) {
                 if (!row.tissue.empty()) continue;
-                // A novice may hardly ever rest between movements: then smoothness has no value, and says so.
+                // A novice may have too few pauses between movements: smoothness is then absent with a
+                // reason.
                 if (row.value) values[p][row.id + ' ' + row.hand].push_back(*row.value);
             }
         }
@@ -114,7 +115,7 @@ TEST(OperatorOnTheWorld, ExpertRunsAndLiftsTheBowelWithoutHarm) {
     EXPECT_LT(events.worst(), 3U) << "no step was thrown away";
 }
 
-// One linear solve a step, one projection: what the jaws hold stays in them.
+// One linear solve and one projection per step: grasped tissue stays in the jaws.
 TEST(OperatorOnTheWorld, ExpertRunsTheBowelAtTheFastFidelity) {
     EventList events;
     EXPECT_EQ(perform("B1", "expert", 2500, events, "fast").end, EventKind::completed);

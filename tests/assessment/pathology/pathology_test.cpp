@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pathology report against closed forms, from made-up cuts.
+// The pathology report of constructed cuts, compared with closed forms.
 #include "assessment/pathology/pathology.h"
 
 #include <gtest/gtest.h>
@@ -86,7 +86,7 @@ TEST(Pathology, OfACutInThePlaneIsComplete) {
 }
 
 // On every level the distance rises evenly from 0 on the right to 6 mm on the left: 0..2, 2..4, 4..6 mm.
-TEST(Pathology, TellsSectorsApart) {
+TEST(Pathology, DistinguishesSectors) {
     const PathologyReport report =
         pathology_report(all_levels([](int, double x) { return 0.1 * x; }), plan());
     const double expected[] = {1, 3, 5};
@@ -126,7 +126,7 @@ TEST(Pathology, FindsADefectWhereAndHowDeepItIs) {
     EXPECT_NEAR(report.deepest_defect, 6 * mm, 1e-9);
     EXPECT_NEAR(report.findings[2 * 3 + 2].defect, 6 * mm, 1e-9);
     EXPECT_EQ(report.findings[2 * 3 + 1].defect, 0.0);
-    // 4.9 mm are no deep defect.
+    // 4.9 mm is not a deep defect.
     for (CutStroke& stroke : strokes)
         for (CutElement& element : stroke.elements) {
             element.from_distance *= 7.9 / 9;
@@ -148,7 +148,7 @@ TEST(Pathology, ADefectDownToTheMuscularisIsGradeOne) {
     EXPECT_NEAR(at(40 * mm).deepest_defect, 12 * mm, 1e-12) << "behind the wall there is no fat";
 }
 
-TEST(Pathology, SeesConingWhereNoLevelAloneIsDeep) {
+TEST(Pathology, DetectsConingWithoutADeepLevel) {
     const auto trend = [](double inwards) {
         return pathology_report(all_levels([&](int level, double) { return -inwards * level / 3; }), plan());
     };
@@ -159,7 +159,7 @@ TEST(Pathology, SeesConingWhereNoLevelAloneIsDeep) {
     EXPECT_NEAR(trend(-6 * mm).coning.value(), -6 * mm, 1e-9);
     EXPECT_EQ(trend(-6 * mm).grade, 3) << "towards the sacrum is deep, not coning";
     EXPECT_EQ(trend(9 * mm).reason, GradeReason::defect_and_coning);
-    // Two levels are no trend.
+    // Two levels are not a trend.
     std::vector<CutStroke> two = all_levels([](int level, double) { return -4 * mm * level; });
     two.resize(2);
     EXPECT_FALSE(pathology_report(two, plan()).coning.has_value());
@@ -185,18 +185,18 @@ TEST(Pathology, MeasuresTheMarginToTheTumoursEdge) {
     EXPECT_NEAR(pathology_report(strokes, close).circumferential.distance.value(), 2 * mm, 1e-9);
 }
 
-TEST(Pathology, SaysWhyAMarginIsAbsent) {
+TEST(Pathology, GivesTheReasonForAnAbsentMargin) {
     SpecimenPlan without = plan();
     without.tumour.reset();
     const auto strokes = all_levels([](int, double) { return 0.0; });
     EXPECT_EQ(pathology_report(strokes, without).circumferential.absence, MarginAbsence::no_tumour);
     EXPECT_EQ(pathology_report(strokes, without).distal.absence, MarginAbsence::no_tumour);
-    // Only the first level: nothing beside the tumour, nothing below it.
+    // Only the first level: nothing next to the tumour, nothing below it.
     const PathologyReport first = pathology_report({strokes[0]}, plan());
     EXPECT_EQ(first.circumferential.absence, MarginAbsence::not_divided);
     EXPECT_EQ(first.distal.absence, MarginAbsence::not_divided);
     EXPECT_EQ(first.lowest_level, 0);
-    // A level that hangs on by a tenth is not fully divided, and stops the reach.
+    // A level of which a tenth is undivided is not fully divided, and limits the distal reach.
     const PathologyReport bridge = pathology_report({strokes[0], strokes[1],
                                                      across(
                                                          2, [](double) { return 0.0; }, 0, 54 * mm),
@@ -206,7 +206,7 @@ TEST(Pathology, SaysWhyAMarginIsAbsent) {
     EXPECT_NEAR(bridge.divided, 0.975, 1e-3);
 }
 
-TEST(Pathology, OfNothingSaysNothing) {
+TEST(Pathology, WithoutACutIsEmpty) {
     const PathologyReport report = pathology_report({}, plan());
     EXPECT_FALSE(report.grade.has_value());
     EXPECT_EQ(report.reason, GradeReason::nothing_cut);
@@ -216,7 +216,7 @@ TEST(Pathology, OfNothingSaysNothing) {
     EXPECT_TRUE(pathology_report({}, SpecimenPlan{}).findings.empty());
 }
 
-TEST(Pathology, OfOneSectorAloneJudgesThat) {
+TEST(Pathology, OfOneSectorJudgesThatSector) {
     const PathologyReport report = pathology_report({across(
                                                         1, [](double) { return 1 * mm; }, 20 * mm, 40 * mm)},
                                                     plan());
@@ -227,7 +227,7 @@ TEST(Pathology, OfOneSectorAloneJudgesThat) {
     EXPECT_NEAR(report.circumferential.distance.value(), 8 * mm, 1e-9);
 }
 
-TEST(Pathology, LeavesOutWhatIsNoNumber) {
+TEST(Pathology, OmitsValuesThatAreNotNumbers) {
     std::vector<CutStroke> strokes = all_levels([](int, double) { return 1 * mm; });
     const PathologyReport clean = pathology_report(strokes, plan());
     const double nan = std::numeric_limits<double>::quiet_NaN(),
@@ -248,7 +248,7 @@ TEST(Pathology, LeavesOutWhatIsNoNumber) {
 
 // A blade that slides over the rim of a level may be told further along it, or on the next level: neither was
 // cut.
-TEST(Pathology, LeavesOutWhatIsNoSurfaceOfTheSpecimen) {
+TEST(Pathology, OmitsPathsThatAreNotOnTheSpecimen) {
     const double rim = 1e-6;
     std::vector<CutStroke> strokes = all_levels([](int, double) { return 1 * mm; });
     const PathologyReport clean = pathology_report(strokes, plan());

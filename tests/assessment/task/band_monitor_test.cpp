@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a world of bands does, as events: activations with what held throughout, divisions, bleeding, clips,
-// doses; the goals and the critical errors of B3.
+// Events of bands: activations with the conditions that held throughout, divisions, bleeding, clips, doses;
+// the goals and critical errors of B3.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ class Kept : public EventSink {
     std::vector<Event> events;
 };
 
-/// B3 with a world that the test paints.
+/// B3 with a world set by the test.
 struct Stage {
     Stage()
         : task(load_task(test::source_path("assets/tasks/B3.json"))),
@@ -70,7 +70,7 @@ struct Stage {
     std::uint32_t tick = 0;
 };
 
-TEST(BandMonitor, AnActivationSaysWhatHeldThroughout) {
+TEST(BandMonitor, AnActivationReportsTheConditionsThatHeldThroughout) {
     Stage stage;
     stage.step(100);
     HandToolView& tool = stage.view().tools[1];
@@ -106,7 +106,7 @@ TEST(BandMonitor, AnActivationSaysWhatHeldThroughout) {
     EXPECT_NEAR(static_cast<double>(ended[1].value), 0.001, 1e-7);
 }
 
-TEST(BandMonitor, SuctionIsNoActivation) {
+TEST(BandMonitor, SuctionIsNotAnActivation) {
     Stage stage;
     stage.view().tools[1].kind = InstrumentKind::suction;
     stage.view().tools[1].index = 2;
@@ -117,7 +117,7 @@ TEST(BandMonitor, SuctionIsNoActivation) {
     EXPECT_EQ(stage.sink.of(EventKind::tool_exchanged)[0].detail, 2);
 }
 
-TEST(BandMonitor, BandsAreDividedBleedAndDryAndTheTaskIsCompleted) {
+TEST(BandMonitor, TaskIsCompletedAfterDivisionBleedingAndHaemostasis) {
     Stage stage;
     stage.step(100);
     for (std::size_t b = 0; b < 9; ++b) stage.divide(b);
@@ -161,12 +161,12 @@ TEST(BandMonitor, BandsAreDividedBleedAndDryAndTheTaskIsCompleted) {
     EXPECT_TRUE(stage.monitor.display().ended);
     EXPECT_EQ(stage.monitor.display().end, EventKind::completed);
     EXPECT_FALSE(stage.monitor.display().critical);
-    // The sum is told once more before the end, so that the record holds all of it.
+    // The sum is reported once more before the end, so that the record is complete.
     EXPECT_NEAR(static_cast<double>(stage.sink.of(EventKind::blood_loss).back().value), 2.6, 1e-4);
     EXPECT_EQ(stage.sink.events.back().kind, EventKind::completed);
 }
 
-TEST(BandMonitor, InjuriesAreCriticalAndToldOnce) {
+TEST(BandMonitor, InjuriesAreCriticalAndReportedOnce) {
     Stage stage;
     stage.step(10);
     stage.view().outlets[2].injured = true;
@@ -199,7 +199,7 @@ TEST(BandMonitor, InjuriesAreCriticalAndToldOnce) {
     EXPECT_EQ(nerve_injury_of(other.sink.of(EventKind::nerve_injury)[1]).cause, InjuryCause::blade);
 }
 
-TEST(BandMonitor, AWallWithVeinsTellsTheSameEvents) {
+TEST(BandMonitor, AWallWithVeinsReportsTheSameEvents) {
     const Scene scene = load_scene(test::source_path("assets/scenes/c4_posterior.json"));
     BandMonitor monitor(scene);
     WorldSnapshot world;
@@ -247,7 +247,7 @@ TEST(BandMonitor, AWallWithVeinsTellsTheSameEvents) {
                   scene.tissue_index(later ? "areolar" : "fat"));
     }
 
-    // The sixteenth place bleeds, is clipped and dries.
+    // The sixteenth vein bleeds, is clipped and stops bleeding.
     OutletView& outlet = view.outlets[field_outlet_capacity - 1];
     outlet.opened = outlet.injured = true;
     outlet.flow = 2e-6;
@@ -273,7 +273,7 @@ TEST(BandMonitor, AWallWithVeinsTellsTheSameEvents) {
     EXPECT_EQ(monitor.dry(), 0);  // no vessel was to be divided
     EXPECT_EQ(monitor.divided(), 0);
 
-    // Heat beyond the plane is told with the sheet's tissue, a divided nerve once.
+    // Heat outside the plane is reported with the sheet's tissue, a divided nerve once.
     view.lateral_dose = 30;
     view.nerves[0].divided = true;
     tick += 1000;
@@ -285,7 +285,7 @@ TEST(BandMonitor, AWallWithVeinsTellsTheSameEvents) {
     EXPECT_EQ(nerve_injury_of(sink.of(EventKind::nerve_injury)[0]).cause, InjuryCause::blade);
 }
 
-TEST(BandMonitor, WhatIsOpenAtTheEndIsClosed) {
+TEST(BandMonitor, OpenActivationsEndWithTheAttempt) {
     Stage stage;
     stage.step(100);
     stage.view().tools[1].active = true;
@@ -320,7 +320,7 @@ TEST(BandMonitor, AllocatesNothing) {
               0u);
 }
 
-TEST(BandTask, AsksOnlyForWhatTheSceneHas) {
+TEST(BandTask, RequiresOnlyWhatTheSceneHas) {
     const TaskDefinition task = load_task(test::source_path("assets/tasks/B3.json"));
     ASSERT_EQ(task.goals.size(), 2U);
     EXPECT_EQ(task.goals[0].kind, GoalKind::divide_bands);

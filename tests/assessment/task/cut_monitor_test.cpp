@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Task goals of a dissection from made-up steps: tension, division, letting go, warnings.
+// Task goals of a dissection, from constructed steps: tension, division, release, warnings.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -38,7 +38,7 @@ class Events : public EventSink {
     std::vector<Event> list;
 };
 
-/// A monitor over a sheet whose line runs along x, stepped with what the test says happened.
+/// A monitor of a sheet whose line is along x, with steps set by the test.
 struct Dissection {
     Scene scene;
     TaskDefinition task;
@@ -58,7 +58,7 @@ struct Dissection {
         }
         world.events.resize(64);
         ticks.resize(5);
-        // Seen to move, so that the clock runs.
+        // A movement, so that the timer runs.
         for (int i = 0; i < 100; ++i) {
             for (TickSample& sample : ticks) {
                 sample.hand[1].flags = hand_inside;
@@ -108,8 +108,8 @@ struct Dissection {
     const TaskDisplay& display() const { return monitor.display(); }
 };
 
-// Traction has opened the plane: nothing is left there for a blade.
-TEST(CutMonitor, WhereFibresPartedTheLineIsDividedThoughNoBladeCuts) {
+// Traction has opened the plane: nothing is left to cut there.
+TEST(CutMonitor, TornFibresDivideTheLineWithoutABlade) {
     CutMonitor cut(parse_task(task_text, "cut.json"), Dissection::blades());
     const auto happen = [&](EventKind kind, double place, int distance, int hand) {
         Event event;
@@ -132,11 +132,11 @@ TEST(CutMonitor, WhereFibresPartedTheLineIsDividedThoughNoBladeCuts) {
     }
     EXPECT_NEAR(cut.divided(), 0.06, 1e-9);
     EXPECT_NEAR(cut.next(), 0.06, 1e-9);
-    // Each has a beginning of its own: what lies between two is not divided.
+    // Each has its own beginning: the line between two of them is not divided.
     happen(EventKind::fibres_parted, 0.09, 0, 255);
     happen(EventKind::cut_advance, 0.092, 0, 255);
     EXPECT_NEAR(cut.divided(), 0.062, 1e-9);
-    // Far beside the line it is not the line that parted.
+    // Fibres that tear far from the line do not divide it.
     happen(EventKind::fibres_parted, 0.07, 12000, 255);
     happen(EventKind::cut_advance, 0.08, 12000, 255);
     EXPECT_NEAR(cut.divided(), 0.062, 1e-9);
@@ -191,7 +191,7 @@ TEST(CutMonitor, TheWholeTask) {
         EXPECT_GE(event.tick, last) << event_name(event.kind);
         last = event.tick;
     }
-    // What the monitor showed is what the metrics say.
+    // The values of the monitor agree with the metrics.
     Trace trace;
     for (std::uint32_t i = 0; i <= cut.tick; ++i) trace.t.push_back(i * 1e-3);
     split_blocks(trace, cut.events.list);
@@ -212,7 +212,7 @@ TEST(CutMonitor, ACutOutsideTheCorridorDividesNothing) {
     EXPECT_EQ(cut.display().goal, 2);
 }
 
-TEST(CutMonitor, ABridgeTooNarrowForABladeIsPassedOverAWiderOneIsNot) {
+TEST(CutMonitor, SkipsABridgeTooNarrowForABladeAndNotAWiderOne) {
     for (const int bridge : {2, 4}) {
         Dissection cut;
         cut.pulled();
@@ -282,7 +282,7 @@ TEST(CutMonitor, LooksAtTheTractionWhereTheBladeIs) {
     EXPECT_EQ(cut.display().traction_n_m, 0) << "too far away to be about to cut";
 }
 
-TEST(CutMonitor, WhoHasDividedEverythingSlackMayStillLetGo) {
+TEST(CutMonitor, TaskCanEndAfterEverythingWasDividedWithoutTraction) {
     Dissection cut;
     cut.hold(true);
     cut.cut(0, 100);
@@ -290,7 +290,7 @@ TEST(CutMonitor, WhoHasDividedEverythingSlackMayStillLetGo) {
     EXPECT_EQ(cut.display().goal, 2);
 }
 
-TEST(CutMonitor, ABladeInTheTissueHasNotLetGo) {
+TEST(CutMonitor, ABladeInTheTissueIsNotReleased) {
     Dissection cut;
     cut.pulled();
     cut.cut(0, 100);
@@ -332,7 +332,7 @@ RC_GTEST_PROP(CutMonitorProperty, WhatIsDividedOnlyGrowsAndIsTheUnionOfTheStroke
     }
 }
 
-TEST(CutTask, NeedsASheetWithALineAsLong) {
+TEST(CutTask, NeedsASheetWithALongEnoughLine) {
     const TaskDefinition task = parse_task(task_text, "cut.json");
     EXPECT_THROW(TaskMonitor(task, load_scene(test::source_path("assets/scenes/a2_targets.json")), 1),
                  InputError);
@@ -341,7 +341,7 @@ TEST(CutTask, NeedsASheetWithALineAsLong) {
     EXPECT_THROW(TaskMonitor(task, shorter, 1), InputError);
 }
 
-TEST(CutTask, RefusesWhatDoesNotHoldTogether) {
+TEST(CutTask, RefusesInconsistentValues) {
     const auto broken = [](const char* what, const char* with) {
         std::string text = task_text;
         const std::size_t at = text.find(what);

@@ -146,7 +146,7 @@ TEST(Monitor, ClockStartsWhereTheFirstMovementBegan) {
     EXPECT_NEAR(bench.monitor.display().remaining_s, bench.task.time_limit_s - 0.5, 0.02);
 }
 
-TEST(Monitor, WhoWorksOnTissueHasBegunHoweverHaltingly) {
+TEST(Monitor, ClockStartsWithWorkOnTissueEvenIfMovementsAreShort) {
     for (const unsigned flag : {hand_grasping, hand_cutting, hand_energy}) {
         Bench bench("A2.json");
         // Jerks of 20 mm/s for 0.1 s between rests of 0.1 s: no movement by its definition.
@@ -169,7 +169,7 @@ TEST(Monitor, WhoWorksOnTissueHasBegunHoweverHaltingly) {
     }
 }
 
-TEST(Monitor, WhoRestsOnTheLitTargetHasBegunHoweverHaltingly) {
+TEST(Monitor, ClockStartsWithContactOfTheLitTargetEvenIfMovementsAreShort) {
     TargetBench bench;
     // By jerks of 20 mm/s for 0.1 s between rests of 0.1 s to the left hand's first target.
     const Vector3 target = bench.world.targets[1].centre, x = Vector3::UnitX();
@@ -189,7 +189,7 @@ TEST(Monitor, WhoRestsOnTheLitTargetHasBegunHoweverHaltingly) {
     EXPECT_LE(before, bench.task.goals[0].hold_s + 0.1);
 }
 
-TEST(Monitor, WhoRestsOnATargetThatIsNotLitHasNotBegun) {
+TEST(Monitor, ClockDoesNotStartWithContactOfAnUnlitTarget) {
     TargetBench bench;
     bench.move(Hand::left, bench.world.targets[2].centre, bench.world.targets[2].centre, 1000);
     bench.move(Hand::right, bench.world.targets[0].centre, bench.world.targets[0].centre, 1000);
@@ -271,7 +271,7 @@ TEST(Monitor, OverForceBeginsAtTheLimitAndEndsOnce) {
     EXPECT_EQ(bench.events.first(EventKind::over_force_begin).detail, std::lround(limit * 1000));
 }
 
-// The force at which an attempt's bowel perforates, found by pushing harder and harder.
+// Finds the force at which an attempt's bowel perforates by pushing with increasing force.
 double perforation_force(std::uint64_t seed) {
     Bench bench("B1.json", {}, seed);
     const int bowel = bench.scene.tissue_index("bowel");
@@ -432,7 +432,7 @@ TEST(Monitor, LiftMustStayUpForTheWholeHold) {
     EXPECT_EQ(bench.monitor.display().end, EventKind::completed);
 }
 
-TEST(Monitor, SlipWithAPartnerIsNoDropAndRegraspIsSeenWithinTwoSeconds) {
+TEST(Monitor, SlipWhileTheOtherHandHoldsIsNotADropAndRegraspCountsWithinTwoSeconds) {
     Bench bench("B1.json");
     bench.ticks(5);
     bench.grasp(Hand::right, 0.3, 12);

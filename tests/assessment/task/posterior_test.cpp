@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Task C4: its file, the plan of its pathology report, and its goals from made-up steps over septa.
+// Task C4: its file, the data of its pathology report, and its goals in constructed steps over septa.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ TaskDefinition changed(const std::string& what, const std::string& with) {
     return parse_task(text, "changed.json");
 }
 
-TEST(Posterior, TaskAndSceneHoldTogether) {
+TEST(Posterior, TaskAndSceneAreConsistent) {
     const TaskDefinition task = parse_task(task_text(), "C4.json");
     EXPECT_NO_THROW(check_gates(task, "C4.json"));
     const Scene scene = scene_of(task);
@@ -55,7 +55,7 @@ TEST(Posterior, TaskAndSceneHoldTogether) {
     EXPECT_FALSE(make_specimen_plan(scene, load_task(test::source_path("assets/tasks/B2.json"))).has_value());
 }
 
-TEST(Posterior, RefusesAReportThatCouldNotBeMade) {
+TEST(Posterior, RefusesAnImpossibleReport) {
     const auto refused = [](const TaskDefinition& task, const Scene& scene, const std::string& wrong) {
         try {
             TaskMonitor(task, scene, 1);
@@ -91,7 +91,7 @@ class Events : public EventSink {
     std::vector<Event> list;
 };
 
-/// A monitor over septa, stepped with what the test says happened.
+/// A monitor of septa, with steps set by the test.
 struct Steps {
     TaskDefinition task = parse_task(task_text(), "C4.json");
     Scene scene = scene_of(task);
@@ -117,7 +117,8 @@ struct Steps {
         for (TickSample& sample : ticks) {
             sample.tick = ++tick;
             sample.hand[1].flags = hand_inside;
-            sample.hand[1].tip[0] = static_cast<std::int32_t>(tick) * 100;  // moves, so that the clock runs
+            sample.hand[1].tip[0] =
+                static_cast<std::int32_t>(tick) * 100;  // a movement, so that the timer runs
         }
         monitor.on_step(ticks.data(), ticks.size(), world, events);
         world.event_count = 0;
@@ -141,7 +142,7 @@ struct Steps {
     }
 };
 
-TEST(Posterior, IsDoneWhenNoLevelHangsOnAnyMore) {
+TEST(Posterior, IsDoneWhenEveryLevelIsDivided) {
     Steps s;
     s.steps(220);  // taut for a second, the rectum held
     EXPECT_EQ(s.monitor.display().goal, 1);
@@ -149,7 +150,7 @@ TEST(Posterior, IsDoneWhenNoLevelHangsOnAnyMore) {
     const double septum = s.scene.septa->width;
     for (int level = 0; level < 4; ++level) {
         EXPECT_NEAR(s.monitor.display().cut_next_m, level * septum, 0.0006) << level;
-        // A millimetre stays at the right rim: too narrow to be cut, and not asked for.
+        // A millimetre remains at the right rim: too narrow to be cut, and not required.
         s.cut(level * septum + 0.001, (level + 1) * septum - (level == 2 ? 0.004 : 0));
         if (level == 2) {
             EXPECT_NEAR(s.monitor.display().cut_next_m, 3 * septum - 0.004, 0.0006) << "a bridge of 4 mm";
@@ -164,8 +165,8 @@ TEST(Posterior, IsDoneWhenNoLevelHangsOnAnyMore) {
     EXPECT_EQ(s.events.count(EventKind::phase_end), 3);
 }
 
-// What stays at the left rim of a level does not count together with the level below.
-TEST(Posterior, GoesOnAtTheNextLevelPastABridgeAtTheRim) {
+// The undivided rest at the left rim of a level is not added to that of the level below.
+TEST(Posterior, ContinuesAtTheNextLevelAfterABridgeAtTheRim) {
     Steps s;
     s.steps(220);
     const double septum = s.scene.septa->width;
@@ -174,7 +175,7 @@ TEST(Posterior, GoesOnAtTheNextLevelPastABridgeAtTheRim) {
     EXPECT_GE(s.monitor.display().cut_next_m, septum - 1e-9);
 }
 
-TEST(Posterior, ALevelLeftBehindIsNotDone) {
+TEST(Posterior, ASkippedLevelIsNotDone) {
     Steps s;
     s.steps(220);
     const double septum = s.scene.septa->width;

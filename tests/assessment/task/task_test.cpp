@@ -35,7 +35,7 @@ TEST(Task, EveryTaskFitsItsScene) {
     }
 }
 
-TEST(Task, BowelHandlingAsksForWhatTheCurriculumSays) {
+TEST(Task, BowelHandlingAgreesWithTheCurriculum) {
     const TaskDefinition task = load_task(test::source_path("assets/tasks/B1.json"));
     ASSERT_EQ(task.goals.size(), 2U);
     EXPECT_EQ(task.goals[0].kind, GoalKind::run_bowel);
@@ -52,7 +52,7 @@ TEST(Task, BowelHandlingAsksForWhatTheCurriculumSays) {
     EXPECT_NEAR(gate("perforation")->limit, 0, 1e-12);
 }
 
-TEST(Task, PlaneCuttingAsksForWhatTheCurriculumSays) {
+TEST(Task, PlaneCuttingAgreesWithTheCurriculum) {
     const TaskDefinition task = load_task(test::source_path("assets/tasks/B2.json"));
     ASSERT_EQ(task.goals.size(), 3U);
     EXPECT_EQ(task.goals[0].kind, GoalKind::take_tension);
@@ -67,7 +67,7 @@ TEST(Task, PlaneCuttingAsksForWhatTheCurriculumSays) {
         })) << metric;
 }
 
-// A sentence about the limit decides nothing.
+// The text about the limit has no effect.
 TEST(Task, ALimitIsProvisionalWhereTheTaskSaysSo) {
     const std::string source = "\"limit_source\": \"";
     std::string text = task_text("A2.json");
@@ -101,7 +101,7 @@ struct BrokenTask {
 
 class BrokenTaskFile : public testing::TestWithParam<BrokenTask> {};
 
-TEST_P(BrokenTaskFile, NamesFilePlaceAndMend) {
+TEST_P(BrokenTaskFile, NamesFilePlaceAndHint) {
     const BrokenTask& broken = GetParam();
     std::string text = task_text("B1.json");
     const std::size_t at = text.find(broken.what);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The documented format: what it reads, what it writes, and how it complains.
+// The documented trace format: reading, writing, errors.
 #include "assessment/trace/trace_csv.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ Trace read(const std::string& text) {
     return read_trace_csv(in, "trace.csv");
 }
 
-/// The complaint, or "" when the text was read.
+/// The error message, or "" if the text was read.
 std::string complaint(const std::string& text) {
     try {
         read(text);
@@ -28,7 +28,7 @@ std::string complaint(const std::string& text) {
     return {};
 }
 
-TEST(TraceCsv, ReadsTheChannelsThatAreThere) {
+TEST(TraceCsv, ReadsTheChannelsOfTheFile) {
     const Trace trace = read(
         "t,left.px,left.py,left.pz,left.tissue,right.in_view,note\n"
         "s,m,m,m,-,1,-\n"
@@ -47,13 +47,13 @@ TEST(TraceCsv, ReadsTheChannelsThatAreThere) {
     EXPECT_EQ(trace.blocks.size(), 1U);
 }
 
-TEST(TraceCsv, ToleratesWhatSpreadsheetsDo) {
+TEST(TraceCsv, AcceptsChangesMadeBySpreadsheets) {
     const Trace trace = read("\xEF\xBB\xBFt,\"left.tissue\"\r\ns,-\r\n0,\"bowel\"\r\n1,\r\n\r\n");
     EXPECT_EQ(trace.t.size(), 2U);
     EXPECT_EQ(trace.hand[0].tissue[0], 0);
 }
 
-TEST(TraceCsv, WritesWhatItReads) {
+TEST(TraceCsv, WritesTheValuesThatItReads) {
     std::vector<TickSample> samples(500);
     std::mt19937 random(5);
     std::uniform_int_distribution<int> count(-900000, 900000);
@@ -97,7 +97,7 @@ TEST(TraceCsv, WritesWhatItReads) {
     EXPECT_EQ(again.str(), text.str());
 }
 
-TEST(TraceCsv, NamesFileRowColumnAndMend) {
+TEST(TraceCsv, NamesFileRowColumnAndHint) {
     const std::string good = "t,left.fx\ns,N\n";
     EXPECT_EQ(complaint(good + "0,1\n0.001,abc\n"),
               "trace.csv:4: left.fx: 'abc' is not a number; give forces in newtons");
@@ -105,7 +105,7 @@ TEST(TraceCsv, NamesFileRowColumnAndMend) {
               "trace.csv:4: t: the time does not rise; sort the rows and remove doubled ones");
 }
 
-TEST(TraceCsv, RefusesWhatIsBroken) {
+TEST(TraceCsv, RefusesBrokenFiles) {
     const struct {
         const char* text;
         const char* place;
@@ -114,7 +114,7 @@ TEST(TraceCsv, RefusesWhatIsBroken) {
         {"t\n", "trace.csv:2: t:"},
         {"t\ns\n", "trace.csv:3: t:"},
         {"x,left.fx\ns,N\n0,1\n", "trace.csv:1: t:"},        // missing t
-        {"t,left.fx\ns,N\n0,1\n-1,1\n", "trace.csv:4: t:"},  // time goes back
+        {"t,left.fx\ns,N\n0,1\n-1,1\n", "trace.csv:4: t:"},  // time decreases
         {"t,left.fx\ns,N\n0,1,2\n", "trace.csv:3: (row):"},  // unequal row lengths
         {"t,left.fx\ns,N\n0\n", "trace.csv:3: (row):"},
         {"t,left.fx\ns,N\n0,nan\n", "trace.csv:3: left.fx:"},
@@ -123,7 +123,7 @@ TEST(TraceCsv, RefusesWhatIsBroken) {
         {"t,left.fx\ns,N\n0,1e999\n", "trace.csv:3: left.fx:"},
         {"t,left.fx\ns,N\n0,1 2\n", "trace.csv:3: left.fx:"},
         {"t,left.px\ns,mm\n0,120\n", "trace.csv:2: left.px:"},  // wrong unit
-        {"t,left.px\ns,m\n0,120\n", "trace.csv:3: left.px:"},   // millimetres after all
+        {"t,left.px\ns,m\n0,120\n", "trace.csv:3: left.px:"},   // values in millimetres
         {"t,left.px\n0,0.1\n", "trace.csv:2: t:"},              // no row of units
         {"t,left.fx,left.fx\ns,N,N\n0,1,1\n", "trace.csv:1: 'left.fx':"},
         {"t,left.in_view\ns,-\n0,2\n", "trace.csv:3: left.in_view:"},
@@ -141,7 +141,7 @@ TEST(TraceCsv, RefusesWhatIsBroken) {
     }
 }
 
-TEST(TraceCsv, KeepsItsLimits) {
+TEST(TraceCsv, EnforcesItsLimits) {
     EXPECT_NE(complaint("t," + std::string(70000, 'x') + "\n"), "");
     std::string many = "t";
     for (int i = 0; i < 300; ++i) many += ",c" + std::to_string(i);
@@ -153,7 +153,7 @@ TEST(TraceCsv, KeepsItsLimits) {
     EXPECT_THROW(read_trace_csv(std::string("no/such/file.csv")), InputError);
 }
 
-TEST(Utf8, KnowsWellFormedText) {
+TEST(Utf8, AcceptsOnlyWellFormedText) {
     EXPECT_TRUE(is_utf8("bowel"));
     EXPECT_TRUE(is_utf8("Gefäß"));
     EXPECT_TRUE(is_utf8("\xF0\x9F\x98\x80"));

@@ -67,7 +67,7 @@ TEST(Blocks, SplitAtGapsLongerThanATenthOfASecond) {
     EXPECT_EQ(trace.blocks[1].last, 5U);
 }
 
-TEST(Blocks, LeaveOutPausesAndWhatFollowsTheEnd) {
+TEST(Blocks, ExcludePausesAndSamplesAfterTheEnd) {
     const std::vector<Event> events = {
         make_event(100, EventKind::pause),       make_event(300, EventKind::resume),
         make_event(500, EventKind::device_lost), make_event(550, EventKind::pause),
@@ -82,7 +82,7 @@ TEST(Blocks, LeaveOutPausesAndWhatFollowsTheEnd) {
     EXPECT_EQ(trace.blocks[2].first, 700U);
     EXPECT_EQ(trace.blocks[2].last, 901U);
     ASSERT_EQ(trace.pauses.size(), 2U);
-    EXPECT_DOUBLE_EQ(trace.pauses[1].begin, 0.5);  // gone and paused overlap: one pause
+    EXPECT_DOUBLE_EQ(trace.pauses[1].begin, 0.5);  // a lost device during a pause: one pause
     EXPECT_DOUBLE_EQ(trace.pauses[1].end, 0.7);
     EXPECT_DOUBLE_EQ(trace.end, 0.9);
 }
@@ -104,7 +104,7 @@ TEST(Blocks, SplitWhereSamplesWereLost) {
     EXPECT_EQ(trace.blocks[1].first, 50U);
 }
 
-TEST(MeanRate, IgnoresGapsButNotSlowness) {
+TEST(MeanRate, IgnoresGapsButNotALowRate) {
     Trace trace;
     for (int i = 0; i < 100; ++i) trace.t.push_back(i * 0.01);
     for (int i = 0; i < 100; ++i) trace.t.push_back(60 + i * 0.01);
