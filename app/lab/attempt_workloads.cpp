@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/lab/attempt_workloads.h"
-#include "sim_core/world/parts/bowel/bowel_part.h"
 
-#include <deque>
 #include <memory>
+#include <vector>
 
 #include "app/lab/plane_workload.h"
 #include "app/live/performance.h"
 #include "assessment/operators/operator.h"
 #include "database/rows/trace_codec.h"
+#include "sim_core/world/parts/bowel/bowel_part.h"
 
 namespace fulcrum::app {
 namespace {
 
-/// An expert at work on a task, advanced tick by tick, so that what is timed is the real mix of approach,
-/// grasp and pull.
+/// An expert performing a task, advanced tick by tick, so that what is timed is the real mix of approach,
+/// grasp and traction.
 struct Bench : public AttemptSink {
     LoadedTask loaded;
     AttemptEngine engine;
@@ -58,21 +58,16 @@ struct Bench : public AttemptSink {
     void on_step(const StepRecord& /*step*/) noexcept override {}
 };
 
-}  // namespace
-
-std::vector<lab::Workload> attempt_workloads() {
-    std::vector<lab::Workload> workloads;
-
+/// One tick of the haptic loop with its operator.
+lab::Workload tick_workload() {
     lab::Workload tick;
     tick.name = "tick";
     tick.budget_mg = 15;
     tick.samples = 4000;
     tick.prepare = [] {
         auto bench = std::make_shared<Bench>("B1", 8.0);
-        auto inputs = std::make_shared<std::deque<RigSample>>();
         lab::Workload::Prepared prepared;
-        // The operator's own thinking and the world's step are not the tick's: they run when the prepared
-        // inputs are used up.
+        // The world's step is not part of the tick: it runs between two timed ticks.
         prepared.step = [bench] {
             const RigSample input = bench->read();
             bench->outputs[(input.tick - 1) % bench->ticks_per_step] = bench->engine.tick(input);
@@ -83,8 +78,11 @@ std::vector<lab::Workload> attempt_workloads() {
         prepared.bytes = sizeof(LocalModels) * 2;
         return prepared;
     };
-    workloads.push_back(tick);
+    return tick;
+}
 
+/// One step of the world in B1.
+lab::Workload world_workload() {
     lab::Workload world;
     world.name = "world_b1";
     world.budget_mg = 90;
@@ -106,9 +104,11 @@ std::vector<lab::Workload> attempt_workloads() {
         prepared.error_unit = "relative rod residual of the last step";
         return prepared;
     };
-    workloads.push_back(world);
-    workloads.push_back(plane_workload());
+    return world;
+}
 
+/// Encoding one second of record, as the recorder does once a second.
+lab::Workload recording_workload() {
     lab::Workload recording;
     recording.name = "recording_1s";
     recording.samples = 100;
@@ -141,8 +141,13 @@ std::vector<lab::Workload> attempt_workloads() {
         prepared.error_unit = "MiB per 10 min";
         return prepared;
     };
-    workloads.push_back(recording);
-    return workloads;
+    return recording;
+}
+
+}  // namespace
+
+std::vector<lab::Workload> attempt_workloads() {
+    return {tick_workload(), world_workload(), plane_workload(), recording_workload()};
 }
 
 }  // namespace fulcrum::app

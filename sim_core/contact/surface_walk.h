@@ -42,8 +42,29 @@ struct WalkPoint {
     bool converged = false;
 };
 
+/// The interpolated vertex normal, made a unit vector, of a triangle with this (unscaled) facet normal of
+/// squared length face2. Where it is almost in the triangle's plane (a fold), the facet normal is used.
+inline Vector3 smooth_normal(const Vector3& interpolated, const Vector3& face, double face2) noexcept {
+    const double size = interpolated.norm();
+    const double lean = face.dot(interpolated);
+    if (size > 1e-6 && std::abs(lean) > 0.2 * size * std::sqrt(face2)) return interpolated / size;
+    return (lean < 0 ? -face : face) / std::sqrt(face2);
+}
+
+/// Barycentric coordinates of a point on the common edge of two triangles, in the second one.
+inline Vector3 carried_across(const Vector3& weights, const Triangle& from, const Triangle& to) noexcept {
+    Vector3 carried = Vector3::Zero();
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t m = 0; m < 3; ++m) {
+            if (to[k] == from[m]) carried[static_cast<int>(k)] = weights[static_cast<int>(m)];
+        }
+    }
+    const double sum = carried.sum();
+    return sum > 0 ? Vector3(carried / sum) : Vector3(Vector3::Constant(1.0 / 3));
+}
+
 /// Moves point from its triangle, barycentric coordinates and shaft fraction, for the segment from `from` (0)
-/// to `to` (1). Longer than 80 lines: one iteration whose steps share all of its state.
+/// to `to` (1).
 template <typename Surface>
 void walk_surface(Surface& surface, const Vector3& from, const Vector3& to, const WalkOptions& options,
                   WalkPoint& point) {
@@ -66,17 +87,10 @@ void walk_surface(Surface& surface, const Vector3& from, const Vector3& to, cons
             return;
         }
         const Vector3& weight = point.barycentric;
-        Vector3 normal = weight[0] * surface.normal(corner[0]) + weight[1] * surface.normal(corner[1]) +
-                         weight[2] * surface.normal(corner[2]);
-        const double size = normal.norm();
-        const double lean = face.dot(normal);
-        // Where the smooth normal is almost in the triangle's plane (a fold), the triangle's own normal is
-        // used.
-        if (size > 1e-6 && std::abs(lean) > 0.2 * size * std::sqrt(face2)) {
-            normal /= size;
-        } else {
-            normal = (lean < 0 ? -face : face) / std::sqrt(face2);
-        }
+        const Vector3 normal =
+            smooth_normal(weight[0] * surface.normal(corner[0]) + weight[1] * surface.normal(corner[1]) +
+                              weight[2] * surface.normal(corner[2]),
+                          face, face2);
         const Vector3 x = from + point.shaft * segment;
         const double along = face.dot(a - x) / face.dot(normal);
         const Vector3 q = x + along * normal;
@@ -95,18 +109,9 @@ void walk_surface(Surface& surface, const Vector3& from, const Vector3& to, cons
             weights = weights.cwiseMax(0.0);
             weights /= weights.sum();
             if (next >= 0 && next != came_from) {
-                const Triangle& other = surface.corner(next);
-                Vector3 carried = Vector3::Zero();
-                for (std::size_t k = 0; k < 3; ++k) {
-                    for (std::size_t m = 0; m < 3; ++m) {
-                        if (other[k] == corner[m])
-                            carried[static_cast<int>(k)] = weights[static_cast<int>(m)];
-                    }
-                }
+                point.barycentric = carried_across(weights, corner, surface.corner(next));
                 came_from = point.triangle;
                 point.triangle = next;
-                const double sum = carried.sum();
-                point.barycentric = sum > 0 ? Vector3(carried / sum) : Vector3(Vector3::Constant(1.0 / 3));
                 continue;
             }
             if (next < 0) point.at_border = true;

@@ -44,34 +44,163 @@ struct HapticLoop::Parts {
     ToolContactState state[hand_count];
     ToolContactState state_before[hand_count];  // at the tick before
     ToolPairState pair;
+    CameraPose camera;
     Vector3 tip_before[hand_count] = {Vector3::Zero(), Vector3::Zero()},
             velocity_before[hand_count] = {Vector3::Zero(), Vector3::Zero()};
-    double way[hand_count] = {0, 0};           // m, of a tip since the tick before
+    double moved[hand_count] = {0, 0};         // m, displacement of a tip since the tick before
     double slope_before[hand_count] = {0, 0};  // N/m, of what a hand touched
     SafetyState safety[hand_count];
     PassivityController passivity[hand_count];
-    DeviceSample held[hand_count];    // what the instruments follow: the devices but for pauses and losses
+    DeviceSample held[hand_count];    // what the instruments follow: the devices except in pauses and losses
     DeviceSample offset[hand_count];  // clutch: added to the device after a resume
-    bool was_held = false;
+    bool on_hold = false;             // in a pause or while a device is lost
     ToolContactScratch scratch[hand_count];
     ToolContactResult result[hand_count], old_result;
     unsigned limited = 0;
     TickOutput output;
 
-    /// N, by which a hand's force can have changed by the hands' motion since the last tick: what it touches
-    /// gives at most its slope, with that of dampers that come in with the depth.
-    double explained(int hand) {
-        const double stiffness = result[hand].stiffness.trace(), damping = result[hand].damping;
-        const Vector3& velocity = tool[hand].tip_velocity;
-        const double slope = stiffness + damping * velocity.norm() / contact[hand].onset_depth;
-        const double other = result[hand].touching_tool ? way[1 - hand] : 0.0;
-        const double by_motion = std::max(slope, slope_before[hand]) * way[hand] + shaft_stiffness * other +
-                                 damping * (velocity - velocity_before[hand]).norm();
-        slope_before[hand] = slope;
-        velocity_before[hand] = velocity;
-        return by_motion + unexplained;
-    }
+    void follow_device(int hand, const DeviceSample& device, bool was_on_hold) noexcept;
+    void move_instruments(const RigSample& input) noexcept;
+    void find_contacts(std::uint32_t tick) noexcept;
+    double explained(int hand) noexcept;
+    SafetyInput safety_input(int hand, std::uint32_t tick) noexcept;
+    void limit_stiffness(int hand, SafetyInput& safety) noexcept;
+    void record_hand(int hand, const RigSample& input, const SafetyOutput& sent, HandSample& record) noexcept;
+    void record_grasp(int hand, std::uint32_t tick, HandSample& record) noexcept;
+    void record_camera(CameraSample& record) const noexcept;
 };
+
+/// Clutches the device in where it is after a pause or a loss, so that the instrument does not jump.
+void HapticLoop::Parts::follow_device(int hand, const DeviceSample& device, bool was_on_hold) noexcept {
+    DeviceSample& follows = held[hand];
+    DeviceSample& by = offset[hand];
+    if (was_on_hold) {
+        for (int i = 0; i < 3; ++i) by.handle[i] = clutch_offset(follows.handle[i], device.handle[i]);
+        by.roll = clutch_offset(follows.roll, device.roll);
+    }
+    follows = device;
+    for (int i = 0; i < 3; ++i) follows.handle[i] = clutched(follows.handle[i], by.handle[i]);
+    follows.roll = clutched(follows.roll, by.roll);
+}
+
+/// During a pause or a loss the instruments stay where they are.
+void HapticLoop::Parts::move_instruments(const RigSample& input) noexcept {
+    const bool was_on_hold = on_hold;
+    on_hold = (input.flags & (rig_paused | rig_device_lost)) != 0U;
+    for (int hand = 0; hand < hand_count; ++hand) {
+        if (!has_hand[hand]) continue;
+        if (!on_hold) follow_device(hand, input.hand[hand], was_on_hold);
+        tool[hand] = step_instrument(contact[hand].instrument, held[hand], instrument[hand]);
+        moved[hand] = (tool[hand].tip - tip_before[hand]).norm();
+        tip_before[hand] = tool[hand].tip;
+    }
+    if (has_camera) camera = scope_pose(scope, input.camera);
+}
+
+/// Contact of each instrument with tissue, then of the instruments with each other.
+void HapticLoop::Parts::find_contacts(std::uint32_t tick) noexcept {
+    for (int hand = 0; hand < hand_count; ++hand) {
+        state_before[hand] = state[hand];
+        if (has_hand[hand])
+            step_tool_contact(contact[hand], models[current].hand[hand], tool[hand], tick, state[hand],
+                              scratch[hand], result[hand]);
+    }
+    if (has_hand[0] && has_hand[1])
+        collide_tools(contact[0], tool[0], contact[1], tool[1], pair, result[0], result[1]);
+}
+
+/// N, by which a hand's force can have changed by the hands' motion since the last tick: what it touches
+/// gives at most its slope, with that of dampers that come in with the depth.
+double HapticLoop::Parts::explained(int hand) noexcept {
+    const double stiffness = result[hand].stiffness.trace(), damping = result[hand].damping;
+    const Vector3& velocity = tool[hand].tip_velocity;
+    const double slope = stiffness + damping * velocity.norm() / contact[hand].onset_depth;
+    const double other = result[hand].touching_tool ? moved[1 - hand] : 0.0;
+    const double by_motion = std::max(slope, slope_before[hand]) * moved[hand] + shaft_stiffness * other +
+                             damping * (velocity - velocity_before[hand]).norm();
+    slope_before[hand] = slope;
+    velocity_before[hand] = velocity;
+    return by_motion + unexplained;
+}
+
+SafetyInput HapticLoop::Parts::safety_input(int hand, std::uint32_t tick) noexcept {
+    SafetyInput safety_of_hand;
+    safety_of_hand.force = -result[hand].force;
+    safety_of_hand.model_changed = swapped;
+    if (swapped) {
+        // What the old model gives at this pose, from its own state: the current state is the new model's.
+        ToolContactState old_state = state_before[hand];
+        step_tool_contact(contact[hand], models[1 - current].hand[hand], tool[hand], tick, old_state,
+                          scratch[hand], old_result);
+        safety_of_hand.old_force = -(old_result.force + result[hand].tool_force);
+    }
+    safety_of_hand.model_age = result[hand].age;
+    safety_of_hand.connected = !on_hold && tool[hand].present;
+    safety_of_hand.explained = explained(hand);
+    limit_stiffness(hand, safety_of_hand);
+    return safety_of_hand;
+}
+
+/// Eq. 8: where the model is stiffer than the device can render stably, the device gets a reduced model's
+/// force: the same direction, the size that the bound allows.
+void HapticLoop::Parts::limit_stiffness(int hand, SafetyInput& of_hand) noexcept {
+    const double b = device_damping[hand];
+    if (!(b >= 0) || !(result[hand].stiffness.trace() > 0)) return;
+    const double stiffest = result[hand].stiffness.diagonal().maxCoeff();
+    const PassivityCheck check = check_passivity(stiffest, result[hand].damping, b, limits.tick_period);
+    if (!check.limited) return;
+    of_hand.force *= check.stiffness / std::max(1e-9, stiffest);
+    of_hand.old_force *= check.stiffness / std::max(1e-9, stiffest);
+    limited |= 1U << static_cast<unsigned>(hand);
+}
+
+void HapticLoop::Parts::record_hand(int hand, const RigSample& input, const SafetyOutput& sent,
+                                    HandSample& record) noexcept {
+    const ToolContactResult& touched = result[hand];
+    const ToolKinematics& pose = tool[hand];
+    const LocalModel& local = models[current].hand[hand];
+    store(pose.tip, sample_length_unit, record.tip);
+    store(pose.axis, sample_axis_unit, record.axis);
+    record.roll = counts(pose.roll, sample_angle_unit);
+    record.jaw_angle = counts(pose.jaw_angle, sample_angle_unit);
+    // Without the force between the instruments, which acts on no tissue.
+    store(touched.force - touched.tool_force, sample_force_unit, record.force);
+    store(touched.torque, sample_torque_unit, record.torque);
+    store(output.device_force[hand], sample_force_unit, record.device_force);
+    record.tissue = touched.tissue;
+    record.patch = touched.tissue_patch;
+    record.filter_grade = static_cast<std::uint16_t>(touched.grade);
+    unsigned flags = 0;
+    if (pose.inside) flags |= hand_inside;
+    if (has_camera && in_view(camera, pose.tip)) flags |= hand_in_view;
+    if ((pose.buttons & button_energy) != 0 && local.energises) flags |= hand_energy;
+    if ((sent.flags & safety_clamped) != 0) flags |= hand_clamped;
+    if (input.hand[hand].faulty != 0) flags |= hand_faulty;
+    if (touched.cutting) flags |= hand_cutting;
+    if (local.mode == LocalMode::grasp) {
+        flags |= hand_grasping;
+        record_grasp(hand, input.tick, record);
+    }
+    record.flags = static_cast<std::uint16_t>(flags);
+}
+
+void HapticLoop::Parts::record_grasp(int hand, std::uint32_t tick, HandSample& record) noexcept {
+    const LocalModel& local = models[current].hand[hand];
+    record.jaw_force = counts(tool[hand].grip, sample_force_unit);
+    const JawContact jaws =
+        find_jaw_contact(contact[hand].instrument, tool[hand], std::max(tool[hand].jaw_angle, 0.25), local,
+                         tick, scratch[hand]);
+    record.jaw_area = counts(std::max({jaws.area, local.grasp.area, 1e-6}), sample_area_unit);
+    record.tissue = local.grasp.tissue;
+    record.patch = local.grasp.tissue_patch;
+}
+
+void HapticLoop::Parts::record_camera(CameraSample& record) const noexcept {
+    store(camera.position, sample_length_unit, record.tip);
+    const Quaternion& q = camera.orientation;
+    const double components[4] = {q.w(), q.x(), q.y(), q.z()};
+    for (int i = 0; i < 4; ++i) record.orientation[i] = counts(components[i], sample_axis_unit);
+}
 
 HapticLoop::HapticLoop(const Scene& scene, const World& world) : parts_(std::make_unique<Parts>()) {
     Parts& parts = *parts_;
@@ -125,8 +254,6 @@ unsigned HapticLoop::take_stability_limited() noexcept {
 
 const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {
     Parts& parts = *parts_;
-    const LocalModels& models = parts.models[parts.current];
-    const LocalModels& before = parts.models[1 - parts.current];
     TickOutput& output = parts.output;
     output.input = input;
     TickSample& sample = output.sample;
@@ -135,127 +262,24 @@ const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {
     sample.rig_flags = input.flags;
     sample.model_step = parts.model_step;
 
-    // 1. Hands: during a pause or a loss the instruments stay where they are; afterwards the device is
-    // clutched in where it stands.
-    const bool on_hold = (input.flags & (rig_paused | rig_device_lost)) != 0U;
+    parts.move_instruments(input);
+    parts.find_contacts(input.tick);
     for (int hand = 0; hand < hand_count; ++hand) {
         if (!parts.has_hand[hand]) continue;
-        const DeviceSample& device = input.hand[hand];
-        DeviceSample& held = parts.held[hand];
-        if (!on_hold) {
-            if (parts.was_held) {
-                for (int i = 0; i < 3; ++i)
-                    parts.offset[hand].handle[i] = clutch_offset(held.handle[i], device.handle[i]);
-                parts.offset[hand].roll = clutch_offset(held.roll, device.roll);
-            }
-            const DeviceSample& offset = parts.offset[hand];
-            held = device;
-            for (int i = 0; i < 3; ++i) held.handle[i] = clutched(held.handle[i], offset.handle[i]);
-            held.roll = clutched(held.roll, offset.roll);
-        }
-        parts.tool[hand] = step_instrument(parts.contact[hand].instrument, held, parts.instrument[hand]);
-        parts.way[hand] = (parts.tool[hand].tip - parts.tip_before[hand]).norm();
-        parts.tip_before[hand] = parts.tool[hand].tip;
-    }
-    parts.was_held = on_hold;
-
-    // 2. Contact of each hand, then of the instruments with each other.
-    for (int hand = 0; hand < hand_count; ++hand) {
-        parts.state_before[hand] = parts.state[hand];
-        if (parts.has_hand[hand])
-            step_tool_contact(parts.contact[hand], models.hand[hand], parts.tool[hand], input.tick,
-                              parts.state[hand], parts.scratch[hand], parts.result[hand]);
-    }
-    if (parts.has_hand[0] && parts.has_hand[1]) {
-        collide_tools(parts.contact[0], parts.tool[0], parts.contact[1], parts.tool[1], parts.pair,
-                      parts.result[0], parts.result[1]);
-    }
-
-    CameraPose camera;
-    if (parts.has_camera) camera = scope_pose(parts.scope, input.camera);
-
-    // 3. Safety, then the record.
-    for (int hand = 0; hand < hand_count; ++hand) {
-        if (!parts.has_hand[hand]) continue;
-        const ToolContactResult& result = parts.result[hand];
-        const ToolKinematics& tool = parts.tool[hand];
-        const LocalModel& local = models.hand[hand];
-
-        SafetyInput safety;
-        safety.force = -result.force;
-        safety.model_changed = parts.swapped;
-        if (parts.swapped) {
-            // The old model's answer at this pose, from what it remembered; what is remembered now is the new
-            // one's.
-            ToolContactState state = parts.state_before[hand];
-            step_tool_contact(parts.contact[hand], before.hand[hand], tool, input.tick, state,
-                              parts.scratch[hand], parts.old_result);
-            safety.old_force = -(parts.old_result.force + result.tool_force);
-        }
-        safety.model_age = result.age;
-        safety.connected = !on_hold && tool.present;
-        safety.explained = parts.explained(hand);
-        const double b = parts.device_damping[hand];
-        if (b >= 0 && result.stiffness.trace() > 0) {
-            const PassivityCheck check = check_passivity(result.stiffness.diagonal().maxCoeff(),
-                                                         result.damping, b, parts.limits.tick_period);
-            if (check.limited) {
-                // The device renders the reduced model: the same direction, the size that the bound allows.
-                safety.force *= check.stiffness / std::max(1e-9, result.stiffness.diagonal().maxCoeff());
-                safety.old_force *= check.stiffness / std::max(1e-9, result.stiffness.diagonal().maxCoeff());
-                parts.limited |= 1U << static_cast<unsigned>(hand);
-            }
-        }
-        const SafetyOutput sent = step_safety(parts.limits, safety, parts.safety[hand]);
-        Vector3 device_force = sent.force;
-        if (parts.scene.passivity_control) {
-            device_force =
-                parts.passivity[hand].step(sent.force, tool.tip_velocity, parts.limits.tick_period);
-        }
-        output.device_force[hand] = device_force;
+        const SafetyOutput sent =
+            step_safety(parts.limits, parts.safety_input(hand, input.tick), parts.safety[hand]);
+        output.device_force[hand] = sent.force;
+        if (parts.scene.passivity_control)
+            output.device_force[hand] = parts.passivity[hand].step(sent.force, parts.tool[hand].tip_velocity,
+                                                                   parts.limits.tick_period);
 
         ContactReport& contact = output.contact[hand];
-        contact.tool = tool;
-        contact.vertex = result.vertex;
-        contact.slipping = result.slipping;
-
-        HandSample& record = sample.hand[hand];
-        store(tool.tip, sample_length_unit, record.tip);
-        store(tool.axis, sample_axis_unit, record.axis);
-        record.roll = counts(tool.roll, sample_angle_unit);
-        record.jaw_angle = counts(tool.jaw_angle, sample_angle_unit);
-        store(result.force - result.tool_force, sample_force_unit,
-              record.force);  // instruments that cross hurt no tissue
-        store(result.torque, sample_torque_unit, record.torque);
-        store(device_force, sample_force_unit, record.device_force);
-        record.tissue = result.tissue;
-        record.patch = result.tissue_patch;
-        record.filter_grade = static_cast<std::uint16_t>(result.grade);
-        unsigned flags = 0;
-        if (tool.inside) flags |= hand_inside;
-        if (parts.has_camera && in_view(camera, tool.tip)) flags |= hand_in_view;
-        if ((tool.buttons & button_energy) != 0 && local.energises) flags |= hand_energy;
-        if ((sent.flags & safety_clamped) != 0) flags |= hand_clamped;
-        if (input.hand[hand].faulty != 0) flags |= hand_faulty;
-        if (result.cutting) flags |= hand_cutting;
-        if (local.mode == LocalMode::grasp) {
-            flags |= hand_grasping;
-            record.jaw_force = counts(tool.grip, sample_force_unit);
-            const JawContact jaws =
-                find_jaw_contact(parts.contact[hand].instrument, tool, std::max(tool.jaw_angle, 0.25), local,
-                                 input.tick, parts.scratch[hand]);
-            record.jaw_area = counts(std::max({jaws.area, local.grasp.area, 1e-6}), sample_area_unit);
-            record.tissue = local.grasp.tissue;
-            record.patch = local.grasp.tissue_patch;
-        }
-        record.flags = static_cast<std::uint16_t>(flags);
+        contact.tool = parts.tool[hand];
+        contact.vertex = parts.result[hand].vertex;
+        contact.slipping = parts.result[hand].slipping;
+        parts.record_hand(hand, input, sent, sample.hand[hand]);
     }
-    if (parts.has_camera) {
-        store(camera.position, sample_length_unit, sample.camera.tip);
-        const Quaternion& q = camera.orientation;
-        const double components[4] = {q.w(), q.x(), q.y(), q.z()};
-        for (int i = 0; i < 4; ++i) sample.camera.orientation[i] = counts(components[i], sample_axis_unit);
-    }
+    if (parts.has_camera) parts.record_camera(sample.camera);
     parts.swapped = false;
     return output;
 }

@@ -2,18 +2,16 @@
 // Safety layer between the model's force and a hand (docs/THEORY.md, section 4, Safety).
 //
 //  * Size: clamped to the limit, direction kept.
-//  * Slew (0.3 N/ms): acts on changes of the model, on loss and on resume. Each such change keeps the sent
-//  force
-//    and lets the difference decay at the slew rate; the force from a moving hand is not slowed.
+//  * Slew (0.3 N/ms): acts on changes of the model, on loss and on resume. After such a change the sent
+//    force continues from its last value and the difference decays at the slew rate; the force from a moving
+//    hand is not slowed.
 //  * Jumps: a force that changes by more than the hand's own motion can explain (another facet, another shaft
-//  or
-//    the other side of one) counts as a change of model: the unexplained part decays like the difference of a
-//    swap. The change due to the hand's motion counts against the slew first, so that both together stay
+//    or the other side of one) counts as a change of model: the unexplained part decays like the difference
+//    of a swap. The change due to the hand's motion counts against the slew first, so that both together stay
 //    within it.
 //  * Start ramp: after a start or resume the force rises from 0 over ramp_ticks.
 //  * Watchdog: a model older than age_limit ticks, an absent device, a pause or a non-finite force reduces
-//  the
-//    force to 0 at the slew rate.
+//    the force to 0 at the slew rate.
 // Logged and scored force is the model's, before this layer. Haptic thread: no allocation, lock or exception;
 // the result is finite and within the limit for every input.
 #pragma once

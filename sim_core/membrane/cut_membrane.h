@@ -213,8 +213,18 @@ class CutMembrane {
     void find_isolated(CutMembraneState& state, CutMembraneScratch& scratch) const noexcept;
     void collect(const CutMembraneState& state, std::int32_t vertex,
                  CutMembraneScratch& scratch) const noexcept;
+    /// The steps of part(), in order. Removes the pieces and contacts of a root; the scratch remembers the
+    /// pieces' nodes by slot, and the root's vertices.
+    void remove_pieces(CutMembraneState& state, std::int32_t root,
+                       CutMembraneScratch& scratch) const noexcept;
+    void add_pieces(CutMembraneState& state, const MembraneCut& cut,
+                    const CutMembraneScratch& scratch) const noexcept;
+    /// Frees the nodes at the remembered vertices that no piece uses any more.
+    void free_unused_nodes(CutMembraneState& state, CutMembraneScratch& scratch) const noexcept;
     void split_vertex(CutMembraneState& state, std::int32_t vertex,
                       CutMembraneScratch& scratch) const noexcept;
+    /// Makes every spring around the remembered vertices again.
+    void remake_springs(CutMembraneState& state, CutMembraneScratch& scratch) const noexcept;
 
     std::vector<Triangle> triangles_;
     std::vector<Vector3> rest_;

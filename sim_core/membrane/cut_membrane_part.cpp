@@ -215,39 +215,51 @@ void CutMembrane::split_vertex(CutMembraneState& state, std::int32_t vertex,
         state.pieces[at(all[at(i)].piece)].nodes[at(all[at(i)].corner)] = all[at(parent(i))].new_node;
 }
 
-// Longer than 80 lines: a fixed sequence of short steps, each of which depends on the one before.
 bool CutMembrane::part(CutMembraneState& state, const MembraneCut& cut,
                        CutMembraneScratch& scratch) const noexcept {
     if (!fits(state, cut)) return false;
-    const std::uint32_t stamp = ++scratch.stamp_;
+    ++scratch.stamp_;
     scratch.vertices_.clear();
-    // Removes the old pieces; their nodes are remembered by slot.
-    for (const std::int32_t root : cut.roots) {
-        for (std::int32_t slot = state.first_piece[at(root)]; slot >= 0;) {
-            CutMembraneState::Piece& piece = state.pieces[at(slot)];
-            const std::int32_t next = piece.next;
-            scratch.old_nodes_[at(slot)] = piece.nodes;
-            state.removed_mass += piece.share * root_mass_[at(root)];
-            piece = CutMembraneState::Piece();
-            slot = next;
-        }
-        for (const std::int32_t edge : root_edges_[at(root)]) {
-            for (std::int32_t c = state.first_contact[at(edge)]; c >= 0;) {
-                const std::int32_t next = state.contacts[at(c)].next;
-                state.contacts[at(c)] = CutMembraneState::Contact();
-                state.free_contacts[at(state.free_contact_count++)] = c;
-                c = next;
-            }
-            state.first_contact[at(edge)] = -1;
-        }
-        for (const std::int32_t v : triangles_[at(root)]) {
-            if (scratch.vertex_stamp_[at(v)] == stamp) continue;
-            scratch.vertex_stamp_[at(v)] = stamp;
-            scratch.vertices_.push_back(v);
-        }
-    }
-    // Read all old slots before writing new pieces: a new piece may reuse an old one's slot.
+    // All old pieces are read before the first new one is written, which may reuse their slots.
+    for (const std::int32_t root : cut.roots) remove_pieces(state, root, scratch);
     for (const std::int32_t root : cut.roots) state.first_piece[at(root)] = -1;
+    add_pieces(state, cut, scratch);
+    free_unused_nodes(state, scratch);
+    for (const std::int32_t v : scratch.vertices_) split_vertex(state, v, scratch);
+    remake_springs(state, scratch);
+    find_isolated(state, scratch);
+    ++state.topology;
+    return true;
+}
+
+void CutMembrane::remove_pieces(CutMembraneState& state, std::int32_t root,
+                                CutMembraneScratch& scratch) const noexcept {
+    for (std::int32_t slot = state.first_piece[at(root)]; slot >= 0;) {
+        CutMembraneState::Piece& piece = state.pieces[at(slot)];
+        const std::int32_t next = piece.next;
+        scratch.old_nodes_[at(slot)] = piece.nodes;
+        state.removed_mass += piece.share * root_mass_[at(root)];
+        piece = CutMembraneState::Piece();
+        slot = next;
+    }
+    for (const std::int32_t edge : root_edges_[at(root)]) {
+        for (std::int32_t c = state.first_contact[at(edge)]; c >= 0;) {
+            const std::int32_t next = state.contacts[at(c)].next;
+            state.contacts[at(c)] = CutMembraneState::Contact();
+            state.free_contacts[at(state.free_contact_count++)] = c;
+            c = next;
+        }
+        state.first_contact[at(edge)] = -1;
+    }
+    for (const std::int32_t v : triangles_[at(root)]) {
+        if (scratch.vertex_stamp_[at(v)] == scratch.stamp_) continue;
+        scratch.vertex_stamp_[at(v)] = scratch.stamp_;
+        scratch.vertices_.push_back(v);
+    }
+}
+
+void CutMembrane::add_pieces(CutMembraneState& state, const MembraneCut& cut,
+                             const CutMembraneScratch& scratch) const noexcept {
     for (const MembranePiece& from : cut.pieces) {
         CutMembraneState::Piece& piece = state.pieces[at(from.slot)];
         piece.root = from.root;
@@ -271,35 +283,39 @@ bool CutMembrane::part(CutMembraneState& state, const MembraneCut& cut,
         contact.next = state.first_contact[at(edge)];
         state.first_contact[at(edge)] = c;
     }
-    // Nodes that no piece uses any more.
+}
+
+void CutMembrane::free_unused_nodes(CutMembraneState& state, CutMembraneScratch& scratch) const noexcept {
     for (const std::int32_t v : scratch.vertices_) {
         collect(state, v, scratch);
-        for (const auto& incidence : scratch.incidences_) scratch.node_stamp_[at(incidence.node)] = stamp;
+        for (const auto& incidence : scratch.incidences_)
+            scratch.node_stamp_[at(incidence.node)] = scratch.stamp_;
     }
     for (std::int32_t n = 0; n < state.node_end; ++n) {
         const std::int32_t v = state.vertex[at(n)];
-        if (v < 0 || scratch.vertex_stamp_[at(v)] != stamp || scratch.node_stamp_[at(n)] == stamp) continue;
+        if (v < 0 || scratch.vertex_stamp_[at(v)] != scratch.stamp_ ||
+            scratch.node_stamp_[at(n)] == scratch.stamp_)
+            continue;
         state.vertex[at(n)] = -1;
         state.masses[at(n)] = 0;
         state.held[at(n)] = state.isolated[at(n)] = 0;
         state.velocities[at(n)].setZero();
         state.free_nodes[at(state.free_node_count++)] = n;
     }
-    for (const std::int32_t v : scratch.vertices_) split_vertex(state, v, scratch);
+}
+
+void CutMembrane::remake_springs(CutMembraneState& state, CutMembraneScratch& scratch) const noexcept {
     for (const std::int32_t v : scratch.vertices_) {
         for (std::int32_t k = around_offsets_[at(v)]; k < around_offsets_[at(v) + 1]; ++k) {
             const std::int32_t root = around_[at(k)];
             for (std::int32_t u = use_offsets_[at(root)]; u < use_offsets_[at(root) + 1]; ++u) {
                 const std::int32_t spring = uses_[at(u)];
-                if (scratch.spring_stamp_[at(spring)] == stamp) continue;
-                scratch.spring_stamp_[at(spring)] = stamp;
+                if (scratch.spring_stamp_[at(spring)] == scratch.stamp_) continue;
+                scratch.spring_stamp_[at(spring)] = scratch.stamp_;
                 make_springs(state, at(spring));
             }
         }
     }
-    find_isolated(state, scratch);
-    ++state.topology;
-    return true;
 }
 
 void CutMembrane::find_isolated(CutMembraneState& state, CutMembraneScratch& scratch) const noexcept {

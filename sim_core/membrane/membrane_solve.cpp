@@ -318,9 +318,46 @@ void pack_pair(Data& d, std::size_t slot, std::size_t count, double& product, do
     squared = sum_lanes(square);
 }
 
+// The remembered pairs, newest first.
+struct Pairs {
+    int count = 0;
+    std::size_t slot[Data::memory];
+    History moved, turned;
+
+    explicit Pairs(const Data& d) : count(d.remembered) {
+        for (int k = 0; k < count; ++k) {
+            const auto i = static_cast<std::size_t>(k);
+            slot[k] = static_cast<std::size_t>((d.newest - k + Data::memory) % Data::memory);
+            moved[i] = d.moved[slot[k]].data();
+            turned[i] = d.turned[slot[k]].data();
+        }
+    }
+};
+
+// Replaces the oldest pair by the step to d.trial and its change of the gradient; false, and one pair less,
+// if their product is not positive. products: the direction times the pairs' changes; share: of the pairs'
+// steps in the direction; length: fraction of the direction that was moved.
+bool remember_step(Data& d, const Pairs& pairs, const double* products, const double* share, double length,
+                   std::size_t count) {
+    const auto slot = static_cast<std::size_t>((d.newest + 1) % Data::memory);
+    double product = 0, squared = 0;
+    pack_pair(d, slot, count, product, squared);
+    // The oldest pair's slot was overwritten: without a new pair in it, it is dropped.
+    d.remembered = std::min(d.remembered, Data::memory - 1);
+    if (!(product > 1e-21 * squared && product > 0)) return false;
+    for (int k = 0; k < pairs.count; ++k) {
+        double sum = products[k];  // direction . turned[k]
+        for (int j = 0; j < pairs.count; ++j) sum += share[j] * d.products[pairs.slot[j]][pairs.slot[k]];
+        d.products[slot][pairs.slot[k]] = -length * sum;
+    }
+    d.products[slot][slot] = product;
+    d.newest = static_cast<int>(slot);
+    ++d.remembered;
+    return true;
+}
+
 }  // namespace
 
-// Longer than 80 lines: one iteration whose two passes over the memory share its products.
 void minimise_quasi_newton(const Membrane::Tables& t, Data& d, int iterations, double tolerance,
                            MembraneReport& report) {
     const auto count = at(t.free);
@@ -337,18 +374,11 @@ void minimise_quasi_newton(const Membrane::Tables& t, Data& d, int iterations, d
             break;
         }
         Lanes* p = d.direction.data();
-        const int pairs = d.remembered;
-        std::size_t slot[Data::memory];
-        History moved, turned;
-        for (int k = 0; k < pairs; ++k) {
-            const auto i = static_cast<std::size_t>(k);
-            slot[k] = static_cast<std::size_t>((d.newest - k + Data::memory) % Data::memory);
-            moved[i] = d.moved[slot[k]].data();
-            turned[i] = d.turned[slot[k]].data();
-        }
+        const Pairs pairs(d);
+        const std::size_t* slot = pairs.slot;
         double products[Data::memory], share[Data::memory], minus[Data::memory];
-        dots(pairs, moved, d.gradient.data(), count, products);
-        for (int k = 0; k < pairs; ++k) {
+        dots(pairs.count, pairs.moved, d.gradient.data(), count, products);
+        for (int k = 0; k < pairs.count; ++k) {
             // An earlier step on the last change of the gradient: the difference of two known products.
             if (fresh && k > 0) d.products[slot[k]][slot[0]] = products[k] - along[slot[k]];
             along[slot[k]] = products[k];
@@ -358,16 +388,16 @@ void minimise_quasi_newton(const Membrane::Tables& t, Data& d, int iterations, d
             minus[k] = -share[k];
         }
         fresh = false;
-        combine(pairs, turned, minus, d.gradient.data(), d.gradient.data(), nullptr, p, count);
+        combine(pairs.count, pairs.turned, minus, d.gradient.data(), d.gradient.data(), nullptr, p, count);
         apply_inverse(t, d, p);
-        dots(pairs, turned, p, count, products);
-        for (int k = pairs - 1; k >= 0; --k) {
+        dots(pairs.count, pairs.turned, p, count, products);
+        for (int k = pairs.count - 1; k >= 0; --k) {
             double sum = products[k];
-            for (int j = k + 1; j < pairs; ++j) sum += share[j] * d.products[slot[j]][slot[k]];
+            for (int j = k + 1; j < pairs.count; ++j) sum += share[j] * d.products[slot[j]][slot[k]];
             share[k] -= sum / d.products[slot[k]][slot[k]];
         }
-        const double slope =
-            -combine(pairs, moved, share, p, d.gradient.data(), d.position.data(), d.trial.data(), count);
+        const double slope = -combine(pairs.count, pairs.moved, share, p, d.gradient.data(),
+                                      d.position.data(), d.trial.data(), count);
         if (!(slope < 0)) {
             if (!std::isfinite(slope)) break;
             if (d.remembered == 0) break;  // at the minimum to working accuracy
@@ -381,22 +411,7 @@ void minimise_quasi_newton(const Membrane::Tables& t, Data& d, int iterations, d
             d.remembered = 0;
             continue;
         }
-        const auto next_slot = static_cast<std::size_t>((d.newest + 1) % Data::memory);
-        double product = 0, squared = 0;
-        pack_pair(d, next_slot, count, product, squared);
-        // The oldest pair's slot was overwritten: without a new pair in it, it is dropped.
-        d.remembered = std::min(d.remembered, Data::memory - 1);
-        if (product > 1e-21 * squared && product > 0) {
-            for (int k = 0; k < pairs; ++k) {
-                double sum = products[k];  // direction . turned[k]
-                for (int j = 0; j < pairs; ++j) sum += share[j] * d.products[slot[j]][slot[k]];
-                d.products[next_slot][slot[k]] = -length * sum;
-            }
-            d.products[next_slot][next_slot] = product;
-            d.newest = static_cast<int>(next_slot);
-            ++d.remembered;
-            fresh = true;
-        }
+        fresh = remember_step(d, pairs, products, share, length, count);
         d.position.swap(d.trial);
         d.gradient.swap(d.trial_gradient);
         value = next;

@@ -132,8 +132,8 @@ struct Natural {
     Lanes z, g0;         // t.f, t.g
 };
 
-// One pass over all joints. Longer than 80 lines: its intermediate values stay in registers, and splitting it
-// would pass most of them on.
+// One pass over all joints.
+// Long because: its intermediate values stay in registers, and parts of it would need most of them.
 template <bool curved, bool hessian, bool each>
 bool pass(const Rod::Tables& tables, const RodShape& shape, const double* bend, const double* twist,
           RodJointTerms& out) {

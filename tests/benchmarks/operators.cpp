@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Experts, intermediates and novices on a task over 20 seeds outside the benchmarks' own: medians with 95 %
 // intervals by order statistics, points against the task's set, and whether every attempt replays bit for
-// bit. Prints the page, or writes it into a folder.   usage: benchmark_operators
-// A2|B1|B2|B3|C4 [seeds] [FOLDER] [seeds replayed]
+// bit. Prints the page, or writes it into a folder.
+// usage: benchmark_operators TASK [seeds] [FOLDER] [seeds replayed]
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
-#include <mutex>
+#include <optional>
 #include <thread>
 
 #include "assessment/attempt/memory_sink.h"
@@ -77,23 +77,29 @@ double relative_spread(const std::vector<double>& values) {
     return deviation > 0 ? deviation / std::abs(mean_of(values)) : 0;
 }
 
-}  // namespace
+constexpr int groups = 3;
+constexpr const char* presets[groups] = {"expert", "intermediate", "novice"};
 
-int main(int argc, char** argv) {
-    if (argc < 2) {
-        std::fprintf(stderr, "usage: benchmark_operators A2|B1|B2|B3|C4 [seeds] [FOLDER]\n");
-        return 2;
+/// What the attempts of all groups add up to; counts and values by group.
+struct Summary {
+    std::map<std::string, std::vector<double>> values[groups];
+    int completed[groups] = {0, 0, 0}, passed[groups] = {0, 0, 0}, identical = 0;
+    double simulated = 0, wall = 0;
+
+    void add(int group, const Outcome& outcome) {
+        completed[group] += outcome.completed ? 1 : 0;
+        passed[group] += outcome.passed ? 1 : 0;
+        identical += outcome.identical ? 1 : 0;
+        simulated += outcome.simulated_s;
+        wall += outcome.wall_s;
+        for (const auto& [name, value] : outcome.values) values[group][name].push_back(value);
     }
-    const TaskDefinition task =
-        load_task(test::source_path(std::string("assets/tasks/") + argv[1] + ".json"));
+};
+
+/// Every group's attempts on the task, on all cores; the first `replays` seeds of a group are replayed too.
+Summary perform_all(const TaskDefinition& task, const std::optional<BenchmarkSet>& benchmark, int seeds,
+                    int replays) {
     const Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
-    const int seeds = argc > 2 ? std::atoi(argv[2]) : 20;
-    const int replays = argc > 4 ? std::min(seeds, std::atoi(argv[4])) : seeds;
-    std::optional<BenchmarkSet> benchmark;
-    const std::string set = test::source_path("assets/benchmarks/" + task.id + ".json");
-    if (std::filesystem::exists(set)) benchmark = load_benchmark(set);
-    const char* presets[] = {"expert", "intermediate", "novice"};
-    constexpr int groups = 3;
     std::vector<Outcome> outcomes(static_cast<std::size_t>(groups * seeds));
     std::atomic<int> next{0};
     std::vector<std::thread> threads;
@@ -107,53 +113,59 @@ int main(int argc, char** argv) {
         });
     }
     for (std::thread& thread : threads) thread.join();
-    std::map<std::string, std::vector<double>> values[groups];
-    int completed[groups] = {0, 0, 0}, passed[groups] = {0, 0, 0}, identical = 0;
-    double simulated = 0, wall = 0;
-    for (int k = 0; k < groups * seeds; ++k) {
-        const Outcome& outcome = outcomes[static_cast<std::size_t>(k)];
-        completed[k / seeds] += outcome.completed ? 1 : 0;
-        passed[k / seeds] += outcome.passed ? 1 : 0;
-        identical += outcome.identical ? 1 : 0;
-        simulated += outcome.simulated_s;
-        wall += outcome.wall_s;
-        for (const auto& [name, value] : outcome.values) values[k / seeds][name].push_back(value);
-    }
+    Summary summary;
+    for (int k = 0; k < groups * seeds; ++k) summary.add(k / seeds, outcomes[static_cast<std::size_t>(k)]);
+    return summary;
+}
+
+/// One row a metric: medians with intervals of the three groups. `document` gets the same as JSON.
+lab::ResultTable metric_table(const std::string& name, const Summary& summary, nlohmann::json& document) {
     using lab::short_number;
-    lab::ResultPage page(
-        "operators_" + task.id,
-        task.id + ": expert, intermediate, novice, " + std::to_string(seeds) + " seeds from 2000",
-        "benchmark_operators " + task.id + " " + std::to_string(seeds) + " docs/results" +
-            (replays < seeds ? " " + std::to_string(replays) : std::string()));
     lab::ResultTable table;
-    table.name = "operators_" + task.id;
+    table.name = name;
     table.columns = {"metric",        "expert: median", "95 % interval", "spread", "intermediate: median",
                      "95 % interval", "novice: median", "95 % interval", "spread", "apart",
                      "ordered"};
     const auto percent = [](double value) { return short_number(100 * value, 2) + " %"; };
-    nlohmann::json rows = nlohmann::json::array();
-    for (const auto& [name, expert] : values[0]) {
-        const auto a = median_interval(expert), m = median_interval(values[1][name]),
-                   b = median_interval(values[2][name]);
+    document = nlohmann::json::array();
+    for (const auto& [metric, expert] : summary.values[0]) {
+        const auto of_group = [&, key = metric](int group) -> const std::vector<double>& {
+            static const std::vector<double> none;
+            const auto found = summary.values[group].find(key);
+            return found == summary.values[group].end() ? none : found->second;
+        };
+        const auto a = median_interval(expert), m = median_interval(of_group(1)),
+                   b = median_interval(of_group(2));
         if (!a || !m || !b) continue;
         const bool ordered = (a->median - m->median) * (m->median - b->median) > 0;
         const bool apart = a->high < b->low || b->high < a->low;
         table.rows.push_back(
-            {name, short_number(a->median, 4), short_number(a->low, 4) + " to " + short_number(a->high, 4),
+            {metric, short_number(a->median, 4), short_number(a->low, 4) + " to " + short_number(a->high, 4),
              percent(relative_spread(expert)), short_number(m->median, 4),
              short_number(m->low, 4) + " to " + short_number(m->high, 4), short_number(b->median, 4),
              short_number(b->low, 4) + " to " + short_number(b->high, 4),
-             percent(relative_spread(values[2][name])), apart ? "yes" : "no", ordered ? "yes" : "no"});
-        rows.push_back({{"metric", name},
-                        {"expert", {a->median, a->low, a->high}},
-                        {"expert_spread", relative_spread(expert)},
-                        {"intermediate", {m->median, m->low, m->high}},
-                        {"novice", {b->median, b->low, b->high}},
-                        {"novice_spread", relative_spread(values[2][name])},
-                        {"apart", apart},
-                        {"ordered", ordered}});
+             percent(relative_spread(of_group(2))), apart ? "yes" : "no", ordered ? "yes" : "no"});
+        document.push_back({{"metric", metric},
+                            {"expert", {a->median, a->low, a->high}},
+                            {"expert_spread", relative_spread(expert)},
+                            {"intermediate", {m->median, m->low, m->high}},
+                            {"novice", {b->median, b->low, b->high}},
+                            {"novice_spread", relative_spread(of_group(2))},
+                            {"apart", apart},
+                            {"ordered", ordered}});
     }
-    page.table(table);
+    return table;
+}
+
+lab::ResultPage page_of(const std::string& task, const Summary& summary, int seeds, int replays,
+                        bool has_benchmark) {
+    lab::ResultPage page(
+        "operators_" + task,
+        task + ": expert, intermediate, novice, " + std::to_string(seeds) + " seeds from 2000",
+        "benchmark_operators " + task + " " + std::to_string(seeds) + " docs/results" +
+            (replays < seeds ? " " + std::to_string(replays) : std::string()));
+    nlohmann::json rows;
+    page.table(metric_table("operators_" + task, summary, rows));
     const auto of = [&](const int* counts) {
         return std::to_string(counts[0]) + ", " + std::to_string(counts[1]) + ", " +
                std::to_string(counts[2]);
@@ -162,21 +174,40 @@ int main(int argc, char** argv) {
         "Intervals are from order statistics. Spread: standard deviation over mean. Apart: the intervals of "
         "experts and novices do not overlap. Ordered: the median of the intermediates lies between the other "
         "two. Of " +
-        std::to_string(seeds) + " experts, intermediates and novices, completed: " + of(completed) +
-        "; passed " + (benchmark ? of(passed) : std::string("none, because there is no benchmark set")) +
-        ". Replayed bit for bit: " + std::to_string(identical) + " of " + std::to_string(groups * replays) +
-        ". " + short_number(simulated / wall) +
+        std::to_string(seeds) + " experts, intermediates and novices, completed: " + of(summary.completed) +
+        "; passed " + (has_benchmark ? of(summary.passed) : "none, because there is no benchmark set") +
+        ". Replayed bit for bit: " + std::to_string(summary.identical) + " of " +
+        std::to_string(groups * replays) + ". " + lab::short_number(summary.simulated / summary.wall) +
         " times real time on one core, including start, operator and record but not scoring and replay.");
     page.paragraph(
         "The presets are defined so that experts are steadier, faster and gentler. This page shows that the "
         "tasks and metrics distinguish the presets; it does not show that they distinguish people.");
-    page.document({{"task", task.id},
+    page.document({{"task", task},
                    {"seeds", seeds},
-                   {"completed", {completed[0], completed[1], completed[2]}},
-                   {"passed", {passed[0], passed[1], passed[2]}},
-                   {"identical", identical},
-                   {"real_time_factor", simulated / wall},
+                   {"completed", {summary.completed[0], summary.completed[1], summary.completed[2]}},
+                   {"passed", {summary.passed[0], summary.passed[1], summary.passed[2]}},
+                   {"identical", summary.identical},
+                   {"real_time_factor", summary.simulated / summary.wall},
                    {"metrics", rows}});
+    return page;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 2) {
+        std::fprintf(stderr, "usage: benchmark_operators TASK [seeds] [FOLDER] [seeds replayed]\n");
+        return 2;
+    }
+    const TaskDefinition task =
+        load_task(test::source_path(std::string("assets/tasks/") + argv[1] + ".json"));
+    const int seeds = argc > 2 ? std::atoi(argv[2]) : 20;
+    const int replays = argc > 4 ? std::min(seeds, std::atoi(argv[4])) : seeds;
+    std::optional<BenchmarkSet> benchmark;
+    const std::string set = test::source_path("assets/benchmarks/" + task.id + ".json");
+    if (std::filesystem::exists(set)) benchmark = load_benchmark(set);
+    const Summary summary = perform_all(task, benchmark, seeds, replays);
+    const lab::ResultPage page = page_of(task.id, summary, seeds, replays, benchmark.has_value());
     const lab::Machine machine = lab::this_machine(lab::build_info());
     if (argc > 3) {
         for (const std::string& path : page.write(argv[3], machine))
@@ -184,5 +215,5 @@ int main(int argc, char** argv) {
     } else {
         std::printf("%s", page.text(machine).c_str());
     }
-    return identical == groups * replays ? 0 : 1;
+    return summary.identical == groups * replays ? 0 : 1;
 }
