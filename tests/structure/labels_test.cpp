@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// The suites that tests/CMakeLists.txt takes out of the quick label are suites that exist: one that is
+// renamed would otherwise return to it unnoticed.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/structure/sources.h"
+
+namespace fulcrum::structure {
+namespace {
+
+/// Suites, with their instances' names, of the tests below a folder.
+std::set<std::string> suites_below(const std::string& folder) {
+    static const std::regex test(R"(\b(TEST|TEST_F|RC_GTEST_PROP|RC_GTEST_FIXTURE_PROP)\(\s*(\w+)\s*,)");
+    static const std::regex instance(R"(\bINSTANTIATE_TEST_SUITE_P\(\s*(\w+)\s*,\s*(\w+))");
+    std::set<std::string> suites;
+    for (const fs::path& path : files_below(folder, {".cpp", ".h"})) {
+        const std::string text = read(path);
+        const std::sregex_iterator end;
+        for (std::sregex_iterator each(text.begin(), text.end(), test); each != end; ++each)
+            suites.insert((*each)[2].str());
+        for (std::sregex_iterator each(text.begin(), text.end(), instance); each != end; ++each)
+            suites.insert((*each)[1].str() + "/" + (*each)[2].str());
+    }
+    return suites;
+}
+
+TEST(Labels, SuitesWithALabelOfTheirOwnExist) {
+    static const std::regex list(R"(set\((\w+)_(?:full|quick)\s([^)]*)\))");
+    const std::string text = read(source_path("tests/CMakeLists.txt"));
+    int lists = 0;
+    const std::sregex_iterator end;
+    for (std::sregex_iterator each(text.begin(), text.end(), list); each != end; ++each, ++lists) {
+        const std::set<std::string> suites = suites_below("tests/" + (*each)[1].str());
+        EXPECT_FALSE(suites.empty()) << (*each)[1];
+        std::istringstream patterns((*each)[2].str());
+        for (std::string pattern; patterns >> pattern;) {
+            ASSERT_GT(pattern.size(), 2U);
+            EXPECT_EQ(pattern.substr(pattern.size() - 2), ".*") << pattern;
+            EXPECT_EQ(suites.count(pattern.substr(0, pattern.size() - 2)), 1U) << pattern;
+        }
+    }
+    EXPECT_EQ(lists, 4);
+    EXPECT_EQ(suites_below("tests/structure").count("Labels"), 1U);
+    EXPECT_EQ(suites_below("tests/structure").count("Label"), 0U);
+}
+
+}  // namespace
+}  // namespace fulcrum::structure
