@@ -63,8 +63,9 @@ AuditPage::AuditPage(Context& context) : Page(context, "audit_page") {
     chain_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     layout->addWidget(chain_);
     layout->addWidget(build_filters());
-    table_ = make_table({tr("Time"), tr("Who"), tr("As"), tr("What"), tr("On whom"), tr("Particulars")},
-                        "audit_table");
+    table_ =
+        make_table({tr("Time"), tr("Person"), tr("Role"), tr("Operation"), tr("Concerning"), tr("Details")},
+                   "audit_table");
     table_->setMinimumHeight(380);
     layout->addWidget(table_, 1);
     older_ = make_button(tr("Show older ones"), "audit_older");

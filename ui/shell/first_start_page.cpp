@@ -33,8 +33,8 @@ QWidget* FirstStartPage::build_choice() {
     layout->addSpacing(40);
     layout->addWidget(make_label(QStringLiteral("Fulcrum"), "title"));
     layout->addWidget(
-        make_label(tr("A simulator for laparoscopic rectal surgery with the training programme around it: "
-                      "tasks with force feedback, scores with reasons, reviews and reports.")));
+        make_label(tr("A simulator for laparoscopic rectal surgery with its training programme: tasks, "
+                      "scores with their evidence, reviews and reports.")));
     trouble_ = make_label({}, "bad");
     trouble_->hide();
     layout->addWidget(trouble_);
