@@ -21,7 +21,7 @@ struct LargeProgramme {
 /// `metrics` rows a score; attempts are spread over the tasks and four weeks.
 inline LargeProgramme make_large_programme(const Store& store, int trainees, int attempts_each, int metrics,
                                            std::uint64_t seed,
-                                           const std::vector<const char*>& tasks = {"A2", "B1"}) {
+                                           const std::vector<std::string>& tasks = {"A2", "B1"}) {
     const char* const password = "correct horse battery";
     const People people(store);
     const Session administrator =
@@ -53,7 +53,7 @@ inline LargeProgramme make_large_programme(const Store& store, int trainees, int
         const double talent = random.uniform(0, 20);
         for (int a = 0; a < attempts_each; ++a) {
             const std::string attempt = id + "-" + std::to_string(a);
-            const char* const task = tasks[static_cast<std::size_t>(a) % tasks.size()];
+            const std::string& task = tasks[static_cast<std::size_t>(a) % tasks.size()];
             const double points = std::min(100.0, 30 + talent + 4 * a + random.uniform(0, 15));
             Query(connection,
                   "INSERT INTO attempt (id, person_id, station_id, task_id, task_version, mode, "
@@ -67,14 +67,14 @@ inline LargeProgramme make_large_programme(const Store& store, int trainees, int
                 .bind(attempt)
                 .bind(id)
                 .bind(store.station_id())
-                .bind(std::string(task))
-                .bind(std::string(task) + "-operators@1")
+                .bind(task)
+                .bind(task + "-operators@1")
                 .bind(store.now() - (attempts_each - a) * std::int64_t{86'400'000})
                 .bind(120 - points)
                 .run();
             ScoreRow score;
             score.program_version = "0.1.0";
-            score.limits = std::string(task) + "-operators@1";
+            score.limits = task + "-operators@1";
             score.passed = points > 60;
             score.points = points;
             score.gates.push_back({"time", "", "", "benchmark", 120 - points, "s", 60.0, "operators", 0.5,

@@ -45,7 +45,7 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-class OperatorOnTask : public testing::TestWithParam<const char*> {};
+class OperatorOnTask : public testing::TestWithParam<std::string> {};
 
 TEST_P(OperatorOnTask, EveryPresetCompletesAndTheExpertIsFasterAndTravelsLess) {
     const Stage stage(GetParam());
@@ -79,7 +79,26 @@ TEST_P(OperatorOnTask, SameSeedGivesTheSameMovementAndOtherSeedsDoNot) {
     EXPECT_TRUE(a.size() != c.size() || std::memcmp(a.data(), c.data(), a.size() * sizeof(TickSample)) != 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Tasks, OperatorOnTask, testing::Values("A2", "B1"));
+/// The tasks of which the kinematic world has everything: targets, and a bowel to run and to lift.
+std::vector<std::string> kinematic_tasks() {
+    const auto is_kinematic = [](const Goal& goal) {
+        return goal.kind == GoalKind::touch_targets || goal.kind == GoalKind::run_bowel ||
+               goal.kind == GoalKind::lift_and_hold;
+    };
+    std::vector<std::string> ids;
+    for (const std::string& id : test::task_ids()) {
+        const TaskDefinition task = load_task(test::source_path("assets/tasks/" + id + ".json"));
+        if (std::all_of(task.goals.begin(), task.goals.end(), is_kinematic)) ids.push_back(id);
+    }
+    return ids;
+}
+
+INSTANTIATE_TEST_SUITE_P(Tasks, OperatorOnTask, testing::ValuesIn(kinematic_tasks()),
+                         [](const auto& of) { return of.param; });
+
+TEST(Operator, TasksOfTheKinematicWorldAreFound) {
+    EXPECT_GE(kinematic_tasks().size(), 2U);
+}
 
 TEST(Operator, ExpertTouchesMoreGentlyThanTheNovice) {
     const Stage stage("A2");
