@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What cutting costs on the clock: the same operator in real time, with a blade that cuts and with one that
+// The time that cutting takes: the same operator in real time, with a blade that cuts and with one that
 // does not, on every task whose surface is cut.
 #include <algorithm>
 #include <memory>
@@ -106,10 +106,10 @@ Measured measure_cut_clock() {
     row("page faults within ticks", [](const Clocked& run) { return run.loop.page_faults_in_ticks; });
     row("late world steps", [](const Clocked& run) { return run.loop.late_steps; });
     const auto durations_rows = [&](const std::string& what, Durations LoopStatistics::*which) {
-        for (const auto& [name, figure] :
+        for (const auto& [name, value] :
              {std::pair("p50", &Durations::p50_us), std::pair("p99", &Durations::p99_us),
               std::pair("worst", &Durations::worst_us)})
-            row(what + ", us: " + name, [&](const Clocked& run) { return run.loop.*which.*figure; });
+            row(what + ", us: " + name, [&](const Clocked& run) { return run.loop.*which.*value; });
     };
     durations_rows("tick", &LoopStatistics::tick);
     durations_rows("tick, own processor time", &LoopStatistics::own);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The laboratory's commands that need the whole product: reference workloads with the attempt's own, what
-// each part of a scene costs, and how far scores move with the fidelity.
+// The laboratory's commands that need the whole product: reference workloads with the attempt's own, the
+// cost of each part of a scene, and how much metrics change with the fidelity.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The world's step while the plane behind the rectum is divided: rectum held and lifted, a hook led along one
-// septum after the other.
+// The world's step while the plane behind the rectum is divided: the rectum is held and lifted, a hook moves
+// along one septum after the other.
 #include "app/lab/plane_workload.h"
 #include "sim_core/world/parts/bowel/bowel_part.h"
 #include "sim_core/world/parts/sheet/sheet_part.h"
@@ -77,7 +77,7 @@ struct Plane {
         worst_outcome =
             std::max(worst_outcome, static_cast<int>(world.step(outputs.data(), outputs.size()).outcome));
     }
-    /// Straight, with the whole way stepped.
+    /// Moves the jaws in a straight line at a speed (m/s), with the world's steps.
     void lead(int hand, const Vector3& jaws, double at) {
         const double half = hand == 0 ? 0.5 * scene.instruments[0].jaw_length : 0.0;
         const Vector3 to = jaws + half * (jaws - trocar[hand].position).normalized();
@@ -99,19 +99,19 @@ struct Plane {
                before * curve.cranial(
                             world.find<SheetPart>()->layout().arc_lengths[static_cast<std::size_t>(septum)]);
     }
-    /// Moves the hook on by a step: to the septum, into it, along it, out of it, to the next.
+    /// Moves the hook by one step: to the septum, into it, along it, out of it, to the next.
     void aim() {
         const Vector3 target = phase == 0   ? on_line(reach)
                                : phase == 1 ? on_line(0.004)
                                : phase == 2 ? on_line(depth)
                                             : on_line(reach);
         const double longest = (phase == 2 ? speed : quick) * scene.step_period();
-        const Vector3 way = target - tip[1];
-        tip[1] += std::min(1.0, longest / std::max(1e-9, way.norm())) * way;
+        const Vector3 to_target = target - tip[1];
+        tip[1] += std::min(1.0, longest / std::max(1e-9, to_target.norm())) * to_target;
         if (phase == 2) {
             share += speed * scene.step_period() / scene.septa->width;
             if (share > 1.15) phase = 3;
-        } else if (way.norm() <= longest) {
+        } else if (to_target.norm() <= longest) {
             phase = phase == 3 ? 0 : phase + 1;
             if (phase == 0) {
                 septum = (septum + 1) % scene.septa->count;

@@ -91,9 +91,9 @@ HeldElasticaSolution solve_held_elastica(const HeldElastica& problem, int steps_
             Matrix12 jacobian;
             for (Eigen::Index k = 0; k < 12; ++k) {
                 const double scale = k % 4 == 0 ? 1 : k % 4 == 1 ? moment : force, change = 1e-6 * scale;
-                Vector12 beside = unknown;
-                beside[k] += change;
-                jacobian.col(k) = (shooter.miss(beside, share, nullptr) - residual) / change;
+                Vector12 shifted = unknown;
+                shifted[k] += change;
+                jacobian.col(k) = (shooter.miss(shifted, share, nullptr) - residual) / change;
             }
             unknown -= jacobian.partialPivLu().solve(residual);
         }

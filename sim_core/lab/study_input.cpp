@@ -91,9 +91,9 @@ std::vector<std::int32_t> vertex_list_of(const JsonDocument& study, const std::s
 
 TriangleMesh mesh_of(const JsonDocument& study, const std::string& key) {
     const std::string name = text_of(study, key);
-    const std::filesystem::path beside = std::filesystem::path(study.file()).parent_path() / name;
+    const std::filesystem::path next_to_study = std::filesystem::path(study.file()).parent_path() / name;
     std::error_code ignored;
-    return read_obj(std::filesystem::exists(beside, ignored) ? beside.string() : name);
+    return read_obj(std::filesystem::exists(next_to_study, ignored) ? next_to_study.string() : name);
 }
 
 }  // namespace fulcrum::lab
