@@ -11,7 +11,7 @@
 
 namespace fulcrum {
 
-using namespace blade_rules;
+using namespace blade_law;
 
 namespace {
 
@@ -211,6 +211,78 @@ double BowelCut::vertex_share(std::int32_t vertex) const noexcept {
     return std::min(1.0, left / whole_.vertex_areas()[at(vertex)]);
 }
 
+struct BowelCut::Approach {
+    BowelCut& cut;
+    HandState& hand;
+    int number;
+    const ToolAction& action;
+    const RingFrame* frames;
+    std::uint32_t tick;
+    bool was_linked;
+
+    const ToolKinematics& tool() const { return action.tool; }
+    double radius() const { return action.instrument->tip_radius; }
+    void forget() { hand.cover = 1; }
+    bool lost() const { return false; }
+    void stay() {
+        hand.normal = cut.normal_at(hand.place, frames);
+        const Vector3 here = cut.where(hand.place, frames);
+        const double back =
+            std::clamp((tool().tip - here).dot(tool().axis), 0.0, action.instrument->jaw_length);
+        hand.target = tool().tip - back * tool().axis;
+        hand.slope = cut.tissue_.stiffness;
+        hand.linked = true;
+    }
+    void leave() { cut.leave(number, tick); }
+    bool find() {
+        const ToolContactResult& near = *action.near;
+        if (near.triangle < 0) return false;
+        cut.gather(near.point, near.triangle, std::max(ground_reach, 2 * radius()), frames);
+        return true;
+    }
+    bool clear() const { return action.near->distance > clear_by; }
+    bool between(bool is_clear) {
+        if (is_clear)
+            hand.cover = 0;
+        else
+            cut.between_lips(hand, tool(), frames);
+        return true;
+    }
+    double cover() const {
+        const ToolContactResult& near = *action.near;
+        return cut.near_cut_ ? cover_under(near.point, near.normal, radius(),
+                                           [&](const Vector3& p) { return cut.covered(p, near.normal); })
+                             : 1.0;
+    }
+    BladePress press() const {
+        if (hand.cover < least_cover && action.near->distance < -through_by * radius())
+            return BladePress::through;
+        return action.contact == nullptr ? BladePress::none : BladePress::pressed;
+    }
+    void fall_through() {
+        hand.place = cut.on_skin(action.near->point, frames);
+        hand.cover = 0;
+    }
+    void touch(bool fresh) {
+        const ToolContactResult& near = *action.near;
+        const double from_tip = (1 - near.shaft) * (tool().tip - tool().trocar).norm();
+        if (!action.instrument->cuts() || !button(tool()) || !cut.tissue_.cutting ||
+            !(from_tip < action.instrument->jaw_length))
+            return;
+        hand.normal = near.normal;
+        hand.reaction = action.contact->surface_force;
+        if (fresh || !was_linked) {
+            hand.place = cut.on_skin(near.point, frames);
+            hand.arm = from_tip;
+        }
+        hand.target = tool().tip - hand.arm * tool().axis;
+        hand.grip = cut.tissue_.friction * std::max(0.0, -hand.reaction.dot(hand.normal));
+        hand.slope = cut.tissue_.stiffness * hand.cover;
+        hand.linked = hand.place.root >= 0;
+    }
+    void release() {}
+};
+
 void BowelCut::approach(int number, const ToolAction& action, const RingMotion* rings, std::uint32_t tick,
                         double dt) noexcept {
     HandState& hand = hands_[static_cast<std::size_t>(number)];
@@ -218,66 +290,13 @@ void BowelCut::approach(int number, const ToolAction& action, const RingMotion* 
     hand.linked = hand.free = false;
     hand.reaction.setZero();
     for (std::size_t r = 0; r < frames_.size(); ++r) frames_[r] = rings[r].frame;
-    const RingFrame* const frames = frames_.data();
     const ToolKinematics& tool = action.tool;
-    const ToolContactResult* near = action.near;
-    if (action.instrument == nullptr || !tool.inside || !tool.present || !tool.tip.allFinite() ||
-        action.busy || (near == nullptr && hand.touch != BladeTouch::cutting)) {
-        if (hand.touch == BladeTouch::cutting) leave(number, tick);
-        hand.touch = BladeTouch::away;
-        hand.cover = 1;
-        hand.drag.setZero();
-        return;
-    }
-    hand.tip = tool.tip;
-    const double radius = action.instrument->tip_radius;
-    if (hand.touch == BladeTouch::cutting) {
-        hand.normal = normal_at(hand.place, frames);
-        const Vector3 here = where(hand.place, frames);
-        const double back = std::clamp((tool.tip - here).dot(tool.axis), 0.0, action.instrument->jaw_length);
-        hand.target = tool.tip - back * tool.axis;
-        hand.slope = tissue_.stiffness;
-        hand.linked = true;
-    } else if (near->triangle >= 0) {
-        gather(near->point, near->triangle, std::max(ground_reach, 2 * radius), frames);
-        const double now = near_cut_ ? cover_under(near->point, near->normal, radius,
-                                                   [&](const Vector3& p) { return covered(p, near->normal); })
-                                     : 1.0;
-        if (hand.touch == BladeTouch::clearing) {
-            if (near->distance > clear_by) {
-                hand.touch = BladeTouch::away;
-                hand.cover = 0;
-            } else {
-                between_lips(hand, tool, frames);
-            }
-        } else {
-            hand.cover += (now - hand.cover) * dt / (cover_time + dt);
-            if (hand.cover < least_cover && near->distance < -through_by * radius) {
-                hand.touch = BladeTouch::clearing;  // through a hole
-                hand.place = on_skin(near->point, frames);
-                hand.cover = 0;
-            } else if (action.contact == nullptr) {
-                hand.touch = BladeTouch::away;
-            } else {
-                const double from_tip = (1 - near->shaft) * (tool.tip - tool.trocar).norm();
-                const bool bites = action.instrument->cuts() && button(tool) && tissue_.cutting &&
-                                   from_tip < action.instrument->jaw_length;
-                if (bites) {
-                    hand.normal = near->normal;
-                    hand.reaction = action.contact->surface_force;
-                    if (hand.touch != BladeTouch::touching || !was_linked) {
-                        hand.place = on_skin(near->point, frames);
-                        hand.arm = from_tip;
-                    }
-                    hand.target = tool.tip - hand.arm * tool.axis;
-                    hand.grip = tissue_.friction * std::max(0.0, -hand.reaction.dot(hand.normal));
-                    hand.slope = tissue_.stiffness * hand.cover;
-                    hand.linked = hand.place.root >= 0;
-                }
-                hand.touch = BladeTouch::touching;
-            }
-        }
-    }
+    const bool reaches = action.instrument != nullptr && tool.inside && tool.present &&
+                         tool.tip.allFinite() && !action.busy &&
+                         (action.near != nullptr || hand.touch == BladeTouch::cutting);
+    if (reaches) hand.tip = tool.tip;
+    blade_law::approach(hand, reaches, dt,
+                        Approach{*this, hand, number, action, frames_.data(), tick, was_linked});
     if (hand.touch == BladeTouch::cutting) hand.grip = tissue_.cutting->dynamic_friction;
     if (!hand.linked) hand.drag.setZero();
     if (hand.linked) hand.velocity = skin_velocity(row(hand.place), rings);
@@ -333,42 +352,56 @@ void BowelCut::leave(int number, std::uint32_t tick) noexcept {
     hand.cover = 0;
 }
 
+struct BowelCut::Follow {
+    BowelCut& cut;
+    HandState& hand;
+    int number;
+    const RingFrame* frames;
+    std::uint32_t tick;
+
+    BladeContact contact() const {
+        BladeContact at;
+        at.here = cut.where(hand.place, frames);
+        at.normal = at.outward = hand.normal;
+        at.reaction = hand.reaction + hand.drag;
+        at.stiffness = cut.tissue_.stiffness;
+        at.friction = cut.tissue_.friction;
+        at.grip = hand.grip;
+        at.cutting = &*cut.tissue_.cutting;
+        at.bites = true;  // only a blade is linked to the wall
+        return at;
+    }
+    void enter(const Vector3& here, const Vector3& /*along*/) {
+        cut.gather(here, hand.place.root, ground_reach, frames);
+        double distance = 0;
+        const SkinPlace next = cut.closest_left(here, distance);
+        if (next.root < 0 || distance > off_by) return;
+        hand.place = next;
+        hand.touch = BladeTouch::cutting;
+        hand.linked = false;  // the blade hangs on it otherwise
+        hand.cover = 0;
+        hand.drag.setZero();
+        cut.skin_.begin_stroke();
+        cut.add_place_event(tick, EventKind::cut_begin, number, hand.place);
+    }
+    void slide(const Vector3& to) {
+        cut.gather(cut.where(hand.place, frames), hand.place.root, ground_reach, frames);
+        const SkinPlace next = cut.on_skin(to, frames);
+        if (next.root >= 0) hand.place = next;
+    }
+    void leave() { cut.leave(number, tick); }
+    static Vector3 lead(const Vector3& by) { return by; }
+    void advance(const Vector3& here, const Vector3& by) { cut.advance(number, here, by, frames, tick); }
+};
+
 bool BowelCut::follow(const ToolAction* actions, const RingFrame* frames, std::uint32_t tick,
                       double dt) noexcept {
     for (int number = 0; number < hand_count; ++number) {
         HandState& hand = hands_[static_cast<std::size_t>(number)];
         const ToolAction& action = actions[number];
-        if (action.instrument == nullptr || !hand.linked || hand.touch == BladeTouch::clearing) continue;
-        const Vector3 here = where(hand.place, frames);
-        const Vector3 way = along_surface(hand.target - here, hand.normal);
-        if (hand.touch == BladeTouch::touching) {
-            const double pull = tissue_.stiffness * hand.cover * way.norm();
-            const TouchMove move = next_touch(hand.normal, hand.reaction + hand.drag, true, &*tissue_.cutting,
-                                              1.0, tissue_.friction, pull);
-            gather(here, hand.place.root, ground_reach, frames);
-            if (move.enters) {
-                double distance = 0;
-                const SkinPlace next = closest_left(here, distance);
-                if (next.root < 0 || distance > off_by) continue;
-                hand.place = next;
-                hand.touch = BladeTouch::cutting;
-                hand.linked = false;  // the blade hangs on it otherwise
-                hand.cover = 0;
-                hand.drag.setZero();
-                skin_.begin_stroke();
-                add_place_event(tick, EventKind::cut_begin, number, hand.place);
-            } else if (move.slides > 0) {
-                const SkinPlace next = on_skin(here + move.slides * way, frames);
-                if (next.root >= 0) hand.place = next;
-            }
-            continue;
-        }
-        if (drawn_out(action.tool, action.instrument->tip_radius, here, hand.normal)) {
-            leave(number, tick);
-            continue;
-        }
-        Vector3 excess = advance_share(tissue_.stiffness * way.norm(), hand.grip) * way;
-        if (clip_advance(excess)) advance(number, excess, frames, tick);
+        if (action.instrument == nullptr) continue;
+        blade_law::follow(hand, action.tool, action.instrument->tip_radius,
+                          Follow{*this, hand, number, frames, tick});
     }
     skin_.fall(gravity_, dt);
     const bool changed = skin_.version() != followed_;
@@ -385,13 +418,13 @@ CutSkin::Report BowelCut::cut(const BladeStep& blade, const RingFrame* frames, s
     return report;
 }
 
-bool BowelCut::advance(int number, const Vector3& excess, const RingFrame* frames,
+void BowelCut::advance(int number, const Vector3& here, const Vector3& excess, const RingFrame* frames,
                        std::uint32_t tick) noexcept {
     HandState& hand = hands_[static_cast<std::size_t>(number)];
-    const Vector3 here = where(hand.place, frames), way = excess.normalized();
+    const Vector3 way = excess.normalized();
     const BladeStep blade = make_step(here, excess, hand.normal, blade_width_, hand.place.root);
     const CutReport report = cut(blade, frames, tick, number).cut;
-    if (report.outcome != CutOutcome::cut && report.outcome != CutOutcome::nothing) return false;
+    if (report.outcome != CutOutcome::cut && report.outcome != CutOutcome::nothing) return;
     gather(blade.to, report.root >= 0 ? report.root : hand.place.root, ground_reach, frames);
     double distance = 0;
     const SkinPlace next = closest_left(blade.to + ahead * way, distance);
@@ -399,7 +432,6 @@ bool BowelCut::advance(int number, const Vector3& excess, const RingFrame* frame
     if (!gone) hand.place = next;
     if (report.outcome == CutOutcome::cut) add_place_event(tick, EventKind::cut_advance, number, hand.place);
     if (gone) leave(number, tick);
-    return report.outcome == CutOutcome::cut;
 }
 
 void BowelCut::fill_local_model(int number, LocalModel& model) const noexcept {

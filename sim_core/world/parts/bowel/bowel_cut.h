@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Blades in the bowel's wall, as a part of BowelPart where the bowel's tissue has `cutting`: what of the
-// surface is left (CutSkin), what each hand's tool does to it by blade_rules.h, what comes of it for the
+// surface is left (CutSkin), what each hand's tool does to it by blade_law.h, what comes of it for the
 // contact and for the hand.
 //
 // The skin's triangles stay the contact's ground, because what a cut leaves lies in them: a cut vertex
@@ -19,7 +19,7 @@
 #include "sim_core/bowel/cut_skin.h"
 #include "sim_core/contact/tool_contact.h"
 #include "sim_core/numerics/state_hash.h"
-#include "sim_core/world/part/blade_rules.h"
+#include "sim_core/world/part/blade_law.h"
 #include "sim_core/world/part/snapshot.h"
 #include "sim_core/world/part/state_list.h"
 #include "sim_core/world/part/step_events.h"
@@ -36,20 +36,16 @@ struct SkinPlace {
 
 class BowelCut {
   public:
-    struct HandState {
-        BladeTouch touch = BladeTouch::away;
-        SkinPlace place;                    ///< that the tool's spring along the wall hangs on, with `linked`
-        Vector3 normal = Vector3::UnitZ();  ///< outward, there
-        double cover = 1;                   ///< 0 .. 1, of the contact across the wall; follows slowly
-        bool linked = false;                ///< something holds the tool along the wall
-        bool free = false;                  ///< nothing does yet: it is between the lips
-        double arm = 0;                     ///< m, back along the shaft from the tip to where it touches
-        Vector3 target = Vector3::Zero();   ///< m, where the tool would have the place
-        Vector3 tip = Vector3::Zero();      ///< m, at the last step
-        Vector3 reaction = Vector3::Zero();  ///< N, tool on tissue, across the wall
-        Vector3 drag = Vector3::Zero();      ///< N, tool on tissue, along it
-        double grip = 0;                     ///< N, most of it
-        double slope = 0;                    ///< N/m, of it
+    /// reaction: across the wall.
+    struct HandState : BladeHand {
+        HandState() { cover = 1; }
+        SkinPlace place;                 ///< that the tool's spring along the wall hangs on, with `linked`
+        bool free = false;               ///< nothing holds it yet: it is between the lips
+        double arm = 0;                  ///< m, back along the shaft from the tip to where it touches
+        Vector3 tip = Vector3::Zero();   ///< m, at the last step
+        Vector3 drag = Vector3::Zero();  ///< N, tool on tissue, along it
+        double grip = 0;                 ///< N, most of it
+        double slope = 0;                ///< N/m, of it
         Vector3 velocity = Vector3::Zero();  ///< m/s, of the place
     };
 
@@ -100,9 +96,12 @@ class BowelCut {
     Vector3 where(const SkinPlace& place, const RingFrame* frames) const noexcept;
     Vector3 normal_at(const SkinPlace& place, const RingFrame* frames) const noexcept;
     Vector3 rest(const SkinPlace& place) const noexcept;
+    struct Approach;  // the blade law's tissue, before the rod is solved and after
+    struct Follow;
     void between_lips(HandState& hand, const ToolKinematics& tool, const RingFrame* frames) noexcept;
     void leave(int hand, std::uint32_t tick) noexcept;
-    bool advance(int hand, const Vector3& excess, const RingFrame* frames, std::uint32_t tick) noexcept;
+    void advance(int hand, const Vector3& here, const Vector3& excess, const RingFrame* frames,
+                 std::uint32_t tick) noexcept;
     void add_event(std::uint32_t tick, EventKind kind, int hand, double value, double detail) noexcept;
     void add_place_event(std::uint32_t tick, EventKind kind, int hand, const SkinPlace& place) noexcept;
 

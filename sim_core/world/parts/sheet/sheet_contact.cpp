@@ -9,7 +9,7 @@
 
 namespace fulcrum {
 
-using namespace blade_rules;
+using namespace blade_law;
 
 namespace {
 
@@ -181,83 +181,93 @@ bool SheetPart::has_lost(const HandState& hand) const noexcept {
     return state_.loose[at(hand.place.fragment)] != 0 && (place(hand.place) - hand.target).norm() > off_by;
 }
 
+struct SheetPart::Approach {
+    SheetPart& sheet;
+    HandState& hand;
+    int number;
+    const ToolKinematics& tool;
+    double radius;
+    std::uint32_t tick;
+    Near near = {};
+    double now = 1;  // side that the tip is on
+
+    void forget() {
+        hand.known = hand.linked = hand.over = false;
+        hand.cover = 0;
+        hand.reaction.setZero();
+    }
+    bool lost() const { return sheet.has_lost(hand); }
+    void stay() { hand.normal = sheet.find_near(sheet.place(hand.place), radius).normal; }
+    void leave() { sheet.leave(number, tick); }
+    bool find() {
+        near = sheet.find_near(tool.tip, radius);
+        if (const std::int32_t septum = sheet.septum_of(near.place); septum != hand.septum) {
+            // Another one is nearer now: what side of the last one it was on says nothing of this one.
+            hand.septum = septum;
+            hand.touch = BladeTouch::away;
+            forget();
+        }
+        if (near.distance > reach) {
+            // Which side it is on now shows where it comes back from, unless it went through tissue
+            // meanwhile.
+            if (!hand.known || near.place.fragment < 0 || !sheet.crosses(hand.tip, tool.tip)) {
+                hand.touch = BladeTouch::away;
+                forget();
+                return false;
+            }
+            hand.touch = BladeTouch::touching;  // held on its side
+        }
+        hand.normal = near.normal;
+        now = near.gap >= 0 ? 1 : -1;
+        if (!hand.known) {
+            hand.known = true;
+            hand.side = now;
+            hand.tip = tool.tip;
+        }
+        return true;
+    }
+    // The shaft is still in the slit: the tip comes out by it, or has found a way on which nothing crosses
+    // the shaft.
+    bool clear() const {
+        const bool out = hand.side * near.gap > radius + clear_by;
+        return out || (hand.side * near.gap < -radius - clear_by &&
+                       !sheet.crosses(tool.tip - shaft_seen * tool.axis, tool.tip));
+    }
+    bool between(bool is_clear) {
+        if (is_clear) hand.side = now;
+        return false;
+    }
+    double cover() {
+        // A tip that is on the other side went round a rim or through a slit; over tissue before and now, it
+        // or the sheet was too fast for one step.
+        const bool through = (near.cover > 0 && hand.over) || sheet.crosses(hand.tip, tool.tip);
+        if (hand.touch == BladeTouch::away && hand.side != now && !through) hand.side = now;
+        hand.over = near.cover > 0;
+        return near.cover;
+    }
+    BladePress press() {
+        hand.gap = hand.side * near.gap;
+        return hand.gap < radius && hand.cover > least_cover ? BladePress::pressed : BladePress::none;
+    }
+    void fall_through() {}
+    void touch(bool fresh) {
+        if (!fresh) return;
+        hand.place = near.place;
+        hand.linked = false;
+    }
+    void release() {
+        hand.linked = false;
+        hand.reaction.setZero();
+    }
+};
+
 void SheetPart::approach(int number, const SheetAction& action, std::uint32_t tick, double dt) noexcept {
     HandState& hand = state_.hands[static_cast<std::size_t>(number)];
     const ToolKinematics& tool = action.tool;
-    const double radius = action.instrument->tip_radius;
-    if (!tool.inside || !tool.present || !tool.tip.allFinite() || hand.jaws.held() || action.busy) {
-        if (hand.touch == BladeTouch::cutting) leave(number, tick);
-        hand.touch = BladeTouch::away;
-        hand.known = hand.linked = hand.over = false;
-        hand.cover = 0;
-        hand.reaction.setZero();
-        return;
-    }
-    const bool lost = has_lost(hand);
-    if (hand.touch == BladeTouch::cutting) {
-        if (!lost) {
-            hand.normal = find_near(place(hand.place), radius).normal;
-            return;
-        }
-        leave(number, tick);
-    }
-    const Near near = find_near(tool.tip, radius);
-    const bool within = near.distance <= reach;
-    if (const std::int32_t septum = septum_of(near.place); septum != hand.septum) {
-        // Another one is nearer now: what side of the last one it was on says nothing of this one.
-        hand.septum = septum;
-        hand.touch = BladeTouch::away;
-        hand.known = hand.linked = hand.over = false;
-        hand.cover = 0;
-        hand.reaction.setZero();
-    }
-    if (!within) {
-        // Which side it is on now shows where it comes back from, unless it went through tissue meanwhile.
-        if (hand.known && near.place.fragment >= 0 && crosses(hand.tip, tool.tip)) {
-            hand.touch = BladeTouch::touching;  // held on its side below
-        } else {
-            hand.touch = BladeTouch::away;
-            hand.known = hand.linked = hand.over = false;
-            hand.cover = 0;
-            hand.reaction.setZero();
-            return;
-        }
-    }
-    hand.normal = near.normal;
-    const double now = near.gap >= 0 ? 1 : -1;
-    if (!hand.known) {
-        hand.known = true;
-        hand.side = now;
-        hand.tip = tool.tip;
-    }
-    if (hand.touch == BladeTouch::clearing) {
-        // The shaft is still in the slit: the tip comes out by it, or has found a way on which nothing
-        // crosses the shaft.
-        const bool out = hand.side * near.gap > radius + clear_by;
-        const bool beyond = hand.side * near.gap < -radius - clear_by &&
-                            !crosses(tool.tip - shaft_seen * tool.axis, tool.tip);
-        if (out || beyond) {
-            hand.touch = BladeTouch::away;
-            hand.side = now;
-        }
-    }
-    // A tip that is on the other side went round a rim or through a slit; over tissue before and now, it or
-    // the sheet was too fast for one step.
-    const bool through = (near.cover > 0 && hand.over) || crosses(hand.tip, tool.tip);
-    if (hand.touch == BladeTouch::away && hand.side != now && !through) hand.side = now;
-    hand.over = near.cover > 0;
-    hand.cover += (near.cover - hand.cover) * dt / (cover_time + dt);
-    hand.gap = hand.side * near.gap;
-    const bool pressed = hand.gap < radius && hand.cover > least_cover;
-    if (pressed && (hand.touch == BladeTouch::away || (hand.touch == BladeTouch::touching && lost))) {
-        hand.touch = BladeTouch::touching;
-        hand.place = near.place;
-        hand.linked = false;
-    } else if (hand.touch == BladeTouch::touching && !pressed) {
-        hand.touch = BladeTouch::away;
-        hand.linked = false;
-        hand.reaction.setZero();
-    }
+    const bool reaches =
+        tool.inside && tool.present && tool.tip.allFinite() && !hand.jaws.held() && !action.busy;
+    blade_law::approach(hand, reaches, dt,
+                        Approach{*this, hand, number, tool, action.instrument->tip_radius, tick});
 }
 
 void SheetPart::take(int number, const SheetAction& action) noexcept {

@@ -8,7 +8,7 @@
 
 namespace fulcrum {
 
-using namespace blade_rules;
+using namespace blade_law;
 
 namespace {
 
@@ -36,6 +36,38 @@ void SheetPart::leave(int number, std::uint32_t tick) noexcept {
     hand.reaction.setZero();
 }
 
+struct SheetPart::Follow {
+    SheetPart& sheet;
+    HandState& hand;
+    int number;
+    const SheetAction& action;
+    const CuttingSpec* cutting;
+    std::uint32_t tick;
+
+    BladeContact contact() const {
+        BladeContact at;
+        at.here = sheet.place(hand.place);
+        at.outward = hand.side * hand.normal;
+        at.normal = hand.touch == BladeTouch::touching ? at.outward : hand.normal;
+        at.reaction = hand.reaction;
+        at.stiffness = sheet.tissue_.stiffness;
+        at.friction = hand.friction;
+        at.grip = hand.cut_friction;
+        at.ease = hand.ease;
+        at.cutting = cutting;
+        at.bites = button(action.tool) && action.instrument->cuts();
+        return at;
+    }
+    void enter(const Vector3& here, const Vector3& along) { sheet.enter(number, here, along, tick); }
+    void slide(const Vector3& to) {
+        const SheetPlace next = sheet.closest(to);
+        if (next.fragment >= 0) hand.place = next;
+    }
+    void leave() { sheet.leave(number, tick); }
+    Vector3 lead(const Vector3& by) const { return sheet.keep_off_wall(hand.place, by); }
+    void advance(const Vector3& /*here*/, const Vector3& by) { sheet.advance(number, by, tick); }
+};
+
 void SheetPart::follow(int number, const SheetAction& action, std::uint32_t tick) noexcept {
     HandState& hand = state_.hands[static_cast<std::size_t>(number)];
     hand.friction = friction(action);
@@ -52,41 +84,21 @@ void SheetPart::follow(int number, const SheetAction& action, std::uint32_t tick
         }
         return;
     }
-    if (!hand.linked || (hand.touch != BladeTouch::touching && hand.touch != BladeTouch::cutting)) return;
-    const Vector3 n = hand.touch == BladeTouch::touching ? Vector3(hand.side * hand.normal) : hand.normal;
-    const Vector3 here = place(hand.place);
-    const Vector3 way = along_surface(hand.target - here, n);
-    if (hand.touch == BladeTouch::touching) {
-        const double pull = tissue_.stiffness * hand.cover * way.norm();
-        const TouchMove move = next_touch(n, hand.reaction, button(action.tool) && action.instrument->cuts(),
-                                          at_hand, hand.ease, hand.friction, pull);
-        if (move.enters) {
-            hand.touch = BladeTouch::cutting;
-            hand.way = begin_of_way(hand.place, here - overlap * way.normalized(), n);
-            hand.cut_friction = hand.ease * at_hand->dynamic_friction;
-            hand.linked = false;  // the blade is another link
-            surface_.begin_stroke();
-            begin_ends(number);
-            add_place_event(tick, EventKind::cut_begin, number, hand.way);
-            return;
-        }
-        // Where the tip slides the contact goes with it.
-        if (move.slides > 0) {
-            const SheetPlace next = closest(here + move.slides * way);
-            if (next.fragment >= 0) hand.place = next;
-        }
-        return;
-    }
-    if (drawn_out(action.tool, action.instrument->tip_radius, here, hand.side * n)) {
-        leave(number, tick);
-        return;
-    }
-    if (at_hand != nullptr) hand.cut_friction = hand.ease * at_hand->dynamic_friction;
-    const double share = advance_share(tissue_.stiffness * way.norm(), hand.cut_friction);
-    if (!(share > 0)) return;
-    Vector3 excess = keep_off_wall(hand.place, share * way);
-    if (!clip_advance(excess)) return;
-    advance(number, excess, tick);
+    if (hand.touch == BladeTouch::cutting && hand.linked && at_hand != nullptr)
+        hand.cut_friction = hand.ease * at_hand->dynamic_friction;
+    blade_law::follow(hand, action.tool, action.instrument->tip_radius,
+                      Follow{*this, hand, number, action, at_hand, tick});
+}
+
+void SheetPart::enter(int number, const Vector3& here, const Vector3& along, std::uint32_t tick) noexcept {
+    HandState& hand = state_.hands[static_cast<std::size_t>(number)];
+    hand.touch = BladeTouch::cutting;
+    hand.way = begin_of_way(hand.place, here - overlap * along.normalized(), hand.side * hand.normal);
+    hand.cut_friction = hand.ease * cutting_at(hand.place)->dynamic_friction;
+    hand.linked = false;  // the blade is another link
+    surface_.begin_stroke();
+    begin_ends(number);
+    add_place_event(tick, EventKind::cut_begin, number, hand.way);
 }
 
 void SheetPart::advance(int number, const Vector3& excess, std::uint32_t tick) noexcept {

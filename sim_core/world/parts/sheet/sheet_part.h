@@ -7,7 +7,7 @@
 // nodes of its fragment. Each step: tools find their contact, jaws and tips enter the membrane's own solve as
 // links, the membrane is stepped, blades advance, and what they cut becomes fragments, nodes and springs
 // before the step ends. The hand gets the solution to first order (SheetContactModel) and never waits.
-// Blades: blade_rules.h.
+// Blades: blade_law.h; jaws: jaws.h.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@
 #include "sim_core/numerics/state_hash.h"
 #include "sim_core/rod/rod.h"
 #include "sim_core/scene/scene.h"
-#include "sim_core/world/part/blade_rules.h"
+#include "sim_core/world/part/blade_law.h"
 #include "sim_core/world/part/jaws.h"
 #include "sim_core/world/part/part.h"
 #include "sim_core/world/part/snapshot.h"
@@ -52,23 +52,17 @@ struct SheetPlace {
 class SheetPart : public Part {
   public:
     /// What a hand does to the sheet, remembered from step to step.
-    struct HandState {
-        BladeTouch touch = BladeTouch::away;
-        SheetPlace place;  ///< under the tip; the blade's while it cuts
-        double side = 1;   ///< of the sheet that the tip is on, by the sheet's outward normal
-        Vector3 normal = Vector3::UnitZ();  ///< outward, blended over the tool's width
-        double cover = 0;  ///< 0 .. 1, share of the contact that there is tissue for; follows slowly
-        double gap = 0;    ///< m, tip to sheet on its side
-        Vector3 tip = Vector3::Zero();       ///< m, at the last step
-        double friction = 0, radius = 0;     ///< of the tool, at the last step; m
-        bool over = false;                   ///< tissue was under it then
-        bool known = false;                  ///< `tip` and `side` mean something
-        std::int32_t septum = 0;             ///< whose side it is
-        Vector3 target = Vector3::Zero();    ///< m, of the link, at the last step's end
-        bool linked = false;                 ///< the link was there in the last step
-        Vector3 reaction = Vector3::Zero();  ///< N, tool on sheet
-        Vector3 way = Vector3::Zero();       ///< m at rest: where the blade was last
-        double cut_friction = 0;             ///< N, dynamic friction of the tissue that the blade is in
+    struct HandState : BladeHand {
+        SheetPlace place;                 ///< under the tip; the blade's while it cuts
+        double side = 1;                  ///< of the sheet that the tip is on, by the sheet's outward normal
+        double gap = 0;                   ///< m, tip to sheet on its side
+        Vector3 tip = Vector3::Zero();    ///< m, at the last step
+        double friction = 0, radius = 0;  ///< of the tool, at the last step; m
+        bool over = false;                ///< tissue was under it then
+        bool known = false;               ///< `tip` and `side` mean something
+        std::int32_t septum = 0;          ///< whose side it is
+        Vector3 way = Vector3::Zero();    ///< m at rest: where the blade was last
+        double cut_friction = 0;          ///< N, dynamic friction of the tissue that the blade is in
         double ease = 1;      ///< share of a tissue's forces that its blade needs: less under power
         bool adrift = false;  ///< the blade is between lips, in no tissue
         Vector3 drifted = Vector3::Zero();  ///< m: where it was then at the last step's end
@@ -188,6 +182,8 @@ class SheetPart : public Part {
                     UnderBlade& found) const noexcept;
     void add_under(const SheetPlace& where, double away, UnderBlade& found) const noexcept;
     void approach(int hand, const SheetAction& action, std::uint32_t tick, double dt) noexcept;
+    struct Approach;  // the blade law's tissue, before the sheet is solved and after
+    struct Follow;
     bool has_lost(const HandState& hand) const noexcept;
     void update_jaws(int hand, const SheetAction& action, double dt) noexcept;
     void take(int hand, const SheetAction& action) noexcept;
@@ -195,6 +191,7 @@ class SheetPart : public Part {
     void read_links() noexcept;
     void follow(int hand, const SheetAction& action, std::uint32_t tick) noexcept;
     void advance(int hand, const Vector3& way, std::uint32_t tick) noexcept;
+    void enter(int hand, const Vector3& here, const Vector3& along, std::uint32_t tick) noexcept;
     void drift(int hand, std::uint32_t tick) noexcept;
     void leave(int hand, std::uint32_t tick) noexcept;
     void take_over() noexcept;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "sim_core/world/part/blade_rules.h"
+#include "sim_core/world/part/blade_law.h"
 #include "tests/sim_core/world/parts/sheet/sheet_rig.h"
 
 namespace fulcrum {
@@ -66,7 +66,7 @@ struct BladeFromBelow {
             const Vector3 direction = (corners[(k + 1) % 4] - corners[k]).normalized();
             for (double run = -0.0005; run < 2 * half; run += 0.002) {
                 BladeStep blade;
-                blade.from = corners[k] + (run - blade_rules::overlap) * direction;
+                blade.from = corners[k] + (run - blade_law::overlap) * direction;
                 blade.to = corners[k] + (run + 0.002) * direction;
                 blade.normal = Vector3(0, 0, 1);
                 blade.width = scene.sheet->blade_width;
