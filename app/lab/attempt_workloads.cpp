@@ -8,7 +8,6 @@
 #include "app/live/performance.h"
 #include "assessment/operators/operator.h"
 #include "database/rows/trace_codec.h"
-#include "sim_core/world/parts/bowel/bowel_part.h"
 
 namespace fulcrum::app {
 namespace {
@@ -96,10 +95,9 @@ lab::Workload world_workload() {
             bench->rig->observe(bench->engine.world().snapshot(), bench->engine.display());
             bench->ticks();
         };
-        const BowelPart* bowel = bench->engine.world().find<BowelPart>();
-        prepared.bytes = bowel->bytes_rod() + bowel->bytes_collision() + bowel->bytes_surface();
+        prepared.bytes = bytes_of(bench->engine.world(), {"rod", "collision", "cage_and_surface"});
         prepared.error = [bench] {
-            return std::optional<double>(bench->engine.world().find<BowelPart>()->report().residual);
+            return std::optional<double>(bench->engine.world().snapshot().solve_residual);
         };
         prepared.error_unit = "relative rod residual of the last step";
         return prepared;
@@ -145,6 +143,14 @@ lab::Workload recording_workload() {
 }
 
 }  // namespace
+
+std::size_t bytes_of(const World& world, const std::set<std::string>& parts) {
+    std::size_t bytes = 0;
+    for (const PartCost& cost : world.costs()) {
+        if (parts.count(cost.part) != 0) bytes += cost.bytes;
+    }
+    return bytes;
+}
 
 std::vector<lab::Workload> attempt_workloads() {
     return {tick_workload(), world_workload(), plane_workload(), recording_workload()};

@@ -2,13 +2,12 @@
 // The world's step while the plane behind the rectum is divided: the rectum is held and lifted, a hook moves
 // along one septum after the other.
 #include "app/lab/plane_workload.h"
-#include "sim_core/world/parts/bowel/bowel_part.h"
-#include "sim_core/world/parts/sheet/sheet_part.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
+#include "app/lab/attempt_workloads.h"
 #include "assessment/assets/assets.h"
 #include "sim_core/anatomy/scene_anatomy.h"
 #include "sim_core/haptics/loop.h"
@@ -95,9 +94,7 @@ struct Plane {
         const std::size_t i = first + static_cast<std::size_t>(at);
         const Vector3 here = view.line[i] + (share * static_cast<double>(count) - 0.5 - std::floor(at)) *
                                                 (view.line[i + 1] - view.line[i]);
-        return here +
-               before * curve.cranial(
-                            world.find<SheetPart>()->layout().arc_lengths[static_cast<std::size_t>(septum)]);
+        return here + before * curve.cranial(septum_arc_length(*scene.septa, curve, septum));
     }
     /// Moves the hook by one step: to the septum, into it, along it, out of it, to the next.
     void aim() {
@@ -140,9 +137,7 @@ lab::Workload plane_workload() {
             plane->loop.adopt(plane->world.local_models());
             plane->aim();
         };
-        const BowelPart* bowel = plane->world.find<BowelPart>();
-        prepared.bytes = plane->world.find<SheetPart>()->bytes() + bowel->bytes_rod() +
-                         bowel->bytes_collision() + bowel->bytes_surface();
+        prepared.bytes = bytes_of(plane->world, {"sheet", "rod", "collision", "cage_and_surface"});
         prepared.error = [plane] { return std::optional<double>(plane->worst_outcome); };
         prepared.error_unit = "worst outcome of a step; 0: as it should be";
         return prepared;

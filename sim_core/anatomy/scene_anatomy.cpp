@@ -37,4 +37,9 @@ RectumParameters rectum_parameters(const Scene& scene) {
     return rectum;
 }
 
+double septum_arc_length(const SeptaSpec& spec, const SacralCurve& curve, int index) {
+    const double plane_radius = curve.fascia_radius() - spec.plane_height;
+    return curve.arc_length(spec.first_angle - index * (spec.spacing / (curve.curve_radius + plane_radius)));
+}
+
 }  // namespace fulcrum

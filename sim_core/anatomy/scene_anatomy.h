@@ -13,5 +13,7 @@ BowelParameters bowel_parameters(const BowelSpec& spec);
 TriangleMesh cavity_mesh(const CavitySpec& spec);
 /// Of a scene with a rectum and a presacral wall.
 RectumParameters rectum_parameters(const Scene& scene);
+/// m along the rectum, of septum `index`; 0 is the most cranial.
+double septum_arc_length(const SeptaSpec& spec, const SacralCurve& curve, int index);
 
 }  // namespace fulcrum

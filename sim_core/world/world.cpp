@@ -156,6 +156,23 @@ void World::fill_snapshot(const TickOutput& last) noexcept {
     }
     if (scope_) snapshot_.camera = scope_pose(*scope_, last.input.camera);
     for (const std::unique_ptr<Part>& part : parts_) part->fill_snapshot(snapshot_);
+    for (std::size_t hand = 0; hand < hand_count; ++hand) show_grasp(hand);
+}
+
+void World::show_grasp(std::size_t hand) noexcept {
+    GraspState& shown = snapshot_.grasps[hand];
+    const int number = static_cast<int>(hand);
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        if (!parts_[i]->holds(number)) continue;
+        last_holder_[hand] = i;
+        shown = parts_[i]->grasp(number);
+        shown.held = true;
+        return;
+    }
+    if (!shown.held) return;
+    shown.held = false;
+    shown.slipped = parts_[last_holder_[hand]]->slipped(number);
+    shown.reaction.setZero();
 }
 
 std::uint64_t World::hash() const noexcept {
@@ -174,6 +191,7 @@ struct World::Saved {
     std::vector<StateList::Values> parts;
     LocalModels models;
     WorldSnapshot snapshot;
+    std::size_t last_holder[hand_count] = {};
     std::uint32_t steps = 0, next_hash_tick = 0;
 };
 
@@ -182,6 +200,7 @@ std::shared_ptr<const World::Saved> World::save() const {
     for (const std::unique_ptr<Part>& part : parts_) saved->parts.push_back(part->save());
     saved->models = models_;
     saved->snapshot = snapshot_;
+    std::copy_n(last_holder_, hand_count, saved->last_holder);
     saved->steps = steps_;
     saved->next_hash_tick = next_hash_tick_;
     return saved;
@@ -191,6 +210,7 @@ void World::restore(const Saved& saved) {
     for (std::size_t i = 0; i < parts_.size(); ++i) parts_[i]->restore(saved.parts.at(i));
     models_ = saved.models;
     snapshot_ = saved.snapshot;
+    std::copy_n(saved.last_holder, hand_count, last_holder_);
     steps_ = saved.steps;
     next_hash_tick_ = saved.next_hash_tick;
 }

@@ -80,6 +80,7 @@ class World {
     std::uint32_t advance() noexcept;
     void fill_models(const TickOutput& last) noexcept;
     void fill_snapshot(const TickOutput& last) noexcept;
+    void show_grasp(std::size_t hand) noexcept;
 
     Scene scene_;
     PartList parts_;  ///< in the order of building, publishing and hashing
@@ -88,6 +89,7 @@ class World {
     const CavityModel* wall_ = nullptr;
     bool has_instrument_[hand_count] = {false, false};
     std::unique_ptr<ScopeModel> scope_;
+    std::size_t last_holder_[hand_count] = {};  ///< in parts_; means something once a hold was shown
     StepInput input_;
     LocalModels models_;
     WorldSnapshot snapshot_;

@@ -159,6 +159,42 @@ TEST(Rooms, HaveNoCycle) {
     EXPECT_EQ(find_cycle(declared_rooms()), "");
 }
 
+// The world names its parts in the registry, and a coupling names both its ends. Everything else meets a part
+// by Part, by its view in the snapshot or by its local model. The laboratory measures a sheet by itself.
+bool may_include_part(const std::string& file, const std::string& part) {
+    for (const std::string& folder :
+         {part, std::string("sim_core/world/couplings/"), std::string("sim_core/lab/")}) {
+        if (file.rfind(folder, 0) == 0) return true;
+    }
+    return file == "sim_core/world/registry.cpp";
+}
+
+/// "sim_core/world/parts/NAME/", or empty.
+std::string part_of(const std::string& include) {
+    static const std::string parts = "sim_core/world/parts/";
+    return include.rfind(parts, 0) == 0 ? include.substr(0, include.find('/', parts.size()) + 1)
+                                        : std::string();
+}
+
+TEST(Rooms, OnlyTheRegistryAndCouplingsIncludeAPartOfTheWorld) {
+    int parts_included = 0;
+    for (const std::string& floor : floors) {
+        for (const fs::path& path : files_below(floor, {".h", ".cpp"})) {
+            const std::string name = fs::relative(path, source_path("")).generic_string();
+            for (const std::string& include : includes_of(read(path))) {
+                const std::string part = part_of(include);
+                if (part.empty()) continue;
+                ++parts_included;
+                EXPECT_TRUE(may_include_part(name, part)) << name << " includes " << include;
+            }
+        }
+    }
+    EXPECT_GT(parts_included, 10) << "where parts are has moved";
+    EXPECT_FALSE(may_include_part("sim_core/world/parts/bands/bands_part.h", "sim_core/world/parts/sheet/"));
+    EXPECT_TRUE(may_include_part("sim_core/world/parts/bands/bands_part.h", "sim_core/world/parts/bands/"));
+    EXPECT_EQ(part_of("sim_core/world/parts/sheet/sheet_part.h"), "sim_core/world/parts/sheet/");
+}
+
 TEST(Rooms, OnlyTheProgramIncludesTheLaboratory) {
     const std::set<std::string> allowed = {"app", "app/cli", "app/lab", "app/services"};
     for (const auto& [name, room] : declared_rooms()) {

@@ -28,6 +28,7 @@
 #include "sim_core/instrument/instrument.h"
 #include "sim_core/instrument/tick_output.h"
 #include "sim_core/scene/scene.h"
+#include "sim_core/world/part/heated_sheet.h"
 #include "sim_core/world/part/snapshot.h"
 #include "sim_core/world/part/state_list.h"
 
@@ -79,6 +80,10 @@ class Part {
     virtual double offer(int /*hand*/, const HeldTool& /*held*/) const noexcept { return no_offer; }
     /// Whether a hand's jaws hold its tissue.
     virtual bool holds(int /*hand*/) const noexcept { return false; }
+    /// What they hold, while they do.
+    virtual GraspState grasp(int /*hand*/) const noexcept { return {}; }
+    /// Whether the last hold ended because the tissue left the jaws, not because they opened.
+    virtual bool slipped(int /*hand*/) const noexcept { return false; }
     virtual void apply(const StepInput& /*input*/) noexcept {}
     /// Returns StepRecord::outcome.
     virtual std::uint32_t solve(const StepInput& /*input*/) noexcept { return 0; }
@@ -88,6 +93,8 @@ class Part {
     virtual void fill_snapshot(WorldSnapshot& /*snapshot*/) const noexcept {}
     /// Surface that instruments feel as a wall, if the part is one.
     virtual const CavityModel* wall() const noexcept { return nullptr; }
+    /// Sheet that instruments give energy to, if the part is one.
+    virtual const HeatedSheet* heated_sheet() const noexcept { return nullptr; }
 
     /// Every state member, once.
     virtual void list_state(StateList& /*list*/) {}
@@ -151,6 +158,14 @@ inline const CavityModel* wall_of(const PartList& parts) noexcept {
         if (part->wall() != nullptr) wall = part->wall();
     }
     return wall;
+}
+
+/// The sheet that instruments give energy to; null without.
+inline const HeatedSheet* heated_sheet_of(const PartList& parts) noexcept {
+    for (const std::unique_ptr<Part>& part : parts) {
+        if (part->heated_sheet() != nullptr) return part->heated_sheet();
+    }
+    return nullptr;
 }
 
 /// The part of a type; null where the scene does not list it.

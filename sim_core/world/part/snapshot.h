@@ -21,8 +21,8 @@ namespace fulcrum {
 /// What jaws can hold.
 enum class HeldBody : std::uint8_t { none, bowel, membrane, sheet, band };
 
-/// What a pair of jaws holds. The part that holds, or that held last, writes it; `tissue`, `body` and
-/// `slipped` stay until the next hold.
+/// What a pair of jaws holds. The world writes it, from the part that holds (Part::grasp); after the hold it
+/// shows the last one, without reaction.
 struct GraspState {
     bool held = false;
     double arc_length = 0;               ///< m along the bowel; -1 where it is a membrane that is held
@@ -115,6 +115,7 @@ struct WorldSnapshot {
     std::int32_t event_count = 0;
     std::vector<BandsView> bands;     ///< one with Scene::bands or Scene::structures; empty without
     std::vector<float> patch_damage;  ///< N s per tissue patch
+    double solve_residual = 0;        ///< of the bowel's last solve: share of the largest force that was left
     double residual_penetration = 0;  ///< m, deepest sphere in the cavity after the step
     double floor_load = 0;            ///< N, sum of contact forces on the cavity
 };

@@ -161,10 +161,8 @@ HollowDrawing::HollowDrawing(const Scene& scene, const WorldSnapshot& first)
     const RectumParameters rectum = rectum_parameters(scene);
     if (scene.septa) {
         mesorectum_ -= scene.septa->areolar_height;
-        const double plane = rectum.curve.fascia_radius() - scene.septa->plane_height;
-        const double turn = scene.septa->spacing / (rectum.curve.curve_radius + plane);
         for (int k = scene.septa->count - 1; k >= 0; --k)
-            septum_at_.push_back(rectum.curve.arc_length(scene.septa->first_angle - k * turn));
+            septum_at_.push_back(septum_arc_length(*scene.septa, rectum.curve, k));
     }
     lay_walls(rectum);
     learn_septa(first.sheet);

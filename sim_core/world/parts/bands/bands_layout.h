@@ -7,7 +7,7 @@
 
 #include "sim_core/geometry/mesh.h"
 #include "sim_core/scene/bands_spec.h"
-#include "sim_core/world/parts/field/operative_field.h"
+#include "sim_core/world/field/operative_field.h"
 
 namespace fulcrum {
 

@@ -227,18 +227,20 @@ void BandsPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
     for (int number = 0; number < hand_count; ++number) {
         const Grip& grip = grips_[static_cast<std::size_t>(number)];
         view.tools[number].band = grip.band >= 0 ? grip.band : grip.touched;
-        GraspState& grasp = snapshot.grasps[number];
-        grasp.held = grip.band >= 0;
-        grasp.slipped = field_.hand(number).jaws.slipped();
-        if (grip.band < 0) continue;
-        grasp.body = HeldBody::band;
-        grasp.tissue = static_cast<std::int8_t>(tissue_index_);
-        const StrandState& strand = strands_[static_cast<std::size_t>(grip.band)];
-        grasp.arc_length = grip.hold.node * spec_.length / strand_segments;
-        grasp.point = strand.position[static_cast<std::size_t>(grip.hold.node)];
-        grasp.patch = grip.band;
-        grasp.reaction = hold_force(grip.hold, strand);
     }
+}
+
+GraspState BandsPart::grasp(int number) const noexcept {
+    const Grip& grip = grips_[static_cast<std::size_t>(number)];
+    const StrandState& strand = strands_[static_cast<std::size_t>(grip.band)];
+    GraspState grasp;
+    grasp.body = HeldBody::band;
+    grasp.tissue = static_cast<std::int8_t>(tissue_index_);
+    grasp.arc_length = grip.hold.node * spec_.length / strand_segments;
+    grasp.point = strand.position[static_cast<std::size_t>(grip.hold.node)];
+    grasp.patch = grip.band;
+    grasp.reaction = hold_force(grip.hold, strand);
+    return grasp;
 }
 
 void BandsPart::list_state(StateList& list) {

@@ -14,11 +14,11 @@
 #include "sim_core/numerics/state_hash.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/strand/strand.h"
+#include "sim_core/world/field/operative_field.h"
 #include "sim_core/world/part/bands_view.h"
 #include "sim_core/world/part/part.h"
 #include "sim_core/world/part/snapshot.h"
 #include "sim_core/world/parts/bands/bands_layout.h"
-#include "sim_core/world/parts/field/operative_field.h"
 
 namespace fulcrum {
 
@@ -28,6 +28,8 @@ class BandsPart : public Part {
     BandsPart(const Scene& scene, std::uint64_t seed);
 
     bool holds(int hand) const noexcept override { return grips_[static_cast<std::size_t>(hand)].band >= 0; }
+    GraspState grasp(int hand) const noexcept override;
+    bool slipped(int hand) const noexcept override { return field_.hand(hand).jaws.slipped(); }
     void apply(const StepInput& input) noexcept override;
     std::uint32_t solve(const StepInput& input) noexcept override;
     /// What a hand holds for the tick, and whether its pedal gives energy.

@@ -264,6 +264,24 @@ void BowelPart::fill_grasp(int hand, const PatchRequest& request, LocalModel& mo
     model.grasp.tissue_patch = static_cast<std::int16_t>(grasp.state.patch);
 }
 
+GraspState BowelPart::grasp(int hand) const noexcept {
+    const auto tissue = static_cast<std::int8_t>(scene_.tissue_index(scene_.bowel->tissue));
+    const int membrane = grasps_[hand].membrane;
+    GraspState grasp;
+    if (membrane < 0) {
+        grasp = grasps_[hand].state;
+        grasp.body = HeldBody::bowel;
+    } else {
+        const SheetGrip& grip = membranes_[static_cast<std::size_t>(membrane)].grip(hand);
+        grasp.body = HeldBody::membrane;
+        grasp.arc_length = -1;
+        grasp.point = grip.point;
+        grasp.reaction = grip.reaction;
+    }
+    grasp.tissue = tissue;  // a mesentery has no tissue of its own
+    return grasp;
+}
+
 void BowelPart::size_snapshot(WorldSnapshot& snapshot) const {
     snapshot.nodes = state_.nodes;
     snapshot.node_arc_lengths = rod_->node_arc_lengths();
@@ -289,28 +307,7 @@ void BowelPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
     std::copy(dents_.entries.begin(), dents_.entries.begin() + dents_.count, snapshot.dents.begin());
     snapshot.dent_count = dents_.count;
     std::copy(patch_damage_.begin(), patch_damage_.end(), snapshot.patch_damage.begin());
-    const auto held_tissue = static_cast<std::int8_t>(scene_.tissue_index(scene_.bowel->tissue));
-    for (int hand = 0; hand < hand_count; ++hand) {
-        GraspState& shown = snapshot.grasps[hand];
-        const GraspState before = shown;
-        const bool membrane = grasps_[hand].membrane >= 0, wall = grasps_[hand].state.held;
-        // Another part's hold, or how it ended, is that part's to write.
-        if (!membrane && !wall && before.body != HeldBody::none && before.body != HeldBody::bowel &&
-            before.body != HeldBody::membrane)
-            continue;
-        shown = grasps_[hand].state;
-        shown.body = wall ? HeldBody::bowel : before.body;
-        shown.tissue = wall ? held_tissue : before.tissue;
-        if (!membrane) continue;
-        const SheetGrip& grip = membranes_[static_cast<std::size_t>(grasps_[hand].membrane)].grip(hand);
-        shown = GraspState();
-        shown.held = true;
-        shown.body = HeldBody::membrane;
-        shown.tissue = held_tissue;  // a mesentery has no tissue of its own
-        shown.arc_length = -1;
-        shown.point = grip.point;
-        shown.reaction = grip.reaction;
-    }
+    snapshot.solve_residual = report_.residual;
     snapshot.residual_penetration = contacts_.deepest_cavity;
     snapshot.floor_load = report_.contact_sum;
     if (cut_) cut_->fill_snapshot(snapshot);

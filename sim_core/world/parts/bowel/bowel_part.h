@@ -53,6 +53,8 @@ class BowelPart : public Part {
     void begin_step() noexcept override;
     double offer(int hand, const HeldTool& held) const noexcept override;
     bool holds(int hand) const noexcept override { return grasps_[hand].jaws.held(); }
+    GraspState grasp(int hand) const noexcept override;
+    bool slipped(int hand) const noexcept override { return grasps_[hand].jaws.slipped(); }
     void apply(const StepInput& input) noexcept override;
     std::uint32_t solve(const StepInput& input) noexcept override;
     /// Patch, grasp and blade of a hand; leaves step, tick and targets alone.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sim_core/anatomy/scene_anatomy.h"
+
 namespace fulcrum {
 namespace {
 
@@ -60,10 +62,9 @@ SheetLayout lay_out_septa(const SeptaSpec& spec, const SacralCurve& curve) {
         return spec.areolar_height +
                (spec.fat_height - spec.areolar_height) * (row - spec.areolar_rows) / spec.fat_rows;
     };
-    const double step = spec.spacing / (curve.curve_radius + plane_radius);
     for (std::int32_t k = 0; k < spec.count; ++k) {
         const auto first = static_cast<std::int32_t>(layout.mesh.vertices.size());
-        const double s = curve.arc_length(spec.first_angle - k * step);
+        const double s = septum_arc_length(spec, curve, k);
         layout.arc_lengths.push_back(s);
         for (std::int32_t r = 0; r < layout.rows; ++r) {
             for (std::int32_t c = 0; c < layout.columns; ++c) {

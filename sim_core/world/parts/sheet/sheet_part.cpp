@@ -363,27 +363,32 @@ void SheetPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
         view.removed_area = surface_.area_removed();
     }
     events_.append_to(snapshot);
-    for (std::size_t h = 0; h < hand_count; ++h) {
-        const HandState& hand = state_.hands[h];
-        GraspState& grasp = snapshot.grasps[h];
-        // What the same jaws hold elsewhere, or held there last, is not the sheet's to write.
-        if (!hand.jaws.held() && grasp.body != HeldBody::sheet) continue;
-        if (hand.jaws.held()) {
-            if (septa_) {
-                grasp = GraspState();
-                grasp.arc_length = -1;
-            }
-            grasp.body = HeldBody::sheet;
-            grasp.tissue =
-                static_cast<std::int8_t>(in_fat(rest(hand.held_at[0])) ? fat_index_ : tissue_index_);
-        }
-        grasp.held = hand.jaws.held();
-        grasp.slipped = hand.jaws.slipped();
-        grasp.reaction = hand.jaws.held() ? hand.pull : Vector3(Vector3::Zero());
-        if (!hand.jaws.held()) continue;
-        grasp.point = place(hand.held_at[0]);
-        grasp.offset = rest(hand.held_at[0]);
-    }
+}
+
+GraspState SheetPart::grasp(int number) const noexcept {
+    const HandState& hand = state_.hands[static_cast<std::size_t>(number)];
+    GraspState grasp;
+    if (septa_) grasp.arc_length = -1;
+    grasp.body = HeldBody::sheet;
+    grasp.offset = rest(hand.held_at[0]);
+    grasp.tissue = static_cast<std::int8_t>(in_fat(grasp.offset) ? fat_index_ : tissue_index_);
+    grasp.point = place(hand.held_at[0]);
+    grasp.reaction = hand.pull;
+    return grasp;
+}
+
+SheetUnder SheetPart::under(int number) const noexcept {
+    const HandState& hand = state_.hands[static_cast<std::size_t>(number)];
+    SheetUnder found;
+    if ((hand.touch != BladeTouch::touching && hand.touch != BladeTouch::cutting) || hand.place.fragment < 0)
+        return found;
+    found.root = surface_.fragment(hand.place.fragment).root;
+    found.fat = in_fat(rest(hand.place));
+    return found;
+}
+
+bool SheetPart::root_in_fat(std::int32_t root) const {
+    return in_fat(rest({root, Vector3::Constant(1.0 / 3), root}));
 }
 
 void SheetPart::follow_restore() {

@@ -24,6 +24,7 @@
 #include "sim_core/rod/rod.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/world/part/blade_law.h"
+#include "sim_core/world/part/heated_sheet.h"
 #include "sim_core/world/part/jaws.h"
 #include "sim_core/world/part/part.h"
 #include "sim_core/world/part/snapshot.h"
@@ -49,7 +50,7 @@ struct SheetPlace {
     std::int32_t triangle = -1;             ///< visible one that it lies in
 };
 
-class SheetPart : public Part {
+class SheetPart : public Part, public HeatedSheet {
   public:
     /// What a hand does to the sheet, remembered from step to step.
     struct HandState : BladeHand {
@@ -113,6 +114,15 @@ class SheetPart : public Part {
     bool holds(int hand) const noexcept override {
         return state_.hands[static_cast<std::size_t>(hand)].jaws.held();
     }
+    GraspState grasp(int hand) const noexcept override;
+    bool slipped(int hand) const noexcept override {
+        return state_.hands[static_cast<std::size_t>(hand)].jaws.slipped();
+    }
+    const HeatedSheet* heated_sheet() const noexcept override { return this; }
+    const TriangleMesh& mesh() const noexcept override { return surface_.mesh(); }
+    const std::vector<Vector3>& vertices_now() const noexcept override { return state_.positions; }
+    bool root_in_fat(std::int32_t root) const override;
+    SheetUnder under(int hand) const noexcept override;
 
     /// First half of a step of dt seconds that ends with this tick: jaws and tips on the sheet.
     void apply(const SheetAction* actions, std::uint32_t tick, double dt) noexcept;

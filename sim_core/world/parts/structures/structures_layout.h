@@ -8,7 +8,7 @@
 
 #include "sim_core/anatomy/rectum.h"
 #include "sim_core/scene/structures_spec.h"
-#include "sim_core/world/parts/field/field_bed.h"
+#include "sim_core/world/field/field_bed.h"
 
 namespace fulcrum {
 

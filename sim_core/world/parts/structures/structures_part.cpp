@@ -9,7 +9,6 @@
 #include "sim_core/anatomy/scene_anatomy.h"
 #include "sim_core/geometry/closest_point.h"
 #include "sim_core/numerics/functions.h"
-#include "sim_core/world/parts/sheet/sheet_part.h"
 
 namespace fulcrum {
 namespace {
@@ -43,7 +42,7 @@ double sheet_thickness(const Scene& scene) {
 }  // namespace
 
 FieldModel StructuresPart::make_field(const StructuresSpec& spec, const StructuresLayout& layout,
-                                      const CavityModel& felt, const SheetPart* sheet, double thickness,
+                                      const CavityModel& felt, const HeatedSheet* sheet, double thickness,
                                       Patches& patches) {
     FieldModel model;
     model.bed = layout.bed;
@@ -70,8 +69,8 @@ FieldModel StructuresPart::make_field(const StructuresSpec& spec, const Structur
 
     patches.roots = model.heat.patches.size();
     if (sheet == nullptr) return model;
-    const TriangleMesh& mesh = sheet->surface().mesh();
-    patches.root_count = sheet->surface().root_count();
+    const TriangleMesh& mesh = sheet->mesh();
+    patches.root_count = static_cast<std::int32_t>(mesh.triangles.size());
     std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> edges;
     const auto centre = [&](std::int32_t root) {
         const Triangle& t = mesh.triangles[at(root)];
@@ -95,7 +94,7 @@ FieldModel StructuresPart::make_field(const StructuresSpec& spec, const Structur
 }
 
 StructuresPart::StructuresPart(const Scene& scene, const FieldWall& wall, const CavityModel& felt,
-                               const SheetPart* sheet, std::uint64_t seed)
+                               const HeatedSheet* sheet, std::uint64_t seed)
     : spec_(*scene.structures),
       layout_(lay_on(place_structures(spec_, wall, seed), felt)),
       sheet_(sheet),
@@ -104,7 +103,7 @@ StructuresPart::StructuresPart(const Scene& scene, const FieldWall& wall, const 
       outlet_vein_(field_outlet_capacity, -1) {
     for (std::size_t i = 0; i < field_outlet_capacity; ++i) field_.outlets()[i].patch = patches_.outlets + i;
     if (sheet_ != nullptr) {
-        const TriangleMesh& mesh = sheet_->surface().mesh();
+        const TriangleMesh& mesh = sheet_->mesh();
         for (std::int32_t root = 0; root < patches_.root_count; ++root) {
             const Triangle& t = mesh.triangles[at(root)];
             root_area_.push_back(
@@ -112,8 +111,7 @@ StructuresPart::StructuresPart(const Scene& scene, const FieldWall& wall, const 
         }
         // Energy is for the areolar tissue; the mesorectum beyond it is to stay whole.
         for (std::int32_t root = 0; root < patches_.root_count; ++root) {
-            root_is_target_.push_back(
-                sheet_->in_fat(sheet_->rest({root, Vector3::Constant(1.0 / 3), root})) ? 0 : 1);
+            root_is_target_.push_back(sheet_->root_in_fat(root) ? 0 : 1);
         }
     }
     const TissueSpec& fascia = scene.tissues[at(scene.tissue_index(spec_.bed_tissue))];
@@ -179,7 +177,7 @@ void StructuresPart::step_tool(int number, const TickOutput* outputs, std::size_
     press(hand, tool, energised);
     if (gives_energy(hand.kind())) {
         field_.measure_nerves(hand, tool);
-        const std::int32_t root = root_under(number);
+        const std::int32_t root = sheet_ != nullptr ? sheet_->under(number).root : -1;
         if (root >= 0) field_.touch(hand, root_patch(root));
         field_.touch_nerves_and_bed(hand, tool);
         if (pedal > 0) apply_energy(number, tool, pedal);
@@ -239,19 +237,6 @@ void StructuresPart::open_vein(std::int32_t vein, const Vector3& place, double s
     open_vessel(share, outlet.bleed);
 }
 
-std::int32_t StructuresPart::root_under(int number) const noexcept {
-    if (sheet_ == nullptr) return -1;
-    const SheetPart::HandState& hand = sheet_->state().hands[static_cast<std::size_t>(number)];
-    const bool on = hand.touch == BladeTouch::touching || hand.touch == BladeTouch::cutting;
-    return on && hand.place.fragment >= 0 ? sheet_->surface().fragment(hand.place.fragment).root : -1;
-}
-
-Vector3 StructuresPart::root_centre(std::int32_t root) const noexcept {
-    const Triangle& t = sheet_->surface().mesh().triangles[at(root)];
-    const std::vector<Vector3>& x = sheet_->state().positions;
-    return (x[at(t[0])] + x[at(t[1])] + x[at(t[2])]) / 3;
-}
-
 // A hook's current finds its way through water: tissue that has dried takes no more power.
 double StructuresPart::conducting_share(const FieldHand& hand, const EnergyReach& reach) const noexcept {
     const double whole = field_.model().heat.patches[reach.patch].water;
@@ -264,19 +249,21 @@ void StructuresPart::apply_energy(int number, const ToolKinematics& tool, double
     FieldHand& hand = field_.hand(number);
     hand.active = true;
     EnergyReach reach = field_.reach_outlets(hand, tool);
-    const std::int32_t root = root_under(number);
-    if (root >= 0) {
-        const bool beyond =
-            sheet_->in_fat(sheet_->rest(sheet_->state().hands[static_cast<std::size_t>(number)].place));
-        reach.take(0, root_patch(root), beyond ? EnergyTarget::fat : EnergyTarget::sheet);
-    }
+    const SheetUnder under = sheet_ != nullptr ? sheet_->under(number) : SheetUnder();
+    if (under.root >= 0)
+        reach.take(0, root_patch(under.root), under.fat ? EnergyTarget::fat : EnergyTarget::sheet);
     field_.reach_nerves_and_bed(hand, tool, reach);
     field_.give(hand, reach, field_.tool_model(hand).tissue_power * duty * conducting_share(hand, reach));
     field_.spread(hand, tool, duty);
     // The same steam on a sheet, by its area: over a plane it adds up to the power at the blade.
     const double density = spread_power * duty / (turn * spread_length * spread_length);
+    if (sheet_ == nullptr) return;
+    const std::vector<Triangle>& triangles = sheet_->mesh().triangles;
+    const std::vector<Vector3>& x = sheet_->vertices_now();
     for (std::int32_t r = 0; r < patches_.root_count; ++r) {
-        const double away = (root_centre(r) - tool.tip).norm();
+        const Triangle& corner = triangles[at(r)];
+        const Vector3 centre((x[at(corner[0])] + x[at(corner[1])] + x[at(corner[2])]) / 3);
+        const double away = (centre - tool.tip).norm();
         if (away < spread_reach)
             field_.heat_patch(root_patch(r),
                               density * root_area_[at(r)] * math::exp(-std::max(0.0, away) / spread_length));
@@ -334,7 +321,7 @@ std::unique_ptr<Part> build_structures_part(const Scene& scene, std::uint64_t se
     if (!scene.structures) return nullptr;
     const RectumParameters rectum = rectum_parameters(scene);
     return std::make_unique<StructuresPart>(scene, presacral_wall(rectum.curve, rectum.promontory),
-                                            *wall_of(parts), find_part<SheetPart>(parts), seed);
+                                            *wall_of(parts), heated_sheet_of(parts), seed);
 }
 
 }  // namespace fulcrum

@@ -22,14 +22,12 @@
 #include "sim_core/instrument/tick_output.h"
 #include "sim_core/numerics/state_hash.h"
 #include "sim_core/scene/scene.h"
+#include "sim_core/world/field/operative_field.h"
 #include "sim_core/world/part/part.h"
 #include "sim_core/world/part/snapshot.h"
-#include "sim_core/world/parts/field/operative_field.h"
 #include "sim_core/world/parts/structures/structures_layout.h"
 
 namespace fulcrum {
-
-class SheetPart;
 
 class StructuresPart : public Part {
   public:
@@ -38,8 +36,8 @@ class StructuresPart : public Part {
 
     /// The scene lists structures. `wall` is asked during construction only; `felt` is that wall as
     /// instruments feel it, and lives as long as this part, as does `sheet`, which may be null.
-    StructuresPart(const Scene& scene, const FieldWall& wall, const CavityModel& felt, const SheetPart* sheet,
-                   std::uint64_t seed);
+    StructuresPart(const Scene& scene, const FieldWall& wall, const CavityModel& felt,
+                   const HeatedSheet* sheet, std::uint64_t seed);
 
     /// What a hand holds; the tool as the tick knows it.
     HeldTool held(int hand, const ToolKinematics& tool) const noexcept;
@@ -73,19 +71,17 @@ class StructuresPart : public Part {
         std::int32_t root_count = 0;
     };
     static FieldModel make_field(const StructuresSpec& spec, const StructuresLayout& layout,
-                                 const CavityModel& felt, const SheetPart* sheet, double thickness,
+                                 const CavityModel& felt, const HeatedSheet* sheet, double thickness,
                                  Patches& patches);
     void step_tool(int number, const TickOutput* outputs, std::size_t count, double dt) noexcept;
     void press(const FieldHand& hand, const ToolKinematics& tool, bool energised) noexcept;
     void open_vein(std::int32_t vein, const Vector3& place, double share) noexcept;
     double conducting_share(const FieldHand& hand, const EnergyReach& reach) const noexcept;
     void apply_energy(int number, const ToolKinematics& tool, double duty) noexcept;
-    std::int32_t root_under(int number) const noexcept;
-    Vector3 root_centre(std::int32_t root) const noexcept;
 
     StructuresSpec spec_;
     StructuresLayout layout_;
-    const SheetPart* sheet_ = nullptr;
+    const HeatedSheet* sheet_ = nullptr;
     Patches patches_;
     OperativeField field_;
     std::vector<double> root_area_;             ///< m2

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A field as a whole: its heat patches, its step after the hands, what is seen of it.
-#include "sim_core/world/parts/field/operative_field.h"
+#include "sim_core/world/field/operative_field.h"
 
 #include <algorithm>
 #include <cmath>

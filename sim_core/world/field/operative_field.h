@@ -21,10 +21,10 @@
 #include "sim_core/instrument/tick_output.h"
 #include "sim_core/numerics/state_hash.h"
 #include "sim_core/scene/scene.h"
+#include "sim_core/world/field/field_bed.h"
 #include "sim_core/world/part/bands_view.h"
 #include "sim_core/world/part/jaws.h"
 #include "sim_core/world/part/state_list.h"
-#include "sim_core/world/parts/field/field_bed.h"
 
 namespace fulcrum {
 

@@ -5,7 +5,7 @@
 
 #include "sim_core/geometry/closest_point.h"
 #include "sim_core/numerics/functions.h"
-#include "sim_core/world/parts/field/operative_field.h"
+#include "sim_core/world/field/operative_field.h"
 
 namespace fulcrum {
 namespace {
