@@ -128,6 +128,7 @@ std::uint32_t World::advance() noexcept {
         }
         solved.us += us;
     }
+    for (const std::unique_ptr<Coupling>& coupling : couplings_) coupling->follow();
     return outcome;
 }
 

@@ -145,6 +145,8 @@ class Coupling {
     virtual void carry(double dt) noexcept = 0;
     /// After it is solved, before the carrier is.
     virtual void pull() noexcept = 0;
+    /// After the step of all parts.
+    virtual void follow() noexcept {}
     /// At construction: both to rest together.
     virtual void settle(double dt) = 0;
 };

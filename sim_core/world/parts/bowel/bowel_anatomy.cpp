@@ -7,19 +7,6 @@
 namespace fulcrum {
 namespace {
 
-// Held along the bowel (first column) and along the root (last column).
-MembraneSheet mesentery_sheet(const MesenteryShape& shape) {
-    MembraneSheet sheet;
-    sheet.mesh = shape.mesh;
-    for (int row = 0; row < shape.rows; ++row) {
-        sheet.bowel_vertices.push_back(row * shape.columns);
-        sheet.bowel_arc_lengths.push_back(
-            shape.vertices[static_cast<std::size_t>(row * shape.columns)].arc_length);
-        sheet.wall_vertices.push_back((row + 1) * shape.columns - 1);
-    }
-    return sheet;
-}
-
 // Three ties at the cranial end, as an assistant holds it: to either side and in front, and back to the
 // promontory.
 std::vector<RodTether> cranial_holds(const PresacralSpec& presacral, const SacralCurve& curve,
@@ -62,13 +49,6 @@ BowelAnatomy bowel_anatomy(const Scene& scene) {
     anatomy.length = shape.length;
     anatomy.radius = std::move(shape.radius);
     anatomy.centre_line = std::move(shape.centre_line);
-    if (!scene.membranes.empty()) {
-        const CavityShape cavity = make_cavity(pelvis_parameters(*scene.cavity));
-        BowelShape whole = make_bowel(bowel_parameters(*scene.bowel), cavity);
-        for (const MembraneSpec& spec : scene.membranes)
-            anatomy.membranes.push_back(
-                mesentery_sheet(make_mesentery(whole, cavity, spec.first, spec.last)));
-    }
     anatomy.root_line = std::move(shape.root_line);
     return anatomy;
 }

@@ -8,7 +8,6 @@
 #include "sim_core/geometry/mesh.h"
 #include "sim_core/rod/rod.h"
 #include "sim_core/scene/scene.h"
-#include "sim_core/world/parts/membranes/membrane_part.h"
 
 namespace fulcrum {
 
@@ -19,7 +18,6 @@ struct BowelAnatomy {
     RadiusProfile radius;                  ///< lumen radius by rest arc length
     std::vector<Vector3> centre_line;      ///< in situ, patient frame, first = rectum
     std::vector<Vector3> root_line;        ///< mesenteric root on the wall, first = rectal end
-    std::vector<MembraneSheet> membranes;  ///< one for each of Scene::membranes
     std::vector<RodTether> cranial_holds;  ///< not empty: its cranial end is free but for these
 };
 

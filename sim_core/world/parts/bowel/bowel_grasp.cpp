@@ -32,12 +32,6 @@ std::int32_t BowelPart::nearest_to(const Vector3& jaws, double& least) const noe
     return nearest;
 }
 
-double BowelPart::nearest_membrane(const Vector3& jaws, double least) const noexcept {
-    Vector3 closest;
-    for (const MembranePart& membrane : membranes_) membrane.nearest_triangle(jaws, least, closest);
-    return least;
-}
-
 double BowelPart::offer(int hand, const HeldTool& held) const noexcept {
     const ToolKinematics& tool = held.tool;
     if (!type_of(held.instrument->kind).grasps ||
@@ -47,7 +41,6 @@ double BowelPart::offer(int hand, const HeldTool& held) const noexcept {
     constexpr double reach = Jaws::reach * Jaws::reach;
     double least = reach;
     nearest_to(jaws, least);
-    least = nearest_membrane(jaws, least);
     return least < reach ? std::sqrt(least) : no_offer;
 }
 
@@ -55,7 +48,7 @@ void BowelPart::begin_grasp(int hand, const ToolAction& action) noexcept {
     const Vector3 jaws = action.tool.tip - 0.5 * action.instrument->jaw_length * action.tool.axis;
     double least = Jaws::reach * Jaws::reach;
     const std::int32_t nearest = nearest_to(jaws, least);
-    if (begin_sheet_grasp(hand, action, jaws, least) || nearest < 0) return;
+    if (nearest < 0) return;
     HandGrasp& grasp = grasps_[hand];
     const Vector3 point = skin_vertex(skin_->rows()[static_cast<std::size_t>(nearest)], ring_frames_);
     grasp.state.held = true;
@@ -129,64 +122,13 @@ void BowelPart::keep_hold(const ToolAction* actions) noexcept {
     }
 }
 
-bool BowelPart::begin_sheet_grasp(int hand, const ToolAction& action, const Vector3& jaws,
-                                  double nearest_bowel) noexcept {
-    HandGrasp& grasp = grasps_[hand];
-    double least = nearest_bowel;
-    Vector3 point = Vector3::Zero();
-    std::int32_t triangle = -1;
-    for (std::size_t i = 0; i < membranes_.size(); ++i) {
-        Vector3 closest;
-        const std::int32_t found = membranes_[i].nearest_triangle(jaws, least, closest);
-        if (found < 0) continue;
-        triangle = found;
-        point = closest;
-        grasp.membrane = static_cast<int>(i);
-    }
-    if (triangle < 0) return false;
-    const double wall =
-        Jaws::pinch_share *
-        scene_.tissues[static_cast<std::size_t>(scene_.tissue_index(scene_.bowel->tissue))].stiffness;
-    MembranePart& part = membranes_[static_cast<std::size_t>(grasp.membrane)];
-    part.take(hand, triangle, point, wall);
-    grasp.jaws.clear_points();
-    grasp.jaws.add_point(Vector3(0, 0, -0.5 * action.instrument->jaw_length), jaws, point);
-    grasp.jaws.take();
-    grasp.stiffness = part.grip_stiffness(hand) * Matrix3::Identity();
-    return true;
-}
-
 // Jaws that hold nothing any more.
 void BowelPart::end_grasp(int hand) noexcept {
     HandGrasp& grasp = grasps_[hand];
     grasp.state.slipped = grasp.jaws.slipped();
-    if (grasp.membrane >= 0) {
-        membranes_[static_cast<std::size_t>(grasp.membrane)].let_go(hand);
-        grasp.membrane = -1;
-        return;
-    }
     grasp.state.held = false;
     grasp.state.reaction.setZero();
     grasp.filtered.count = 0;
-}
-
-const Vector3& BowelPart::grasp_reaction(int hand) const noexcept {
-    const HandGrasp& grasp = grasps_[hand];
-    return grasp.membrane < 0 ? grasp.state.reaction
-                              : membranes_[static_cast<std::size_t>(grasp.membrane)].grip(hand).reaction;
-}
-
-void BowelPart::fill_sheet_model(int hand, LocalModel& model) const noexcept {
-    const int index = scene_.tissue_index(scene_.bowel->tissue);
-    const TissueSpec& tissue = scene_.tissues[static_cast<std::size_t>(index)];
-    model.mode = LocalMode::grasp;
-    model.grasp = GraspModel();
-    grasps_[hand].jaws.fill(model.grasp);
-    model.grasp.reaction = grasp_reaction(hand);
-    model.grasp.stiffness = grasps_[hand].stiffness;
-    model.grasp.damping = tissue.damping;
-    model.grasp.friction = tissue.friction;
-    model.grasp.tissue = static_cast<std::int16_t>(index);
 }
 
 void BowelPart::update_grasps(const ToolAction* actions, double dt) noexcept {
@@ -196,7 +138,7 @@ void BowelPart::update_grasps(const ToolAction* actions, double dt) noexcept {
         const ToolAction& action = actions[hand];
         HandGrasp& grasp = grasps_[hand];
         if (action.instrument == nullptr || !type_of(action.instrument->kind).grasps) continue;
-        const JawLoad load{grasp_reaction(hand).norm(), tissue.friction};
+        const JawLoad load{grasp.state.reaction.norm(), tissue.friction};
         switch (grasp.jaws.step(action.tool, action.instrument->jaw_opening, load, dt)) {
             case JawAction::none:
                 continue;
@@ -205,17 +147,12 @@ void BowelPart::update_grasps(const ToolAction* actions, double dt) noexcept {
                 continue;
             case JawAction::close:
                 if (action.takes) begin_grasp(hand, action);
-                // The wall follows the jaws from this step on, a membrane from the next.
                 if (!grasp.state.held) continue;
-                break;
+                break;  // the wall follows the jaws from this step on
             case JawAction::hold:
                 break;
         }
         grasp.jaws.carry(action.tool, dt);
-        if (grasp.membrane >= 0) {
-            membranes_[static_cast<std::size_t>(grasp.membrane)].carry(hand, grasp.jaws.point(0).target);
-            continue;
-        }
         patch_damage_[static_cast<std::size_t>(std::max(0, grasp.state.patch))] +=
             static_cast<float>(action.tool.grip * dt);
     }
@@ -246,7 +183,6 @@ void BowelPart::fill_grasp(int hand, const PatchRequest& request, LocalModel& mo
     Stopwatch watch(measuring_, costs_.patches);
     patches_->build(rings_.data(), request, patch_scratch_, model);
     model.jaws = jaw_felt_[hand];
-    if (grasps_[hand].membrane >= 0) fill_sheet_model(hand, model);
     const HandGrasp& grasp = grasps_[hand];
     if (!grasp.state.held) return;
     model.mode = LocalMode::grasp;
@@ -265,20 +201,9 @@ void BowelPart::fill_grasp(int hand, const PatchRequest& request, LocalModel& mo
 }
 
 GraspState BowelPart::grasp(int hand) const noexcept {
-    const auto tissue = static_cast<std::int8_t>(scene_.tissue_index(scene_.bowel->tissue));
-    const int membrane = grasps_[hand].membrane;
-    GraspState grasp;
-    if (membrane < 0) {
-        grasp = grasps_[hand].state;
-        grasp.body = HeldBody::bowel;
-    } else {
-        const SheetGrip& grip = membranes_[static_cast<std::size_t>(membrane)].grip(hand);
-        grasp.body = HeldBody::membrane;
-        grasp.arc_length = -1;
-        grasp.point = grip.point;
-        grasp.reaction = grip.reaction;
-    }
-    grasp.tissue = tissue;  // a mesentery has no tissue of its own
+    GraspState grasp = grasps_[hand].state;
+    grasp.body = HeldBody::bowel;
+    grasp.tissue = static_cast<std::int8_t>(scene_.tissue_index(scene_.bowel->tissue));
     return grasp;
 }
 
@@ -297,8 +222,6 @@ void BowelPart::size_snapshot(WorldSnapshot& snapshot) const {
         snapshot.tether_arc_lengths.push_back(tether.s);
     }
     if (cut_) cut_->size_snapshot(snapshot);
-    snapshot.membranes.resize(membranes_.size());
-    for (std::size_t i = 0; i < membranes_.size(); ++i) membranes_[i].size_snapshot(snapshot.membranes[i]);
 }
 
 void BowelPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
@@ -311,7 +234,6 @@ void BowelPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
     snapshot.residual_penetration = contacts_.deepest_cavity;
     snapshot.floor_load = report_.contact_sum;
     if (cut_) cut_->fill_snapshot(snapshot);
-    for (std::size_t i = 0; i < membranes_.size(); ++i) membranes_[i].fill_snapshot(snapshot.membranes[i]);
 }
 
 }  // namespace fulcrum

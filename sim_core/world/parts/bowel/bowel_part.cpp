@@ -112,7 +112,7 @@ BowelPart::BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel
     size_lists(scene);
     hang_tethers(scene);
     update_rings(0.0);
-    lay_down();
+    if (scene.membranes.empty()) lay_down([] {});
     if (scene.tissues[static_cast<std::size_t>(scene.tissue_index(spec.tissue))].cutting) make_cut();
 }
 
@@ -135,12 +135,7 @@ void BowelPart::size_lists(const Scene& scene) {
     remembered_lambda_.assign(static_cast<std::size_t>(spheres * planes_remembered), 0.0);
     remembered_normal_.assign(remembered_lambda_.size(), Vector3::Zero());
     inputs_.gravity = scene.bowel->weight * scene.gravity;
-    membranes_.reserve(anatomy_.membranes.size());
     std::size_t hung = 0;
-    for (std::size_t i = 0; i < anatomy_.membranes.size(); ++i) {
-        membranes_.emplace_back(scene, i, anatomy_.membranes[i], *rod_, state_, scene.step_period());
-        hung += membranes_.back().attachments();
-    }
     with_jaws_ = scene.fidelity.tool_contact == ToolContactLevel::jaws;
     touches_.resize(hand_count);
     for (const InstrumentSpec& spec : scene.instruments) {
@@ -186,12 +181,14 @@ void BowelPart::hang_tethers(const Scene& scene) {
     }
 }
 
-void BowelPart::lay_down() {
+void BowelPart::lay_down(const std::function<void()>& meanwhile) {
     const double dt = scene_.step_period();
     const ToolAction nothing[hand_count];
     const int steps = static_cast<int>(settle_time / dt);
     for (int i = 0; i < steps; ++i) {
-        step(nothing, dt);
+        apply(nothing, 0, dt);
+        meanwhile();
+        solve(nothing, 0, dt);
         double fastest = 0;
         for (const Vector3& velocity : state_.velocities) fastest = std::max(fastest, velocity.norm());
         if (i > 100 && fastest < 2e-4) break;
@@ -201,7 +198,11 @@ void BowelPart::lay_down() {
 
 void BowelPart::stop() noexcept {
     Rod::stop(state_);
-    for (MembranePart& membrane : membranes_) membrane.stop();
+}
+
+void BowelPart::make_room_for_loads(std::size_t count) {
+    inputs_.loads.reserve(inputs_.loads.capacity() + count);
+    good_inputs_.loads.reserve(inputs_.loads.capacity());
 }
 
 double BowelPart::weight() const {
@@ -255,12 +256,6 @@ void BowelPart::apply(const ToolAction* actions, std::uint32_t tick, double dt) 
 }
 
 std::uint32_t BowelPart::solve(const ToolAction* actions, std::uint32_t tick, double dt) noexcept {
-    std::uint32_t membrane_outcome = 0;
-    {
-        Stopwatch watch(measuring_, costs_.membranes);
-        for (MembranePart& membrane : membranes_)
-            membrane_outcome = std::max(membrane_outcome, membrane.step(*rod_, state_, dt, inputs_.loads));
-    }
     {
         Stopwatch watch(measuring_, costs_.collision);
         find_contacts();
@@ -269,7 +264,7 @@ std::uint32_t BowelPart::solve(const ToolAction* actions, std::uint32_t tick, do
         Stopwatch watch(measuring_, costs_.rod);
         solve_rod(dt);
     }
-    const std::uint32_t outcome = outcome_of(membrane_outcome);
+    const std::uint32_t outcome = outcome_of();
     remember_forces();
     read_grasps();
     {
@@ -302,19 +297,18 @@ void BowelPart::solve_rod(double dt) noexcept {
     report_ = rod_->step(state_, inputs_, dt, scratch_, full);
 }
 
-std::uint32_t BowelPart::outcome_of(std::uint32_t membrane_outcome) noexcept {
+std::uint32_t BowelPart::outcome_of() noexcept {
     std::uint32_t outcome = 0;
-    if (!report_.finite || !Rod::finite(state_)) {
+    took_back_ = !report_.finite || !Rod::finite(state_);
+    if (took_back_) {
         state_ = good_;
         Rod::stop(state_);
-        for (MembranePart& membrane : membranes_) membrane.take_back();
         outcome = 3;
     } else if (report_.fault == RodFault::frozen) {
         outcome = 2;
     } else if (report_.fault == RodFault::substepped) {
         outcome = 1;
     }
-    outcome = std::max(outcome, membrane_outcome);
     frozen_steps_ = outcome >= 2 ? frozen_steps_ + 1 : 0;
     if (frozen_steps_ > 40) outcome = 4;  // 0.2 s without a solution: report it
     return outcome;

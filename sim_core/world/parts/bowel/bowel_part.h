@@ -3,6 +3,7 @@
 // (docs/THEORY.md 1 to 4). World thread. Nothing allocates after construction.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -24,7 +25,6 @@
 #include "sim_core/world/part/stopwatch.h"
 #include "sim_core/world/parts/bowel/bowel_anatomy.h"
 #include "sim_core/world/parts/bowel/bowel_cut.h"
-#include "sim_core/world/parts/membranes/membrane_part.h"
 
 namespace fulcrum {
 
@@ -46,8 +46,9 @@ SolidContact jaws_in_sphere(const ToolShape& tool, const Vector3& centre, double
 
 class BowelPart : public Part {
   public:
-    /// Builds rod, cage and skin, lays the bowel into the cavity and lets it come to rest. cavity must
-    /// outlive this. Throws InputError where the anatomy cannot carry a cage.
+    /// Builds rod, cage and skin, lays the bowel into the cavity and, without membranes, lets it come to
+    /// rest: with them it does so together with what hangs on it. cavity must outlive this. Throws InputError
+    /// where the anatomy cannot carry a cage.
     BowelPart(const Scene& scene, BowelAnatomy anatomy, const CavityModel* cavity);
 
     void begin_step() noexcept override;
@@ -67,11 +68,17 @@ class BowelPart : public Part {
 
     /// First half of a step of dt seconds that ends with this tick: grasps, and loads of tools and blades.
     void apply(const ToolAction* actions, std::uint32_t tick, double dt) noexcept;
-    /// What else acts on the rod in this step; between the two halves. At most extra_loads.
+    /// Lets it come to rest. `meanwhile`: between the two halves of each step.
+    void lay_down(const std::function<void()>& meanwhile);
+    /// What else acts on the rod in this step; between the two halves. At most extra_loads, and those that
+    /// room was made for.
     void add_load(const RodLoad& load) noexcept {
         if (inputs_.loads.size() < inputs_.loads.capacity()) inputs_.loads.push_back(load);
     }
     static constexpr std::size_t extra_loads = 64;
+    void make_room_for_loads(std::size_t count);
+    /// The last step had no finite solution: it was taken back.
+    bool took_back() const { return took_back_; }
     /// Second half: collision, rod, rings, dents, cuts. Returns StepRecord::outcome.
     std::uint32_t solve(const ToolAction* actions, std::uint32_t tick, double dt) noexcept;
     /// Both halves, with nothing else acting on the rod.
@@ -99,26 +106,23 @@ class BowelPart : public Part {
     const BowelCut* cut() const { return cut_.get(); }
     BowelCut* cut() { return cut_.get(); }
     const RingFrame* ring_frames() const { return ring_frames_.data(); }
-    const std::vector<MembranePart>& membranes() const { return membranes_; }
     double weight() const;  ///< N
     /// N, of a hand's jaws on the bowel in the last step; zero but at the level "jaws" of tool_contact.
     const Vector3& jaw_force(Hand hand) const { return jaw_felt_[static_cast<int>(hand)].force; }
-    std::size_t bytes_rod() const, bytes_collision() const, bytes_surface() const, bytes_membranes() const;
+    std::size_t bytes_rod() const, bytes_collision() const, bytes_surface() const;
 
     /// Wall time of the last step's blocks, microseconds; measured only when asked for.
     struct Costs {
-        double grasps = 0, loads = 0, collision = 0, rod = 0, rings = 0, dents = 0, patches = 0,
-               membranes = 0;
+        double grasps = 0, loads = 0, collision = 0, rod = 0, rings = 0, dents = 0, patches = 0;
     };
     const Costs& costs() const { return costs_; }
 
   private:
     struct HandGrasp {
         Jaws jaws;
-        int membrane = -1;                    ///< that they hold, -1: the wall, or nothing
-        GraspState state;                     ///< of the wall
+        GraspState state;
         FilteredForce filtered;               ///< shares of a pull at the grasp
-        Matrix3 stiffness = Matrix3::Zero();  ///< N/m, rod seen at the wall point, or membrane
+        Matrix3 stiffness = Matrix3::Zero();  ///< N/m, rod seen at the wall point
         std::int32_t vertex = -1;
     };
     /// A hand's instrument against the surface as the world has it: the tick's own law, at the end of the
@@ -131,24 +135,18 @@ class BowelPart : public Part {
         ToolContactScratch scratch;
         ToolContactResult result;
     };
-    void lay_down();
     void remember_forces() noexcept;
     void read_grasps() noexcept;
-    std::uint32_t outcome_of(std::uint32_t membrane_outcome) noexcept;
+    std::uint32_t outcome_of() noexcept;
     void solve_rod(double dt) noexcept;
     void touch_tools(const StepInput& input) noexcept;
     void size_lists(const Scene& scene);
     void hang_tethers(const Scene& scene);
-    double nearest_membrane(const Vector3& jaws, double least) const noexcept;
     void fill_grasp(int hand, const PatchRequest& request, LocalModel& model) noexcept;
     void update_grasps(const ToolAction* actions, double dt) noexcept;
     std::int32_t nearest_to(const Vector3& jaws, double& least) const noexcept;
     void begin_grasp(int hand, const ToolAction& action) noexcept;
-    bool begin_sheet_grasp(int hand, const ToolAction& action, const Vector3& jaws,
-                           double nearest_bowel) noexcept;
     void end_grasp(int hand) noexcept;
-    const Vector3& grasp_reaction(int hand) const noexcept;
-    void fill_sheet_model(int hand, LocalModel& model) const noexcept;
     void gather_loads(const ToolAction* actions, double dt) noexcept;
     void press_jaws(const ToolAction* actions) noexcept;
     void press_blades(const ToolAction* actions, std::uint32_t tick, double dt) noexcept;
@@ -167,7 +165,6 @@ class BowelPart : public Part {
     std::unique_ptr<BowelSkin> skin_;
     std::unique_ptr<SphereCollision> collision_;
     std::unique_ptr<PatchBuilder> patches_;
-    std::vector<MembranePart> membranes_;
     std::unique_ptr<WideSkin> wide_skin_;   ///< with a scope beyond local
     std::unique_ptr<LayeredWall> wall_;     ///< with layers
     std::unique_ptr<LuminalVolume> lumen_;  ///< with contents
@@ -202,6 +199,7 @@ class BowelPart : public Part {
     std::vector<double> remembered_lambda_;  ///< last contact forces, by sphere and plane
     std::vector<Vector3> remembered_normal_;
     std::uint32_t frozen_steps_ = 0;
+    bool took_back_ = false;  // scratch
     bool measuring_ = false;
     Costs costs_;
 };

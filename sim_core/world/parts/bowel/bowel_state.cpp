@@ -24,7 +24,6 @@ void BowelPart::list_state(StateList& list) {
     for (std::vector<Vector3>& pushes : jaw_pushes_) list.hashed(pushes);  // empty but at the level "jaws"
     list.kept(jaw_felt_).kept(applied_push_);
     list.hashed(patch_damage_);
-    for (MembranePart& membrane : membranes_) membrane.list_state(list);
     if (cut_) cut_->list_state(list);
     if (lumen_) list.kept(*lumen_);
     // The next step's loads meet the stiffness of the last factor, which is in the rod's scratch.
@@ -41,16 +40,10 @@ void BowelPart::add_costs(double /*us*/, std::vector<PartCost>& costs) const {
     costs.push_back({"cage_and_surface", costs_.rings + costs_.dents, bytes_surface()});
     if (scene_.tethers)
         costs.push_back({"tethers", 0, sizeof(RodTether) * static_cast<std::size_t>(scene_.tethers->count)});
-    if (!membranes_.empty()) costs.push_back({"membranes", costs_.membranes, bytes_membranes()});
 }
 
 std::size_t BowelPart::bytes_rod() const {
     return rod_->bytes() + scratch_.bytes();
-}
-std::size_t BowelPart::bytes_membranes() const {
-    std::size_t bytes = 0;
-    for (const MembranePart& membrane : membranes_) bytes += membrane.bytes();
-    return bytes;
 }
 std::size_t BowelPart::bytes_collision() const {
     return collision_->bytes();

@@ -2,16 +2,12 @@
 #include "sim_core/world/parts/membranes/membrane_part.h"
 
 #include <algorithm>
-#include <string>
 
 #include "sim_core/geometry/closest_point.h"
-#include "sim_core/numerics/input_error.h"
 #include "sim_core/world/part/sheet_material.h"
 
 namespace fulcrum {
 namespace {
-
-constexpr double most_coupling = 0.5;  // solved in turn, the pair is stable below 4/3
 
 std::vector<std::int32_t> held(const MembraneSheet& sheet) {
     std::vector<std::int32_t> vertices = sheet.bowel_vertices;
@@ -49,82 +45,40 @@ std::uint32_t outcome_of(MembraneFault fault) {
 
 }  // namespace
 
-MembranePart::MembranePart(const Scene& scene, std::size_t index, const MembraneSheet& sheet, const Rod& rod,
-                           const RodState& rest, double dt)
+MembranePart::MembranePart(const Scene& scene, std::size_t index, const MembraneSheet& sheet, double dt)
     : membrane_(sheet.mesh, sheet_material(scene.membranes[index], sheet.mesh), held(sheet)),
       state_(membrane_.make_state()),
       good_(state_),
       scratch_(membrane_.make_scratch(dt)),
-      solve_(solve_of(scene.fidelity)) {
+      solve_(solve_of(scene.fidelity)),
+      attachments_(sheet.bowel_vertices.size()) {
     inputs_.gravity = scene.membranes[index].weight * scene.gravity;
     inputs_.holds.reserve(3 * hand_count);
     inputs_.reactions.resize(membrane_.attached().size(), Vector3::Zero());
     for (const std::int32_t v : membrane_.attached())
         inputs_.attachments.push_back(sheet.mesh.vertices[static_cast<std::size_t>(v)]);
-    for (std::size_t k = 0; k < sheet.bowel_vertices.size(); ++k) {
-        // The generator's arc length is the polyline's, the rod's its own: shares of the whole agree.
-        arc_lengths_.push_back(std::clamp(sheet.bowel_arc_lengths[k], 0.0, rod.length()));
-        offsets_.push_back(rod.wall_offset(rest, arc_lengths_.back(), inputs_.attachments[k]));
-    }
-    check_coupling(scene, index, rod, dt);
 }
 
-void MembranePart::check_coupling(const Scene& scene, std::size_t index, const Rod& rod, double dt) {
-    if (arc_lengths_.empty()) return;
-    // The edge is moved by a trial step in each direction: the force that this takes beyond the rest's, over
-    // the inertia of the bowel that it hangs on.
-    const double way = 1e-6;  // m
-    const double reach = *std::max_element(arc_lengths_.begin(), arc_lengths_.end()) -
-                         *std::min_element(arc_lengths_.begin(), arc_lengths_.end());
-    const double inertia =
-        std::max(reach, rod.length() / rod.segments()) * rod.spec().linear_density / (dt * dt);
+Vector3 MembranePart::trial_edge_force(int axis, double displacement, double dt) {
     MembraneSolve exact;
     exact.integrator = MembraneIntegrator::implicit;
     exact.tolerance = 1e-6;
-    Vector3 still = Vector3::Zero();
-    for (int axis = -1; axis < 3; ++axis) {
-        MembraneState trial = state_;
-        MembraneInputs inputs = inputs_;
-        if (axis >= 0) {
-            for (std::size_t k = 0; k < arc_lengths_.size(); ++k) inputs.attachments[k][axis] += way;
-        }
-        membrane_.step(trial, inputs, dt, scratch_, exact);
-        Vector3 sum = Vector3::Zero();
-        for (std::size_t k = 0; k < arc_lengths_.size(); ++k) sum += inputs.reactions[k];
-        if (axis < 0) {
-            still = sum;
-        } else {
-            coupling_ = std::max(coupling_, std::abs(sum[axis] - still[axis]) / way / inertia);
-        }
+    MembraneState trial = state_;
+    MembraneInputs inputs = inputs_;
+    if (axis >= 0) {
+        for (std::size_t k = 0; k < attachments_; ++k) inputs.attachments[k][axis] += displacement;
     }
-    if (!(coupling_ <= most_coupling)) {
-        throw InputError(
-            scene.id, "/membranes/" + std::to_string(index),
-            "the membrane is too stiff or heavy for the bowel's mass at this step",
-            "lower its stiffness, stiffness_damping or surface_density, or take fewer ticks_per_step");
-    }
+    membrane_.step(trial, inputs, dt, scratch_, exact);
+    Vector3 sum = Vector3::Zero();
+    for (std::size_t k = 0; k < attachments_; ++k) sum += inputs.reactions[k];
+    return sum;
 }
 
-std::uint32_t MembranePart::step(const Rod& rod, const RodState& state, double dt,
-                                 std::vector<RodLoad>& loads) noexcept {
+std::uint32_t MembranePart::step(double dt) noexcept {
     good_.positions = state_.positions;
-    for (std::size_t k = 0; k < arc_lengths_.size(); ++k) {
-        inputs_.attachments[k] = rod.wall_point(state, arc_lengths_[k], offsets_[k]) +
-                                 dt * rod.wall_velocity(state, arc_lengths_[k], offsets_[k]);
-    }
     fill_holds();
     report_ = membrane_.step(state_, inputs_, dt, scratch_, solve_);
     read_holds();
-    pull_.setZero();
-    for (std::size_t k = 0; k < arc_lengths_.size() && loads.size() < loads.capacity(); ++k) {
-        RodLoad load;
-        load.s = arc_lengths_[k];
-        load.force = -inputs_.reactions[k];
-        const RodFrame frame = rod.frame_at(state, load.s).frame;
-        load.moment = (frame.rotation * offsets_[k]).cross(load.force);
-        pull_ += load.force;
-        loads.push_back(load);
-    }
     return outcome_of(report_.fault);
 }
 
@@ -243,12 +197,11 @@ void MembranePart::list_state(StateList& list) {
         }
     });
     // The solver remembers its matrix, what is held in it, and its last steps.
-    list.kept(scratch_).kept(inputs_).kept(report_).kept(pull_);
+    list.kept(scratch_).kept(inputs_).kept(report_);
 }
 
 std::size_t MembranePart::bytes() const {
-    return membrane_.bytes() + scratch_.bytes() + 4 * state_.positions.capacity() * sizeof(Vector3) +
-           offsets_.capacity() * (sizeof(Vector3) + sizeof(double));
+    return membrane_.bytes() + scratch_.bytes() + 4 * state_.positions.capacity() * sizeof(Vector3);
 }
 
 }  // namespace fulcrum

@@ -8,6 +8,7 @@
 
 #include "sim_core/anatomy/scene_anatomy.h"
 #include "sim_core/world/parts/bowel/bowel_anatomy.h"
+#include "sim_core/world/parts/membranes/membrane_layout.h"
 #include "sim_core/world/world.h"
 #include "ui/theatre/renderer/offscreen.h"
 
@@ -46,10 +47,10 @@ TEST(SceneAssembler, DrawsTheMesenteryAtThePositionOfTheMembrane) {
     const Scene scene = load_scene(scenes + "b1_mesentery.json");
     // The bowel without membranes.
     WorldSnapshot snapshot = World(load_scene(scenes + "b1_bowel.json"), 1).snapshot();
-    const BowelAnatomy anatomy = bowel_anatomy(scene);
-    ASSERT_EQ(anatomy.membranes.size(), 1U);
+    const std::vector<MembraneSheet> sheets = lay_out_membranes(scene);
+    ASSERT_EQ(sheets.size(), 1U);
     snapshot.membranes.resize(1);
-    snapshot.membranes[0].positions = anatomy.membranes[0].mesh.vertices;
+    snapshot.membranes[0].positions = sheets[0].mesh.vertices;
     SceneAssembler assembler(scene, snapshot);
     for (Vector3& p : snapshot.membranes[0].positions) p.z() += 0.02;
     const SceneFrame& frame = assembler.assemble(snapshot);

@@ -9,8 +9,10 @@
 #include "sim_core/haptics/loop.h"
 #include "sim_core/lab/membrane_reference.h"
 #include "sim_core/numerics/input_error.h"
+#include "sim_core/world/couplings/membranes_on_bowel.h"
 #include "sim_core/world/parts/bowel/bowel_anatomy.h"
 #include "sim_core/world/parts/bowel/bowel_part.h"
+#include "sim_core/world/parts/membranes/membranes_part.h"
 #include "sim_core/world/world.h"
 #include "tests/support/support.h"
 
@@ -28,6 +30,7 @@ struct Pair {
     RodInputs inputs;
     MembraneSheet sheet;
     std::unique_ptr<MembranePart> part;
+    std::unique_ptr<MembraneEdge> edge;
 
     static RodSpec rod_spec(RodEnd end) {
         RodSpec spec;
@@ -57,11 +60,18 @@ struct Pair {
         inputs.ends[0] = state.ends[0];
         inputs.ends[1] = state.ends[1];
         inputs.loads.reserve(64);
-        part = std::make_unique<MembranePart>(scene, 0, sheet, rod, state, dt);
+        part = std::make_unique<MembranePart>(scene, 0, sheet, dt);
+        edge = std::make_unique<MembraneEdge>(scene, 0, *part, sheet, rod, state, dt);
+    }
+    std::uint32_t step_sheet() {
+        edge->carry(rod, state, dt);
+        const std::uint32_t outcome = part->step(dt);
+        edge->sum_pulls(rod, state);
+        inputs.loads = edge->pulls();
+        return outcome;
     }
     std::uint32_t step() {
-        inputs.loads.clear();
-        const std::uint32_t outcome = part->step(rod, state, dt, inputs.loads);
+        const std::uint32_t outcome = step_sheet();
         rod.step(state, inputs, dt, scratch);
         return outcome;
     }
@@ -89,10 +99,10 @@ TEST(MembranePart, RodAndSheetExchangeEqualAndOppositeMomentum) {
     for (int i = 0; i < 100; ++i) {
         const Vector3 rod_before = pair.rod_momentum(), sheet_before = pair.sheet_momentum();
         ASSERT_EQ(pair.step(), 0U);
-        const Vector3 impulse = dt * pair.part->pull();
+        const Vector3 impulse = dt * pair.edge->pull();
         Vector3 support = Vector3::Zero();
         for (const Vector3& r : pair.part->inputs().reactions) support += r;
-        EXPECT_LT((support + pair.part->pull()).norm(), 1e-12) << "exactly the same force";
+        EXPECT_LT((support + pair.edge->pull()).norm(), 1e-12) << "exactly the same force";
         EXPECT_LT((pair.sheet_momentum() - sheet_before + impulse).norm(), 1e-9);
         EXPECT_LT((pair.rod_momentum() - rod_before - impulse).norm(), 1e-8);
         given += impulse;
@@ -104,7 +114,7 @@ TEST(MembranePart, RodAndSheetExchangeEqualAndOppositeMomentum) {
 TEST(MembranePart, PullingTheMesenteryBendsTheRod) {
     Pair pair(RodEnd::clamped, true, Pair::mesentery());
     for (int i = 0; i < 20; ++i) pair.step();
-    EXPECT_LT(pair.part->pull().norm(), 1e-9) << "no force at rest";
+    EXPECT_LT(pair.edge->pull().norm(), 1e-9) << "no force at rest";
     const Vector3 before = pair.rod.wall_point(pair.state, 0.15, Vector3::Zero());
     // The bowel bends towards a root that retracts: the sheet shortens as if shrunk by a quarter.
     MembraneSpec tight = Pair::mesentery();
@@ -113,13 +123,12 @@ TEST(MembranePart, PullingTheMesenteryBendsTheRod) {
     for (int i = 0; i < 600; ++i) ASSERT_EQ(pulled.step(), 0U);
     const Vector3 after = pulled.rod.wall_point(pulled.state, 0.15, Vector3::Zero());
     EXPECT_GT(after.y() - before.y(), 0.003);
-    EXPECT_GT(pulled.part->pull().y(), 0.02);
+    EXPECT_GT(pulled.edge->pull().y(), 0.02);
     // In equilibrium the rod's ends carry the pull of the sheet.
-    pulled.inputs.loads.clear();
-    pulled.part->step(pulled.rod, pulled.state, dt, pulled.inputs.loads);
+    pulled.step_sheet();
     const RodReport report = pulled.rod.step(pulled.state, pulled.inputs, dt, pulled.scratch);
     const Vector3 ends = report.end_force[0] + report.end_force[1];
-    EXPECT_LT((ends + pulled.part->pull()).norm(), 0.03 * pulled.part->pull().norm());
+    EXPECT_LT((ends + pulled.edge->pull()).norm(), 0.03 * pulled.edge->pull().norm());
 }
 
 TEST(MembranePart, GraspedSheetPullsOnRodAndJaws) {
@@ -138,7 +147,7 @@ TEST(MembranePart, GraspedSheetPullsOnRodAndJaws) {
         point += Vector3(0, 1e-4, 1e-4);
         pair.part->carry(0, point);
         ASSERT_EQ(pair.step(), 0U);
-        const Vector3 jaws = dt * pair.part->grip(0).reaction, passed_on = dt * pair.part->pull();
+        const Vector3 jaws = dt * pair.part->grip(0).reaction, passed_on = dt * pair.edge->pull();
         EXPECT_LT((pair.sheet_momentum() - sheet_before - jaws + passed_on).norm(), 1e-9);
         EXPECT_LT((pair.rod_momentum() - rod_before - passed_on).norm(), 1e-8);
         size += jaws.norm();
@@ -168,23 +177,23 @@ TEST(MembranePart, PullingTheHeldMesenteryBendsTheRod) {
     const Vector3 bent = pair.rod.wall_point(pair.state, 0.15, Vector3::Zero()) - before;
     EXPECT_GT(bent.z(), 0.001) << "the rod follows the jaws";
     // At rest the jaws' force is carried by the root and, through the sheet, by the rod's ends.
-    pair.inputs.loads.clear();
-    pair.part->step(pair.rod, pair.state, dt, pair.inputs.loads);
+    pair.step_sheet();
     const RodReport report = pair.rod.step(pair.state, pair.inputs, dt, pair.scratch);
     const Vector3 jaws = pair.part->grip(0).reaction;
     Vector3 supports = Vector3::Zero();
     for (const Vector3& r : pair.part->inputs().reactions) supports += r;
     EXPECT_GT(jaws.z(), 0.05);
     EXPECT_LT((jaws + supports).norm(), 0.01 * jaws.norm());
-    EXPECT_LT((report.end_force[0] + report.end_force[1] + pair.part->pull()).norm(),
-              0.03 * pair.part->pull().norm());
+    EXPECT_LT((report.end_force[0] + report.end_force[1] + pair.edge->pull()).norm(),
+              0.03 * pair.edge->pull().norm());
 }
 
 TEST(MembranePart, GraspedSheetInTheWorldPullsOnTheJawsAndBendsTheBowel) {
     Scene scene = load_scene(test::source_path("assets/scenes/b1_mesentery.json"));
     scene.fidelity.membrane_iterations = 12;  // momentum is closed but for the solve's residual
     World world(scene, 1);
-    const MembranePart& part = world.find<BowelPart>()->membranes()[0];
+    const MembranePart& part = world.find<MembranesPart>()->membranes()[0];
+    const MembraneEdge& edge = world.find<MembranesOnBowel>()->edges()[0];
     const Membrane& membrane = part.membrane();
     // The free vertex farthest from the sheet's held edges and from the bowel.
     std::int32_t chosen = -1;
@@ -231,10 +240,10 @@ TEST(MembranePart, GraspedSheetInTheWorldPullsOnTheJawsAndBendsTheBowel) {
             const Vector3 weight = membrane.material().mass * part.inputs().gravity;
             const Vector3 forces = supports + part.grip(0).reaction + drag + weight;
             unexplained += (after - before - dt * forces).norm();
-            exchanged += dt * (part.pull().norm() + part.grip(0).reaction.norm());
-            Vector3 edge = Vector3::Zero();
-            for (std::size_t k = 0; k < part.attachments(); ++k) edge += part.inputs().reactions[k];
-            EXPECT_LT((edge + part.pull()).norm(), 1e-12);
+            exchanged += dt * (edge.pull().norm() + part.grip(0).reaction.norm());
+            Vector3 held = Vector3::Zero();
+            for (std::size_t k = 0; k < part.attachments(); ++k) held += part.inputs().reactions[k];
+            EXPECT_LT((held + edge.pull()).norm(), 1e-12);
         }
     };
     step(4, Vector3::Zero());
@@ -278,7 +287,7 @@ TEST(MembranePart, GraspedSheetInTheWorldPullsOnTheJawsAndBendsTheBowel) {
 
 TEST(MembranePart, RefusesMembranesTooHeavyForTheRod) {
     MembraneSpec stiff = Pair::mesentery();
-    EXPECT_LT(Pair(RodEnd::clamped, true, stiff).part->coupling(), 0.5);
+    EXPECT_LT(Pair(RodEnd::clamped, true, stiff).edge->coupling(), 0.5);
     stiff.structural_stiffness = 10000;
     stiff.shear_stiffness = 10000;
     EXPECT_THROW(Pair(RodEnd::clamped, true, stiff), InputError);
@@ -289,7 +298,8 @@ TEST(MembranePart, EveryIntegratorRunsTheScene) {
         Scene scene = load_scene(test::source_path("assets/scenes/b1_mesentery.json"));
         scene.fidelity.membrane = integrator;
         const BowelAnatomy anatomy = bowel_anatomy(scene);
-        ASSERT_EQ(anatomy.membranes.size(), 1U);
+        const std::vector<MembraneSheet> sheets = lay_out_membranes(scene);
+        ASSERT_EQ(sheets.size(), 1U);
         RodSpec spec;
         spec.ends[0] = spec.ends[1] = RodEnd::clamped;
         spec.segments = static_cast<int>(anatomy.centre_line.size()) - 1;
@@ -300,16 +310,18 @@ TEST(MembranePart, EveryIntegratorRunsTheScene) {
         RodInputs inputs;
         inputs.ends[0] = state.ends[0];
         inputs.ends[1] = state.ends[1];
-        inputs.loads.reserve(anatomy.membranes[0].bowel_vertices.size());
-        MembranePart part(scene, 0, anatomy.membranes[0], rod, state, dt);
+        MembranePart part(scene, 0, sheets[0], dt);
+        MembraneEdge edge(scene, 0, part, sheets[0], rod, state, dt);
         inputs.gravity = scene.gravity;
         for (int i = 0; i < 2; ++i) {
-            inputs.loads.clear();
-            EXPECT_EQ(part.step(rod, state, dt, inputs.loads), 0U) << name;
+            edge.carry(rod, state, dt);
+            EXPECT_EQ(part.step(dt), 0U) << name;
+            edge.sum_pulls(rod, state);
+            inputs.loads = edge.pulls();
             rod.step(state, inputs, dt, scratch);
         }
         EXPECT_TRUE(Membrane::finite(part.state()));
-        EXPECT_GT(part.pull().norm(), 1e-4) << name << ": the sagging bowel must load it";
+        EXPECT_GT(edge.pull().norm(), 1e-4) << name << ": the sagging bowel must load it";
     }
 }
 
@@ -318,7 +330,7 @@ TEST(MembranePart, TheSnapshotShowsTheSheetOnTheBowel) {
     const World world(scene, 1);
     ASSERT_EQ(world.snapshot().membranes.size(), 1U);
     const MembraneView& view = world.snapshot().membranes[0];
-    const MembranePart& part = world.find<BowelPart>()->membranes()[0];
+    const MembranePart& part = world.find<MembranesPart>()->membranes()[0];
     EXPECT_EQ(view.positions.size(), part.membrane().masses().size());
     EXPECT_EQ(view.triangles, part.membrane().triangles());
     // The edge is on the bowel's wall: at the distance from the centre line given by the anatomy.
