@@ -6,6 +6,7 @@
 
 #include "app/cli/commands.h"
 #include "app/live/interrupted.h"
+#include "assessment/metrics/statement_words.h"
 #include "database/records/people.h"
 #include "database/scoring/rescoring.h"
 #include "database/store/audit.h"
@@ -147,7 +148,7 @@ nlohmann::json json_of(const RecomputedScore& one) {
             {"because", one.why},
             {"passed_in_force", or_null(one.passed_in_force)},
             {"passed", or_null(one.passed)},
-            {"not_scored_because", or_null(one.not_scored_because)},
+            {"not_scored_because", or_null(words_of(one.not_scored_because))},
             {"problem", or_null(one.problem)}};
 }
 
@@ -192,10 +193,10 @@ int score(const Arguments& arguments) {
                         {"task", one.task_id},
                         {"duration_s", one.duration_s},
                         {"passed", or_null(one.passed)},
-                        {"because", or_null(one.why)}});
+                        {"because", or_null(words_of(one.why))}});
         if (!arguments.has("--json"))
             std::cout << one.attempt_id << ' ' << one.task_id << ": " << verdict(one.passed) << " ("
-                      << one.why << ")\n";
+                      << words_of(one.why) << ")\n";
     }
     if (arguments.has("--json")) {
         print_json({{"store", store_path(arguments)}, {"scored", rows}});

@@ -10,6 +10,7 @@
 #include "app/live/trace_rig.h"
 #include "assessment/assets/assets.h"
 #include "assessment/metrics/metrics_json.h"
+#include "assessment/metrics/statement_words.h"
 #include "assessment/operators/operator.h"
 #include "database/records/recorder.h"
 #include "sim_core/scene/fidelity.h"
@@ -75,9 +76,11 @@ nlohmann::json to_json(const database::AttemptMeta& meta, const std::string& att
             {"wall_s", result.wall_s},
             {"state", row_of(attempt_states, result.scored.state).name},
             {"passed", or_null(score.passed)},
-            {"not_scored_because", or_null(score.not_scored_because)},
+            {"not_scored_because", or_null(words_of(score.not_scored_because))},
+            {"not_scored_code", statement_json(score.not_scored_because)},
             {"points", or_null(score.points)},
-            {"advice", score.advice},
+            {"advice", words_of(score.advice)},
+            {"advice_code", statement_json(score.advice)},
             {"gates", gates_to_json(score.gates)},
             {"metrics", metrics_to_json(result.scored.metrics)},
             {"critical_errors", critical_errors_to_json(score.critical_errors)},

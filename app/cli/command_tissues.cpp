@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "app/cli/commands.h"
+#include "assessment/metrics/statement_words.h"
 #include "database/records/tissues.h"
 #include "database/scoring/site_tissues.h"
 #include "sim_core/numerics/number_text.h"
@@ -47,8 +48,7 @@ nlohmann::json json_of(const std::string& task, const SiteTissues& site,
     return {{"task", task},
             {"version", site.version},
             {"comparable", site.limits_note.empty()},
-            {"why_not_comparable",
-             site.limits_note.empty() ? nlohmann::json() : nlohmann::json(site.limits_note)},
+            {"why_not_comparable", or_null(words_of(site.limits_note))},
             {"values", values},
             {"history", versions}};
 }
@@ -80,7 +80,7 @@ int run_tissues(const Arguments& arguments) {
                   << one.scene << ", " << one.range << ")  " << one.words << '\n';
     if (site.values.empty()) std::cout << task << " has no tissue with cutting parameters\n";
     std::cout << "version " << site.version << (site.differ ? "" : ", equal to the scene file") << '\n';
-    if (!site.limits_note.empty()) std::cout << "not scored: " << site.limits_note << '\n';
+    if (!site.limits_note.empty()) std::cout << "not scored: " << words_of(site.limits_note) << '\n';
     return 0;
 }
 

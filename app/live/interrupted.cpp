@@ -39,10 +39,10 @@ std::vector<ui::InterruptedScore> score_interrupted(const std::string& store_pat
             one.passed = score.score.passed;
             one.why = score.score.passed ? score.score.advice : score.score.not_scored_because;
         } catch (const InputError& error) {
-            one.why = error.what();
+            one.why = Statement::plain(error.what());
         } catch (const database::StoreError& error) {
             if (error.kind() != database::StoreErrorKind::corrupt) throw;
-            one.why = error.what();
+            one.why = Statement::plain(error.what());
         }
         scored.push_back(std::move(one));
     }

@@ -307,7 +307,7 @@ std::vector<TimeInterval> worst_first(std::vector<ScoredInterval> intervals) {
     return out;
 }
 
-Figure absent(Absence absence, std::string because) {
+Figure absent(Absence absence, Statement because) {
     Figure figure;
     figure.absence = absence;
     figure.because = std::move(because);

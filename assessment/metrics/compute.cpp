@@ -16,51 +16,47 @@ namespace {
 
 constexpr double lost_limit_s = 0.1;  // the length of a gap that splits a trace
 
-/// "column left.py is missing", or nothing.
-std::string missing_column(const Trace& trace, int h, Channel channel) {
+/// Which columns are missing, or nothing.
+Statement missing_column(const Trace& trace, int h, Channel channel) {
     const HandTrace& hand = trace.hand[static_cast<std::size_t>(h)];
     if (hand.has(channel)) return {};
     const std::string prefix = std::string(hand_name(static_cast<Hand>(h))) + ".";
     std::istringstream columns(channel_columns(channel));
     std::string names, column;
     while (columns >> column) names += (names.empty() ? "" : ", ") + prefix + column;
-    return "not recorded: " + names;
+    return {StatementId::not_recorded, {{"channels", names}}};
 }
 
-std::string missing_channels(const Analysis& analysis, const MetricDescriptor& d, int h) {
+Statement missing_channels(const Analysis& analysis, const MetricDescriptor& d, int h) {
     for (const Channel channel : d.channels) {
-        std::string missing = missing_column(analysis.trace(), h, channel);
+        Statement missing = missing_column(analysis.trace(), h, channel);
         if (!missing.empty()) return missing;
     }
     return {};
 }
 
 /// The reason why a row cannot be measured, independent of the trainee; empty if it can.
-std::string not_measurable(const Analysis& analysis, const MetricDescriptor& d, const Selection& row) {
+Statement not_measurable(const Analysis& analysis, const MetricDescriptor& d, const Selection& row) {
     const Trace& trace = analysis.trace();
-    if (d.needs_events && !analysis.context().events_recorded) return "the record carries no events";
+    if (d.needs_events && !analysis.context().events_recorded) return StatementId::no_events;
     if (row.hand >= 0) {
-        std::string missing = missing_channels(analysis, d, row.hand);
+        Statement missing = missing_channels(analysis, d, row.hand);
         if (!missing.empty()) return missing;
         if (row.tissue >= 0 && !d.channels.empty())
             missing = missing_column(trace, row.hand, Channel::tissue);
         if (!missing.empty()) return missing;
     } else if (!d.channels.empty()) {
-        const std::string left = missing_channels(analysis, d, 0), right = missing_channels(analysis, d, 1);
+        const Statement left = missing_channels(analysis, d, 0), right = missing_channels(analysis, d, 1);
         if (d.hands == Hands::both && !(left.empty() && right.empty())) return left.empty() ? right : left;
         if (d.hands == Hands::either && !left.empty() && !right.empty()) return left;
     }
     if (d.channels.empty()) return {};
-    if (analysis.grids().empty()) return "fewer than two samples follow each other";
+    if (analysis.grids().empty()) return StatementId::few_samples;
     // A mean rate computed from rounded times may be slightly below a round value.
-    if (analysis.mean_rate() < d.minimum_rate * 0.999) {
-        std::ostringstream reason;
-        reason << "the mean rate of " << std::round(analysis.mean_rate() * 10) / 10 << " Hz is below "
-               << d.minimum_rate << " Hz";
-        return reason.str();
-    }
+    if (analysis.mean_rate() < d.minimum_rate * 0.999)
+        return {StatementId::low_rate, {{"rate_hz", analysis.mean_rate()}, {"least_hz", d.minimum_rate}}};
     if (static_cast<double>(trace.samples_lost) * trace.tick_period > lost_limit_s)
-        return std::to_string(trace.samples_lost) + " samples were lost";
+        return {StatementId::samples_lost, {{"count", static_cast<double>(trace.samples_lost)}}};
     return {};
 }
 
@@ -96,11 +92,11 @@ class Rows {
 
     void add_row(const Metric& metric, const Selection& row) {
         const MetricDescriptor& d = metric.descriptor;
-        const std::string reason = not_measurable(analysis_, d, row);
+        const Statement reason = not_measurable(analysis_, d, row);
         Figure figure =
             reason.empty() ? metric.compute(analysis_, row) : absent(Absence::not_measured, reason);
         if (figure.value && !std::isfinite(*figure.value))
-            figure = absent(Absence::not_measured, "the record's numbers are too large for it");
+            figure = absent(Absence::not_measured, StatementId::numbers_too_large);
         MetricResult result;
         result.id = d.id;
         result.version = d.version;

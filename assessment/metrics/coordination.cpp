@@ -16,7 +16,7 @@ Figure handed(const Analysis& analysis, const Selection&) {
     for (int h = 0; h < hand_count; ++h)
         for (const MotionBlock& block : analysis.hand(h).motion) path[h] += path_length(block.position);
     const double sum = path[0] + path[1];
-    if (!(sum > 0)) return absent(Absence::not_done, "no instrument moved");
+    if (!(sum > 0)) return absent(Absence::not_done, StatementId::all_still);
     Figure figure;
     figure.value = 100.0 * std::abs(path[0] / sum - 0.5);
     return figure;
@@ -36,8 +36,7 @@ Figure correlation(const Analysis& analysis, bool angular) {
         }
     }
     const double r = pearson(left, right);
-    if (std::isnan(r))
-        return absent(Absence::not_done, "one of the instruments did not move while both were inside");
+    if (std::isnan(r)) return absent(Absence::not_done, StatementId::one_hand_still);
     Figure figure;
     figure.value = r;
     return figure;
@@ -66,7 +65,7 @@ Figure simul(const Analysis& analysis, const Selection&) {
             runs.push_back({static_cast<double>(run.size()), l.interval(run)});
         }
     }
-    if (active == 0) return absent(Absence::not_done, "no instrument was inside the body");
+    if (active == 0) return absent(Absence::not_done, StatementId::nobody_inside);
     Figure figure;
     figure.value = 100.0 * static_cast<double>(both) / static_cast<double>(active);
     figure.evidence = worst_first(std::move(runs));
@@ -87,32 +86,49 @@ std::vector<Metric> coordination_metrics() {
         metrics.push_back({std::move(d), compute});
     };
     MetricDescriptor d = describe(
-        {"handed", "Handedness", "%", 0.1}, D::lower, Scale::raw, A::share, E::moderate, "Hofstad 2013",
-        {"How unevenly the path is shared between the hands: 0 is half each, 50 is one hand alone.",
-         "one hand did most of the travelling: {value} from an even share, above the limit of {limit}",
-         "pass work to the other hand on its own side"});
+        {"handed", QT_TRANSLATE_NOOP("fulcrum::metrics", "Handedness"), "%", 0.1}, D::lower, Scale::raw,
+        A::share, E::moderate, "Hofstad 2013",
+        {QT_TRANSLATE_NOOP(
+             "fulcrum::metrics",
+             "How unevenly the path is shared between the hands: 0 is half each, 50 is one hand alone."),
+         QT_TRANSLATE_NOOP(
+             "fulcrum::metrics",
+             "one hand did most of the travelling: {value} from an even share, above the limit of {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "pass work to the other hand on its own side")});
     d.channels = {Channel::position};
     d.dependencies = {"path_len"};
     add(d, handed);
-    d = describe({"bimanual_r", "Bimanual coordination", "-", 0.01}, D::higher, Scale::raw, A::ratio,
-                 E::strong, "Hofstad 2013, Pearson r of tip speeds",
-                 {"How much the two tips sped up and slowed down together (correlation of speeds).",
-                  "the hands moved one after the other: coordination {value}, below the required {limit}",
-                  "start the second hand's move before the first hand's ends"});
+    d = describe(
+        {"bimanual_r", QT_TRANSLATE_NOOP("fulcrum::metrics", "Bimanual coordination"), "-", 0.01}, D::higher,
+        Scale::raw, A::ratio, E::strong, "Hofstad 2013, Pearson r of tip speeds",
+        {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "How much the two tips sped up and slowed down together (correlation of speeds)."),
+         QT_TRANSLATE_NOOP(
+             "fulcrum::metrics",
+             "the hands moved one after the other: coordination {value}, below the required {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "start the second hand's move before the first hand's ends")});
     d.channels = {Channel::position};
     add(d, bimanual_r);
-    d = describe({"bimanual_r_ang", "Bimanual coordination, angular", "-", 0.01}, D::higher, Scale::raw,
-                 A::ratio, E::moderate, "Hofstad 2013, Pearson r of shaft angular speeds",
-                 {"How much the two shafts turned together (correlation of angular speeds).",
-                  "the shafts turned one after the other: coordination {value}, below the required {limit}",
-                  "move both instruments towards the working point together"});
+    d = describe(
+        {"bimanual_r_ang", QT_TRANSLATE_NOOP("fulcrum::metrics", "Bimanual coordination, angular"), "-",
+         0.01},
+        D::higher, Scale::raw, A::ratio, E::moderate, "Hofstad 2013, Pearson r of shaft angular speeds",
+        {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "How much the two shafts turned together (correlation of angular speeds)."),
+         QT_TRANSLATE_NOOP(
+             "fulcrum::metrics",
+             "the shafts turned one after the other: coordination {value}, below the required {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "move both instruments towards the working point together")});
     d.channels = {Channel::position, Channel::axis};
     add(d, bimanual_r_ang);
-    d = describe({"simul", "Simultaneous movement", "%", 1}, D::higher, Scale::raw, A::share, E::moderate,
-                 "share of time with both tips above 10 mm/s",
-                 {"Share of the time in which both tips were moving.",
-                  "both hands moved together for only {value} of the time, below the required {limit}",
-                  "let the left hand prepare while the right hand works"});
+    d = describe(
+        {"simul", QT_TRANSLATE_NOOP("fulcrum::metrics", "Simultaneous movement"), "%", 1}, D::higher,
+        Scale::raw, A::share, E::moderate, "share of time with both tips above 10 mm/s",
+        {QT_TRANSLATE_NOOP("fulcrum::metrics", "Share of the time in which both tips were moving."),
+         QT_TRANSLATE_NOOP(
+             "fulcrum::metrics",
+             "both hands moved together for only {value} of the time, below the required {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "let the left hand prepare while the right hand works")});
     d.channels = {Channel::position};
     add(d, simul);
     return metrics;

@@ -24,7 +24,7 @@ struct Cut {
 Cut cut_of(const Analysis& analysis) {
     Cut cut;
     if (!analysis.context().cut) {
-        cut.absence = absent(Absence::not_measured, "the task marks no line to cut along");
+        cut.absence = absent(Absence::not_measured, StatementId::no_marked_line);
         return cut;
     }
     const Trace& trace = analysis.trace();
@@ -33,7 +33,7 @@ Cut cut_of(const Analysis& analysis) {
         return std::any_of(stroke.elements.begin(), stroke.elements.end(),
                            [](const CutElement& element) { return element.length > 0; });
     });
-    if (!any) cut.absence = absent(Absence::not_done, "nothing was cut");
+    if (!any) cut.absence = absent(Absence::not_done, StatementId::nothing_cut);
     return cut;
 }
 
@@ -69,8 +69,7 @@ class TractionShare {
         }
     }
     Figure figure() const {
-        if (!(whole_ > 0))
-            return absent(Absence::not_measured, "the record does not say the traction of the cut");
+        if (!(whole_ > 0)) return absent(Absence::not_measured, StatementId::traction_not_recorded);
         Figure figure;
         figure.value = 100.0 * inside_ / whole_;
         figure.evidence = worst_first(outside_);
@@ -84,7 +83,7 @@ class TractionShare {
 };
 
 Figure no_band() {
-    return absent(Absence::not_measured, "the task names no band of traction");
+    return absent(Absence::not_measured, StatementId::no_traction_band);
 }
 bool has_band(const CutPlan& plan) {
     return plan.traction_high > plan.traction_low;
@@ -231,7 +230,7 @@ Figure area_developed(const Analysis& analysis, const Selection& /*row*/) {
     const Cut cut = cut_of(analysis);
     if (cut.absence) return *cut.absence;
     const CutPlan& plan = *analysis.context().cut;
-    if (!(plan.length > 0)) return absent(Absence::not_measured, "the task's line has no length");
+    if (!(plan.length > 0)) return absent(Absence::not_measured, StatementId::line_without_length);
     Figure figure;
     figure.value = 100.0 * divided_length(cut.strokes, plan.length, plan.corridor) / plan.length;
     for (const CutStroke& stroke : cut.strokes)
@@ -258,62 +257,104 @@ std::vector<Metric> cutting_metrics() {
     };
     const char* const traction_source =
         "events cut_advance, cut_traction; the task's band, provisional: no traction limit is published";
-    add({"traction_eff", "Cutting time under tension", "%", 1}, D::higher, A::share, traction_source,
-        {"Share of the cutting time during which the tissue was held with the right tension: slack tissue "
-         "does not open, tissue held too tightly tears.",
-         "the tension was right for {value} of the cutting time, below the required {limit}",
-         "before every stroke look whether the tissue is taut, and take a new hold when it is not"},
+    add({"traction_eff", QT_TRANSLATE_NOOP("fulcrum::metrics", "Cutting time under tension"), "%", 1},
+        D::higher, A::share, traction_source,
+        {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "Share of the cutting time during which the tissue was held with the right "
+                           "tension: slack tissue "
+                           "does not open, tissue held too tightly tears."),
+         QT_TRANSLATE_NOOP(
+             "fulcrum::metrics",
+             "the tension was right for {value} of the cutting time, below the required {limit}"),
+         QT_TRANSLATE_NOOP(
+             "fulcrum::metrics",
+             "before every stroke look whether the tissue is taut, and take a new hold when it is not")},
         traction_eff);
-    add({"traction_eff_len", "Cut length under tension", "%", 1}, D::higher, A::share, traction_source,
-        {"Share of the length of the cut that was made with the right tension.",
-         "{value} of the cut was made with the right tension, below the required {limit}",
-         "stop cutting when the tissue goes slack, take a new hold, and continue"},
+    add({"traction_eff_len", QT_TRANSLATE_NOOP("fulcrum::metrics", "Cut length under tension"), "%", 1},
+        D::higher, A::share, traction_source,
+        {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "Share of the length of the cut that was made with the right tension."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "{value} of the cut was made with the right tension, below the required {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "stop cutting when the tissue goes slack, take a new hold, and continue")},
         traction_eff_len);
     const char* const line_source = "event cut_advance: position along and distance from the marked line";
-    add({"cut_dev", "Area between line and cut", "mm²", 1}, D::lower, A::total, line_source,
-        {"Area between the marked line and the cut that was made, all strokes together.",
-         "the area between cut and line was {value}, above the limit of {limit}",
-         "make short strokes and look at the line before each"},
+    add({"cut_dev", QT_TRANSLATE_NOOP("fulcrum::metrics", "Area between line and cut"), "mm²", 1}, D::lower,
+        A::total, line_source,
+        {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "Area between the marked line and the cut that was made, all strokes together."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "the area between cut and line was {value}, above the limit of {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "make short strokes and look at the line before each")},
         cut_dev);
-    add({"cut_dev_max", "Largest distance from the line", "mm", 0.1}, D::lower, A::maximum, line_source,
-        {"Largest distance of the cut from the marked line.",
-         "the cut strayed {value} from the line, above the limit of {limit}",
-         "stop the stroke as soon as the blade leaves the line and start again on it"},
+    add({"cut_dev_max", QT_TRANSLATE_NOOP("fulcrum::metrics", "Largest distance from the line"), "mm", 0.1},
+        D::lower, A::maximum, line_source,
+        {QT_TRANSLATE_NOOP("fulcrum::metrics", "Largest distance of the cut from the marked line."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "the cut strayed {value} from the line, above the limit of {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "stop the stroke as soon as the blade leaves the line and start again on it")},
         cut_dev_max);
-    add({"plane_dev", "Typical distance from the plane", "mm", 0.1}, D::lower, A::mean, line_source,
-        {"Distance of the cut from the intended plane, whichever side: half of the cut lies nearer.",
-         "half of the cut lay further than {value} from the plane, above the limit of {limit}",
-         "pull until the plane opens and follow the middle of the stretched fibres"},
+    add({"plane_dev", QT_TRANSLATE_NOOP("fulcrum::metrics", "Typical distance from the plane"), "mm", 0.1},
+        D::lower, A::mean, line_source,
+        {QT_TRANSLATE_NOOP(
+             "fulcrum::metrics",
+             "Distance of the cut from the intended plane, whichever side: half of the cut lies nearer."),
+         QT_TRANSLATE_NOOP(
+             "fulcrum::metrics",
+             "half of the cut lay further than {value} from the plane, above the limit of {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "pull until the plane opens and follow the middle of the stretched fibres")},
         plane_dev);
-    add({"plane_dev_median", "Side of the plane", "mm", 0.1}, D::lower, A::mean, line_source,
-        {"Median of the signed distance of the cut from the intended plane: above 0 too deep, below too "
-         "shallow.",
-         "the cut lay {value} to one side of the plane, above the limit of {limit}",
-         "aim for the middle of the stretched fibres, not for their edge"},
+    add({"plane_dev_median", QT_TRANSLATE_NOOP("fulcrum::metrics", "Side of the plane"), "mm", 0.1}, D::lower,
+        A::mean, line_source,
+        {QT_TRANSLATE_NOOP(
+             "fulcrum::metrics",
+             "Median of the signed distance of the cut from the intended plane: above 0 too deep, below too "
+             "shallow."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "the cut lay {value} to one side of the plane, above the limit of {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "aim for the middle of the stretched fibres, not for their edge")},
         plane_dev_median);
     metrics.back().descriptor.absolute_value = true;
-    add({"plane_dev_p95", "Distance from the plane, 95th percentile", "mm", 0.1}, D::lower, A::mean,
-        line_source,
-        {"Distance from the intended plane that 95 % of the cut keeps.",
-         "a twentieth of the cut lay further than {value} from the plane, above the limit of {limit}",
-         "stop when the plane is no longer clear and restore the tension first"},
+    add({"plane_dev_p95", QT_TRANSLATE_NOOP("fulcrum::metrics", "Distance from the plane, 95th percentile"),
+         "mm", 0.1},
+        D::lower, A::mean, line_source,
+        {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "Distance from the intended plane that 95 % of the cut keeps."),
+         QT_TRANSLATE_NOOP(
+             "fulcrum::metrics",
+             "a twentieth of the cut lay further than {value} from the plane, above the limit of {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "stop when the plane is no longer clear and restore the tension first")},
         plane_dev_p95);
-    add({"plane_deep", "Cut too deep", "%", 1}, D::lower, A::share, line_source,
-        {"Share of the length of the cut that lies deeper than the tolerance allows: towards what must be "
-         "spared.",
-         "{value} of the cut was too deep, above the limit of {limit}",
-         "keep the blade on the side of the flap that you hold"},
+    add({"plane_deep", QT_TRANSLATE_NOOP("fulcrum::metrics", "Cut too deep"), "%", 1}, D::lower, A::share,
+        line_source,
+        {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "Share of the length of the cut that lies deeper than the tolerance allows: "
+                           "towards what must be "
+                           "spared."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "{value} of the cut was too deep, above the limit of {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "keep the blade on the side of the flap that you hold")},
         plane_deep);
-    add({"plane_shallow", "Cut too shallow", "%", 1}, D::lower, A::share, line_source,
-        {"Share of the length of the cut that lies shallower than the tolerance allows: into what is taken "
-         "away.",
-         "{value} of the cut was too shallow, above the limit of {limit}",
-         "follow the plane, not the edge of the flap"},
+    add({"plane_shallow", QT_TRANSLATE_NOOP("fulcrum::metrics", "Cut too shallow"), "%", 1}, D::lower,
+        A::share, line_source,
+        {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "Share of the length of the cut that lies shallower than the tolerance allows: "
+                           "into what is taken "
+                           "away."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "{value} of the cut was too shallow, above the limit of {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "follow the plane, not the edge of the flap")},
         plane_shallow);
-    add({"area_developed", "Line divided", "%", 1}, D::higher, A::share, line_source,
-        {"Share of the marked line that has been divided.",
-         "{value} of the line was divided, below the required {limit}",
-         "go back along the line and divide the bridges that are left"},
+    add({"area_developed", QT_TRANSLATE_NOOP("fulcrum::metrics", "Line divided"), "%", 1}, D::higher,
+        A::share, line_source,
+        {QT_TRANSLATE_NOOP("fulcrum::metrics", "Share of the marked line that has been divided."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "{value} of the line was divided, below the required {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "go back along the line and divide the bridges that are left")},
         area_developed);
     return metrics;
 }

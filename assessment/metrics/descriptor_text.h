@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "assessment/metrics/metric.h"
+#include "sim_core/numerics/name_table.h"
 
 namespace fulcrum {
 
@@ -15,12 +16,12 @@ inline constexpr const char* force_filter =
     "linear to 1 kHz, Butterworth 2nd order forward and backward 50 Hz, ends held 0.3 s";
 inline constexpr const char* no_filter = "none";
 
-/// What a figure is called and how it reads.
+/// What a metric is called and how its value is written.
 struct Naming {
     std::string id, name, unit;
     double precision;
 };
-/// What the trainee is told.
+/// What the trainee reads.
 struct Wording {
     std::string explanation, fault, remedy;
 };

@@ -34,7 +34,7 @@ std::vector<ActivationSpan> activations(const Analysis& analysis, int hand) {
 
 Figure energy_safe(const Analysis& analysis, const Selection& row) {
     const std::vector<ActivationSpan> spans = activations(analysis, row.hand);
-    if (spans.empty()) return absent(Absence::not_done, "energy was never activated");
+    if (spans.empty()) return absent(Absence::not_done, StatementId::no_energy);
     std::vector<ScoredInterval> unsafe;
     int safe = 0;
     for (const ActivationSpan& span : spans) {
@@ -87,8 +87,8 @@ Figure energy_time(const Analysis& analysis, const Selection& row) {
 
 /// The last value reported by the events of a running sum or maximum; 0 without events. The evidence is the
 /// interval with the largest increase.
-Figure last_told(const Analysis& analysis, EventKind kind) {
-    if (analysis.trace().t.empty()) return absent(Absence::not_measured, "nothing was recorded");
+Figure last_reported(const Analysis& analysis, EventKind kind) {
+    if (analysis.trace().t.empty()) return absent(Absence::not_measured, StatementId::nothing_recorded);
     double value = 0, before = 0;
     std::vector<ScoredInterval> rises;
     for (const Event& event : analysis.events()) {
@@ -105,11 +105,11 @@ Figure last_told(const Analysis& analysis, EventKind kind) {
 }
 
 Figure lateral_heat(const Analysis& analysis, const Selection& /*row*/) {
-    return last_told(analysis, EventKind::heat_dose);
+    return last_reported(analysis, EventKind::heat_dose);
 }
 
 Figure bleed_ml(const Analysis& analysis, const Selection& /*row*/) {
-    Figure figure = last_told(analysis, EventKind::blood_loss);
+    Figure figure = last_reported(analysis, EventKind::blood_loss);
     if (!figure.value) return figure;
     // The evidence is the bleedings, the largest loss first.
     struct Open {
@@ -153,32 +153,47 @@ std::vector<Metric> energy_metrics() {
         d.absent_means = AbsentMeans::failed;
         metrics.push_back({std::move(d), compute});
     };
-    add(describe(
-            {"energy_safe", "Safe activations", "%", 1}, D::higher, Scale::raw, A::share, E::expert,
-            "tip in view, on target tissue, at least 2 mm from a named structure, each throughout",
-            {"Share of activations with the tip in view, on the tissue to be divided or sealed, and clear of "
-             "the marked structure from "
-             "beginning to end.",
-             "{value} of the activations were safe, below the required {limit}",
-             "press the pedal only when the blade is in view, closed on the target and clear of the nerve"}),
+    add(describe({"energy_safe", QT_TRANSLATE_NOOP("fulcrum::metrics", "Safe activations"), "%", 1},
+                 D::higher, Scale::raw, A::share, E::expert,
+                 "tip in view, on target tissue, at least 2 mm from a named structure, each throughout",
+                 {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                                    "Share of activations with the tip in view, on the tissue to be divided "
+                                    "or sealed, and clear of "
+                                    "the marked structure from "
+                                    "beginning to end."),
+                  QT_TRANSLATE_NOOP("fulcrum::metrics",
+                                    "{value} of the activations were safe, below the required {limit}"),
+                  QT_TRANSLATE_NOOP("fulcrum::metrics",
+                                    "press the pedal only when the blade is in view, closed on the target "
+                                    "and clear of the nerve")}),
         Hands::either, true, {}, energy_safe);
-    add(describe({"energy_time", "Time with energy on", "s", 0.1}, D::lower, Scale::raw, A::total, E::expert,
-                 "sum of activations",
-                 {"How long energy was on, all activations together.",
-                  "energy was on for {value}, above the limit of {limit}",
-                  "release the pedal as soon as the tissue has parted"}),
-        Hands::each, false, {Channel::energy}, energy_time);
     add(describe(
-            {"lateral_heat", "Thermal spread", "min", 0.1}, D::lower, Scale::raw, A::maximum, E::moderate,
-            "CEM43, Sapareto and Dewey 1984: R 0.5 from 43 degrees C, 0.25 from 39",
-            {"Largest thermal dose (equivalent minutes at 43 degrees) of tissue that was not to be heated.",
-             "non-target tissue received {value}, above the limit of {limit}",
-             "keep the hot blade away from what lies behind, and let it cool before touching"}),
+            {"energy_time", QT_TRANSLATE_NOOP("fulcrum::metrics", "Time with energy on"), "s", 0.1}, D::lower,
+            Scale::raw, A::total, E::expert, "sum of activations",
+            {QT_TRANSLATE_NOOP("fulcrum::metrics", "How long energy was on, all activations together."),
+             QT_TRANSLATE_NOOP("fulcrum::metrics", "energy was on for {value}, above the limit of {limit}"),
+             QT_TRANSLATE_NOOP("fulcrum::metrics", "release the pedal as soon as the tissue has parted")}),
+        Hands::each, false, {Channel::energy}, energy_time);
+    add(describe({"lateral_heat", QT_TRANSLATE_NOOP("fulcrum::metrics", "Thermal spread"), "min", 0.1},
+                 D::lower, Scale::raw, A::maximum, E::moderate,
+                 "CEM43, Sapareto and Dewey 1984: R 0.5 from 43 degrees C, 0.25 from 39",
+                 {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                                    "Largest thermal dose (equivalent minutes at 43 degrees) of tissue that "
+                                    "was not to be heated."),
+                  QT_TRANSLATE_NOOP("fulcrum::metrics",
+                                    "non-target tissue received {value}, above the limit of {limit}"),
+                  QT_TRANSLATE_NOOP(
+                      "fulcrum::metrics",
+                      "keep the hot blade away from what lies behind, and let it cool before touching")}),
         Hands::either, true, {}, lateral_heat);
-    add(describe({"bleed_ml", "Blood lost", "mL", 0.1}, D::lower, Scale::raw, A::total, E::moderate,
-                 "modelled blood loss",
-                 {"Blood lost from all vessels.", "{value} of blood were lost, above the limit of {limit}",
-                  "seal a vessel slowly without traction, and clip a bleeding point before anything else"}),
+    add(describe(
+            {"bleed_ml", QT_TRANSLATE_NOOP("fulcrum::metrics", "Blood lost"), "mL", 0.1}, D::lower,
+            Scale::raw, A::total, E::moderate, "modelled blood loss",
+            {QT_TRANSLATE_NOOP("fulcrum::metrics", "Blood lost from all vessels."),
+             QT_TRANSLATE_NOOP("fulcrum::metrics", "{value} of blood were lost, above the limit of {limit}"),
+             QT_TRANSLATE_NOOP(
+                 "fulcrum::metrics",
+                 "seal a vessel slowly without traction, and clip a bleeding point before anything else")}),
         Hands::either, true, {}, bleed_ml);
     const auto add_count = [&](Naming naming, const char* source, Wording wording,
                                Figure (*compute)(const Analysis&, const Selection&)) {
@@ -186,21 +201,29 @@ std::vector<Metric> energy_metrics() {
                                       std::move(wording));
         add(std::move(d), Hands::each, true, {}, compute);
     };
-    add_count({"vessel_injury", "Vessels injured", "-", 1},
-              "event, critical: torn, or divided before it was closed",
-              {"Number of vessels torn or divided before they were sealed or clipped.",
-               "{value} vessels were torn or divided open, above the limit of {limit}",
-               "clip or seal a vessel before it is divided, and pull less"},
-              counted<EventKind::vessel_injury>);
-    add_count({"nerve_injury", "Nerve injured", "-", 1},
+    add_count(
+        {"vessel_injury", QT_TRANSLATE_NOOP("fulcrum::metrics", "Vessels injured"), "-", 1},
+        "event, critical: torn, or divided before it was closed",
+        {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "Number of vessels torn or divided before they were sealed or clipped."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "{value} vessels were torn or divided open, above the limit of {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "clip or seal a vessel before it is divided, and pull less")},
+        counted<EventKind::vessel_injury>);
+    add_count({"nerve_injury", QT_TRANSLATE_NOOP("fulcrum::metrics", "Nerve injured"), "-", 1},
               "event, critical: thermal dose of the marked nerve above its limit, or a blade through it",
-              {"Number of injuries of the marked nerve, by heat or by a blade.",
-               "the nerve was injured {value} times, above the limit of {limit}",
-               "divide on the side away from the nerve and let the blade cool"},
+              {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                                 "Number of injuries of the marked nerve, by heat or by a blade."),
+               QT_TRANSLATE_NOOP("fulcrum::metrics",
+                                 "the nerve was injured {value} times, above the limit of {limit}"),
+               QT_TRANSLATE_NOOP("fulcrum::metrics",
+                                 "divide on the side away from the nerve and let the blade cool")},
               counted<EventKind::nerve_injury>);
-    add_count({"tear", "Tears", "-", 1}, "event: tissue gave way to traction",
-              {"Number of times tissue tore under traction.",
-               "tissue tore {value} times, above the limit of {limit}", "lift only until the tissue is taut"},
+    add_count({"tear", QT_TRANSLATE_NOOP("fulcrum::metrics", "Tears"), "-", 1},
+              "event: tissue gave way to traction",
+              {QT_TRANSLATE_NOOP("fulcrum::metrics", "Number of times tissue tore under traction."),
+               QT_TRANSLATE_NOOP("fulcrum::metrics", "tissue tore {value} times, above the limit of {limit}"),
+               QT_TRANSLATE_NOOP("fulcrum::metrics", "lift only until the tissue is taut")},
               counted<EventKind::tear>);
     return metrics;
 }

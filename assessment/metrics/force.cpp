@@ -15,11 +15,15 @@ namespace {
 constexpr double step = 1.0 / force_rate;
 constexpr double no_force = 1e-6;  // N: below the record's resolution
 
+/// `any`, or `one` of the row's tissue.
+Statement on_tissue(const Analysis& analysis, const Selection& row, StatementId any, StatementId one) {
+    if (row.tissue < 0) return any;
+    return {one, {{"tissue", analysis.tissues()[static_cast<std::size_t>(row.tissue)]}}};
+}
+
 Figure no_contact(const Analysis& analysis, const Selection& row) {
     return absent(Absence::not_done,
-                  row.tissue < 0
-                      ? "there was no force on tissue"
-                      : "there was no force on " + analysis.tissues()[static_cast<std::size_t>(row.tissue)]);
+                  on_tissue(analysis, row, StatementId::no_force, StatementId::no_force_on));
 }
 
 /// Largest of series(block)[i] over the row's samples, with half a second around it as evidence.
@@ -137,10 +141,8 @@ std::optional<Figure> no_limit(const Analysis& analysis, const Selection& row) {
     const bool known =
         row.tissue < 0 ? analysis.any_force_limit() : analysis.force_limit(row.tissue).has_value();
     if (known) return std::nullopt;
-    return absent(Absence::not_measured, row.tissue < 0
-                                             ? "no force limit is known for any tissue"
-                                             : "no force limit is known for " +
-                                                   analysis.tissues()[static_cast<std::size_t>(row.tissue)]);
+    return absent(Absence::not_measured,
+                  on_tissue(analysis, row, StatementId::no_force_limit, StatementId::no_force_limit_for));
 }
 
 Figure f_peaks(const Analysis& analysis, const Selection& row) {
@@ -181,7 +183,7 @@ Figure f_volume(const Analysis& analysis, const Selection& row) {
         forces.emplace_back(block.force.col(static_cast<Eigen::Index>(i)));
     });
     if (static_cast<double>(forces.size()) < force_rate)
-        return absent(Absence::not_done, "less than 1 s with force on tissue");
+        return absent(Absence::not_done, {StatementId::short_force, {{"least_s", 1.0}}});
     Eigen::Matrix3Xd matrix(3, static_cast<Eigen::Index>(forces.size()));
     for (std::size_t i = 0; i < forces.size(); ++i) matrix.col(static_cast<Eigen::Index>(i)) = forces[i];
     Figure figure;
@@ -238,60 +240,79 @@ std::vector<Metric> force_metrics() {
         d.absent_means = AbsentMeans::failed;
         metrics.push_back({std::move(d), compute});
     };
-    add(describe({"f_max", "Largest force", "N", 0.1}, D::lower, Scale::ln, A::maximum, E::strong,
-                 "Horeman 2012; Trejos 2014",
-                 {"Largest force of the instrument on tissue.",
-                  "the force rose to {value}, above the limit of {limit}",
-                  "approach slowly, and stop pulling when the tissue no longer gives"}),
-        {}, f_max);
-    add(describe({"f_sd", "Force variation", "N", 0.01}, D::lower, Scale::raw, A::deviation, E::moderate,
-                 "Trejos 2014",
-                 {"Standard deviation of the force while in contact.",
-                  "the force varied by {value}, above the limit of {limit}",
-                  "take up tension once and keep it even"}),
-        {Channel::tissue}, f_sd);
-    add(describe({"f_mean_nz", "Mean force in contact", "N", 0.01}, D::lower, Scale::raw, A::mean, E::strong,
-                 "Horeman 2012, mean non-zero force",
-                 {"Mean force over the time in which it was above 0.1 N.",
-                  "the mean force was {value}, above the limit of {limit}",
-                  "hold tissue with the least force that moves it"}),
-        {}, f_mean_nz);
     add(describe(
-            {"impulse", "Force-time product", "N·s", 0.1}, D::lower, Scale::ln, A::total, E::moderate,
-            "Trejos 2014, integral of force",
-            {"Force integrated over time.", "the force-time product was {value}, above the limit of {limit}",
-             "release tissue that need not be held"}),
+            {"f_max", QT_TRANSLATE_NOOP("fulcrum::metrics", "Largest force"), "N", 0.1}, D::lower, Scale::ln,
+            A::maximum, E::strong, "Horeman 2012; Trejos 2014",
+            {QT_TRANSLATE_NOOP("fulcrum::metrics", "Largest force of the instrument on tissue."),
+             QT_TRANSLATE_NOOP("fulcrum::metrics", "the force rose to {value}, above the limit of {limit}"),
+             QT_TRANSLATE_NOOP("fulcrum::metrics",
+                               "approach slowly, and stop pulling when the tissue no longer gives")}),
+        {}, f_max);
+    add(describe(
+            {"f_sd", QT_TRANSLATE_NOOP("fulcrum::metrics", "Force variation"), "N", 0.01}, D::lower,
+            Scale::raw, A::deviation, E::moderate, "Trejos 2014",
+            {QT_TRANSLATE_NOOP("fulcrum::metrics", "Standard deviation of the force while in contact."),
+             QT_TRANSLATE_NOOP("fulcrum::metrics", "the force varied by {value}, above the limit of {limit}"),
+             QT_TRANSLATE_NOOP("fulcrum::metrics", "take up tension once and keep it even")}),
+        {Channel::tissue}, f_sd);
+    add(describe(
+            {"f_mean_nz", QT_TRANSLATE_NOOP("fulcrum::metrics", "Mean force in contact"), "N", 0.01},
+            D::lower, Scale::raw, A::mean, E::strong, "Horeman 2012, mean non-zero force",
+            {QT_TRANSLATE_NOOP("fulcrum::metrics", "Mean force over the time in which it was above 0.1 N."),
+             QT_TRANSLATE_NOOP("fulcrum::metrics", "the mean force was {value}, above the limit of {limit}"),
+             QT_TRANSLATE_NOOP("fulcrum::metrics", "hold tissue with the least force that moves it")}),
+        {}, f_mean_nz);
+    add(describe({"impulse", QT_TRANSLATE_NOOP("fulcrum::metrics", "Force-time product"), "N·s", 0.1},
+                 D::lower, Scale::ln, A::total, E::moderate, "Trejos 2014, integral of force",
+                 {QT_TRANSLATE_NOOP("fulcrum::metrics", "Force integrated over time."),
+                  QT_TRANSLATE_NOOP("fulcrum::metrics",
+                                    "the force-time product was {value}, above the limit of {limit}"),
+                  QT_TRANSLATE_NOOP("fulcrum::metrics", "release tissue that need not be held")}),
         {}, impulse);
-    add(describe({"f_peaks", "Force peaks", "-", 1}, D::lower, Scale::raw, A::count, E::moderate,
+    add(describe({"f_peaks", QT_TRANSLATE_NOOP("fulcrum::metrics", "Force peaks"), "-", 1}, D::lower,
+                 Scale::raw, A::count, E::moderate,
                  "peaks above the tissue's limit, prominence 0.5 N, 0.2 s apart",
-                 {"Number of times the force peaked above the tissue's limit.",
-                  "the force exceeded the tissue's limit {value} times (limit {limit})",
-                  "move more slowly when tissue is taut"}),
+                 {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                                    "Number of times the force peaked above the tissue's limit."),
+                  QT_TRANSLATE_NOOP("fulcrum::metrics",
+                                    "the force exceeded the tissue's limit {value} times (limit {limit})"),
+                  QT_TRANSLATE_NOOP("fulcrum::metrics", "move more slowly when tissue is taut")}),
         {Channel::tissue}, f_peaks);
     MetricDescriptor d = describe(
-        {"dfdt_max", "Steepest force change", "N/s", 1}, D::lower, Scale::ln, A::maximum, E::moderate,
-        "Trejos 2014, derivative of force",
-        {"Fastest rise or fall of the force.", "the force changed by {value}, above the limit of {limit}",
-         "touch tissue slowly and release it slowly"});
+        {"dfdt_max", QT_TRANSLATE_NOOP("fulcrum::metrics", "Steepest force change"), "N/s", 1}, D::lower,
+        Scale::ln, A::maximum, E::moderate, "Trejos 2014, derivative of force",
+        {QT_TRANSLATE_NOOP("fulcrum::metrics", "Fastest rise or fall of the force."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "the force changed by {value}, above the limit of {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "touch tissue slowly and release it slowly")});
     d.minimum_rate = 50;
     add(std::move(d), {}, dfdt_max);
-    add(describe({"f_volume", "Force volume", "N³", 0.01}, D::lower, Scale::raw, A::deviation, E::strong,
-                 "Horeman 2012, ellipsoid of one standard deviation",
-                 {"Volume of the ellipsoid that one standard deviation of the force vector spans.",
-                  "the force varied in all directions: volume {value}, above the limit of {limit}",
-                  "decide on one direction of pull and keep it"}),
+    add(describe({"f_volume", QT_TRANSLATE_NOOP("fulcrum::metrics", "Force volume"), "N³", 0.01}, D::lower,
+                 Scale::raw, A::deviation, E::strong, "Horeman 2012, ellipsoid of one standard deviation",
+                 {QT_TRANSLATE_NOOP(
+                      "fulcrum::metrics",
+                      "Volume of the ellipsoid that one standard deviation of the force vector spans."),
+                  QT_TRANSLATE_NOOP(
+                      "fulcrum::metrics",
+                      "the force varied in all directions: volume {value}, above the limit of {limit}"),
+                  QT_TRANSLATE_NOOP("fulcrum::metrics", "decide on one direction of pull and keep it")}),
         {}, f_volume);
-    add(describe({"over_time", "Time above the force limit", "s", 0.01}, D::lower, Scale::raw, A::total,
-                 E::expert, "limit of the tissue, see its source",
-                 {"How long the force was above the tissue's limit.",
-                  "the force exceeded the tissue's limit for {value} (limit {limit})",
-                  "ease off as soon as the force bar turns"}),
+    add(describe(
+            {"over_time", QT_TRANSLATE_NOOP("fulcrum::metrics", "Time above the force limit"), "s", 0.01},
+            D::lower, Scale::raw, A::total, E::expert, "limit of the tissue, see its source",
+            {QT_TRANSLATE_NOOP("fulcrum::metrics", "How long the force was above the tissue's limit."),
+             QT_TRANSLATE_NOOP("fulcrum::metrics",
+                               "the force exceeded the tissue's limit for {value} (limit {limit})"),
+             QT_TRANSLATE_NOOP("fulcrum::metrics", "ease off as soon as the force bar turns")}),
         {Channel::tissue}, over<&Over::time>);
-    add(describe({"over_impulse", "Force-time product above the limit", "N·s", 0.01}, D::lower, Scale::raw,
-                 A::total, E::expert, "limit of the tissue, see its source",
-                 {"The part of the force above the tissue's limit, added up over time.",
-                  "the force-time product above the tissue's limit was {value} (limit {limit})",
-                  "ease off as soon as the force bar turns"}),
+    add(describe(
+            {"over_impulse", QT_TRANSLATE_NOOP("fulcrum::metrics", "Force-time product above the limit"),
+             "N·s", 0.01},
+            D::lower, Scale::raw, A::total, E::expert, "limit of the tissue, see its source",
+            {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                               "The part of the force above the tissue's limit, added up over time."),
+             QT_TRANSLATE_NOOP("fulcrum::metrics",
+                               "the force-time product above the tissue's limit was {value} (limit {limit})"),
+             QT_TRANSLATE_NOOP("fulcrum::metrics", "ease off as soon as the force bar turns")}),
         {Channel::tissue}, over<&Over::impulse>);
     return metrics;
 }

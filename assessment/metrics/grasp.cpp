@@ -13,7 +13,7 @@ namespace fulcrum {
 namespace {
 
 Figure no_grasp() {
-    return absent(Absence::not_done, "nothing was grasped");
+    return absent(Absence::not_done, StatementId::nothing_grasped);
 }
 
 bool grasping(const ForceBlock& block, std::size_t i, const Selection& row) {
@@ -143,37 +143,53 @@ std::vector<Metric> grasp_metrics() {
         d.absent_means = AbsentMeans::failed;
         metrics.push_back({std::move(d), compute});
     };
-    add_grasp(describe({"grasp_max", "Largest jaw force", "N", 0.1}, D::lower, Scale::raw, A::maximum,
-                       E::moderate, "Barrie 2018",
-                       {"Largest force of the jaws on tissue.",
-                        "the jaws pressed with {value}, above the limit of {limit}",
-                        "close only until the tissue no longer slips"}),
-              {Channel::jaw_force}, grasp_max);
-    add_grasp(describe({"grasp_ftp", "Force-time product of a grasp", "N·s", 0.1}, D::lower, Scale::raw,
-                       A::maximum, E::moderate, "Barrie 2018",
-                       {"Jaw force integrated over one grasp, the largest of all grasps.",
-                        "the force-time product of one grasp was {value}, above the limit of {limit}",
-                        "let go and take a new hold from time to time"}),
-              {Channel::jaw_force}, grasp_ftp);
     add_grasp(
-        describe({"grasp_ftp_patch", "Force-time product of a patch", "N·s", 0.1}, D::lower, Scale::raw,
-                 A::maximum, E::moderate, "Barrie 2018",
-                 {"Jaw force integrated over all grasps of one patch of tissue, the largest of all patches.",
-                  "the force-time product of one patch was {value}, above the limit of {limit}",
-                  "grasp beside the place used before"}),
+        describe({"grasp_max", QT_TRANSLATE_NOOP("fulcrum::metrics", "Largest jaw force"), "N", 0.1},
+                 D::lower, Scale::raw, A::maximum, E::moderate, "Barrie 2018",
+                 {QT_TRANSLATE_NOOP("fulcrum::metrics", "Largest force of the jaws on tissue."),
+                  QT_TRANSLATE_NOOP("fulcrum::metrics",
+                                    "the jaws pressed with {value}, above the limit of {limit}"),
+                  QT_TRANSLATE_NOOP("fulcrum::metrics", "close only until the tissue no longer slips")}),
+        {Channel::jaw_force}, grasp_max);
+    add_grasp(
+        describe(
+            {"grasp_ftp", QT_TRANSLATE_NOOP("fulcrum::metrics", "Force-time product of a grasp"), "N·s", 0.1},
+            D::lower, Scale::raw, A::maximum, E::moderate, "Barrie 2018",
+            {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                               "Jaw force integrated over one grasp, the largest of all grasps."),
+             QT_TRANSLATE_NOOP("fulcrum::metrics",
+                               "the force-time product of one grasp was {value}, above the limit of {limit}"),
+             QT_TRANSLATE_NOOP("fulcrum::metrics", "let go and take a new hold from time to time")}),
+        {Channel::jaw_force}, grasp_ftp);
+    add_grasp(
+        describe(
+            {"grasp_ftp_patch", QT_TRANSLATE_NOOP("fulcrum::metrics", "Force-time product of a patch"), "N·s",
+             0.1},
+            D::lower, Scale::raw, A::maximum, E::moderate, "Barrie 2018",
+            {QT_TRANSLATE_NOOP(
+                 "fulcrum::metrics",
+                 "Jaw force integrated over all grasps of one patch of tissue, the largest of all patches."),
+             QT_TRANSLATE_NOOP("fulcrum::metrics",
+                               "the force-time product of one patch was {value}, above the limit of {limit}"),
+             QT_TRANSLATE_NOOP("fulcrum::metrics", "grasp beside the place used before")}),
         {Channel::jaw_force, Channel::patch}, grasp_ftp_patch);
-    add_grasp(describe({"grasp_kpa", "Largest jaw pressure", "kPa", 1}, D::lower, Scale::raw, A::maximum,
-                       E::moderate,
+    add_grasp(describe({"grasp_kpa", QT_TRANSLATE_NOOP("fulcrum::metrics", "Largest jaw pressure"), "kPa", 1},
+                       D::lower, Scale::raw, A::maximum, E::moderate,
                        "BMJ Surgery, Interventions & Health Technologies 2021: 329-330 kPa safe for 10 s",
-                       {"Largest jaw force over the area of contact.",
-                        "the jaws pressed with {value}, above the limit of {limit}",
-                        "take a full bite, and avoid holding tissue with the tips"}),
+                       {QT_TRANSLATE_NOOP("fulcrum::metrics", "Largest jaw force over the area of contact."),
+                        QT_TRANSLATE_NOOP("fulcrum::metrics",
+                                          "the jaws pressed with {value}, above the limit of {limit}"),
+                        QT_TRANSLATE_NOOP("fulcrum::metrics",
+                                          "take a full bite, and avoid holding tissue with the tips")}),
               {Channel::jaw_force, Channel::jaw_area}, grasp_kpa);
-    add_grasp(describe({"contacts", "Contacts with tissue", "-", 1}, D::context, Scale::raw, A::count,
-                       E::expert, "contacts 0.1 s apart; our own definition",
-                       {"Number of times the instrument came into contact with tissue.",
-                        "the instrument touched tissue {value} times", "come once and stay"}),
-              {Channel::force, Channel::tissue}, contacts);
+    add_grasp(
+        describe({"contacts", QT_TRANSLATE_NOOP("fulcrum::metrics", "Contacts with tissue"), "-", 1},
+                 D::context, Scale::raw, A::count, E::expert, "contacts 0.1 s apart; our own definition",
+                 {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                                    "Number of times the instrument came into contact with tissue."),
+                  QT_TRANSLATE_NOOP("fulcrum::metrics", "the instrument touched tissue {value} times"),
+                  QT_TRANSLATE_NOOP("fulcrum::metrics", "come once and stay")}),
+        {Channel::force, Channel::tissue}, contacts);
 
     const auto add_count = [&](Naming naming, bool per_tissue, const char* source, Wording wording,
                                Figure (*compute)(const Analysis&, const Selection&)) {
@@ -185,23 +201,34 @@ std::vector<Metric> grasp_metrics() {
         metrics.push_back({std::move(d), compute});
     };
     add_count(
-        {"slip", "Slips", "-", 1}, true, "event: tissue left the jaws against the operator's will",
-        {"Number of times tissue slipped out of the jaws.",
-         "tissue slipped {value} times, above the limit of {limit}", "take a larger bite before pulling"},
+        {"slip", QT_TRANSLATE_NOOP("fulcrum::metrics", "Slips"), "-", 1}, true,
+        "event: tissue left the jaws against the operator's will",
+        {QT_TRANSLATE_NOOP("fulcrum::metrics", "Number of times tissue slipped out of the jaws."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "tissue slipped {value} times, above the limit of {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "take a larger bite before pulling")},
         counted<EventKind::slip>);
-    add_count({"regrasp", "Repeated grasps", "-", 1}, true, "event: the same patch grasped again within 2 s",
-              {"Number of times the same patch was grasped again within 2 s of release.",
-               "the same place was grasped again {value} times, above the limit of {limit}",
-               "place the jaws where the pull will be, then close once"},
-              counted<EventKind::regrasp>);
-    add_count({"drop", "Drops", "-", 1}, false, "event: a held object fell",
-              {"Number of objects dropped.", "{value} objects were dropped, above the limit of {limit}",
-               "release it only when the object rests"},
-              counted<EventKind::drop>);
     add_count(
-        {"perforation", "Perforations", "-", 1}, true, "event, critical",
-        {"Number of perforations.", "the bowel was perforated {value} times, above the limit of {limit}",
-         "keep the tips in view and never push against resistance"},
+        {"regrasp", QT_TRANSLATE_NOOP("fulcrum::metrics", "Repeated grasps"), "-", 1}, true,
+        "event: the same patch grasped again within 2 s",
+        {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "Number of times the same patch was grasped again within 2 s of release."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "the same place was grasped again {value} times, above the limit of {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "place the jaws where the pull will be, then close once")},
+        counted<EventKind::regrasp>);
+    add_count(
+        {"drop", QT_TRANSLATE_NOOP("fulcrum::metrics", "Drops"), "-", 1}, false, "event: a held object fell",
+        {QT_TRANSLATE_NOOP("fulcrum::metrics", "Number of objects dropped."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "{value} objects were dropped, above the limit of {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "release it only when the object rests")},
+        counted<EventKind::drop>);
+    add_count(
+        {"perforation", QT_TRANSLATE_NOOP("fulcrum::metrics", "Perforations"), "-", 1}, true,
+        "event, critical",
+        {QT_TRANSLATE_NOOP("fulcrum::metrics", "Number of perforations."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "the bowel was perforated {value} times, above the limit of {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "keep the tips in view and never push against resistance")},
         counted<EventKind::perforation>);
     return metrics;
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "assessment/metrics/statement.h"
 #include "assessment/pathology/pathology.h"
 #include "assessment/trace/trace.h"
 
@@ -49,7 +50,8 @@ enum class Absence : std::uint8_t {
     not_measured,  ///< a channel, a limit or samples are missing
 };
 
-/// Every field is filled; check_registry() refuses a descriptor that leaves one empty.
+/// Every field is filled; check_registry() refuses a descriptor that leaves one empty. Name, explanation and
+/// advice are marked for translation where they are written (context fulcrum::metrics).
 struct MetricDescriptor {
     std::string id;        ///< permanent
     std::string name;      ///< as on screens
@@ -70,9 +72,9 @@ struct MetricDescriptor {
     std::vector<Channel> channels;
     std::vector<std::string> dependencies;  ///< ids of metrics that its definition uses
     AbsentMeans absent_means = AbsentMeans::not_scored;
-    std::string explanation;   ///< plain language, one or two sentences
-    std::string advice_fault;  ///< what was wrong, after "where:", as in "the tip travelled {value}, {excess}
-                               ///< of the limit {limit}"
+    std::string explanation;    ///< plain language, one or two sentences
+    std::string advice_fault;   ///< what was wrong, as in "the tip travelled {value}, above the limit of
+                                ///< {limit}"; see statement_words.h
     std::string advice_remedy;  ///< one thing to try, imperative
 };
 
@@ -86,7 +88,7 @@ struct MetricResult {
     std::string unit;
     Direction direction = Direction::context;
     Absence absence = Absence::none;
-    std::string absent_because;          ///< empty where there is a value
+    Statement absent_because;            ///< empty where there is a value
     std::vector<TimeInterval> evidence;  ///< worst first where there is an order; may be empty
     std::optional<int> count;            ///< segments behind a median, targets behind a mean
 };

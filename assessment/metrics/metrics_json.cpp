@@ -2,6 +2,7 @@
 #include "assessment/metrics/metrics_json.h"
 
 #include "assessment/metrics/registry.h"
+#include "assessment/metrics/statement_words.h"
 #include "assessment/task/specimen_plan.h"
 #include "assessment/trace/trace_csv.h"
 #include "sim_core/numerics/input_error.h"
@@ -49,7 +50,11 @@ MetricResult result_from_json(const nlohmann::json& row) {
     result.hand = text_of(row, "hand");
     result.tissue = text_of(row, "tissue");
     if (!row.at("value").is_null()) result.value = row.at("value").get<double>();
-    result.absent_because = text_of(row, "absent_because");
+    // Files from before reasons had ids hold the sentence alone.
+    const auto code = row.find("absent_code");
+    result.absent_because = code != row.end() && code->is_object()
+                                ? statement_of(code->dump())
+                                : Statement::plain(text_of(row, "absent_because"));
     result.unit = row.at("unit").get<std::string>();
     const auto direction = row.at("direction").get<std::string>();
     result.direction = direction == "lower"    ? Direction::lower
@@ -77,7 +82,8 @@ nlohmann::json metrics_to_json(const std::vector<MetricResult>& results) {
             {"hand", text_or_null(result.hand)},
             {"tissue", text_or_null(result.tissue)},
             {"value", result.value ? nlohmann::json(*result.value) : nlohmann::json(nullptr)},
-            {"absent_because", text_or_null(result.absent_because)},
+            {"absent_because", text_or_null(words_of(result.absent_because))},
+            {"absent_code", statement_json(result.absent_because)},
             {"unit", result.unit},
             {"direction", direction_name(result.direction)},
             {"evidence", std::move(evidence)}};

@@ -13,8 +13,8 @@
 
 namespace fulcrum {
 
-/// The `metrics` array: id, version, hand, tissue, value, absent_because, unit, direction, evidence, and
-/// count where there is one.
+/// The `metrics` array: id, version, hand, tissue, value, absent_because, absent_code, unit, direction,
+/// evidence, and count where there is one.
 nlohmann::json metrics_to_json(const std::vector<MetricResult>& results);
 /// The reverse; throws InputError naming `file` and the JSON pointer.
 std::vector<MetricResult> metrics_from_json(const nlohmann::json& rows, const std::string& file);

@@ -45,8 +45,7 @@ Figure time(const Analysis& analysis, const Selection&) {
         if (!begin || seen < *begin - rest_time) begin = seen;
         break;
     }
-    if (!begin)
-        return absent(Absence::not_done, "no instrument moved faster than 5 mm/s for 0.2 s inside the body");
+    if (!begin) return absent(Absence::not_done, StatementId::nothing_moved);
     const double end = std::max(*begin, analysis.trace().end);
     double paused = 0;
     for (const TimeInterval& pause : analysis.trace().pauses)
@@ -122,11 +121,8 @@ Figure econ(const Analysis& analysis, const Selection& row) {
     const HandAnalysis& hand = analysis.hand(row.hand);
     std::vector<double> times = way_points(analysis, row.hand);
     const std::optional<double> begin = analysis.first_movement(row.hand);
-    if (times.size() < 3)
-        return absent(Absence::not_done, "fewer than 3 way-points (targets reached, grasps, releases)");
-    if (!begin)
-        return absent(Absence::not_done,
-                      "the instrument never moved faster than 5 mm/s for 0.2 s inside the body");
+    if (times.size() < 3) return absent(Absence::not_done, {StatementId::few_way_points, {{"least", 3.0}}});
+    if (!begin) return absent(Absence::not_done, StatementId::hand_never_moved);
     times.erase(std::remove_if(times.begin(), times.end(), [&](double t) { return t <= *begin; }),
                 times.end());
     times.insert(times.begin(), *begin);
@@ -149,7 +145,7 @@ Figure econ(const Analysis& analysis, const Selection& row) {
         travelled += path;
         legs.push_back({path - distance, {block.time(first), block.time(last)}});
     }
-    if (!(travelled > 0)) return absent(Absence::not_done, "the instrument did not move between way-points");
+    if (!(travelled > 0)) return absent(Absence::not_done, StatementId::still_between_way_points);
     Figure figure = value_of(std::clamp(straight / travelled, 0.0, 1.0), worst_first(std::move(legs)));
     figure.count = static_cast<int>(figure.evidence.size());
     return figure;
@@ -195,9 +191,10 @@ DepthErrors depth_errors(const Analysis& analysis, int h) {
 
 Figure no_depth_error(const Analysis& analysis, const DepthErrors& depth, std::size_t needed) {
     if (analysis.context().targets.empty())
-        return absent(Absence::not_measured, "the positions of targets are not known");
-    if (depth.shown == 0) return absent(Absence::not_done, "no target was shown to this hand");
-    return absent(Absence::not_done, "fewer than " + std::to_string(needed) + " movements towards a target");
+        return absent(Absence::not_measured, StatementId::target_positions_unknown);
+    if (depth.shown == 0) return absent(Absence::not_done, StatementId::no_target_shown);
+    return absent(Absence::not_done,
+                  {StatementId::few_target_movements, {{"least", static_cast<double>(needed)}}});
 }
 
 Figure depth_err(const Analysis& analysis, const Selection& row) {
@@ -247,7 +244,7 @@ Figure n_moves(const Analysis& analysis, const Selection& row) {
 
 Figure n_sub(const Analysis& analysis, const Selection& row) {
     const HandAnalysis& hand = analysis.hand(row.hand);
-    if (hand.segments.empty()) return absent(Absence::not_done, "no movement between two rests");
+    if (hand.segments.empty()) return absent(Absence::not_done, StatementId::no_movement_between_rests);
     int count = 0;
     std::vector<ScoredInterval> segments;
     for (const Segment& segment : hand.segments) {
@@ -277,7 +274,7 @@ Figure active_share(const HandAnalysis& hand, Test test) {
             runs.push_back({static_cast<double>(run.size()), block.interval(run)});
         }
     }
-    if (active == 0) return absent(Absence::not_done, "the instrument was never inside the body");
+    if (active == 0) return absent(Absence::not_done, StatementId::never_inside);
     return value_of(100.0 * static_cast<double>(found) / static_cast<double>(active),
                     worst_first(std::move(runs)));
 }
@@ -299,7 +296,7 @@ Figure speed_mean(const Analysis& analysis, const Selection& row) {
     for (const MotionBlock& block : analysis.hand(row.hand).motion)
         for (std::size_t i = 0; i < block.size(); ++i)
             if (block.active[i] != 0) sum += block.speed[i], ++count;
-    if (count == 0) return absent(Absence::not_done, "the instrument was never inside the body");
+    if (count == 0) return absent(Absence::not_done, StatementId::never_inside);
     return value_of(mm * sum / static_cast<double>(count));
 }
 
@@ -312,7 +309,7 @@ Figure speed_peak(const Analysis& analysis, const Selection& row) {
                 peak = block.speed[i];
                 where = {block.time(i < 25 ? 0 : i - 25), block.time(std::min(i + 25, block.size() - 1))};
             }
-    if (peak < 0) return absent(Absence::not_done, "the instrument was never inside the body");
+    if (peak < 0) return absent(Absence::not_done, StatementId::never_inside);
     return value_of(mm * peak, {where});
 }
 
@@ -322,11 +319,11 @@ Figure ws_volume(const Analysis& analysis, const Selection& row) {
     for (const MotionBlock& block : analysis.hand(row.hand).motion)
         for (std::size_t i = 0; i < block.size(); ++i)
             if (block.active[i] != 0) points.push_back(block.point(i));
-    if (points.empty()) return absent(Absence::not_done, "the instrument was never inside the body");
+    if (points.empty()) return absent(Absence::not_done, StatementId::never_inside);
     Eigen::Matrix3Xd matrix(3, static_cast<Eigen::Index>(points.size()));
     for (std::size_t i = 0; i < points.size(); ++i) matrix.col(static_cast<Eigen::Index>(i)) = points[i];
     const double volume = ellipsoid_volume(matrix, chi_square_95);
-    if (!(volume > 0)) return absent(Absence::not_done, "the tip did not move in three dimensions");
+    if (!(volume > 0)) return absent(Absence::not_done, StatementId::flat_movement);
     return value_of(volume * 1e6);
 }
 
@@ -347,6 +344,7 @@ MetricDescriptor with_axis(MetricDescriptor d) {
     return d;
 }
 
+// clang-format off: one text a line
 /// Time, paths and their straightness.
 void add_paths(std::vector<Metric>& metrics) {
     using D = Direction;
@@ -354,61 +352,63 @@ void add_paths(std::vector<Metric>& metrics) {
     using E = EvidenceGrade;
     const auto add = [&](MetricDescriptor d, Compute compute) { metrics.push_back({std::move(d), compute}); };
     MetricDescriptor d = motion(
-        {"time", "Time", "s", 0.1}, D::lower, Scale::ln, A::total, E::strong,
-        "van Hove 2010; Fundamentals of Laparoscopic Surgery",
-        {"Time from the first movement or work of either instrument to the end of the task, pauses excluded. "
-         "In a trace file without events the last sample is the end.",
-         "the task took {value}, above the limit of {limit}",
-         "look at the next goal while finishing this one, and keep both hands at work"});
+        {"time", QT_TRANSLATE_NOOP("fulcrum::metrics", "Time"), "s", 0.1}, D::lower, Scale::ln, A::total,
+        E::strong, "van Hove 2010; Fundamentals of Laparoscopic Surgery",
+        {QT_TRANSLATE_NOOP("fulcrum::metrics", "Time from the first movement or work of either instrument to the end of the task, pauses excluded. In a trace file without events the last sample is the end."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "the task took {value}, above the limit of {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "look at the next goal while finishing this one, and keep both hands at work")});
     d.version = 2;  // 2: halting work before the first movement also starts the time
     d.hands = Hands::either;
     d.absent_means = AbsentMeans::failed;
     add(d, time);
     d = motion(
-        {"path_len", "Path length", "mm", 1}, D::lower, Scale::ln, A::total, E::strong,
-        "Cotin 2002; van Hove 2010",
-        {"How far the instrument tip travelled.", "the tip travelled {value}, above the limit of {limit}",
-         "picture the target's depth first and go there in one straight move"});
+        {"path_len", QT_TRANSLATE_NOOP("fulcrum::metrics", "Path length"), "mm", 1}, D::lower, Scale::ln,
+        A::total, E::strong, "Cotin 2002; van Hove 2010",
+        {QT_TRANSLATE_NOOP("fulcrum::metrics", "How far the instrument tip travelled."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "the tip travelled {value}, above the limit of {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "picture the target's depth first and go there in one straight move")});
     d.absent_means = AbsentMeans::failed;
     add(d, path_len);
-    d = with_axis(
-        motion({"ang_path", "Angular path", "deg", 1}, D::lower, Scale::ln, A::total, E::strong,
-               "sum of the angles between successive shaft axes",
-               {"How much the instrument shaft turned about the trocar.",
-                "the shaft turned {value}, above the limit of {limit}",
-                "remember that the tip moves against the hand and steer with small hand movements"}));
+    d = with_axis(motion(
+        {"ang_path", QT_TRANSLATE_NOOP("fulcrum::metrics", "Angular path"), "deg", 1}, D::lower, Scale::ln,
+        A::total, E::strong, "sum of the angles between successive shaft axes",
+        {QT_TRANSLATE_NOOP("fulcrum::metrics", "How much the instrument shaft turned about the trocar."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "the shaft turned {value}, above the limit of {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "remember that the tip moves against the hand and steer with small hand movements")}));
     d.absent_means = AbsentMeans::failed;
     add(d, ang_path);
     d = motion(
-        {"econ", "Economy of movement", "-", 0.01}, D::higher, Scale::raw, A::ratio, E::strong,
-        "Oropesa 2013; ratio of ideal to actual path",
-        {"Straight distances between way-points (targets reached, grasps, releases) over the path that was "
-         "travelled "
-         "between them; 1 is a straight line each time. Holds are left out.",
-         "the path between grasps and targets was indirect: economy {value}, below the required {limit}",
-         "aim before moving, then go straight"});
+        {"econ", QT_TRANSLATE_NOOP("fulcrum::metrics", "Economy of movement"), "-", 0.01}, D::higher,
+        Scale::raw, A::ratio, E::strong, "Oropesa 2013; ratio of ideal to actual path",
+        {QT_TRANSLATE_NOOP("fulcrum::metrics", "Straight distances between way-points (targets reached, grasps, releases) over the path that was travelled between them; 1 is a straight line each time. Holds are left out."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "the path between grasps and targets was indirect: economy {value}, below the required {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "aim before moving, then go straight")});
     d.needs_events = true;
     d.absent_means = AbsentMeans::failed;
     d.dependencies = {"path_len"};
     add(d, econ);
     d = with_axis(
-        motion({"retract_path", "Path while retracting", "mm", 1}, D::context, Scale::raw, A::total,
-               E::moderate, "sign of the step along the shaft",
-               {"The part of the path on which the tip moved towards its trocar.",
-                "the tip moved {value} towards the trocar", "withdraw only as far as the next move needs"}));
+        motion({"retract_path", QT_TRANSLATE_NOOP("fulcrum::metrics", "Path while retracting"), "mm", 1},
+               D::context, Scale::raw, A::total, E::moderate, "sign of the step along the shaft",
+               {QT_TRANSLATE_NOOP("fulcrum::metrics", "The part of the path on which the tip moved towards its trocar."),
+                QT_TRANSLATE_NOOP("fulcrum::metrics", "the tip moved {value} towards the trocar"),
+                QT_TRANSLATE_NOOP("fulcrum::metrics", "withdraw only as far as the next move needs")}));
     d.dependencies = {"path_len"};
     add(d, retract_path);
-    d = with_axis(motion({"seek_path", "Path while seeking", "mm", 1}, D::context, Scale::raw, A::total,
-                         E::moderate, "sign of the step along the shaft",
-                         {"The part of the path on which the tip moved away from its trocar.",
-                          "the tip moved {value} away from the trocar", "judge the depth before going in"}));
+    d = with_axis(
+        motion({"seek_path", QT_TRANSLATE_NOOP("fulcrum::metrics", "Path while seeking"), "mm", 1},
+               D::context, Scale::raw, A::total, E::moderate, "sign of the step along the shaft",
+               {QT_TRANSLATE_NOOP("fulcrum::metrics", "The part of the path on which the tip moved away from its trocar."),
+                QT_TRANSLATE_NOOP("fulcrum::metrics", "the tip moved {value} away from the trocar"),
+                QT_TRANSLATE_NOOP("fulcrum::metrics", "judge the depth before going in")}));
     d.dependencies = {"path_len"};
     add(d, seek_path);
-    d = with_axis(motion({"depth_axis", "Depth travel", "mm", 1}, D::lower, Scale::raw, A::total, E::strong,
-                         "Cotin 2002, depth perception",
-                         {"How far the tip travelled along its own shaft, in and out.",
-                          "the tip travelled {value} in and out, above the limit of {limit}",
-                          "read the depth from shadow and parallax before advancing"}));
+    d = with_axis(motion(
+        {"depth_axis", QT_TRANSLATE_NOOP("fulcrum::metrics", "Depth travel"), "mm", 1}, D::lower, Scale::raw,
+        A::total, E::strong, "Cotin 2002, depth perception",
+        {QT_TRANSLATE_NOOP("fulcrum::metrics", "How far the tip travelled along its own shaft, in and out."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "the tip travelled {value} in and out, above the limit of {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "read the depth from shadow and parallax before advancing")}));
     d.absent_means = AbsentMeans::failed;
     add(d, depth_axis);
 }
@@ -419,44 +419,46 @@ void add_movements(std::vector<Metric>& metrics) {
     using A = Aggregation;
     using E = EvidenceGrade;
     const auto add = [&](MetricDescriptor d, Compute compute) { metrics.push_back({std::move(d), compute}); };
-    MetricDescriptor d = with_axis(
-        motion({"depth_err", "Depth error", "mm", 0.1}, D::lower, Scale::raw, A::mean, E::moderate,
-               "signed error along the shaft at the end of the first movement",
-               {"How far beyond (positive) or short of the target the first movement ended, on average over "
-                "targets.",
-                "the first movement missed the depth by {value} on average, above the limit of {limit}",
-                "slow down near the target and watch the contact shadow"}));
+    MetricDescriptor d = with_axis(motion(
+        {"depth_err", QT_TRANSLATE_NOOP("fulcrum::metrics", "Depth error"), "mm", 0.1}, D::lower, Scale::raw,
+        A::mean, E::moderate, "signed error along the shaft at the end of the first movement",
+        {QT_TRANSLATE_NOOP("fulcrum::metrics", "How far beyond (positive) or short of the target the first movement ended, on average over targets."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "the first movement missed the depth by {value} on average, above the limit of {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "slow down near the target and watch the contact shadow")}));
     d.needs_events = true;
     d.absolute_value = true;
     d.minimum_rate = 50;
     d.absent_means = AbsentMeans::failed;
     add(d, depth_err);
     d.id = "depth_err_sd";
-    d.name = "Depth error, spread";
+    d.name = QT_TRANSLATE_NOOP("fulcrum::metrics", "Depth error, spread");
     d.aggregation = A::deviation;
     d.absolute_value = false;
     d.dependencies = {"depth_err"};
-    d.explanation = "How much the depth error varied from target to target (standard deviation).";
-    d.advice_fault = "the depth of the first movement varied by {value}, above the limit of {limit}";
-    d.advice_remedy = "use the same cue for depth every time";
+    d.explanation = QT_TRANSLATE_NOOP("fulcrum::metrics", "How much the depth error varied from target to target (standard deviation).");
+    d.advice_fault = QT_TRANSLATE_NOOP("fulcrum::metrics", "the depth of the first movement varied by {value}, above the limit of {limit}");
+    d.advice_remedy = QT_TRANSLATE_NOOP("fulcrum::metrics", "use the same cue for depth every time");
     add(d, depth_err_sd);
-    d = motion({"n_moves", "Movements", "-", 1}, D::context, Scale::raw, A::count, E::strong,
-               "Datta 2001, ICSAD",
-               {"Number of quick movements: above 50 mm/s for more than 0.2 s.",
-                "there were {value} quick movements", "join movements into fewer, larger ones"});
+    d = motion({"n_moves", QT_TRANSLATE_NOOP("fulcrum::metrics", "Movements"), "-", 1}, D::context,
+               Scale::raw, A::count, E::strong, "Datta 2001, ICSAD",
+               {QT_TRANSLATE_NOOP("fulcrum::metrics", "Number of quick movements: above 50 mm/s for more than 0.2 s."),
+                QT_TRANSLATE_NOOP("fulcrum::metrics", "there were {value} quick movements"),
+                QT_TRANSLATE_NOOP("fulcrum::metrics", "join movements into fewer, larger ones")});
     d.minimum_rate = 50;
     add(d, n_moves);
-    d = motion({"n_sub", "Sub-movements", "-", 1}, D::lower, Scale::raw, A::count, E::moderate,
-               "speed peaks with prominence of at least 10 mm/s",
-               {"Number of corrections: speed peaks within movements.",
-                "the movements contained {value} corrections, above the limit of {limit}",
-                "let one movement run out before correcting it"});
+    d = motion({"n_sub", QT_TRANSLATE_NOOP("fulcrum::metrics", "Sub-movements"), "-", 1}, D::lower,
+               Scale::raw, A::count, E::moderate, "speed peaks with prominence of at least 10 mm/s",
+               {QT_TRANSLATE_NOOP("fulcrum::metrics", "Number of corrections: speed peaks within movements."),
+                QT_TRANSLATE_NOOP("fulcrum::metrics", "the movements contained {value} corrections, above the limit of {limit}"),
+                QT_TRANSLATE_NOOP("fulcrum::metrics", "let one movement run out before correcting it")});
     d.minimum_rate = 50;
     add(d, n_sub);
-    d = motion({"idle", "Idle time", "%", 1}, D::lower, Scale::raw, A::share, E::moderate, "D'Angelo 2015",
-               {"Share of the time inside the body in which the tip stood still and touched nothing.",
-                "the instrument was idle for {value} of the time, above the limit of {limit}",
-                "give the waiting hand a job: hold, expose, or get ready"});
+    d = motion(
+        {"idle", QT_TRANSLATE_NOOP("fulcrum::metrics", "Idle time"), "%", 1}, D::lower, Scale::raw, A::share,
+        E::moderate, "D'Angelo 2015",
+        {QT_TRANSLATE_NOOP("fulcrum::metrics", "Share of the time inside the body in which the tip stood still and touched nothing."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "the instrument was idle for {value} of the time, above the limit of {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "give the waiting hand a job: hold, expose, or get ready")});
     d.channels.push_back(Channel::tissue);
     add(d, idle);
 }
@@ -467,30 +469,36 @@ void add_speed_and_place(std::vector<Metric>& metrics) {
     using A = Aggregation;
     using E = EvidenceGrade;
     const auto add = [&](MetricDescriptor d, Compute compute) { metrics.push_back({std::move(d), compute}); };
-    add(motion({"speed_mean", "Mean speed", "mm/s", 0.1}, D::context, Scale::raw, A::mean, E::moderate,
-               "van Hove 2010",
-               {"Mean speed of the tip inside the body.", "the mean speed was {value}", "keep an even pace"}),
+    add(motion({"speed_mean", QT_TRANSLATE_NOOP("fulcrum::metrics", "Mean speed"), "mm/s", 0.1}, D::context,
+               Scale::raw, A::mean, E::moderate, "van Hove 2010",
+               {QT_TRANSLATE_NOOP("fulcrum::metrics", "Mean speed of the tip inside the body."),
+                QT_TRANSLATE_NOOP("fulcrum::metrics", "the mean speed was {value}"),
+                QT_TRANSLATE_NOOP("fulcrum::metrics", "keep an even pace")}),
         speed_mean);
-    add(motion({"speed_peak", "Peak speed", "mm/s", 1}, D::context, Scale::raw, A::maximum, E::expert,
-               "largest tip speed after the filter",
-               {"Highest speed of the tip inside the body.", "the peak speed was {value}",
-                "avoid sudden moves"}),
+    add(motion({"speed_peak", QT_TRANSLATE_NOOP("fulcrum::metrics", "Peak speed"), "mm/s", 1}, D::context,
+               Scale::raw, A::maximum, E::expert, "largest tip speed after the filter",
+               {QT_TRANSLATE_NOOP("fulcrum::metrics", "Highest speed of the tip inside the body."),
+                QT_TRANSLATE_NOOP("fulcrum::metrics", "the peak speed was {value}"),
+                QT_TRANSLATE_NOOP("fulcrum::metrics", "avoid sudden moves")}),
         speed_peak);
-    MetricDescriptor d = motion({"ws_volume", "Working volume", "cm³", 0.1}, D::lower, Scale::ln,
-                                A::deviation, E::moderate, "95 % ellipsoid of tip positions",
-                                {"Volume of the ellipsoid that holds 95 % of the tip's positions.",
-                                 "the working volume was {value}, above the limit of {limit}",
-                                 "keep the tips close to where the work is"});
+    MetricDescriptor d = motion(
+        {"ws_volume", QT_TRANSLATE_NOOP("fulcrum::metrics", "Working volume"), "cm³", 0.1}, D::lower,
+        Scale::ln, A::deviation, E::moderate, "95 % ellipsoid of tip positions",
+        {QT_TRANSLATE_NOOP("fulcrum::metrics", "Volume of the ellipsoid that holds 95 % of the tip's positions."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "the working volume was {value}, above the limit of {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "keep the tips close to where the work is")});
     d.absent_means = AbsentMeans::failed;
     add(d, ws_volume);
-    d = motion({"off_screen", "Off screen", "%", 0.1}, D::lower, Scale::raw, A::share, E::strong,
-               "instrument outside the image; a safety habit",
-               {"Share of the time inside the body in which the tip was outside the image.",
-                "the tip was out of sight for {value} of the time, above the limit of {limit}",
-                "move the camera first, then the instrument"});
+    d = motion(
+        {"off_screen", QT_TRANSLATE_NOOP("fulcrum::metrics", "Off screen"), "%", 0.1}, D::lower, Scale::raw,
+        A::share, E::strong, "instrument outside the image; a safety habit",
+        {QT_TRANSLATE_NOOP("fulcrum::metrics", "Share of the time inside the body in which the tip was outside the image."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "the tip was out of sight for {value} of the time, above the limit of {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "move the camera first, then the instrument")});
     d.channels.push_back(Channel::in_view);
     add(d, off_screen);
 }
+// clang-format on
 
 }  // namespace
 

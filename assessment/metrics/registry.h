@@ -15,11 +15,11 @@ class Analysis;
 struct Figure {
     std::optional<double> value;
     Absence absence = Absence::none;
-    std::string because;
+    Statement because;
     std::vector<TimeInterval> evidence;
     std::optional<int> count;
 };
-Figure absent(Absence absence, std::string because);
+Figure absent(Absence absence, Statement because);
 
 /// Which row: hand 0 or 1, -1 where a metric has none; tissue an index into Analysis::tissues(), -1 all
 /// together.

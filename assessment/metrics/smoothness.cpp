@@ -23,15 +23,14 @@ struct SegmentValues {
 };
 
 /// Median over segments, or the reason why there is none.
-Figure median_over(const HandAnalysis& hand, SegmentValues found, const char* kind) {
+Figure median_over(const HandAnalysis& hand, SegmentValues found, StatementId few) {
     if (found.values.size() < fewest_segments)
-        return absent(Absence::not_done, std::to_string(found.values.size()) + " " + kind + ", fewer than " +
-                                             std::to_string(fewest_segments));
+        return absent(Absence::not_done, {few,
+                                          {{"count", static_cast<double>(found.values.size())},
+                                           {"least", static_cast<double>(fewest_segments)}}});
     std::size_t held = 0;
     for (const Segment& segment : hand.segments) held += segment.core.size();
-    if (2 * held < hand.moving_samples)
-        return absent(Absence::not_done,
-                      "movements between two rests hold less than half of the moving time");
+    if (2 * held < hand.moving_samples) return absent(Absence::not_done, StatementId::movements_hold_little);
     Figure figure;
     figure.count = static_cast<int>(found.values.size());
     figure.value = median_of(std::move(found.values));
@@ -60,16 +59,16 @@ SegmentValues speed_values(const HandAnalysis& hand, Value value) {
 
 Figure sparc_of(const Analysis& analysis, const Selection& row) {
     const HandAnalysis& hand = analysis.hand(row.hand);
-    return median_over(hand, speed_values(hand, sparc), "movements");
+    return median_over(hand, speed_values(hand, sparc), StatementId::few_movements);
 }
 
 Figure ldlj_of(const Analysis& analysis, const Selection& row) {
     const HandAnalysis& hand = analysis.hand(row.hand);
     if (hand.noise_at_rest && *hand.noise_at_rest > noise_limit)
-        return absent(Absence::not_measured, "the device's position noise at rest is " +
-                                                 std::to_string(std::lround(*hand.noise_at_rest * 1e6)) +
-                                                 " µm, above 5 µm");
-    return median_over(hand, speed_values(hand, ldlj), "movements");
+        return absent(Absence::not_measured,
+                      {StatementId::device_noise,
+                       {{"noise_um", *hand.noise_at_rest * 1e6}, {"limit_um", noise_limit * 1e6}}});
+    return median_over(hand, speed_values(hand, ldlj), StatementId::few_movements);
 }
 
 /// Sums of the power of tip acceleration over all windows, and where the tremor band was strongest.
@@ -121,8 +120,8 @@ Figure tremor(const Analysis& analysis, const Selection& row) {
         }
     }
     if (active_s < 4.0 || power.windows.empty())
-        return absent(Absence::not_done, "less than 4 s with the instrument inside the body");
-    if (!(power.all > 0)) return absent(Absence::not_done, "the instrument did not move");
+        return absent(Absence::not_done, {StatementId::short_inside, {{"least_s", 4.0}}});
+    if (!(power.all > 0)) return absent(Absence::not_done, StatementId::hand_still);
     Figure figure;
     figure.value = power.tremor / power.all;
     figure.count = static_cast<int>(power.windows.size());
@@ -155,7 +154,7 @@ Figure f_sparc(const Analysis& analysis, const Selection& row) {
         found.values.push_back(x);
         found.where.push_back({-x, hand.motion[segment.block].interval(segment.whole)});
     }
-    return median_over(hand, std::move(found), "movements with force on tissue");
+    return median_over(hand, std::move(found), StatementId::few_loaded_movements);
 }
 
 }  // namespace
@@ -171,38 +170,55 @@ std::vector<Metric> smoothness_metrics() {
         d.channels.insert(d.channels.begin(), Channel::position);
         metrics.push_back({std::move(d), compute});
     };
-    add(describe({"sparc", "Smoothness (SPARC)", "-", 0.01}, D::higher, Scale::raw, A::median_of_segments,
-                 E::strong, "Balasubramanian 2015",
-                 {"Spectral arc length of tip speed, median over movements between two rests. Nearer to 0 is "
-                  "smoother; a single "
-                  "smooth reach has about -1.4.",
-                  "movements were made of many corrections: smoothness {value}, below the required {limit}",
-                  "start each move slowly and let it run out in one stroke"}),
+    add(describe(
+            {"sparc", QT_TRANSLATE_NOOP("fulcrum::metrics", "Smoothness (SPARC)"), "-", 0.01}, D::higher,
+            Scale::raw, A::median_of_segments, E::strong, "Balasubramanian 2015",
+            {QT_TRANSLATE_NOOP(
+                 "fulcrum::metrics",
+                 "Spectral arc length of tip speed, median over movements between two rests. Nearer to 0 is "
+                 "smoother; a single "
+                 "smooth reach has about -1.4."),
+             QT_TRANSLATE_NOOP(
+                 "fulcrum::metrics",
+                 "movements were made of many corrections: smoothness {value}, below the required {limit}"),
+             QT_TRANSLATE_NOOP("fulcrum::metrics",
+                               "start each move slowly and let it run out in one stroke")}),
         sparc_of);
-    MetricDescriptor d =
-        describe({"ldlj", "Smoothness (log jerk)", "-", 0.01}, D::higher, Scale::raw, A::median_of_segments,
-                 E::moderate, "Balasubramanian 2015, Hogan 2009",
-                 {"Minus the logarithm of the dimensionless jerk of tip speed, median over movements. Nearer "
-                  "to 0 is smoother; "
-                  "absent where the device's position noise would decide it.",
-                  "movements were jerky: log jerk {value}, below the required {limit}",
-                  "relax the grip and accelerate gently"});
+    MetricDescriptor d = describe(
+        {"ldlj", QT_TRANSLATE_NOOP("fulcrum::metrics", "Smoothness (log jerk)"), "-", 0.01}, D::higher,
+        Scale::raw, A::median_of_segments, E::moderate, "Balasubramanian 2015, Hogan 2009",
+        {QT_TRANSLATE_NOOP(
+             "fulcrum::metrics",
+             "Minus the logarithm of the dimensionless jerk of tip speed, median over movements. Nearer "
+             "to 0 is smoother; "
+             "absent where the device's position noise would decide it."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "movements were jerky: log jerk {value}, below the required {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "relax the grip and accelerate gently")});
     d.version = 2;  // 2: noise at rest is what lies above 50 Hz, so that tremor is not taken for the device's
     add(std::move(d), ldlj_of);
-    d = describe({"tremor", "Tremor share", "-", 0.01}, D::lower, Scale::raw, A::share, E::expert,
-                 "6-12 Hz share of the power of tip acceleration, Welch",
-                 {"Share of the tip's acceleration that lies in the tremor band of 6 to 12 Hz.",
-                  "tremor made up {value} of the acceleration, above the limit of {limit}",
-                  "rest the forearms and hold the handles loosely"});
+    d = describe(
+        {"tremor", QT_TRANSLATE_NOOP("fulcrum::metrics", "Tremor share"), "-", 0.01}, D::lower, Scale::raw,
+        A::share, E::expert, "6-12 Hz share of the power of tip acceleration, Welch",
+        {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "Share of the tip's acceleration that lies in the tremor band of 6 to 12 Hz."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "tremor made up {value} of the acceleration, above the limit of {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "rest the forearms and hold the handles loosely")});
     d.filter = "linear to 1 kHz, not low-passed";
     d.minimum_rate = 100;
     add(std::move(d), tremor);
-    d = describe({"f_sparc", "Force smoothness (SPARC)", "-", 0.01}, D::higher, Scale::raw,
-                 A::median_of_segments, E::expert, "SPARC of the rate of change of force",
-                 {"Spectral arc length of the rate at which the force on tissue changed, median over "
-                  "movements in contact.",
-                  "force was applied in bursts: force smoothness {value}, below the required {limit}",
-                  "take up the tension slowly and keep it"});
+    d = describe({"f_sparc", QT_TRANSLATE_NOOP("fulcrum::metrics", "Force smoothness (SPARC)"), "-", 0.01},
+                 D::higher, Scale::raw, A::median_of_segments, E::expert,
+                 "SPARC of the rate of change of force",
+                 {QT_TRANSLATE_NOOP(
+                      "fulcrum::metrics",
+                      "Spectral arc length of the rate at which the force on tissue changed, median over "
+                      "movements in contact."),
+                  QT_TRANSLATE_NOOP(
+                      "fulcrum::metrics",
+                      "force was applied in bursts: force smoothness {value}, below the required {limit}"),
+                  QT_TRANSLATE_NOOP("fulcrum::metrics", "take up the tension slowly and keep it")});
     d.filter = force_filter;
     d.channels = {Channel::force};
     add(std::move(d), f_sparc);

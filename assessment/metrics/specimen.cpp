@@ -22,13 +22,14 @@ struct Finding {
 Finding finding_of(const Analysis& analysis) {
     Finding finding;
     if (!analysis.context().specimen) {
-        finding.absence = absent(Absence::not_measured, "the task leaves no specimen");
+        finding.absence = absent(Absence::not_measured, StatementId::no_specimen);
         return finding;
     }
     const Trace& trace = analysis.trace();
     finding.report = pathology_report(cut_strokes(analysis.events(), trace.tick_period, trace.end),
                                       *analysis.context().specimen);
-    if (!(finding.report.plane.length > 0)) finding.absence = absent(Absence::not_done, "nothing was cut");
+    if (!(finding.report.plane.length > 0))
+        finding.absence = absent(Absence::not_done, StatementId::nothing_cut);
     return finding;
 }
 
@@ -58,9 +59,9 @@ Figure tme_defect(const Analysis& analysis, const Selection& /*row*/) {
     return figure;
 }
 
-Figure margin(const Margin& margin, const char* not_divided) {
+Figure margin(const Margin& margin, StatementId not_divided) {
     if (margin.absence == MarginAbsence::no_tumour)
-        return absent(Absence::not_measured, "the case has no tumour");
+        return absent(Absence::not_measured, StatementId::no_tumour);
     if (!margin.distance) return absent(Absence::not_done, not_divided);
     Figure figure;
     figure.value = *margin.distance * to_mm;
@@ -70,7 +71,7 @@ Figure margin(const Margin& margin, const char* not_divided) {
 Figure crm_mm(const Analysis& analysis, const Selection& /*row*/) {
     const Finding finding = finding_of(analysis);
     if (finding.absence) return *finding.absence;
-    Figure figure = margin(finding.report.circumferential, "the plane beside the tumour was not divided");
+    Figure figure = margin(finding.report.circumferential, StatementId::tumour_plane_undivided);
     if (figure.value) {
         const TimeInterval& when = finding.report.circumferential.when;
         figure.evidence = {{std::max(0.0, when.begin - 0.5), when.end + 0.5}};
@@ -81,14 +82,14 @@ Figure crm_mm(const Analysis& analysis, const Selection& /*row*/) {
 Figure drm_mm(const Analysis& analysis, const Selection& /*row*/) {
     const Finding finding = finding_of(analysis);
     if (finding.absence) return *finding.absence;
-    return margin(finding.report.distal, "the dissection did not reach beyond the tumour");
+    return margin(finding.report.distal, StatementId::not_beyond_tumour);
 }
 
 Figure plane_dev_in(const Analysis& analysis, Sector sector) {
     const Finding finding = finding_of(analysis);
     if (finding.absence) return *finding.absence;
     const PlaneDeviation& plane = finding.report.sectors[static_cast<std::size_t>(sector)].plane;
-    if (!plane.median) return absent(Absence::not_done, "nothing was cut in this sector");
+    if (!plane.median) return absent(Absence::not_done, StatementId::sector_uncut);
     Figure figure;
     figure.value = *plane.median * to_mm;
     return figure;
@@ -119,47 +120,90 @@ std::vector<Metric> specimen_metrics() {
         d.absent_means = AbsentMeans::failed;
         metrics.push_back({std::move(d), compute});
     };
-    add({"tme_grade", "Mesorectal grade", "-", 1}, D::higher, A::grade, EvidenceGrade::moderate,
+    add({"tme_grade", QT_TRANSLATE_NOOP("fulcrum::metrics", "Mesorectal grade"), "-", 1}, D::higher, A::grade,
+        EvidenceGrade::moderate,
         "Quirke: 3 complete (no defect deeper than 5 mm, no coning), 2 nearly complete, 1 down to the "
         "muscularis; from event cut_advance",
-        {"Grade that a pathologist would give the specimen: 3 complete, 2 nearly complete, 1 incomplete.",
-         "the specimen is of grade {value}, below the required {limit}",
-         "stay on the shiny surface of the mesorectum and stop as soon as fat shows in front of the blade"},
+        {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "Grade that a pathologist would give the specimen: 3 complete, 2 nearly complete, "
+                           "1 incomplete."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "the specimen is of grade {value}, below the required {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "stay on the shiny surface of the mesorectum and stop as soon as fat shows in "
+                           "front of the blade")},
         tme_grade);
-    add({"tme_defect", "Deepest defect of the mesorectum", "mm", 0.1}, D::lower, A::maximum,
-        EvidenceGrade::moderate, "event cut_advance: distance beyond the areolar layer, into the fat",
-        {"How deep the cut went into the fat that should stay intact.",
-         "the cut went {value} into the fat, above the limit of {limit}",
-         "keep the blade in the white fibres; where you see yellow you are too close to the rectum"},
+    add({"tme_defect", QT_TRANSLATE_NOOP("fulcrum::metrics", "Deepest defect of the mesorectum"), "mm", 0.1},
+        D::lower, A::maximum, EvidenceGrade::moderate,
+        "event cut_advance: distance beyond the areolar layer, into the fat",
+        {QT_TRANSLATE_NOOP("fulcrum::metrics", "How deep the cut went into the fat that should stay intact."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "the cut went {value} into the fat, above the limit of {limit}"),
+         QT_TRANSLATE_NOOP(
+             "fulcrum::metrics",
+             "keep the blade in the white fibres; where you see yellow you are too close to the rectum")},
         tme_defect);
-    add({"crm_mm", "Circumferential margin", "mm", 0.1}, D::higher, A::minimum, EvidenceGrade::strong,
+    add({"crm_mm", QT_TRANSLATE_NOOP("fulcrum::metrics", "Circumferential margin"), "mm", 0.1}, D::higher,
+        A::minimum, EvidenceGrade::strong,
         "least distance of the cut to the tumour's edge; positive at 1 mm or less",
-        {"Least distance between the cut and the edge of the tumour. At 1 mm or less the margin is positive.",
-         "the cut passed the tumour at {value}, below the required {limit}",
-         "know where the tumour lies and keep to the plane beside it"},
+        {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "Least distance between the cut and the edge of the tumour. At 1 mm or less the "
+                           "margin is positive."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "the cut passed the tumour at {value}, below the required {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "know where the tumour lies and keep to the plane beside it")},
         crm_mm);
-    add({"drm_mm", "Distal reach below the tumour", "mm", 1}, D::higher, A::maximum, EvidenceGrade::moderate,
+    add({"drm_mm", QT_TRANSLATE_NOOP("fulcrum::metrics", "Distal reach below the tumour"), "mm", 1},
+        D::higher, A::maximum, EvidenceGrade::moderate,
         "tumour's lower edge to the lowest level fully divided; nothing is transected",
-        {"How far below the tumour the dissection reached: the distal margin that a transection there would "
-         "leave.",
-         "the dissection reached {value} below the tumour, below the required {limit}",
-         "divide every level from side to side before you go deeper, down to the levator"},
+        {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "How far below the tumour the dissection reached: the distal margin that a "
+                           "transection there would "
+                           "leave."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "the dissection reached {value} below the tumour, below the required {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "divide every level from side to side before you go deeper, down to the levator")},
         drm_mm);
     const char* const sector_source = "event cut_advance, in this third of every level";
-    const auto add_sector = [&](const char* id, const char* name, const char* where,
+    const auto add_sector = [&](Naming naming, Wording wording,
                                 Figure (*compute)(const Analysis&, const Selection&)) {
-        add({id, name, "mm", 0.1}, D::lower, A::mean, EvidenceGrade::expert, sector_source,
-            {std::string("Distance of the cut from the intended plane ") + where +
-                 ", whichever side: half of the cut lies nearer.",
-             std::string(where) +
-                 " half of the cut lay further than {value} from the plane, above the limit of {limit}",
-             std::string("restore the tension ") + where + " before you cut there"},
+        add(std::move(naming), D::lower, A::mean, EvidenceGrade::expert, sector_source, std::move(wording),
             compute);
     };
-    add_sector("plane_dev_right", "Distance from the plane, right", "on the patient's right",
+    add_sector({"plane_dev_right", QT_TRANSLATE_NOOP("fulcrum::metrics", "Distance from the plane, right"),
+                "mm", 0.1},
+               {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                                  "Distance of the cut from the intended plane on the patient's right, "
+                                  "whichever side: half of the cut lies nearer."),
+                QT_TRANSLATE_NOOP("fulcrum::metrics",
+                                  "on the patient's right half of the cut lay further than {value} from the "
+                                  "plane, above the limit of {limit}"),
+                QT_TRANSLATE_NOOP("fulcrum::metrics",
+                                  "restore the tension on the patient's right before you cut there")},
                plane_dev_right);
-    add_sector("plane_dev_mid", "Distance from the plane, midline", "in the midline", plane_dev_mid);
-    add_sector("plane_dev_left", "Distance from the plane, left", "on the patient's left", plane_dev_left);
+    add_sector(
+        {"plane_dev_mid", QT_TRANSLATE_NOOP("fulcrum::metrics", "Distance from the plane, midline"), "mm",
+         0.1},
+        {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "Distance of the cut from the intended plane in the midline, whichever side: half "
+                           "of the cut lies nearer."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "in the midline half of the cut lay further than {value} from the plane, above "
+                           "the limit of {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "restore the tension in the midline before you cut there")},
+        plane_dev_mid);
+    add_sector(
+        {"plane_dev_left", QT_TRANSLATE_NOOP("fulcrum::metrics", "Distance from the plane, left"), "mm", 0.1},
+        {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "Distance of the cut from the intended plane on the patient's left, whichever "
+                           "side: half of the cut lies nearer."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "on the patient's left half of the cut lay further than {value} from the plane, "
+                           "above the limit of {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "restore the tension on the patient's left before you cut there")},
+        plane_dev_left);
     return metrics;
 }
 

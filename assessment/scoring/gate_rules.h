@@ -24,12 +24,9 @@ double limit_of(const MetricDescriptor& descriptor, const BenchmarkLevel& level,
 bool keeps_limit(const MetricDescriptor& descriptor, double value, double limit);
 /// 100 clamp((z_novice - z) / z_novice, 0, 1); absent without z_novice above 0.5.
 std::optional<double> points_of(const BenchmarkLevel& level, double z);
-/// "left hand" or "".
-std::string hand_words(const std::string& hand);
-
-/// One sentence on the worst that happened, and where to look.
+/// The worst that happened and one thing to try, and where to look.
 struct Advice {
-    std::string sentence;
+    Statement statement;
     std::vector<TimeInterval> evidence;
 };
 Advice make_advice(const ScoreInput& input, const Score& score);

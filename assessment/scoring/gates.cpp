@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "assessment/metrics/registry.h"
+#include "assessment/metrics/statement_words.h"
 #include "assessment/scoring/gate_rules.h"
 #include "sim_core/numerics/input_error.h"
 
@@ -46,7 +47,7 @@ void judge_benchmark(GateResult& gate, const MetricDescriptor& descriptor, const
 /// judged.
 void judge_absence(GateResult& gate, const MetricDescriptor& descriptor, const MetricResult* result) {
     if (result == nullptr) {
-        gate.absent_because = "the metric was not computed";
+        gate.absent_because = StatementId::metric_not_computed;
         return;
     }
     gate.absent_because = result->absent_because;
@@ -86,10 +87,6 @@ std::optional<double> points_of(const BenchmarkLevel& level, double z) {
     return 100.0 * std::clamp((*level.z_novice - z) / *level.z_novice, 0.0, 1.0);
 }
 
-std::string hand_words(const std::string& hand) {
-    return hand.empty() ? std::string() : hand + " hand";
-}
-
 GateResult judge_gate(const GateSpec& spec, const std::vector<MetricResult>& metrics,
                       const BenchmarkSet* benchmark) {
     GateResult gate;
@@ -99,7 +96,7 @@ GateResult judge_gate(const GateSpec& spec, const std::vector<MetricResult>& met
     gate.kind = spec.kind;
     const MetricDescriptor* descriptor = find_metric(spec.metric);
     if (descriptor == nullptr) {
-        gate.absent_because = "the program does not know the metric";
+        gate.absent_because = StatementId::metric_unknown;
         return gate;
     }
     gate.unit = descriptor->unit;
@@ -116,9 +113,8 @@ GateResult judge_gate(const GateSpec& spec, const std::vector<MetricResult>& met
         const BenchmarkLevel* level =
             benchmark == nullptr ? nullptr : benchmark->find(spec.metric, spec.hand, spec.tissue);
         if (level == nullptr) {
-            gate.absent_because = benchmark == nullptr
-                                      ? "there is no benchmark for this task and device class"
-                                      : "the benchmark set has no level for it";
+            gate.absent_because =
+                benchmark == nullptr ? StatementId::no_benchmark : StatementId::no_benchmark_level;
             return gate;
         }
         judge_benchmark(gate, *descriptor, *level, *benchmark);
@@ -147,7 +143,8 @@ nlohmann::json gates_to_json(const std::vector<GateResult>& gates) {
                         {"points", number(gate.points)},
                         {"passed", gate.passed ? json(*gate.passed) : json(nullptr)},
                         {"provisional", gate.provisional},
-                        {"absent_because", text(gate.absent_because)}});
+                        {"absent_because", text(words_of(gate.absent_because))},
+                        {"absent_code", statement_json(gate.absent_because)}});
     return rows;
 }
 

@@ -29,18 +29,10 @@ bool broke_absolute_limit(const ScoreInput& input, const std::vector<GateResult>
     return false;
 }
 
-std::string gate_name(const GateResult& gate) {
-    const MetricDescriptor* d = find_metric(gate.metric);
-    std::string name = d == nullptr ? gate.metric : d->name;
-    if (!gate.hand.empty()) name += " (" + hand_words(gate.hand) + ")";
-    return name;
-}
-
 /// Passed, failed or not scored; the order of the rules is the order in which they beat one another.
 void decide(const ScoreInput& input, Score& score) {
-    const auto not_scored = [&](std::string reason) { score.not_scored_because = std::move(reason); };
-    if (input.state == AttemptState::failed_simulation)
-        return not_scored("the simulator failed during the attempt");
+    const auto not_scored = [&](Statement reason) { score.not_scored_because = std::move(reason); };
+    if (input.state == AttemptState::failed_simulation) return not_scored(StatementId::simulator_failed);
     if (!score.critical_errors.empty()) {
         score.passed = false;
         return;
@@ -50,14 +42,14 @@ void decide(const ScoreInput& input, Score& score) {
             score.passed = false;
             return;
         }
-        return not_scored("the attempt was interrupted");
+        return not_scored(StatementId::attempt_interrupted);
     }
     if (input.state != AttemptState::completed) {
-        if (!input.moved) return not_scored("the attempt ended before the first movement");
+        if (!input.moved) return not_scored(StatementId::ended_before_moving);
         score.passed = false;
         return;
     }
-    if (score.gates.empty()) return not_scored("the task has no gates");
+    if (score.gates.empty()) return not_scored(StatementId::no_gates);
     const GateResult* open = nullptr;
     for (const GateResult& gate : score.gates) {
         if (gate.passed == false) {
@@ -66,7 +58,10 @@ void decide(const ScoreInput& input, Score& score) {
         }
         if (!gate.passed && open == nullptr) open = &gate;
     }
-    if (open != nullptr) return not_scored(gate_name(*open) + ": " + open->absent_because);
+    if (open != nullptr)
+        return not_scored(
+            {StatementId::gate_not_judged,
+             {{"metric", open->metric}, {"hand", open->hand}, {"because", open->absent_because}}});
     score.passed = true;
 }
 
@@ -155,14 +150,14 @@ Score score_attempt(const ScoreInput& input) {
     decide(input, score);
     score.points = attempt_points(input, score);
     Advice advice = make_advice(input, score);
-    score.advice = std::move(advice.sentence);
+    score.advice = std::move(advice.statement);
     score.advice_evidence = std::move(advice.evidence);
     return score;
 }
 
 Score score_attempt(const TaskDefinition& task, const Trace& trace, const std::vector<Event>& events,
                     const std::vector<MetricResult>& metrics, const BenchmarkSet* benchmark,
-                    const std::string& why_no_benchmark) {
+                    const Statement& why_no_benchmark) {
     ScoreInput input{task, metrics, benchmark, attempt_state(events)};
     input.why_no_benchmark = why_no_benchmark;
     input.moved = std::any_of(events.begin(), events.end(),

@@ -40,18 +40,18 @@ struct GateResult {
     std::optional<double> points;  ///< 0..100; benchmark gates with z_novice > 0.5 only
     std::optional<bool> passed;    ///< absent where it could not be judged
     bool provisional = false;
-    std::string absent_because;  ///< why value, limit or passed are absent
+    Statement absent_because;  ///< why value, limit or passed are absent
     std::vector<TimeInterval> evidence;
 };
 
 struct Score {
     std::optional<bool> passed;
-    std::string not_scored_because;  ///< empty where passed has a value
-    std::optional<double> points;    ///< never without passed
-    bool provisional = false;        ///< some gate's limit is provisional
+    Statement not_scored_because;  ///< empty where passed has a value
+    std::optional<double> points;  ///< never without passed
+    bool provisional = false;      ///< some gate's limit is provisional
     std::vector<GateResult> gates;
     std::vector<CriticalError> critical_errors;
-    std::string advice;                         ///< one sentence
+    Statement advice;                           ///< one sentence
     std::vector<TimeInterval> advice_evidence;  ///< where to jump, may be empty
 };
 
@@ -69,19 +69,19 @@ struct ScoreInput {
         TimeInterval interval;
     };
     std::vector<Phase> phases = {};
-    std::string why_no_benchmark =
+    Statement why_no_benchmark =
         {};  ///< with a null `benchmark`: there is one, but it does not fit this scene
 };
 
-/// Pure. The same input gives the same sentence.
+/// Pure: the same input gives the same score and advice.
 Score score_attempt(const ScoreInput& input);
 /// As they ran, from phase_begin and phase_end events; names from the task's goals.
 std::vector<ScoreInput::Phase> phases_of(const TaskDefinition& task, const std::vector<Event>& events,
                                          const Trace& trace);
-/// The whole way from an attempt's record to its score.
+/// From an attempt's record to its score.
 Score score_attempt(const TaskDefinition& task, const Trace& trace, const std::vector<Event>& events,
                     const std::vector<MetricResult>& metrics, const BenchmarkSet* benchmark,
-                    const std::string& why_no_benchmark = {});
+                    const Statement& why_no_benchmark = {});
 
 /// The `gates` array of `perform`.
 nlohmann::json gates_to_json(const std::vector<GateResult>& gates);

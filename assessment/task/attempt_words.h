@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an attempt can be, as records and files name it and screens show it.
+// What an attempt and its gates can be, as records and files name it and screens show it.
 #pragma once
 
 #include <cstdint>
@@ -46,5 +46,11 @@ inline constexpr NameRow<DeviceClass> device_classes[] = {
     {DeviceClass::synthetic, "synthetic", QT_TRANSLATE_NOOP("fulcrum::devices", "synthetic operator")},
     {DeviceClass::external, "external", QT_TRANSLATE_NOOP("fulcrum::devices", "external trace")}};
 static_assert(in_order(device_classes));
+
+enum class GateKind : std::uint8_t { benchmark, absolute };
+inline constexpr NameRow<GateKind> gate_kinds[] = {
+    {GateKind::benchmark, "benchmark", QT_TRANSLATE_NOOP("fulcrum::gates", "benchmark")},
+    {GateKind::absolute, "absolute", QT_TRANSLATE_NOOP("fulcrum::gates", "absolute limit")}};
+static_assert(in_order(gate_kinds));
 
 }  // namespace fulcrum

@@ -30,12 +30,6 @@ struct Goal {
     double traction_low_n_m = 0, traction_high_n_m = 0;  ///< take_tension, divide_line: N/m across the line
 };
 
-enum class GateKind : std::uint8_t { benchmark, absolute };
-inline constexpr NameRow<GateKind> gate_kinds[] = {
-    {GateKind::benchmark, "benchmark", QT_TRANSLATE_NOOP("fulcrum::gates", "benchmark")},
-    {GateKind::absolute, "absolute", QT_TRANSLATE_NOOP("fulcrum::gates", "absolute limit")}};
-static_assert(in_order(gate_kinds));
-
 /// A gate as the task names it; the limit of a benchmark gate comes from the benchmark set.
 struct GateSpec {
     std::string metric;

@@ -59,7 +59,7 @@ AttemptSummary summary_of_row(const Query& row) {
     attempt.state_hash = text();
     attempt.passed = row.optional_flag(column++);
     attempt.points = row.optional_real(column++);
-    attempt.not_scored_because = text();
+    attempt.not_scored_because = statement_of(text());
     attempt.provisional = row.flag(column++);
     attempt.void_reason = text();
     attempt.voided_by = text();

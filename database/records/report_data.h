@@ -58,7 +58,7 @@ struct ProgressPoint {
     double duration_s = 0;
     std::optional<bool> passed;
     bool provisional = false;
-    std::string not_scored_because;
+    Statement not_scored_because;
     std::optional<double> points;
     std::vector<MetricRow> metrics;            ///< of the score in force
     std::optional<PathologyReport> pathology;  ///< of the score in force, where the task leaves a specimen

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "assessment/metrics/statement.h"
+
 namespace fulcrum::database {
 
 /// Known before the first tick; written when the recorder opens.
@@ -43,7 +45,7 @@ struct MetricRow {
     std::string hand;    ///< left | right | "" none
     std::string tissue;  ///< label | "" all
     std::optional<double> value;
-    std::string absent_because;  ///< "" when there is a value
+    Statement absent_because;  ///< empty when there is a value
     std::string unit;
     std::string direction;                            ///< lower | higher | context
     std::vector<std::pair<double, double>> evidence;  ///< s
@@ -60,7 +62,7 @@ struct GateRow {
     std::optional<double> points;  ///< 0..100
     std::optional<bool> passed;
     bool provisional = false;
-    std::string not_passed_because;  ///< "" unless passed is false or empty
+    Statement not_passed_because;  ///< empty unless passed is false or empty
 };
 
 struct CriticalErrorRow {
@@ -77,9 +79,9 @@ struct ScoreRow {
     std::string program_version, limits;
     bool in_force = false;       ///< made by the store
     std::optional<bool> passed;  ///< empty: not scored
-    std::string not_scored_because;
+    Statement not_scored_because;
     std::optional<double> points;  ///< 0..100
-    std::string advice;            ///< one sentence
+    Statement advice;              ///< one sentence
     std::vector<GateRow> gates;
     std::vector<MetricRow> metrics;
     std::vector<CriticalErrorRow> critical_errors;
@@ -118,7 +120,7 @@ struct AttemptSummary {
     std::optional<bool> passed;  ///< of the score in force
     bool provisional = false;    ///< a gate of the score in force rests on a provisional limit
     std::optional<double> points;
-    std::string not_scored_because;
+    Statement not_scored_because;
     bool counting = false;               ///< enters progress and cohorts, device class aside (docs/MANUAL.md)
     std::string void_reason, voided_by;  ///< display name; "" if not voided
     std::int64_t voided_at = 0;

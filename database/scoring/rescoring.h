@@ -17,7 +17,7 @@ struct RecomputedScore {
     std::string why;                      ///< the versions it was computed with, and those in force
     std::optional<bool> passed_in_force;  ///< of the score in force, which stays
     std::optional<bool> passed;           ///< of the new one
-    std::string not_scored_because;       ///< where it has neither passed nor failed
+    Statement not_scored_because;         ///< where it has neither passed nor failed
     std::string problem;                  ///< why there is no new one; empty if there is
 };
 

@@ -15,8 +15,8 @@ std::optional<BenchmarkSet> benchmark_in_force(const std::string& task_id) {
     return load_benchmark(path);
 }
 
-std::string why_not_comparable(const BenchmarkSet& benchmark, const Scene& scene,
-                               const std::string& scene_file) {
+Statement why_not_comparable(const BenchmarkSet& benchmark, const Scene& scene,
+                             const std::string& scene_file) {
     const CuttingValues used = cutting_values(scene);
     if (used.empty() && benchmark.cutting.empty()) return {};
     const CuttingValues made_with = benchmark.cutting.empty()
@@ -24,7 +24,7 @@ std::string why_not_comparable(const BenchmarkSet& benchmark, const Scene& scene
                                         : benchmark.cutting;
     const std::string difference = cutting_difference(used, made_with);
     if (difference.empty()) return {};
-    return "tissue is cut otherwise than where the limits were made (" + difference + ")";
+    return {StatementId::cutting_differs, {{"difference", difference}}};
 }
 
 std::vector<std::string> tissue_labels(const Scene& scene) {
@@ -47,8 +47,8 @@ ScoredAttempt score_record(const Scene& scene, const TaskDefinition& task,
             pathology_report(cut_strokes(events, trace.tick_period, trace.end), *context.specimen);
     scored.state = attempt_state(events);
     scored.duration_s = samples.empty() ? 0 : samples.back().tick * scene.tick_period();
-    const std::string other =
-        benchmark == nullptr ? std::string() : why_not_comparable(*benchmark, scene, task.scene);
+    const Statement other =
+        benchmark == nullptr ? Statement() : why_not_comparable(*benchmark, scene, task.scene);
     scored.score =
         score_attempt(task, trace, events, scored.metrics, other.empty() ? benchmark : nullptr, other);
     return scored;

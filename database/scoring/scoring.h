@@ -29,11 +29,11 @@ struct ScoredAttempt {
 /// The benchmark set in force for a task and device class: assets/benchmarks/TASK.json (first sets serve
 /// every class). Empty if none.
 std::optional<BenchmarkSet> benchmark_in_force(const std::string& task_id);
-/// Why an attempt in this scene is not held against the set: its tissues are cut otherwise than those of the
-/// scene that the set was made in. Empty if it is. `scene_file`: the task's, whose values a set without any
-/// of its own means.
-std::string why_not_comparable(const BenchmarkSet& benchmark, const Scene& scene,
-                               const std::string& scene_file);
+/// Why an attempt in this scene is not compared with the set: its cutting parameters differ from those of the
+/// scene that the set was made in. Empty if they are equal. `scene_file`: the task's, whose values a set
+/// without any of its own means.
+Statement why_not_comparable(const BenchmarkSet& benchmark, const Scene& scene,
+                             const std::string& scene_file);
 
 /// Pure but for its arguments and the scene file of the task (why_not_comparable). `targets`: centres of the
 /// scene's targets for this seed.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "assessment/metrics/statement.h"
 #include "database/records/tissues.h"
 #include "database/store/store.h"
 
@@ -24,7 +25,7 @@ struct SiteTissues {
     std::vector<SiteTissueValue> values;  ///< empty: the task cuts nothing by force
     int version = 0;                      ///< of the site's values in force; 0: never set
     bool differ = false;                  ///< from the scene file's
-    std::string limits_note;  ///< why attempts are not held against the task's limits; empty if they are
+    Statement limits_note;  ///< why attempts are not compared with the task's limits; empty if they are
 };
 
 /// Throws InputError (task unknown, the site's values no longer fit its scene), AccessDenied.

@@ -56,9 +56,9 @@ std::string score_digest(const std::string& attempt_id, const ScoreRow& score) {
     canonical.add(attempt_id).add(score.id).add(score.computed).add(score.program_version).add(score.limits);
     canonical.add(std::int64_t{score.in_force})
         .add(score.passed)
-        .add(score.not_scored_because)
+        .add(stored_text(score.not_scored_because))
         .add(score.points)
-        .add(score.advice);
+        .add(stored_text(score.advice));
     canonical.add(static_cast<std::int64_t>(score.gates.size()));
     for (const GateRow& gate : score.gates) {
         canonical.add(gate.metric)
@@ -73,7 +73,7 @@ std::string score_digest(const std::string& attempt_id, const ScoreRow& score) {
             .add(gate.points)
             .add(gate.passed)
             .add(std::int64_t{gate.provisional});
-        canonical.add(gate.not_passed_because);
+        canonical.add(stored_text(gate.not_passed_because));
     }
     canonical.add(static_cast<std::int64_t>(score.metrics.size()));
     for (const MetricRow& metric : score.metrics) {
@@ -82,7 +82,7 @@ std::string score_digest(const std::string& attempt_id, const ScoreRow& score) {
             .add(metric.hand)
             .add(metric.tissue)
             .add(metric.value);
-        canonical.add(metric.absent_because)
+        canonical.add(stored_text(metric.absent_because))
             .add(metric.unit)
             .add(metric.direction)
             .add(json_intervals(metric.evidence));
@@ -120,9 +120,9 @@ std::string write_score(const Store& store, const Session& session, const std::s
         .bind(score.limits)
         .bind(score.in_force)
         .bind(score.passed)
-        .bind(score.not_scored_because)
+        .bind(stored_text(score.not_scored_because))
         .bind(score.points)
-        .bind(score.advice)
+        .bind(stored_text(score.advice))
         .run();
     int number = 0;
     for (const GateRow& gate : score.gates) {
@@ -144,7 +144,7 @@ std::string write_score(const Store& store, const Session& session, const std::s
             .bind(gate.points)
             .bind(gate.passed)
             .bind(gate.provisional)
-            .bind(gate.not_passed_because)
+            .bind(stored_text(gate.not_passed_because))
             .run();
     }
     number = 0;
@@ -160,7 +160,7 @@ std::string write_score(const Store& store, const Session& session, const std::s
             .bind(metric.hand)
             .bind(metric.tissue)
             .bind(metric.value)
-            .bind(metric.absent_because)
+            .bind(stored_text(metric.absent_because))
             .bind(metric.unit)
             .bind(metric.direction)
             .bind(json_intervals(metric.evidence))
@@ -207,9 +207,9 @@ ScoreRow read_score(Connection& connection, const std::string& score_id) {
     score.limits = row.text(3);
     score.in_force = row.flag(4);
     score.passed = row.optional_flag(5);
-    score.not_scored_because = row.text(6);
+    score.not_scored_because = statement_of(row.text(6));
     score.points = row.optional_real(7);
-    score.advice = row.text(8);
+    score.advice = statement_of(row.text(8));
     Query gates(connection,
                 "SELECT metric, hand, tissue, kind, value, unit, limit_value, limit_source, z, points, "
                 "passed, provisional, "
@@ -229,7 +229,7 @@ ScoreRow read_score(Connection& connection, const std::string& score_id) {
         gate.points = gates.optional_real(9);
         gate.passed = gates.optional_flag(10);
         gate.provisional = gates.flag(11);
-        gate.not_passed_because = gates.text(12);
+        gate.not_passed_because = statement_of(gates.text(12));
         score.gates.push_back(std::move(gate));
     }
     Query metrics(
@@ -244,7 +244,7 @@ ScoreRow read_score(Connection& connection, const std::string& score_id) {
         metric.hand = metrics.text(2);
         metric.tissue = metrics.text(3);
         metric.value = metrics.optional_real(4);
-        metric.absent_because = metrics.text(5);
+        metric.absent_because = statement_of(metrics.text(5));
         metric.unit = metrics.text(6);
         metric.direction = metrics.text(7);
         metric.evidence = parse_intervals(metrics.text(8));

@@ -3,68 +3,10 @@
 
 #include <algorithm>
 
-#include "sim_core/numerics/name_table.h"
+#include "sim_core/telemetry/event_names.h"
 
 namespace fulcrum {
 namespace {
-
-struct EventRow {
-    EventKind kind;
-    const char* name;  // in exports (docs/FORMATS.md); screens have sentences of their own
-};
-constexpr EventRow event_kinds[] = {
-    {EventKind::attempt_begin, "attempt_begin"},
-    {EventKind::first_movement, "first_movement"},
-    {EventKind::phase_begin, "phase_begin"},
-    {EventKind::phase_end, "phase_end"},
-    {EventKind::target_shown, "target_shown"},
-    {EventKind::target_reached, "target_reached"},
-    {EventKind::grasp, "grasp"},
-    {EventKind::release, "release"},
-    {EventKind::slip, "slip"},
-    {EventKind::drop, "drop"},
-    {EventKind::regrasp, "regrasp"},
-    {EventKind::over_force_begin, "over_force_begin"},
-    {EventKind::over_force_end, "over_force_end"},
-    {EventKind::perforation, "perforation"},
-    {EventKind::tool_collision, "tool_collision"},
-    {EventKind::wall_contact, "wall_contact"},
-    {EventKind::pause, "pause"},
-    {EventKind::resume, "resume"},
-    {EventKind::device_lost, "device_lost"},
-    {EventKind::device_back, "device_back"},
-    {EventKind::device_fault, "device_fault"},
-    {EventKind::world_late, "world_late"},
-    {EventKind::simulator_fault, "simulator_fault"},
-    {EventKind::stability_limited, "stability_limited"},
-    {EventKind::goal_progress, "goal_progress"},
-    {EventKind::completed, "completed"},
-    {EventKind::abandoned, "abandoned"},
-    {EventKind::timed_out, "timed_out"},
-    {EventKind::interrupted, "interrupted"},
-    {EventKind::samples_lost, "samples_lost"},
-    {EventKind::tear, "tear"},
-    {EventKind::jaw_pressure, "jaw_pressure"},
-    {EventKind::cut_begin, "cut_begin"},
-    {EventKind::cut_end, "cut_end"},
-    {EventKind::cut_advance, "cut_advance"},
-    {EventKind::cut_traction, "cut_traction"},
-    {EventKind::cut_rolled_back, "cut_rolled_back"},
-    {EventKind::piece_fallen, "piece_fallen"},
-    {EventKind::activation_begin, "activation_begin"},
-    {EventKind::activation_end, "activation_end"},
-    {EventKind::band_divided, "band_divided"},
-    {EventKind::bleed_begin, "bleed_begin"},
-    {EventKind::bleed_end, "bleed_end"},
-    {EventKind::blood_loss, "blood_loss"},
-    {EventKind::clip_applied, "clip_applied"},
-    {EventKind::heat_dose, "heat_dose"},
-    {EventKind::vessel_injury, "vessel_injury"},
-    {EventKind::nerve_injury, "nerve_injury"},
-    {EventKind::tool_exchanged, "tool_exchanged"},
-    {EventKind::fibres_parted, "fibres_parted"},
-};
-static_assert(in_order(event_kinds));
 
 // As records have stored them from the first: bits of an activation; a nerve's number, and 256 more where a
 // blade divided it.

@@ -9,6 +9,7 @@
 #include <QSlider>
 #include <nlohmann/json.hpp>
 
+#include "assessment/metrics/statement_words.h"
 #include "tests/app/journey_page.h"
 #include "tests/app/mouse_hand.h"
 #include "tests/app/window_fixture.h"
@@ -208,7 +209,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     DebriefPage& debrief = wait_for_debrief();
     const database::AttemptSummary first = newest_attempt();
     EXPECT_EQ(first.state, whole ? "completed" : "abandoned");
-    EXPECT_TRUE(first.counting) << first.meta.mode << ", " << first.not_scored_because;
+    EXPECT_TRUE(first.counting) << first.meta.mode << ", " << words_of(first.not_scored_because);
     const QString first_state = attempt_state(first.state), first_points = figure(first.points);
     const QString first_time = shown("headline_0");
     EXPECT_EQ(shown("debrief_about").contains(" · " + first_points + " of 100 points"),

@@ -77,15 +77,26 @@ inline LargeProgramme make_large_programme(const Store& store, int trainees, int
             score.limits = task + "-operators@1";
             score.passed = points > 60;
             score.points = points;
-            score.gates.push_back({"time", "", "", "benchmark", 120 - points, "s", 60.0, "operators", 0.5,
-                                   points, *score.passed, true, ""});
+            score.gates.push_back({"time",
+                                   "",
+                                   "",
+                                   "benchmark",
+                                   120 - points,
+                                   "s",
+                                   60.0,
+                                   "operators",
+                                   0.5,
+                                   points,
+                                   *score.passed,
+                                   true,
+                                   {}});
             for (int m = 0; m < metrics; ++m) {
                 score.metrics.push_back({"metric_" + std::to_string(m),
                                          1,
                                          m % 2 == 0 ? "left" : "right",
                                          "",
                                          random.uniform(0, 100),
-                                         "",
+                                         {},
                                          "mm",
                                          "lower",
                                          {{1.0, 2.0}}});

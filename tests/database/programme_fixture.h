@@ -41,13 +41,22 @@ inline ScoreRow example_score(bool passed, double points) {
     score.limits = "A2-operators@1";
     score.passed = passed;
     score.points = points;
-    score.advice = "Hold the left tip still before you let go.";
+    score.advice = {StatementId::gate_missed,
+                    {{"metric", std::string("f_max")}, {"value", 6.0}, {"limit", 4.0}}};
     score.gates.push_back({"path_len", "left", "", "benchmark", 812.5, "mm", 900.0, "A2-operators@1", 0.7,
-                           61.0, passed, true, passed ? "" : "path_len 812.5 mm"});
+                           61.0, passed, true, passed ? Statement() : Statement(StatementId::no_benchmark)});
     score.gates.push_back(
-        {"perforation", "", "", "absolute", 0.0, "count", 0.0, "safety", {}, {}, true, false, ""});
-    score.metrics.push_back({"path_len", 1, "left", "", 812.5, "", "mm", "lower", {{0.25, 31.5}}});
-    score.metrics.push_back({"sparc", 2, "right", "", {}, "fewer than 5 segments", "1", "higher", {}});
+        {"perforation", "", "", "absolute", 0.0, "count", 0.0, "safety", {}, {}, true, false, {}});
+    score.metrics.push_back({"path_len", 1, "left", "", 812.5, {}, "mm", "lower", {{0.25, 31.5}}});
+    score.metrics.push_back({"sparc",
+                             2,
+                             "right",
+                             "",
+                             {},
+                             {StatementId::few_movements, {{"count", 3.0}, {"least", 5.0}}},
+                             "1",
+                             "higher",
+                             {}});
     return score;
 }
 

@@ -217,13 +217,13 @@ database::ScoreRow FakeAttempt::score(const std::string& state) const {
                    metric("f_max", "left", worst_force_, "N")};
     database::MetricRow absent = metric("sparc", "left", 0, "-");
     absent.value.reset();
-    absent.absent_because = "fewer than 5 movement segments";
+    absent.absent_because = {StatementId::few_movements, {{"count", 3.0}, {"least", 5.0}}};
     row.metrics.push_back(absent);
     const bool force_met = worst_force_ <= 4.0;
     const bool done = state == "completed";
     database::GateRow time{
         "time", "",   "",   "benchmark", tick_ * 1e-3, "s", 120.0, task_.id + "-operators@1", 0.8,
-        75.0,   true, true, ""};
+        75.0,   true, true, {}};
     database::GateRow force{"f_max",
                             "left",
                             "",
@@ -236,13 +236,16 @@ database::ScoreRow FakeAttempt::score(const std::string& state) const {
                             std::nullopt,
                             force_met,
                             true,
-                            force_met ? "" : "above the limit"};
+                            {}};
     row.gates = {time, force};
     row.passed = done && force_met;
     row.points = 75.0;
-    row.advice = force_met
-                     ? "Left hand: shorten the path, move in one sweep from target to target."
-                     : "Left hand: you pressed with 9 N, 2.3 times the limit; slow down before you touch.";
+    const std::string force_metric = "f_max", left = "left";
+    row.advice =
+        force_met
+            ? Statement(StatementId::gates_met)
+            : Statement(StatementId::gate_missed,
+                        {{"metric", force_metric}, {"hand", left}, {"value", worst_force_}, {"limit", 4.0}});
     return row;
 }
 

@@ -143,7 +143,7 @@ void TissuesPage::show_values() {
     note_->setText(
         tr("Attempts are not compared with the task's limits, and gates based on them are not scored: %1. "
            "Build a benchmark set in this tissue: fulcrum benchmark build %2 --operators --db %3")
-            .arg(text(site_.limits_note), text(task_id()), text(context().store().path())));
+            .arg(statement_text(site_.limits_note), text(task_id()), text(context().store().path())));
     edits_.clear();
     table_->setRowCount(0);
     for (const SiteTissueValue& one : site_.values) {

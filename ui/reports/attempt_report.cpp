@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 
 #include "assessment/metrics/registry.h"
+#include "assessment/metrics/statement_words.h"
 #include "ui/reports/paper.h"
 #include "ui/reports/pathology_words.h"
 #include "ui/reports/report_rows.h"
@@ -66,11 +67,11 @@ void head(Sheet& sheet, const AttemptPaper& paper) {
     sheet.paragraph(beside({verdict(attempt.passed, attempt.provisional),
                             attempt.points && attempt.passed ? points_text(*attempt.points) : QString()}));
     sheet.font(9);
-    const std::string advice = paper.report.score ? paper.report.score->advice : std::string();
+    const QString advice = paper.report.score ? statement_text(paper.report.score->advice) : QString();
+    const QString reason = statement_text(attempt.not_scored_because);
     // Where nothing was scored the advice says why.
-    if (!attempt.passed && advice.find(attempt.not_scored_because) == std::string::npos)
-        sheet.paragraph(tr("Not scored: %1").arg(text(attempt.not_scored_because)));
-    if (!advice.empty()) sheet.paragraph(text(advice));
+    if (!attempt.passed && !advice.contains(reason)) sheet.paragraph(tr("Not scored: %1").arg(reason));
+    if (!advice.isEmpty()) sheet.paragraph(advice);
     sheet.skip(2);
 }
 
@@ -85,8 +86,7 @@ void gates(Sheet& sheet, const database::ScoreRow& score) {
         const bool higher = metric != nullptr && metric->direction == Direction::higher;
         const bool missed = gate.passed && !*gate.passed;
         sheet.font(8, false, missed ? paper_palette().bad : paper_palette().text);
-        columns.row({metric == nullptr ? text(gate.metric) : text(metric->name), hand_text(gate.hand),
-                     figure_with_unit(gate.value, gate.unit),
+        columns.row({metric_text(gate.metric), hand_text(gate.hand), figure_with_unit(gate.value, gate.unit),
                      gate.limit ? (higher ? QStringLiteral("≥ ") : QStringLiteral("≤ ")) +
                                       figure_with_unit(gate.limit, gate.unit)
                                 : tr("none"),
@@ -129,12 +129,12 @@ void pathology(Sheet& sheet, const PathologyReport& report) {
 void csv_row(std::string& csv, const AttemptPaper& paper, const std::string& figure,
              const std::string& version, const std::string& hand, const std::string& tissue,
              const std::string& level, const std::string& sector, const std::optional<double>& value,
-             const std::string& unit, const std::string& absent_because) {
+             const std::string& unit, const Statement& absent_because) {
     const database::AttemptMeta& meta = paper.report.attempt.meta;
     for (const std::string& cell :
          {csv_text(meta.id), csv_text(paper.report.attempt.person_login), csv_text(meta.task_id),
           database::iso_utc(meta.started), csv_text(figure), version, hand, csv_text(tissue), level, sector,
-          csv_number(value), csv_text(unit), csv_text(absent_because)})
+          csv_number(value), csv_text(unit), csv_text(words_of(absent_because))})
         csv += cell + ",";
     csv.back() = '\r';
     csv += '\n';
@@ -147,7 +147,7 @@ void csv_finding(std::string& csv, const AttemptPaper& paper, const SectorFindin
                          const char* unit) {
         csv_row(csv, paper, name, version, "", "", level, sector_name(finding.sector),
                 value ? std::optional<double>(*value * scale) : std::nullopt, unit,
-                value ? "" : "nothing was cut in this sector");
+                value ? Statement() : StatementId::sector_uncut);
     };
     row("pathology.divided", finding.divided, 100, "%");
     row("pathology.median", finding.plane.median, 1e3, "mm");
@@ -229,6 +229,8 @@ std::string attempt_json(const AttemptPaper& paper) {
                              {"limit_source", words(gate.limit_source)},
                              {"z", number(gate.z)},
                              {"passed", gate.passed ? Json(*gate.passed) : Json(nullptr)},
+                             {"absent_because", words(words_of(gate.not_passed_because))},
+                             {"absent_code", statement_json(gate.not_passed_because)},
                              {"provisional", gate.provisional}});
         for (const database::MetricRow& metric : paper.report.score->metrics)
             metrics.push_back(metric_json(metric));
@@ -247,7 +249,8 @@ std::string attempt_json(const AttemptPaper& paper) {
         {"duration_s", attempt.duration_s},
         {"passed", attempt.passed ? Json(*attempt.passed) : Json(nullptr)},
         {"provisional", attempt.provisional},
-        {"not_scored_because", words(attempt.not_scored_because)},
+        {"not_scored_because", words(words_of(attempt.not_scored_because))},
+        {"not_scored_code", statement_json(attempt.not_scored_because)},
         {"points", number(attempt.points)},
         {"gates", std::move(gates)},
         {"metrics", std::move(metrics)},

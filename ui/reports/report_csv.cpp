@@ -6,6 +6,7 @@
 #include <map>
 
 #include "assessment/metrics/registry.h"
+#include "assessment/metrics/statement_words.h"
 #include "ui/reports/report.h"
 
 namespace fulcrum::ui {
@@ -236,7 +237,7 @@ std::string person_csv(const PersonReport& report) {
                     .flag(point.counting)
                     .flag(point.passed)
                     .flag(point.provisional)
-                    .words(point.not_scored_because)
+                    .words(words_of(point.not_scored_because))
                     .number(point.duration_s)
                     .number(point.points)
                     .number(scaled(point.points));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/metrics/statement_words.h"
 #include "ui/reports/report_rows.h"
 
 namespace fulcrum::ui {
@@ -49,7 +50,8 @@ Json point_json(const database::ProgressPoint& point) {
             {"duration_s", point.duration_s},
             {"passed", or_null(point.passed)},
             {"provisional", point.provisional},
-            {"not_scored_because", or_null(point.not_scored_because)},
+            {"not_scored_because", or_null(words_of(point.not_scored_because))},
+            {"not_scored_code", statement_json(point.not_scored_because)},
             {"points", or_null(point.points)},
             {"metrics", std::move(metrics)},
             {"pathology", point.pathology ? Json::parse(pathology_json(*point.pathology)) : Json(nullptr)}};
@@ -78,7 +80,8 @@ Json metric_json(const database::MetricRow& metric) {
             {"hand", or_null(metric.hand)},
             {"tissue", or_null(metric.tissue)},
             {"value", or_null(metric.value)},
-            {"absent_because", or_null(metric.absent_because)},
+            {"absent_because", or_null(words_of(metric.absent_because))},
+            {"absent_code", statement_json(metric.absent_because)},
             {"unit", metric.unit},
             {"direction", metric.direction},
             {"evidence", std::move(evidence)}};

@@ -6,199 +6,19 @@
 #include <thread>
 #include <utility>
 
+#include "ui/review/event_words.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
 namespace {
 
 constexpr double fibres_line_s = 1;
-constexpr double crumb_m2 = 1e-6;  // nobody sees smaller pieces come free
 
 QString tr(const char* source) {
     return QCoreApplication::translate("fulcrum::ui", source);
 }
 
-QString hand_words(const Event& event) {
-    if (event.hand == 0) return tr("left hand");
-    if (event.hand == 1) return tr("right hand");
-    return {};
-}
-
 }  // namespace
-
-bool is_critical(EventKind kind) {
-    return kind == EventKind::perforation || kind == EventKind::vessel_injury ||
-           kind == EventKind::nerve_injury;
-}
-
-bool is_penalty(EventKind kind) {
-    switch (kind) {
-        case EventKind::over_force_begin:
-        case EventKind::perforation:
-        case EventKind::tear:
-        case EventKind::drop:
-        case EventKind::slip:
-        case EventKind::jaw_pressure:
-        case EventKind::tool_collision:
-        case EventKind::device_fault:
-        case EventKind::device_lost:
-        case EventKind::simulator_fault:
-        case EventKind::vessel_injury:
-        case EventKind::nerve_injury:
-        case EventKind::bleed_begin:
-        case EventKind::fibres_parted:
-            return true;
-        default:
-            return false;
-    }
-}
-
-QString event_words(const Event& event, const std::vector<std::string>& tissues) {
-    QString words;
-    switch (event.kind) {
-        case EventKind::attempt_begin:
-            words = tr("Attempt begins");
-            break;
-        case EventKind::first_movement:
-            words = tr("First movement");
-            break;
-        case EventKind::phase_begin:
-            words = tr("Step %1 begins").arg(event.detail + 1);
-            break;
-        case EventKind::target_reached:
-            words = tr("Target %1 held").arg(event.detail + 1);
-            break;
-        case EventKind::grasp:
-            words = tr("Grasp");
-            break;
-        case EventKind::release:
-            words = tr("Release");
-            break;
-        case EventKind::slip:
-            words = tr("Tissue slipped out of the jaws");
-            break;
-        case EventKind::drop:
-            words = tr("Dropped");
-            break;
-        case EventKind::regrasp:
-            words = tr("Same place grasped again");
-            break;
-        case EventKind::over_force_begin: {
-            words = tr("Too much force: %1 N").arg(figure(static_cast<double>(event.value)));
-            if (event.detail > 0) words += tr(" (limit %1 N)").arg(figure(event.detail * 1e-3));
-            break;
-        }
-        case EventKind::perforation:
-            words = tr("Perforation at %1 N").arg(figure(static_cast<double>(event.value)));
-            break;
-        case EventKind::tool_collision:
-            words = tr("Instruments touch");
-            break;
-        case EventKind::pause:
-            words = tr("Pause");
-            break;
-        case EventKind::resume:
-            words = tr("Resumed");
-            break;
-        case EventKind::device_lost:
-            words = tr("Device lost");
-            break;
-        case EventKind::device_back:
-            words = tr("Device back");
-            break;
-        case EventKind::device_fault:
-            words = tr("Device gave an impossible reading");
-            break;
-        case EventKind::simulator_fault:
-            words = tr("Simulator fault");
-            break;
-        case EventKind::completed:
-            words = tr("Completed");
-            break;
-        case EventKind::abandoned:
-            words = tr("Abandoned");
-            break;
-        case EventKind::timed_out:
-            words = tr("Time limit reached");
-            break;
-        case EventKind::interrupted:
-            words = tr("Interrupted");
-            break;
-        case EventKind::samples_lost:
-            words = tr("%1 samples lost").arg(event.detail);
-            break;
-        case EventKind::tear:
-            words = tr("Tear");
-            break;
-        case EventKind::jaw_pressure:
-            words = tr("Jaw pressure %1 kPa").arg(figure(static_cast<double>(event.value)));
-            break;
-        case EventKind::cut_begin:
-            words = tr("Cut begins");
-            break;
-        case EventKind::cut_end:
-            words = tr("Cut ends");
-            break;
-        case EventKind::fibres_parted:
-            words = tr("Fibres tore under too much tension");
-            break;
-        case EventKind::piece_fallen:
-            if (static_cast<double>(event.value) < crumb_m2) return {};
-            words = tr("A piece of %1 mm² came free").arg(figure(static_cast<double>(event.value) * 1e6));
-            break;
-        case EventKind::activation_begin:
-            words = activation_of(event).clear ? tr("Energy on")
-                                               : tr("Energy on %1 mm from the nerve")
-                                                     .arg(figure(static_cast<double>(event.value) * 1e3));
-            break;
-        case EventKind::activation_end:
-            words = tr("Energy off");
-            break;
-        case EventKind::band_divided:
-            words = tr("Band %1 divided at %2 N")
-                        .arg(event.detail + 1)
-                        .arg(figure(static_cast<double>(event.value)));
-            break;
-        case EventKind::bleed_begin:
-            words = tr("Bleeding, %1 mL/min").arg(figure(static_cast<double>(event.value)));
-            break;
-        case EventKind::bleed_end:
-            words = tr("Bleeding stopped after %1 mL").arg(figure(static_cast<double>(event.value)));
-            break;
-        case EventKind::clip_applied:
-            words = event.detail >= 0 ? tr("Clip on a bleeding point") : tr("Clip");
-            break;
-        case EventKind::vessel_injury:
-            words = tr("Vessel injured");
-            break;
-        case EventKind::nerve_injury:
-            words = nerve_injury_of(event).cause == InjuryCause::blade ? tr("Nerve divided by a blade")
-                                                                       : tr("Nerve injured by heat");
-            break;
-        case EventKind::tool_exchanged:
-            words = tr("Instrument exchanged");
-            break;
-        case EventKind::blood_loss:
-        case EventKind::heat_dose:
-        case EventKind::cut_advance:
-        case EventKind::cut_traction:
-        case EventKind::cut_rolled_back:
-        case EventKind::phase_end:
-        case EventKind::target_shown:
-        case EventKind::over_force_end:
-        case EventKind::wall_contact:
-        case EventKind::world_late:
-        case EventKind::stability_limited:
-        case EventKind::goal_progress:
-            return {};
-    }
-    const QString hand = hand_words(event);
-    if (!hand.isEmpty()) words += QStringLiteral(", ") + hand;
-    if (event.tissue >= 0 && static_cast<std::size_t>(event.tissue) < tissues.size()) {
-        words += QStringLiteral(", ") + text(tissues[static_cast<std::size_t>(event.tissue)]);
-    }
-    return words;
-}
 
 std::vector<PathPoint> thin_path(std::vector<PathPoint> points, double spacing, std::size_t limit) {
     while (true) {
@@ -346,7 +166,7 @@ std::array<Headline, 4> headlines(const AttemptModel& model) {
             headline.value = formatted;
             headline.why.clear();
         } else {
-            headline.why = text(row->absent_because);
+            headline.why = statement_text(row->absent_because);
         }
     };
     const database::MetricRow* time = find_metric_row(score, "time", "");
@@ -357,7 +177,7 @@ std::array<Headline, 4> headlines(const AttemptModel& model) {
         fill(shown[h + 1], path,
              path != nullptr && path->value ? figure_with_unit(*path->value, path->unit) : QString());
     }
-    // Damage: what went over the tissues' limits, both hands together; the critical errors stand beneath.
+    // Damage: what went over the tissues' limits, both hands together; critical errors below.
     std::optional<double> over;
     std::string unit;
     for (const char* hand : hands) {
@@ -375,7 +195,7 @@ std::array<Headline, 4> headlines(const AttemptModel& model) {
     if (!score.critical_errors.empty()) {
         QStringList names;
         for (const database::CriticalErrorRow& error : score.critical_errors) {
-            names << text(error.kind).replace(QLatin1Char('_'), QLatin1Char(' '));
+            names << event_text(error.kind);
         }
         names.removeDuplicates();
         shown[3].why = tr("critical: %1").arg(names.join(QStringLiteral(", ")));

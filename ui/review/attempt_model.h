@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Everything the debrief shows of one attempt, read and prepared off the UI thread from the stored record:
-// nothing is simulated again and no figure is computed here that the score does not hold.
+// nothing is simulated again, and no value is computed here that the score does not hold.
 #pragma once
 
 #include <QString>
@@ -49,8 +49,8 @@ struct AttemptModel {
     double tick = 1e-3;  ///< s
 };
 
-/// Reads and prepares all but the trace: an hour's charts stand within a second. Worker thread. Empty when
-/// stopped. Throws AccessDenied, StoreError.
+/// Reads and prepares all but the trace: an hour's charts are ready within a second. Worker thread. Empty
+/// when stopped. Throws AccessDenied, StoreError.
 std::optional<AttemptModel> load_attempt(const database::Store& store, const database::Session& session,
                                          const std::string& attempt_id, const std::optional<Scene>& scene,
                                          const Progress& progress);
@@ -58,10 +58,6 @@ std::optional<AttemptModel> load_attempt(const database::Store& store, const dat
 /// Keeps points at least `spacing` m from the one kept before, then doubles the spacing until at most `limit`
 /// are left.
 std::vector<PathPoint> thin_path(std::vector<PathPoint> points, double spacing, std::size_t limit);
-/// In words; "" for events that are no line of the list (shown targets, progress).
-QString event_words(const Event& event, const std::vector<std::string>& tissues);
-bool is_penalty(EventKind kind);
-bool is_critical(EventKind kind);
 
 /// The four numbers of the debrief. Values as in the score; absent ones say why in `why`.
 struct Headline {

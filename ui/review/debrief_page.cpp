@@ -324,9 +324,8 @@ void DebriefPage::fill_head() {
     else if (attempt.synthetic)
         notes << tr("Performed in the demonstration, on the account of a synthetic person.");
     if (!passed && !voided) {
-        const std::string why =
-            model_->score ? model_->score->not_scored_because : attempt.not_scored_because;
-        notes << tr("Not scored: %1").arg(why.empty() ? tr("the attempt has no score") : text(why));
+        const Statement why = model_->score ? model_->score->not_scored_because : attempt.not_scored_because;
+        notes << tr("Not scored: %1").arg(why.empty() ? tr("the attempt has no score") : statement_text(why));
     }
     if (attempt.provisional) {
         notes << tr(
@@ -337,7 +336,7 @@ void DebriefPage::fill_head() {
         const database::ScoreRow& beside = *model_->recomputed;
         QString result = verdict(beside.passed, false);
         if (beside.passed && beside.points) result += tr(", %1").arg(points_text(*beside.points));
-        if (!beside.passed) result += QStringLiteral(" (%1)").arg(text(beside.not_scored_because));
+        if (!beside.passed) result += QStringLiteral(" (%1)").arg(statement_text(beside.not_scored_because));
         notes << tr("Recomputed on %1 with newer metrics or limits: %2. The score shown stays in force.")
                      .arg(local_time(beside.computed), result);
     }
@@ -354,8 +353,8 @@ void DebriefPage::fill_head() {
         number_why_[i]->setText(shown[i].why);
         number_why_[i]->setVisible(!shown[i].why.isEmpty());
     }
-    const std::string advice = model_->score ? model_->score->advice : std::string();
-    advice_->setText(text(advice));
+    const Statement advice = model_->score ? model_->score->advice : Statement();
+    advice_->setText(statement_text(advice));
     advice_->parentWidget()->setVisible(!advice.empty());
 }
 
@@ -404,9 +403,10 @@ void DebriefPage::fill_metrics() {
         const MetricDescriptor* metric = find_metric(value.id);
         const int row = metrics_->rowCount();
         metrics_->insertRow(row);
-        auto* first = make_cell(metric == nullptr ? text(value.id) : text(metric->name));
-        first->setToolTip((metric == nullptr ? QString() : text(metric->explanation) + QLatin1Char('\n')) +
-                          text(value.id) + QStringLiteral(", version %1").arg(value.version));
+        auto* first = make_cell(metric_text(value.id));
+        first->setToolTip(
+            (metric == nullptr ? QString() : metric_words(metric->explanation) + QLatin1Char('\n')) +
+            tr("%1, version %2").arg(text(value.id)).arg(value.version));
         if (!value.evidence.empty()) first->setData(Qt::UserRole, value.evidence.front().first);
         metrics_->setItem(row, 0, first);
         metrics_->setItem(row, 1,
@@ -420,7 +420,7 @@ void DebriefPage::fill_metrics() {
                           make_cell(value.direction == "lower"    ? tr("↓ lower")
                                     : value.direction == "higher" ? tr("↑ higher")
                                                                   : tr("context")));
-        metrics_->setItem(row, 5, make_cell(text(value.absent_because)));
+        metrics_->setItem(row, 5, make_cell(statement_text(value.absent_because)));
     }
     fit_columns(metrics_);
 }

@@ -72,7 +72,7 @@ void GatesCard::open(const AttemptModel& model) {
         const MetricDescriptor* metric = find_metric(gate.metric);
         const int row = table_->rowCount();
         table_->insertRow(row);
-        QString name = metric == nullptr ? text(gate.metric) : text(metric->name);
+        QString name = metric_text(gate.metric);
         if (!gate.tissue.empty()) name += QStringLiteral(", ") + text(gate.tissue);
         auto* first = make_cell(name);
         if (metric != nullptr) first->setToolTip(text(metric->explanation));
@@ -91,7 +91,7 @@ void GatesCard::open(const AttemptModel& model) {
         if (gate.passed) result = *gate.passed ? tr("✓ met") : tr("✕ not met");
         auto* verdict_cell = make_cell(result);
         set_tint(verdict_cell, !gate.passed ? Tint::muted : *gate.passed ? Tint::good : Tint::bad);
-        verdict_cell->setToolTip(text(gate.not_passed_because));
+        verdict_cell->setToolTip(statement_text(gate.not_passed_because));
         const Qt::Alignment right = Qt::AlignRight | Qt::AlignVCenter;
         table_->setItem(row, 0, first);
         table_->setItem(row, 1,
@@ -102,7 +102,7 @@ void GatesCard::open(const AttemptModel& model) {
         table_->setItem(row, 3, make_cell(limit, right));
         table_->setItem(row, 4, make_cell(z_text(gate.z), right));
         table_->setItem(row, 5, verdict_cell);
-        QString source = gate.value ? text(gate.limit_source) : text(gate.not_passed_because);
+        QString source = gate.value ? text(gate.limit_source) : statement_text(gate.not_passed_because);
         // A source may say it of itself.
         if (gate.provisional && !source.contains(QLatin1String("provisional")))
             source =

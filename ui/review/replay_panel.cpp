@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "database/rows/trace_codec.h"
+#include "ui/review/event_words.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 #include "ui/theatre/theatre_view.h"

@@ -35,7 +35,7 @@ struct InterruptedScore {
     std::int64_t started = 0;    ///< UTC ms
     double duration_s = 0;       ///< of the recorded part
     std::optional<bool> passed;  ///< false: failed for good; empty: it does not count
-    std::string why;             ///< what failed, or why it was not scored
+    Statement why;               ///< what failed, or why it was not scored
 };
 
 /// The programme's store on the UI thread, and the demonstration.

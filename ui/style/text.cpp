@@ -8,6 +8,10 @@
 #include <cmath>
 #include <map>
 
+#include "assessment/metrics/registry.h"
+#include "assessment/metrics/statement_words.h"
+#include "sim_core/telemetry/event_names.h"
+
 namespace fulcrum::ui {
 namespace {
 
@@ -15,7 +19,29 @@ QString words(const char* source) {
     return QCoreApplication::translate("fulcrum::ui::text", source);
 }
 
+std::string in_readers_language(const char* context, const char* source) {
+    return QCoreApplication::translate(context, source).toStdString();
+}
+
 }  // namespace
+
+QString statement_text(const Statement& statement) {
+    return text(words_of(statement, in_readers_language));
+}
+
+QString metric_text(const std::string& id) {
+    const MetricDescriptor* metric = find_metric(id);
+    return metric == nullptr ? text(id) : metric_words(metric->name);
+}
+
+QString metric_words(const std::string& source) {
+    return QCoreApplication::translate("fulcrum::metrics", source.c_str());
+}
+
+QString event_text(const std::string& name) {
+    const NameRow<EventKind>* row = find_row(event_kinds, name);
+    return row == nullptr ? text(name) : QCoreApplication::translate("fulcrum::events", row->title);
+}
 
 QString beside(QStringList parts) {
     parts.removeAll(QString());

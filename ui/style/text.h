@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "assessment/metrics/statement.h"
+
 namespace fulcrum::ui {
 
 inline QString text(const std::string& utf8) {
@@ -19,6 +21,15 @@ inline std::string plain(const QString& shown) {
 }
 /// What stands beside each other in a line, "Surgery · attempt report"; a part that is empty takes no place.
 QString beside(QStringList parts);
+
+/// A stored sentence (advice, a reason) in the reader's language; a text of an old store as it is.
+QString statement_text(const Statement& statement);
+/// A metric's name in the reader's language; the id where the program does not know the metric.
+QString metric_text(const std::string& id);
+/// A text of a metric's descriptor (name, explanation, advice) in the reader's language.
+QString metric_words(const std::string& source);
+/// An event's name in the reader's language, by its name in files.
+QString event_text(const std::string& name);
 
 /// A metric's value as it is shown: 3 significant digits below 100, whole numbers above, "–" when absent. No
 /// unit.

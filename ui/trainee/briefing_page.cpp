@@ -99,7 +99,7 @@ void BriefingPage::fill() {
     judged_->addWidget(make_label(tr("What is judged"), "heading"));
     for (const GateSpec& gate : task->gates) {
         const MetricDescriptor* metric = find_metric(gate.metric);
-        QString line = metric == nullptr ? text(gate.metric) : text(metric->name);
+        QString line = metric_text(gate.metric);
         if (!gate.hand.empty()) line += QStringLiteral(", ") + hand_text(gate.hand);
         if (!gate.tissue.empty()) line += QStringLiteral(", ") + text(gate.tissue);
         if (gate.kind == GateKind::absolute) {
@@ -135,8 +135,9 @@ void BriefingPage::show_tissue_note() {
                   "scene's.")
                    .arg(site.version);
     if (!site.limits_note.empty())
-        note += (note.isEmpty() ? QString() : QStringLiteral(" ")) +
-                tr("Gates based on the experts' range are not scored: %1.").arg(text(site.limits_note));
+        note +=
+            (note.isEmpty() ? QString() : QStringLiteral(" ")) +
+            tr("Gates based on the experts' range are not scored: %1.").arg(statement_text(site.limits_note));
     tissue_note_->setText(note);
     tissue_note_->setVisible(!note.isEmpty());
 }

@@ -82,7 +82,7 @@ void HomePage::fill_interrupted() {
         // The debrief behind the link says which limit; a line has no room for it.
         const QString verdict = one.passed == false
                                     ? tr("failed: a limit was exceeded before the interruption")
-                                    : tr("does not count (%1)").arg(text(one.why));
+                                    : tr("does not count (%1)").arg(statement_text(one.why));
         QPushButton* open = make_button(what + verdict, "interrupted_attempt", "link");
         connect(open, &QPushButton::clicked, this,
                 [this, id = text(one.attempt_id)] { emit context().debrief_wanted(id, -1); });

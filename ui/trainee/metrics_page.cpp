@@ -92,8 +92,8 @@ void MetricsPage::fill() {
     table_->setRowCount(static_cast<int>(metrics.size()));
     for (std::size_t i = 0; i < metrics.size(); ++i) {
         const MetricDescriptor& metric = metrics[i].descriptor;
-        const QString cells[columns] = {text(metric.name), better(metric.direction), unit_text(metric.unit),
-                                        gate_of(metric.id)};
+        const QString cells[columns] = {metric_words(metric.name), better(metric.direction),
+                                        unit_text(metric.unit), gate_of(metric.id)};
         for (int column = 0; column < columns; ++column)
             table_->setItem(static_cast<int>(i), column, make_cell(cells[column]));
     }
@@ -106,8 +106,8 @@ void MetricsPage::filter() {
     int first = -1;
     for (int row = 0; row < table_->rowCount(); ++row) {
         const MetricDescriptor& metric = metric_registry()[static_cast<std::size_t>(row)].descriptor;
-        const bool shown = text(metric.name).contains(wanted, Qt::CaseInsensitive) ||
-                           text(metric.explanation).contains(wanted, Qt::CaseInsensitive);
+        const bool shown = metric_words(metric.name).contains(wanted, Qt::CaseInsensitive) ||
+                           metric_words(metric.explanation).contains(wanted, Qt::CaseInsensitive);
         table_->setRowHidden(row, !shown);
         if (shown && first < 0) first = row;
     }
@@ -125,10 +125,10 @@ void MetricsPage::show_chosen() {
     const int row = table_->currentRow();
     if (row < 0) return;
     const MetricDescriptor& metric = metric_registry()[static_cast<std::size_t>(row)].descriptor;
-    name_->setText(text(metric.name));
-    explanation_->setText(text(metric.explanation));
+    name_->setText(metric_words(metric.name));
+    explanation_->setText(metric_words(metric.explanation));
     QStringList lines;
-    if (!metric.advice_remedy.empty()) lines << tr("To improve: %1").arg(text(metric.advice_remedy));
+    if (!metric.advice_remedy.empty()) lines << tr("To improve: %1").arg(metric_words(metric.advice_remedy));
     lines << tr("Evidence: %1").arg(evidence(metric.grade));
     lines << tr("Source: %1").arg(text(metric.source));
     lines << tr("Name in exports: %1, version %2").arg(text(metric.id)).arg(metric.version);

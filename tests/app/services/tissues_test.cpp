@@ -15,6 +15,7 @@
 #include "app/live/performance.h"
 #include "app/services/application.h"
 #include "app/services/program.h"
+#include "assessment/metrics/statement_words.h"
 #include "database/records/tissues.h"
 #include "database/scoring/site_tissues.h"
 #include "sim_core/numerics/input_error.h"
@@ -89,17 +90,18 @@ TEST_F(SiteTissue, LimitsMadeInOtherTissueDoNotScoreAnAttempt) {
     const std::optional<BenchmarkSet> shipped = benchmark_in_force("B2");
     ASSERT_TRUE(shipped);
     const LoadedTask own = load_task_and_scene("B2");
-    EXPECT_EQ(why_not_comparable(*shipped, own.scene, own.task.scene), "");
-    EXPECT_EQ(site_tissues(store, *programme.educator, "B2").limits_note, "");
+    EXPECT_EQ(why_not_comparable(*shipped, own.scene, own.task.scene), Statement());
+    EXPECT_EQ(site_tissues(store, *programme.educator, "B2").limits_note, Statement());
     set(tough, "as in our patients");
     const LoadedTask here = load_site_task(store, *programme.educator, "B2");
-    const std::string why = why_not_comparable(*shipped, here.scene, here.task.scene);
-    EXPECT_NE(why.find("areolar: penetrate_n 0.11, there 0.04"), std::string::npos) << why;
+    const Statement why = why_not_comparable(*shipped, here.scene, here.task.scene);
+    EXPECT_NE(words_of(why).find("areolar: penetrate_n 0.11, there 0.04"), std::string::npos)
+        << words_of(why);
     EXPECT_EQ(site_tissues(store, *programme.educator, "B2").limits_note, why);
     BenchmarkSet built_here = *shipped;
     built_here.cutting = cutting_values(here.scene);
-    EXPECT_EQ(why_not_comparable(built_here, here.scene, here.task.scene), "");
-    EXPECT_NE(why_not_comparable(built_here, own.scene, own.task.scene), "");
+    EXPECT_EQ(why_not_comparable(built_here, here.scene, here.task.scene), Statement());
+    EXPECT_NE(why_not_comparable(built_here, own.scene, own.task.scene), Statement());
     EXPECT_EQ(parse_benchmark(benchmark_to_json(built_here).dump(), "set").cutting, built_here.cutting);
 
     TaskDefinition task = own.task;
@@ -109,7 +111,8 @@ TEST_F(SiteTissue, LimitsMadeInOtherTissueDoNotScoreAnAttempt) {
     input.why_no_benchmark = why;
     const Score score = score_attempt(input);
     EXPECT_FALSE(score.passed);
-    EXPECT_NE(score.not_scored_because.find("cut otherwise"), std::string::npos) << score.not_scored_because;
+    EXPECT_NE(words_of(score.not_scored_because).find("cutting parameters differ"), std::string::npos)
+        << words_of(score.not_scored_because);
 }
 
 TEST_F(SiteTissue, EducatorsSetValuesOnTheirPageAndTheBriefingStatesIt) {

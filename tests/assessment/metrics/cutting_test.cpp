@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assessment/metrics/statement_words.h"
 #include "assessment/trace/cut_strokes.h"
 #include "tests/assessment/metrics/traces.h"
 
@@ -58,7 +59,7 @@ void stroke(std::vector<Event>& events, double t0, double t1, double a, double b
 double value_of(const std::vector<Event>& events, const std::string& id,
                 const Trace& trace = make_trace(30.0)) {
     const MetricResult result = measure(trace, id, "", events, plan_context());
-    EXPECT_TRUE(result.value.has_value()) << id << ": " << result.absent_because;
+    EXPECT_TRUE(result.value.has_value()) << id << ": " << words_of(result.absent_because);
     return result.value.value_or(std::nan(""));
 }
 
@@ -217,12 +218,13 @@ TEST(Cutting, AbsenceSaysWhy) {
     for (const char* id : cut_ids) {
         const MetricResult nothing = measure(trace, id, "", {}, plan_context());
         EXPECT_EQ(nothing.absence, Absence::not_done) << id;
-        EXPECT_EQ(nothing.absent_because, "nothing was cut") << id;
+        EXPECT_EQ(words_of(nothing.absent_because), "nothing was cut") << id;
         EXPECT_EQ(measure(trace, id, "", {}).absence, Absence::not_measured)
             << id << ": a task without a line";
         MetricContext csv = plan_context();
         csv.events_recorded = false;
-        EXPECT_EQ(measure(trace, id, "", {}, csv).absent_because, "the record carries no events") << id;
+        EXPECT_EQ(words_of(measure(trace, id, "", {}, csv).absent_because), "the record carries no events")
+            << id;
     }
     // A blade that broke through and came out again without going on has cut nothing.
     const std::vector<Event> stab = {cut_event(1, EventKind::cut_begin, 0.02, 0),
@@ -238,8 +240,8 @@ TEST(Cutting, AbsenceSaysWhy) {
     EXPECT_NEAR(value_of(silent, "area_developed"), 50, 1e-4) << "needs no traction";
     MetricContext no_band = plan_context();
     no_band.cut->traction_low = no_band.cut->traction_high = 0;
-    EXPECT_EQ(measure(trace, "traction_eff", "", silent, no_band).absent_because,
-              "the task names no band of traction");
+    EXPECT_EQ(words_of(measure(trace, "traction_eff", "", silent, no_band).absent_because),
+              "the task sets no range of traction");
 }
 
 /// Random strokes by both hands.

@@ -2,6 +2,7 @@
 // Energy, heat and blood: closed forms, absence, evidence.
 #include <gtest/gtest.h>
 
+#include "assessment/metrics/statement_words.h"
 #include "tests/assessment/metrics/traces.h"
 
 namespace fulcrum {
@@ -51,7 +52,7 @@ TEST(EnergyTime, LeavesPausesOutAndIsZeroWithoutAPedal) {
     const MetricResult missing = measure(trace, "energy_time", "left", events);
     EXPECT_FALSE(missing.value);
     EXPECT_EQ(missing.absence, Absence::not_measured);
-    EXPECT_NE(missing.absent_because.find("left.energy"), std::string::npos);
+    EXPECT_NE(words_of(missing.absent_because).find("left.energy"), std::string::npos);
 }
 
 TEST(EnergySafe, IsTheShareOfActivationsThatWereSafeThroughout) {

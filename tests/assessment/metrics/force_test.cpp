@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "assessment/metrics/statement_words.h"
 #include "tests/assessment/metrics/traces.h"
 
 namespace fulcrum {
@@ -70,7 +71,8 @@ TEST(Force, TimeAndImpulseAboveTheLimitOfTheTissue) {
     const double above = 3.0 * (4 / pi) * std::cos(pi / 6) - 1.5 * 4.0 / 3.0;
     EXPECT_NEAR(*measure(trace, "over_impulse", "left", {}, context, "bowel").value, above, 0.002);
     EXPECT_NEAR(*measure(trace, "over_impulse", "left", {}, context).value, above, 0.002);
-    EXPECT_EQ(measure(trace, "over_time", "left").absent_because, "no force limit is known for any tissue");
+    EXPECT_EQ(words_of(measure(trace, "over_time", "left").absent_because),
+              "no force limit is known for any tissue");
     EXPECT_EQ(*measure(trace, "over_time", "left", {}, bowel_limit(5.0)).value, 0.0);  // zero is a value
 }
 
@@ -139,7 +141,7 @@ TEST(Grasp, ForceTimeProductsAndPressure) {
     EXPECT_NEAR(*measure(trace, "grasp_ftp_patch", "left").value, 5 * 2 + 24.0, 0.15);
     EXPECT_NEAR(*measure(trace, "grasp_kpa", "left").value, 160.0, 160 * 0.05);
     EXPECT_NEAR(*measure(trace, "grasp_ftp", "left", {}, {}, "bowel").value, 24.0, 0.1);
-    EXPECT_EQ(measure(trace, "grasp_max", "right").absent_because, "not recorded: right.jaw");
+    EXPECT_EQ(words_of(measure(trace, "grasp_max", "right").absent_because), "not recorded: right.jaw");
 }
 
 TEST(Grasp, JawsClosedOnNothingAreNoGrasp) {
@@ -164,7 +166,8 @@ TEST(Counts, OfEventsByHandAndTissue) {
     EXPECT_EQ(measure(trace, "perforation", "", events).value, 0.0);
     MetricContext file;
     file.events_recorded = false;
-    EXPECT_EQ(measure(trace, "slip", "left", {}, file).absent_because, "the record carries no events");
+    EXPECT_EQ(words_of(measure(trace, "slip", "left", {}, file).absent_because),
+              "the record carries no events");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "assessment/metrics/statement_words.h"
 #include "tests/assessment/metrics/traces.h"
 
 namespace fulcrum {
@@ -25,7 +26,7 @@ TEST(PathLength, OfAHelixEvenWhenItStartsAndEndsInMotion) {
     Trace trace = make_trace(6.0);
     set_position(trace, Hand::left, [](double t) { return helix(t * pi); });
     const MetricResult result = measure(trace, "path_len", "left");
-    ASSERT_TRUE(result.value) << result.absent_because;
+    ASSERT_TRUE(result.value) << words_of(result.absent_because);
     EXPECT_NEAR(*result.value, 378.1829, 0.378);
     EXPECT_EQ(result.unit, "mm");
     ASSERT_EQ(result.evidence.size(), 1U);
@@ -40,7 +41,7 @@ TEST(PathLength, IsTheSameAtEveryRateAndAbsentForTheHandThatIsMissing) {
         const MetricResult missing = measure(trace, "path_len", "left");
         EXPECT_FALSE(missing.value);
         EXPECT_EQ(missing.absence, Absence::not_measured);
-        EXPECT_EQ(missing.absent_because, "not recorded: left.px, left.py, left.pz");
+        EXPECT_EQ(words_of(missing.absent_because), "not recorded: left.px, left.py, left.pz");
     }
 }
 
@@ -60,7 +61,8 @@ TEST(SlowTraces, HaveNoMotionMetrics) {
     set_position(trace, Hand::left, [](double t) { return Vector3(0.01 * t, 0, 0); });
     const MetricResult slow = measure(trace, "path_len", "left");
     EXPECT_FALSE(slow.value);
-    EXPECT_NE(slow.absent_because.find("10 Hz is below 20 Hz"), std::string::npos) << slow.absent_because;
+    EXPECT_NE(words_of(slow.absent_because).find("10 Hz is below 20 Hz"), std::string::npos)
+        << words_of(slow.absent_because);
     Trace medium = make_trace(10.0, 30.0);
     set_position(medium, Hand::left, [](double t) { return Vector3(0.01 * t, 0, 0); });
     EXPECT_TRUE(measure(medium, "path_len", "left").value);
@@ -76,7 +78,7 @@ TEST(LostSamples, VoidWhatTheyTouch) {
     EXPECT_TRUE(measure(trace, "path_len", "left", some).value);
     const std::vector<Event> many = {make_event(2.0, EventKind::samples_lost, 255, 150)};
     split_blocks(trace, many);
-    EXPECT_EQ(measure(trace, "path_len", "left", many).absent_because, "150 samples were lost");
+    EXPECT_EQ(words_of(measure(trace, "path_len", "left", many).absent_because), "150 samples were lost");
 }
 
 TEST(Rotation, AboutTheTipMovesNoTip) {
@@ -133,7 +135,8 @@ TEST(Time, WithoutALongEnoughMovementSaysWhatWasMissing) {
     EXPECT_GT(measure(trace, "path_len", "left").value.value_or(0), 30);
     const MetricResult time = measure(trace, "time", "");
     ASSERT_FALSE(time.value);
-    EXPECT_EQ(time.absent_because, "no instrument moved faster than 5 mm/s for 0.2 s inside the body");
+    EXPECT_EQ(words_of(time.absent_because),
+              "no instrument moved faster than 5 mm/s for 0.2 s inside the body");
 }
 
 TEST(Time, RunsFromWorkThatWasBegunHaltingly) {
@@ -167,7 +170,7 @@ TEST(Economy, IsOneForStraightLegsAndLeavesHoldsOut) {
     std::vector<Event> events;
     for (int i = 0; i < 4; ++i) events.push_back(make_event(2.9 + 2.5 * i, EventKind::target_reached, 0, i));
     const MetricResult straight = measure(trace, "econ", "left", events);
-    ASSERT_TRUE(straight.value) << straight.absent_because;
+    ASSERT_TRUE(straight.value) << words_of(straight.absent_because);
     EXPECT_NEAR(*straight.value, 1.0, 1e-3);
     EXPECT_LE(*straight.value, 1.0);
     events.pop_back();
@@ -200,7 +203,7 @@ TEST(DepthError, IsPositiveWhereTheFirstMovementWentTooDeep) {
     std::vector<Event> events;
     for (int i = 0; i < 3; ++i) events.push_back(make_event(0.5 + 2.0 * i, EventKind::target_shown, 0, i));
     const MetricResult mean = measure(trace, "depth_err", "left", events, context);
-    ASSERT_TRUE(mean.value) << mean.absent_because;
+    ASSERT_TRUE(mean.value) << words_of(mean.absent_because);
     EXPECT_EQ(mean.count, 3);
     EXPECT_NEAR(*mean.value, (4.0 - 2.0 + 3.0) / 3.0, 0.02);
     EXPECT_NEAR(*measure(trace, "depth_err_sd", "left", events, context).value, std::sqrt(62.0 / 6.0), 0.03);
@@ -249,7 +252,7 @@ TEST(Shares, CountActiveTimeOnly) {
     for (auto& inside : hand.inside) inside = 0;
     EXPECT_EQ(measure(trace, "idle", "left").absence, Absence::not_done);
     hand.in_view.clear();
-    EXPECT_EQ(measure(trace, "off_screen", "left").absent_because, "not recorded: left.in_view");
+    EXPECT_EQ(words_of(measure(trace, "off_screen", "left").absent_because), "not recorded: left.in_view");
 }
 
 TEST(Speed, PeakOfAReach) {
@@ -292,7 +295,8 @@ TEST(BothHands, ShareAndCoordinate) {
     EXPECT_NEAR(*measure(trace, "handed", "").value, 30.0, 0.1);  // 80 % against 20 %
     EXPECT_NEAR(*measure(trace, "simul", "").value, 0.0, 1e-9);   // the right hand stays below 10 mm/s
     trace.hand[1] = HandTrace{};
-    EXPECT_EQ(measure(trace, "handed", "").absent_because, "not recorded: right.px, right.py, right.pz");
+    EXPECT_EQ(words_of(measure(trace, "handed", "").absent_because),
+              "not recorded: right.px, right.py, right.pz");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // The registry is complete and free of duplicates and cycles; results survive JSON; long traces are quick
 // enough to test.
 #include "assessment/metrics/registry.h"
+#include "assessment/metrics/statement_words.h"
 
 #include <gtest/gtest.h>
 
@@ -86,6 +87,8 @@ TEST(Compute, GivesOneRowAValueAndRefusesUnknownIds) {
     for (const MetricResult& result : results) {
         EXPECT_TRUE(keys.insert(result.id + "/" + result.hand + "/" + result.tissue).second) << result.id;
         EXPECT_EQ(result.value.has_value(), result.absent_because.empty()) << result.id;
+        EXPECT_EQ(words_of(result.absent_because).find('{'), std::string::npos)
+            << words_of(result.absent_because);
         EXPECT_EQ(result.value.has_value(), result.absence == Absence::none) << result.id;
     }
     EXPECT_NE(find_result(results, "f_max", "left", "bowel"), nullptr);
@@ -156,7 +159,7 @@ TEST(Json, OfATraceFile) {
     EXPECT_NEAR(json.at("mean_rate_hz").get<double>(), 200.0, 1e-6);
     const std::vector<MetricResult> results = metrics_from_json(json.at("metrics"), path);
     EXPECT_NEAR(find_result(results, "path_len", "left", "")->value.value_or(0), 378.1829, 0.378);
-    EXPECT_EQ(find_result(results, "f_max", "left", "")->absent_because,
+    EXPECT_EQ(words_of(find_result(results, "f_max", "left", "")->absent_because),
               "not recorded: left.fx, left.fy, left.fz");
     EXPECT_FALSE(find_result(results, "slip", "left", "")->value);
 }

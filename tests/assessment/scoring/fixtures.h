@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "assessment/metrics/registry.h"
+#include "assessment/metrics/statement_words.h"
 #include "assessment/scoring/benchmark_builder.h"
 
 namespace fulcrum::test {
@@ -30,7 +31,9 @@ inline MetricResult missing(const std::string& id, const std::string& hand, Abse
     result.value.reset();
     result.evidence.clear();
     result.absence = absence;
-    result.absent_because = absence == Absence::not_done ? "it was not done" : "a channel is missing";
+    result.absent_because = absence == Absence::not_done ? Statement(StatementId::nothing_grasped)
+                                                         : Statement(StatementId::not_recorded,
+                                                                     {{"channels", std::string("left.fx")}});
     return result;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "assessment/metrics/statement_words.h"
 #include "assessment/pathology/pathology.h"
 #include "database/records/report_data.h"
 #include "database/store/score_rows.h"
@@ -42,7 +43,7 @@ TEST(Attempt, ComesBackAsItWasRecorded) {
     ASSERT_EQ(score.metrics.size(), 2U);
     EXPECT_EQ(score.metrics[0].evidence, (std::vector<std::pair<double, double>>{{0.25, 31.5}}));
     EXPECT_EQ(score.metrics[1].value, std::nullopt);
-    EXPECT_EQ(score.metrics[1].absent_because, "fewer than 5 segments");
+    EXPECT_EQ(words_of(score.metrics[1].absent_because), "3 movements, fewer than 5");
     EXPECT_EQ(score.metrics[1].version, 2);
     ASSERT_EQ(score.critical_errors.size(), 1U);
     EXPECT_EQ(score.critical_errors[0].time_s, 12.25);
@@ -448,4 +449,32 @@ TEST(Progress, OrdersAttemptsByTimeWithinADeviceClass) {
 }
 
 }  // namespace
+// Stores hold ids and parameters; those from before hold English sentences, which stay as they are.
+TEST(Attempts, KeepStatementsAsCodesAndOldSentencesAsTheyAre) {
+    const Programme programme;
+    const std::string attempt = programme.record("ann");
+    Connection& connection = programme.store->connection();
+    const auto stored = [&](const char* sql) {
+        Query row(connection, sql);
+        row.bind(attempt);
+        return row.next() ? row.text(0) : std::string();
+    };
+    EXPECT_EQ(stored("SELECT m.absent_because FROM metric m JOIN score s ON s.id = m.score_id "
+                     "WHERE s.attempt_id = ? AND m.id = 'sparc'"),
+              R"({"id":"metric.few_movements","count":3.0,"least":5.0})");
+    EXPECT_EQ(stored("SELECT advice FROM score WHERE attempt_id = ?"),
+              R"({"id":"advice.gate_missed","limit":4.0,"metric":"f_max","value":6.0})");
+    const auto score = programme.attempts().score(programme.session("ann"), attempt);
+    ASSERT_TRUE(score);
+    EXPECT_EQ(score->advice, example_score(true, 70).advice);
+
+    ScoreRow old = example_score(false, 20);
+    old.advice = Statement::plain("Left hand: the force rose to 6.0 N; approach slowly.");
+    old.metrics[1].absent_because = Statement::plain("fewer than 5 segments");
+    programme.attempts().add_score(programme.session("educator"), attempt, old);
+    const ScoreRow read = programme.attempts().scores(programme.session("ann"), attempt).at(1);
+    EXPECT_EQ(words_of(read.advice), "Left hand: the force rose to 6.0 N; approach slowly.");
+    EXPECT_EQ(words_of(read.metrics[1].absent_because), "fewer than 5 segments");
+}
+
 }  // namespace fulcrum::database::test

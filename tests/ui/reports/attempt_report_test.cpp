@@ -54,11 +54,19 @@ AttemptPaper paper() {
     attempt.passed = false;
     attempt.points = 41.5;
     database::ScoreRow score;
-    score.advice = "Stay on the shiny surface of the mesorectum.";
+    score.advice = Statement::plain("Stay on the shiny surface of the mesorectum.");
     score.gates.push_back(
-        {"tme_grade", "", "", "absolute", 2.0, "-", 3.0, "Quirke", {}, {}, false, false, ""});
-    score.metrics.push_back({"tme_grade", 1, "", "", 2.0, "", "-", "higher", {{16, 17}}});
-    score.metrics.push_back({"sparc", 1, "left", "", {}, "fewer than 5 segments", "-", "higher", {}});
+        {"tme_grade", "", "", "absolute", 2.0, "-", 3.0, "Quirke", {}, {}, false, false, {}});
+    score.metrics.push_back({"tme_grade", 1, "", "", 2.0, {}, "-", "higher", {{16, 17}}});
+    score.metrics.push_back({"sparc",
+                             1,
+                             "left",
+                             "",
+                             {},
+                             {StatementId::few_movements, {{"count", 3.0}, {"least", 5.0}}},
+                             "-",
+                             "higher",
+                             {}});
     paper.report.pathology = dissection();
     score.pathology = pathology_json(*paper.report.pathology);
     paper.report.score = score;

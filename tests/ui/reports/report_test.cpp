@@ -154,7 +154,7 @@ TEST(ReportCsv, HasOneColumnPerMetricHandAndTissue) {
     database::MetricRow absent = left;
     absent.hand = "right";
     absent.value.reset();
-    absent.absent_because = "not used";
+    absent.absent_because = StatementId::never_inside;
     point.metrics = {left, absent};
     progress.series.push_back({"haptic", {point}});
     report.progress.push_back(progress);

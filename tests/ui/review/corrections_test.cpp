@@ -73,14 +73,14 @@ class Corrections : public ::testing::Test {
         result.duration_s = result.wall_s = 1;
         result.score.emplace();
         result.score->program_version = "0.1.0";
-        result.score->not_scored_because = "no benchmark for path_len";
+        result.score->not_scored_because = StatementId::no_benchmark;
         database::GateRow gate;
         gate.metric = "path_len";
         gate.hand = "left";
         gate.kind = "benchmark";
         gate.value = 812.5;
         gate.unit = "mm";
-        gate.not_passed_because = "no benchmark set has a level";
+        gate.not_passed_because = StatementId::no_benchmark_level;
         result.score->gates.push_back(gate);
         recorder.finish(result);
         return recorder.attempt_id();

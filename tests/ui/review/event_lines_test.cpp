@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which events of an attempt have a line in its debrief.
+// Which events of an attempt have a line in its debrief, and its words.
 #include <gtest/gtest.h>
 
 #include <QTemporaryDir>
@@ -7,6 +7,7 @@
 #include "database/records/people.h"
 #include "database/records/recorder.h"
 #include "ui/review/attempt_model.h"
+#include "ui/review/event_words.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -63,6 +64,37 @@ TEST(EventLines, ANerveUnderABladeIsNotInjuredByHeat) {
     EXPECT_EQ(event_words(event, {}), "Nerve divided by a blade");
     event.detail = detail_of(NerveInjury{1, InjuryCause::heat});
     EXPECT_EQ(event_words(event, {}), "Nerve injured by heat");
+}
+
+TEST(EventLines, SayNumbersInTheUnitsOfTheClinic) {
+    Event event;
+    event.kind = EventKind::over_force_begin;
+    event.hand = 0;
+    event.tissue = 0;
+    event.value = 6.0F;
+    EXPECT_EQ(event_words(event, {"bowel"}), "Too much force: 6 N, left hand, bowel");
+    event.detail = 4000;
+    EXPECT_EQ(event_words(event, {"bowel"}), "Too much force: 6 N (limit 4 N), left hand, bowel");
+    event = {};
+    event.kind = EventKind::activation_begin;
+    event.value = 1.5e-3F;
+    EXPECT_EQ(event_words(event, {}), "Energy on 1.5 mm from the nerve");
+    event.detail = detail_of(Activation{true, true, true});
+    EXPECT_EQ(event_words(event, {}), "Energy on");
+    event = {};
+    event.kind = EventKind::band_divided;
+    event.detail = 1;
+    event.value = 2.5F;
+    EXPECT_EQ(event_words(event, {}), "Band 2 divided at 2.5 N");
+}
+
+TEST(EventLines, ArePenaltiesAndCriticalByTheirTable) {
+    EXPECT_TRUE(is_critical(EventKind::perforation));
+    EXPECT_TRUE(is_penalty(EventKind::perforation));
+    EXPECT_TRUE(is_penalty(EventKind::drop));
+    EXPECT_FALSE(is_critical(EventKind::drop));
+    EXPECT_FALSE(is_penalty(EventKind::grasp));
+    EXPECT_FALSE(is_penalty(EventKind::goal_progress));
 }
 
 TEST(EventLines, TinyPiecesHaveNoLine) {

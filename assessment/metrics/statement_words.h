@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Statements in words: one table, one function for screens, reports and the command line.
+#pragma once
+
+#include <string>
+
+#include "assessment/metrics/statement.h"
+#include "sim_core/numerics/name_table.h"
+
+namespace fulcrum {
+
+/// `words`: English, with the parameters in braces. Besides a statement's own parameters there are {where}
+/// (hand and step), {of_hand}, {in_tissue}, {on_tissue}, {event}, {time}, and of a metric {metric}, {fault},
+/// {excess}, {remedy}.
+struct StatementRow {
+    StatementId kind;
+    const char* name;  ///< in stores and files; permanent
+    const char* words;
+};
+extern const StatementRow statements[static_cast<std::size_t>(StatementId::not_scored) + 1];
+
+/// A marked text (QT_TRANSLATE_NOOP) in the reader's language.
+using Translate = std::string (*)(const char* context, const char* source);
+/// The text as it is.
+std::string in_english(const char* context, const char* source);
+
+/// "" for an empty statement. A parameter that is missing leaves its name in braces.
+std::string words_of(const Statement& statement, Translate translate = in_english);
+
+}  // namespace fulcrum
