@@ -92,7 +92,8 @@ std::vector<BenchmarkAttempt> stored_attempts(const database::Store& store, cons
         std::reverse(list.begin(), list.end());  // oldest first: the first attempts are familiarisation
         int seen = 0;
         for (const database::AttemptSummary& summary : list) {
-            if (summary.meta.mode != "assessed" || summary.state != "completed" || ++seen <= familiarisation)
+            if (summary.meta.mode != AttemptMode::assessed || summary.state != AttemptState::completed ||
+                ++seen <= familiarisation)
                 continue;
             const auto score = attempts.score(session, summary.meta.id);
             if (!score) continue;

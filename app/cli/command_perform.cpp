@@ -67,8 +67,8 @@ nlohmann::json to_json(const database::AttemptMeta& meta, const std::string& att
             {"person_id", person.id},
             {"operator", or_null(meta.operator_name)},
             {"synthetic", person.kind != database::PersonKind::real},
-            {"mode", meta.mode},
-            {"device_class", meta.device_class},
+            {"mode", row_of(attempt_modes, meta.mode).name},
+            {"device_class", row_of(device_classes, meta.device_class).name},
             {"variant", meta.variant},
             {"seed", meta.seed},
             {"fidelity", meta.fidelity},
@@ -96,8 +96,9 @@ nlohmann::json to_json(const database::AttemptMeta& meta, const std::string& att
 Result perform_on_the_clock(const LoadedTask& loaded, std::shared_ptr<Rig> rig, const database::Store& store,
                             const database::Session& session, const database::AttemptMeta& meta,
                             std::optional<BenchmarkSet> benchmark, std::string& attempt_id) {
-    LiveRequest request{loaded,  meta.seed, meta.mode == "assessed", std::move(rig), store.path(),
-                        session, meta,      std::move(benchmark)};
+    LiveRequest request{loaded,         meta.seed,           meta.mode == AttemptMode::assessed,
+                        std::move(rig), store.path(),        session,
+                        meta,           std::move(benchmark)};
     LiveAttempt attempt(std::move(request));
     attempt.start();
     attempt.wait();
@@ -169,8 +170,8 @@ int run_perform(const Arguments& arguments) {
     const database::Person person = subject(arguments, store, session, operator_name, seed);
 
     database::AttemptMeta meta = attempt_meta(
-        loaded, seed, arguments.has("--practice") ? "practice" : "assessed",
-        operator_name.empty() ? "external" : "synthetic",
+        loaded, seed, arguments.has("--practice") ? AttemptMode::practice : AttemptMode::assessed,
+        operator_name.empty() ? DeviceClass::external : DeviceClass::synthetic,
         operator_name.empty() ? "trace file" : "synthetic operator", benchmark ? &*benchmark : nullptr);
     meta.person_id = person.id;
     meta.operator_name = operator_name;

@@ -57,8 +57,8 @@ std::string cpu_features() {
 #endif
 }
 
-database::AttemptMeta attempt_meta(const LoadedTask& loaded, std::uint64_t seed, const std::string& mode,
-                                   const std::string& device_class, const std::string& device,
+database::AttemptMeta attempt_meta(const LoadedTask& loaded, std::uint64_t seed, AttemptMode mode,
+                                   DeviceClass device_class, const std::string& device,
                                    const BenchmarkSet* benchmark) {
     database::AttemptMeta meta;
     meta.task_id = loaded.task.id;
@@ -80,7 +80,7 @@ database::AttemptMeta attempt_meta(const LoadedTask& loaded, std::uint64_t seed,
 database::AttemptResult attempt_result(const ScoredAttempt& scored, const RunOutcome& outcome, double wall_s,
                                        std::uint32_t missed, std::uint64_t lost, const std::string& limits) {
     database::AttemptResult result;
-    result.state = row_of(attempt_states, scored.state).name;
+    result.state = scored.state;
     result.duration_s = scored.duration_s;
     result.wall_s = wall_s;
     result.missed_ticks = missed;

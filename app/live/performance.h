@@ -56,8 +56,8 @@ struct Performed {
 Performed perform(const PerformRequest& request, database::Recorder* recorder, const BenchmarkSet* benchmark);
 
 /// The data of an attempt that are stored before it starts.
-database::AttemptMeta attempt_meta(const LoadedTask& loaded, std::uint64_t seed, const std::string& mode,
-                                   const std::string& device_class, const std::string& device,
+database::AttemptMeta attempt_meta(const LoadedTask& loaded, std::uint64_t seed, AttemptMode mode,
+                                   DeviceClass device_class, const std::string& device,
                                    const BenchmarkSet* benchmark);
 /// The data of an attempt that are stored at its end.
 database::AttemptResult attempt_result(const ScoredAttempt& scored, const RunOutcome& outcome, double wall_s,

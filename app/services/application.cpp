@@ -59,9 +59,9 @@ class Services : public ui::ApplicationServices {
                          {},
                          benchmark_in_force(request.task_id)};
         if (live.seed == 0) live.seed = draw_seed();
-        live.meta =
-            attempt_meta(live.loaded, live.seed, request.assessed ? "assessed" : "practice",
-                         request.device_class, request.device, live.benchmark ? &*live.benchmark : nullptr);
+        live.meta = attempt_meta(
+            live.loaded, live.seed, request.assessed ? AttemptMode::assessed : AttemptMode::practice,
+            request.device_class, request.device, live.benchmark ? &*live.benchmark : nullptr);
         live.meta.person_id = request.session.person_id();
         return std::make_unique<LiveAttempt>(std::move(live));
     }

@@ -47,8 +47,8 @@ double perform_and_report(const LoadedTask& loaded, std::uint64_t seed, const st
         people.ensure_synthetic(station, "demonstration-director", "Demonstration director (synthetic)");
     people.set_demo_roles(station, performer.id, {database::Role::trainee});
     people.set_demo_roles(station, director.id, {database::Role::director});
-    database::AttemptMeta meta = attempt_meta(loaded, seed, "assessed", "synthetic", "synthetic operator",
-                                              benchmark ? &*benchmark : nullptr);
+    database::AttemptMeta meta = attempt_meta(loaded, seed, AttemptMode::assessed, DeviceClass::synthetic,
+                                              "synthetic operator", benchmark ? &*benchmark : nullptr);
     meta.person_id = performer.id;
     meta.operator_name = "expert";
     database::Recorder recorder(store.path(), station, meta);

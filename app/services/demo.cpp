@@ -71,8 +71,8 @@ void simulate(const Job& job, const std::string& store_path, const database::Ses
     request.keep_going = [&](double simulated) {
         return keep_going(simulated / job.loaded.task.time_limit_s);
     };
-    database::AttemptMeta meta =
-        attempt_meta(job.loaded, job.seed, "assessed", "synthetic", "synthetic operator", benchmark);
+    database::AttemptMeta meta = attempt_meta(job.loaded, job.seed, AttemptMode::assessed,
+                                              DeviceClass::synthetic, "synthetic operator", benchmark);
     meta.person_id = person_id;
     meta.operator_name = request.operator_name;
     database::Recorder recorder(store_path, station, meta);

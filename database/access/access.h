@@ -43,7 +43,7 @@ enum class Operation : std::uint8_t {
     read_progress,
     read_cohort_table,
     score_interrupted,  ///< the first score of an attempt that was interrupted
-    recompute_score,    ///< adds a row beside the one in force
+    recompute_score,    ///< adds a row next to the one in force
     comment,            ///< write and send
     read_comment,
     mark_comment_read,
@@ -63,7 +63,7 @@ enum class Operation : std::uint8_t {
 inline constexpr int operation_count = 31;
 const char* operation_name(Operation operation);
 
-/// How the subject of an operation stands to the actor.
+/// The relation of an operation's subject to the actor.
 struct Relation {
     bool own = false;        ///< the subject is the actor
     bool in_cohort = false;  ///< the subject is, or is in, a cohort assigned to the actor as educator

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/records/attempt_query.h"
 
+#include "database/rows/enum_column.h"
+
 namespace fulcrum::database {
 namespace {
 
@@ -32,8 +34,9 @@ AttemptSummary summary_of_row(const Query& row) {
     meta.person_id = text();
     meta.task_id = text();
     meta.task_version = static_cast<int>(integer());
-    meta.mode = text();
-    meta.device_class = text();
+    const auto place = [&](const char* column_name) { return column_name + (" of attempt " + meta.id); };
+    meta.mode = enum_of(text(), attempt_modes, place("mode"));
+    meta.device_class = enum_of(text(), device_classes, place("device class"));
     meta.device = text();
     meta.operator_name = text();
     meta.variant = text();
@@ -50,7 +53,7 @@ AttemptSummary summary_of_row(const Query& row) {
     attempt.person_login = text();
     attempt.person_name = text();
     attempt.synthetic = text() != "real";
-    attempt.recorded_state = text();
+    attempt.recorded_state = enum_of(text(), attempt_states, place("state"));
     attempt.duration_s = row.real(column++);
     attempt.wall_s = row.real(column++);
     attempt.missed_ticks = static_cast<std::uint32_t>(integer());
@@ -68,7 +71,7 @@ AttemptSummary summary_of_row(const Query& row) {
     attempt.reassigned_to = text();
     attempt.unread_comments = static_cast<int>(integer());
     attempt.comments = static_cast<int>(integer());
-    attempt.state = attempt.voided_at > 0 ? "voided" : attempt.recorded_state;
+    attempt.state = attempt.voided_at > 0 ? AttemptState::voided : attempt.recorded_state;
     attempt.counting = is_counting(attempt);
     return attempt;
 }
@@ -107,9 +110,9 @@ std::vector<AttemptSummary> query_attempts(const Store& store, const Session& se
     if (!filter.task_id.empty()) sql += " AND a.task_id = ?";
     if (!filter.cohort_id.empty())
         sql += " AND a.person_id IN (SELECT person_id FROM cohort_member WHERE cohort_id = ?)";
-    const bool voided = filter.state == "voided";
+    const bool voided = filter.state == AttemptState::voided;
     if (voided) sql += " AND v.attempt_id IS NOT NULL";
-    if (!filter.state.empty() && !voided) sql += " AND v.attempt_id IS NULL AND a.state = ?";
+    if (filter.state && !voided) sql += " AND v.attempt_id IS NULL AND a.state = ?";
     if (!filter.include_voided) sql += " AND v.attempt_id IS NULL";
     if (!filter.include_synthetic) sql += " AND p.kind = 'real'";
     sql += " ORDER BY a.started DESC, a.id LIMIT ?";
@@ -118,29 +121,46 @@ std::vector<AttemptSummary> query_attempts(const Store& store, const Session& se
     if (!filter.person_id.empty()) rows.bind(filter.person_id);
     if (!filter.task_id.empty()) rows.bind(filter.task_id);
     if (!filter.cohort_id.empty()) rows.bind(filter.cohort_id);
-    if (!filter.state.empty() && !voided) rows.bind(filter.state);
+    if (filter.state && !voided) rows.bind(std::string(row_of(attempt_states, *filter.state).name));
     rows.bind(filter.limit < 0 ? -1 : filter.limit);
     std::vector<AttemptSummary> attempts;
     while (rows.next()) attempts.push_back(summary_of_row(rows));
     return attempts;
 }
 
+[[noreturn]] void unknown_attempt(const std::string& id) {
+    throw StoreError(StoreErrorKind::not_found, "no attempt " + id, "list the attempts and name one of them");
+}
+
+std::string person_of(const Store& store, const std::string& attempt_id) {
+    Query row(store.connection(), "SELECT person_id FROM attempt WHERE id = ?");
+    row.bind(attempt_id);
+    if (!row.next()) unknown_attempt(attempt_id);
+    return row.text(0);
+}
+
+std::string require_attempt(const Store& store, const Session& session, Operation operation,
+                            const std::string& attempt_id) {
+    std::string person = person_of(store, attempt_id);
+    store.require(session, operation, Subject::person(person));
+    return person;
+}
+
 AttemptSummary query_attempt(const Store& store, const std::string& attempt_id) {
     Query row(store.connection(), QString(columns) + "WHERE a.id = ?");
     row.bind(attempt_id);
-    if (!row.next()) {
-        throw StoreError(StoreErrorKind::not_found, "no attempt " + attempt_id,
-                         "list the attempts and name one of them");
-    }
+    if (!row.next()) unknown_attempt(attempt_id);
     return summary_of_row(row);
 }
 
 bool is_counting(const AttemptSummary& attempt) {
-    if (attempt.meta.mode != "assessed" || attempt.voided_at > 0 || !attempt.passed) return false;
-    const std::string& state = attempt.recorded_state;
-    if (state == "completed" || state == "abandoned" || state == "timed_out") return true;
+    if (attempt.meta.mode != AttemptMode::assessed || attempt.voided_at > 0 || !attempt.passed) return false;
+    const AttemptState state = attempt.recorded_state;
+    if (state == AttemptState::completed || state == AttemptState::abandoned ||
+        state == AttemptState::timed_out)
+        return true;
     // An interruption does not count, unless what was recorded failed already.
-    return state == "interrupted" && !*attempt.passed;
+    return state == AttemptState::interrupted && !*attempt.passed;
 }
 
 }  // namespace fulcrum::database

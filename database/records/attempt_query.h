@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The one SELECT behind attempt lists, debriefs, progress and cohort tables, and the people a session may
-// see. Internal to this floor.
+// see. Internal to the database.
 #pragma once
 
 #include <QString>
@@ -24,8 +24,18 @@ std::vector<AttemptSummary> query_attempts(const Store& store, const Session& se
 /// Access was checked by the caller. Throws not_found.
 AttemptSummary query_attempt(const Store& store, const std::string& attempt_id);
 
-/// Assessed, real or asked-for person aside: ended by trainee or clock and scored, or interrupted and failed;
-/// not voided (docs/MANUAL.md).
+/// Throws not_found.
+[[noreturn]] void unknown_attempt(const std::string& id);
+/// The id of the person who performed it; throws not_found. It says nothing else, so it may be asked before
+/// access is checked.
+std::string person_of(const Store& store, const std::string& attempt_id);
+/// Checks the operation on the person who performed it and returns that person's id. Throws not_found,
+/// AccessDenied.
+std::string require_attempt(const Store& store, const Session& session, Operation operation,
+                            const std::string& attempt_id);
+
+/// Whatever the person: assessed, not voided, and ended by the trainee or the time limit with a score, or
+/// interrupted and failed (docs/MANUAL.md).
 bool is_counting(const AttemptSummary& attempt);
 
 }  // namespace fulcrum::database

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reading attempts; adding a score beside; void and reassign. Every call is checked against the access table.
+// Reads attempts; adds scores next to the one in force; voids and reassigns. Every call is checked against
+// the access table. By concern: attempts.cpp lists and reads, attempt_trace.cpp decodes traces,
+// attempt_changes.cpp changes, stale_scores.cpp finds scores that are out of date.
 #pragma once
 
 #include <functional>
@@ -15,11 +17,11 @@
 namespace fulcrum::database {
 
 struct AttemptFilter {
-    std::string person_id;          ///< "" any the session may read
-    std::string task_id;            ///< "" any
-    std::string cohort_id;          ///< "" any
-    std::string state;              ///< "" any; as AttemptSummary::state
-    bool include_synthetic = true;  ///< people marked synthetic or external
+    std::string person_id;              ///< "" any the session may read
+    std::string task_id;                ///< "" any
+    std::string cohort_id;              ///< "" any
+    std::optional<AttemptState> state;  ///< empty: any; as AttemptSummary::state
+    bool include_synthetic = true;      ///< people marked synthetic or external
     bool include_voided = true;
     int limit = 1000;  ///< newest first
 };
@@ -30,13 +32,13 @@ struct CorrectionRequest {
     bool settled = false;  ///< the attempt was voided or reassigned since
 };
 
-/// What a score made today would rest on.
+/// What a score made today would be based on.
 struct ScoringInForce {
     std::map<std::string, int> metric_versions;  ///< by metric id
     std::map<std::string, std::string> limits;   ///< by task id, as AttemptMeta::limits; tasks without: none
 };
 
-/// An attempt none of whose scores rests on what is in force.
+/// An attempt none of whose scores is based on what is in force.
 struct StaleScore {
     std::string attempt_id, person_id, person_name, task_id;
     std::string
@@ -61,8 +63,8 @@ class Attempts {
     std::vector<ScoreRow> scores(const Session& session, const std::string& attempt_id) const;
     /// Everything recorded; checks every chunk. StoreError corrupt names the chunk.
     Trace read_trace(const Session& session, const std::string& attempt_id) const;
-    /// What charts need of the samples, decoded on all cores, several times sooner than read_trace():
-    /// `prepare` is told the number of chunks, then `visit` gets each of them once, in no order, from worker
+    /// What charts need of the samples, decoded on all cores, several times faster than read_trace():
+    /// `prepare` gets the number of chunks, then `visit` each of them once, in any order, from worker
     /// threads at the same time (chunks never overlap in time; their numbers rise with it). Every chunk is
     /// checked as there.
     void read_overview(const Session& session, const std::string& attempt_id,
@@ -74,7 +76,7 @@ class Attempts {
     std::string scene_text(const Session& session, const std::string& attempt_id) const;
     std::vector<ProductBlob> products(const Session& session, const std::string& attempt_id) const;
 
-    /// The first score of an attempt (one that was interrupted) is in force; any other lies beside it.
+    /// The first score of an attempt (one that was interrupted) is in force; any other is kept next to it.
     /// Returns its id.
     std::string add_score(const Session& session, const std::string& attempt_id, const ScoreRow& score) const;
 

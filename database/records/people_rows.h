@@ -12,7 +12,7 @@ namespace fulcrum::database {
 
 /// Lower case of ASCII letters: how logins are compared.
 std::string login_key(const std::string& login);
-/// Each throws StoreError bad_value with what is wrong and how to mend it.
+/// Each throws StoreError bad_value with what is wrong and what to do.
 void require_login(const std::string& login);
 void require_name(const std::string& name, const char* what);
 void require_password(const std::string& password);

@@ -53,8 +53,8 @@ void insert_attempt(const Store& store, const AttemptMeta& attempt) {
         .bind(store.station_id())
         .bind(attempt.task_id)
         .bind(attempt.task_version)
-        .bind(attempt.mode)
-        .bind(attempt.device_class)
+        .bind(std::string(row_of(attempt_modes, attempt.mode).name))
+        .bind(std::string(row_of(device_classes, attempt.device_class).name))
         .bind(attempt.device)
         .bind(attempt.operator_name)
         .bind(attempt.variant)
@@ -177,11 +177,14 @@ Recorder::Recorder(const std::string& store_path, const Session& session, Attemp
     Query person(connection, "SELECT kind FROM person WHERE id = ?");
     person.bind(attempt.person_id);
     const std::string kind = person.next() ? person.text(0) : std::string();
-    if (kind == "real" && (attempt.device_class == "synthetic" || attempt.device_class == "external")) {
-        bad("a " + attempt.device_class + " attempt never belongs to a real person",
+    if (kind == "real" &&
+        (attempt.device_class == DeviceClass::synthetic || attempt.device_class == DeviceClass::external)) {
+        bad(std::string("an attempt by ") + row_of(device_classes, attempt.device_class).title +
+                " never belongs to a real person",
             "record it for a synthetic or external person");
     }
-    if (store.is_demo() && attempt.mode != "practice" && read_setting(connection, "demo_sealed") == "1") {
+    if (store.is_demo() && attempt.mode != AttemptMode::practice &&
+        read_setting(connection, "demo_sealed") == "1") {
         throw StoreError(StoreErrorKind::sealed_demo, "the demo takes practice attempts only",
                          "choose practice, or make a programme");
     }
@@ -239,8 +242,8 @@ void Recorder::append(const TickSample& sample) {
     try {
         flush();
     } catch (const StoreError& error) {
-        // Someone else writes just now: what has gathered waits for the next second. Only a lock that stays
-        // is told.
+        // Another program is writing: the records wait for the next second. Only a lock that lasts is
+        // reported.
         if (error.kind() != StoreErrorKind::locked ||
             state.samples.size() >= std::size_t{longest_wait_s} * flush_ticks)
             throw;
@@ -260,21 +263,22 @@ void Recorder::flush() {
 bool Recorder::relabel_as_practice(const std::string& reason) {
     State& state = *state_;
     assert(!state.finished);
-    if (state.meta.mode == "practice") return true;
+    if (state.meta.mode == AttemptMode::practice) return true;
     try {
         Store& store = state.opened();
         Transaction transaction(store.connection());
         Query(store.connection(), "UPDATE attempt SET mode = 'practice' WHERE id = ?")
             .bind(state.meta.id)
             .run();
-        Audit(store).append(state.session, state.meta.id, "attempt.practice",
-                            json_object({{"from", state.meta.mode}, {"reason", reason}}));
+        Audit(store).append(
+            state.session, state.meta.id, "attempt.practice",
+            json_object({{"from", row_of(attempt_modes, state.meta.mode).name}, {"reason", reason}}));
         transaction.commit();
     } catch (const StoreError& error) {
         if (error.kind() == StoreErrorKind::locked) return false;
         throw;
     }
-    state.meta.mode = "practice";
+    state.meta.mode = AttemptMode::practice;
     return true;
 }
 
@@ -296,11 +300,14 @@ void Recorder::finish(const AttemptResult& result) {
             .bind(product.data)
             .run();
     }
+    if (result.state == AttemptState::running || result.state == AttemptState::voided)
+        bad("an attempt ends neither running nor voided", "give the state in which it ended");
+    const std::string state_name = row_of(attempt_states, result.state).name;
     Query ended(connection,
                 "UPDATE attempt SET state = ?, duration_s = ?, wall_s = ?, missed_ticks = ?, lost_samples = "
                 "?, events = ?, "
                 "state_hash = ? WHERE id = ?");
-    ended.bind(result.state)
+    ended.bind(state_name)
         .bind(result.duration_s)
         .bind(result.wall_s)
         .bind(std::int64_t{result.missed_ticks})
@@ -309,11 +316,10 @@ void Recorder::finish(const AttemptResult& result) {
         .bind(result.state_hash)
         .bind(state.meta.id)
         .run();
-    if (result.state == "running") bad("an attempt that ends is not running", "say how it ended");
     Audit(store).append(
         state.session, state.meta.id, "attempt.finish",
         json_object(
-            {{"state", result.state}, {"task", state.meta.task_id}, {"state_hash", result.state_hash}}));
+            {{"state", state_name}, {"task", state.meta.task_id}, {"state_hash", result.state_hash}}));
     if (result.score) write_score(store, state.session, state.meta.id, *result.score);
     transaction.commit();
     state.committed(pending);

@@ -29,7 +29,7 @@ PersonName name_of(const Store& store, const std::string& person_id) {
     return {row.text(0), row.text(1), row.text(2), row.text(3) != "real"};
 }
 
-/// What the figures rest on, gathered over the attempts that enter them.
+/// Versions that the values are based on, gathered over the attempts that enter them.
 class Provenance {
   public:
     explicit Provenance(const Store& store) : store_(store) {}
@@ -39,7 +39,8 @@ class Provenance {
         if (!meta.limits.empty()) sets_.insert(meta.limits);
         // One program gives one set of metric versions for a task: asked once, not for every attempt.
         const std::array<std::string, 4> key{meta.program_version, meta.task_id,
-                                             std::to_string(meta.task_version), meta.device_class};
+                                             std::to_string(meta.task_version),
+                                             row_of(device_classes, meta.device_class).name};
         if (seen_.count(key) > 0) return;
         Query rows(store_.connection(),
                    "SELECT DISTINCT m.id, m.version FROM metric m JOIN score s ON s.id = m.score_id "
@@ -83,17 +84,27 @@ void count(CohortRow& row, const AttemptSummary& attempt) {
     }
 }
 
+/// Device classes in the order of their names, as exports list them; none first.
+struct ByName {
+    bool operator()(const std::optional<DeviceClass>& a, const std::optional<DeviceClass>& b) const {
+        const auto name = [](const std::optional<DeviceClass>& one) {
+            return std::string(one ? row_of(device_classes, *one).name : "");
+        };
+        return name(a) < name(b);
+    }
+};
+
 /// One person's rows, tasks in the order given; every task has at least one row.
 std::vector<CohortRow> rows_of(const PersonName& person, const std::vector<std::string>& tasks,
                                const std::vector<AttemptSummary>& attempts) {
     std::vector<CohortRow> rows;
     for (const std::string& task : tasks) {
-        std::map<std::string, CohortRow> by_class;
+        std::map<std::optional<DeviceClass>, CohortRow, ByName> by_class;
         for (const AttemptSummary& attempt : attempts) {
-            if (attempt.meta.task_id == task && attempt.recorded_state != "running")
+            if (attempt.meta.task_id == task && attempt.recorded_state != AttemptState::running)
                 count(by_class[attempt.meta.device_class], attempt);
         }
-        if (by_class.empty()) by_class[""];
+        if (by_class.empty()) by_class[std::nullopt];
         for (auto& [device_class, row] : by_class) {
             row.person_id = person.id;
             row.login = person.login;
@@ -203,10 +214,10 @@ PersonProgress Reports::person_progress(const Session& session, const std::strin
         return std::tie(a.meta.started, a.meta.id) < std::tie(b.meta.started, b.meta.id);
     });
     Provenance provenance(store_);
-    std::map<std::string, ProgressSeries> by_class;
+    std::map<DeviceClass, ProgressSeries, ByName> by_class;
     CohortRow overall;
     for (const AttemptSummary& attempt : attempts) {
-        if (attempt.recorded_state == "running") continue;
+        if (attempt.recorded_state == AttemptState::running) continue;
         count(overall, attempt);
         provenance.add(attempt);
         ProgressSeries& series = by_class[attempt.meta.device_class];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one query behind screens and exports, so that their figures always agree. Voided attempts, and people
+// The one query behind screens and exports, so that their values always agree. Voided attempts, and people
 // marked synthetic or external (unless asked), are left out. Device classes are never pooled: every row has
 // one.
 #pragma once
@@ -22,11 +22,13 @@ struct CohortTableOptions {
     bool include_synthetic = false;  ///< demo stores: always
 };
 
-/// One person, one task, one device class. A person who never tried a task has one row with device_class "".
+/// One person, one task, one device class. A person who never tried a task has one row
+/// without a device class.
 struct CohortRow {
-    std::string person_id, login, name, task_id, device_class;
+    std::string person_id, login, name, task_id;
+    std::optional<DeviceClass> device_class;
     TaskState state = TaskState::open;
-    bool provisional = false;  ///< every pass rests on provisional limits: "passed (provisional)"
+    bool provisional = false;  ///< every pass is based on provisional limits: "passed (provisional)"
     int attempts = 0;          ///< counting: assessed, scored, ended by the trainee or the clock
     int passes = 0;            ///< of these
     int not_counting = 0;      ///< practice, interrupted, not scored
@@ -53,7 +55,9 @@ struct ProgressPoint {
     int number = 0;  ///< 1, 2, ... within its series
     std::int64_t started = 0;
     int utc_offset_min = 0;
-    std::string mode, state, variant, fidelity, limits;
+    AttemptMode mode = AttemptMode::practice;
+    AttemptState state = AttemptState::running;
+    std::string variant, fidelity, limits;
     bool counting = false;
     double duration_s = 0;
     std::optional<bool> passed;
@@ -64,7 +68,7 @@ struct ProgressPoint {
     std::optional<PathologyReport> pathology;  ///< of the score in force, where the task leaves a specimen
 };
 struct ProgressSeries {
-    std::string device_class;
+    DeviceClass device_class = DeviceClass::mouse_keyboard;
     std::vector<ProgressPoint> points;  ///< by start
 };
 struct PersonProgress {
@@ -80,7 +84,7 @@ struct PersonProgress {
 /// exports all read it here. Throws InputError where it cannot be read.
 std::optional<PathologyReport> pathology_of(const ScoreRow& score);
 
-/// One attempt as it stands now.
+/// One attempt in its present state.
 struct AttemptReport {
     AttemptSummary attempt;
     std::optional<ScoreRow> score;  ///< in force

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "database/records/attempt_query.h"
 #include "database/rows/connection.h"
 #include "database/rows/crypto.h"
 #include "database/rows/json.h"
@@ -22,16 +23,6 @@ std::vector<Comment> read_rows(Query& rows) {
                             rows.text(5), rows.integer(6), rows.integer(7), rows.integer(8)});
     }
     return comments;
-}
-
-std::string person_of_attempt(const Store& store, const std::string& attempt_id) {
-    Query row(store.connection(), "SELECT person_id FROM attempt WHERE id = ?");
-    row.bind(attempt_id);
-    if (!row.next()) {
-        throw StoreError(StoreErrorKind::not_found, "no attempt " + attempt_id,
-                         "list the attempts and name one of them");
-    }
-    return row.text(0);
 }
 
 struct Place {
@@ -55,7 +46,7 @@ void require_text(double time_s, const std::string& text) {
                          "write or shorten it");
     }
     if (!std::isfinite(time_s) || time_s < 0) {
-        throw StoreError(StoreErrorKind::bad_value, "a comment's moment lies in the attempt",
+        throw StoreError(StoreErrorKind::bad_value, "a comment's time is not within the attempt",
                          "choose a time from 0 s on");
     }
 }
@@ -74,7 +65,7 @@ Place require_own_draft(const Store& store, const Session& educator, const std::
 }  // namespace
 
 std::vector<Comment> Reviews::comments(const Session& session, const std::string& attempt_id) const {
-    store_.require(session, Operation::read_comment, Subject::person(person_of_attempt(store_, attempt_id)));
+    store_.require(session, Operation::read_comment, Subject::person(person_of(store_, attempt_id)));
     Query rows(store_.connection(), QString(columns) +
                                         "WHERE c.attempt_id = ? AND (c.sent > 0 OR c.author_id = ?) "
                                         "ORDER BY c.time_s, c.created, c.id");
@@ -84,7 +75,7 @@ std::vector<Comment> Reviews::comments(const Session& session, const std::string
 
 std::string Reviews::write(const Session& educator, const std::string& attempt_id, double time_s,
                            const std::string& text, bool send) const {
-    store_.require(educator, Operation::comment, Subject::person(person_of_attempt(store_, attempt_id)));
+    store_.require(educator, Operation::comment, Subject::person(person_of(store_, attempt_id)));
     require_text(time_s, text);
     Transaction transaction(store_.connection());
     std::string id = random_uuid();

@@ -69,7 +69,7 @@ struct Account {
     std::int64_t expires = 0;
 };
 
-/// Empty id if nobody has it or they cannot sign in.
+/// Empty id if no account has the login, or the account cannot sign in.
 Account find_account(const Store& store, const std::string& login) {
     Account account;
     Query row(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which scores rest on metrics or limits that are no longer those in force.
+// Which scores are based on metrics or limits that are no longer in force.
 #include "database/records/attempt_query.h"
 
 namespace fulcrum::database {
@@ -13,7 +13,7 @@ std::string in_words(int version) {
     return version == 0 ? "none" : std::to_string(version);
 }
 
-/// Empty if the score rests on what is in force.
+/// Empty if the score is based on what is in force.
 std::string why_stale(Connection& connection, const std::string& score_id, const std::string& limits,
                       const std::string& limits_now, const ScoringInForce& now) {
     std::string why;
@@ -53,7 +53,7 @@ std::vector<StaleScore> Attempts::stale_scores(const Session& session, const Sco
     if (!person_id.empty()) rows.bind(person_id);
     std::vector<StaleScore> stale;
     std::string attempt;
-    bool current = false;  // one score of this attempt rests on what is in force
+    bool current = false;  // one score of this attempt is based on what is in force
     while (rows.next()) {
         const bool next_attempt = rows.text(0) != attempt;
         if (!next_attempt && current) continue;

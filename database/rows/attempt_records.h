@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "assessment/metrics/statement.h"
+#include "assessment/task/attempt_words.h"
 
 namespace fulcrum::database {
 
@@ -19,9 +20,8 @@ struct AttemptMeta {
     std::string person_id;  ///< UUID
     std::string task_id;    ///< "A2"
     int task_version = 1;
-    std::string mode = "practice";  ///< assessed | practice
-    std::string device_class =
-        "mouse-keyboard";       ///< haptic | tracked | controller | mouse-keyboard | synthetic | external
+    AttemptMode mode = AttemptMode::practice;
+    DeviceClass device_class = DeviceClass::mouse_keyboard;
     std::string device;         ///< what the device calls itself
     std::string operator_name;  ///< synthetic operator preset, or empty
     std::string variant;        ///< anatomy variant
@@ -53,7 +53,7 @@ struct MetricRow {
 
 struct GateRow {
     std::string metric, hand, tissue;
-    std::string kind;  ///< benchmark | absolute
+    GateKind kind = GateKind::benchmark;
     std::optional<double> value;
     std::string unit;
     std::optional<double> limit;  ///< absent where no benchmark set has a level, and then so is its source
@@ -72,7 +72,7 @@ struct CriticalErrorRow {
     std::string text;
 };
 
-/// Metrics held against limits. The first score of an attempt is in force for good; later ones lie beside it.
+/// Metrics held against limits. The first score of an attempt stays in force; later ones are kept next to it.
 struct ScoreRow {
     std::string id;             ///< UUID, made by the store
     std::int64_t computed = 0;  ///< UTC ms, made by the store
@@ -96,8 +96,8 @@ struct ProductBlob {
 
 /// How it ended; written by Recorder::finish in one transaction with the last chunks.
 struct AttemptResult {
-    std::string state;      ///< completed | timed_out | abandoned | interrupted | failed_simulation
-    double duration_s = 0;  ///< attempt clock
+    AttemptState state = AttemptState::running;  ///< how it ended; never running nor voided
+    double duration_s = 0;                       ///< attempt clock
     double wall_s = 0;
     std::uint32_t missed_ticks = 0;
     std::uint64_t lost_samples = 0;
@@ -109,16 +109,16 @@ struct AttemptResult {
 struct AttemptSummary {
     AttemptMeta meta;
     std::string person_login, person_name;
-    bool synthetic = false;      ///< the person is marked synthetic or external
-    std::string state;           ///< as AttemptResult::state, or running, or voided
-    std::string recorded_state;  ///< what it was before a void
+    bool synthetic = false;  ///< the person is marked synthetic or external
+    AttemptState state = AttemptState::running;
+    AttemptState recorded_state = AttemptState::running;  ///< what it was before a void
     double duration_s = 0, wall_s = 0;
     std::uint32_t missed_ticks = 0;
     std::uint64_t lost_samples = 0;
     std::uint64_t events = 0;
     std::string state_hash;
     std::optional<bool> passed;  ///< of the score in force
-    bool provisional = false;    ///< a gate of the score in force rests on a provisional limit
+    bool provisional = false;    ///< a gate of the score in force has a provisional limit
     std::optional<double> points;
     Statement not_scored_because;
     bool counting = false;               ///< enters progress and cohorts, device class aside (docs/MANUAL.md)

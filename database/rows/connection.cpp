@@ -50,7 +50,7 @@ Connection::Connection(const std::string& path, bool read_only, bool create, int
     if (read_only) {
         options = "QSQLITE_OPEN_READONLY";
         // A store whose folder cannot be written has no room for SQLite's shared-memory file; without a log
-        // beside it, it can be read as it stands.
+        // next to it, it can be read as it is.
         const std::filesystem::path file(path);
         std::error_code error;
         const auto folder_permissions =
@@ -172,8 +172,8 @@ Query& Query::bind(std::int64_t value) {
 }
 Query& Query::bind(double value) {
     if (!std::isfinite(value)) {
-        throw StoreError(StoreErrorKind::bad_value, "a figure that is not finite cannot be stored",
-                         "leave it absent, with the reason");
+        throw StoreError(StoreErrorKind::bad_value, "a number that is not finite cannot be stored",
+                         "leave it out, with the reason");
     }
     query_.addBindValue(value);
     return *this;

@@ -11,7 +11,7 @@ std::string json_object(std::initializer_list<std::pair<const char*, std::string
     std::string text = "{";
     for (const auto& [key, value] : members) {
         if (text.size() > 1) text += ", ";
-        // An array of one string is the shortest way to Qt's escaping.
+        // An array of one string gives Qt's escaping with the least code.
         const QByteArray escaped =
             QJsonDocument(QJsonArray{QString::fromStdString(value)}).toJson(QJsonDocument::Compact);
         text += "\"" + std::string(key) + "\": " + escaped.mid(1, escaped.size() - 2).toStdString();

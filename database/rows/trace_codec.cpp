@@ -250,7 +250,7 @@ struct TraceCodec::State {
             for (std::size_t i = 0; i < count; ++i)
                 values[i] += share == share_less ? reference[i] : 0U - reference[i];
         }
-        // The residuals stay for the columns whose partner this one is; most are nobody's.
+        // The residuals are kept for columns that have this one as partner; most have none.
         Column& restored = is_partner ? candidate : values;
         if (is_partner) candidate = values;
         for (unsigned pass = order; pass-- > 0;) restore(restored, pass);

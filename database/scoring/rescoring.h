@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scores made from a stored record: the first one of what was interrupted (interrupted.h), and new ones
-// beside those that older metrics or limits gave. The score in force never changes (docs/MANUAL.md).
+// next to those that older metrics or limits gave. The score in force never changes (docs/MANUAL.md).
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace fulcrum {
 
-/// A score that was out of date and has a newer one beside it now.
+/// A score that was out of date and has a newer one next to it now.
 struct RecomputedScore {
     std::string attempt_id, person_name, task_id;
     std::string why;                      ///< the versions it was computed with, and those in force

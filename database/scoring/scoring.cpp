@@ -88,7 +88,7 @@ database::GateRow to_row(const GateResult& gate) {
     row.metric = gate.metric;
     row.hand = gate.hand;
     row.tissue = gate.tissue;
-    row.kind = row_of(gate_kinds, gate.kind).name;
+    row.kind = gate.kind;
     row.value = gate.value;
     row.unit = gate.unit;
     row.limit = gate.limit;

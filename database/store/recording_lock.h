@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tells a recording in progress from one whose program died: an advisory lock on a small file beside the
-// store, held as long as the recorder lives and let go by the kernel however it ends. Internal to this floor.
+// Distinguishes a recording in progress from one whose program died: an advisory lock on a small file next to
+// the store, held as long as the recorder lives and let go by the kernel however it ends. Internal to this
+// floor.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scores as rows, and the digest that the audit chain keeps of each. Internal to this floor.
+// Scores as rows, and the digest that the audit chain keeps of each. Internal to the database.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 namespace fulcrum::database {
 
 /// Writes the score with a new id, in force if the attempt has none yet, and its digest into the audit chain.
-/// Inside the caller's transaction. Returns the id. Throws StoreError bad_value where a figure is not finite.
+/// Inside the caller's transaction. Returns the id. Throws StoreError bad_value where a value is not finite.
 std::string write_score(const Store& store, const Session& session, const std::string& attempt_id,
                         ScoreRow score);
 /// Empty id if there is no such score.

@@ -33,7 +33,7 @@ struct StoreOptions {
         true;  ///< false: leave attempts that lost their program for the next start to list
 };
 
-/// A finding of check(): ok == false names what is wrong and the way on.
+/// A finding of check(): ok == false names what is wrong and what to do.
 struct CheckItem {
     std::string name;  ///< "integrity", "foreign keys", "audit chain", "trace checksums", "score digests",
                        ///< "scenes", "permissions"

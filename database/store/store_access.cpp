@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Store::allowed and require: who the actor is now, how the subject stands to them, then the table.
+// Store::allowed and require: the actor's present state, the subject's relation to the actor, then the table.
 #include "database/store/store_state.h"
 
 namespace fulcrum::database {
@@ -29,7 +29,7 @@ bool writes(Operation operation) {
     }
 }
 
-/// Empty if the session still stands; else why not.
+/// Empty if the session is still valid; else why not.
 std::string why_session_ended(const Store& store, const Session& session, Operation operation) {
     if (session.station_id() != store.station_id()) return "signed in to another store";
     if (session.is_station()) return {};
@@ -84,7 +84,7 @@ std::string refusal(const Store& store, const Session& session, Operation operat
     Relation relation;
     if (!relation_of(store, session, subject, relation)) return "outside this role's people";
     if (permits(session.role(), operation, relation)) return {};
-    if (never_own(operation) && relation.own) return "nobody does this to their own attempt";
+    if (never_own(operation) && relation.own) return "not allowed on one's own attempt";
     return "outside this role's people";
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t most_problems = 20;
 
-/// Tells how far the check is and hears whether to go on, between rows and within one long statement.
+/// Reports progress and asks whether to continue, between rows and within one long statement.
 class Watch {
   public:
     Watch(Connection& connection, const StoreProgress& progress)
@@ -41,13 +41,13 @@ class Watch {
     /// False: stop.
     bool at(double share) {
         done_ = from_ + share * (to_ - from_);
-        return tell();
+        return report();
     }
     bool stopped() const { return stopped_; }
 
   private:
-    static int ask(void* watch) { return static_cast<Watch*>(watch)->tell() ? 0 : 1; }
-    bool tell() {
+    static int ask(void* watch) { return static_cast<Watch*>(watch)->report() ? 0 : 1; }
+    bool report() {
         if (progress_ && !stopped_) stopped_ = !progress_(done_, what_);
         return !stopped_;
     }
@@ -162,7 +162,8 @@ void check_permissions(const Store& store, CheckItem& item) {
     struct stat status {};
     item.count = 1;
     if (::stat(store.path().c_str(), &status) == 0 && (status.st_mode & (S_IRWXG | S_IRWXO)) != 0) {
-        item.problems.push_back(store.path() + ": others on this machine may open it (chmod 600 mends that)");
+        item.problems.push_back(store.path() +
+                                ": other users of this machine may open it (run `chmod 600` on it)");
     }
 }
 

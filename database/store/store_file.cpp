@@ -148,7 +148,7 @@ NewStoreFile::NewStoreFile(const std::string& path) : path_(path) {
     // Where the file system has no such lock, temporary files may be in use.
     if (refused == 0) remove_abandoned(path);
     temporary_ = path + making + random_uuid().substr(0, 8);
-    // SQLite would give the file the usual mode. Nobody else knows this file yet.
+    // SQLite would give the file the usual mode. No other process knows this file yet.
     const int descriptor = ::open(temporary_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0600);
     if (descriptor < 0) {
         const int error = errno;

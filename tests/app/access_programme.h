@@ -96,7 +96,7 @@ class AccessProgramme : public Programme {
     Target make_target(const std::string& login, const Session& performer, const std::string& person,
                        const std::string& cohort_id, const std::string& cohort_name, const Session* author) {
         AttemptMeta meta = example_meta(person);
-        if (login == "robot") meta.device_class = "synthetic";
+        if (login == "robot") meta.device_class = DeviceClass::synthetic;
         Recorder recorder(path, performer, meta, clock.options());
         append_second(recorder);
         recorder.finish(example_result(true, 60));

@@ -44,7 +44,7 @@ TEST_F(Window, TimerStartsWhenTheSceneIsPreparedAndShown) {
     QTest::qWait(400);
     EXPECT_FALSE(theatre().session()->display().moving_seen) << "movement before the start does not count";
     abandon();
-    EXPECT_EQ(newest_attempt().state, "abandoned");
+    EXPECT_EQ(newest_attempt().state, AttemptState::abandoned);
 }
 
 // The three device faults (not a number, a jump of a metre, silence), each while a sphere is pressed.
@@ -111,9 +111,9 @@ TEST_F(Window, FaultyDeviceRampsForceToZeroPausesAndResumesAsPracticeFromTheSame
 
     // Nothing is lost, and the record contains every change.
     const database::AttemptSummary attempt = newest_attempt();
-    EXPECT_EQ(attempt.meta.mode, "practice");
+    EXPECT_EQ(attempt.meta.mode, AttemptMode::practice);
     EXPECT_FALSE(attempt.counting);
-    EXPECT_EQ(attempt.state, "abandoned");
+    EXPECT_EQ(attempt.state, AttemptState::abandoned);
     expect_replays(attempt.meta.id);
     const database::Trace trace =
         database::Attempts(*services.store()).read_trace(window.context().session(), attempt.meta.id);
@@ -152,8 +152,9 @@ TEST_F(Window, InterruptedAttemptIsScoredAtTheNextSignInAndShownOnHome) {
     for (const bool breaks : {false, true}) {
         const LoadedTask loaded = load_task_and_scene("A2");
         const auto benchmark = benchmark_in_force("A2");
-        database::AttemptMeta meta = attempt_meta(loaded, 31, "assessed", "mouse-keyboard",
-                                                  "mouse and keyboard", benchmark ? &*benchmark : nullptr);
+        database::AttemptMeta meta =
+            attempt_meta(loaded, 31, AttemptMode::assessed, DeviceClass::mouse_keyboard, "mouse and keyboard",
+                         benchmark ? &*benchmark : nullptr);
         meta.person_id = window.context().session().person_id();
         database::Recorder recorder(services.store_path(false), window.context().session(), meta);
         (breaks ? broken : whole) = recorder.attempt_id();

@@ -208,8 +208,9 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     if (!whole) abandon();
     DebriefPage& debrief = wait_for_debrief();
     const database::AttemptSummary first = newest_attempt();
-    EXPECT_EQ(first.state, whole ? "completed" : "abandoned");
-    EXPECT_TRUE(first.counting) << first.meta.mode << ", " << words_of(first.not_scored_because);
+    EXPECT_EQ(first.state, whole ? AttemptState::completed : AttemptState::abandoned);
+    EXPECT_TRUE(first.counting) << row_of(attempt_modes, first.meta.mode).name << ", "
+                                << words_of(first.not_scored_because);
     const QString first_state = attempt_state(first.state), first_points = figure(first.points);
     const QString first_time = shown("headline_0");
     EXPECT_EQ(shown("debrief_about").contains(" · " + first_points + " of 100 points"),
@@ -236,7 +237,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     page.step("B1-begun", "B1 at the start");
     abandon();
     const database::AttemptSummary abandoned = newest_attempt();
-    EXPECT_EQ(abandoned.state, "abandoned");
+    EXPECT_EQ(abandoned.state, AttemptState::abandoned);
     EXPECT_TRUE(shown("advice").contains("abandoned")) << shown("advice").toStdString();
     page.step("B1-abandoned", "Debrief of an abandoned B1");
     replay(wait_for_debrief());
@@ -253,7 +254,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     ASSERT_TRUE(wait_for([&] { return window.current_page()->objectName() == "debrief_page"; }, 240000));
     DebriefPage& of_lost = wait_for_debrief();
     const database::AttemptSummary lost = newest_attempt();
-    EXPECT_EQ(lost.state, whole ? "interrupted" : "abandoned");
+    EXPECT_EQ(lost.state, whole ? AttemptState::interrupted : AttemptState::abandoned);
     page.step("device-gone-debrief", "Debrief of the interrupted attempt");
     replay(of_lost);
     expect_replays(lost.meta.id);

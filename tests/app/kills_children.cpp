@@ -54,8 +54,8 @@ int perform_until_killed(const char* folder, const char* counters_path, unsigned
             make_operator("expert", loaded.task, loaded.scene, request.seed), *counters);
         request.store_path = store_path;
         request.session = station;
-        request.meta =
-            attempt_meta(loaded, request.seed, "assessed", "synthetic", "synthetic operator", &*benchmark);
+        request.meta = attempt_meta(loaded, request.seed, AttemptMode::assessed, DeviceClass::synthetic,
+                                    "synthetic operator", &*benchmark);
         request.meta.person_id = person.id;
         request.benchmark = benchmark;
         counters->ticks.store(0);

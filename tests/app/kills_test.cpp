@@ -105,8 +105,8 @@ void Kills::round(const char* child_option, int number, const database::Session&
     for (const database::AttemptSummary& attempt : attempts.list(performer, all)) {
         if (!earlier.insert(attempt.meta.id).second) continue;
         ++seen;
-        EXPECT_NE(attempt.state, "running");
-        if (attempt.state != "interrupted") {
+        EXPECT_NE(attempt.state, AttemptState::running);
+        if (attempt.state != AttemptState::interrupted) {
             EXPECT_TRUE(attempts.score(performer, attempt.meta.id).has_value());
             ++scored;
             continue;

@@ -34,8 +34,8 @@ class Roles : public Window {
         const database::Session& session = window.context().session();
         const LoadedTask loaded = load_task_and_scene("A2");
         AttemptRequest request{session, "A2", true, 5, MouseKeyboardInput(loaded.scene).rig()};
-        database::AttemptMeta meta =
-            attempt_meta(loaded, 5, "assessed", "mouse-keyboard", "mouse and keyboard", nullptr);
+        database::AttemptMeta meta = attempt_meta(loaded, 5, AttemptMode::assessed,
+                                                  DeviceClass::mouse_keyboard, "mouse and keyboard", nullptr);
         meta.person_id = session.person_id();
         const auto begin = [&] { services.start_attempt(request); };  // prepared, then closed
         const auto record = [&] { database::Recorder(services.store_path(false), session, meta); };

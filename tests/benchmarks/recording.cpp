@@ -155,7 +155,7 @@ void record_attempt(benchmark::State& state) {
         AttemptMeta meta;
         meta.person_id = person.id;
         meta.task_id = "B1";
-        meta.device_class = "synthetic";
+        meta.device_class = DeviceClass::synthetic;
         Recorder recorder(path, store.station_session(), meta);
         for (std::uint32_t tick = 0; tick < seconds * 1000; ++tick) {
             recorder.append(recording.inputs[tick]);
@@ -165,7 +165,7 @@ void record_attempt(benchmark::State& state) {
                                            tick % 100 == 99 ? tick * 0x9e3779b97f4a7c15ULL : 0});
         }
         AttemptResult result;
-        result.state = "completed";
+        result.state = AttemptState::completed;
         recorder.finish(result);
         bytes = static_cast<double>(recorder.bytes_written());
     }

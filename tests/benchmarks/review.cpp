@@ -86,7 +86,7 @@ struct Hour {
         database::AttemptMeta meta;
         meta.person_id = database::People(store).ensure_synthetic(station, "hour", "Hour").id;
         meta.task_id = "B1";
-        meta.device_class = "synthetic";
+        meta.device_class = DeviceClass::synthetic;
         database::Recorder recorder(path, station, meta);
         const Minute pattern = minute();
         for (std::uint32_t tick = 0; tick < 3'600'000; ++tick) {
@@ -97,7 +97,7 @@ struct Hour {
             recorder.append(sample);
         }
         database::AttemptResult result;
-        result.state = "completed";
+        result.state = AttemptState::completed;
         result.duration_s = 3600;
         recorder.finish(result);
         attempt = recorder.attempt_id();

@@ -112,7 +112,8 @@ std::unique_ptr<LiveAttempt> start_attempt(const database::Store& store, const L
     request.rig = make_operator("expert", loaded.task, loaded.scene, 1);
     request.store_path = store.path();
     request.session = session;
-    request.meta = attempt_meta(loaded, 1, "practice", "synthetic", "synthetic operator", nullptr);
+    request.meta =
+        attempt_meta(loaded, 1, AttemptMode::practice, DeviceClass::synthetic, "synthetic operator", nullptr);
     request.meta.person_id = person.id;
     request.meta.operator_name = "expert";
     return std::make_unique<LiveAttempt>(std::move(request));

@@ -80,7 +80,7 @@ inline LargeProgramme make_large_programme(const Store& store, int trainees, int
             score.gates.push_back({"time",
                                    "",
                                    "",
-                                   "benchmark",
+                                   GateKind::benchmark,
                                    120 - points,
                                    "s",
                                    60.0,

@@ -83,7 +83,7 @@ std::string store_in(const std::string& folder) {
 
 AttemptMeta synthetic_meta(const std::string& person_id) {
     AttemptMeta meta = example_meta(person_id);
-    meta.device_class = "synthetic";
+    meta.device_class = DeviceClass::synthetic;
     return meta;
 }
 

@@ -43,10 +43,11 @@ inline ScoreRow example_score(bool passed, double points) {
     score.points = points;
     score.advice = {StatementId::gate_missed,
                     {{"metric", std::string("f_max")}, {"value", 6.0}, {"limit", 4.0}}};
-    score.gates.push_back({"path_len", "left", "", "benchmark", 812.5, "mm", 900.0, "A2-operators@1", 0.7,
-                           61.0, passed, true, passed ? Statement() : Statement(StatementId::no_benchmark)});
+    score.gates.push_back({"path_len", "left", "", GateKind::benchmark, 812.5, "mm", 900.0, "A2-operators@1",
+                           0.7, 61.0, passed, true,
+                           passed ? Statement() : Statement(StatementId::no_benchmark)});
     score.gates.push_back(
-        {"perforation", "", "", "absolute", 0.0, "count", 0.0, "safety", {}, {}, true, false, {}});
+        {"perforation", "", "", GateKind::absolute, 0.0, "count", 0.0, "safety", {}, {}, true, false, {}});
     score.metrics.push_back({"path_len", 1, "left", "", 812.5, {}, "mm", "lower", {{0.25, 31.5}}});
     score.metrics.push_back({"sparc",
                              2,
@@ -64,8 +65,8 @@ inline AttemptMeta example_meta(const std::string& person_id, const std::string&
     AttemptMeta meta;
     meta.person_id = person_id;
     meta.task_id = task;
-    meta.mode = "assessed";
-    meta.device_class = "mouse-keyboard";
+    meta.mode = AttemptMode::assessed;
+    meta.device_class = DeviceClass::mouse_keyboard;
     meta.device = "mouse and keyboard";
     meta.variant = "standard";
     meta.seed = 0xfedcba9876543210ULL;
@@ -78,7 +79,7 @@ inline AttemptMeta example_meta(const std::string& person_id, const std::string&
 
 inline AttemptResult example_result(bool passed, double points) {
     AttemptResult result;
-    result.state = "completed";
+    result.state = AttemptState::completed;
     result.duration_s = 31.5;
     result.wall_s = 31.6;
     result.state_hash = "00c0ffee00c0ffee";

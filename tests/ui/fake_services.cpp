@@ -48,7 +48,7 @@ class FakeAttempt : public AttemptSession {
         database::AttemptMeta meta;
         meta.person_id = request.session.person_id();
         meta.task_id = task.id;
-        meta.mode = request.assessed ? "assessed" : "practice";
+        meta.mode = request.assessed ? AttemptMode::assessed : AttemptMode::practice;
         meta.device_class = request.device_class;
         meta.device = request.device;
         meta.variant = "standard";
@@ -68,7 +68,7 @@ class FakeAttempt : public AttemptSession {
         display_.active_target = world_.targets.empty() ? -1 : 0;
     }
     ~FakeAttempt() override {
-        if (!outcome_) end("interrupted", EventKind::interrupted);
+        if (!outcome_) end(AttemptState::interrupted, EventKind::interrupted);
     }
     const Scene& scene() const override { return scene_; }
     const TaskDefinition& task() const override { return task_; }
@@ -91,8 +91,8 @@ class FakeAttempt : public AttemptSession {
         phase_ = AttemptPhase::running;
         add_event(EventKind::resume);
     }
-    void abandon() override { end("abandoned", EventKind::abandoned); }
-    void interrupt() override { end("interrupted", EventKind::interrupted); }
+    void abandon() override { end(AttemptState::abandoned, EventKind::abandoned); }
+    void interrupt() override { end(AttemptState::interrupted, EventKind::interrupted); }
     std::string message() const override {
         return phase_ == AttemptPhase::device_lost ? "The device does not answer; reconnect it to resume."
                                                    : "";
@@ -112,8 +112,8 @@ class FakeAttempt : public AttemptSession {
         ++events_;
     }
     void one_tick();
-    database::ScoreRow score(const std::string& state) const;
-    void end(const std::string& state, EventKind kind);
+    database::ScoreRow score(AttemptState state) const;
+    void end(AttemptState state, EventKind kind);
 
     AttemptRequest request_;
     TaskDefinition task_;
@@ -191,11 +191,11 @@ bool FakeAttempt::update() {
         display_.goal_progress = std::min(shown, 10) / 10.0;
     }
     world_.tick = tick_;
-    if (control_.complete) end("completed", EventKind::completed);
+    if (control_.complete) end(AttemptState::completed, EventKind::completed);
     return true;
 }
 
-database::ScoreRow FakeAttempt::score(const std::string& state) const {
+database::ScoreRow FakeAttempt::score(AttemptState state) const {
     database::ScoreRow row;
     row.program_version = "0.1.0-test";
     row.limits = task_.id + "-operators@1";
@@ -220,14 +220,14 @@ database::ScoreRow FakeAttempt::score(const std::string& state) const {
     absent.absent_because = {StatementId::few_movements, {{"count", 3.0}, {"least", 5.0}}};
     row.metrics.push_back(absent);
     const bool force_met = worst_force_ <= 4.0;
-    const bool done = state == "completed";
+    const bool done = state == AttemptState::completed;
     database::GateRow time{
-        "time", "",   "",   "benchmark", tick_ * 1e-3, "s", 120.0, task_.id + "-operators@1", 0.8,
-        75.0,   true, true, {}};
+        "time", "",   "", GateKind::benchmark, tick_ * 1e-3, "s", 120.0, task_.id + "-operators@1", 0.8, 75.0,
+        true,   true, {}};
     database::GateRow force{"f_max",
                             "left",
                             "",
-                            "absolute",
+                            GateKind::absolute,
                             worst_force_,
                             "N",
                             4.0,
@@ -249,7 +249,7 @@ database::ScoreRow FakeAttempt::score(const std::string& state) const {
     return row;
 }
 
-void FakeAttempt::end(const std::string& state, EventKind kind) {
+void FakeAttempt::end(AttemptState state, EventKind kind) {
     if (outcome_) return;
     add_event(kind);
     database::AttemptResult result;
@@ -257,7 +257,7 @@ void FakeAttempt::end(const std::string& state, EventKind kind) {
     result.duration_s = tick_ * 1e-3;
     result.wall_s = tick_ * 1e-3;
     result.state_hash = "00ff";
-    if (state != "interrupted") result.score = score(state);
+    if (state != AttemptState::interrupted) result.score = score(state);
     recorder_->finish(result);
     outcome_ = AttemptOutcome{recorder_->attempt_id(), state, result.duration_s, 0, 0};
     control_.last_attempt_id = recorder_->attempt_id();

@@ -305,7 +305,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
         QFile::copy(folder.filePath("cohort.pdf"), QString::fromLocal8Bit(pictures) + "/cohort.pdf");
     }
     EXPECT_EQ(database::Attempts(*services.store()).read(window.context().session(), first_attempt).state,
-              "completed");
+              AttemptState::completed);
 }
 
 TEST_F(Journey, RefusesAWrongPasswordWithoutDetails) {
@@ -392,7 +392,7 @@ TEST(Lock, HidesTheContentPausesTheAttemptAndClosesItLater) {
     database::AttemptFilter filter;
     const auto stored = database::Attempts(*services.store()).list(session, filter);
     ASSERT_EQ(stored.size(), 1U);
-    EXPECT_EQ(stored[0].state, "interrupted");
+    EXPECT_EQ(stored[0].state, AttemptState::interrupted);
     type(window, "unlock_password", "tara's password");
     click(window, "unlock");
     EXPECT_TRUE(wait_for([&] { return !sees(window, "lock_page"); }));

@@ -222,16 +222,16 @@ void AttemptsPage::load() {
     table_->setRowCount(static_cast<int>(attempts_.size()));
     for (std::size_t i = 0; i < attempts_.size(); ++i) {
         const database::AttemptSummary& attempt = attempts_[i];
-        const bool voided = attempt.state == "voided";
+        const bool voided = attempt.state == AttemptState::voided;
         const QString who = person_text(attempt.person_name, attempt.synthetic);
         QString comments = attempt.comments == 0 ? QString() : QString::number(attempt.comments);
         if (attempt.unread_comments > 0) comments += tr(" (%1 unread)").arg(attempt.unread_comments);
         const QString cells[] = {who,
                                  text(attempt.meta.task_id),
                                  local_time(attempt.meta.started),
-                                 attempt.meta.mode == "assessed" ? tr("assessed") : tr("practice"),
+                                 mode_text(attempt.meta.mode),
                                  device_class_text(attempt.meta.device_class),
-                                 voided ? tr("voided") : attempt_state(attempt.state),
+                                 attempt_state(attempt.state),
                                  clock_text(attempt.duration_s),
                                  verdict(attempt.passed, attempt.provisional),
                                  figure(attempt.points),

@@ -29,10 +29,10 @@ QString cohort_cell_text(const database::CohortRow& row) {
             state = CohortPage::tr("open");
             break;
     }
-    if (row.device_class.empty()) return state;
+    if (!row.device_class) return state;
     QString line = CohortPage::tr("%1 · attempts %2").arg(state).arg(row.attempts);
     if (row.best_points) line += CohortPage::tr(" · best %1").arg(points_text(*row.best_points));
-    return line + QStringLiteral("\n") + device_class_text(row.device_class);
+    return line + QStringLiteral("\n") + device_class_text(*row.device_class);
 }
 
 CohortPage::CohortPage(Context& context) : Page(context, "cohort_page") {

@@ -58,7 +58,7 @@ constexpr Words reasons[] = {
     {"not in this role", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "This role does not include it.")},
     {"the demo takes practice attempts only", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The demonstration accepts practice attempts only.")},
     {"outside this role's people", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The person is not in your care.")},
-    {"nobody does this to their own attempt", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "Nobody may do this to their own attempt.")},
+    {"not allowed on one's own attempt", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "You may not do this to your own attempt.")},
     {"signed in to another store", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "You are signed in to another programme. Sign in again.")},
     {"demo people exist in the demo store only", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "Demonstration accounts exist in the demonstration only.")},
     {"demo stores only", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "This is possible in the demonstration only.")},

@@ -47,10 +47,10 @@ void head(Sheet& sheet, const AttemptPaper& paper) {
     sheet.font(17, true);
     sheet.paragraph(text(attempt.meta.task_id + "  " + paper.task.title));
     sheet.font(9, false, paper_palette().muted);
-    sheet.paragraph(beside({text(attempt.person_name), local_time(attempt.meta.started),
-                            attempt.meta.mode == "assessed" ? tr("assessed") : tr("practice"),
-                            device_class_text(attempt.meta.device_class), attempt_state(attempt.state)}));
-    const bool operated = attempt.meta.device_class == "synthetic";
+    sheet.paragraph(
+        beside({text(attempt.person_name), local_time(attempt.meta.started), mode_text(attempt.meta.mode),
+                device_class_text(attempt.meta.device_class), attempt_state(attempt.state)}));
+    const bool operated = attempt.meta.device_class == DeviceClass::synthetic;
     if (operated || attempt.synthetic || paper.provenance.demo) {
         sheet.font(9, true, paper_palette().bad);
         sheet.paragraph(operated
@@ -222,7 +222,7 @@ std::string attempt_json(const AttemptPaper& paper) {
             gates.push_back({{"metric", gate.metric},
                              {"hand", words(gate.hand)},
                              {"tissue", words(gate.tissue)},
-                             {"kind", gate.kind},
+                             {"kind", row_of(gate_kinds, gate.kind).name},
                              {"value", number(gate.value)},
                              {"unit", gate.unit},
                              {"limit", number(gate.limit)},
@@ -243,9 +243,9 @@ std::string attempt_json(const AttemptPaper& paper) {
         {"synthetic", attempt.synthetic},
         {"task", attempt.meta.task_id},
         {"started", database::iso_utc(attempt.meta.started)},
-        {"device_class", attempt.meta.device_class},
-        {"mode", attempt.meta.mode},
-        {"state", attempt.state},
+        {"device_class", row_of(device_classes, attempt.meta.device_class).name},
+        {"mode", row_of(attempt_modes, attempt.meta.mode).name},
+        {"state", row_of(attempt_states, attempt.state).name},
         {"duration_s", attempt.duration_s},
         {"passed", attempt.passed ? Json(*attempt.passed) : Json(nullptr)},
         {"provisional", attempt.provisional},

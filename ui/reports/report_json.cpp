@@ -23,7 +23,8 @@ Json row_json(const database::CohortRow& row) {
             {"login", row.login},
             {"name", row.name},
             {"task", row.task_id},
-            {"device_class", or_null(row.device_class)},
+            {"device_class",
+             row.device_class ? Json(row_of(device_classes, *row.device_class).name) : Json(nullptr)},
             {"state", database::task_state_name(row.state)},
             {"provisional", row.provisional},
             {"attempts", row.attempts},
@@ -41,8 +42,8 @@ Json point_json(const database::ProgressPoint& point) {
             {"number", point.number},
             {"started", database::iso_utc(point.started)},
             {"utc_offset_min", point.utc_offset_min},
-            {"mode", point.mode},
-            {"state", point.state},
+            {"mode", row_of(attempt_modes, point.mode).name},
+            {"state", row_of(attempt_states, point.state).name},
             {"variant", point.variant},
             {"fidelity", point.fidelity},
             {"limits", or_null(point.limits)},
@@ -100,7 +101,8 @@ std::string person_json(const PersonReport& report) {
         for (const database::ProgressSeries& one : progress.series) {
             Json points = Json::array();
             for (const database::ProgressPoint& point : one.points) points.push_back(point_json(point));
-            series.push_back({{"device_class", one.device_class}, {"attempts", std::move(points)}});
+            series.push_back({{"device_class", row_of(device_classes, one.device_class).name},
+                              {"attempts", std::move(points)}});
         }
         document["tasks"].push_back({{"task", progress.task_id},
                                      {"state", database::task_state_name(progress.state)},

@@ -178,7 +178,7 @@ void person_pages(Sheet& sheet, const PersonReport& report) {
         }
         const double top = sheet.y();
         cell_lines(sheet, 0, title_width, lines);
-        cell(1, row.device_class.empty() ? QStringLiteral("–") : device_class_text(row.device_class));
+        cell(1, !row.device_class ? QStringLiteral("–") : device_class_text(*row.device_class));
         cell(2, state_text(row));
         cell(3, QString::number(row.attempts));
         cell(4, QString::number(row.passes));
@@ -211,13 +211,13 @@ QString cohort_cell(const std::vector<database::CohortRow>& rows, const std::str
     QStringList lines;
     for (const database::CohortRow& row : rows) {
         if (row.person_id != person || row.task_id != task) continue;
-        if (row.device_class.empty()) {
+        if (!row.device_class) {
             lines << QStringLiteral("%1  %2").arg(state_text(row)).arg(row.attempts);
             continue;
         }
         const QString best = figure(row.best_points) + (row.best_points ? QStringLiteral("/100") : QString());
         lines << tr("%1 · attempts %2 · best %3").arg(state_text(row)).arg(row.attempts).arg(best);
-        lines << device_class_text(row.device_class);
+        lines << device_class_text(*row.device_class);
     }
     return lines.join(QLatin1Char('\n'));
 }

@@ -55,7 +55,7 @@ void ActionsCard::open(const database::AttemptSummary& attempt) {
     attempt_id_ = attempt.meta.id;
     person_id_ = attempt.meta.person_id;
     const database::Subject subject = database::Subject::person(person_id_);
-    const bool stands = attempt.state != "voided";
+    const bool stands = attempt.state != AttemptState::voided;
     const bool can_void = stands && context_.allowed(database::Operation::void_attempt, subject);
     const bool can_ask = stands && context_.allowed(database::Operation::request_correction, subject);
     bool can_reassign = stands && context_.allowed(database::Operation::reassign_attempt, subject);

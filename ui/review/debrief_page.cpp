@@ -296,7 +296,7 @@ void DebriefPage::show_record(std::shared_ptr<const database::Trace> trace) {
 void DebriefPage::fill_head() {
     const database::AttemptSummary& attempt = model_->summary;
     title_->setText(context().task_title(attempt.meta.task_id));
-    const bool voided = attempt.state == "voided";
+    const bool voided = attempt.state == AttemptState::voided;
     const std::optional<bool> passed = model_->score ? model_->score->passed : attempt.passed;
     QString verdict_words = verdict(passed, attempt.provisional);
     if (voided) verdict_words = tr("voided");
@@ -306,8 +306,7 @@ void DebriefPage::fill_head() {
     set_tint(verdict_, voided || !passed ? Tint::muted : *passed ? Tint::good : Tint::bad);
     const std::optional<double> points = model_->score ? model_->score->points : attempt.points;
     about_->setText(beside({text(attempt.person_name), local_time(attempt.meta.started),
-                            attempt.meta.mode == "assessed" ? tr("assessed") : tr("practice"),
-                            device_class_text(attempt.meta.device_class),
+                            mode_text(attempt.meta.mode), device_class_text(attempt.meta.device_class),
                             attempt_state(voided ? attempt.recorded_state : attempt.state),
                             points && passed ? points_text(*points) : QString()}));
     QStringList notes;
@@ -319,7 +318,7 @@ void DebriefPage::fill_head() {
     if (!attempt.reassigned_from.empty()) {
         notes << tr("Reassigned: recorded under another name and copied to the person who performed it.");
     }
-    if (attempt.meta.device_class == "synthetic")
+    if (attempt.meta.device_class == DeviceClass::synthetic)
         notes << tr("Performed by a simulated operator, not by a person.");
     else if (attempt.synthetic)
         notes << tr("Performed in the demonstration, on the account of a synthetic person.");
@@ -340,7 +339,8 @@ void DebriefPage::fill_head() {
         notes << tr("Recomputed on %1 with newer metrics or limits: %2. The score shown stays in force.")
                      .arg(local_time(beside.computed), result);
     }
-    if (attempt.meta.device_class == "mouse-keyboard" || attempt.meta.device_class == "controller") {
+    if (attempt.meta.device_class == DeviceClass::mouse_keyboard ||
+        attempt.meta.device_class == DeviceClass::controller) {
         notes << tr("Force was not felt: this device cannot render it. It was shown as bars.");
     }
     if (attempt.lost_samples > 0) notes << tr("%1 samples were lost.").arg(attempt.lost_samples);

@@ -31,7 +31,7 @@ enum class AttemptPhase {
 
 struct AttemptOutcome {
     std::string attempt_id;  ///< in the store
-    std::string state;       ///< completed | timed_out | abandoned | interrupted | failed_simulation
+    AttemptState state = AttemptState::running;
     double duration_s = 0;
     std::uint32_t missed_ticks = 0;
     std::uint64_t lost_samples = 0;
@@ -99,7 +99,7 @@ struct AttemptRequest {
     /// The hands. Called on the haptic thread once a tick: must neither lock nor allocate. Pause, abandon and
     /// loss flags are added by the session. Device class and name are stored with the attempt.
     std::shared_ptr<Rig> rig;
-    std::string device_class = "mouse-keyboard";
+    DeviceClass device_class = DeviceClass::mouse_keyboard;
     std::string device = "mouse and keyboard";
 };
 

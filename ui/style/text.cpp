@@ -119,17 +119,12 @@ QString verdict(const std::optional<bool>& passed, bool provisional) {
                        : words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "passed"));
 }
 
-QString attempt_state(const std::string& state) {
-    if (state == "completed") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "completed"));
-    if (state == "timed_out") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "timed out"));
-    if (state == "abandoned") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "abandoned"));
-    if (state == "interrupted") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "interrupted"));
-    if (state == "failed_simulation") {
-        return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "simulator fault"));
-    }
-    if (state == "voided") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "voided"));
-    if (state == "running") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "running"));
-    return text(state);
+QString attempt_state(AttemptState state) {
+    return QCoreApplication::translate("fulcrum::attempts", row_of(attempt_states, state).title);
+}
+
+QString mode_text(AttemptMode mode) {
+    return QCoreApplication::translate("fulcrum::attempts", row_of(attempt_modes, mode).title);
 }
 
 QString person_text(const std::string& name, bool synthetic) {
@@ -145,22 +140,8 @@ QString hand_text(const std::string& hand) {
     return {};
 }
 
-QString device_class_text(const std::string& device_class) {
-    if (device_class == "haptic") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "haptic device"));
-    if (device_class == "tracked") {
-        return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "tracked instruments"));
-    }
-    if (device_class == "controller") {
-        return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "game controller"));
-    }
-    if (device_class == "mouse-keyboard") {
-        return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "mouse and keyboard"));
-    }
-    if (device_class == "synthetic") {
-        return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "synthetic operator"));
-    }
-    if (device_class == "external") return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "external trace"));
-    return text(device_class);
+QString device_class_text(DeviceClass device_class) {
+    return QCoreApplication::translate("fulcrum::devices", row_of(device_classes, device_class).title);
 }
 
 QString role_text(const std::string& role) {

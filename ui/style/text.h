@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "assessment/metrics/statement.h"
+#include "assessment/task/attempt_words.h"
 
 namespace fulcrum::ui {
 
@@ -51,13 +52,15 @@ QString local_time(std::int64_t utc_ms);
 /// "passed", "passed (provisional)", "failed", "not scored".
 QString verdict(const std::optional<bool>& passed, bool provisional);
 /// The state of an attempt in words.
-QString attempt_state(const std::string& state);
+QString attempt_state(AttemptState state);
+/// "assessed", "practice".
+QString mode_text(AttemptMode mode);
 /// A person's name; a synthetic person is marked as such, once.
 QString person_text(const std::string& name, bool synthetic);
 /// "left hand", "right hand" or "".
 QString hand_text(const std::string& hand);
-/// "mouse and keyboard" for "mouse-keyboard" ...
-QString device_class_text(const std::string& device_class);
+/// "mouse and keyboard", "haptic device" ...
+QString device_class_text(DeviceClass device_class);
 QString role_text(const std::string& role);
 /// Of "path_len@1", "sparc@2" ...: "all 64 at version 1" or "61 at version 1; sparc@2, tremor@3", every one
 /// of them, in a line; "–" for none.

@@ -88,7 +88,7 @@ bool TheatrePage::begin(const std::string& task_id, bool assessed) {
                if (!task->goals.empty())
                    input->take_hand(asked_hand(task->goals.front()).value_or(input->active_hand()));
                AttemptRequest request{
-                   context().session(), task_id, assessed, 0, input->rig(), "mouse-keyboard",
+                   context().session(), task_id, assessed, 0, input->rig(), DeviceClass::mouse_keyboard,
                    "mouse and keyboard"};
                session_ = context().services().start_attempt(request);
                input_ = std::move(input);

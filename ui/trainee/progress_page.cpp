@@ -213,7 +213,7 @@ void ProgressPage::fill_table() {
             table_->setItem(row, 0, number);
             table_->setItem(row, 1, make_cell(local_time(point.started)));
             table_->setItem(row, 2, make_cell(device_class_text(series.device_class)));
-            table_->setItem(row, 3, make_cell(point.mode == "assessed" ? tr("assessed") : tr("practice")));
+            table_->setItem(row, 3, make_cell(mode_text(point.mode)));
             table_->setItem(row, 4, make_cell(attempt_state(point.state)));
             const database::MetricRow* time = find_row(point, QStringLiteral("time//"));
             const bool measured = time != nullptr && time->value;

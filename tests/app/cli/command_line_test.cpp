@@ -194,7 +194,7 @@ TEST_F(CommandLine, ScoresInterruptedAttemptsAsTheTableSays) {
                                    : target == &programme.own ? *programme.teacher
                                                               : programme.session("station");
         AttemptMeta meta = example_meta(target->person);
-        if (target == &programme.synthetic) meta.device_class = "synthetic";
+        if (target == &programme.synthetic) meta.device_class = DeviceClass::synthetic;
         Recorder recorder(programme.path, performer, meta, programme.clock.options());
         Programme::append_second(recorder);
         recorder.flush();

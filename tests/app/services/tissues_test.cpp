@@ -61,8 +61,8 @@ TEST_F(SiteTissue, AnAttemptIsPerformedAndReplayedInTheTissueItBeganIn) {
     request.operator_name = "expert";
     request.seed = 7;
     request.keep_going = [](double time) { return time < 14; };
-    AttemptMeta meta =
-        attempt_meta(request.loaded, request.seed, "practice", "synthetic", "synthetic operator", nullptr);
+    AttemptMeta meta = attempt_meta(request.loaded, request.seed, AttemptMode::practice,
+                                    DeviceClass::synthetic, "synthetic operator", nullptr);
     meta.person_id = programme.synthetic.person;
     Recorder recorder(programme.path, station, meta);
     const Performed performed = perform(request, &recorder, nullptr);

@@ -88,7 +88,7 @@ class EveryCell : public ::testing::Test {
         target.person = person;
         target.cohort = cohort;
         AttemptMeta meta = example_meta(person);
-        if (name == "robot") meta.device_class = "synthetic";
+        if (name == "robot") meta.device_class = DeviceClass::synthetic;
         {
             Recorder recorder(programme.path, performer, meta, programme.clock.options());
             Programme::append_second(recorder);
@@ -151,7 +151,7 @@ class EveryCell : public ::testing::Test {
             case Operation::perform_attempt:
                 return [=] {
                     AttemptMeta meta = example_meta(target.person);
-                    if (target.name == "robot") meta.device_class = "synthetic";
+                    if (target.name == "robot") meta.device_class = DeviceClass::synthetic;
                     const Recorder recorder(programme.path, session, meta, programme.clock.options());
                 };
             case Operation::read_attempt:

@@ -50,7 +50,8 @@ TEST(Recorder, AnAttemptInProgressIsNotTakenForInterrupted) {
                       programme.clock.options());
     programme.open();
     EXPECT_TRUE(programme.store->interrupted_at_open().empty());
-    EXPECT_EQ(programme.attempts().read(programme.session("ann"), recorder.attempt_id()).state, "running");
+    EXPECT_EQ(programme.attempts().read(programme.session("ann"), recorder.attempt_id()).state,
+              AttemptState::running);
     recorder.finish(example_result(true, 42));
     EXPECT_FALSE(std::filesystem::exists(programme.path + ".recording-" + recorder.attempt_id()));
 }
@@ -65,7 +66,7 @@ TEST(Recorder, OneThatNeverFinishedIsListedWithWhatItHolds) {
     EXPECT_EQ(found.task_id, "A2");
     EXPECT_DOUBLE_EQ(found.recorded_s, 1.0);
     const AttemptSummary read = programme.attempts().read(programme.session("ann"), attempt);
-    EXPECT_EQ(read.state, "interrupted");
+    EXPECT_EQ(read.state, AttemptState::interrupted);
     EXPECT_EQ(read.events, 4U);
     EXPECT_FALSE(read.counting);
     programme.open();
@@ -102,7 +103,7 @@ TEST(Recorder, ALockedStoreSaysSoAndLosesNothing) {
     EXPECT_EQ(trace.samples.back().tick, 1999U);
 }
 
-/// What the child tells: shared memory outlives a kill.
+/// What the child reports: shared memory survives a kill.
 struct Progress {
     std::atomic<std::uint64_t> appended;    ///< samples of the attempt that runs
     std::atomic<std::uint64_t> flushed_at;  ///< samples when the last append() came back
@@ -173,7 +174,7 @@ TEST(Crash, KilledAtAnyMomentLosesAtMostASecondAndNoScore) {
         programme.open();
         const Attempts attempts = programme.attempts();
         AttemptFilter completed;
-        completed.state = "completed";
+        completed.state = AttemptState::completed;
         completed.limit = -1;
         const auto finished = attempts.list(programme.session("ann"), completed);
         // One more may have been committed before it could say so.

@@ -155,7 +155,7 @@ TEST(Recovery, ServesTheLastAdministratorOnce) {
               }),
               SignInRefused::Reason::wrong);
     programme.clock.pass_s(5);
-    // With a second administrator the code serves nobody: they can help each other.
+    // With a second administrator the code cannot be used: they can help each other.
     programme.people().set_roles(programme.session("administrator"), programme.id("director"),
                                  {Role::director, Role::administrator});
     EXPECT_EQ(refusal([&] {
@@ -229,7 +229,7 @@ TEST(Demo, PeopleActWithoutPasswordsAndASealedDemoTakesPracticeOnly) {
     people.set_demo_roles(station, educator.id, {Role::educator, Role::director});
     const std::string cohort = people.create_demo_cohort(station, "Demo cohort", {trainee.id}, {educator.id});
     AttemptMeta meta = example_meta(trainee.id);
-    meta.device_class = "synthetic";
+    meta.device_class = DeviceClass::synthetic;
     std::string attempt;
     {
         Recorder recorder(path, station, meta);
@@ -252,7 +252,7 @@ TEST(Demo, PeopleActWithoutPasswordsAndASealedDemoTakesPracticeOnly) {
     EXPECT_EQ(error_kind([&] { const Recorder recorder(path, as_trainee, example_meta(trainee.id)); }),
               StoreErrorKind::sealed_demo);
     meta = example_meta(trainee.id);
-    meta.mode = "practice";
+    meta.mode = AttemptMode::practice;
     EXPECT_NO_THROW(Recorder(path, as_trainee, meta).finish(example_result(false, 10)));
     EXPECT_THROW(people.demo_session("demo-trainee", Role::director), AccessDenied);
     EXPECT_EQ(error_kind([&] { people.create_programme("P", "ada", "Ada", password); }),

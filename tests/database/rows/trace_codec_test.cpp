@@ -210,7 +210,7 @@ TEST(TraceCodec, AnOverviewOfADamagedChunkIsRefused) {
         TraceChunk broken = chunk;
         broken.data[random() % broken.data.size()] ^= static_cast<std::uint8_t>(1U << (random() % 8));
         EXPECT_THROW(codec.decode_overview(broken, &of_inputs, overview), StoreError) << "its checksum";
-        // With a checksum made anew anything may come out but a crash.
+        // With a recomputed checksum any result is allowed but a crash.
         broken.checksum = blake2b(broken.data, 16);
         try {
             codec.decode_overview(broken, i % 2 == 0 ? &of_inputs : &others, overview);

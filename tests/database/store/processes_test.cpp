@@ -155,7 +155,7 @@ TEST_F(StoreProcesses, FiftyForeignOpensAndAKillLoseNoScoreAndNoSecondOfTheRunni
     const Store store = Store::open(path);
     std::size_t interrupted = 0;
     for (const AttemptSummary& attempt : Attempts(store).list(store.station_session())) {
-        if (attempt.state != "interrupted") continue;
+        if (attempt.state != AttemptState::interrupted) continue;
         ++interrupted;
         if (attempt.duration_s <= 1) continue;
         EXPECT_EQ(Attempts(store).read_trace(store.station_session(), attempt.meta.id).samples.size(),

@@ -168,7 +168,7 @@ TEST(Store, FullDiskSaysSoAndTheRecorderTriesAgain) {
     Programme programme;
     Recorder recorder(programme.path, programme.session("ann"), example_meta(programme.id("ann")),
                       programme.clock.options());
-    // The cap on pages stands for the disk's end: SQLite answers both with the same code.
+    // The limit on pages replaces a full disk: SQLite answers both with the same code.
     std::int64_t page_count = 0;
     {
         Query pages(programme.store->connection(), "PRAGMA page_count");
@@ -399,7 +399,7 @@ TEST(Store, SeveralConnectionsSeeEachOthersWork) {
     Programme programme;
     const Store second = Store::open(programme.path, programme.clock.options());
     const std::string attempt = programme.record("ann");
-    EXPECT_EQ(Attempts(second).read(programme.session("ann"), attempt).state, "completed");
+    EXPECT_EQ(Attempts(second).read(programme.session("ann"), attempt).state, AttemptState::completed);
 }
 
 }  // namespace

@@ -45,18 +45,18 @@ AttemptPaper paper() {
     database::AttemptSummary& attempt = paper.report.attempt;
     attempt.meta.id = "a1";
     attempt.meta.task_id = "C4";
-    attempt.meta.mode = "assessed";
-    attempt.meta.device_class = "haptic";
+    attempt.meta.mode = AttemptMode::assessed;
+    attempt.meta.device_class = DeviceClass::haptic;
     attempt.meta.started = 1'763'600'000'000;
     attempt.person_login = "ada";
     attempt.person_name = "Ada Lovelace";
-    attempt.state = "completed";
+    attempt.state = AttemptState::completed;
     attempt.passed = false;
     attempt.points = 41.5;
     database::ScoreRow score;
     score.advice = Statement::plain("Stay on the shiny surface of the mesorectum.");
     score.gates.push_back(
-        {"tme_grade", "", "", "absolute", 2.0, "-", 3.0, "Quirke", {}, {}, false, false, {}});
+        {"tme_grade", "", "", GateKind::absolute, 2.0, "-", 3.0, "Quirke", {}, {}, false, false, {}});
     score.metrics.push_back({"tme_grade", 1, "", "", 2.0, {}, "-", "higher", {{16, 17}}});
     score.metrics.push_back({"sparc",
                              1,

@@ -85,7 +85,7 @@ PersonReport person_of_forty_rows() {
         report.tasks.push_back({id, "Title" + number + " of an exercise that takes two lines", "A"});
         database::PersonProgress progress;
         progress.task_id = id;
-        for (const char* device : {"haptic", "mouse-keyboard"}) {
+        for (const DeviceClass device : {DeviceClass::haptic, DeviceClass::mouse_keyboard}) {
             database::CohortRow row;
             row.task_id = id;
             row.device_class = device;

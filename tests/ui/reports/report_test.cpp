@@ -67,7 +67,7 @@ CohortReport cohort() {
     row.login = "ada";
     row.name = "Lovelace, \"Ada\"";
     row.task_id = "A2";
-    row.device_class = "mouse-keyboard";
+    row.device_class = DeviceClass::mouse_keyboard;
     row.state = database::TaskState::passed;
     row.provisional = true;
     row.attempts = 3;
@@ -156,7 +156,7 @@ TEST(ReportCsv, HasOneColumnPerMetricHandAndTissue) {
     absent.value.reset();
     absent.absent_because = StatementId::never_inside;
     point.metrics = {left, absent};
-    progress.series.push_back({"haptic", {point}});
+    progress.series.push_back({DeviceClass::haptic, {point}});
     report.progress.push_back(progress);
     const auto rows = read_csv(person_csv(report));
     ASSERT_EQ(rows.size(), 3U);
@@ -211,7 +211,7 @@ TEST(Report, LinesHaveNoSeparatorForMissingParts) {
     AttemptPaper attempt;
     attempt.provenance = of_many.provenance;
     attempt.task = {"A2", "Fulcrum targeting", "A"};
-    attempt.report.attempt.state = "completed";
+    attempt.report.attempt.state = AttemptState::completed;
     write_attempt_pdf(attempt, path);
     pages += pages_of(path);
     ASSERT_EQ(pages.size(), 3);

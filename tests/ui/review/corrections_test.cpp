@@ -53,8 +53,8 @@ class Corrections : public ::testing::Test {
         database::AttemptMeta meta;
         meta.person_id = person.person_id();
         meta.task_id = "A2";
-        meta.mode = "assessed";
-        meta.device_class = "mouse-keyboard";
+        meta.mode = AttemptMode::assessed;
+        meta.device_class = DeviceClass::mouse_keyboard;
         meta.device = "mouse and keyboard";
         meta.variant = meta.fidelity = "standard";
         meta.scene = "a2_targets.json";
@@ -69,7 +69,7 @@ class Corrections : public ::testing::Test {
             recorder.append(sample);
         }
         database::AttemptResult result;
-        result.state = "completed";
+        result.state = AttemptState::completed;
         result.duration_s = result.wall_s = 1;
         result.score.emplace();
         result.score->program_version = "0.1.0";
@@ -77,7 +77,7 @@ class Corrections : public ::testing::Test {
         database::GateRow gate;
         gate.metric = "path_len";
         gate.hand = "left";
-        gate.kind = "benchmark";
+        gate.kind = GateKind::benchmark;
         gate.value = 812.5;
         gate.unit = "mm";
         gate.not_passed_because = StatementId::no_benchmark_level;
@@ -134,7 +134,7 @@ TEST_F(Corrections, TraineeRequestsAndEducatorReassignsToTheRightPerson) {
 
     const database::Attempts attempts(*services.store());
     const database::AttemptSummary voided = attempts.read(*educator, id);
-    EXPECT_EQ(voided.state, "voided");
+    EXPECT_EQ(voided.state, AttemptState::voided);
     const auto theirs = attempts.list(*theo);
     ASSERT_EQ(theirs.size(), 1U);
     EXPECT_EQ(theirs[0].meta.id, voided.reassigned_to);

@@ -20,7 +20,7 @@ TEST(EventLines, FibresThatTearInASeriesAreOneLine) {
     database::AttemptMeta meta;
     meta.person_id = database::People(store).ensure_synthetic(station, "fibres", "Fibres (synthetic)").id;
     meta.task_id = "B2";
-    meta.device_class = "synthetic";
+    meta.device_class = DeviceClass::synthetic;
     database::Recorder recorder(store.path(), station, meta);
     const auto happen = [&](std::uint32_t tick, EventKind kind, float value) {
         Event event;
@@ -42,7 +42,7 @@ TEST(EventLines, FibresThatTearInASeriesAreOneLine) {
         happen(tick, EventKind::cut_traction, 26.0F);
     }
     database::AttemptResult result;
-    result.state = "completed";
+    result.state = AttemptState::completed;
     result.duration_s = 6;
     recorder.finish(result);
     const auto model = load_attempt(store, station, recorder.attempt_id(), std::nullopt, {});

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An attempt's trace, decoded and checked.
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "database/records/attempt_query.h"
+#include "database/records/attempts.h"
+
+namespace fulcrum::database {
+namespace {
+
+TraceChunk chunk_of_row(Query& rows) {
+    TraceChunk chunk;
+    chunk.stream = static_cast<TraceStream>(rows.integer(0));
+    chunk.first_tick = static_cast<std::uint32_t>(rows.integer(2));
+    chunk.last_tick = static_cast<std::uint32_t>(rows.integer(3));
+    chunk.count = static_cast<std::uint32_t>(rows.integer(4));
+    chunk.checksum = rows.bytes(5);
+    chunk.data = rows.bytes(6);
+    return chunk;
+}
+
+[[noreturn]] void throw_damaged(const Store& store, const std::string& attempt_id, TraceStream stream,
+                                const std::string& number, const StoreError& error) {
+    throw StoreError(StoreErrorKind::corrupt,
+                     store.path() + ": " + stream_name(stream) + " chunk " + number + " of attempt " +
+                         attempt_id + ": " + error.problem(),
+                     error.hint());
+}
+
+StoreError missing_chunk() {
+    return {StoreErrorKind::corrupt, "the chunk before it is missing", "restore the newest backup"};
+}
+
+/// The number of events is stored when an attempt ends: a record that lost its end is not read as a shorter
+/// one.
+void require_end(const Store& store, const std::string& attempt_id, std::size_t events) {
+    Query row(store.connection(), "SELECT events FROM attempt WHERE id = ? AND state <> 'running'");
+    row.bind(attempt_id);
+    if (!row.next() || row.integer(0) == static_cast<std::int64_t>(events)) return;
+    throw StoreError(StoreErrorKind::corrupt,
+                     store.path() + ": the record of attempt " + attempt_id + " has " +
+                         std::to_string(events) + " of its " + row.text(0) +
+                         " events: a part of it is missing",
+                     "restore the newest backup");
+}
+
+/// Inputs and samples are written in pairs: if one is longer, the other lost its end.
+void require_pairs(const Store& store, const std::string& attempt_id, const Trace& trace) {
+    if (trace.samples.size() == trace.inputs.size()) return;
+    throw StoreError(StoreErrorKind::corrupt,
+                     store.path() + ": the record of attempt " + attempt_id + " has " +
+                         std::to_string(trace.samples.size()) + " samples for " +
+                         std::to_string(trace.inputs.size()) + " inputs: a part of it is missing",
+                     "restore the newest backup");
+}
+
+Trace read_chunks(const Store& store, const std::string& attempt_id, bool events_only) {
+    Connection& connection = store.connection();
+    Query rows(connection, QString("SELECT stream, number, first_tick, last_tick, records, checksum, data "
+                                   "FROM trace_chunk WHERE attempt_id = ? ") +
+                               (events_only ? "AND stream = 3 " : "") +
+                               "ORDER BY stream = 0, stream, number");
+    rows.bind(attempt_id);
+    Trace trace;
+    if (!events_only) {
+        Query sizes(connection,
+                    "SELECT stream, SUM(records) FROM trace_chunk WHERE attempt_id = ? GROUP BY stream");
+        sizes.bind(attempt_id);
+        while (sizes.next()) {
+            // A hint only: a damaged row must not decide how much memory is allocated.
+            const auto records =
+                static_cast<std::size_t>(std::clamp<std::int64_t>(sizes.integer(1), 0, 4000000));
+            if (sizes.integer(0) == 0) trace.samples.reserve(records);
+            if (sizes.integer(0) == 1) trace.inputs.reserve(records);
+        }
+    }
+    TraceCodec codec;
+    std::int64_t stream = -1, expected = 0;
+    while (rows.next()) {
+        if (rows.integer(0) != stream) {
+            stream = rows.integer(0);
+            expected = 0;
+        }
+        try {
+            if (rows.integer(1) != expected++) throw missing_chunk();
+            const TraceChunk chunk = chunk_of_row(rows);
+            switch (chunk.stream) {
+                case TraceStream::samples:
+                    codec.decode(chunk, trace.samples, &trace.inputs);  // inputs come first
+                    break;
+                case TraceStream::inputs:
+                    codec.decode(chunk, trace.inputs);
+                    break;
+                case TraceStream::steps:
+                    codec.decode(chunk, trace.steps);
+                    break;
+                case TraceStream::events:
+                    codec.decode(chunk, trace.events);
+                    break;
+            }
+        } catch (const StoreError& error) {
+            throw_damaged(store, attempt_id, static_cast<TraceStream>(stream), rows.text(1), error);
+        }
+    }
+    require_end(store, attempt_id, trace.events.size());
+    if (!events_only) require_pairs(store, attempt_id, trace);
+    return trace;
+}
+
+}  // namespace
+
+Trace Attempts::read_trace(const Session& session, const std::string& attempt_id) const {
+    require_attempt(store_, session, Operation::read_trace, attempt_id);
+    return read_chunks(store_, attempt_id, false);
+}
+
+void Attempts::read_overview(const Session& session, const std::string& attempt_id,
+                             const std::function<void(std::size_t)>& prepare,
+                             const std::function<void(std::size_t, const TraceOverview&)>& visit) const {
+    require_attempt(store_, session, Operation::read_trace, attempt_id);
+    std::vector<TraceChunk> samples, inputs;
+    {
+        Query rows(store_.connection(),
+                   "SELECT stream, number, first_tick, last_tick, records, checksum, data FROM trace_chunk "
+                   "WHERE attempt_id = ? AND stream IN (0, 1) ORDER BY stream, number");
+        rows.bind(attempt_id);
+        while (rows.next()) {
+            std::vector<TraceChunk>& chunks = rows.integer(0) == 0 ? samples : inputs;
+            if (rows.integer(1) != static_cast<std::int64_t>(chunks.size()))
+                throw_damaged(store_, attempt_id,
+                              rows.integer(0) == 0 ? TraceStream::samples : TraceStream::inputs, rows.text(1),
+                              missing_chunk());
+            chunks.push_back(chunk_of_row(rows));
+        }
+    }
+    if (samples.size() != inputs.size()) {
+        const bool of_samples = samples.size() < inputs.size();
+        throw_damaged(store_, attempt_id, of_samples ? TraceStream::samples : TraceStream::inputs,
+                      std::to_string(std::min(samples.size(), inputs.size())),
+                      {StoreErrorKind::corrupt, "it is missing", "restore the newest backup"});
+    }
+    prepare(samples.size());
+    std::atomic<std::size_t> next{0};
+    std::exception_ptr trouble;
+    std::mutex trouble_lock;
+    std::size_t trouble_at = 0;
+    const auto work = [&] {
+        TraceCodec codec;
+        TraceOverview overview;
+        for (std::size_t i = next++; i < samples.size(); i = next++) {
+            try {
+                // Written together, the two streams have the same chunks.
+                codec.decode_overview(samples[i], &inputs[i], overview);
+                visit(i, overview);
+            } catch (...) {
+                const std::lock_guard<std::mutex> lock(trouble_lock);
+                if (!trouble) trouble_at = i;
+                if (!trouble) trouble = std::current_exception();
+                next = samples.size();
+            }
+        }
+    };
+    std::vector<std::thread> threads;
+    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+    for (std::size_t i = 1; i < std::min(cores, samples.size()); ++i) threads.emplace_back(work);
+    work();
+    for (std::thread& thread : threads) thread.join();
+    try {
+        if (trouble) std::rethrow_exception(trouble);
+    } catch (const StoreError& error) {
+        throw_damaged(store_, attempt_id, TraceStream::samples, std::to_string(trouble_at), error);
+    }
+}
+
+std::vector<Event> Attempts::read_events(const Session& session, const std::string& attempt_id) const {
+    require_attempt(store_, session, Operation::read_trace, attempt_id);
+    return read_chunks(store_, attempt_id, true).events;
+}
+
+}  // namespace fulcrum::database

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Enums in the store: written and read by the names of their tables.
+#pragma once
+
+#include <string>
+
+#include "database/rows/connection.h"
+#include "database/rows/errors.h"
+#include "sim_core/numerics/name_table.h"
+
+namespace fulcrum::database {
+
+/// The value that a column names. Throws StoreError corrupt, naming `place` ("mode of attempt 4f2a..."),
+/// where the table has no such name.
+template <typename Row, std::size_t n>
+auto enum_of(const std::string& name, const Row (&rows)[n], const std::string& place) {
+    const Row* row = find_row(rows, name);
+    if (row == nullptr)
+        throw StoreError(StoreErrorKind::corrupt,
+                         place + ": '" + name + "' is unknown; known are " + names_of(rows),
+                         "use the program version that wrote the store, or restore the newest backup");
+    return row->kind;
+}
+
+}  // namespace fulcrum::database
