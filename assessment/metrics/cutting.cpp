@@ -240,6 +240,7 @@ Figure area_developed(const Analysis& analysis, const Selection& /*row*/) {
 
 }  // namespace
 
+// Long because: a table, one entry for each metric.
 std::vector<Metric> cutting_metrics() {
     using D = Direction;
     using A = Aggregation;

@@ -139,6 +139,7 @@ Figure bleed_ml(const Analysis& analysis, const Selection& /*row*/) {
 
 }  // namespace
 
+// Long because: a table, one entry for each metric.
 std::vector<Metric> energy_metrics() {
     using D = Direction;
     using A = Aggregation;

@@ -226,6 +226,7 @@ Figure over(const Analysis& analysis, const Selection& row) {
 
 }  // namespace
 
+// Long because: a table, one entry for each metric.
 std::vector<Metric> force_metrics() {
     using D = Direction;
     using A = Aggregation;

@@ -130,6 +130,7 @@ Figure contacts(const Analysis& analysis, const Selection& row) {
 
 }  // namespace
 
+// Long because: a table, one entry for each metric.
 std::vector<Metric> grasp_metrics() {
     using D = Direction;
     using A = Aggregation;
@@ -171,7 +172,7 @@ std::vector<Metric> grasp_metrics() {
                  "Jaw force integrated over all grasps of one patch of tissue, the largest of all patches."),
              QT_TRANSLATE_NOOP("fulcrum::metrics",
                                "the force-time product of one patch was {value}, above the limit of {limit}"),
-             QT_TRANSLATE_NOOP("fulcrum::metrics", "grasp beside the place used before")}),
+             QT_TRANSLATE_NOOP("fulcrum::metrics", "grasp next to the place used before")}),
         {Channel::jaw_force, Channel::patch}, grasp_ftp_patch);
     add_grasp(describe({"grasp_kpa", QT_TRANSLATE_NOOP("fulcrum::metrics", "Largest jaw pressure"), "kPa", 1},
                        D::lower, Scale::raw, A::maximum, E::moderate,

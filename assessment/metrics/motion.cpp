@@ -344,7 +344,8 @@ MetricDescriptor with_axis(MetricDescriptor d) {
     return d;
 }
 
-// clang-format off: one text a line
+// One text a line.
+// clang-format off
 /// Time, paths and their straightness.
 void add_paths(std::vector<Metric>& metrics) {
     using D = Direction;

@@ -106,6 +106,7 @@ Figure plane_dev_left(const Analysis& analysis, const Selection& /*row*/) {
 
 }  // namespace
 
+// Long because: a table, one entry for each metric.
 std::vector<Metric> specimen_metrics() {
     using D = Direction;
     using A = Aggregation;
@@ -151,7 +152,7 @@ std::vector<Metric> specimen_metrics() {
                            "margin is positive."),
          QT_TRANSLATE_NOOP("fulcrum::metrics",
                            "the cut passed the tumour at {value}, below the required {limit}"),
-         QT_TRANSLATE_NOOP("fulcrum::metrics", "know where the tumour lies and keep to the plane beside it")},
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "know where the tumour is and keep to the plane next to it")},
         crm_mm);
     add({"drm_mm", QT_TRANSLATE_NOOP("fulcrum::metrics", "Distal reach below the tumour"), "mm", 1},
         D::higher, A::maximum, EvidenceGrade::moderate,

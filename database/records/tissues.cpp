@@ -67,7 +67,7 @@ int Tissues::set(const Session& educator, const std::string& task_id, int seen, 
     for (const auto& [tissue, named] : values) {
         for (const auto& [name, value] : named) {
             if (!std::isfinite(value))
-                throw StoreError(StoreErrorKind::bad_value, tissue + ": " + name + " is no number",
+                throw StoreError(StoreErrorKind::bad_value, tissue + ": " + name + " is not a number",
                                  "give a number");
         }
     }
@@ -77,7 +77,7 @@ int Tissues::set(const Session& educator, const std::string& task_id, int seen, 
     if (before.version != seen)
         throw StoreError(StoreErrorKind::conflict,
                          "version " + std::to_string(before.version) + " by " + before.author_name +
-                             " came into force meanwhile",
+                             " came into force in the meantime",
                          "look at its values and set yours again");
     if (before.values == values)
         throw StoreError(StoreErrorKind::bad_value, "these values are in force already",

@@ -87,7 +87,7 @@ TEST(Words, DocumentsUsePlainWords) {
 
 TEST(Words, ScreensAndMessagesUsePlainWords) {
     std::size_t literals = 0;
-    for (const char* folder : {"sim_core", "app", "ui"})
+    for (const char* folder : {"sim_core", "assessment", "database", "app", "ui"})
         for (const std::string& name : files_below(folder, {".h", ".cpp"})) {
             int number = 0;
             for (const std::string& line : lines_of(test::text_of(name))) {
