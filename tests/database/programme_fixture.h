@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A programme with people in every role, made once a process and copied for each test: passwords cost 0.1 s
-// each.
+// A programme with people in every role, made once a process and copied for each test.
 #pragma once
 
 #include <gtest/gtest.h>

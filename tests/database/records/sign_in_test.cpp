@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Create programme, sign-in and its waiting, one-time passwords, recovery, the picker.
 #include "database/rows/connection.h"
+#include "tests/database/password_cost.h"
 #include "tests/database/programme_fixture.h"
 
 namespace fulcrum::database::test {
@@ -44,6 +45,8 @@ TEST(CreateProgramme, RefusesBadInputAndLeavesNothing) {
     Query stored(store.connection(), "SELECT verifier FROM credential");
     ASSERT_TRUE(stored.next());
     EXPECT_EQ(stored.text(0).rfind("$argon2id$", 0), 0U);
+    EXPECT_EQ(asked_password_cost().operations, 2U);
+    EXPECT_EQ(asked_password_cost().memory, 64U << 20U);
 }
 
 TEST(SignIn, RightPasswordWhateverTheLettersCaseOfTheLogin) {
