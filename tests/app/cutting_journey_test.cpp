@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "assessment/assets/assets.h"
+#include "assessment/task/attempt_words.h"
 #include "tests/app/journey_page.h"
 #include "tests/app/mouse_hand.h"
 #include "tests/app/window_fixture.h"
@@ -72,7 +73,8 @@ class CuttingJourney : public Window {
                                         .events;
         page.say(std::string(task) + ": mouse and key events", std::to_string(hand.events()));
         page.say(std::string(task) + ": how it ended, time",
-                 attempt.state + ", " + plain(clock_text(attempt.duration_s)));
+                 std::string(row_of(attempt_states, attempt.state).name) + ", " +
+                     plain(clock_text(attempt.duration_s)));
         page.say(std::string(task) + ": advances of a cut",
                  std::to_string(count(events, EventKind::cut_advance)));
         page.say(std::string(task) + ": activations of energy",

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "app/live/live_attempt.h"
+#include "assessment/task/attempt_words.h"
 #include "assessment/task/bowel_line.h"
 #include "sim_core/lab/result_page.h"
 #include "tests/app/mouse_hand.h"
@@ -212,7 +213,7 @@ TEST_F(Window, KeepsItsClockAndLosesNothingWhileItDrawsAndTheHandsDragBowel) {
         {"pictures with bowel held", number(held_pictures)},
         {"mouse and key events", number(hand.events())},
         {"real-time priority granted", statistics.real_time_priority ? "yes" : "no"},
-        {"how it ended", attempt.state},
+        {"how it ended", row_of(attempt_states, attempt.state).name},
     };
     for (const auto& row : table.rows) std::printf("%s: %s\n", row[0].c_str(), row[1].c_str());
     if (const char* page_folder = std::getenv("FULCRUM_SOAK_PAGE")) {
