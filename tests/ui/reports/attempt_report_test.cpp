@@ -85,8 +85,10 @@ TEST(AttemptReport, CsvJsonAndWordsContainTheSameValues) {
     int findings = 0;
     while (std::getline(csv, line)) {
         std::vector<std::string> cells(1);
+        bool quoted = false;
         for (const char c : line) {
-            if (c == ',') {
+            if (c == '"') quoted = !quoted;
+            if (c == ',' && !quoted) {
                 cells.emplace_back();
             } else if (c != '\r') {
                 cells.back() += c;
