@@ -9,9 +9,9 @@
 
 namespace fulcrum {
 
-/// `words`: English, with the parameters in braces. Besides a statement's own parameters there are {where}
-/// (hand and step), {of_hand}, {in_tissue}, {on_tissue}, {event}, {time}, and of a metric {metric}, {fault},
-/// {excess}, {remedy}.
+/// `words`: English, with the parameters in braces. In addition to a statement's own parameters there are
+/// {where} (hand and step), {of_hand}, {in_tissue}, {on_tissue}, {event}, {time}, and of a metric {metric},
+/// {fault}, {excess}, {remedy}.
 struct StatementRow {
     StatementId kind;
     const char* name;  ///< in stores and files; permanent

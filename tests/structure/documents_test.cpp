@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/structure/sources.h"
 #include "tests/support/generated.h"
 #include "tests/support/support.h"
 
@@ -19,12 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);) lines.push_back(line);
-    return lines;
-}
+using structure::lines_of;
 
 const std::vector<std::string> folders = {"sim_core", "assessment", "database", "ui",    "app",
                                           "assets",   "tests",      "docs",     "cmake", "LICENSES"};

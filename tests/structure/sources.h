@@ -31,6 +31,13 @@ inline std::string read(const fs::path& path) {
     return text.str();
 }
 
+inline std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
+
 /// Files with one of these extensions below a folder of the repository, sorted; none if it does not exist.
 inline std::vector<fs::path> files_below(const std::string& folder,
                                          const std::vector<std::string>& extensions) {

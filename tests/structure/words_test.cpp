@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/structure/sources.h"
 #include "tests/support/generated.h"
 #include "tests/support/support.h"
 
@@ -18,25 +19,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);) lines.push_back(line);
-    return lines;
-}
+using structure::lines_of;
 
-/// Files with one of the extensions below a folder of the repository, as paths relative to the repository.
+/// As structure::files_below, as paths relative to the repository.
 std::vector<std::string> files_below(const std::string& folder, const std::vector<std::string>& extensions) {
-    const fs::path root = test::source_path("");
-    std::vector<std::string> found;
-    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-        const std::string extension = entry.path().extension().string();
-        if (entry.is_regular_file() &&
-            std::find(extensions.begin(), extensions.end(), extension) != extensions.end())
-            found.push_back(fs::relative(entry.path(), root).generic_string());
-    }
-    std::sort(found.begin(), found.end());
-    return found;
+    std::vector<std::string> names;
+    for (const fs::path& path : structure::files_below(folder, extensions))
+        names.push_back(fs::relative(path, test::source_path("")).generic_string());
+    return names;
 }
 
 /// The first word of the text that is always wrong; empty: none.

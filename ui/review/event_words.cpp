@@ -27,7 +27,7 @@ constexpr const char* context = "fulcrum::event_lines";
 constexpr double to_mm = 1e3, to_mm2 = 1e6;
 
 /// The events that are worth a line.
-constexpr EventLineRow lines[] = {
+constexpr EventLineRow event_lines[] = {
     {EventKind::attempt_begin},
     {EventKind::first_movement},
     {EventKind::phase_begin, Weight::ordinary, QT_TRANSLATE_NOOP("fulcrum::event_lines", "Step %1 begins"),
@@ -80,9 +80,9 @@ constexpr EventLineRow lines[] = {
 constexpr double least_piece = 1e-6;  // m2: smaller pieces cannot be seen to come free
 
 const EventLineRow* line_of(EventKind kind) {
-    const auto* const found = std::find_if(std::begin(lines), std::end(lines),
+    const auto* const found = std::find_if(std::begin(event_lines), std::end(event_lines),
                                            [&](const EventLineRow& row) { return row.kind == kind; });
-    return found == std::end(lines) ? nullptr : found;
+    return found == std::end(event_lines) ? nullptr : found;
 }
 
 QString translated(const char* source) {
