@@ -25,14 +25,19 @@ void note_signal(int number) {
     signal_seen = number;
 }
 
-/// Switches the terminal's echo off and defers signals during its lifetime.
+/// Switches the terminal's echo off and defers signals during its lifetime: they are blocked except
+/// while wait() waits, so that none can arrive unnoticed between a check and a blocking read.
 class SilentTerminal {
   public:
     SilentTerminal() {
         signal_seen = 0;
         struct sigaction note {};
-        note.sa_handler = note_signal;  // without SA_RESTART: read() returns
+        note.sa_handler = note_signal;
         sigemptyset(&note.sa_mask);
+        sigset_t blocked;
+        sigemptyset(&blocked);
+        for (const int number : caught) sigaddset(&blocked, number);
+        pthread_sigmask(SIG_BLOCK, &blocked, &mask_before_);
         for (std::size_t i = 0; i < caught.size(); ++i) sigaction(caught[i], &note, &actions_[i]);
         tcgetattr(STDIN_FILENO, &before_);
         termios silent = before_;
@@ -43,21 +48,30 @@ class SilentTerminal {
     SilentTerminal& operator=(const SilentTerminal&) = delete;
     ~SilentTerminal() {
         tcsetattr(STDIN_FILENO, TCSAFLUSH, &before_);
+        pthread_sigmask(SIG_SETMASK, &mask_before_, nullptr);  // a pending signal is noted here
         for (std::size_t i = 0; i < caught.size(); ++i) sigaction(caught[i], &actions_[i], nullptr);
+    }
+    /// Waits for input; false at a signal that was noted or at an error.
+    bool wait() const {
+        pollfd input{STDIN_FILENO, POLLIN, 0};
+        while (signal_seen == 0) {
+            if (ppoll(&input, 1, nullptr, &mask_before_) > 0) return true;
+            if (errno != EINTR) return false;
+        }
+        return false;
     }
 
   private:
     termios before_{};
+    sigset_t mask_before_{};
     std::array<struct sigaction, caught.size()> actions_{};
 };
 
 /// The line without its newline; ends early at a signal.
-std::string read_line() {
+std::string read_line(const SilentTerminal& terminal) {
     std::string line;
-    for (char c = 0; line.size() < longest_password;) {
-        const ssize_t count = read(STDIN_FILENO, &c, 1);
-        if (count < 0 && errno == EINTR && signal_seen == 0) continue;
-        if (count <= 0 || c == '\n') break;
+    for (char c = 0; line.size() < longest_password && terminal.wait();) {
+        if (read(STDIN_FILENO, &c, 1) <= 0 || c == '\n') break;
         line += c;
     }
     return line;
@@ -73,7 +87,7 @@ std::string ask_password(const std::string& login) {
         std::string line;
         {
             const SilentTerminal silent;
-            line = read_line();
+            line = read_line(silent);
         }
         std::cerr << '\n';
         if (signal_seen == 0) {
