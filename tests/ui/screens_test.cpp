@@ -29,6 +29,7 @@
 #include "ui/shell/main_window.h"
 #include "ui/shell/page_table.h"
 #include "ui/style/text.h"
+#include "ui/theatre/mouse_keyboard_input.h"
 #include "ui/theatre/theatre_page.h"
 #include "ui/theatre/theatre_view.h"
 
@@ -257,6 +258,40 @@ TEST_F(Screens, ShowNoMarksOfMarkdown) {
         }
     });
     EXPECT_GT(texts, 500);
+}
+
+TEST_F(Screens, EducatorWithoutACohortIsToldSoWithoutMarksOfMarkdown) {
+    open({1012, 726});
+    const database::People people(*services.store());
+    const auto made =
+        people.create(sessions.at(Role::administrator), "eve", "Eve Educator", {Role::educator});
+    window->context().set_session(people.change_password(people.sign_in("eve", made.one_time_password),
+                                                         made.one_time_password, "a long password"));
+    settle();
+    go_to("rail_cohort");
+    const QStringList texts = texts_shown(*window);
+    EXPECT_EQ(texts.filter("There is no cohort yet.").size(), 1);
+    for (const QString& shown : texts) EXPECT_FALSE(has_markdown(shown)) << shown.toStdString();
+}
+
+TEST_F(Screens, AttemptBeginsWithTheHandThatTheFirstGoalAsksFor) {
+    open({1012, 726});
+    sign_in(Role::trainee);
+    emit window->context().attempt_wanted("A2", false);
+    const auto* page = static_cast<TheatrePage*>(window->current_page());
+    ASSERT_NE(page->input(), nullptr);
+    EXPECT_EQ(page->input()->active_hand(), Hand::left);
+    emit window->context().home_wanted();
+    settle();
+}
+
+TEST_F(Screens, StationSaysHowThePictureIsDrawn) {
+    open({1012, 726});
+    sign_in(Role::administrator);
+    go_to("rail_station");
+    const QString shown = window->findChild<QLabel*>("picture_quality")->text();
+    for (const char* part : {"Drawn by: ", "Resolution: ", "Anti-aliasing: "})
+        EXPECT_TRUE(shown.contains(part)) << part << shown.toStdString();
 }
 
 TEST_F(Screens, MarksOfMarkdownAreFoundInEveryKindOfText) {

@@ -2,11 +2,10 @@
 // One sentence: the right gate, the right words, always the same.
 #include <gtest/gtest.h>
 
-#include <clocale>
-
 #include <cmath>
 
 #include "tests/assessment/scoring/fixtures.h"
+#include "tests/support/german_locale.h"
 
 namespace fulcrum {
 namespace {
@@ -90,11 +89,9 @@ TEST(Advice, OfAnAttemptThatWasNotCarriedToItsEndNamesNoAbsentFigure) {
 }
 
 TEST(Advice, WritesNumbersWithAPointInEveryLocale) {
-    const std::string before = std::setlocale(LC_NUMERIC, nullptr);
-    for (const char* locale : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8"})
-        if (std::setlocale(LC_NUMERIC, locale) != nullptr) break;
+    const test::GermanLocale german;
+    ASSERT_TRUE(german.in_force()) << "localedef cannot make de_DE: install the package locales";
     const std::string advice = advice_of(figures(50, -1.5, 9.5, 0));
-    std::setlocale(LC_NUMERIC, before.c_str());
     EXPECT_NE(advice.find("the force rose to 9.5 N"), std::string::npos) << advice;
 }
 

@@ -176,6 +176,10 @@ TEST(Figures, HaveOneFormat) {
     EXPECT_EQ(clock_text(125.37).toStdString(), "2:05.4");
     EXPECT_EQ(clock_text(59.96).toStdString(), "1:00.0");
     EXPECT_EQ(figure_with_unit(3.0, "count").toStdString(), "3");
+    EXPECT_EQ(z_text(-1.234).toStdString(), "−1.23");
+    EXPECT_EQ(z_text(-28.83).toStdString(), "below −5");
+    EXPECT_EQ(z_text(38.07).toStdString(), "above 5 (far outside)");
+    EXPECT_EQ(points_text(60.8).toStdString(), "60.8 of 100 points");
 }
 
 TEST(Figures, AreJoinedWithoutEmptyParts) {
