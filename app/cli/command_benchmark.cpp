@@ -111,9 +111,7 @@ std::vector<BenchmarkAttempt> stored_attempts(const database::Store& store, cons
                 metric.tissue = row.tissue;
                 metric.value = row.value;
                 metric.unit = row.unit;
-                metric.direction = row.direction == "lower"    ? Direction::lower
-                                   : row.direction == "higher" ? Direction::higher
-                                                               : Direction::context;
+                metric.direction = row.direction;
                 metric.absent_because = row.absent_because;
                 metric.absence = row.value ? Absence::none : Absence::not_measured;
                 attempt.metrics.push_back(metric);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "assessment/metrics/metrics_json.h"
 
+#include "assessment/metrics/metric_names.h"
 #include "assessment/metrics/registry.h"
 #include "assessment/metrics/statement_words.h"
 #include "assessment/task/specimen_plan.h"
@@ -11,30 +12,6 @@ namespace fulcrum {
 
 namespace {
 
-const char* direction_name(Direction direction) {
-    switch (direction) {
-        case Direction::lower:
-            return "lower";
-        case Direction::higher:
-            return "higher";
-        case Direction::context:
-            return "context";
-    }
-    return "context";
-}
-
-const char* absence_name(Absence absence) {
-    switch (absence) {
-        case Absence::none:
-            return "none";
-        case Absence::not_done:
-            return "not_done";
-        case Absence::not_measured:
-            return "not_measured";
-    }
-    return "none";
-}
-
 nlohmann::json text_or_null(const std::string& text) {
     return text.empty() ? nlohmann::json(nullptr) : nlohmann::json(text);
 }
@@ -43,7 +20,18 @@ std::string text_of(const nlohmann::json& row, const char* key) {
     return row.at(key).is_null() ? std::string() : row.at(key).get<std::string>();
 }
 
-MetricResult result_from_json(const nlohmann::json& row) {
+template <typename Row, std::size_t n>
+auto named(const nlohmann::json& row, const char* key, const Row (&names)[n], const std::string& file,
+           const std::string& place) {
+    const auto word = row.at(key).get<std::string>();
+    const Row* found = find_row(names, word);
+    if (found == nullptr)
+        throw InputError(file, place + "/" + key, "unknown name \"" + word + "\"",
+                         "give one of: " + names_of(names));
+    return found->kind;
+}
+
+MetricResult result_from_json(const nlohmann::json& row, const std::string& file, const std::string& place) {
     MetricResult result;
     result.id = row.at("id").get<std::string>();
     result.version = row.at("version").get<int>();
@@ -56,12 +44,11 @@ MetricResult result_from_json(const nlohmann::json& row) {
                                 ? statement_of(code->dump())
                                 : Statement::plain(text_of(row, "absent_because"));
     result.unit = row.at("unit").get<std::string>();
-    const auto direction = row.at("direction").get<std::string>();
-    result.direction = direction == "lower"    ? Direction::lower
-                       : direction == "higher" ? Direction::higher
-                                               : Direction::context;
-    const std::string absence = row.value("absence", std::string("not_measured"));
-    if (!result.value) result.absence = absence == "not_done" ? Absence::not_done : Absence::not_measured;
+    result.direction = named(row, "direction", metric_directions, file, place);
+    // Files from before absences had kinds.
+    if (!result.value)
+        result.absence = row.contains("absence") ? named(row, "absence", metric_absences, file, place)
+                                                 : Absence::not_measured;
     for (const auto& interval : row.at("evidence"))
         result.evidence.push_back({interval.at(0).get<double>(), interval.at(1).get<double>()});
     if (row.contains("count")) result.count = row.at("count").get<int>();
@@ -85,9 +72,9 @@ nlohmann::json metrics_to_json(const std::vector<MetricResult>& results) {
             {"absent_because", text_or_null(words_of(result.absent_because))},
             {"absent_code", statement_json(result.absent_because)},
             {"unit", result.unit},
-            {"direction", direction_name(result.direction)},
+            {"direction", row_of(metric_directions, result.direction).name},
             {"evidence", std::move(evidence)}};
-        if (!result.value) row["absence"] = absence_name(result.absence);
+        if (!result.value) row["absence"] = row_of(metric_absences, result.absence).name;
         if (result.count) row["count"] = *result.count;
         rows.push_back(std::move(row));
     }
@@ -100,7 +87,8 @@ std::vector<MetricResult> metrics_from_json(const nlohmann::json& rows, const st
     try {
         if (!rows.is_array())
             throw InputError(file, "/metrics", "not a list", "give the metrics array of an attempt");
-        for (; index < rows.size(); ++index) results.push_back(result_from_json(rows[index]));
+        for (; index < rows.size(); ++index)
+            results.push_back(result_from_json(rows[index], file, "/metrics/" + std::to_string(index)));
     } catch (const nlohmann::json::exception& error) {
         throw InputError(file, "/metrics/" + std::to_string(index), error.what(),
                          "give every key of a metric row");

@@ -2,6 +2,7 @@
 #include "database/records/attempt_query.h"
 
 #include "database/rows/enum_column.h"
+#include "database/rows/person_kind.h"
 
 namespace fulcrum::database {
 namespace {
@@ -52,7 +53,7 @@ AttemptSummary summary_of_row(const Query& row) {
     meta.utc_offset_min = static_cast<int>(integer());
     attempt.person_login = text();
     attempt.person_name = text();
-    attempt.synthetic = text() != "real";
+    attempt.synthetic = person_kind_of(text(), meta.person_id) != PersonKind::real;
     attempt.recorded_state = enum_of(text(), attempt_states, place("state"));
     attempt.duration_s = row.real(column++);
     attempt.wall_s = row.real(column++);

@@ -39,10 +39,10 @@ void write_people(const Store& store, Table table, const std::string& cohort_id,
     for (const std::string& id : person_ids) {
         const Person person = read_person(store, id);
         if (person.kind != PersonKind::real && !store.is_demo()) {
-            throw StoreError(
-                StoreErrorKind::bad_value,
-                person.display_name + " is " + person_kind_name(person.kind) + " and enters no cohort",
-                "name real people");
+            throw StoreError(StoreErrorKind::bad_value,
+                             person.display_name + " is " + row_of(person_kinds, person.kind).name +
+                                 " and enters no cohort",
+                             "name real people");
         }
         const std::vector<Role>& roles = person.roles;
         if (table == Table::educators &&

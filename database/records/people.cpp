@@ -21,18 +21,12 @@ const char* const person_columns =
     "sign_in s "
     "WHERE s.person_id = p.id), 0) FROM person p ";
 
-PersonKind parse_kind(const std::string& name) {
-    if (name == "synthetic") return PersonKind::synthetic;
-    if (name == "external") return PersonKind::external;
-    return PersonKind::real;
-}
-
 Person person_of_row(const Query& row) {
     Person person;
     person.id = row.text(0);
     person.login = row.text(1);
     person.display_name = row.text(2);
-    person.kind = parse_kind(row.text(3));
+    person.kind = person_kind_of(row.text(3), person.id);
     person.active = row.flag(4);
     person.created = row.integer(5);
     person.last_sign_in = row.integer(6);
@@ -46,18 +40,6 @@ std::string role_list(const std::vector<Role>& roles) {
 }
 
 }  // namespace
-
-const char* person_kind_name(PersonKind kind) {
-    switch (kind) {
-        case PersonKind::real:
-            return "real";
-        case PersonKind::synthetic:
-            return "synthetic";
-        case PersonKind::external:
-            return "external";
-    }
-    return "";
-}
 
 std::string login_key(const std::string& login) {
     std::string key = login;
@@ -137,7 +119,7 @@ std::string insert_person(const Store& store, const std::string& login, const st
         .bind(login)
         .bind(login_key(login))
         .bind(display_name)
-        .bind(person_kind_name(kind))
+        .bind(std::string(row_of(person_kinds, kind).name))
         .bind(store.now())
         .run();
     return id;
@@ -260,7 +242,7 @@ Person People::ensure_synthetic(const Session& station, const std::string& login
         Query row(store_.connection(), "SELECT id, kind FROM person WHERE login_key = ?");
         row.bind(login_key(login));
         if (row.next()) {
-            if (row.text(1) == "real") {
+            if (person_kind_of(row.text(1), row.text(0)) == PersonKind::real) {
                 throw StoreError(StoreErrorKind::conflict,
                                  "the login \"" + login + "\" belongs to a person who is not synthetic",
                                  "name a synthetic person, or leave --person out");
@@ -273,9 +255,10 @@ Person People::ensure_synthetic(const Session& station, const std::string& login
         require_login(login);
         require_name(display_name, "name");
         id = insert_person(store_, login, display_name, kind);
-        Audit(store_).append(
-            station, id, "person.create_synthetic",
-            json_object({{"login", login}, {"name", display_name}, {"kind", person_kind_name(kind)}}));
+        Audit(store_).append(station, id, "person.create_synthetic",
+                             json_object({{"login", login},
+                                          {"name", display_name},
+                                          {"kind", std::string(row_of(person_kinds, kind).name)}}));
     }
     transaction.commit();
     return read_person(store_, id);

@@ -8,12 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "database/rows/person_kind.h"
 #include "database/store/store.h"
 
 namespace fulcrum::database {
-
-enum class PersonKind { real, synthetic, external };
-const char* person_kind_name(PersonKind kind);
 
 struct Person {
     std::string id;            ///< UUID

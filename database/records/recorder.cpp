@@ -9,6 +9,7 @@
 
 #include "database/rows/crypto.h"
 #include "database/rows/json.h"
+#include "database/rows/person_kind.h"
 #include "database/store/audit.h"
 #include "database/store/recording_lock.h"
 #include "database/store/score_rows.h"
@@ -176,8 +177,8 @@ Recorder::Recorder(const std::string& store_path, const Session& session, Attemp
     Connection& connection = store.connection();
     Query person(connection, "SELECT kind FROM person WHERE id = ?");
     person.bind(attempt.person_id);
-    const std::string kind = person.next() ? person.text(0) : std::string();
-    if (kind == "real" &&
+    const bool real = person.next() && person_kind_of(person.text(0), attempt.person_id) == PersonKind::real;
+    if (real &&
         (attempt.device_class == DeviceClass::synthetic || attempt.device_class == DeviceClass::external)) {
         bad(std::string("an attempt by ") + row_of(device_classes, attempt.device_class).title +
                 " never belongs to a real person",

@@ -9,6 +9,7 @@
 
 #include "database/records/attempt_query.h"
 #include "database/records/attempts.h"
+#include "database/rows/person_kind.h"
 #include "database/store/audit.h"
 #include "database/store/score_rows.h"
 
@@ -26,7 +27,8 @@ PersonName name_of(const Store& store, const std::string& person_id) {
     if (!row.next())
         throw StoreError(StoreErrorKind::not_found, "no person " + person_id,
                          "list the people and name one of them");
-    return {row.text(0), row.text(1), row.text(2), row.text(3) != "real"};
+    return {row.text(0), row.text(1), row.text(2),
+            person_kind_of(row.text(3), row.text(0)) != PersonKind::real};
 }
 
 /// Versions that the values are based on, gathered over the attempts that enter them.
@@ -168,7 +170,8 @@ CohortTable Reports::cohort_table(const Session& session, const std::string& coh
             "JOIN person p ON p.id = m.person_id WHERE m.cohort_id = ? ORDER BY p.display_name, p.login_key");
         rows.bind(cohort_id);
         while (rows.next())
-            people.push_back({rows.text(0), rows.text(1), rows.text(2), rows.text(3) != "real"});
+            people.push_back({rows.text(0), rows.text(1), rows.text(2),
+                              person_kind_of(rows.text(3), rows.text(0)) != PersonKind::real});
     }
     const bool with_synthetic = options.include_synthetic || store_.is_demo();
     std::vector<PersonName> shown;

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "assessment/metrics/statement.h"
+#include "assessment/metrics/metric.h"
 #include "assessment/task/attempt_words.h"
 
 namespace fulcrum::database {
@@ -47,7 +47,7 @@ struct MetricRow {
     std::optional<double> value;
     Statement absent_because;  ///< empty when there is a value
     std::string unit;
-    std::string direction;                            ///< lower | higher | context
+    Direction direction = Direction::context;
     std::vector<std::pair<double, double>> evidence;  ///< s
 };
 

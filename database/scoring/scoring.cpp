@@ -56,18 +56,6 @@ ScoredAttempt score_record(const Scene& scene, const TaskDefinition& task,
 
 namespace {
 
-const char* direction_name(Direction direction) {
-    switch (direction) {
-        case Direction::lower:
-            return "lower";
-        case Direction::higher:
-            return "higher";
-        case Direction::context:
-            return "context";
-    }
-    return "context";
-}
-
 database::MetricRow to_row(const MetricResult& result) {
     database::MetricRow row;
     row.id = result.id;
@@ -77,7 +65,7 @@ database::MetricRow to_row(const MetricResult& result) {
     row.value = result.value;
     row.absent_because = result.absent_because;
     row.unit = result.unit;
-    row.direction = direction_name(result.direction);
+    row.direction = result.direction;
     for (const TimeInterval& interval : result.evidence)
         row.evidence.emplace_back(interval.begin, interval.end);
     return row;

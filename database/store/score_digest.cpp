@@ -2,6 +2,8 @@
 #include <cstring>
 
 #include "database/rows/crypto.h"
+
+#include "assessment/metrics/metric_names.h"
 #include "database/rows/json.h"
 #include "database/store/score_rows.h"
 
@@ -76,7 +78,7 @@ void add_metrics(Canonical& canonical, const ScoreRow& score) {
             .add(metric.value);
         canonical.add(stored_text(metric.absent_because))
             .add(metric.unit)
-            .add(metric.direction)
+            .add(std::string(row_of(metric_directions, metric.direction).name))
             .add(json_intervals(metric.evidence));
     }
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/store/score_rows.h"
 
+#include "assessment/metrics/metric_names.h"
+
 #include "database/rows/crypto.h"
 #include "database/rows/enum_column.h"
 #include "database/rows/json.h"
@@ -69,7 +71,7 @@ void write_metrics(Connection& connection, const ScoreRow& score) {
             .bind(metric.value)
             .bind(stored_text(metric.absent_because))
             .bind(metric.unit)
-            .bind(metric.direction)
+            .bind(std::string(row_of(metric_directions, metric.direction).name))
             .bind(json_intervals(metric.evidence))
             .run();
     }
@@ -132,7 +134,8 @@ void read_metrics(Connection& connection, ScoreRow& score) {
         metric.value = metrics.optional_real(4);
         metric.absent_because = statement_of(metrics.text(5));
         metric.unit = metrics.text(6);
-        metric.direction = metrics.text(7);
+        metric.direction = enum_of(metrics.text(7), metric_directions,
+                                   "direction of metric " + metric.id + " of score " + score.id);
         metric.evidence = parse_intervals(metrics.text(8));
         score.metrics.push_back(std::move(metric));
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Store::allowed and require: the actor's present state, the subject's relation to the actor, then the table.
+#include "database/rows/person_kind.h"
 #include "database/store/store_state.h"
 
 namespace fulcrum::database {
@@ -56,7 +57,7 @@ bool relation_of(const Store& store, const Session& session, const Subject& subj
                   "WHERE m.person_id = p.id AND e.person_id = ?) FROM person p WHERE p.id = ?");
         row.bind(session.person_id()).bind(subject.id);
         if (!row.next()) return false;
-        relation.synthetic = row.text(0) != "real";
+        relation.synthetic = person_kind_of(row.text(0), subject.id) != PersonKind::real;
         relation.in_cohort = row.flag(1);
         relation.own = !session.is_station() && subject.id == session.person_id();
         return true;

@@ -98,7 +98,7 @@ inline LargeProgramme make_large_programme(const Store& store, int trainees, int
                                          random.uniform(0, 100),
                                          {},
                                          "mm",
-                                         "lower",
+                                         Direction::lower,
                                          {{1.0, 2.0}}});
             }
             write_score(store, station, attempt, score);

@@ -47,7 +47,7 @@ inline ScoreRow example_score(bool passed, double points) {
                            passed ? Statement() : Statement(StatementId::no_benchmark)});
     score.gates.push_back(
         {"perforation", "", "", GateKind::absolute, 0.0, "count", 0.0, "safety", {}, {}, true, false, {}});
-    score.metrics.push_back({"path_len", 1, "left", "", 812.5, {}, "mm", "lower", {{0.25, 31.5}}});
+    score.metrics.push_back({"path_len", 1, "left", "", 812.5, {}, "mm", Direction::lower, {{0.25, 31.5}}});
     score.metrics.push_back({"sparc",
                              2,
                              "right",
@@ -55,7 +55,7 @@ inline ScoreRow example_score(bool passed, double points) {
                              {},
                              {StatementId::few_movements, {{"count", 3.0}, {"least", 5.0}}},
                              "1",
-                             "higher",
+                             Direction::higher,
                              {}});
     return score;
 }

@@ -205,7 +205,7 @@ database::ScoreRow FakeAttempt::score(AttemptState state) const {
         one.hand = hand;
         one.value = value;
         one.unit = unit;
-        one.direction = "lower";
+        one.direction = Direction::lower;
         one.evidence = {{0.5, 1.0}};
         return one;
     };

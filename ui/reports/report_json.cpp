@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assessment/metrics/statement_words.h"
+
+#include "assessment/metrics/metric_names.h"
 #include "ui/reports/report_rows.h"
 
 namespace fulcrum::ui {
@@ -84,7 +86,7 @@ Json metric_json(const database::MetricRow& metric) {
             {"absent_because", or_null(words_of(metric.absent_because))},
             {"absent_code", statement_json(metric.absent_because)},
             {"unit", metric.unit},
-            {"direction", metric.direction},
+            {"direction", row_of(metric_directions, metric.direction).name},
             {"evidence", std::move(evidence)}};
 }
 

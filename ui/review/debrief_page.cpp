@@ -417,9 +417,9 @@ void DebriefPage::fill_metrics() {
         metrics_->setItem(
             row, 3, make_cell(figure_with_unit(value.value, value.unit), Qt::AlignRight | Qt::AlignVCenter));
         metrics_->setItem(row, 4,
-                          make_cell(value.direction == "lower"    ? tr("↓ lower")
-                                    : value.direction == "higher" ? tr("↑ higher")
-                                                                  : tr("context")));
+                          make_cell(value.direction == Direction::lower    ? tr("↓ lower")
+                                    : value.direction == Direction::higher ? tr("↑ higher")
+                                                                           : tr("context")));
         metrics_->setItem(row, 5, make_cell(statement_text(value.absent_because)));
     }
     fit_columns(metrics_);

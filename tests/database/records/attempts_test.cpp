@@ -479,6 +479,11 @@ TEST(Attempts, UnknownWordsInTheStoreAreErrorsWithPlaceAndHint) {
     EXPECT_NE(problem_with("UPDATE attempt SET state = 'lost'").find("'lost' is unknown"), std::string::npos);
     EXPECT_NE(problem_with("UPDATE gate SET kind = 'soft'").find("known are benchmark, absolute"),
               std::string::npos);
+    EXPECT_NE(
+        problem_with("UPDATE metric SET direction = 'sideways'").find("known are lower, higher, context"),
+        std::string::npos);
+    EXPECT_NE(problem_with("UPDATE person SET kind = 'robot'").find("known are real, synthetic, external"),
+              std::string::npos);
     EXPECT_EQ(problem_with("UPDATE attempt SET mode = 'practice'"), "");
 }
 

@@ -57,7 +57,7 @@ AttemptPaper paper() {
     score.advice = Statement::plain("Stay on the shiny surface of the mesorectum.");
     score.gates.push_back(
         {"tme_grade", "", "", GateKind::absolute, 2.0, "-", 3.0, "Quirke", {}, {}, false, false, {}});
-    score.metrics.push_back({"tme_grade", 1, "", "", 2.0, {}, "-", "higher", {{16, 17}}});
+    score.metrics.push_back({"tme_grade", 1, "", "", 2.0, {}, "-", Direction::higher, {{16, 17}}});
     score.metrics.push_back({"sparc",
                              1,
                              "left",
@@ -65,7 +65,7 @@ AttemptPaper paper() {
                              {},
                              {StatementId::few_movements, {{"count", 3.0}, {"least", 5.0}}},
                              "-",
-                             "higher",
+                             Direction::higher,
                              {}});
     paper.report.pathology = dissection();
     score.pathology = pathology_json(*paper.report.pathology);
