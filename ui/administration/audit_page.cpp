@@ -7,6 +7,7 @@
 #include <QJsonObject>
 
 #include "database/records/people.h"
+#include "ui/administration/audit_words.h"
 #include "ui/page/background_job.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -143,7 +144,7 @@ void AuditPage::fill_filters() {
             if (front != group && name.contains(QLatin1Char('.')))
                 kinds.emplace_back(tr("%1: all").arg(front), front);
             group = front;
-            kinds.emplace_back(name, name);
+            kinds.emplace_back(audit_operation_text(kind), name);
         }
     });
     refill(person_, tr("Everyone"), people);
@@ -189,8 +190,9 @@ void AuditPage::show_entries(const std::vector<database::AuditEntry>& entries) {
     for (const database::AuditEntry& entry : entries) {
         const int row = table_->rowCount();
         table_->insertRow(row);
-        const QString cells[] = {local_time(entry.time), text(entry.actor_name),  role_text(entry.role),
-                                 text(entry.operation),  text(entry.person_name), particulars(entry.payload)};
+        const QString cells[] = {local_time(entry.time),  text(entry.actor_name),
+                                 role_text(entry.role),   audit_operation_text(entry.operation),
+                                 text(entry.person_name), particulars(entry.payload)};
         for (int column = 0; column < 6; ++column) table_->setItem(row, column, make_cell(cells[column]));
         table_->item(row, 5)->setToolTip(tr("Row %1, object %2, hash %3")
                                              .arg(entry.sequence)
@@ -218,8 +220,8 @@ void AuditPage::verify() {
         [this, state] {
             job_ = nullptr;
             const bool holds = state->problems.empty();
-            QString line = holds ? tr("✓ The audit log is intact: %1 rows, newest hash %2")
-                                 : tr("✕ The audit log is damaged: %1 rows, newest hash %2");
+            QString line = holds ? tr("✓ The audit log is intact: %1 rows.\nNewest hash: %2")
+                                 : tr("✕ The audit log is damaged: %1 rows.\nNewest hash: %2");
             line = line.arg(state->rows).arg(text(state->head));
             for (std::size_t i = 0; i < std::min<std::size_t>(5, state->problems.size()); ++i)
                 line += QLatin1Char('\n') + text(state->problems[i]);

@@ -58,7 +58,9 @@ QWidget* TissuesPage::build_editor() {
     state_ = make_label({}, "heading");
     state_->setObjectName(QStringLiteral("tissue_state"));
     card_layout(card)->addWidget(state_);
-    table_ = make_table({tr("Tissue"), tr("What"), tr("Scene"), tr("Here"), tr("May be")}, "tissue_table");
+    table_ =
+        make_table({tr("Tissue"), tr("Parameter"), tr("In the scene"), tr("At this site"), tr("Allowed")},
+                   "tissue_table");
     table_->setSelectionMode(QAbstractItemView::NoSelection);
     table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -80,7 +82,8 @@ QWidget* TissuesPage::build_editor() {
     change->addWidget(back_);
     card_layout(card)->addWidget(change_);
     card_layout(card)->addWidget(make_label(tr("Versions"), "heading"));
-    history_ = make_table({tr("Version"), tr("When"), tr("Who"), tr("Values"), tr("Why")}, "tissue_versions");
+    history_ =
+        make_table({tr("Version"), tr("Time"), tr("Person"), tr("Values"), tr("Reason")}, "tissue_versions");
     history_->setMinimumHeight(150);
     card_layout(card)->addWidget(history_);
     connect(save_, &QPushButton::clicked, this, &TissuesPage::save);

@@ -26,7 +26,7 @@ PasswordPage::PasswordPage(Context& context) : Page(context, "password_page") {
     const auto field = [form](const QString& label, const char* name) {
         return make_field(form, label, name, true);
     };
-    old_ = field(tr("Password now"), "old_password");
+    old_ = field(tr("Current password"), "old_password");
     new_ = field(tr("New password"), "new_password");
     new_->setPlaceholderText(tr("at least %1 characters").arg(database::password_minimum_length));
     again_ = field(tr("New password again"), "new_password_again");

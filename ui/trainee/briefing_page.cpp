@@ -96,7 +96,7 @@ void BriefingPage::fill() {
     steps_->addWidget(make_label(
         tr("Time limit %1 · outcome: %2").arg(clock_text(task->time_limit_s), text(task->product)), "muted"));
     steps_->addStretch();
-    judged_->addWidget(make_label(tr("What is judged"), "heading"));
+    judged_->addWidget(make_label(tr("What is assessed"), "heading"));
     for (const GateSpec& gate : task->gates) {
         const MetricDescriptor* metric = find_metric(gate.metric);
         QString line = metric_text(gate.metric);
@@ -117,7 +117,7 @@ void BriefingPage::fill() {
         QStringList errors;
         for (const std::string& error : task->critical_errors) errors << text(error).replace('_', ' ');
         judged_->addWidget(make_label(
-            tr("Critical errors (the attempt is failed): %1").arg(errors.join(QStringLiteral(", "))), "bad"));
+            tr("Critical errors (the attempt fails): %1").arg(errors.join(QStringLiteral(", "))), "bad"));
     }
     judged_->addStretch();
     mode_note_->setText(

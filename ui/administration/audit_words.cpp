@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/administration/audit_words.h"
+
+#include <QCoreApplication>
+
+#include "ui/style/text.h"
+
+namespace fulcrum::ui {
+namespace {
+
+struct Words {
+    const char* name;
+    const char* shown;
+};
+
+constexpr Words operations[] = {
+    {"attempt.finish", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Attempt finished")},
+    {"attempt.interrupted", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Attempt interrupted")},
+    {"attempt.practice", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Attempt became practice")},
+    {"attempt.reassign", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Attempt reassigned")},
+    {"attempt.request_correction", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Correction requested")},
+    {"attempt.void", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Attempt voided")},
+    {"cohort.create", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Cohort created")},
+    {"cohort.rename", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Cohort renamed")},
+    {"cohort.set_educators", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Educators of a cohort set")},
+    {"cohort.set_members", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Members of a cohort set")},
+    {"comment.send", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Comment sent")},
+    {"demo.seal", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Demonstration closed")},
+    {"password.change", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Password changed")},
+    {"password.issue_one_time", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "One-time password issued")},
+    {"password.recover", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Password recovered")},
+    {"person.create", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Person added")},
+    {"person.create_synthetic", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Synthetic person added")},
+    {"person.rename", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Person renamed")},
+    {"person.set_active", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Account activated or deactivated")},
+    {"person.set_roles", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Roles changed")},
+    {"programme.create", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Programme created")},
+    {"score.add", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Score added")},
+    {"setting.sign_in_picker", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Sign-in list shown or hidden")},
+    {"sign_in", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Signed in")},
+    {"store.backup", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Store backed up")},
+    {"store.create", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Store created")},
+    {"tissue.set", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Tissue values set")},
+};
+
+}  // namespace
+
+QString audit_operation_text(const std::string& operation) {
+    for (const Words& row : operations) {
+        if (operation == row.name) return QCoreApplication::translate("fulcrum::ui::audit", row.shown);
+    }
+    return text(operation);
+}
+
+}  // namespace fulcrum::ui
