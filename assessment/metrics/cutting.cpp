@@ -231,10 +231,21 @@ Figure area_developed(const Analysis& analysis, const Selection& /*row*/) {
     if (cut.absence) return *cut.absence;
     const CutPlan& plan = *analysis.context().cut;
     if (!(plan.length > 0)) return absent(Absence::not_measured, StatementId::line_without_length);
+    // What tore by itself is apart, but not divided; the evidence is where it tore.
+    std::vector<CutStroke> divided;
+    std::vector<ScoredInterval> torn;
+    for (const CutStroke& stroke : cut.strokes) {
+        if (stroke.hand >= 0) {
+            divided.push_back(stroke);
+            continue;
+        }
+        double length = 0;
+        for (const CutElement& element : stroke.elements) length += element.length;
+        torn.push_back({length, {std::max(0.0, stroke.begin - 0.5), stroke.end + 0.5}});
+    }
     Figure figure;
-    figure.value = 100.0 * divided_length(cut.strokes, plan.length, plan.corridor) / plan.length;
-    for (const CutStroke& stroke : cut.strokes)
-        if (figure.evidence.size() < evidence_limit) figure.evidence.push_back({stroke.begin, stroke.end});
+    figure.value = 100.0 * divided_length(divided, plan.length, plan.corridor) / plan.length;
+    figure.evidence = worst_first(std::move(torn));
     return figure;
 }
 

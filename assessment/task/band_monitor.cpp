@@ -48,7 +48,8 @@ BandMonitor::BandMonitor(const Scene& scene)
     std::size_t outlets = field_outlet_capacity;
     if (scene.bands) {
         band_tissue_ = tissue(scene.bands->tissue);
-        band_divided_.assign(static_cast<std::size_t>(scene.bands->count), 0);
+        band_parted_.assign(static_cast<std::size_t>(scene.bands->count), 0);
+        pulled_by_.assign(band_parted_.size(), no_hand);
         outlets = 2 * static_cast<std::size_t>(scene.bands->vessels);
     }
     bleeding_.assign(outlets, 0);
@@ -91,16 +92,8 @@ void BandMonitor::step(const WorldSnapshot& world, std::uint32_t tick, EventSink
     if (!present_ || world.bands.empty()) return;
     const BandsView& view = world.bands[0];
     for (int hand = 0; hand < hand_count; ++hand) step_hand(hand, view, tick, sink);
-    for (std::size_t b = 0; b < band_divided_.size() && b < view.bands.size(); ++b) {
-        const BandView& band = view.bands[b];
-        if (!band.divided() || band_divided_[b] != 0) continue;
-        band_divided_[b] = 1;
-        ++divided_;
-        if (band.torn)
-            emit(sink, tick, EventKind::tear, no_hand, band_tissue_, static_cast<std::int32_t>(b), 0);
-        emit(sink, tick, EventKind::band_divided, no_hand, band_tissue_, static_cast<std::int32_t>(b),
-             static_cast<double>(band.parted_tension));
-    }
+    step_bands(view, tick, sink);
+    watch_traction(world);
     step_outlets(view, tick, sink);
     if (view.lateral_dose > dose_) {
         dose_ = view.lateral_dose;
@@ -111,6 +104,38 @@ void BandMonitor::step(const WorldSnapshot& world, std::uint32_t tick, EventSink
     }
     if ((tick - told_dose_tick_) * tick_period_ >= dose_pause) tell_dose(tick, sink);
     step_nerves(view, tick, sink);
+}
+
+void BandMonitor::step_bands(const BandsView& view, std::uint32_t tick, EventSink& sink) noexcept {
+    for (std::size_t b = 0; b < band_parted_.size() && b < view.bands.size(); ++b) {
+        const BandView& band = view.bands[b];
+        if (!band.divided() || band_parted_[b] != 0) continue;
+        band_parted_[b] = 1;
+        const auto number = static_cast<std::int32_t>(b);
+        const auto tension = static_cast<double>(band.parted_tension);
+        if (band.torn) {
+            ++torn_;
+            emit(sink, tick, EventKind::tear, pulled_by_[b], band_tissue_, number, tension);
+        } else {
+            ++divided_;
+            emit(sink, tick, EventKind::band_divided, no_hand, band_tissue_, number, tension);
+        }
+    }
+}
+
+void BandMonitor::watch_traction(const WorldSnapshot& world) noexcept {
+    // A band gives way a moment after the pull that was too much: the last hand on it stays noted.
+    for (std::size_t b = 0; b < pulled_by_.size(); ++b) {
+        double most = -1;
+        for (int hand = 0; hand < hand_count; ++hand) {
+            const GraspState& grasp = world.grasps[hand];
+            if (!grasp.held || grasp.body != HeldBody::band || grasp.patch != static_cast<std::int32_t>(b))
+                continue;
+            if (grasp.reaction.norm() <= most) continue;
+            most = grasp.reaction.norm();
+            pulled_by_[b] = static_cast<std::uint8_t>(hand);
+        }
+    }
 }
 
 void BandMonitor::step_nerves(const BandsView& view, std::uint32_t tick, EventSink& sink) noexcept {
@@ -199,7 +224,7 @@ void BandMonitor::step_outlets(const BandsView& view, std::uint32_t tick, EventS
         }
     }
     for (std::size_t v = 0;
-         !band_divided_.empty() && 2 * v + 1 < bleeding_.size() && 2 * v + 1 < view.outlets.size(); ++v) {
+         !band_parted_.empty() && 2 * v + 1 < bleeding_.size() && 2 * v + 1 < view.outlets.size(); ++v) {
         const bool open = view.outlets[2 * v].opened;
         dry_ += open && bleeding_[2 * v] == 0 && bleeding_[2 * v + 1] == 0 ? 1 : 0;
     }

@@ -22,8 +22,10 @@ class BandMonitor {
     /// Before the end of the attempt: ends open activations and reports the sums once more.
     void finish(std::uint32_t tick, EventSink& sink) noexcept;
 
+    /// Bands divided with an instrument. A band that was torn is not divided and never will be.
     int divided() const noexcept { return divided_; }
-    /// Vessels of bands that are divided and do not bleed.
+    int torn() const noexcept { return torn_; }
+    /// Vessels of bands that are divided or torn and do not bleed.
     int dry() const noexcept { return dry_; }
     double lost_ml() const noexcept { return lost_ml_; }
     int clips_left() const noexcept { return clips_left_; }
@@ -37,6 +39,9 @@ class BandMonitor {
         std::int8_t tissue = -1;
     };
     void step_hand(int hand, const BandsView& view, std::uint32_t tick, EventSink& sink) noexcept;
+    /// Notes which hand pulls each band most.
+    void watch_traction(const WorldSnapshot& world) noexcept;
+    void step_bands(const BandsView& view, std::uint32_t tick, EventSink& sink) noexcept;
     void step_nerves(const BandsView& view, std::uint32_t tick, EventSink& sink) noexcept;
     void step_outlets(const BandsView& view, std::uint32_t tick, EventSink& sink) noexcept;
     void end_activation(int hand, std::uint32_t tick, EventSink& sink) noexcept;
@@ -50,9 +55,9 @@ class BandMonitor {
                 sheet_tissue_ = -1, fat_tissue_ = -1;
     std::array<Span, hand_count> spans_;
     std::array<std::int32_t, hand_count> clips_fired_{}, tool_index_{};
-    std::vector<std::uint8_t> band_divided_, bleeding_, injured_, nerve_heated_, nerve_divided_;
+    std::vector<std::uint8_t> band_parted_, pulled_by_, bleeding_, injured_, nerve_heated_, nerve_divided_;
     std::vector<double> outlet_ml_;
-    int divided_ = 0, dry_ = 0, clips_left_ = 0;
+    int divided_ = 0, torn_ = 0, dry_ = 0, clips_left_ = 0;
     double lost_ml_ = 0, told_ml_ = 0, dose_ = 0, told_dose_ = 0;
     std::uint32_t told_dose_tick_ = 0;
     std::int8_t dose_tissue_ = -1;

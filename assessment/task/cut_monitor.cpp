@@ -8,7 +8,9 @@
 namespace fulcrum {
 namespace {
 
-constexpr double bridge = 0.003;      // m at a rim or between two strokes
+constexpr double bridge = 0.003;  // m at a rim or between two strokes
+// What became of a cell of the line; the first stays.
+constexpr std::uint8_t open_cell = 0, divided_cell = 1, torn_cell = 2;
 constexpr double blade_reach = 0.02;  // m, a blade further from the line is not about to cut it
 
 }  // namespace
@@ -18,7 +20,7 @@ CutMonitor::CutMonitor(const TaskDefinition& task, const Scene& scene) {
         if (goal.kind == GoalKind::divide_line && !goal_) goal_ = goal;
     if (!goal_) return;
     const auto count = static_cast<std::size_t>(std::max(1.0, std::round(goal_->length_m / cell)));
-    cells_.assign(count, 0);
+    cells_.assign(count, open_cell);
     cell_ = goal_->length_m / static_cast<double>(count);
     level_cells_ = count;
     least_open_ = static_cast<std::uint32_t>(std::max(1L, std::lround(bridge / cell_)));
@@ -55,13 +57,14 @@ void CutMonitor::event(const Event& event) noexcept {
     const double a = element.from + first * (element.to - element.from);
     const double b = element.from + last * (element.to - element.from);
     const double count = static_cast<double>(cells_.size());
-    // A cell is divided when its middle was passed.
+    // A cell is apart when its middle was passed.
     const auto cell_from = [&](double along) {
         return static_cast<std::size_t>(std::clamp(std::ceil(along / cell_ - 0.5), 0.0, count));
     };
     for (std::size_t i = cell_from(std::min(a, b)); i < cell_from(std::max(a, b)); ++i) {
-        cells_divided_ += cells_[i] == 0 ? 1U : 0U;
-        cells_[i] = 1;
+        if (cells_[i] != open_cell) continue;
+        cells_[i] = of_hand ? divided_cell : torn_cell;
+        (of_hand ? cells_divided_ : cells_torn_) += 1U;
     }
     while (first_open_ < cells_.size() && !open_from(first_open_)) ++first_open_;
 }
@@ -70,7 +73,7 @@ bool CutMonitor::open_from(std::size_t from) const noexcept {
     // A bridge ends where its level does.
     const std::size_t end = std::min(cells_.size(), (from / level_cells_ + 1) * level_cells_);
     std::size_t open = 0;
-    while (open < least_open_ && from + open < end && cells_[from + open] == 0) ++open;
+    while (open < least_open_ && from + open < end && cells_[from + open] == open_cell) ++open;
     return open >= least_open_;
 }
 

@@ -31,9 +31,11 @@ class CutMonitor {
 
     bool line() const noexcept { return goal_.has_value(); }                ///< the task marks one
     double length() const noexcept { return goal_ ? goal_->length_m : 0; }  ///< m
-    double divided() const noexcept { return cells_divided_ * cell_; }      ///< m of the line
-    /// First place that is not divided, m along the line; its length where all is. Bridges too narrow to be
-    /// cut are skipped. Only the line before it counts towards the goal, so that no gap remains.
+    /// m of the line, by a blade. What was torn is apart, but never divided.
+    double divided() const noexcept { return cells_divided_ * cell_; }
+    double torn() const noexcept { return cells_torn_ * cell_; }
+    /// First place that is neither divided nor torn, m along the line; its length where nothing is left to
+    /// divide. Bridges too narrow to be cut are skipped.
     double next() const noexcept { return first_open_ * cell_; }
     double traction() const noexcept { return traction_; }  ///< N/m
     double distance() const noexcept { return distance_; }  ///< m, signed, of the last advance
@@ -52,7 +54,7 @@ class CutMonitor {
     std::array<bool, hand_count> has_blade_{}, blade_in_{};
     std::array<Blade, hand_count + 1> blades_{};  ///< the last: fibres that part by no hand
     std::vector<std::uint8_t> cells_;
-    std::uint32_t cells_divided_ = 0, first_open_ = 0,
+    std::uint32_t cells_divided_ = 0, cells_torn_ = 0, first_open_ = 0,
                   least_open_ = 1;  ///< cells of the shortest bridge that counts
     double cell_ = cell, traction_ = 0, distance_ = 0;
 };

@@ -112,6 +112,7 @@ void GoalMonitor::show(TaskDisplay& display) const noexcept {
     display.lift_height_m = 0;
     display.run_covered_m = display.run_next_m = 0;
     display.cut_divided_m = cut.divided();
+    display.cut_torn_m = cut.torn();
     display.cut_next_m = cut.next();
     display.cut_distance_m = cut.distance();
     display.traction_n_m = cut.traction();

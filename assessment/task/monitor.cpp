@@ -267,6 +267,7 @@ void TaskMonitor::State::show() noexcept {
         display.warning[h] = hands[h].warning();
     }
     display.bands_divided = bands.divided();
+    display.bands_torn = bands.torn();
     display.vessels_dry = bands.dry();
     display.blood_ml = static_cast<float>(bands.lost_ml());
     display.clips_left = bands.clips_left();

@@ -146,10 +146,21 @@ QString goal_detail(const HudState& state, const Goal& goal) {
         case GoalKind::take_tension:
             return {};
         case GoalKind::divide_line:
+            if (display.cut_torn_m >= 0.001)
+                return tr("%1 of %2 mm, %3 mm torn")
+                    .arg(display.cut_divided_m * 1000, 0, 'f', 0)
+                    .arg(goal.length_m * 1000, 0, 'f', 0)
+                    .arg(display.cut_torn_m * 1000, 0, 'f', 0);
             return tr("%1 of %2 mm")
                 .arg(display.cut_divided_m * 1000, 0, 'f', 0)
                 .arg(goal.length_m * 1000, 0, 'f', 0);
         case GoalKind::divide_bands:
+            if (display.bands_torn > 0)
+                return tr("%1 of %2 bands, %3 torn · %4 mL lost")
+                    .arg(display.bands_divided)
+                    .arg(goal.count)
+                    .arg(display.bands_torn)
+                    .arg(static_cast<double>(display.blood_ml), 0, 'f', 1);
             return tr("%1 of %2 bands · %3 mL lost")
                 .arg(std::lround(display.goal_progress * goal.count))
                 .arg(goal.count)

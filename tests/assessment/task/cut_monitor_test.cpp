@@ -108,8 +108,8 @@ struct Dissection {
     const TaskDisplay& display() const { return monitor.display(); }
 };
 
-// Traction has opened the plane: nothing is left to cut there.
-TEST(CutMonitor, TornFibresDivideTheLineWithoutABlade) {
+// Traction has opened the plane: nothing is left to cut there, and nothing was divided.
+TEST(CutMonitor, TornFibresLeaveNothingToDivideAndDivideNothing) {
     CutMonitor cut(parse_task(task_text, "cut.json"), Dissection::blades());
     const auto happen = [&](EventKind kind, double place, int distance, int hand) {
         Event event;
@@ -130,16 +130,21 @@ TEST(CutMonitor, TornFibresDivideTheLineWithoutABlade) {
         EXPECT_FALSE(cut.cutting());
         EXPECT_NEAR(cut.distance(), 0.0005, 1e-9) << "of the blade";
     }
-    EXPECT_NEAR(cut.divided(), 0.06, 1e-9);
+    EXPECT_NEAR(cut.divided(), 0.02, 1e-9);
+    EXPECT_NEAR(cut.torn(), 0.04, 1e-9);
     EXPECT_NEAR(cut.next(), 0.06, 1e-9);
-    // Each has its own beginning: the line between two of them is not divided.
+    // Each has its own beginning: the line between two of them is whole.
     happen(EventKind::fibres_parted, 0.09, 0, 255);
     happen(EventKind::cut_advance, 0.092, 0, 255);
-    EXPECT_NEAR(cut.divided(), 0.062, 1e-9);
-    // Fibres that tear far from the line do not divide it.
+    EXPECT_NEAR(cut.torn(), 0.042, 1e-9);
+    // Fibres that tear far from the line do not part it.
     happen(EventKind::fibres_parted, 0.07, 12000, 255);
     happen(EventKind::cut_advance, 0.08, 12000, 255);
-    EXPECT_NEAR(cut.divided(), 0.062, 1e-9);
+    EXPECT_NEAR(cut.torn(), 0.042, 1e-9);
+    // A blade through what is torn already divides nothing.
+    happen(EventKind::cut_begin, 0.03, 0, 1);
+    happen(EventKind::cut_advance, 0.05, 0, 1);
+    EXPECT_NEAR(cut.divided(), 0.02, 1e-9);
 }
 
 TEST(CutMonitor, TensionCountsOnlyInTheBandWithAHoldAndUnbroken) {
