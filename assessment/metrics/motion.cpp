@@ -7,6 +7,7 @@
 #include "assessment/metrics/descriptor_text.h"
 #include "assessment/metrics/registry.h"
 #include "assessment/metrics/signal.h"
+#include "assessment/metrics/waits.h"
 
 namespace fulcrum {
 
@@ -50,7 +51,7 @@ Figure time(const Analysis& analysis, const Selection&) {
     double paused = 0;
     for (const TimeInterval& pause : analysis.trace().pauses)
         paused += std::max(0.0, std::min(end, pause.end) - std::max(*begin, pause.begin));
-    return value_of(end - *begin - paused, {{*begin, end}});
+    return value_of(end - *begin - paused, {longest_wait(analysis, *begin, end)});
 }
 
 Figure path_len(const Analysis& analysis, const Selection& row) {

@@ -39,6 +39,11 @@ Statement Statement::plain(std::string text) {
     return {StatementId::plain, {{"text", std::move(text)}}};
 }
 
+void Statement::add(Parameter parameter) {
+    parameters_.push_back(std::move(parameter));
+    sort();
+}
+
 void Statement::sort() {
     std::sort(parameters_.begin(), parameters_.end(),
               [](const Parameter& a, const Parameter& b) { return a.name < b.name; });

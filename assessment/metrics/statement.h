@@ -75,6 +75,7 @@ enum class StatementId : std::uint8_t {
     simulator_failed,
     attempt_interrupted,
     ended_before_moving,
+    device_was_lost,
     no_gates,
     gate_not_judged,
 
@@ -103,6 +104,7 @@ class Statement {
     StatementId id() const { return id_; }
     bool empty() const { return id_ == StatementId::none; }
     const std::vector<Parameter>& parameters() const { return parameters_; }
+    void add(Parameter parameter);
     /// Null where there is none of this name, or it is of another type.
     const double* number(std::string_view name) const;
     const std::string* text(std::string_view name) const;

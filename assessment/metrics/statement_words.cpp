@@ -122,6 +122,8 @@ constexpr StatementRow statements[] = {
      QT_TRANSLATE_NOOP("fulcrum::statements", "the attempt was interrupted")},
     {StatementId::ended_before_moving, "score.ended_before_moving",
      QT_TRANSLATE_NOOP("fulcrum::statements", "the attempt ended before the first movement")},
+    {StatementId::device_was_lost, "score.device_was_lost",
+     QT_TRANSLATE_NOOP("fulcrum::statements", "a device was lost and came back: what followed is practice")},
     {StatementId::no_gates, "score.no_gates",
      QT_TRANSLATE_NOOP("fulcrum::statements", "the task has no gates")},
     {StatementId::gate_not_judged, "score.gate_not_judged",
@@ -285,6 +287,7 @@ class Wording {
     }
 
     std::string remedy() const {
+        if (const std::string* of_task = statement_.text("advice")) return *of_task;
         if (metric_ != nullptr) return of_metric(metric_->advice_remedy);
         return marked(QT_TRANSLATE_NOOP("fulcrum::statements", "replay that moment and plan it differently"));
     }
@@ -298,11 +301,15 @@ class Wording {
             const std::size_t at = text.find("{amount}");
             return at == std::string::npos ? text : text.replace(at, 8, amount);
         };
-        if (const double* z = statement_.number("z"))
+        const double* z = statement_.number("z");
+        const bool higher = metric_ != nullptr && metric_->direction == Direction::higher;
+        const bool more_than_twice = !higher && *limit > 0 && *value > 2 * *limit;
+        if ((z != nullptr && *z > z_shown_up_to) || (z == nullptr && more_than_twice))
+            return marked(QT_TRANSLATE_NOOP("fulcrum::statements", "far outside"));
+        if (z != nullptr)
             return with(
                 QT_TRANSLATE_NOOP("fulcrum::statements", "{amount} standard deviations from the experts"),
                 decimal_text(*z, 1));
-        const bool higher = metric_ != nullptr && metric_->direction == Direction::higher;
         if (!higher && *limit > 0)
             return with(QT_TRANSLATE_NOOP("fulcrum::statements", "{amount} % over"),
                         decimal_text(100.0 * (*value - *limit) / *limit, 0));

@@ -9,6 +9,9 @@
 
 namespace fulcrum {
 
+/// Beyond this z the number says nothing more: "far outside".
+inline constexpr double z_shown_up_to = 5;
+
 /// `words`: English, with the parameters in braces. In addition to a statement's own parameters there are
 /// {where} (hand and step), {of_hand}, {in_tissue}, {on_tissue}, {event}, {time}, and of a metric {metric},
 /// {fault}, {excess}, {remedy}.

@@ -25,14 +25,26 @@ std::string phase_of(const ScoreInput& input, const GateResult& gate) {
     return phase_at(input, 0.5 * (gate.evidence.front().begin + gate.evidence.front().end));
 }
 
+/// What the task says to try where a gate is not met; "": the metric says it.
+std::string task_advice(const ScoreInput& input, const GateResult& gate) {
+    for (const GateSpec& spec : input.task.gates)
+        if (spec.metric == gate.metric && spec.hand == gate.hand && spec.tissue == gate.tissue)
+            return spec.advice;
+    return {};
+}
+
 Advice missed_advice(const ScoreInput& input, const GateResult& gate) {
     const double value = gated_value(*find_metric(gate.metric), *gate.value);
-    const Parameter metric{"metric", gate.metric}, hand{"hand", gate.hand}, tissue{"tissue", gate.tissue},
-        phase{"phase", phase_of(input, gate)}, reached{"value", value}, limit{"limit", *gate.limit};
-    if (gate.z)
-        return {{StatementId::gate_missed, {metric, hand, tissue, phase, reached, limit, {"z", *gate.z}}},
-                gate.evidence};
-    return {{StatementId::gate_missed, {metric, hand, tissue, phase, reached, limit}}, gate.evidence};
+    Statement statement(StatementId::gate_missed, {{"metric", gate.metric},
+                                                   {"hand", gate.hand},
+                                                   {"tissue", gate.tissue},
+                                                   {"phase", phase_of(input, gate)},
+                                                   {"value", value},
+                                                   {"limit", *gate.limit}});
+    if (gate.z) statement.add({"z", *gate.z});
+    const std::string advice = task_advice(input, gate);
+    if (!advice.empty()) statement.add({"advice", advice});
+    return {std::move(statement), gate.evidence};
 }
 
 Advice critical_advice(const ScoreInput& input, const CriticalError& error) {

@@ -14,6 +14,10 @@ namespace {
 constexpr double least_novice_z = 0.5;
 constexpr int benchmark_gate_limit = 6;
 
+bool has_points(const BenchmarkLevel& level) {
+    return level.z_novice && *level.z_novice > least_novice_z;
+}
+
 /// Holds a value against an absolute limit.
 void judge_absolute(GateResult& gate, const MetricDescriptor& descriptor, double limit) {
     gate.kind = GateKind::absolute;
@@ -43,16 +47,17 @@ void judge_benchmark(GateResult& gate, const MetricDescriptor& descriptor, const
     gate.points = points_of(level, *gate.z);
 }
 
-/// A gate whose metric is absent: failed where the trainee did not do it and the metric says so, else not
-/// judged.
-void judge_absence(GateResult& gate, const MetricDescriptor& descriptor, const MetricResult* result) {
+/// A gate whose metric is absent: failed, without points, where the trainee did not do it; not judged where
+/// it was not measured.
+void judge_absence(GateResult& gate, const BenchmarkLevel* level, const MetricResult* result) {
     if (result == nullptr) {
         gate.absent_because = StatementId::metric_not_computed;
         return;
     }
     gate.absent_because = result->absent_because;
-    if (result->absence == Absence::not_done && descriptor.absent_means == AbsentMeans::failed)
-        gate.passed = false;
+    if (result->absence != Absence::not_done) return;
+    gate.passed = false;
+    if (level != nullptr && has_points(*level)) gate.points = 0.0;
 }
 
 }  // namespace
@@ -83,7 +88,7 @@ bool keeps_limit(const MetricDescriptor& descriptor, double value, double limit)
 }
 
 std::optional<double> points_of(const BenchmarkLevel& level, double z) {
-    if (!level.z_novice || *level.z_novice <= least_novice_z) return std::nullopt;
+    if (!has_points(level)) return std::nullopt;
     return 100.0 * std::clamp((*level.z_novice - z) / *level.z_novice, 0.0, 1.0);
 }
 
@@ -105,13 +110,13 @@ GateResult judge_gate(const GateSpec& spec, const std::vector<MetricResult>& met
         gate.value = result->value;
         gate.evidence = result->evidence;
     }
+    const BenchmarkLevel* level = nullptr;
     if (spec.kind == GateKind::absolute) {
         gate.limit_source = spec.limit_source;
         gate.provisional = spec.provisional;
         judge_absolute(gate, *descriptor, spec.limit);
     } else {
-        const BenchmarkLevel* level =
-            benchmark == nullptr ? nullptr : benchmark->find(spec.metric, spec.hand, spec.tissue);
+        level = benchmark == nullptr ? nullptr : benchmark->find(spec.metric, spec.hand, spec.tissue);
         if (level == nullptr) {
             gate.absent_because =
                 benchmark == nullptr ? StatementId::no_benchmark : StatementId::no_benchmark_level;
@@ -119,7 +124,7 @@ GateResult judge_gate(const GateSpec& spec, const std::vector<MetricResult>& met
         }
         judge_benchmark(gate, *descriptor, *level, *benchmark);
     }
-    if (!gate.value) judge_absence(gate, *descriptor, result);
+    if (!gate.value) judge_absence(gate, level, result);
     return gate;
 }
 

@@ -10,6 +10,9 @@ namespace fulcrum {
 
 namespace {
 
+constexpr double best_failed =
+    pass_mark - 1;  // points of a failed attempt whose benchmark gates are all at their best
+
 /// A value that a part of an attempt has already broken stays broken however the attempt would have gone on.
 bool stays_broken(const std::string& metric) {
     const MetricDescriptor* d = find_metric(metric);
@@ -20,35 +23,32 @@ bool stays_broken(const std::string& metric) {
            d->aggregation == Aggregation::count;
 }
 
-/// The task's own absolute gates that the recorded part of an interrupted attempt breaks for good.
-bool broke_absolute_limit(const ScoreInput& input, const std::vector<GateResult>& gates) {
-    for (std::size_t i = 0; i < gates.size(); ++i)
-        if (input.task.gates[i].kind == GateKind::absolute && gates[i].value && gates[i].passed == false &&
-            stays_broken(gates[i].metric))
-            return true;
-    return false;
+/// Whether the recorded part of an attempt breaks a gate for good.
+bool broke_for_good(const std::vector<GateResult>& gates) {
+    return std::any_of(gates.begin(), gates.end(), [](const GateResult& gate) {
+        return gate.value && gate.passed == false && stays_broken(gate.metric);
+    });
 }
 
 /// Passed, failed or not scored; the order of the rules is the order in which they beat one another.
 void decide(const ScoreInput& input, Score& score) {
     const auto not_scored = [&](Statement reason) { score.not_scored_because = std::move(reason); };
+    // Nothing that happens later takes these back: no crash, no lost device, no simulator fault.
+    const bool cut_off =
+        input.state == AttemptState::interrupted || input.state == AttemptState::failed_simulation;
+    if (!score.critical_errors.empty() || ((cut_off || input.device_lost) && broke_for_good(score.gates))) {
+        score.passed = false;
+        return;
+    }
     if (input.state == AttemptState::failed_simulation) return not_scored(StatementId::simulator_failed);
-    if (!score.critical_errors.empty()) {
-        score.passed = false;
-        return;
-    }
-    if (input.state == AttemptState::interrupted) {
-        if (broke_absolute_limit(input, score.gates)) {
-            score.passed = false;
-            return;
-        }
-        return not_scored(StatementId::attempt_interrupted);
-    }
+    if (input.state == AttemptState::interrupted) return not_scored(StatementId::attempt_interrupted);
     if (input.state != AttemptState::completed) {
-        if (!input.moved) return not_scored(StatementId::ended_before_moving);
+        if (input.state == AttemptState::abandoned && !input.moved)
+            return not_scored(StatementId::ended_before_moving);
         score.passed = false;
         return;
     }
+    if (input.device_lost) return not_scored(StatementId::device_was_lost);
     if (score.gates.empty()) return not_scored(StatementId::no_gates);
     const GateResult* open = nullptr;
     for (const GateResult& gate : score.gates) {
@@ -65,8 +65,8 @@ void decide(const ScoreInput& input, Score& score) {
     score.passed = true;
 }
 
-/// Mean over the gates that have points. A part of an attempt has none: a short path of an abandoned attempt
-/// is no merit.
+/// Mean over the gates that have points, on the verdict's side of the pass mark. A part of an attempt has
+/// none: a short path of an abandoned attempt is no merit.
 std::optional<double> attempt_points(const ScoreInput& input, const Score& score) {
     if (!score.passed) return std::nullopt;
     if (!score.critical_errors.empty()) return 0.0;
@@ -75,7 +75,9 @@ std::optional<double> attempt_points(const ScoreInput& input, const Score& score
     int count = 0;
     for (const GateResult& gate : score.gates)
         if (gate.points) sum += *gate.points, ++count;
-    return count > 0 ? std::optional<double>(sum / count) : std::nullopt;
+    if (count == 0) return std::nullopt;
+    const double share = sum / count / 100;
+    return *score.passed ? pass_mark + (100 - pass_mark) * share : best_failed * share;
 }
 
 }  // namespace
@@ -162,6 +164,8 @@ Score score_attempt(const TaskDefinition& task, const Trace& trace, const std::v
     input.why_no_benchmark = why_no_benchmark;
     input.moved = std::any_of(events.begin(), events.end(),
                               [](const Event& event) { return event.kind == EventKind::first_movement; });
+    input.device_lost = std::any_of(events.begin(), events.end(),
+                                    [](const Event& event) { return event.kind == EventKind::device_back; });
     input.critical_errors = critical_errors(task, events, trace);
     input.phases = phases_of(task, events, trace);
     return score_attempt(input);

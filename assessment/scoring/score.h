@@ -44,10 +44,13 @@ struct GateResult {
     std::vector<TimeInterval> evidence;
 };
 
+/// Points of a passed attempt are at least this, points of a failed one are below it.
+inline constexpr double pass_mark = 60;
+
 struct Score {
     std::optional<bool> passed;
     Statement not_scored_because;  ///< empty where passed has a value
-    std::optional<double> points;  ///< never without passed
+    std::optional<double> points;  ///< never without passed, never on the other side of the pass mark
     bool provisional = false;      ///< some gate's limit is provisional
     std::vector<GateResult> gates;
     std::vector<CriticalError> critical_errors;
@@ -70,7 +73,8 @@ struct ScoreInput {
     };
     std::vector<Phase> phases = {};
     Statement why_no_benchmark =
-        {};  ///< with a null `benchmark`: there is one, but it does not fit this scene
+        {};                    ///< with a null `benchmark`: there is one, but it does not fit this scene
+    bool device_lost = false;  ///< a device was lost and came back: what followed is practice
 };
 
 /// Pure: the same input gives the same score and advice.

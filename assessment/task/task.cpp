@@ -168,6 +168,7 @@ class TaskReader {
         copy(node, "limit", gate.limit);
         copy(node, "limit_source", gate.limit_source);
         copy(node, "provisional", gate.provisional);
+        copy(node, "advice", gate.advice);
         if (std::find(task_.metrics.begin(), task_.metrics.end(), gate.metric) == task_.metrics.end()) {
             document_.fail(place + "/metric",
                            "the gate's metric \"" + gate.metric + "\" is not among the task's metrics",

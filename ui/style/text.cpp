@@ -86,10 +86,9 @@ QString figure_with_unit(const std::optional<double>& value, const std::string& 
 }
 
 QString z_text(const std::optional<double>& z) {
-    constexpr double shown_up_to = 5;  // beyond it the number says nothing more
     if (!z || !std::isfinite(*z)) return QStringLiteral("–");
-    if (*z < -shown_up_to) return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "below −5"));
-    if (*z > shown_up_to) return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "above 5 (far outside)"));
+    if (*z < -z_shown_up_to) return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "below −5"));
+    if (*z > z_shown_up_to) return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "above 5 (far outside)"));
     return QString::number(*z, 'f', 2).replace(QLatin1Char('-'), QChar(0x2212));
 }
 

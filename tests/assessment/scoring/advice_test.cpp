@@ -36,10 +36,10 @@ TEST(Advice, ThenTheAbsoluteGateFurthestBeyondItsLimit) {
     EXPECT_EQ(advice_of(figures(500, -9, 6, 0)),
               "Left hand, in 'Run the bowel': the force rose to 6.0 N, above the limit of 4.0 N (50 % over); "
               "approach slowly, and stop pulling when the tissue no longer gives.");
-    EXPECT_EQ(
-        advice_of(figures(500, -9, 6, 3)),
-        "In 'Run the bowel': 3 objects were dropped, above the limit of 1 (200 % over); release it only when "
-        "the object rests.");
+    EXPECT_EQ(advice_of(figures(500, -9, 6, 3)),
+              "In 'Run the bowel': 3 objects were dropped, above the limit of 1 (far outside); release it "
+              "only when "
+              "the object rests.");
 }
 
 TEST(Advice, ThenTheBenchmarkGateFurthestFromTheExperts) {
@@ -49,6 +49,29 @@ TEST(Advice, ThenTheBenchmarkGateFurthestFromTheExperts) {
               "and let it "
               "run out in one "
               "stroke.");
+}
+
+TEST(Advice, NeverSaysMoreThanFarOutside) {
+    const std::string time = advice_of(figures(std::exp(9), -1.5, 1, 0));
+    EXPECT_NE(time.find("(far outside)"), std::string::npos) << time;
+    EXPECT_EQ(time.find("standard deviations"), std::string::npos) << time;
+    const std::string force = advice_of(figures(50, -1.5, 60, 0));
+    EXPECT_NE(force.find("(far outside)"), std::string::npos) << force;
+    EXPECT_EQ(force.find('%'), std::string::npos) << force;
+}
+
+TEST(Advice, OfATaskTakesThePlaceOfTheMetrics) {
+    TaskDefinition task = small_task();
+    for (GateSpec& gate : task.gates)
+        if (gate.metric == "f_max") gate.advice = "stop as soon as the sphere is lit";
+    const BenchmarkSet set = small_set();
+    const std::vector<MetricResult> metrics = figures(50, -1.5, 6, 0);
+    const Score score = score_attempt(ScoreInput{task, metrics, &set});
+    EXPECT_NE(words_of(score.advice).find("(50 % over); stop as soon as the sphere is lit."),
+              std::string::npos)
+        << words_of(score.advice);
+    // What a store keeps reads the same.
+    EXPECT_EQ(words_of(statement_of(stored_text(score.advice))), words_of(score.advice));
 }
 
 TEST(Advice, OfAPassNamesTheNarrowestGate) {
