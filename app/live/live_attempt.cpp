@@ -4,6 +4,7 @@
 #include <mutex>
 #include <thread>
 
+#include "app/live/attempt_recording.h"
 #include "app/live/device_watch.h"
 #include "app/live/real_time.h"
 #include "database/records/attempts.h"
@@ -11,8 +12,6 @@
 
 namespace fulcrum::app {
 namespace {
-
-constexpr std::uint32_t flush_every_ticks = 700;
 
 constexpr std::size_t world_ring_ticks =
     512;  // half a second: a world that stalls longer loses ticks, counted
@@ -52,8 +51,7 @@ struct LiveAttempt::State : public AttemptSink {
     LiveRequest request;
     std::unique_ptr<AttemptEngine>
         engine;  // created by the recorder thread; the owner reads it once `built` is set
-    std::unique_ptr<database::Recorder>
-        recorder;  // created when the attempt begins; null for a demonstration
+    std::unique_ptr<AttemptRecording> recording;  // created when the attempt begins; null for a demonstration
     std::vector<Vector3> targets;
 
     Ring<TickOutput> world_ring{world_ring_ticks};
@@ -79,8 +77,6 @@ struct LiveAttempt::State : public AttemptSink {
 
     LoopCounters counters;
     std::thread haptic_thread, world_thread, recorder_thread;
-    bool relabel_wanted = false;  // recorder thread
-    std::uint32_t flushed_tick = 0;
 
     explicit State(LiveRequest request_in) : request(std::move(request_in)) {}
     bool recorded() const { return !request.store_path.empty(); }
@@ -126,7 +122,6 @@ std::uint32_t LiveAttempt::State::device_flags(const RigSample& sample) noexcept
         watched.publish();
     }
     device_lost.store(watch.lost(), std::memory_order_relaxed);
-    if (watch.went_on()) became_practice.store(true, std::memory_order_relaxed);
     if (watch.expired()) stop.store(true, std::memory_order_relaxed);
     return flags;
 }
@@ -235,32 +230,22 @@ void LiveAttempt::State::run_world() noexcept {
 void LiveAttempt::State::drain() {
     RecordTick tick;
     while (record_ring.pop(tick)) {
-        if (!recorder) continue;
-        recorder->append(tick.input);
-        recorder->append(tick.sample);
+        if (!recording) continue;
+        recording->append(tick.input);
+        recording->append(tick.sample);
     }
     RecordWorld world;
     while (record_world_ring.pop(world)) {
-        if (!recorder) continue;
+        if (!recording) continue;
         if (world.is_event) {
-            recorder->append(world.event);
-            if (world.event.kind == EventKind::device_back) relabel_wanted = request.assessed;
+            recording->append(world.event);
         } else {
-            recorder->append(world.step);
+            recording->append(world.step);
         }
     }
-    // At least once a second: a kill loses only the ticks after the last flush.
-    if (recorder && tick_count.load() >= flushed_tick + flush_every_ticks) {
-        try {
-            recorder->flush();
-            flushed_tick = tick_count.load();
-        } catch (const database::StoreError& locked) {
-            if (locked.kind() != database::StoreErrorKind::locked) throw;
-        }
-    }
-    // Relabelled immediately, not at the end, so that the attempt is practice even if the program is killed.
-    if (relabel_wanted && recorder->relabel_as_practice("a device was lost and came back"))
-        relabel_wanted = false;
+    if (!recording) return;
+    recording->keep(tick_count.load());
+    if (recording->became_practice()) became_practice.store(true);
 }
 
 void LiveAttempt::State::fail(const std::string& what, std::exception_ptr why) {
@@ -275,9 +260,7 @@ void LiveAttempt::State::run_recorder() {
         build();
         may_begin.wait();
         if (stop.load()) return fail("the attempt had not begun; nothing was stored", nullptr);
-        if (recorded())
-            recorder =
-                std::make_unique<database::Recorder>(request.store_path, *request.session, request.meta);
+        if (recorded()) recording = std::make_unique<AttemptRecording>(request, targets);
     } catch (const std::exception& why) {
         return fail(std::string("the attempt could not be started: ") + why.what(), std::current_exception());
     }
@@ -305,7 +288,7 @@ void LiveAttempt::State::run_recorder() {
 }
 
 void LiveAttempt::State::finish() {
-    if (!recorder) {  // a demonstration is not stored
+    if (!recording) {  // a demonstration is not stored
         finished.store(true);
         return;
     }
@@ -315,33 +298,26 @@ void LiveAttempt::State::finish() {
     if (lost > 0) {
         mark.kind = EventKind::samples_lost;
         mark.detail = static_cast<std::int32_t>(lost);
-        recorder->append(mark);
+        recording->append(mark);
     }
     if (!ended.load()) {
-        mark.kind = EventKind::interrupted;
+        // A trainee who closes the window abandons the attempt.
+        mark.kind = abandon.load() ? EventKind::abandoned : EventKind::interrupted;
         mark.detail = 0;
-        recorder->append(mark);
+        recording->append(mark);
     }
-    recorder->flush();
-    // Scored from the stored record, not from memory, so that the score belongs to what was stored.
-    database::Store store = database::Store::open(request.store_path, [] {
-        database::StoreOptions options;
-        options.read_only = true;
-        return options;
-    }());
-    const database::Trace trace =
-        database::Attempts(store).read_trace(*request.session, recorder->attempt_id());
-    ScoredAttempt score = score_record(request.loaded.scene, request.loaded.task, targets, trace.samples,
-                                       trace.events, request.benchmark ? &*request.benchmark : nullptr);
+    recording->settle();
+    if (recording->became_practice()) became_practice.store(true);
+    ScoredAttempt score = recording->score();
     RunOutcome outcome;
     outcome.state_hash = engine->state_hash();
     const std::uint32_t missed = counters.missed();
     const database::AttemptResult stored = attempt_result(
         score, outcome, tick_count.load() * engine->scene().tick_period(), missed, lost, request.meta.limits);
-    recorder->finish(stored);
+    recording->finish(stored);
     const std::lock_guard<std::mutex> lock(end_mutex);
     ui::AttemptOutcome shown;
-    shown.attempt_id = recorder->attempt_id();
+    shown.attempt_id = recording->attempt_id();
     shown.state = stored.state;
     shown.duration_s = stored.duration_s;
     shown.missed_ticks = missed;
@@ -463,7 +439,7 @@ std::string LiveAttempt::message() const {
         return device_name(watched.culprit) + what +
                " The force was reduced to zero and the timer is stopped; the recording is kept. Reconnect "
                "the device: within one minute the attempt can resume as practice, after that it is closed as "
-               "interrupted.";
+               "interrupted. An attempt that had already failed stays failed.";
     }
     return {};
 }

@@ -47,6 +47,10 @@ int perform_until_killed(const char* folder, const char* counters, unsigned long
 /// The same through the window: signs in, starts, moves and abandons by mouse and key events.
 int use_window_until_killed(const char* folder, const char* counters, unsigned long seed);
 
+/// Breaks a limit in an assessed attempt, brings it to a moment (escapes_test.cpp), sets `finished` and
+/// waits.
+int break_limit_until_killed(const char* folder, const char* counters, int moment);
+
 inline constexpr const char* trainee_login = "tara";
 inline constexpr const char* trainee_password = "tara's password";
 

@@ -20,6 +20,10 @@ int main(int argc, char** argv) {
         QCoreApplication application(argc, argv);
         return fulcrum::app::test::perform_until_killed(argv[2], argv[3], std::strtoul(argv[4], nullptr, 10));
     }
+    if (asked("--break-limit")) {
+        QCoreApplication application(argc, argv);
+        return fulcrum::app::test::break_limit_until_killed(argv[2], argv[3], std::atoi(argv[4]));
+    }
     testing::InitGoogleTest(&argc, argv);
     QStandardPaths::setTestModeEnabled(true);
     QApplication application(argc, argv);

@@ -57,15 +57,16 @@ struct Realignment {
     } hand[hand_count];
 };
 
-/// One attempt while it runs. Destroying it before the end closes the attempt as interrupted and stores it.
+/// One attempt while it runs. Destroying it before the end closes and stores it: as abandoned after
+/// abandon(), else as interrupted.
 class AttemptSession {
   public:
     virtual ~AttemptSession() = default;
     virtual const Scene& scene() const = 0;
     virtual const TaskDefinition& task() const = 0;
     virtual bool assessed() const = 0;
-    /// It began as assessed and continues as practice, because a device was lost; assessed() is false from
-    /// then on.
+    /// It began as assessed and continues as practice, because a device was lost and nothing before had
+    /// failed the attempt; assessed() is false from then on.
     virtual bool became_practice() const = 0;
     virtual AttemptPhase phase() const = 0;
     /// Starts the timer of a ready attempt: input, physics and recording begin.
@@ -82,7 +83,8 @@ class AttemptSession {
     virtual void resume() = 0;
     /// In device_lost: where the devices are.
     virtual Realignment realignment() = 0;
-    /// Ends the attempt as abandoned (or interrupted, when closed by the lock).
+    /// Ends the attempt as abandoned: also where the trainee closes the window or signs out. interrupt() is
+    /// for what no trainee decides.
     virtual void abandon() = 0;
     virtual void interrupt() = 0;
     /// For device_lost and failed: one line of what happened and what to do; else empty.

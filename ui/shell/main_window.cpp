@@ -220,14 +220,14 @@ void MainWindow::connect_context() {
     connect(&idle_, &IdleWatch::lock, this, &MainWindow::lock);
     connect(&idle_, &IdleWatch::close_attempt, this, [this] {
         if (TheatrePage* theatre = running_theatre()) {
-            theatre->close_as_interrupted();
+            theatre->close_attempt(TheatrePage::Closed::by_idle_watch);
             lock_page_->set_notice(tr("The attempt was closed as interrupted and stored."));
         }
     });
     connect(lock_page_, &LockPage::unlocked, this, &MainWindow::unlock);
     connect(lock_page_, &LockPage::switch_user, this, [this] {
         unlock();
-        if (TheatrePage* theatre = running_theatre()) theatre->close_as_interrupted();
+        if (TheatrePage* theatre = running_theatre()) theatre->close_attempt(TheatrePage::Closed::by_trainee);
         context_.sign_out();
     });
 }

@@ -65,7 +65,9 @@ TheatrePage::TheatrePage(Context& context) : Page(context, "theatre_page"), view
     connect(&timer_, &QTimer::timeout, this, &TheatrePage::tick);
 }
 
-TheatrePage::~TheatrePage() = default;
+TheatrePage::~TheatrePage() {
+    if (session_ != nullptr && has_begun()) session_->abandon();
+}
 
 bool TheatrePage::open(const std::function<void()>& work) {
     if (is_running()) return false;
@@ -162,20 +164,24 @@ void TheatrePage::cancel() {
 void TheatrePage::leave() {
     timer_.stop();
     view_->unsetCursor();
-    close_as_interrupted();
+    close_attempt(Closed::by_trainee);
 }
 
-void TheatrePage::close_as_interrupted() {
+void TheatrePage::close_attempt(Closed why) {
     if (session_ == nullptr) return;
     const bool begun = has_begun() && demonstrated_.isEmpty();
-    session_->interrupt();
+    const bool abandons = why == Closed::by_trainee;
+    if (begun && abandons) session_->abandon();
+    if (begun && !abandons) session_->interrupt();
     end_session();
     if (!begun) {
         show_panel(Panel::failed, tr("Closed"), tr("The attempt had not begun; nothing was stored."));
         return;
     }
-    view_->set_notice(tr("The attempt was closed as interrupted."));
-    show_panel(Panel::failed, tr("Interrupted"), tr("The attempt was closed as interrupted and stored."));
+    const QString line = abandons ? tr("The attempt was closed, counts as abandoned and is stored.")
+                                  : tr("The attempt was closed as interrupted and stored.");
+    view_->set_notice(line);
+    show_panel(Panel::failed, abandons ? tr("Abandoned") : tr("Interrupted"), line);
 }
 
 void TheatrePage::pause() {

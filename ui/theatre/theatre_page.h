@@ -32,7 +32,10 @@ class TheatrePage : public Page {
     void enter() override;
     void leave() override;
     void pause();
-    void close_as_interrupted();
+    /// Who ends an attempt before its time: the trainee, who abandons it, or the watch over idle hands, which
+    /// interrupts it.
+    enum class Closed { by_trainee, by_idle_watch };
+    void close_attempt(Closed why);
     /// Someone wants to go elsewhere while the attempt runs: pause and ask.
     void ask_before_leaving();
     TheatreView* view() const { return view_; }

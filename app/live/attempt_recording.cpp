@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/live/attempt_recording.h"
+
+#include <chrono>
+
+#include "database/records/attempts.h"
+
+namespace fulcrum::app {
+namespace {
+
+constexpr std::uint32_t flush_every_ticks = 700;
+
+/// Events that can fail an attempt: a crash a moment later must not take them back.
+bool can_fail(EventKind kind) {
+    switch (kind) {
+        case EventKind::perforation:
+        case EventKind::tear:
+        case EventKind::drop:
+        case EventKind::vessel_injury:
+        case EventKind::nerve_injury:
+        case EventKind::over_force_begin:
+        case EventKind::jaw_pressure:
+        case EventKind::device_lost:
+        case EventKind::simulator_fault:
+            return true;
+        default:
+            return false;
+    }
+}
+
+}  // namespace
+
+AttemptRecording::AttemptRecording(const LiveRequest& request, std::vector<Vector3> targets)
+    : request_(request),
+      targets_(std::move(targets)),
+      recorder_(request.store_path, *request.session, request.meta) {}
+
+void AttemptRecording::append(const Event& event) {
+    recorder_.append(event);
+    keep_now_ = keep_now_ || can_fail(event.kind);
+    if (!request_.assessed) return;
+    if (event.kind == EventKind::device_lost) lost_now_ = true;
+    if (event.kind == EventKind::device_back) came_back_ = true;
+}
+
+void AttemptRecording::keep(std::uint32_t tick) {
+    if (keep_now_ || tick >= flushed_tick_ + flush_every_ticks) {
+        try {
+            recorder_.flush();
+            flushed_tick_ = tick;
+            keep_now_ = false;
+        } catch (const database::StoreError& locked) {
+            if (locked.kind() != database::StoreErrorKind::locked) throw;
+            return;
+        }
+    }
+    if (lost_now_) {
+        lost_now_ = false;
+        if (!failed_before_.valid())
+            failed_before_ =
+                std::async(std::launch::async, [this] { return score().score.passed == false; }).share();
+    }
+    relabel();
+}
+
+// What follows a lost device is practice, unless what came before has failed the attempt: then it stays
+// assessed. Relabelled as soon as that is known, so that the attempt is practice even if the program is
+// killed.
+void AttemptRecording::relabel() {
+    if (!came_back_ || practice_ || !failed_before_.valid()) return;
+    if (failed_before_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+    if (failed_before_.get()) return;
+    practice_ = recorder_.relabel_as_practice("a device was lost and came back");
+}
+
+void AttemptRecording::settle() {
+    recorder_.flush();
+    if (!failed_before_.valid()) return;
+    failed_before_.wait();
+    relabel();
+}
+
+ScoredAttempt AttemptRecording::score() const {
+    database::StoreOptions options;
+    options.read_only = true;
+    const database::Store store = database::Store::open(request_.store_path, options);
+    const database::Trace trace =
+        database::Attempts(store).read_trace(*request_.session, recorder_.attempt_id());
+    return score_record(request_.loaded.scene, request_.loaded.task, targets_, trace.samples, trace.events,
+                        request_.benchmark ? &*request_.benchmark : nullptr);
+}
+
+}  // namespace fulcrum::app
