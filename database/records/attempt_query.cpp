@@ -154,14 +154,18 @@ AttemptSummary query_attempt(const Store& store, const std::string& attempt_id) 
     return summary_of_row(row);
 }
 
+bool is_cut_off(AttemptState state) {
+    return state == AttemptState::interrupted || state == AttemptState::failed_simulation;
+}
+
 bool is_counting(const AttemptSummary& attempt) {
     if (attempt.meta.mode != AttemptMode::assessed || attempt.voided_at > 0 || !attempt.passed) return false;
     const AttemptState state = attempt.recorded_state;
     if (state == AttemptState::completed || state == AttemptState::abandoned ||
         state == AttemptState::timed_out)
         return true;
-    // An interruption does not count, unless what was recorded failed already.
-    return state == AttemptState::interrupted && !*attempt.passed;
+    // What was cut off does not count, unless what was recorded failed already.
+    return is_cut_off(state) && !*attempt.passed;
 }
 
 }  // namespace fulcrum::database

@@ -34,8 +34,10 @@ std::string person_of(const Store& store, const std::string& attempt_id);
 std::string require_attempt(const Store& store, const Session& session, Operation operation,
                             const std::string& attempt_id);
 
-/// Whatever the person: assessed, not voided, and ended by the trainee or the time limit with a score, or
-/// interrupted and failed (docs/MANUAL.md).
+/// Interrupted, or ended by a simulator fault: by nobody's will.
+bool is_cut_off(AttemptState state);
+/// Whatever the person: assessed, not voided, and ended by the trainee or the time limit with a score, or cut
+/// off and failed (docs/MANUAL.md).
 bool is_counting(const AttemptSummary& attempt);
 
 }  // namespace fulcrum::database

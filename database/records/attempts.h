@@ -46,6 +46,12 @@ struct StaleScore {
     std::optional<bool> passed;  ///< of the score in force
 };
 
+/// Assessed attempts of one person at one task that were cut off one after the other: interrupted, ended by a
+/// simulator fault, or turned into practice by a lost device. Newest first.
+struct CutOffSeries {
+    std::vector<AttemptSummary> attempts;
+};
+
 class Attempts {
   public:
     explicit Attempts(const Store& store) : store_(store) {}
@@ -57,6 +63,9 @@ class Attempts {
     /// Interrupted attempts within the session's scope that nobody has scored yet, oldest first: what their
     /// record holds decides whether they failed (docs/MANUAL.md), and add_score() writes it.
     std::vector<AttemptSummary> interrupted_without_score(const Session& session) const;
+    /// The newest attempts of each real person at each task, where at least `least` in a row were cut off;
+    /// the series with the newest attempt first. Of those the session may read.
+    std::vector<CutOffSeries> cut_off_series(const Session& session, std::size_t least = 3) const;
     /// The score in force, if the attempt has one.
     std::optional<ScoreRow> score(const Session& session, const std::string& attempt_id) const;
     /// All scores, the one in force first.

@@ -17,6 +17,10 @@ AttemptsPage::AttemptsPage(Context& context) : Page(context, "attempts_page") {
     layout->setSpacing(12);
     title_ = make_label(tr("Attempts"), "title");
     layout->addWidget(title_);
+    cut_off_card_ = make_card(4);
+    cut_off_card_->setObjectName(QStringLiteral("cut_off_attempts"));
+    cut_off_ = card_layout(cut_off_card_);
+    layout->addWidget(cut_off_card_);
     requests_card_ = make_card(4);
     requests_ = card_layout(requests_card_);
     layout->addWidget(requests_card_);
@@ -63,6 +67,7 @@ void AttemptsPage::enter() {
     cohort_->setVisible(!own);
     person_->setVisible(!own);
     fill_requests();
+    fill_cut_off();
     load();
     count_stale();
     table_->setFocus();
@@ -206,6 +211,33 @@ void AttemptsPage::fill_requests() {
         connect(button, &QPushButton::clicked, this,
                 [this, id = text(request.attempt_id)] { emit context().debrief_wanted(id, -1); });
         requests_->addWidget(button);
+    }
+}
+
+void AttemptsPage::fill_cut_off() {
+    clear_layout(cut_off_);
+    std::vector<database::CutOffSeries> series;
+    if (context().session().role() != database::Role::trainee)
+        context().guarded(
+            [&] { series = database::Attempts(context().store()).cut_off_series(context().session()); });
+    cut_off_card_->setVisible(!series.empty());
+    cut_off_->addWidget(
+        make_label(tr("Cut off three times in a row or more: %1").arg(series.size()), "heading"));
+    for (const database::CutOffSeries& one : series) {
+        const database::AttemptSummary& last = one.attempts.front();
+        QStringList recorded;
+        for (const database::AttemptSummary& attempt : one.attempts)
+            recorded +=
+                tr("%1 %2").arg(clock_text(attempt.duration_s), verdict(attempt.passed, attempt.provisional));
+        QPushButton* button =
+            make_button(tr("%1, %2: %3 attempts cut off, the last %4. Recorded: %5")
+                            .arg(person_text(last.person_name, last.synthetic), text(last.meta.task_id),
+                                 QString::number(one.attempts.size()), local_time(last.meta.started),
+                                 recorded.mid(0, 5).join(QStringLiteral(", "))),
+                        "cut_off_series", "link");
+        connect(button, &QPushButton::clicked, this,
+                [this, id = text(last.meta.id)] { emit context().debrief_wanted(id, -1); });
+        cut_off_->addWidget(button);
     }
 }
 

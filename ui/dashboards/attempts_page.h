@@ -34,13 +34,14 @@ class AttemptsPage : public Page {
     void recompute();
     void fill_filters();
     void fill_requests();
+    void fill_cut_off();
     void load();
     void open_row(int row);
 
     std::vector<database::AttemptSummary> attempts_;
     QLabel *title_, *count_;
-    QFrame* requests_card_;
-    QVBoxLayout* requests_;
+    QFrame *requests_card_, *cut_off_card_;
+    QVBoxLayout *requests_, *cut_off_;
     QFrame* stale_card_;
     QLabel* stale_;
     QPushButton* recompute_;
