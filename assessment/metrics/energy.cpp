@@ -1,33 +1,56 @@
 // SPDX-License-Identifier: Apache-2.0
 // Energy, heat and blood: time and safety of activations, thermal spread, blood loss.
 #include <algorithm>
+#include <optional>
 
 #include "assessment/metrics/analysis.h"
 #include "assessment/metrics/descriptor_text.h"
 #include "assessment/metrics/registry.h"
+#include "assessment/trace/cut_strokes.h"
 
 namespace fulcrum {
 
 namespace {
 
-/// The activations of a row's hand, with the conditions that held throughout.
+constexpr double release_time = 0.5;   // s: a pedal that is up for less is a pedal that is pumped
+constexpr double shortest_on = 0.001;  // s, so that no activation weighs nothing
+
+/// An activation of a row's hand, with the conditions that held throughout.
 struct ActivationSpan {
     TimeInterval when;
+    double on_time = 0;  ///< s
     Activation held;
     double distance = 0;  ///< m, least
 };
 
+/// Activations of one hand less than `release_time` apart are one, which is safe only if all of them were.
 std::vector<ActivationSpan> activations(const Analysis& analysis, int hand) {
     std::vector<ActivationSpan> spans;
     double begun[hand_count] = {-1, -1};
+    std::optional<std::size_t> last[hand_count];
     for (const Event& event : analysis.events()) {
         if (event.hand >= hand_count || (hand >= 0 && event.hand != hand)) continue;
         const double t = analysis.trace().time_of(event);
         if (event.kind == EventKind::activation_begin) begun[event.hand] = t;
         if (event.kind != EventKind::activation_end) continue;
         const double begin = begun[event.hand] >= 0 ? begun[event.hand] : t;
-        spans.push_back({{begin, t}, activation_of(event), static_cast<double>(event.value)});
         begun[event.hand] = -1;
+        const Activation held = activation_of(event);
+        const auto distance = static_cast<double>(event.value);
+        const double on_time = std::max(shortest_on, t - begin);
+        std::optional<std::size_t>& open = last[event.hand];
+        if (open && begin - spans[*open].when.end < release_time) {
+            ActivationSpan& span = spans[*open];
+            span.when.end = t;
+            span.on_time += on_time;
+            span.held.in_view = span.held.in_view && held.in_view;
+            span.held.on_target = span.held.on_target && held.on_target;
+            span.held.clear = span.held.clear && held.clear;
+            span.distance = std::min(span.distance, distance);
+            continue;
+        }
+        open = spans.size();
+        spans.push_back({{begin, t}, on_time, held, distance});
     }
     return spans;
 }
@@ -36,10 +59,11 @@ Figure energy_safe(const Analysis& analysis, const Selection& row) {
     const std::vector<ActivationSpan> spans = activations(analysis, row.hand);
     if (spans.empty()) return absent(Absence::not_done, StatementId::no_energy);
     std::vector<ScoredInterval> unsafe;
-    int safe = 0;
+    double safe = 0, all = 0;
     for (const ActivationSpan& span : spans) {
+        all += span.on_time;
         if (span.held.safe()) {
-            ++safe;
+            safe += span.on_time;
         } else {
             // Smaller distances from the named structure are worse; out of view and off target count as much
             // as 2 mm.
@@ -47,7 +71,7 @@ Figure energy_safe(const Analysis& analysis, const Selection& row) {
         }
     }
     Figure figure;
-    figure.value = 100.0 * safe / static_cast<double>(spans.size());
+    figure.value = 100.0 * safe / all;
     figure.count = static_cast<int>(spans.size());
     figure.evidence = worst_first(std::move(unsafe));
     return figure;
@@ -82,6 +106,43 @@ Figure energy_time(const Analysis& analysis, const Selection& row) {
     figure.value = sum;
     figure.count = static_cast<int>(spans.size());
     figure.evidence = worst_first(std::move(spans));
+    return figure;
+}
+
+/// Share of the divided length during which energy was on in the hand that divided.
+Figure energy_cut(const Analysis& analysis, const Selection&) {
+    const Trace& trace = analysis.trace();
+    std::vector<TimeInterval> on[hand_count];
+    double begun[hand_count] = {-1, -1};
+    for (const Event& event : analysis.events()) {
+        if (event.hand >= hand_count) continue;
+        if (event.kind == EventKind::activation_begin) begun[event.hand] = trace.time_of(event);
+        if (event.kind != EventKind::activation_end || begun[event.hand] < 0) continue;
+        on[event.hand].push_back({begun[event.hand], trace.time_of(event)});
+        begun[event.hand] = -1;
+    }
+    double all = 0, hot = 0;
+    std::vector<ScoredInterval> cold;
+    for (const CutStroke& stroke : cut_strokes(analysis.events(), trace.tick_period, trace.end)) {
+        double stroke_cold = 0;
+        for (const CutElement& element : stroke.elements) {
+            all += element.length;
+            double covered = 0;
+            if (stroke.hand >= 0)
+                for (const TimeInterval& span : on[stroke.hand])
+                    covered +=
+                        std::max(0.0, std::min(span.end, element.end) - std::max(span.begin, element.begin));
+            const double duration = element.end - element.begin;
+            const double share = duration > 0 ? std::min(1.0, covered / duration) : 0.0;
+            hot += share * element.length;
+            stroke_cold += (1 - share) * element.length;
+        }
+        if (stroke_cold > 0) cold.push_back({stroke_cold, {stroke.begin, stroke.end}});
+    }
+    if (!(all > 0)) return absent(Absence::not_done, StatementId::nothing_cut);
+    Figure figure;
+    figure.value = 100.0 * hot / all;
+    figure.evidence = worst_first(std::move(cold));
     return figure;
 }
 
@@ -154,20 +215,36 @@ std::vector<Metric> energy_metrics() {
         d.absent_means = AbsentMeans::failed;
         metrics.push_back({std::move(d), compute});
     };
-    add(describe({"energy_safe", QT_TRANSLATE_NOOP("fulcrum::metrics", "Safe activations"), "%", 1},
+    MetricDescriptor safe = describe(
+        {"energy_safe", QT_TRANSLATE_NOOP("fulcrum::metrics", "Safe use of energy"), "%", 1}, D::higher,
+        Scale::raw, A::share, E::expert,
+        "tip in view, on target tissue, at least 2 mm from a named structure, each throughout; "
+        "activations less than 0.5 s apart are one; weighed by on-time",
+        {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "Share of the time with energy on that belongs to activations with the "
+                           "tip in view, on the tissue to be divided or sealed, and clear of the "
+                           "marked structure from beginning to end."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "{value} of the time with energy on was safe, below the required {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "press the pedal only when the blade is in view, on the tissue to be "
+                           "divided and clear of the nerve")});
+    safe.version = 2;
+    add(std::move(safe), Hands::either, true, {}, energy_safe);
+    add(describe({"energy_cut", QT_TRANSLATE_NOOP("fulcrum::metrics", "Length divided under power"), "%", 1},
                  D::higher, Scale::raw, A::share, E::expert,
-                 "tip in view, on target tissue, at least 2 mm from a named structure, each throughout",
+                 "cut_advance between activation_begin and activation_end of the same hand; torn length "
+                 "counts as without power",
                  {QT_TRANSLATE_NOOP("fulcrum::metrics",
-                                    "Share of activations with the tip in view, on the tissue to be divided "
-                                    "or sealed, and clear of "
-                                    "the marked structure from "
-                                    "beginning to end."),
+                                    "Share of the divided length that was divided with energy on: a hook "
+                                    "has no edge, and fibres carry small vessels."),
                   QT_TRANSLATE_NOOP("fulcrum::metrics",
-                                    "{value} of the activations were safe, below the required {limit}"),
+                                    "{value} of the length was divided with energy on, below the required "
+                                    "{limit}"),
                   QT_TRANSLATE_NOOP("fulcrum::metrics",
-                                    "press the pedal only when the blade is in view, closed on the target "
-                                    "and clear of the nerve")}),
-        Hands::either, true, {}, energy_safe);
+                                    "press the pedal in short activations while the blade divides, and "
+                                    "divide cold only next to a nerve")}),
+        Hands::either, true, {}, energy_cut);
     add(describe(
             {"energy_time", QT_TRANSLATE_NOOP("fulcrum::metrics", "Time with energy on"), "s", 0.1}, D::lower,
             Scale::raw, A::total, E::expert, "sum of activations",

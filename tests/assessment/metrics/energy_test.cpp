@@ -75,6 +75,60 @@ TEST(EnergySafe, IsTheShareOfActivationsThatWereSafeThroughout) {
     EXPECT_NEAR(result.evidence[0].end, 7.0, 1e-9);
 }
 
+TEST(EnergySafe, WeighsOnTimeAndCountsAPumpedPedalAsOneActivation) {
+    const Trace trace = make_trace(20);
+    const int safe = detail_of(Activation{true, true, true}),
+              unsafe = detail_of(Activation{false, true, true});
+    const auto activation = [&](std::vector<Event>& events, double begin, double end, int detail) {
+        events.push_back(told(begin, EventKind::activation_begin, 0.02, detail, 1));
+        events.push_back(told(end, EventKind::activation_end, 0.02, detail, 1));
+    };
+    // 6 s held out of view, 2 s held in view: a quarter was safe.
+    std::vector<Event> held;
+    activation(held, 1, 7, unsafe);
+    activation(held, 9, 11, safe);
+    EXPECT_NEAR(*measure(trace, "energy_safe", "", held).value, 25.0, 1e-9);
+
+    // The same seconds pumped in 80 ms: out of view for one pulse in each.
+    std::vector<Event> pumped;
+    for (int pulse = 0; pulse < 38; ++pulse)
+        activation(pumped, 1 + 0.16 * pulse, 1.08 + 0.16 * pulse, pulse % 12 == 5 ? unsafe : safe);
+    activation(pumped, 9, 11, safe);
+    const MetricResult result = measure(trace, "energy_safe", "", pumped);
+    EXPECT_NEAR(*result.value, 100 * 2 / (2 + 38 * 0.08), 1e-6);
+    EXPECT_EQ(result.count, 2);
+    ASSERT_EQ(result.evidence.size(), 1U);
+    EXPECT_NEAR(result.evidence[0].begin, 1, 1e-6);
+
+    // Half a second apart they are two; the other hand's is never the same.
+    std::vector<Event> apart;
+    activation(apart, 1, 2, unsafe);
+    activation(apart, 2.501, 3.501, safe);
+    EXPECT_NEAR(*measure(trace, "energy_safe", "", apart).value, 50.0, 1e-6);
+    apart[2].hand = apart[3].hand = 0;
+    apart[2].tick = 2100;
+    EXPECT_EQ(measure(trace, "energy_safe", "", apart).count, 2);
+}
+
+TEST(EnergyCut, IsTheShareOfTheLengthDividedWithEnergyOn) {
+    const Trace trace = make_trace(20);
+    const auto at = [&](double t, EventKind kind, double along) { return told(t, kind, along, 0, 1); };
+    const std::vector<Event> events = {at(1, EventKind::cut_begin, 0),
+                                       told(2, EventKind::activation_begin, 0.02, 7, 1),
+                                       at(3, EventKind::cut_advance, 0.010),
+                                       told(3, EventKind::activation_end, 0.02, 7, 1),
+                                       at(4, EventKind::cut_advance, 0.020),
+                                       at(4, EventKind::cut_end, 0.020),
+                                       told(8, EventKind::fibres_parted, 0.020, 0),
+                                       told(9, EventKind::cut_advance, 0.025, 0)};
+    // Of 10 mm half under power, 10 mm cold, 5 mm torn.
+    const MetricResult result = measure(trace, "energy_cut", "", events);
+    EXPECT_NEAR(*result.value, 100 * 5.0 / 25.0, 1e-4);
+    ASSERT_EQ(result.evidence.size(), 2U);
+    EXPECT_NEAR(result.evidence[0].begin, 1, 1e-9);  // the longest cold stroke first
+    EXPECT_EQ(measure(trace, "energy_cut", "").absence, Absence::not_done);
+}
+
 TEST(EnergySafe, IsAbsentWithoutAnActivationAndWithoutEvents) {
     const Trace trace = make_trace(5);
     const MetricResult none = measure(trace, "energy_safe", "");
