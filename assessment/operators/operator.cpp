@@ -107,6 +107,11 @@ std::unique_ptr<ObservingRig> make_operator(const std::string& preset, const Tas
                          "use novice, intermediate or expert");
     }
     draw_form(preset, attempt, skill);
+    return make_operator(skill, task, scene, attempt);
+}
+
+std::unique_ptr<ObservingRig> make_operator(const Skill& skill, const TaskDefinition& task,
+                                            const Scene& scene, std::uint64_t attempt) {
     const GoalSite site = site_of(task);
     if (site == GoalSite::sheet) {
         int grasper = 0, blade = 0;

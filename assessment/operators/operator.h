@@ -14,6 +14,8 @@
 
 namespace fulcrum {
 
+struct Skill;
+
 /// A rig that is also shown the world. observe() is called on the stepping thread before the ticks that may
 /// use it.
 class ObservingRig : public Rig {
@@ -31,5 +33,9 @@ std::unique_ptr<ObservingRig> make_operator(const std::string& preset, const Tas
 std::unique_ptr<ObservingRig> make_operator(const std::string& preset, const TaskDefinition& task,
                                             const Scene& scene, std::uint64_t individual,
                                             std::uint64_t attempt);
+
+/// An operator of this skill, which need not be any preset's.
+std::unique_ptr<ObservingRig> make_operator(const Skill& skill, const TaskDefinition& task,
+                                            const Scene& scene, std::uint64_t attempt);
 
 }  // namespace fulcrum

@@ -1,0 +1,420 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/operators/cheats.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "sim_core/numerics/functions.h"
+
+namespace fulcrum {
+
+/// What a cheat sees and remembers.
+struct CheatView {
+    double time = 0;                                 ///< s since the first tick
+    TaskDisplay display;                             ///< as last shown
+    std::array<GraspState, hand_count> grasps;       ///< as last shown
+    std::array<bool, hand_count> vessel_held{};      ///< a band with a vessel is held
+    RigSample first;                                 ///< before anything moved
+    std::array<DeviceSample, hand_count> last_read;  ///< of the expert, the tick before
+    std::array<DeviceSample, hand_count> kept;       ///< a pose that was frozen
+    bool frozen = false, energy_used = false, energy_before = false;
+    double held_since = -1, pull = 0;  ///< s; m
+    std::uint16_t buttons_before = 0;
+};
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double early_s = 20;  // s after which some stop
+constexpr int left = 0, right = 1;
+
+std::int32_t counts(double metres) {
+    return static_cast<std::int32_t>(std::lround(metres / device_length_unit));
+}
+
+/// Moves a tip along its shaft, positive deeper.
+void along_shaft(DeviceSample& sample, double distance) {
+    double squares = 0;
+    for (const std::int32_t value : sample.handle) squares += static_cast<double>(value) * value;
+    const double length = std::sqrt(squares);
+    if (length <= 0) return;
+    const double scale = std::max(0.02, 1 - distance / device_length_unit / length);
+    for (std::int32_t& value : sample.handle)
+        value = static_cast<std::int32_t>(std::lround(scale * static_cast<double>(value)));
+}
+
+void aside(DeviceSample& sample, double x, double y) {
+    sample.handle[0] += counts(x);
+    sample.handle[1] += counts(y);
+}
+
+/// Both hands on a circle about where they would be.
+void circle(RigSample& sample, double time, double radius, double frequency) {
+    const double angle = 2 * pi * frequency * time;
+    const double begins = std::min(1.0, time);
+    for (DeviceSample& hand : sample.hand)
+        aside(hand, begins * radius * math::cos(angle), begins * radius * math::sin(angle));
+}
+
+bool moves_fast(const CheatView& view, const RigSample& sample) {
+    const double a_tick = 20e-6 / device_length_unit;  // 20 mm/s
+    for (std::size_t hand = 0; hand < hand_count; ++hand) {
+        double squares = 0;
+        for (int i = 0; i < 3; ++i) {
+            const double step = static_cast<double>(sample.hand[hand].handle[i]) -
+                                static_cast<double>(view.last_read[hand].handle[i]);
+            squares += step * step;
+        }
+        if (squares > a_tick * a_tick) return true;
+    }
+    return false;
+}
+
+bool holds(const CheatView& view) {
+    return view.grasps[left].held || view.grasps[right].held;
+}
+
+void mask_energy(RigSample& sample) {
+    for (DeviceSample& hand : sample.hand)
+        hand.buttons = static_cast<std::uint16_t>(hand.buttons & ~unsigned{button_energy});
+}
+
+/// Freezes both hands, as they are, from now on.
+void freeze(CheatView& view, RigSample& sample, bool now) {
+    if (now && !view.frozen) {
+        view.frozen = true;
+        view.kept = {sample.hand[left], sample.hand[right]};
+    }
+    if (!view.frozen) return;
+    sample.hand[left] = view.kept[left];
+    sample.hand[right] = view.kept[right];
+}
+
+// Skills.
+void slower(Skill& skill, double factor) {
+    for (double* value : {&skill.duration_scale, &skill.choice_s, &skill.dwell_s}) *value *= factor;
+    skill.lift_speed /= factor;
+}
+void slow(Skill& skill) {
+    slower(skill, 4);
+}
+void creep(Skill& skill) {
+    slower(skill, 12);
+}
+void rush(Skill& skill) {
+    slower(skill, 0.4);
+    skill.endpoint_noise *= 5;
+    skill.path_noise *= 5;
+    skill.depth_error *= 5;
+    skill.tolerance *= 3;
+    skill.line.error *= 8;
+    skill.traction.error *= 6;
+}
+void heavy(Skill& skill) {
+    skill.touch_force = 9;
+    skill.grip_force *= 4;
+    skill.comfortable_force *= 6;
+}
+void wander(Skill& skill) {
+    skill.drift = 0.004;
+    skill.tolerance *= 6;
+    skill.line.error *= 10;
+}
+
+// Hands.
+void nothing(CheatView& view, RigSample& sample) {
+    sample = view.first;
+}
+void sway(CheatView& view, RigSample& sample) {
+    sample = view.first;
+    circle(sample, view.time, 0.0009, 0.5);
+}
+void hover(CheatView& view, RigSample& sample) {
+    for (DeviceSample& hand : sample.hand) along_shaft(hand, -0.015 * std::min(1.0, view.time));
+}
+void plunge(CheatView& view, RigSample& sample) {
+    for (DeviceSample& hand : sample.hand) along_shaft(hand, 0.02 * std::min(1.0, view.time));
+}
+void left_only(CheatView& view, RigSample& sample) {
+    sample.hand[right] = view.first.hand[right];
+}
+void right_only(CheatView& view, RigSample& sample) {
+    sample.hand[left] = view.first.hand[left];
+}
+void swap_hands(CheatView& view, RigSample& sample) {
+    // Over one second, so that no reading jumps.
+    const double share = std::min(1.0, view.time);
+    const std::array<DeviceSample, hand_count> read = {sample.hand[left], sample.hand[right]};
+    for (std::size_t hand = 0; hand < hand_count; ++hand) {
+        const DeviceSample& other = read[1 - hand];
+        sample.hand[hand] = other;
+        for (int i = 0; i < 3; ++i)
+            sample.hand[hand].handle[i] = static_cast<std::int32_t>(
+                std::lround(share * other.handle[i] + (1 - share) * read[hand].handle[i]));
+    }
+}
+void camera_away(CheatView& view, RigSample& sample) {
+    const double angle = 0.9 * std::min(1.0, view.time);
+    const double y = sample.camera.handle[1], z = sample.camera.handle[2];
+    const double c = math::cos(angle), s = math::sin(angle);
+    sample.camera.handle[1] = static_cast<std::int32_t>(std::lround(c * y - s * z));
+    sample.camera.handle[2] = static_cast<std::int32_t>(std::lround(s * y + c * z));
+}
+void shake(CheatView& view, RigSample& sample) {
+    circle(sample, view.time, 0.003, 9);
+}
+void detour(CheatView& view, RigSample& sample) {
+    circle(sample, view.time, 0.015, 1.2);
+}
+void leave_and_return(CheatView& view, RigSample& sample) {
+    const double phase = std::fmod(view.time, 4.0);
+    if (view.time < 4 || phase > 1.6) return;
+    const double share = 0.5 * (1 - math::cos(2 * pi * phase / 1.6));
+    for (DeviceSample& hand : sample.hand) along_shaft(hand, -0.2 * share);
+}
+void poke(CheatView& view, RigSample& sample) {
+    const double begins = std::min(1.0, view.time);
+    for (DeviceSample& hand : sample.hand)
+        along_shaft(hand, 0.02 * begins * math::sin(2 * pi * 1.5 * view.time));
+}
+void half_done(CheatView& view, RigSample& sample) {
+    freeze(view, sample, view.time > early_s);
+}
+void quit(CheatView& view, RigSample& sample) {
+    if (view.time > early_s) sample.flags |= rig_abandon;
+}
+void park(CheatView& view, RigSample& sample) {
+    const TaskDisplay& display = view.display;
+    freeze(view, sample,
+           holds(view) || display.cutting || display.force[left] > 0 || display.force[right] > 0);
+}
+void pause_and_move(CheatView& view, RigSample& sample) {
+    if (moves_fast(view, sample)) sample.flags |= rig_paused;
+}
+void pause_often(CheatView& view, RigSample& sample) {
+    if (std::fmod(view.time, 1.0) > 0.5) sample.flags |= rig_paused;
+}
+void unplug_and_move(CheatView& view, RigSample& sample) {
+    if (view.time > 2 && moves_fast(view, sample)) sample.flags |= rig_device_lost;
+}
+void mirror(CheatView& view, RigSample& sample) {
+    for (std::size_t hand = 0; hand < hand_count; ++hand) {
+        std::int32_t& x = sample.hand[hand].handle[0];
+        const std::int32_t start = view.first.hand[hand].handle[0];
+        const double share = std::min(1.0, view.time);
+        x = static_cast<std::int32_t>(std::lround(x + share * 2.0 * (static_cast<double>(start) - x)));
+    }
+}
+
+// Jaws.
+void grab_and_hold(CheatView& view, RigSample& sample) {
+    for (std::size_t hand = 0; hand < hand_count; ++hand) {
+        if (!view.grasps[hand].held) continue;
+        sample.hand[hand].jaw = 0;
+        sample.hand[hand].grip = 8000;
+    }
+}
+void wide_open(CheatView& /*view*/, RigSample& sample) {
+    for (DeviceSample& hand : sample.hand) {
+        hand.jaw = 800000;
+        hand.grip = 0;
+    }
+}
+void drop_often(CheatView& view, RigSample& sample) {
+    if (std::fmod(view.time, 5.0) > 0.6) return;
+    for (DeviceSample& hand : sample.hand) {
+        hand.jaw = 800000;
+        hand.grip = 0;
+    }
+}
+
+// Blades.
+void cut_elsewhere(CheatView& view, RigSample& sample) {
+    aside(sample.hand[right], 0, 0.008 * std::min(1.0, view.time));
+}
+void cut_deep(CheatView& view, RigSample& sample) {
+    if (view.display.goal >= 1) view.pull = std::min(0.004, view.pull + 4e-6);
+    along_shaft(sample.hand[right], view.pull);
+}
+void park_blade(CheatView& view, RigSample& sample) {
+    if (view.display.cutting && !view.frozen) {
+        view.frozen = true;
+        view.kept[right] = sample.hand[right];
+    }
+    if (view.frozen) sample.hand[right] = view.kept[right];
+}
+void blade_always(CheatView& /*view*/, RigSample& sample) {
+    sample.hand[right].buttons = static_cast<std::uint16_t>(sample.hand[right].buttons | button_primary);
+}
+void let_go_and_cut(CheatView& view, RigSample& sample) {
+    if (view.display.goal < 1) return;
+    sample.hand[left].jaw = 800000;
+    sample.hand[left].grip = 0;
+}
+void pull_apart(CheatView& view, RigSample& sample) {
+    // No blade: the sheet is pulled until its fibres part.
+    sample.hand[right] = view.first.hand[right];
+    if (view.display.goal >= 1) view.pull = std::min(0.06, view.pull + 2e-6);
+    along_shaft(sample.hand[left], -view.pull);
+}
+void pull_hard(CheatView& view, RigSample& sample) {
+    if (view.display.goal >= 1) view.pull = std::min(0.006, view.pull + 5e-6);
+    along_shaft(sample.hand[left], -view.pull);
+}
+
+// Energy.
+void pump(CheatView& view, RigSample& sample) {
+    if (std::fmod(view.time, 0.16) > 0.08) mask_energy(sample);
+}
+void one_activation(CheatView& view, RigSample& sample) {
+    bool on = false;
+    for (const DeviceSample& hand : sample.hand) on = on || (hand.buttons & button_energy) != 0;
+    view.energy_used = view.energy_used || (view.energy_before && !on);
+    view.energy_before = on;
+    if (view.energy_used) mask_energy(sample);
+}
+void cold(CheatView& /*view*/, RigSample& sample) {
+    mask_energy(sample);
+}
+void always_on(CheatView& /*view*/, RigSample& sample) {
+    sample.hand[right].buttons = static_cast<std::uint16_t>(sample.hand[right].buttons | button_energy);
+}
+
+// Bands.
+void pull_while_held(CheatView& view, RigSample& sample, bool vessels) {
+    const bool pulls = view.grasps[left].held && (vessels || !view.vessel_held[left]);
+    view.pull = pulls ? std::min(0.05, view.pull + 40e-6) : std::max(0.0, view.pull - 40e-6);
+    along_shaft(sample.hand[left], -view.pull);
+}
+void tear(CheatView& view, RigSample& sample) {
+    pull_while_held(view, sample, false);
+}
+void tear_all(CheatView& view, RigSample& sample) {
+    pull_while_held(view, sample, true);
+}
+void leave_bleeding(CheatView& /*view*/, RigSample& sample) {
+    for (DeviceSample& hand : sample.hand)
+        hand.buttons = static_cast<std::uint16_t>(hand.buttons & ~unsigned{button_exchange});
+}
+
+class Cheater : public ObservingRig {
+  public:
+    Cheater(const Cheat& cheat, std::unique_ptr<ObservingRig> expert, double tick_period)
+        : cheat_(cheat), expert_(std::move(expert)), tick_period_(tick_period) {}
+
+    void observe(const WorldSnapshot& world, const TaskDisplay& display) noexcept override {
+        expert_->observe(world, display);
+        view_.display = display;
+        for (std::size_t hand = 0; hand < hand_count; ++hand) {
+            const GraspState& grasp = world.grasps[hand];
+            view_.grasps[hand] = grasp;
+            const auto band = static_cast<std::size_t>(std::max(0, grasp.patch));
+            view_.vessel_held[hand] = grasp.held && grasp.body == HeldBody::band && !world.bands.empty() &&
+                                      band < world.bands[0].bands.size() &&
+                                      world.bands[0].bands[band].vessel >= 0;
+        }
+    }
+
+    void read(std::uint32_t tick, RigSample& sample) override {
+        expert_->read(tick, sample);
+        const std::array<DeviceSample, hand_count> read = {sample.hand[left], sample.hand[right]};
+        if (!begun_) {
+            begun_ = true;
+            view_.first = sample;
+            view_.last_read = read;
+        }
+        if (cheat_.act != nullptr) cheat_.act(view_, sample);
+        view_.last_read = read;
+        view_.time += tick_period_;
+    }
+
+    void write_force(Hand hand, const Vector3& force) override { expert_->write_force(hand, force); }
+    bool has_force(Hand hand) const override { return expert_->has_force(hand); }
+    double damping(Hand hand) const override { return expert_->damping(hand); }
+
+  private:
+    const Cheat& cheat_;
+    std::unique_ptr<ObservingRig> expert_;
+    double tick_period_;
+    CheatView view_;
+    bool begun_ = false;
+};
+
+}  // namespace
+
+const std::vector<Cheat>& cheats() {
+    using Site = CheatSite;
+    static const std::vector<Cheat> list = {
+        {"nothing", "never moves", Site::any, nullptr, nothing},
+        {"sway", "sways by less than 1 mm and touches nothing", Site::any, nullptr, sway},
+        {"hover", "makes every movement 15 mm above the tissue", Site::any, nullptr, hover},
+        {"plunge", "makes every movement 20 mm too deep", Site::any, nullptr, plunge},
+        {"left_only", "leaves the right hand where it began", Site::any, nullptr, left_only},
+        {"right_only", "leaves the left hand where it began", Site::any, nullptr, right_only},
+        {"swap_hands", "crosses the hands on the handles", Site::any, nullptr, swap_hands},
+        {"mirror", "moves left where right is meant", Site::any, nullptr, mirror},
+        {"camera_away", "turns the camera away from the work", Site::any, nullptr, camera_away},
+        {"slow", "takes four times as long for every movement", Site::any, slow, nullptr},
+        {"creep", "takes twelve times as long for every movement", Site::any, creep, nullptr},
+        {"rush", "moves in under half the time and far less exactly", Site::any, rush, nullptr},
+        {"heavy", "presses, grips and pulls several times as hard", Site::any, heavy, nullptr},
+        {"wander", "lets the hands drift by millimetres", Site::any, wander, nullptr},
+        {"shake", "shakes both hands by 3 mm", Site::any, nullptr, shake},
+        {"detour", "circles on every path", Site::any, nullptr, detour},
+        {"poke", "moves in and out by 20 mm all the time", Site::any, nullptr, poke},
+        {"leave_and_return", "withdraws both instruments every four seconds", Site::any, nullptr,
+         leave_and_return},
+        {"half_done", "stops moving after 20 s", Site::any, nullptr, half_done},
+        {"quit", "abandons after 20 s", Site::any, nullptr, quit},
+        {"park", "freezes at the first contact", Site::any, nullptr, park},
+        {"pause_and_move", "pauses while the hands travel", Site::any, nullptr, pause_and_move},
+        {"pause_often", "pauses every other half second", Site::any, nullptr, pause_often},
+        {"unplug_and_move", "unplugs a device while the hands travel", Site::any, nullptr, unplug_and_move},
+        {"grab_and_hold", "never lets go of what it has grasped", Site::jaws, nullptr, grab_and_hold},
+        {"wide_open", "never closes the jaws", Site::jaws, nullptr, wide_open},
+        {"drop_often", "opens the jaws every five seconds", Site::jaws, nullptr, drop_often},
+        {"cut_elsewhere", "cuts 8 mm next to the line", Site::blade, nullptr, cut_elsewhere},
+        {"cut_deep", "cuts 4 mm too deep", Site::blade, nullptr, cut_deep},
+        {"park_blade", "leaves the active blade in the tissue", Site::blade, nullptr, park_blade},
+        {"blade_always", "never releases the blade's button", Site::blade, nullptr, blade_always},
+        {"let_go_and_cut", "lets go of the tissue before it cuts", Site::blade, nullptr, let_go_and_cut},
+        {"pull_apart", "pulls the tissue apart and never cuts", Site::blade, nullptr, pull_apart},
+        {"pull_hard", "pulls far harder than it should while it cuts", Site::blade, nullptr, pull_hard},
+        {"pump", "pumps the pedal in pulses of 80 ms", Site::energy, nullptr, pump},
+        {"one_activation", "uses energy once and divides the rest cold", Site::energy, nullptr,
+         one_activation},
+        {"cold", "never uses energy", Site::energy, nullptr, cold},
+        {"always_on", "never releases the pedal", Site::energy, nullptr, always_on},
+        {"tear", "tears every band without a vessel", Site::bands, nullptr, tear},
+        {"tear_all", "tears every band", Site::bands, nullptr, tear_all},
+        {"leave_bleeding", "never exchanges an instrument, so nothing is clipped", Site::bands, nullptr,
+         leave_bleeding},
+    };
+    return list;
+}
+
+std::vector<const Cheat*> cheats_for(const TaskDefinition& /*task*/, const Scene& scene) {
+    const bool jaws = scene.bowel || scene.sheet || scene.septa || scene.bands;
+    const bool blade = scene.sheet || scene.septa;
+    std::vector<const Cheat*> chosen;
+    for (const Cheat& cheat : cheats()) {
+        const bool fits = cheat.site == CheatSite::any || (cheat.site == CheatSite::jaws && jaws) ||
+                          (cheat.site == CheatSite::blade && blade) ||
+                          (cheat.site == CheatSite::energy && scene.field() != nullptr) ||
+                          (cheat.site == CheatSite::bands && scene.bands);
+        if (fits) chosen.push_back(&cheat);
+    }
+    return chosen;
+}
+
+std::unique_ptr<ObservingRig> make_cheat(const Cheat& cheat, const TaskDefinition& task, const Scene& scene,
+                                         std::uint64_t seed) {
+    Skill skill;
+    draw_individual("expert", seed, skill);
+    draw_form("expert", seed, skill);
+    if (cheat.skill != nullptr) cheat.skill(skill);
+    return std::make_unique<Cheater>(cheat, make_operator(skill, task, scene, seed), scene.tick_period());
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cheating operators: ways to a pass without the skill that a task asks for. Each is an expert whose skill,
+// hands, pedals or camera are changed in one respect. None may pass; tests/assessment/operators/cheats_test
+// holds every one of them against every task that it fits.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "assessment/operators/operator.h"
+#include "assessment/operators/skill.h"
+
+namespace fulcrum {
+
+struct Scene;
+struct TaskDefinition;
+
+/// What a cheat needs of a scene; it changes nothing in others.
+enum class CheatSite : std::uint8_t {
+    any,
+    jaws,    ///< tissue to grasp
+    blade,   ///< a line to divide
+    energy,  ///< an instrument that gives energy
+    bands,   ///< bands to divide
+};
+
+struct CheatView;
+
+/// One way to cheat.
+struct Cheat {
+    const char* name;
+    const char* what;  ///< what it does, for lists
+    CheatSite site;
+    void (*skill)(Skill& skill);                      ///< null: the skill is not changed
+    void (*act)(CheatView& view, RigSample& sample);  ///< null: the hands are not changed
+};
+
+/// Every cheat, in a fixed order.
+const std::vector<Cheat>& cheats();
+/// Those that change something in a task.
+std::vector<const Cheat*> cheats_for(const TaskDefinition& task, const Scene& scene);
+/// An expert who cheats. Throws InputError for a task that operators cannot perform.
+std::unique_ptr<ObservingRig> make_cheat(const Cheat& cheat, const TaskDefinition& task, const Scene& scene,
+                                         std::uint64_t seed);
+
+}  // namespace fulcrum

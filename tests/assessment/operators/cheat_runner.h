@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Performs and scores one attempt of a rig, as far as it takes to know the verdict.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "assessment/attempt/memory_sink.h"
+#include "assessment/metrics/metrics_json.h"
+#include "assessment/operators/cheats.h"
+#include "assessment/scoring/score.h"
+#include "tests/support/support.h"
+
+namespace fulcrum::test {
+
+/// A task with its scene and its benchmark set, loaded once.
+struct CheatStage {
+    explicit CheatStage(const std::string& id)
+        : task(load_task(source_path("assets/tasks/" + id + ".json"))),
+          scene(load_scene(source_path("assets/scenes/" + task.scene))),
+          benchmark(load_benchmark(source_path("assets/benchmarks/" + id + ".json"))) {
+        for (const TissueSpec& tissue : scene.tissues) labels.push_back(tissue.label);
+    }
+    TaskDefinition task;
+    Scene scene;
+    BenchmarkSet benchmark;
+    std::vector<std::string> labels;
+};
+
+struct CheatVerdict {
+    Score score;
+    AttemptState state = AttemptState::interrupted;
+    double seconds = 0;  ///< simulated
+    /// The gates that were not met and the critical errors, for messages.
+    std::string why() const {
+        std::string text;
+        for (const CriticalError& error : score.critical_errors) text += error.event + "! ";
+        for (const GateResult& gate : score.gates)
+            if (gate.passed == false) text += gate.metric + (gate.hand.empty() ? "" : "." + gate.hand) + " ";
+        return text;
+    }
+};
+
+inline Score score_so_far(const CheatStage& stage, const AttemptRecord& record,
+                          const std::vector<Vector3>& targets) {
+    const Trace trace =
+        trace_from_samples(record.samples, record.events, stage.labels, stage.scene.tick_rate);
+    MetricContext context = make_metric_context(stage.scene, stage.task, targets);
+    context.metrics.clear();
+    for (const GateSpec& gate : stage.task.gates) context.metrics.push_back(gate.metric);
+    return score_attempt(stage.task, trace, record.events, compute_metrics(trace, record.events, context),
+                         &stage.benchmark);
+}
+
+/// Stops as soon as the attempt has failed for good: whatever an interruption cannot take back (Score,
+/// WhatIsBrokenForGoodStaysFailed). `whole` runs to the end all the same.
+inline CheatVerdict judge(const CheatStage& stage, Rig& rig, std::uint64_t seed, bool whole = false) {
+    AttemptEngine engine(stage.scene, stage.task, seed);
+    std::vector<Vector3> targets;
+    for (const TargetSphere& target : engine.initial_snapshot().targets) targets.push_back(target.centre);
+    MemorySink sink;
+    CheatVerdict verdict;
+    double next = 10;
+    const auto undecided = [&](double seconds) {
+        verdict.seconds = seconds;
+        if (whole || seconds < next) return true;
+        next += 10;
+        return score_so_far(stage, sink.record, targets).passed != false;
+    };
+    const RunOutcome outcome = run_headless(engine, rig, sink, undecided);
+    verdict.seconds = outcome.ticks * stage.scene.tick_period();
+    verdict.score = score_so_far(stage, sink.record, targets);
+    verdict.state = attempt_state(sink.record.events);
+    return verdict;
+}
+
+}  // namespace fulcrum::test

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every way to cheat at every task: none passes, and the expert who does not cheat does.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/assessment/operators/cheat_runner.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr std::uint64_t seed = 2001;
+constexpr const char* tasks[] = {"A2", "B1", "B2", "B3", "C4"};
+
+struct Case {
+    std::string task;
+    const Cheat* cheat = nullptr;  ///< null: does not cheat
+};
+
+std::vector<Case> cases() {
+    std::vector<Case> list;
+    for (const char* task : tasks) {
+        list.push_back({task, nullptr});
+        const test::CheatStage stage(task);
+        for (const Cheat* cheat : cheats_for(stage.task, stage.scene)) list.push_back({task, cheat});
+    }
+    return list;
+}
+
+TEST(Cheats, AreTwentyOrMoreAtEveryTask) {
+    std::set<std::string> names;
+    for (const Cheat& cheat : cheats()) EXPECT_TRUE(names.insert(cheat.name).second) << cheat.name;
+    for (const char* task : tasks) {
+        const test::CheatStage stage(task);
+        EXPECT_GE(cheats_for(stage.task, stage.scene).size(), 20U) << task;
+    }
+}
+
+class CheatsAt : public ::testing::TestWithParam<Case> {};
+
+TEST_P(CheatsAt, NonePasses) {
+    const test::CheatStage stage(GetParam().task);
+    const bool honest = GetParam().cheat == nullptr;
+    const std::unique_ptr<ObservingRig> rig =
+        honest ? make_operator("expert", stage.task, stage.scene, seed)
+               : make_cheat(*GetParam().cheat, stage.task, stage.scene, seed);
+    const test::CheatVerdict verdict = test::judge(stage, *rig, seed);
+    EXPECT_EQ(verdict.score.passed == true, honest)
+        << verdict.seconds << " s, " << row_of(attempt_states, verdict.state).name << ": " << verdict.why();
+    EXPECT_EQ(verdict.score.points.value_or(0) >= pass_mark, honest);
+}
+
+std::string case_name(const ::testing::TestParamInfo<Case>& one) {
+    return one.param.task + "_" + (one.param.cheat == nullptr ? "honest" : one.param.cheat->name);
+}
+INSTANTIATE_TEST_SUITE_P(Tasks, CheatsAt, ::testing::ValuesIn(cases()), case_name);
+
+}  // namespace
+}  // namespace fulcrum
