@@ -363,11 +363,14 @@ std::vector<Metric> cutting_metrics() {
         plane_shallow);
     add({"area_developed", QT_TRANSLATE_NOOP("fulcrum::metrics", "Line divided"), "%", 1}, D::higher,
         A::share, line_source,
-        {QT_TRANSLATE_NOOP("fulcrum::metrics", "Share of the marked line that has been divided."),
+        {QT_TRANSLATE_NOOP(
+             "fulcrum::metrics",
+             "Share of the marked line that was divided with a blade. What tore is not divided."),
          QT_TRANSLATE_NOOP("fulcrum::metrics", "{value} of the line was divided, below the required {limit}"),
          QT_TRANSLATE_NOOP("fulcrum::metrics",
-                           "go back along the line and divide the bridges that are left")},
+                           "pull less, and go back along the line and divide the bridges that are left")},
         area_developed);
+    metrics.back().descriptor.version = 2;  // what tore no longer counts
     return metrics;
 }
 
