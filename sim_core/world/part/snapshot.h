@@ -4,6 +4,7 @@
 // same scene allocates nothing.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -36,6 +37,26 @@ struct GraspState {
         false;  ///< the last hold ended because its reaction left the friction cone, not by opening the jaws
 };
 
+/// A vector of fixed size of which the first `used` entries have a meaning: assignment copies only those, so
+/// that room for what an attempt may still cut costs nothing in each step.
+template <typename T>
+class UsedVector : public std::vector<T> {
+  public:
+    UsedVector() = default;
+    UsedVector(const UsedVector&) = default;
+    UsedVector(UsedVector&&) noexcept = default;
+    UsedVector& operator=(UsedVector&&) noexcept = default;
+    ~UsedVector() = default;
+    UsedVector& operator=(const UsedVector& other) {
+        if (this == &other) return *this;
+        if (this->size() != other.size()) this->resize(other.size());
+        used = other.used;
+        std::copy_n(other.begin(), std::min(used, other.size()), this->begin());
+        return *this;
+    }
+    std::size_t used = 0;
+};
+
 /// A membrane to be drawn: open sheet, seen from both sides.
 struct MembraneView {
     std::vector<Vector3> positions;   ///< m, patient frame
@@ -53,11 +74,11 @@ struct SheetView {
     std::vector<Vector3> flap;  ///< m, the free edge that can be taken hold of, in the line's direction
     /// To be drawn: an open sheet, seen from both sides. Fixed capacity, *_count valid; rest and triangles
     /// change with `topology` only.
-    std::vector<Vector3> positions;  ///< m, patient frame
-    std::vector<Vector3> rest;  ///< m, in the sheet as it was made: x along the marked line from its start, y
-                                ///< from it towards the flap, z = 0
-    std::vector<Triangle> triangles;  ///< visible ones
-    std::vector<std::int32_t>
+    UsedVector<Vector3> positions;  ///< m, patient frame
+    UsedVector<Vector3> rest;  ///< m, in the sheet as it was made: x along the marked line from its start, y
+                               ///< from it towards the flap, z = 0
+    UsedVector<Triangle> triangles;  ///< visible ones
+    UsedVector<std::int32_t>
         roots;  ///< of each: the triangle as it was made that it is a part of, BandsView::sheet_char
     std::int32_t vertex_count = 0, triangle_count = 0;
     std::uint32_t topology = 0;
@@ -77,12 +98,12 @@ struct SheetView {
 struct BowelCutView {
     std::int32_t first_vertex = 0;
     std::int32_t vertex_count = 0, triangle_count = 0;
-    std::vector<std::int32_t>
-        vertex_roots;                  ///< of vertex first_vertex + i: the skin's triangle that it lies in
-    std::vector<Vector3> barycentric;  ///< and where in it, of its corners
-    std::vector<Triangle> triangles;   ///< visible, counterclockwise from outside
-    std::vector<std::int32_t> triangle_roots;  ///< of each: the skin's triangle that it is a part of
-    std::vector<std::uint8_t> triangle_loose;  ///< of each: 0 hangs on, else 1 + place in `fallen`
+    UsedVector<std::int32_t>
+        vertex_roots;                 ///< of vertex first_vertex + i: the skin's triangle that it lies in
+    UsedVector<Vector3> barycentric;  ///< and where in it, of its corners
+    UsedVector<Triangle> triangles;   ///< visible, counterclockwise from outside
+    UsedVector<std::int32_t> triangle_roots;  ///< of each: the skin's triangle that it is a part of
+    UsedVector<std::uint8_t> triangle_loose;  ///< of each: 0 hangs on, else 1 + place in `fallen`
     std::vector<std::uint8_t> hidden;  ///< by the skin's triangle, 1: it is not drawn itself; empty without
     std::array<Vector3, 8> fallen{};   ///< m, way that each piece that came free has made
     std::uint32_t topology = 0;

@@ -279,6 +279,8 @@ void BowelCut::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
                 view.triangle_loose[k] = static_cast<std::uint8_t>(skin_.loose_of_triangle(t));
             }
         }
+        view.vertex_roots.used = view.barycentric.used = at(view.vertex_count);
+        view.triangles.used = view.triangle_roots.used = view.triangle_loose.used = at(view.triangle_count);
         view.visible_area = surface.area_visible();
         view.removed_area = surface.area_removed();
     }

@@ -343,6 +343,7 @@ void SheetPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
             state_.positions[at((piece * layout_.rows + layout_.envelope_row) * layout_.columns + column)];
     }
     view.vertex_count = surface_.vertex_count();
+    view.positions.used = view.rest.used = at(view.vertex_count);
     std::copy_n(state_.positions.begin(), at(view.vertex_count), view.positions.begin());
     if (view.topology != state_.membrane.topology) {
         view.topology = state_.membrane.topology;
@@ -355,6 +356,7 @@ void SheetPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
             view.rest[at(v)] = Vector3(from_start.dot(spec_.along), from_start.dot(spec_.across), 0);
         }
         view.triangle_count = static_cast<std::int32_t>(visible_.size());
+        view.triangles.used = view.roots.used = visible_.size();
         for (std::size_t k = 0; k < visible_.size(); ++k) {
             view.triangles[k] = surface_.triangle(visible_[k]).vertices;
             view.roots[k] = surface_.triangle(visible_[k]).root;
