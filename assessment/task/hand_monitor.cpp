@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim_core/scene/perforation.h"
+
 namespace fulcrum {
 namespace {
 
@@ -89,18 +91,19 @@ void HandMonitor::tick(const TickSample& tick_sample, EventSink& sink) noexcept 
     }
     if (over_) over_peak_ = std::max(over_peak_, force);
 
-    // The published perforation forces are for a tip that is pushed in; what jaws hold between them tears or
-    // slips instead.
     const bool grasping = (sample.flags & hand_grasping) != 0;
     // One hole is one event: another can follow only after the tip has been away for a while.
     away_ticks_ = known ? 0 : away_ticks_ + 1;
     if (away_ticks_ > rearm_s * tick_rate_) perforated_ = false;
-    if (!grasping && !perforated_ && watch.perforation_limit > 0 && force > watch.perforation_limit) {
+    const double area = sample.jaw_area * sample_area_unit;
+    // The published forces were measured by pinching the wall between two hemispheres. Jaws perforate by the
+    // same pressure, a tip that is pushed in by the force itself; traction slips instead.
+    const double through = grasping ? pinch_force(sample.jaw_force, area) : force;  // mN
+    if (!perforated_ && watch.perforation_limit > 0 && through > watch.perforation_limit) {
         perforated_ = true;
-        emit(sink, tick, EventKind::perforation, sample.tissue, sample.patch, force * sample_force_unit);
+        emit(sink, tick, EventKind::perforation, sample.tissue, sample.patch, through * sample_force_unit);
     }
 
-    const double area = sample.jaw_area * sample_area_unit;
     const double pressure = grasping && area > 0 ? sample.jaw_force * sample_force_unit / area : 0;  // Pa
     if (pressed_ && (watch.pressure_limit <= 0 || pressure < release_share * watch.pressure_limit))
         pressed_ = false;

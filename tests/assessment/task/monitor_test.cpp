@@ -311,6 +311,29 @@ TEST(Monitor, GraspedTissueIsNotPerforatedByPulling) {
     EXPECT_EQ(bench.events.count(EventKind::over_force_begin), 1);
 }
 
+// 10.3 +- 2.9 N between hemispheres of 1.5 mm diameter, which press on 1.77 mm2 of each side.
+TEST(Monitor, PinchingPerforatesByThePressureOfThePublishedMeasurement) {
+    const double limit = perforation_force(5);
+    const auto pinched = [&](double jaw_force, double area_mm2) {
+        Bench bench("B1.json", {}, 5);
+        HandSample& hand = bench.sample.hand[0];
+        hand.flags |= hand_grasping;
+        hand.tissue = static_cast<std::int16_t>(bench.scene.tissue_index("bowel"));
+        hand.jaw_force = static_cast<std::int32_t>(1e3 * jaw_force);
+        hand.jaw_area = static_cast<std::int32_t>(1e3 * area_mm2);
+        bench.ticks(50);
+        return bench.events.count(EventKind::perforation);
+    };
+    EXPECT_EQ(pinched(limit - 0.1, 3.535), 0) << "as the hemispheres";
+    EXPECT_EQ(pinched(limit + 0.1, 3.53), 1) << "one hole, one event";
+    EXPECT_EQ(pinched(limit + 0.1, 1), 1) << "a smaller bite is not known to need less";
+    EXPECT_EQ(pinched(limit - 0.1, 1), 0);
+    EXPECT_EQ(pinched(2 * limit - 0.2, 7.07), 0) << "twice the area takes twice the force";
+    EXPECT_EQ(pinched(2 * limit + 0.2, 7.06), 1);
+    EXPECT_EQ(pinched(16, 200), 0) << "whole jaws";
+    EXPECT_EQ(pinched(16, 0), 0) << "an area that is not known says nothing";
+}
+
 TEST(Monitor, JawPressureAboveTheLimitIsOneEvent) {
     Bench bench("B1.json");
     bench.sample.hand[0].flags |= hand_grasping;
