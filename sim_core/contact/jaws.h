@@ -1,45 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
-// Jaws on tissue: the tissue between them, contact area, pressure, and slip.
+// Jaws on tissue: the tissue between them, contact area and slip.
 #pragma once
 
-#include "sim_core/contact/local_model.h"
-#include "sim_core/contact/tool_contact.h"
 #include "sim_core/instrument/instrument.h"
 
 namespace fulcrum {
 
-/// Tissue inside the jaw box: length jaw_length back from the tip, width c of the tip box, height the
-/// opening.
-struct JawContact {
-    double area = 0;  ///< m2, of the surface inside the box, at most both jaw faces
-    std::int32_t vertex =
-        -1;  ///< surface number, nearest to the middle of the jaws; -1: no tissue between them
-    Vector3 point = Vector3::Zero();   ///< m, area-weighted centre of the tissue inside
-    Vector3 normal = Vector3::Zero();  ///< unit, outward, mean
-    std::int16_t tissue_patch = -1;
+/// The space between jaws that close, with a margin from which tissue is drawn in: as long as the jaws back
+/// from the tip, as wide as the tip box, as high as the opening (the jaws turn about an axis along tool x, so
+/// they open along tool y).
+class JawBox {
+  public:
+    /// opening: rad; jaw_length, width: m.
+    JawBox(const ToolKinematics& tool, double opening, double jaw_length, double width);
+    bool contains(const Vector3& point) const;
+    /// m2, of the contact of jaws that close on `surface` (m2, of tissue inside, both sides of a fold or
+    /// sheet): at most both faces, at least what two small tips pinch (scene/perforation.h).
+    double contact_area(double surface) const;
+
+  private:
+    const ToolKinematics& tool_;
+    double spread_ = 0, jaw_length_ = 0, width_ = 0;
 };
 
-/// Tissue between jaws opened by `opening` rad (the jaws turn about an axis along tool x, so they open along
-/// tool y). Uses the patch at the model's pose, extrapolated to `tick`. No allocation.
-JawContact find_jaw_contact(const InstrumentModel& instrument, const ToolKinematics& tool, double opening,
-                            const LocalModel& local, std::uint32_t tick, ToolContactScratch& scratch);
+/// N: most force between the faces of jaws closed with `jaw_force` and what they hold, 2 mu N by friction on
+/// both. Along the closing direction the jaws give way at about the same force.
+double jaw_capacity(double jaw_force, double friction);
 
-/// Jaw force over contact area, Pa; areas below 1 mm2 count as 1 mm2, so that an edge bite stays finite.
-double jaw_pressure(double jaw_force, double area);
-
-/// Tangential force over capacity: both faces together hold 2 mu N. Above 1 the tissue slips. `normal` is the
-/// closing direction of the jaws, unit. With load but no jaw force: a large finite number.
-double slip_ratio(const Vector3& force, const Vector3& normal, double jaw_force, double friction);
-
-/// Smallest opening (rad) of jaws that hold tissue of the given thickness (m) at their middle.
-double held_opening(const InstrumentModel& instrument, double thickness);
-
-/// Accumulated load of a tissue patch.
-struct PatchDamage {
-    double impulse = 0;  ///< N s above the threshold
-    double peak = 0;     ///< N or Pa, depending on the caller
-};
-/// Adds one period of a load; only the part above the threshold counts. Non-finite loads are ignored.
-void add_damage(PatchDamage& damage, double load, double threshold, double period);
+/// Force over capacity. Above 1 the tissue slides. With load but no jaw force: a large finite number.
+double slip_ratio(const Vector3& force, double jaw_force, double friction);
 
 }  // namespace fulcrum

@@ -91,7 +91,7 @@ struct GraspModel {
     double damping = 0;                     ///< B, N s/m
     double friction = 0.5;                  ///< of the jaw faces
     std::int32_t vertex = -1;               ///< surface vertex nearest the held point
-    double area = 0;                        ///< m2, jaw contact area (jaws.h), recorded in the samples
+    double area = 0;  ///< m2, jaw contact area (jaws.h): the same throughout a hold; 0: not known
     std::int16_t tissue = -1, tissue_patch = -1;
 };
 

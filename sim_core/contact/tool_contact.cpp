@@ -248,12 +248,10 @@ void hold_tissue(const ToolContactModel& model, const LocalModel& local, const T
         tool.tip_velocity + tool.angular_velocity.cross(tool.rotation * grasp.hold_offset);
     Vector3 force =
         grasp.reaction + grasp.stiffness * (hold - held) + grasp.damping * (velocity - grasp.velocity);
-    const Vector3 closing = tool.rotation.col(1);
-    result.slip_ratio = slip_ratio(force, closing, tool.grip, grasp.friction);
+    result.slip_ratio = slip_ratio(force, tool.grip, grasp.friction);
     if (result.slip_ratio > 1) {
         // The faces hold no more than the friction cone allows: the rest slides through.
-        const Vector3 pressed = force.dot(closing) * closing;
-        force = pressed + (force - pressed) / result.slip_ratio;
+        force /= result.slip_ratio;
         result.slipping = true;
     }
     result.grasp_force = force;

@@ -94,7 +94,7 @@ struct ToolContactResult {
     Matrix3 stiffness = Matrix3::Zero();  ///< N/m, -dF_on_tool/dx of all contacts
     double damping = 0;                   ///< N s/m, largest
     double jaw_area = 0;                  ///< m2, GraspModel::area while grasping
-    double slip_ratio = 0;                ///< tangential force over what the jaws can hold, 0 without grasp
+    double slip_ratio = 0;                ///< force over what the jaws can hold, 0 without grasp
     bool punctured = false;               ///< the wall's puncture force is reached
     bool searched = false;                ///< the patch was searched fully in this tick
     bool lost = false;                    ///< the dynamic point was lost and not found again

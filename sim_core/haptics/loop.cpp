@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim_core/contact/jaws.h"
 #include "sim_core/haptics/clutch.h"
 #include "sim_core/world/world.h"
 
@@ -66,7 +65,7 @@ struct HapticLoop::Parts {
     SafetyInput safety_input(int hand, std::uint32_t tick) noexcept;
     void limit_stiffness(int hand, SafetyInput& safety) noexcept;
     void record_hand(int hand, const RigSample& input, const SafetyOutput& sent, HandSample& record) noexcept;
-    void record_grasp(int hand, std::uint32_t tick, HandSample& record) noexcept;
+    void record_grasp(int hand, HandSample& record) noexcept;
     void record_camera(CameraSample& record) const noexcept;
 };
 
@@ -179,18 +178,15 @@ void HapticLoop::Parts::record_hand(int hand, const RigSample& input, const Safe
     if (touched.cutting) flags |= hand_cutting;
     if (local.mode == LocalMode::grasp) {
         flags |= hand_grasping;
-        record_grasp(hand, input.tick, record);
+        record_grasp(hand, record);
     }
     record.flags = static_cast<std::uint16_t>(flags);
 }
 
-void HapticLoop::Parts::record_grasp(int hand, std::uint32_t tick, HandSample& record) noexcept {
+void HapticLoop::Parts::record_grasp(int hand, HandSample& record) noexcept {
     const LocalModel& local = models[current].hand[hand];
     record.jaw_force = counts(tool[hand].grip, sample_force_unit);
-    const JawContact jaws =
-        find_jaw_contact(contact[hand].instrument, tool[hand], std::max(tool[hand].jaw_angle, 0.25), local,
-                         tick, scratch[hand]);
-    record.jaw_area = counts(std::max({jaws.area, local.grasp.area, 1e-6}), sample_area_unit);
+    record.jaw_area = counts(local.grasp.area, sample_area_unit);
     record.tissue = local.grasp.tissue;
     record.patch = local.grasp.tissue_patch;
 }

@@ -449,7 +449,8 @@ Matrix3 Rod::stiffness_at(const RodState& state, double s, const Vector3& offset
     Matrix3 stiffness = compliance.inverse();
     for (std::size_t g = 0; g < d.saved_grasps.size(); ++g) {
         const RodGrasp& grasp = d.saved_grasps[g];
-        if (grasp.s == s && grasp.offset == offset) stiffness -= tables_->grasp_penalty * Matrix3::Identity();
+        if (grasp.s == s && grasp.offset == offset)
+            stiffness -= (grasp.rigid() ? tables_->grasp_penalty : grasp.stiffness) * Matrix3::Identity();
     }
     return stiffness;
 }

@@ -16,6 +16,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <vector>
@@ -110,16 +111,21 @@ struct RodTether {
 
 /// Holds the wall point r(s) + R(s) offset at `target` (its position at the end of the step: the motion since
 /// the last step enters the first Newton system as a constraint increment). Keep the struct from step to
-/// step: reaction is also the warm start.
+/// step: reaction is also the warm start. With a finite stiffness it pulls by a spring instead, with at most
+/// `most`.
 struct RodGrasp {
     double s = 0;
     Vector3 offset = Vector3::Zero();  ///< m, ring frame
     Vector3 target = Vector3::Zero();  ///< m
-    bool hold_rotation = false;        ///< also holds R(s) at target_rotation
+    /// N/m, of what is between jaws and wall point; infinite: nothing yields.
+    double stiffness = std::numeric_limits<double>::infinity();
+    double most = std::numeric_limits<double>::infinity();  ///< N, of the spring: beyond it the wall slides
+    bool hold_rotation = false;                             ///< also holds R(s) at target_rotation
     Matrix3 target_rotation = Matrix3::Identity();
     Vector3 reaction = Vector3::Zero();  ///< in/out: N, jaw on rod (set to zero on a new grasp)
     Vector3 moment = Vector3::Zero();    ///< in/out: N m, jaw on rod, when hold_rotation
     double residual = 0;                 ///< out: m, distance of the wall point from the target
+    bool rigid() const { return !(stiffness < std::numeric_limits<double>::infinity()); }
 };
 
 /// Unilateral contact g = normal . (r(s) - point) - radius >= 0, lambda >= 0, lambda g = 0 (docs/THEORY.md,

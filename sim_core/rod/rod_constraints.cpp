@@ -256,6 +256,41 @@ static void add_tethers(const RodShape& shape, RodInputs& inputs, bool hessian, 
     }
 }
 
+// Force of a grasp's spring on the rod's gradient for an error (m), and its stiffness: k e up to `most`,
+// which is then the force whatever the error.
+static Vector3 spring_force(const RodGrasp& grasp, const Vector3& error, Matrix3* stiffness, double& energy) {
+    const double size = error.norm(), k = grasp.stiffness;
+    if (k * size <= grasp.most) {
+        energy = 0.5 * k * size * size;
+        if (stiffness != nullptr) *stiffness = k * Matrix3::Identity();
+        return k * error;
+    }
+    energy = grasp.most * (size - 0.5 * grasp.most / k);
+    const Vector3 unit = error / size;
+    if (stiffness != nullptr)
+        *stiffness = grasp.most / size * (Matrix3::Identity() - unit * unit.transpose());
+    return grasp.most * unit;
+}
+
+// A grasp that yields: no multiplier, as a tether.
+static void add_spring_grasp(const RodShape& shape, const RodGrasp& grasp, std::size_t i,
+                             const Vector3& error, bool hessian, RodScratch::Data& data) {
+    const RodPoint& point = data.grasp_points[i];
+    Matrix3 stiffness;
+    double energy = 0;
+    const Vector3 force = spring_force(grasp, error, hessian ? &stiffness : nullptr, energy);
+    data.energy += energy;
+    data.grasp_force[i] = force;
+    data.reaction_squared += force.squaredNorm();
+    RodJacobian jacobian;
+    wall_jacobian(shape, point, grasp.offset, jacobian);
+    const auto base = static_cast<std::size_t>(point.joint) - 1;
+    add_gradient(jacobian, base, force, data.gradient);
+    if (!hessian) return;
+    add_hessian(jacobian, base, stiffness, data.matrix);
+    add_wall_geometric(shape, point, grasp.offset, force, data.matrix);
+}
+
 // Returns the largest coordinate of a target, m.
 static double add_grasps(const Rod::Tables& tables, const RodShape& shape, RodInputs& inputs, bool hessian,
                          RodScratch::Data& data) {
@@ -265,6 +300,11 @@ static double add_grasps(const Rod::Tables& tables, const RodShape& shape, RodIn
         RodGrasp& grasp = inputs.grasps[i];
         const RodPoint& point = data.grasp_points[i];
         const Vector3 error = wall_position(shape, point, grasp.offset) - data.grasp_target[i];
+        if (!grasp.rigid()) {
+            add_spring_grasp(shape, grasp, i, error, hessian, data);
+            if (grasp.hold_rotation) add_held_rotation(tables, shape, i, hessian, data);
+            continue;
+        }
         const Vector3 lambda = data.grasp_lambda[i], force = lambda + tables.grasp_penalty * error;
         const double size = error.norm();
         data.constraint_residual = size > data.constraint_residual ? size : data.constraint_residual;
@@ -391,7 +431,9 @@ void linear_reactions(const Rod::Tables& tables, const RodShape& shape, const Ro
         wall_jacobian(shape, point, grasp.offset, jacobian);
         const Vector3 left = wall_position(shape, point, grasp.offset) - data.grasp_target[i] +
                              moved(jacobian, base, data.step);
-        data.grasp_force[i] = data.grasp_lambda[i] + tables.grasp_penalty * left;
+        double energy = 0;
+        data.grasp_force[i] = grasp.rigid() ? Vector3(data.grasp_lambda[i] + tables.grasp_penalty * left)
+                                            : spring_force(grasp, left, nullptr, energy);
         if (!grasp.hold_rotation) continue;
         Vector3 away = held_turn(shape, turning_point(point), data.turn_target[i], jacobian);
         away += moved(jacobian, base, data.step);

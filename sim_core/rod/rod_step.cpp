@@ -27,7 +27,8 @@ bool finite_inputs(const RodInputs& inputs) {
     }
     for (const RodGrasp& g : inputs.grasps)
         ok = ok && good(g.target) && good(g.offset) && good(g.reaction) && good(g.moment) &&
-             std::isfinite(g.s) && (!g.hold_rotation || std::isfinite(g.target_rotation.sum()));
+             std::isfinite(g.s) && g.stiffness >= 0 && g.most >= 0 &&
+             (!g.hold_rotation || std::isfinite(g.target_rotation.sum()));
     for (const RodContact& c : inputs.contacts) {
         ok = ok && good(c.normal) && good(c.point) && good(c.surface_velocity) &&
              std::isfinite(c.s + c.radius + c.lambda + c.friction);

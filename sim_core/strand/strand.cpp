@@ -42,9 +42,10 @@ double energy(const Problem& problem, const Nodes& x) noexcept {
         if (stretch > 0) sum += 0.5 * problem.model.stiffness * stretch * stretch;
     }
     for (const StrandHold& hold : problem.holds) {
-        if (is_inner(hold.node))
-            sum +=
-                0.5 * hold.stiffness * (x[static_cast<std::size_t>(hold.node)] - hold.target).squaredNorm();
+        if (!is_inner(hold.node)) continue;
+        const double away = (x[static_cast<std::size_t>(hold.node)] - hold.target).norm();
+        sum += hold.stiffness * away <= hold.most ? 0.5 * hold.stiffness * away * away
+                                                  : hold.most * (away - 0.5 * hold.most / hold.stiffness);
     }
     return sum;
 }
@@ -83,8 +84,16 @@ void assemble(const Problem& problem, const Nodes& x, System& system) noexcept {
     for (const StrandHold& hold : problem.holds) {
         if (!is_inner(hold.node)) continue;
         const auto k = static_cast<std::size_t>(hold.node);
-        system.gradient[k] += hold.stiffness * (x[k] - hold.target);
-        system.diagonal[k] += hold.stiffness * Matrix3::Identity();
+        const Vector3 away = x[k] - hold.target;
+        const double size = away.norm();
+        if (hold.stiffness * size <= hold.most) {
+            system.gradient[k] += hold.stiffness * away;
+            system.diagonal[k] += hold.stiffness * Matrix3::Identity();
+            continue;
+        }
+        const Vector3 unit = away / size;
+        system.gradient[k] += hold.most * unit;
+        system.diagonal[k] += hold.most / size * (Matrix3::Identity() - unit * unit.transpose());
     }
 }
 
@@ -126,7 +135,7 @@ StrandReport step_strand(const StrandModel& model, const StrandHold (&holds)[han
     StrandHold usable[hand_count];
     for (int hand = 0; hand < hand_count; ++hand) {
         usable[hand] = holds[hand];
-        if (!holds[hand].target.allFinite() || !(holds[hand].stiffness >= 0) ||
+        if (!holds[hand].target.allFinite() || !(holds[hand].stiffness >= 0) || !(holds[hand].most >= 0) ||
             holds[hand].target.norm() > 1e3)
             usable[hand].node = -1;
     }
@@ -182,7 +191,10 @@ double strand_tension(const StrandModel& model, const StrandState& state, int se
 
 Vector3 hold_force(const StrandHold& hold, const StrandState& state) noexcept {
     if (hold.node < 0 || hold.node >= strand_nodes) return Vector3::Zero();
-    return hold.stiffness * (hold.target - state.position[static_cast<std::size_t>(hold.node)]);
+    const Vector3 force =
+        hold.stiffness * (hold.target - state.position[static_cast<std::size_t>(hold.node)]);
+    const double size = force.norm();
+    return size > hold.most ? Vector3(hold.most / size * force) : force;
 }
 
 double strand_stiffness(const StrandModel& model, const StrandState& state, int node) noexcept {

@@ -3,14 +3,15 @@
 // between any two. Model (const) / state; fixed capacity, no allocation, no exception, always finite.
 //
 // Each segment is a tension-only spring, of force k (l - L0); a step is implicit Euler, the minimum of
-//     sum m/2 |x - y|^2 / dt^2 + sum k/2 max(0, l - L0)^2 + sum K/2 |x_h - target|^2,     y = x + v dt + g
-//     dt^2,
+//     sum m/2 |x - y|^2 / dt^2 + sum k/2 max(0, l - L0)^2 + sum P(|x_h - target|),     y = x + v dt + g
+//     dt^2,     P(d) = K/2 d^2 up to K d = most, with constant force beyond,
 // by Newton with the positive part of each spring's tangent and a step that never raises that energy: one
 // block tridiagonal solve per iteration.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "sim_core/numerics/types.h"
 
@@ -29,9 +30,10 @@ struct StrandModel {
 
 /// Grasp of one node by one hand.
 struct StrandHold {
-    int node = -1;                     ///< -1: none
-    Vector3 target = Vector3::Zero();  ///< m
-    double stiffness = 0;              ///< K, N/m, of the pinched tissue
+    int node = -1;                                          ///< -1: none
+    Vector3 target = Vector3::Zero();                       ///< m
+    double stiffness = 0;                                   ///< K, N/m, of the pinched tissue
+    double most = std::numeric_limits<double>::infinity();  ///< N, that the jaws hold: beyond it it slides
 };
 
 struct StrandState {

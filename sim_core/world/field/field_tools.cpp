@@ -69,11 +69,10 @@ double OperativeField::pedal(int number, const TickOutput* outputs, std::size_t 
     return static_cast<double>(pressed) / static_cast<double>(count);
 }
 
-JawAction OperativeField::step_jaws(FieldHand& hand, const ToolKinematics& tool, const JawLoad& load,
-                                    double dt) noexcept {
+JawAction OperativeField::step_jaws(FieldHand& hand, const ToolKinematics& tool) noexcept {
     ToolKinematics now = tool;
     now.inside = tool.inside && hand.usable();
-    return hand.jaws.step(now, hand.instrument->jaw_opening, load, dt);
+    return hand.jaws.step(now, hand.instrument->jaw_opening);
 }
 
 bool OperativeField::fire_clip(FieldHand& hand, const ToolKinematics& tool, double& least) noexcept {

@@ -143,8 +143,7 @@ class OperativeField {
     /// Share of the ticks in which the pedal is down.
     static double pedal(int number, const TickOutput* outputs, std::size_t count) noexcept;
     /// Jaws of the instrument that the hand has; closed on nothing while it is exchanged.
-    static JawAction step_jaws(FieldHand& hand, const ToolKinematics& tool, const JawLoad& load,
-                               double dt) noexcept;
+    static JawAction step_jaws(FieldHand& hand, const ToolKinematics& tool) noexcept;
     /// On the nearest outlet within reach; true if there is one. `least` (m) is how near.
     bool fire_clip(FieldHand& hand, const ToolKinematics& tool, double& least) noexcept;
     bool clips_left() const { return clips_left_ > 0; }

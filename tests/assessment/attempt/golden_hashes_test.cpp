@@ -16,8 +16,8 @@ namespace fulcrum {
 namespace {
 
 const std::map<std::string, std::string> golden = {{"A2", "116eac90bab280e8"}, {"B0", "dc9f0a8affa9f7b3"},
-                                                   {"B1", "734b2a808b8ab128"}, {"B2", "b108425d570b5f9c"},
-                                                   {"B3", "4ea9c997ce67ab8f"}, {"C4", "dd9e4690b503dacc"}};
+                                                   {"B1", "320a99d03f8803f2"}, {"B2", "dea630522b3d047e"},
+                                                   {"B3", "4ea9c997ce67ab8f"}, {"C4", "a052b6beba0d95bd"}};
 
 void expect_golden(const std::string& id) {
     const TaskDefinition task = load_task(test::source_path("assets/tasks/" + id + ".json"));

@@ -8,6 +8,7 @@
 #include "sim_core/contact/series_stiffness.h"
 #include "sim_core/numerics/random.h"
 #include "sim_core/rigid/targets.h"
+#include "sim_core/scene/perforation.h"
 #include "tests/sim_core/contact/contact_rig.h"
 #include "tests/support/cavity.h"
 
@@ -18,46 +19,37 @@ constexpr double pi = 3.141592653589793;
 
 // ---- jaws ----
 
-TEST(Jaws, SlipRatioIsTheFrictionCone) {
-    const Vector3 closing = Vector3::UnitY();
+TEST(Jaws, SlipRatioIsTheForceOverTheFrictionOfBothFaces) {
     // Two faces of 5 N at mu 0.5 hold 5 N.
-    EXPECT_NEAR(slip_ratio({5, 0, 0}, closing, 5, 0.5), 1.0, 1e-12);
-    EXPECT_NEAR(slip_ratio({0, 100, 2.5}, closing, 5, 0.5), 0.5, 1e-12);
-    EXPECT_EQ(slip_ratio({0, 7, 0}, closing, 0, 0.5), 0.0);
-    EXPECT_GT(slip_ratio({1, 0, 0}, closing, 0, 0.5), 1e6);
-    EXPECT_TRUE(std::isfinite(slip_ratio({1e300, 0, 0}, closing, 0, 0.5)));
-}
-
-TEST(Jaws, PressureAndDamage) {
-    EXPECT_NEAR(jaw_pressure(5, 50e-6), 1e5, 1e-6);
-    EXPECT_NEAR(jaw_pressure(5, 0), 5e6, 1e-3);  // an edge bite counts as 1 mm2
-    PatchDamage damage;
-    for (int k = 0; k < 1000; ++k) add_damage(damage, 3.0, 2.0, 1e-3);
-    add_damage(damage, std::numeric_limits<double>::quiet_NaN(), 2.0, 1e-3);
-    add_damage(damage, 1.0, 2.0, 1e-3);
-    EXPECT_NEAR(damage.impulse, 1.0, 1e-12);
-    EXPECT_EQ(damage.peak, 3.0);
+    EXPECT_NEAR(jaw_capacity(5, 0.5), 5, 1e-12);
+    EXPECT_NEAR(slip_ratio({5, 0, 0}, 5, 0.5), 1.0, 1e-12);
+    EXPECT_NEAR(slip_ratio({0, 2.5, 0}, 5, 0.5), 0.5, 1e-12);
+    EXPECT_EQ(slip_ratio(Vector3::Zero(), 0, 0.5), 0.0);
+    EXPECT_GT(slip_ratio({1, 0, 0}, 0, 0.5), 1e6);
+    EXPECT_TRUE(std::isfinite(slip_ratio({1e300, 0, 0}, 0, 0.5)));
 }
 
 TEST(Jaws, FindTissueBetweenThemOnly) {
-    test::ContactRig rig;
-    const ToolKinematics tool = rig.tool_at({0.2, 0, 0.0120});  // jaws 4 mm into the wall
-    rig.publish(tool);
-    const JawContact wide =
-        find_jaw_contact(rig.model.instrument, tool, 0.9, *rig.local, rig.tick, *rig.tick_scratch);
-    ASSERT_GE(wide.vertex, 0);
-    EXPECT_GT(wide.area, 10e-6);
-    EXPECT_LE(wide.area, 2 * 0.020 * 0.005 + 1e-12);
-    EXPECT_GT(wide.normal.z(), 0.8);
-    EXPECT_NEAR((wide.point - Vector3(0.2, 0, 0.016)).norm(), 0, 0.003);
-    const JawContact narrow =
-        find_jaw_contact(rig.model.instrument, tool, 0.1, *rig.local, rig.tick, *rig.tick_scratch);
-    EXPECT_LT(narrow.area, wide.area);
-    const ToolKinematics above = rig.tool_at({0.2, 0, 0.030});
-    EXPECT_EQ(
-        find_jaw_contact(rig.model.instrument, above, 0.9, *rig.local, rig.tick, *rig.tick_scratch).vertex,
-        -1);
-    EXPECT_NEAR(held_opening(rig.model.instrument, 0.006), 2 * std::atan(0.3), 1e-12);
+    // Jaws of 20 mm by 5 mm, closing along y; 3 mm around them are drawn in.
+    ToolKinematics tool;
+    tool.tip = Vector3(0.1, 0.2, 0.3);
+    const JawBox box(tool, 0.9, 0.020, 0.005);
+    const auto holds = [&](double x, double y, double z) {
+        return box.contains(tool.tip + Vector3(x, y, z));
+    };
+    EXPECT_TRUE(holds(0, 0, -0.010));
+    EXPECT_TRUE(holds(0.0054, 0, -0.010));
+    EXPECT_FALSE(holds(0.0056, 0, -0.010));
+    EXPECT_TRUE(holds(0, 0, 0.0029));
+    EXPECT_FALSE(holds(0, 0, 0.0031)) << "before the tip";
+    EXPECT_FALSE(holds(0, 0, -0.0201)) << "behind the hinge";
+    const double half = 0.010 * std::tan(0.45) + 0.003;
+    EXPECT_TRUE(holds(0, half - 1e-6, -0.010));
+    EXPECT_FALSE(holds(0, half + 1e-6, -0.010));
+    EXPECT_FALSE(JawBox(tool, 0, 0.020, 0.005).contains(tool.tip + Vector3(0, half - 1e-6, -0.010)));
+    EXPECT_DOUBLE_EQ(box.contact_area(60e-6), 60e-6);
+    EXPECT_DOUBLE_EQ(box.contact_area(1), 200e-6) << "both faces";
+    EXPECT_DOUBLE_EQ(box.contact_area(0), pinched_area) << "an edge bite";
 }
 
 // ---- jaws as boxes ----

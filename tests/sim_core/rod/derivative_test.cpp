@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "sim_core/rod/rod_system.h"
@@ -104,9 +105,15 @@ struct Fixture {
     RodInputs inputs;
 };
 
-void check(bool curved, bool constrained, MaterialLaw law = MaterialLaw::linear) {
+void check(bool curved, bool constrained, MaterialLaw law = MaterialLaw::linear,
+           double most = std::numeric_limits<double>::quiet_NaN()) {
     Fixture f(curved, constrained, law);
     RodScratch::Data& d = f.data();
+    if (!std::isnan(most)) {  // a spring, stretched by 5 mm
+        f.inputs.grasps[0].stiffness = 700;
+        f.inputs.grasps[0].most = most;
+        d.grasp_target[0] += Vector3(0.003, -0.004, 0);
+    }
     const std::size_t entries = d.gradient.size();
     ASSERT_TRUE(evaluate(f.rod.tables(), d.shape, f.inputs, true, d));
     const std::vector<double> gradient = d.gradient;
@@ -152,6 +159,10 @@ TEST(RodDerivatives, NaturalCurvatureAndTwist) {
 }
 TEST(RodDerivatives, TethersGraspsAndContacts) {
     check(true, true);
+}
+TEST(RodDerivatives, GraspThatYieldsAndOneThatSlides) {
+    check(true, true, MaterialLaw::linear, 100);
+    check(true, true, MaterialLaw::linear, 1.5);
 }
 TEST(RodDerivatives, Exp2) {
     check(false, false, MaterialLaw::exp2);

@@ -196,6 +196,50 @@ TEST(RodStep, StiffnessAtAGraspMatchesASmallDisplacement) {
     EXPECT_GT(Eigen::SelfAdjointEigenSolver<Matrix3>(stiffness).eigenvalues()[0], 0);
 }
 
+TEST(RodStep, GraspThatYieldsPullsAsASpringAndAtMostItsFriction) {
+    Bowel bowel;
+    const Vector3 offset(0, 0.015, 0);
+    bowel.grasp(0.4, offset);
+    const Vector3 start = bowel.inputs.grasps[0].target;
+    bowel.inputs.grasps[0].stiffness = 800;
+    for (const double lift : {0.004, 0.02, 0.08}) {
+        for (const double most : {100.0, 0.5}) {
+            RodGrasp& grasp = bowel.inputs.grasps[0];
+            grasp.target = start + Vector3(0, 0, lift);
+            grasp.most = most;
+            for (int i = 0; i < 400; ++i) ASSERT_TRUE(bowel.step().finite);
+            const Vector3 away = grasp.target - bowel.rod->wall_point(bowel.state, grasp.s, grasp.offset);
+            EXPECT_NEAR(grasp.reaction.norm(), std::min(most, 800 * away.norm()), 1e-9);
+            EXPECT_NEAR(grasp.reaction.cross(away).norm(), 0, 1e-9) << "towards the target";
+        }
+    }
+    // What the rod alone answers with, the spring left out: rigidly held there, the same.
+    bowel.inputs.grasps[0].most = 100;
+    for (int i = 0; i < 400; ++i) bowel.step();
+    const Vector3 here = bowel.rod->wall_point(bowel.state, 0.4, offset);
+    const Matrix3 behind = bowel.rod->stiffness_at(bowel.state, 0.4, offset, bowel.scratch);
+    bowel.inputs.grasps[0].stiffness = std::numeric_limits<double>::infinity();
+    bowel.inputs.grasps[0].target = here;
+    for (int i = 0; i < 10; ++i) bowel.step();
+    const Matrix3 rigid = bowel.rod->stiffness_at(bowel.state, 0.4, offset, bowel.scratch);
+    EXPECT_LT((behind - rigid).norm(), 0.02 * rigid.norm());
+}
+
+TEST(RodStep, TwoGraspsThatYieldOnOneSectionShareTheirDistance) {
+    // Two wall points 0 to 15 mm apart, asked to be 6 mm nearer to each other, as jaws that reach for tissue
+    // do: two springs of 800 N/m in series, whatever the rod between them.
+    for (const double apart : {0.0, 0.002, 0.004, 0.008, 0.015}) {
+        Bowel bowel;
+        const Vector3 offset(0, 0.015, 0);
+        for (const double s : {0.4, 0.4 + apart}) bowel.grasp(s, offset);
+        for (RodGrasp& grasp : bowel.inputs.grasps) grasp.stiffness = 800;
+        bowel.inputs.grasps[1].target += Vector3(0, 0, 0.006);
+        for (int i = 0; i < 400; ++i) ASSERT_TRUE(bowel.step().finite);
+        for (const RodGrasp& grasp : bowel.inputs.grasps)
+            EXPECT_LT(grasp.reaction.norm(), 0.006 * 400 + 0.6) << apart;
+    }
+}
+
 TEST(RodStep, PowerOfALoadEqualsThePowerOnItsFrame) {
     Bowel bowel;
     for (int i = 0; i < 10; ++i) bowel.step();

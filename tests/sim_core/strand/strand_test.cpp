@@ -52,6 +52,18 @@ TEST(Strand, DisplacedNodeIsHeldByTwoTensions) {
     for (int s = 0; s < strand_segments; ++s) EXPECT_NEAR(strand_tension(model, state, s), tension, 1e-6);
 }
 
+TEST(Strand, AHoldPullsAtMostItsFriction) {
+    const StrandModel model = band();
+    StrandState state = stretched();
+    StrandHold holds[hand_count];
+    holds[1] = {6, Vector3(length / 2, 0, 0.030), 800, 1.5};
+    settle(model, holds, state);
+    EXPECT_NEAR(hold_force(holds[1], state).norm(), 1.5, 1e-12);
+    const double half = std::hypot(length / 2, state.position[6].z());
+    const double tension = model.stiffness * (half / 6 - model.rest_length);
+    EXPECT_NEAR(1.5, 2 * tension * state.position[6].z() / half, 1e-5) << "the strand answers with as much";
+}
+
 TEST(Strand, PostsCarryItsWeight) {
     StrandModel model = band();
     model.gravity = Vector3(0, 0, -9.81);

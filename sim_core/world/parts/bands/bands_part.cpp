@@ -186,7 +186,6 @@ void BandsPart::publish_model(int number, const TickOutput& /*last*/, LocalModel
     model.grasp.stiffness = stiffness_in_series(chains * Matrix3::Identity(), grip.hold.stiffness);
     model.grasp.damping = tissue_.damping;
     model.grasp.friction = tissue_.friction;
-    model.grasp.area = spec_.width * std::min(hand.instrument->jaw_length, 0.004);
     model.grasp.tissue = tissue_index_;
     model.grasp.tissue_patch = static_cast<std::int16_t>(grip.band);
 }

@@ -6,6 +6,11 @@
 #include "sim_core/world/parts/bands/bands_part.h"
 
 namespace fulcrum {
+namespace {
+
+constexpr double band_in_jaws = 0.004;  // m along the jaws that a band lies across
+
+}  // namespace
 
 void BandsPart::step_tool(int number, const TickOutput* outputs, std::size_t count, double dt) noexcept {
     FieldHand& hand = field_.hand(number);
@@ -35,11 +40,7 @@ void BandsPart::step_tool(int number, const TickOutput* outputs, std::size_t cou
 void BandsPart::step_jaws(int number, const ToolKinematics& tool, double dt) noexcept {
     FieldHand& hand = field_.hand(number);
     Grip& grip = grips_[static_cast<std::size_t>(number)];
-    JawLoad load;
-    load.friction = tissue_.friction;
-    if (grip.band >= 0)
-        load.reaction = hold_force(grip.hold, strands_[static_cast<std::size_t>(grip.band)]).norm();
-    switch (OperativeField::step_jaws(hand, tool, load, dt)) {
+    switch (OperativeField::step_jaws(hand, tool)) {
         case JawAction::none:
             return;
         case JawAction::let_go:
@@ -56,8 +57,12 @@ void BandsPart::step_jaws(int number, const ToolKinematics& tool, double dt) noe
         case JawAction::hold:
             break;
     }
-    hand.jaws.carry(tool, dt);
+    const Vector3& tissue =
+        strands_[static_cast<std::size_t>(grip.band)].position[static_cast<std::size_t>(grip.hold.node)];
+    hand.jaws.carry(tool, {tissue_.stiffness, tissue_.friction}, &tissue, hand.instrument->jaw_length, dt);
     grip.hold.target = hand.jaws.point(0).target;
+    grip.hold.stiffness = hand.jaws.stiffness();
+    grip.hold.most = hand.jaws.most();
 }
 
 void BandsPart::take_band(int number, const ToolKinematics& tool) noexcept {
@@ -76,10 +81,10 @@ void BandsPart::take_band(int number, const ToolKinematics& tool) noexcept {
     if (grip.band < 0) return;
     const Vector3 point =
         strands_[static_cast<std::size_t>(grip.band)].position[static_cast<std::size_t>(grip.hold.node)];
-    grip.hold.stiffness = Jaws::pinch_share * tissue_.stiffness;
     hand.jaws.clear_points();
     hand.jaws.add_point(Vector3(0, 0, -0.5 * hand.instrument->jaw_length), jaws, point);
-    hand.jaws.take();
+    hand.jaws.take(tool, {tissue_.stiffness, tissue_.friction},
+                   spec_.width * std::min(hand.instrument->jaw_length, band_in_jaws));
 }
 
 void BandsPart::fire_clip(int number, const ToolKinematics& tool) noexcept {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Jaws on the bowel: taking hold, holding by a constraint on a wall point, slipping, letting go.
+// Jaws on the bowel: taking hold, holding a wall point through the pinched wall, slipping, letting go.
 #include <algorithm>
 #include <cmath>
 
-#include "sim_core/contact/jaws.h"
 #include "sim_core/contact/series_stiffness.h"
 #include "sim_core/world/parts/bowel/bowel_part.h"
 
@@ -30,6 +29,23 @@ std::int32_t BowelPart::nearest_to(const Vector3& jaws, double& least) const noe
         }
     }
     return nearest;
+}
+
+// m2 of the wall, at rest, about `middle`; of what blades left.
+double BowelPart::area_in(const JawBox& box, const Vector3& middle) const noexcept {
+    double area = 0;
+    for (int r = 0; r + skin_rings <= skin_->rings(); ++r) {
+        if ((ring_frames_[static_cast<std::size_t>(r) + 1].position - middle).norm() > 0.05) continue;
+        const auto first = static_cast<std::size_t>(skin_->by_ring_offsets()[static_cast<std::size_t>(r)]);
+        const auto last = static_cast<std::size_t>(skin_->by_ring_offsets()[static_cast<std::size_t>(r) + 1]);
+        for (std::size_t k = first; k < last; ++k) {
+            const std::int32_t vertex = skin_->by_ring()[k];
+            const auto v = static_cast<std::size_t>(vertex);
+            if (!box.contains(skin_vertex(skin_->rows()[v], ring_frames_))) continue;
+            area += skin_->vertex_areas()[v] * (cut_ ? cut_->vertex_share(vertex) : 1.0);
+        }
+    }
+    return area;
 }
 
 double BowelPart::offer(int hand, const HeldTool& held) const noexcept {
@@ -61,7 +77,11 @@ void BowelPart::begin_grasp(int hand, const ToolAction& action) noexcept {
     grasp.state.patch = patches_->tissue_patches()[static_cast<std::size_t>(nearest)];
     grasp.jaws.clear_points();
     grasp.jaws.add_point(Vector3(0, 0, -0.5 * action.instrument->jaw_length), jaws, point);
-    grasp.jaws.take();
+    const TissueSpec& tissue =
+        scene_.tissues[static_cast<std::size_t>(scene_.tissue_index(scene_.bowel->tissue))];
+    const JawBox box(action.tool, action.tool.jaw_angle, action.instrument->jaw_length,
+                     action.instrument->tip_box.y());
+    grasp.jaws.take(action.tool, {tissue.stiffness, tissue.friction}, box.contact_area(area_in(box, jaws)));
     grasp.vertex = nearest;
     grasp.stiffness = rod_->stiffness_at(state_, grasp.state.arc_length, grasp.state.offset, scratch_);
     spread_pull(grasp, action);
@@ -138,8 +158,7 @@ void BowelPart::update_grasps(const ToolAction* actions, double dt) noexcept {
         const ToolAction& action = actions[hand];
         HandGrasp& grasp = grasps_[hand];
         if (action.instrument == nullptr || !type_of(action.instrument->kind).grasps) continue;
-        const JawLoad load{grasp.state.reaction.norm(), tissue.friction};
-        switch (grasp.jaws.step(action.tool, action.instrument->jaw_opening, load, dt)) {
+        switch (grasp.jaws.step(action.tool, action.instrument->jaw_opening)) {
             case JawAction::none:
                 continue;
             case JawAction::let_go:
@@ -152,7 +171,8 @@ void BowelPart::update_grasps(const ToolAction* actions, double dt) noexcept {
             case JawAction::hold:
                 break;
         }
-        grasp.jaws.carry(action.tool, dt);
+        grasp.jaws.carry(action.tool, {tissue.stiffness, tissue.friction}, &grasp.state.point,
+                         action.instrument->jaw_length, dt);
         patch_damage_[static_cast<std::size_t>(std::max(0, grasp.state.patch))] +=
             static_cast<float>(action.tool.grip * dt);
     }
@@ -163,6 +183,8 @@ void BowelPart::update_grasps(const ToolAction* actions, double dt) noexcept {
         hold.s = grasp.state.arc_length;
         hold.offset = grasp.state.offset;
         hold.target = grasp.jaws.point(0).target;
+        hold.stiffness = grasp.jaws.stiffness();
+        hold.most = grasp.jaws.most();
         hold.reaction = grasp.state.reaction;
         inputs_.grasps.push_back(hold);
     }
@@ -173,7 +195,8 @@ void BowelPart::publish_model(int hand, const TickOutput& last, LocalModel& mode
     PatchRequest request;
     request.tool = last.contact[hand].tool;
     request.shaft_radius = touch.model.instrument.shaft_radius;
-    request.contact_vertex = last.contact[hand].vertex;
+    // Jaws that hold tissue have its vertex from this step on, not from the next one's contact.
+    request.contact_vertex = grasps_[hand].state.held ? grasps_[hand].vertex : last.contact[hand].vertex;
     request.horizon = 2 * scene_.step_period();  // until the next model is there, were it a whole step late
     fill_grasp(hand, request, model);
     if (cut_) cut_->fill_local_model(hand, model);

@@ -12,6 +12,7 @@
 #include "sim_core/bowel/luminal_volume.h"
 #include "sim_core/bowel/wide_skin.h"
 #include "sim_core/collision/sphere_collision.h"
+#include "sim_core/contact/jaws.h"
 #include "sim_core/contact/patch_builder.h"
 #include "sim_core/contact/tool_contact.h"
 #include "sim_core/instrument/tick_output.h"
@@ -145,6 +146,7 @@ class BowelPart : public Part {
     void fill_grasp(int hand, const PatchRequest& request, LocalModel& model) noexcept;
     void update_grasps(const ToolAction* actions, double dt) noexcept;
     std::int32_t nearest_to(const Vector3& jaws, double& least) const noexcept;
+    double area_in(const JawBox& box, const Vector3& middle) const noexcept;
     void begin_grasp(int hand, const ToolAction& action) noexcept;
     void end_grasp(int hand) noexcept;
     void gather_loads(const ToolAction* actions, double dt) noexcept;

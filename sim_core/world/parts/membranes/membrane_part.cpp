@@ -101,6 +101,17 @@ std::int32_t MembranePart::nearest_triangle(const Vector3& point, double& least,
     return nearest;
 }
 
+double MembranePart::area_in(const JawBox& box) const noexcept {
+    double area = 0;
+    for (const Triangle& triangle : membrane_.triangles()) {
+        const auto at = [&](std::size_t c) -> const Vector3& {
+            return state_.positions[static_cast<std::size_t>(triangle[c])];
+        };
+        if (box.contains((at(0) + at(1) + at(2)) / 3)) area += (at(1) - at(0)).cross(at(2) - at(0)).norm();
+    }
+    return area;
+}
+
 void MembranePart::take(int hand, std::int32_t triangle, const Vector3& point, double stiffness) noexcept {
     Hold& hold = holds_[hand];
     hold.grip = SheetGrip();

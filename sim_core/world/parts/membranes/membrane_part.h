@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 
+#include "sim_core/contact/jaws.h"
 #include "sim_core/membrane/membrane.h"
 #include "sim_core/numerics/state_hash.h"
 #include "sim_core/scene/scene.h"
@@ -41,6 +42,8 @@ class MembranePart {
     /// The triangle nearest to a point that jaws can take: within the root of `least`, m2 (lowered to what
     /// was found), and with a free corner. -1: none.
     std::int32_t nearest_triangle(const Vector3& point, double& least, Vector3& closest) const noexcept;
+    /// m2 of both sides, of the triangles whose middle is between jaws.
+    double area_in(const JawBox& box) const noexcept;
     /// A hand's jaws close on a triangle at a point of it: its corners hang on the jaws by springs, together
     /// `stiffness` N/m.
     void take(int hand, std::int32_t triangle, const Vector3& point, double stiffness) noexcept;

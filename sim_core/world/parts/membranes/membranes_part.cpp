@@ -55,7 +55,10 @@ void MembranesPart::take(int hand, const HeldTool& held) noexcept {
     membrane.take(hand, triangle, point, Jaws::pinch_share * tissue_.stiffness);
     grasp.jaws.clear_points();
     grasp.jaws.add_point(Vector3(0, 0, -0.5 * held.instrument->jaw_length), jaws, point);
-    grasp.jaws.take();
+    const JawBox box(held.tool, held.tool.jaw_angle, held.instrument->jaw_length,
+                     held.instrument->tip_box.y());
+    grasp.jaws.take(held.tool, {tissue_.stiffness, tissue_.friction},
+                    box.contact_area(membrane.area_in(box)));
     grasp.stiffness = membrane.grip_stiffness(hand);
 }
 
@@ -66,16 +69,15 @@ void MembranesPart::apply(const StepInput& input) noexcept {
         if (held.instrument == nullptr || !type_of(held.instrument->kind).grasps) continue;
         MembranePart* membrane =
             grasp.membrane < 0 ? nullptr : &membranes_[static_cast<std::size_t>(grasp.membrane)];
-        const JawLoad load{membrane == nullptr ? 0.0 : membrane->grip(hand).reaction.norm(),
-                           tissue_.friction};
-        switch (grasp.jaws.step(held.tool, held.instrument->jaw_opening, load, input.dt)) {
+        switch (grasp.jaws.step(held.tool, held.instrument->jaw_opening)) {
             case JawAction::none:
                 break;
             case JawAction::close:  // what they take follows them from the next step on
                 if (input.taker[hand] == this) take(hand, held);
                 break;
             case JawAction::hold:
-                grasp.jaws.carry(held.tool, input.dt);
+                grasp.jaws.carry(held.tool, {tissue_.stiffness, tissue_.friction},
+                                 &membrane->grip(hand).point, held.instrument->jaw_length, input.dt);
                 membrane->carry(hand, grasp.jaws.point(0).target);
                 break;
             case JawAction::let_go:

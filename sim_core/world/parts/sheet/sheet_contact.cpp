@@ -270,6 +270,18 @@ void SheetPart::approach(int number, const SheetAction& action, std::uint32_t ti
                         Approach{*this, hand, number, tool, action.instrument->tip_radius, tick});
 }
 
+// m2 of both sides of what is visible, by the middles of its triangles.
+double SheetPart::area_in(const JawBox& box) const noexcept {
+    double area = 0;
+    for (const std::int32_t t : visible_) {
+        const Triangle& v = surface_.triangle(t).vertices;
+        const Vector3 &a = state_.positions[at(v[0])], &b = state_.positions[at(v[1])],
+                      &c = state_.positions[at(v[2])];
+        if (box.contains((a + b + c) / 3)) area += (b - a).cross(c - a).norm();
+    }
+    return area;
+}
+
 void SheetPart::take(int number, const SheetAction& action) noexcept {
     HandState& hand = state_.hands[static_cast<std::size_t>(number)];
     hand.jaws.clear_points();
@@ -286,7 +298,9 @@ void SheetPart::take(int number, const SheetAction& action) noexcept {
         hand.held_at[static_cast<std::size_t>(hand.jaws.count())] = nearest;
         hand.jaws.add_point(offset, jaw, tissue);
     }
-    hand.jaws.take();
+    const JawBox box(action.tool, action.tool.jaw_angle, action.instrument->jaw_length,
+                     action.instrument->tip_box.y());
+    hand.jaws.take(action.tool, {tissue_.stiffness, tissue_.friction}, box.contact_area(area_in(box)));
     hand.pull.setZero();
 }
 
@@ -312,15 +326,18 @@ double SheetPart::offer(int number, const HeldTool& held) const noexcept {
 void SheetPart::update_jaws(int number, const SheetAction& action, double dt) noexcept {
     HandState& hand = state_.hands[static_cast<std::size_t>(number)];
     if (!type_of(action.instrument->kind).grasps) return;
-    const JawLoad load{hand.pull.norm(), tissue_.friction, hand.jaws.count() == 0};
-    switch (hand.jaws.step(action.tool, action.instrument->jaw_opening, load, dt)) {
+    std::array<Vector3, Jaws::most_points> tissue;
+    switch (hand.jaws.step(action.tool, action.instrument->jaw_opening, hand.jaws.count() == 0)) {
         case JawAction::none:
             break;
         case JawAction::close:  // what they take follows them from the next step on
             if (action.takes) take(number, action);
             break;
         case JawAction::hold:
-            hand.jaws.carry(action.tool, dt);
+            for (std::size_t g = 0; g < static_cast<std::size_t>(hand.jaws.count()); ++g)
+                tissue[g] = place(hand.held_at[g]);
+            hand.jaws.carry(action.tool, {tissue_.stiffness, tissue_.friction}, tissue.data(),
+                            action.instrument->jaw_length, dt);
             break;
         case JawAction::let_go:
             hand.pull.setZero();
@@ -343,10 +360,10 @@ void SheetPart::add_links(const SheetAction* actions) noexcept {
                 CutMembraneLink link;
                 link.piece = held.fragment;
                 link.barycentric = held.barycentric;
-                link.stiffness = Jaws::pinch_share * tissue_.stiffness / hand.jaws.count();
+                link.stiffness = hand.jaws.stiffness();
                 link.start = hand.jaws.point(g).last;
                 link.target = hand.jaws.point(g).target;
-                link.grip = std::numeric_limits<double>::infinity();
+                link.grip = hand.jaws.most();
                 inputs_.links.push_back(link);
             }
             continue;
@@ -439,7 +456,6 @@ void SheetPart::fill_grasp(const HandState& hand, LocalModel& model) const noexc
                             Matrix3::Identity();
     model.grasp.damping = tissue_.damping;
     model.grasp.friction = tissue_.friction;
-    model.grasp.area = 0;
     model.grasp.tissue = tissue_index_;
 }
 

@@ -16,6 +16,7 @@
 #include <optional>
 #include <vector>
 
+#include "sim_core/contact/jaws.h"
 #include "sim_core/contact/local_model.h"
 #include "sim_core/cutting/cut_mesh.h"
 #include "sim_core/instrument/instrument.h"
@@ -196,6 +197,7 @@ class SheetPart : public Part, public HeatedSheet {
     struct Follow;
     bool has_lost(const HandState& hand) const noexcept;
     void update_jaws(int hand, const SheetAction& action, double dt) noexcept;
+    double area_in(const JawBox& box) const noexcept;
     void take(int hand, const SheetAction& action) noexcept;
     void add_links(const SheetAction* actions) noexcept;
     void read_links() noexcept;

@@ -167,8 +167,8 @@ void StructuresPart::step_tool(int number, const TickOutput* outputs, std::size_
         return;
     }
     double least = 0;
-    if (OperativeField::step_jaws(hand, tool, JawLoad(), dt) == JawAction::close &&
-        type_of(hand.kind()).clips && field_.clips_left())
+    if (OperativeField::step_jaws(hand, tool) == JawAction::close && type_of(hand.kind()).clips &&
+        field_.clips_left())
         field_.fire_clip(hand, tool, least);
     const double pedal = OperativeField::pedal(number, outputs, count);
     const bool energised = pedal > 0 && gives_energy(hand.kind());

@@ -20,8 +20,17 @@ ToolKinematics tool_with(double share, double grip) {
     return tool;
 }
 
-JawAction step(Jaws& jaws, const ToolKinematics& tool, const JawLoad& load = {}, double seconds = dt) {
-    return jaws.step(tool, widest, load, seconds);
+/// Spring of 800 N/m, and 2 * 0.4 = 0.8 N for each newton of grip.
+constexpr HeldTissue tissue{400, 0.4};
+constexpr double jaw_length = 0.02;
+
+JawAction step(Jaws& jaws, const ToolKinematics& tool, bool lost = false) {
+    return jaws.step(tool, widest, lost);
+}
+
+/// One step with the tissue at a place.
+void carry(Jaws& jaws, const ToolKinematics& tool, const Vector3& place) {
+    jaws.carry(tool, tissue, &place, jaw_length, dt);
 }
 
 /// Closed on one point, `away` from the jaws.
@@ -30,7 +39,7 @@ Jaws holding(const ToolKinematics& tool, const Vector3& away = Vector3::Zero()) 
     EXPECT_EQ(step(jaws, tool), JawAction::close);
     jaws.clear_points();
     jaws.add_point(Vector3::Zero(), tool.tip, tool.tip + away);
-    jaws.take();
+    jaws.take(tool, tissue, 50e-6);
     return jaws;
 }
 
@@ -87,29 +96,79 @@ TEST(Jaws, KeepWhatTheyHoldWhileTheirDeviceDoesNotAnswer) {
     EXPECT_TRUE(jaws.held());
 }
 
-TEST(Jaws, SlipWhenTheReactionStaysAboveTheFrictionOfBothFaces) {
+TEST(Jaws, HoldThroughThePinchedWall) {
     const ToolKinematics tool = tool_with(0.1, 3);
-    const double capacity = 2 * 0.4 * 3;
-    const JawLoad below{0.999 * capacity, 0.4}, above{1.001 * capacity, 0.4};
     Jaws jaws = holding(tool);
-    for (int i = 0; i < 100; ++i) EXPECT_EQ(step(jaws, tool, below, 0.008), JawAction::hold);
-    // Two steps of overload are 16 ms: within the delay of 20 ms. A step below the capacity starts it again.
-    for (const JawLoad& load : {above, above, below, above, above})
-        EXPECT_EQ(step(jaws, tool, load, 0.008), JawAction::hold);
-    EXPECT_EQ(step(jaws, tool, above, 0.008), JawAction::let_go);
+    EXPECT_DOUBLE_EQ(jaws.stiffness(), 800);
+    EXPECT_DOUBLE_EQ(jaws.most(), 2.4);
+    // Three points share both.
+    Jaws three;
+    step(three, tool);
+    three.clear_points();
+    for (int i = 0; i < 3; ++i) three.add_point(Vector3::Zero(), tool.tip, tool.tip);
+    three.take(tool, tissue, 50e-6);
+    EXPECT_DOUBLE_EQ(3 * three.stiffness(), 800);
+    EXPECT_DOUBLE_EQ(3 * three.most(), 2.4);
+    // A firmer grip holds more.
+    carry(jaws, tool_with(0.1, 5), tool.tip);
+    EXPECT_DOUBLE_EQ(jaws.most(), 4);
+}
+
+TEST(Jaws, TissueSlidesAtTheFrictionOfBothFacesAndIsLostWhenItIsOut) {
+    const double stretch = 2.4 / 800;  // m, at which the spring pulls as much as the faces hold
+    ToolKinematics tool = tool_with(0.1, 3);
+    Jaws jaws = holding(tool);
+    // Tissue that does not yield: the jaws are drawn away from it.
+    tool.tip.x() = 0.999 * stretch;
+    carry(jaws, tool, Vector3::Zero());
+    EXPECT_TRUE(jaws.point(0).slid.isZero());
+    EXPECT_NEAR(jaws.point(0).target.x(), tool.tip.x(), 1e-15);
+    double lost_at = 0;
+    for (int i = 1; i <= 200 && lost_at == 0; ++i) {
+        tool.tip.x() = stretch + 1e-4 * i;
+        if (step(jaws, tool) != JawAction::hold) {
+            lost_at = tool.tip.x();
+            break;
+        }
+        carry(jaws, tool, Vector3::Zero());
+        EXPECT_NEAR(jaws.point(0).target.x(), stretch, 1e-12) << "never more than the faces hold";
+        EXPECT_NEAR(jaws.point(0).slid.x(), -1e-4 * i, 1e-12);
+        GraspModel model;
+        jaws.fill(model);
+        EXPECT_NEAR(model.hold_offset.x(), -1e-4 * i, 1e-12) << "where it is in the jaws now";
+        EXPECT_EQ(model.area, 50e-6) << "the same throughout the hold";
+    }
+    EXPECT_NEAR(lost_at, stretch + 0.5 * jaw_length + Jaws::margin, 3e-4);
     EXPECT_TRUE(jaws.slipped());
+    EXPECT_FALSE(jaws.held());
     // The next hold has not slipped.
     step(jaws, tool_with(0.5, 1));
     step(jaws, tool);
-    jaws.take();
+    jaws.clear_points();
+    jaws.add_point(Vector3::Zero(), tool.tip, tool.tip);
+    jaws.take(tool, tissue, 50e-6);
     EXPECT_FALSE(jaws.slipped());
-    EXPECT_EQ(step(jaws, tool, above, 0.008), JawAction::hold) << "the time of the last overload is over";
+    EXPECT_EQ(step(jaws, tool), JawAction::hold);
+    EXPECT_TRUE(jaws.point(0).slid.isZero());
+}
+
+TEST(Jaws, TissueThatHasSlidStaysWhereItIsInTheJaws) {
+    ToolKinematics tool = tool_with(0.1, 3);
+    Jaws jaws = holding(tool);
+    tool.tip.x() = 0.008;
+    carry(jaws, tool, Vector3::Zero());
+    const Vector3 slid = jaws.point(0).slid;
+    EXPECT_NEAR(slid.x(), -0.005, 1e-12);
+    tool.tip.x() = 0;  // back: no force until the spring is stretched the other way
+    carry(jaws, tool, Vector3::Zero());
+    EXPECT_NEAR(jaws.point(0).target.x(), -0.003, 1e-12);
+    EXPECT_GT(jaws.point(0).slid.x(), slid.x());
 }
 
 TEST(Jaws, LoseTissueThatIsGone) {
     const ToolKinematics tool = tool_with(0.1, 3);
     Jaws jaws = holding(tool);
-    EXPECT_EQ(step(jaws, tool, {0, 0.4, true}), JawAction::let_go);
+    EXPECT_EQ(step(jaws, tool, true), JawAction::let_go);
     EXPECT_TRUE(jaws.slipped());
     Jaws cut = holding(tool);
     cut.lose();
@@ -123,7 +182,7 @@ TEST(Jaws, DrawTheTissueInGeometrically) {
     Jaws jaws = holding(tool, away);
     for (int n = 1; n <= 20; ++n) {
         const Vector3 before = jaws.point(0).target;
-        jaws.carry(tool, dt);
+        carry(jaws, tool, before);  // it comes along
         const Vector3 expected = tool.tip + std::pow(1 - dt / 0.06, n) * away;
         EXPECT_LT((jaws.point(0).target - expected).norm(), 1e-15) << n;
         EXPECT_EQ(jaws.point(0).last, before);
@@ -140,10 +199,11 @@ TEST(Jaws, CarryEachPointAsARigidPartOfTheTool) {
     step(jaws, tool);
     jaws.clear_points();
     for (const double z : {-0.005, -0.002}) jaws.add_point({0, 0, z}, {0, 0, z}, {0, 0, z});
-    jaws.take();
+    jaws.take(tool, tissue, 50e-6);
     tool.rotation = Eigen::AngleAxisd(0.1, Vector3::UnitX()).toRotationMatrix();
     tool.tip = Vector3(0.001, 0.002, 0.003);
-    jaws.carry(tool, dt);
+    const Vector3 places[] = {tool.tip, tool.tip};
+    jaws.carry(tool, tissue, places, jaw_length, dt);
     for (int i = 0; i < 2; ++i)
         EXPECT_LT((jaws.point(i).target - tool.tip - tool.rotation * jaws.point(i).offset).norm(), 1e-15);
     const Vector3 second = jaws.point(1).target;
@@ -156,7 +216,7 @@ TEST(Jaws, FollowADeviceThatJumpsAtTwoMetresASecond) {
     ToolKinematics tool = tool_with(0.1, 3);
     Jaws jaws = holding(tool);
     tool.tip += Vector3(0, 1, 0);
-    jaws.carry(tool, dt);
+    carry(jaws, tool, Vector3(0, 2 * dt, 0));
     EXPECT_LT((jaws.point(0).target - Vector3(0, 2 * dt, 0)).norm(), 1e-15);
 }
 

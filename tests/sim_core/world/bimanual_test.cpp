@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+// Random two-handed scripts on every scene: grasp, pull, twist, cross, hand over, let go. Whatever the hands
+// do, jaws exert no more than their faces hold, every value stays finite and the tissue gains no energy.
+//
+// FULCRUM_BIMANUAL_SCRIPTS: how many scripts in all (default 27; 2,000 is the full test).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "sim_core/contact/jaws.h"
+#include "sim_core/numerics/random.h"
+#include "sim_core/world/parts/membranes/membranes_part.h"
+#include "tests/sim_core/world/hands_on_tissue.h"
+
+namespace fulcrum {
+namespace {
+
+std::vector<std::string> all_scenes() {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(test::source_path("assets/scenes")))
+        if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+int scripts_of(std::size_t scene, std::size_t scenes) {
+    const char* asked = std::getenv("FULCRUM_BIMANUAL_SCRIPTS");
+    const int all = asked != nullptr ? std::atoi(asked) : 27;
+    return all / static_cast<int>(scenes) + (scene < static_cast<std::size_t>(all) % scenes ? 1 : 0);
+}
+
+/// Where hands find tissue now: any place of any part.
+Vector3 somewhere_on_tissue(const World& world, Random& random) {
+    const WorldSnapshot& now = world.snapshot();
+    std::vector<Vector3> places;
+    const auto pick = [&](const std::vector<Vector3>& of, std::size_t count) {
+        if (count > 0)
+            places.push_back(of[static_cast<std::size_t>(random.uniform() * static_cast<double>(count))]);
+    };
+    pick(now.nodes, now.nodes.size());
+    if (!now.nodes.empty()) places.back() += world.scene().bowel->outer_radius * Vector3::UnitZ();
+    for (const MembraneView& membrane : now.membranes) pick(membrane.positions, membrane.positions.size());
+    pick(now.sheet.positions, static_cast<std::size_t>(now.sheet.vertex_count));
+    if (!now.bands.empty() && !now.bands[0].bands.empty()) {
+        const auto band =
+            static_cast<std::size_t>(random.uniform() * static_cast<double>(now.bands[0].bands.size()));
+        places.push_back(now.bands[0].bands[band].position[strand_nodes / 2]);
+    }
+    for (const TargetSphere& target : now.targets) places.push_back(target.centre);
+    if (places.empty()) return Vector3::Zero();
+    return places[static_cast<std::size_t>(random.uniform() * static_cast<double>(places.size()))];
+}
+
+struct Script {
+    test::SheetRig& rig;
+    Random random;
+    double most_excess = 0;                      ///< N, of a reaction over what the faces hold
+    double bowel_speed = 0, membrane_speed = 0;  ///< m/s, largest
+    double largest = 0;                          ///< N, reaction
+    int held_steps = 0, both_held = 0;
+    std::int32_t area[hand_count] = {0, 0};  ///< as samples have it, of the present hold
+    std::uint32_t worst_outcome = 0;
+
+    Script(test::SheetRig& on, std::uint64_t seed) : rig(on), random(seed, 0x62696d61) {}
+
+    double signed_unit() { return 2 * random.uniform() - 1; }
+    Vector3 direction() { return Vector3(signed_unit(), signed_unit(), signed_unit() + 0.3).normalized(); }
+    void check() {
+        const World& world = rig.world;
+        for (int h = 0; h < hand_count; ++h) {
+            const GraspState& grasp = world.snapshot().grasps[h];
+            ASSERT_TRUE(grasp.reaction.allFinite() && grasp.point.allFinite());
+            ASSERT_TRUE(std::isfinite(test::recorded_force(rig, h)));
+            const HandSample& sample = rig.outputs.back().sample.hand[h];
+            const bool grasping = (sample.flags & hand_grasping) != 0;
+            if (grasping && area[h] > 0) {
+                ASSERT_EQ(sample.jaw_area, area[h]);
+            }
+            area[h] = grasping ? sample.jaw_area : 0;
+            if (!grasp.held || grasp.tissue < 0) continue;
+            ++held_steps;
+            both_held += world.snapshot().grasps[1 - h].held ? 1 : 0;
+            largest = std::max(largest, grasp.reaction.norm());
+            const TissueSpec& tissue = world.scene().tissues[static_cast<std::size_t>(grasp.tissue)];
+            const double holds = jaw_capacity(rig.outputs.back().contact[h].tool.grip, tissue.friction);
+            most_excess = std::max(most_excess, grasp.reaction.norm() - holds);
+        }
+        for (const Vector3& node : world.snapshot().nodes) ASSERT_TRUE(node.allFinite());
+        for (const MembraneView& membrane : world.snapshot().membranes)
+            for (const Vector3& place : membrane.positions) ASSERT_TRUE(place.allFinite());
+        const SheetView& sheet = world.snapshot().sheet;
+        for (std::size_t v = 0; v < static_cast<std::size_t>(sheet.vertex_count); ++v)
+            ASSERT_TRUE(sheet.positions[v].allFinite());
+        if (const BowelPart* bowel = rig.world.find<BowelPart>()) {
+            for (const Vector3& velocity : bowel->state().velocities)
+                bowel_speed = std::max(bowel_speed, velocity.norm());
+        }
+        if (const MembranesPart* membranes = rig.world.find<MembranesPart>()) {
+            for (const MembranePart& membrane : membranes->membranes())
+                for (const Vector3& velocity : membrane.state().velocities)
+                    membrane_speed = std::max(membrane_speed, velocity.norm());
+        }
+        worst_outcome = std::max(worst_outcome, rig.record.outcome);
+    }
+    /// Both hands to their targets at speeds of their own, checked in every step.
+    void move(const Vector3 (&to)[hand_count], double seconds) {
+        const Vector3 from[hand_count] = {rig.wish[0].tip, rig.wish[1].tip};
+        const int count = std::max(1, static_cast<int>(seconds / 0.005));
+        for (int i = 1; i <= count; ++i) {
+            for (int h = 0; h < hand_count; ++h)
+                rig.wish[h].tip = from[h] + (static_cast<double>(i) / count) * (to[h] - from[h]);
+            rig.step();
+            check();
+            if (testing::Test::HasFatalFailure()) return;
+        }
+    }
+    void one_action() {
+        Vector3 to[hand_count] = {rig.wish[0].tip, rig.wish[1].tip};
+        const int h = random.uniform() < 0.5 ? 0 : 1;
+        const double kind = random.uniform();
+        if (kind < 0.35) {  // grasp: open, go there, close
+            rig.wish[h].closed = false;
+            const Vector3 place = somewhere_on_tissue(rig.world, random);
+            to[h] = test::tip_for_jaws(rig, h, place + Vector3(0, 0, 0.02));
+            move(to, 0.25);
+            to[h] = test::tip_for_jaws(rig, h, place);
+            move(to, 0.1);
+            rig.wish[h].closed = true;
+            move(to, 0.15);
+        } else if (kind < 0.6) {  // pull, slowly or with a jerk
+            to[h] += 0.06 * random.uniform() * direction();
+            move(to, random.uniform() < 0.3 ? 0.05 : 0.4);
+        } else if (kind < 0.75) {  // pull apart or cross
+            const double by = 0.05 * signed_unit();
+            const Vector3 line = (to[1] - to[0]).norm() > 1e-6 ? Vector3((to[1] - to[0]).normalized())
+                                                               : Vector3(Vector3::UnitX());
+            to[0] -= by * line;
+            to[1] += by * line;
+            move(to, 0.3);
+        } else if (kind < 0.9) {  // hand over: the other hand takes hold where this one holds
+            rig.wish[1 - h].closed = false;
+            const Vector3 place =
+                rig.world.snapshot().grasps[h].point + 0.015 * random.uniform() * direction();
+            to[1 - h] = test::tip_for_jaws(rig, 1 - h, place + Vector3(0, 0, 0.02));
+            move(to, 0.2);
+            to[1 - h] = test::tip_for_jaws(rig, 1 - h, place);
+            move(to, 0.1);
+            rig.wish[1 - h].closed = true;
+            move(to, 0.15);
+            if (random.uniform() < 0.7) rig.wish[h].closed = false;
+            move(to, 0.1);
+        } else {  // let go
+            rig.wish[h].closed = false;
+            move(to, 0.1);
+        }
+    }
+};
+
+class Bimanual : public testing::TestWithParam<std::string> {};
+
+TEST_P(Bimanual, RandomScriptsStayWithinWhatJawsHold) {
+    const std::vector<std::string> scenes = all_scenes();
+    const auto number =
+        static_cast<std::size_t>(std::find(scenes.begin(), scenes.end(), GetParam()) - scenes.begin());
+    const Scene scene = test::two_graspers(GetParam());
+    int held_steps = 0, both_held = 0;
+    double largest = 0;
+    for (int script = 0; script < scripts_of(number, scenes.size()); ++script) {
+        test::SheetRig rig(scene);
+        Script run(rig, 1000 * number + static_cast<std::uint64_t>(script));
+        for (int action = 0; action < 8; ++action) {
+            run.one_action();
+            if (HasFatalFailure()) {
+                ADD_FAILURE() << "script " << script << ", action " << action;
+                return;
+            }
+        }
+        held_steps += run.held_steps;
+        both_held += run.both_held;
+        largest = std::max(largest, run.largest);
+        EXPECT_LE(run.most_excess, 1e-6) << "script " << script;
+        EXPECT_LT(run.bowel_speed, 5) << "script " << script;
+        EXPECT_LT(run.membrane_speed, 20) << "script " << script << ": 0.1 g snap back from a pull";
+        EXPECT_LT(run.worst_outcome, 4U) << "script " << script;
+        // Left alone it comes to rest: what the hands put in is gone, nothing was gained.
+        for (test::Wish& wish : rig.wish) wish.closed = false;
+        rig.steps(20);
+        Vector3 away[hand_count];
+        for (int h = 0; h < hand_count; ++h) {
+            const Vector3 trocar = rig.trocar[h].position;
+            away[h] = trocar + 0.02 * (rig.wish[h].tip - trocar).normalized();
+        }
+        run.move(away, 0.3);
+        rig.steps(300);
+        run.bowel_speed = run.membrane_speed = 0;
+        run.check();
+        EXPECT_LT(run.bowel_speed, 0.02) << "script " << script << ": it does not come to rest";
+        EXPECT_LT(run.membrane_speed, 0.05) << "script " << script << ": it does not come to rest";
+    }
+    const std::string counts = std::to_string(held_steps) + " steps of a hand that holds, " +
+                               std::to_string(both_held) + " of both, largest force " +
+                               std::to_string(largest) + " N";
+    RecordProperty("holds", counts);
+    std::cout << GetParam() << ": " << counts << "\n";
+    if (scene.bowel || scene.sheet) {
+        EXPECT_GT(held_steps, 0) << "the scripts grasp something";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Bimanual, testing::ValuesIn(all_scenes()),
+                         [](const testing::TestParamInfo<std::string>& scene) { return scene.param; });
+
+}  // namespace
+}  // namespace fulcrum
