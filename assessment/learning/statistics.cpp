@@ -49,6 +49,33 @@ std::optional<MedianInterval> median_interval(std::vector<double> values, double
     return best;
 }
 
+std::optional<RocArea> roc_area(const std::vector<double>& better, const std::vector<double>& worse) {
+    if (better.empty() || worse.empty()) return std::nullopt;
+    double wins = 0;
+    for (const double b : better)
+        for (const double w : worse) wins += b > w ? 1.0 : b == w ? 0.5 : 0.0;
+    const double pairs = static_cast<double>(better.size()) * static_cast<double>(worse.size());
+    const double area = wins / pairs;
+    const double others = 0.5 * static_cast<double>(better.size() + worse.size()) - 1.0;
+    // Hanley and McNeil's variance for two exponential distributions, at the bound itself instead of at the
+    // estimate, with both group sizes in its terms replaced by their mean.
+    const auto beyond = [&](double bound) {
+        const double variance =
+            bound * (1 - bound) * (1 + others * ((1 - bound) / (2 - bound) + bound / (1 + bound))) / pairs;
+        constexpr double z = 1.959963984540054;
+        return std::abs(area - bound) > z * std::sqrt(variance);
+    };
+    const auto bound_from = [&](double outside) {
+        double inside = area;
+        for (int i = 0; i < 100; ++i) {
+            const double middle = 0.5 * (outside + inside);
+            (beyond(middle) ? outside : inside) = middle;
+        }
+        return 0.5 * (outside + inside);
+    };
+    return RocArea{area, bound_from(0), bound_from(1)};
+}
+
 std::optional<ExpertBenchmark> expert_benchmark(const std::vector<ExpertValues>& experts,
                                                 int minimum_experts) {
     std::vector<const ExpertValues*> counted;

@@ -26,6 +26,17 @@ struct MedianInterval {
 /// the extremes do not (fewer than 6 values at 0.95).
 std::optional<MedianInterval> median_interval(std::vector<double> values, double level = 0.95);
 
+/// Area under the ROC curve: the chance that a random member of one group has a higher value than a random
+/// member of the other, ties counting one half.
+struct RocArea {
+    double area = 0;
+    double low = 0, high = 0;  ///< 95 % interval
+};
+/// Chance that a value of `better` exceeds a value of `worse` (Mann-Whitney), with Newcombe's interval
+/// (method 5: Statistics in Medicine 2006; 25: 559-573), which keeps its width where the groups are fully
+/// apart. None if a group is empty.
+std::optional<RocArea> roc_area(const std::vector<double>& better, const std::vector<double>& worse);
+
 /// The attempts of one expert in one metric, on the metric's scale.
 struct ExpertValues {
     std::string expert;

@@ -102,5 +102,61 @@ TEST(MedianInterval, CoversAsOftenAsStated) {
     EXPECT_NEAR(covered / static_cast<double>(trials), 0.9586, 0.012);
 }
 
+/// Ratings 1 to 5 with how often each was given.
+std::vector<double> ratings(const std::vector<int>& counts) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        values.insert(values.end(), static_cast<std::size_t>(counts[i]), static_cast<double>(i + 1));
+    return values;
+}
+
+TEST(RocArea, OfHanleyAndMcNeilsImagesIsThePublishedOne) {
+    // Radiology 1982; 143: 29-36, table I: 51 abnormal and 58 normal CT images; area 0.893.
+    const auto area = roc_area(ratings({3, 2, 2, 11, 33}), ratings({33, 6, 6, 11, 2}));
+    ASSERT_TRUE(area);
+    EXPECT_NEAR(area->area, 0.893, 5e-4);
+    EXPECT_NEAR(area->area, 2642.0 / (51.0 * 58.0), 1e-12);
+    // Newcombe's method 5, solved by an independent program.
+    EXPECT_NEAR(area->low, 0.811688, 1e-6);
+    EXPECT_NEAR(area->high, 0.940006, 1e-6);
+}
+
+TEST(RocArea, IsTheChanceOfAPairAndCountsTiesByHalf) {
+    EXPECT_EQ(roc_area({3, 4}, {1, 2})->area, 1.0);
+    EXPECT_EQ(roc_area({1, 2}, {3, 4})->area, 0.0);
+    EXPECT_EQ(roc_area({1, 2}, {1, 2})->area, 0.5);
+    EXPECT_EQ(roc_area({0, 0, 5}, {0, 0})->area, 4.0 / 6.0);
+    EXPECT_FALSE(roc_area({}, {1}));
+    EXPECT_FALSE(roc_area({1}, {}));
+}
+
+TEST(RocArea, KeepsAnIntervalWhereTheGroupsAreFullyApart) {
+    std::vector<double> high(60, 2.0), low(60, 1.0);
+    const auto area = roc_area(high, low);
+    EXPECT_EQ(area->high, 1.0);
+    EXPECT_NEAR(area->low, 0.967095, 1e-6);
+    const auto reversed = roc_area(low, high);
+    EXPECT_EQ(reversed->low, 0.0);
+    EXPECT_NEAR(reversed->high, 1.0 - 0.967095, 1e-6);
+}
+
+TEST(RocArea, IntervalCoversAsOftenAsStated) {
+    // Normal groups sqrt(2) apart: the area is Phi(1) = 0.8413447.
+    std::mt19937 random(12);
+    std::normal_distribution<double> draw;
+    int covered = 0;
+    constexpr int trials = 2000;
+    for (int k = 0; k < trials; ++k) {
+        std::vector<double> better, worse;
+        for (int i = 0; i < 20; ++i) {
+            better.push_back(draw(random) + std::sqrt(2.0));
+            worse.push_back(draw(random));
+        }
+        const auto area = roc_area(better, worse);
+        covered += area->low <= 0.8413447 && 0.8413447 <= area->high ? 1 : 0;
+    }
+    EXPECT_NEAR(covered / static_cast<double>(trials), 0.95, 0.02);
+}
+
 }  // namespace
 }  // namespace fulcrum
