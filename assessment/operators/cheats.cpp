@@ -265,7 +265,10 @@ void pull_hard(CheatView& view, RigSample& sample) {
 
 // Energy.
 void pump(CheatView& view, RigSample& sample) {
-    if (std::fmod(view.time, 0.16) > 0.08) mask_energy(sample);
+    // On in the air too: many short activations, of which most would be called safe.
+    mask_energy(sample);
+    if (std::fmod(view.time, 0.16) > 0.08) return;
+    sample.hand[right].buttons = static_cast<std::uint16_t>(sample.hand[right].buttons | button_energy);
 }
 void one_activation(CheatView& view, RigSample& sample) {
     bool on = false;
@@ -381,7 +384,8 @@ const std::vector<Cheat>& cheats() {
         {"let_go_and_cut", "lets go of the tissue before it cuts", Site::blade, nullptr, let_go_and_cut},
         {"pull_apart", "pulls the tissue apart and never cuts", Site::blade, nullptr, pull_apart},
         {"pull_hard", "pulls far harder than it should while it cuts", Site::blade, nullptr, pull_hard},
-        {"pump", "pumps the pedal in pulses of 80 ms", Site::energy, nullptr, pump},
+        {"pump", "never releases the pedal for long, but pumps it in pulses of 80 ms", Site::energy, nullptr,
+         pump},
         {"one_activation", "uses energy once and divides the rest cold", Site::energy, nullptr,
          one_activation},
         {"cold", "never uses energy", Site::energy, nullptr, cold},
