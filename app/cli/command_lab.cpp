@@ -3,6 +3,7 @@
 // docs/results.
 #include <algorithm>
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "app/cli/laboratory.h"
 #include "app/lab/measure.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fulcrum perform: performs, stores and scores one attempt without a window.
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
 #include "app/live/interrupted.h"

@@ -2,6 +2,7 @@
 // fulcrum replay: simulates a stored attempt again from its record.
 #include <cmath>
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
 #include "app/live/performance.h"

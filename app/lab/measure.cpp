@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "app/lab/attempt_workloads.h"
 #include "app/live/performance.h"

@@ -5,6 +5,7 @@
 #include <QImage>
 #include <filesystem>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "app/live/performance.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "assessment/metrics/metrics_json.h"
 
+#include <nlohmann/json.hpp>
+
 #include "assessment/metrics/metric_names.h"
 #include "assessment/metrics/registry.h"
 #include "assessment/metrics/statement_words.h"

@@ -2,7 +2,7 @@
 // Metric results as JSON, and the body of `fulcrum metrics`.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>

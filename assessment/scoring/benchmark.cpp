@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "assessment/scoring/benchmark.h"
 
+#include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
 

@@ -3,7 +3,7 @@
 // File format: assets/schemas/benchmark.schema.json.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>

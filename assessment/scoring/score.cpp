@@ -2,6 +2,7 @@
 #include "assessment/scoring/score.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "assessment/metrics/registry.h"
 #include "assessment/scoring/gate_rules.h"

@@ -2,6 +2,7 @@
 #include "database/scoring/scoring.h"
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "assessment/assets/assets.h"
 #include "assessment/metrics/metrics_json.h"

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "sim_core/geometry/closest_point.h"
 #include "sim_core/lab/study_input.h"

@@ -2,7 +2,7 @@
 // `fulcrum lab run` with "model": "cut": strokes of a blade over a mesh at rest (docs/FORMATS.md).
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "sim_core/cutting/cut_mesh.h"
 #include "sim_core/scene/json_document.h"

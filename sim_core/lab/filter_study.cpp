@@ -2,6 +2,7 @@
 #include "sim_core/lab/filter_study.h"
 
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "sim_core/bowel/force_filter.h"
 #include "sim_core/lab/study_input.h"

@@ -2,7 +2,7 @@
 // `fulcrum lab run` with "model": "filter": the force filter on a given mesh (docs/FORMATS.md).
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "sim_core/scene/json_document.h"
 

@@ -2,6 +2,7 @@
 #include "sim_core/lab/machine.h"
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 namespace fulcrum::lab {

@@ -2,7 +2,7 @@
 // Machine and build that a measured page refers to.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 namespace fulcrum::lab {

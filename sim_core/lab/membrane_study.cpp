@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "sim_core/lab/study_input.h"
 #include "sim_core/membrane/membrane.h"

@@ -3,7 +3,7 @@
 // docs/FORMATS.md).
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 namespace fulcrum {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "sim_core/bowel/mean_value.h"
 #include "sim_core/bowel/ring_windows.h"

@@ -3,7 +3,7 @@
 // cage (docs/FORMATS.md).
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 
 #include "sim_core/geometry/mesh.h"

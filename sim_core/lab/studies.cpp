@@ -2,6 +2,7 @@
 #include "sim_core/lab/studies.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "sim_core/lab/cut_study.h"

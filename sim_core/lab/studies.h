@@ -2,7 +2,7 @@
 // `fulcrum lab run`: a single model with given input and its full result.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 namespace fulcrum::lab {

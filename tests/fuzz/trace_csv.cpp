@@ -3,6 +3,7 @@
 // all finite.
 #include <cmath>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "assessment/metrics/metrics_json.h"

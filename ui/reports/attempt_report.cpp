@@ -2,6 +2,7 @@
 // One attempt on paper and as data: verdict, gates, figures and, where it leaves a specimen, the pathology
 // report.
 #include <QCoreApplication>
+#include <nlohmann/json.hpp>
 
 #include "assessment/metrics/registry.h"
 #include "assessment/metrics/statement_words.h"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "database/records/people.h"
 #include "sim_core/numerics/input_error.h"

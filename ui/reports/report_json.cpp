@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assessment/metrics/statement_words.h"
 
+#include <nlohmann/json.hpp>
+
 #include "assessment/metrics/metric_names.h"
 #include "ui/reports/report_rows.h"
 

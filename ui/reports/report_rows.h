@@ -2,7 +2,7 @@
 // What every report says in the same way. Internal to this room.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "ui/reports/report.h"
 

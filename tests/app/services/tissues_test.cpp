@@ -10,6 +10,7 @@
 #include <QListWidget>
 #include <QTableWidget>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "app/live/performance.h"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "assessment/attempt/memory_sink.h"
 #include "assessment/learning/statistics.h"

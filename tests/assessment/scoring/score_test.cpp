@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "sim_core/numerics/input_error.h"
 #include "tests/assessment/scoring/fixtures.h"

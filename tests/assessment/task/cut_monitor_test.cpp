@@ -2,6 +2,7 @@
 // Task goals of a dissection, from constructed steps: tension, division, release, warnings.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "assessment/scoring/score.h"
 #include "assessment/task/monitor.h"

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "assessment/scoring/score.h"
 #include "sim_core/scene/json_document.h"

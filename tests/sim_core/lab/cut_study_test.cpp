@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "sim_core/geometry/mesh_file.h"
 #include "sim_core/lab/cut_study.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "sim_core/geometry/mesh_file.h"
 #include "sim_core/lab/bench.h"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "sim_core/lab/rod_study.h"
 #include "sim_core/numerics/input_error.h"
