@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <set>
 
@@ -89,8 +92,26 @@ std::string Command::usage() const {
     return "fulcrum " + name + (words.empty() ? "" : " " + words) + " [options]";
 }
 
+namespace {
+
+/// Replaces this process by the command's program with the same words. Throws UsageError if it is not there.
+int start(const Command& command, std::vector<std::string> words) {
+    std::string path =
+        (std::filesystem::read_symlink("/proc/self/exe").parent_path() / command.program).string();
+    std::vector<char*> arguments = {path.data()};
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    std::cout.flush();
+    execv(path.c_str(), arguments.data());
+    throw UsageError(command.name, "needs the program '" + path + "', which is missing",
+                     "build the laboratory: ./run laboratory");
+}
+
+}  // namespace
+
 int Invocation::run() const {
-    if (command != nullptr) return command->run(arguments);
+    if (command != nullptr)
+        return command->program.empty() ? command->run(arguments) : start(*command, given);
     std::cout << text;
     return 0;
 }
@@ -203,6 +224,7 @@ Invocation CommandTable::parse(const std::vector<std::string>& given) const {
     if (name == "help")
         return {
             nullptr, {}, rest.empty() ? help() : help(rest.size() == 2 ? rest[0] + " " + rest[1] : rest[0])};
+    call.given = given;
     return call;
 }
 

@@ -29,6 +29,7 @@ struct Command {
     std::function<int(const Arguments&)> run = {};
     bool draws = false;        ///< needs QApplication: fonts or OpenGL
     std::string details = {};  ///< a paragraph for --help and the man page
+    std::string program = {};  ///< the program that runs it, in the folder of this one; empty: this one
 
     const Option* option(const std::string& word) const;
     std::string usage() const;  ///< "fulcrum db backup TO [options]"
@@ -39,9 +40,11 @@ struct Invocation {
     const Command* command = nullptr;  ///< null: only `text` is printed
     Arguments arguments;
     std::string text;
+    std::vector<std::string> given = {};  ///< the whole command line, for a command of another program
 
-    bool draws() const { return command != nullptr && command->draws; }
-    /// The exit status. Throws InputError and what the command throws.
+    bool draws() const { return command != nullptr && command->program.empty() && command->draws; }
+    /// The exit status. A command of another program replaces this process. Throws InputError and what the
+    /// command throws.
     int run() const;
 };
 

@@ -23,12 +23,14 @@ Command check_command();
 Command benchmark_command();
 Command tissues_command();
 std::vector<Command> store_commands();       ///< db ...
-std::vector<Command> laboratory_commands();  ///< lab ...
+std::vector<Command> laboratory_commands();  ///< lab ...: without code, run by the program fulcrum-lab
 
 Option json_option();
 Option store_option();                  ///< --db
 std::vector<Option> session_options();  ///< --db, --as, --role, --password-file, --json
 Option seed_option();
+std::vector<std::string> fidelity_names();      ///< choices of --fidelity
+std::vector<std::string> device_class_names();  ///< choices of --device-class
 /// `more`, then `rest`.
 std::vector<Option> joined(std::vector<Option> more, const std::vector<Option>& rest);
 

@@ -12,6 +12,5 @@ int run_command(const std::vector<std::string>& words);
 
 Command report_command();
 Command demonstrate_command();
-Command experiment_command();  ///< lab experiment
 
 }  // namespace fulcrum::app

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstring>
 
-#include "database/rows/crypto.h"
-
 #include "assessment/metrics/metric_names.h"
+#include "database/rows/crypto.h"
 #include "database/rows/json.h"
 #include "database/store/score_rows.h"
 

@@ -2,7 +2,6 @@
 #include "database/store/score_rows.h"
 
 #include "assessment/metrics/metric_names.h"
-
 #include "database/rows/crypto.h"
 #include "database/rows/enum_column.h"
 #include "database/rows/json.h"

@@ -149,6 +149,18 @@ TEST_F(Program, LeavesNoFolderForAWrongCommand) {
     }
 }
 
+TEST_F(Program, SaysHowToBuildTheLaboratoryWhereItIsMissing) {
+    const QString copy = path("fulcrum");
+    ASSERT_TRUE(QFile::copy(QStringLiteral(FULCRUM_PROGRAM), copy));
+    QProcess process;
+    process.start(copy, {"lab", "validate"});
+    ASSERT_TRUE(process.waitForFinished());
+    EXPECT_EQ(process.exitCode(), 2);
+    const std::string errors = process.readAllStandardError().toStdString();
+    EXPECT_NE(errors.find("fulcrum-lab"), std::string::npos) << errors;
+    EXPECT_NE(errors.find("./run laboratory"), std::string::npos) << errors;
+}
+
 TEST_F(Program, RefusesBrokenTraces) {
     // The fault, the file, and the row (and column) that the message must name.
     const std::array<const char*, 3> traces[] = {

@@ -142,7 +142,7 @@ void AuditPage::fill_filters() {
         for (const std::string& kind : database::Audit(context().store()).kinds(context().session())) {
             const QString name = text(kind), front = name.section(QLatin1Char('.'), 0, 0);
             if (front != group && name.contains(QLatin1Char('.')))
-                kinds.emplace_back(tr("%1: all").arg(front), front);
+                kinds.emplace_back(audit_group_text(plain(front)), front);
             group = front;
             kinds.emplace_back(audit_operation_text(kind), name);
         }
@@ -236,3 +236,5 @@ void AuditPage::verify() {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_audit_page.cpp"

@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/administration/audit_words.h"
 
-#include <QCoreApplication>
-
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
 namespace {
 
-struct Words {
-    const char* name;
-    const char* shown;
-};
-
-constexpr Words operations[] = {
+constexpr WordsOf operations[] = {
     {"attempt.finish", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Attempt finished")},
     {"attempt.interrupted", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Attempt interrupted")},
     {"attempt.practice", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Attempt became practice")},
@@ -43,13 +36,30 @@ constexpr Words operations[] = {
     {"tissue.set", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Tissue values set")},
 };
 
+constexpr WordsOf groups[] = {
+    {"attempt", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Attempts: all")},
+    {"cohort", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Cohorts: all")},
+    {"comment", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Comments: all")},
+    {"demo", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Demonstration: all")},
+    {"password", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Passwords: all")},
+    {"person", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "People: all")},
+    {"programme", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Programme: all")},
+    {"score", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Scores: all")},
+    {"setting", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Settings: all")},
+    {"store", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Store: all")},
+    {"tissue", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Tissue values: all")},
+};
+
 }  // namespace
 
+QString audit_group_text(const std::string& group) {
+    const QString words = words_in(groups, group, "fulcrum::ui::audit");
+    return words.isEmpty() ? text(group) : words;
+}
+
 QString audit_operation_text(const std::string& operation) {
-    for (const Words& row : operations) {
-        if (operation == row.name) return QCoreApplication::translate("fulcrum::ui::audit", row.shown);
-    }
-    return text(operation);
+    const QString words = words_in(operations, operation, "fulcrum::ui::audit");
+    return words.isEmpty() ? text(operation) : words;
 }
 
 }  // namespace fulcrum::ui

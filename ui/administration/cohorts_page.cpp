@@ -163,3 +163,5 @@ void CohortsPage::save() {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_cohorts_page.cpp"

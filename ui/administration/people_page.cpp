@@ -240,3 +240,5 @@ void PeoplePage::toggle_active() {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_people_page.cpp"

@@ -219,3 +219,5 @@ void StationPage::back_up_to(const QString& path) {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_station_page.cpp"

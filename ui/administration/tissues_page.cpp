@@ -45,7 +45,10 @@ TissuesPage::TissuesPage(Context& context) : Page(context, "tissues_page") {
     list_->setAccessibleName(tr("Tasks"));
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     layout->addWidget(list_);
-    layout->addWidget(build_editor());
+    none_ = make_label(tr("No task of this programme has tissue that a blade cuts."));
+    layout->addWidget(none_);
+    editor_ = build_editor();
+    layout->addWidget(editor_);
     layout->addStretch();
     connect(list_, &QListWidget::currentRowChanged, this, &TissuesPage::select);
     auto* outer = new QVBoxLayout(this);
@@ -120,6 +123,9 @@ void TissuesPage::fill() {
         list_->addItem(context().task_title(task.id));
     }
     list_->setCurrentRow(tasks_.empty() ? -1 : current);
+    list_->setVisible(!tasks_.empty());
+    editor_->setVisible(!tasks_.empty());
+    none_->setVisible(tasks_.empty());
     list_->setFixedHeight(std::max(1, list_->count()) * std::max(30, list_->sizeHintForRow(0)) + 10);
     select();
 }
@@ -139,9 +145,8 @@ void TissuesPage::select() {
 
 void TissuesPage::show_values() {
     const bool may_set = context().allowed(database::Operation::set_tissues);
-    state_->setText(tasks_.empty() ? tr("No task of this programme has tissue that a blade cuts.")
-                    : site_.differ ? tr("This site's values, version %1").arg(site_.version)
-                                   : tr("The scene's values"));
+    state_->setText(site_.differ ? tr("This site's values, version %1").arg(site_.version)
+                                 : tr("The scene's values"));
     note_->setVisible(!site_.limits_note.empty());
     note_->setText(
         tr("Attempts are not compared with the task's limits, and gates based on them are not scored: %1. "
@@ -233,3 +238,5 @@ void TissuesPage::set(const database::TissueValues& values, const QString& said)
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_tissues_page.cpp"

@@ -37,7 +37,8 @@ class TissuesPage : public Page {
     SiteTissues site_;
     QListWidget* list_;
     QTableWidget *table_, *history_;
-    QLabel *state_, *note_;
+    QLabel *state_, *note_, *none_;  ///< none_: shown where no task has such tissue
+    QWidget* editor_;
     QLineEdit* reason_;
     QPushButton *save_, *back_;
     QFrame* change_;

@@ -229,3 +229,5 @@ bool AttemptChart::event(QEvent* event) {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_attempt_chart.cpp"

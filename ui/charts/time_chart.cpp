@@ -320,3 +320,5 @@ bool TimeChart::viewportEvent(QEvent* event) {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_time_chart.cpp"

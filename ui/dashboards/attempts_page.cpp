@@ -295,3 +295,5 @@ void AttemptsPage::open_row(int row) {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_attempts_page.cpp"

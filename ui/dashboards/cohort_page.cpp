@@ -181,3 +181,5 @@ void CohortPage::export_to(const QString& path, ReportFormat format) {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_cohort_page.cpp"

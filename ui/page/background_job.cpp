@@ -110,3 +110,5 @@ void JobBar::watch(BackgroundJob* job, const QString& line) {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_background_job.cpp"

@@ -83,3 +83,5 @@ Page::Page(Context& context, const char* name) : context_(context) {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_context.cpp"

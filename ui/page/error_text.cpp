@@ -9,14 +9,9 @@
 namespace fulcrum::ui {
 namespace {
 
-struct Words {
-    const char* name;
-    const char* shown;
-};
-
 // clang-format off
 /// Operations of database/access.h and what else the store refuses.
-constexpr Words operations[] = {
+constexpr WordsOf operations[] = {
     {"read_sign_in_list", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "see who signed in here")},
     {"list_people", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "see the list of people")},
     {"manage_people", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "add or change people")},
@@ -54,7 +49,7 @@ constexpr Words operations[] = {
     {"build_demo", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "build the demonstration")},
 };
 /// Why it was refused.
-constexpr Words reasons[] = {
+constexpr WordsOf reasons[] = {
     {"not in this role", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "This role does not include it.")},
     {"the demo takes practice attempts only", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The demonstration accepts practice attempts only.")},
     {"outside this role's people", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "The person is not in your care.")},
@@ -71,26 +66,18 @@ constexpr Words reasons[] = {
 };
 // clang-format on
 
-template <std::size_t N>
-QString words_of(const std::string& name, const Words (&table)[N]) {
-    for (const Words& row : table) {
-        if (name == row.name) return QCoreApplication::translate("fulcrum::ui::errors", row.shown);
-    }
-    return {};
-}
-
 }  // namespace
 
 QString error_text(const std::exception& error) {
     const auto* denied = dynamic_cast<const database::AccessDenied*>(&error);
     if (denied == nullptr) return QString::fromUtf8(error.what());
-    const QString operation = words_of(denied->operation(), operations);
+    const QString operation = words_in(operations, denied->operation(), "fulcrum::ui::errors");
     QString line = operation.isEmpty()
                        ? QCoreApplication::translate("fulcrum::ui::errors", "You may not do this as %1.")
                              .arg(role_text(denied->role()))
                        : QCoreApplication::translate("fulcrum::ui::errors", "You may not %1 as %2.")
                              .arg(operation, role_text(denied->role()));
-    const QString reason = words_of(denied->why(), reasons);
+    const QString reason = words_in(reasons, denied->why(), "fulcrum::ui::errors");
     if (!reason.isEmpty()) line += QLatin1Char(' ') + reason;
     return line;
 }

@@ -33,3 +33,5 @@ void MailRoom::deliver() {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_mail_room.cpp"

@@ -112,3 +112,5 @@ void ExportRow::choose() {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_export_row.cpp"

@@ -137,3 +137,5 @@ void ActionsCard::ask_correction() {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_actions_card.cpp"

@@ -116,3 +116,5 @@ void CommentsCard::write(bool send) {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_comments_card.cpp"

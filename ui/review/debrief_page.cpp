@@ -458,3 +458,5 @@ void DebriefPage::time_changed(double time) {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_debrief_page.cpp"

@@ -133,3 +133,5 @@ void GatesCard::fit() {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_gates_card.cpp"

@@ -223,3 +223,5 @@ bool PathView::event(QEvent* event) {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_path_view.cpp"

@@ -84,3 +84,5 @@ void PathologyCard::open(const std::optional<PathologyReport>& report, const std
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_pathology_card.cpp"

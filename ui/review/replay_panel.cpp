@@ -236,3 +236,5 @@ void ReplayPanel::fill_hud() {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_replay_panel.cpp"

@@ -236,3 +236,5 @@ void FirstStartPage::open_demo() {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_first_start_page.cpp"

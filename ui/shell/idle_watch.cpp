@@ -64,3 +64,5 @@ void IdleWatch::look() {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_idle_watch.cpp"

@@ -81,3 +81,5 @@ void LockPage::unlock() {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_lock_page.cpp"

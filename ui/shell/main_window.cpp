@@ -405,3 +405,5 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_main_window.cpp"

@@ -109,3 +109,5 @@ void PasswordPage::change() {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_password_page.cpp"

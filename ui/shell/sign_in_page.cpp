@@ -223,3 +223,5 @@ void SignInPage::recover() {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_sign_in_page.cpp"

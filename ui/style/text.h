@@ -2,6 +2,7 @@
 // How figures, times and names are written on screens and on paper: one place, so that they agree everywhere.
 #pragma once
 
+#include <QCoreApplication>
 #include <QString>
 #include <QStringList>
 #include <cstdint>
@@ -20,8 +21,22 @@ inline QString text(const std::string& utf8) {
 inline std::string plain(const QString& shown) {
     return shown.toStdString();
 }
-/// What stands beside each other in a line, "Surgery · attempt report"; a part that is empty takes no place.
+/// One line of text of several parts, "Surgery · attempt report", without the empty ones.
 QString beside(QStringList parts);
+
+/// The words for one name that is stored or used inside the program.
+struct WordsOf {
+    const char* name;
+    const char* shown;  ///< marked with QT_TRANSLATE_NOOP
+};
+/// The words of the row with this name in the reader's language; empty if there is none.
+template <std::size_t N>
+QString words_in(const WordsOf (&table)[N], const std::string& name, const char* context) {
+    for (const WordsOf& row : table) {
+        if (name == row.name) return QCoreApplication::translate(context, row.shown);
+    }
+    return {};
+}
 
 /// A stored sentence (advice, a reason) in the reader's language; a text of an old store as it is.
 QString statement_text(const Statement& statement);

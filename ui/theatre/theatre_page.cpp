@@ -507,3 +507,5 @@ void TheatrePage::mouse_move(QMouseEvent* event) {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_theatre_page.cpp"

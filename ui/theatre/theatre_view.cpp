@@ -174,3 +174,5 @@ void TheatreView::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_theatre_view.cpp"

@@ -104,8 +104,12 @@ void BriefingPage::fill() {
         if (!gate.tissue.empty()) line += QStringLiteral(", ") + text(gate.tissue);
         if (gate.kind == GateKind::absolute) {
             const bool higher = metric != nullptr && metric->direction == Direction::higher;
-            line += (higher ? tr(": at least %1") : tr(": at most %1"))
-                        .arg(figure_with_unit(gate.limit, metric == nullptr ? std::string() : metric->unit));
+            const QString limit =
+                figure_with_unit(gate.limit, metric == nullptr ? std::string() : metric->unit);
+            line += gate.exclusive      ? (higher ? tr(": more than %1") : tr(": less than %1")).arg(limit)
+                    : higher            ? tr(": at least %1").arg(limit)
+                    : gate.limit == 0.0 ? tr(": none")
+                                        : tr(": at most %1").arg(limit);
         } else {
             line += tr(": within the experts' range");
         }
@@ -143,3 +147,5 @@ void BriefingPage::show_tissue_note() {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_briefing_page.cpp"

@@ -164,3 +164,5 @@ QFrame* HomePage::task_card(const TaskSummary& summary) {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_home_page.cpp"

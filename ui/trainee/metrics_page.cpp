@@ -136,3 +136,5 @@ void MetricsPage::show_chosen() {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_metrics_page.cpp"

@@ -239,3 +239,5 @@ void ProgressPage::export_to(const QString& path, ReportFormat format) {
 }
 
 }  // namespace fulcrum::ui
+
+#include "moc_progress_page.cpp"

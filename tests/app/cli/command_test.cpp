@@ -8,6 +8,7 @@
 #include <fstream>
 #include <set>
 
+#include "app/lab/commands.h"
 #include "app/services/program.h"
 #include "tests/support/own_folder.h"
 
@@ -149,6 +150,21 @@ TEST(ProgramCommands, BashCompletesFromTheScript) {
     EXPECT_EQ(completed("fulcrum report --format \"\""), "pdf csv json\n");
     EXPECT_EQ(completed("fulcrum perform A2 --operator nov"), "novice\n");
     EXPECT_EQ(completed("fulcrum --ver"), "--version\n");
+}
+
+TEST(ProgramCommands, EveryCommandHasCodeHereOrInTheLaboratory) {
+    const CommandTable laboratory = laboratory_table();
+    std::set<std::string> in_laboratory;
+    for (const Command& command : laboratory.commands())
+        if (command.run != nullptr) in_laboratory.insert(command.name);
+    int passed_on = 0;
+    for (const Command& command : program_commands().commands()) {
+        if (command.program.empty()) continue;
+        EXPECT_EQ(command.program, "fulcrum-lab") << command.name;
+        EXPECT_EQ(in_laboratory.count(command.name), 1U) << command.name;
+        ++passed_on;
+    }
+    EXPECT_GE(passed_on, 10);
 }
 
 }  // namespace

@@ -36,6 +36,10 @@ TEST(AuditWords, EveryAuditedOperationHasWords) {
     for (const std::string& name : names) {
         const QString shown = audit_operation_text(name);
         EXPECT_FALSE(shown.contains('.') || shown.contains('_')) << name;
+        const std::size_t point = name.find('.');
+        if (point != std::string::npos) {
+            EXPECT_TRUE(audit_group_text(name.substr(0, point)).endsWith(": all")) << name;
+        }
     }
     EXPECT_EQ(audit_operation_text("attempt.finish"), "Attempt finished");
     EXPECT_EQ(audit_operation_text("later.operation"), "later.operation");

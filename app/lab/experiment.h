@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/arguments.h"
 #include "sim_core/lab/result_page.h"
 
 namespace fulcrum::app {
@@ -15,5 +16,6 @@ std::vector<std::string> experiment_files();
 /// Runs one file; the page (ID.md) contains its picture (ID.png). Needs a QGuiApplication on a platform with
 /// OpenGL. Throws InputError.
 lab::ResultPage experiment_page(const std::string& file);
+int run_experiments(const Arguments& arguments);  ///< lab experiment
 
 }  // namespace fulcrum::app

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fulcrum lab experiment: runs the experiments of assets/experiments and writes their pages and pictures.
-#include "app/cli/laboratory.h"
-#include "app/services/experiment.h"
-#include "app/services/program.h"
+#include "app/lab/experiment.h"
+#include "app/lab/pages.h"
 
 namespace fulcrum::app {
-namespace {
 
 int run_experiments(const Arguments& arguments) {
     if (!arguments.has("--output"))
@@ -14,19 +12,6 @@ int run_experiments(const Arguments& arguments) {
     make_output(arguments);
     for (const std::string& file : files) deliver(arguments, experiment_page(file), {});
     return 0;
-}
-
-}  // namespace
-
-Command experiment_command() {
-    return {"lab experiment",
-            "[FILE.json]",
-            0,
-            1,
-            "Runs one experiment, or all of assets/experiments, and draws its pictures.",
-            {page_option()},
-            run_experiments,
-            true};
 }
 
 }  // namespace fulcrum::app

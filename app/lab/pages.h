@@ -7,7 +7,6 @@
 
 namespace fulcrum::app {
 
-Option page_option();  ///< --output
 /// Creates the folder of --output. Call it after all checks of the command line and before the work, so that
 /// a wrong command leaves no folder.
 void make_output(const Arguments& arguments);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/services/experiment.h"
+#include "app/lab/experiment.h"
 
 #include <QBuffer>
 #include <QByteArray>

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/lab/commands.h"
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "app/lab/experiment.h"
+#include "app/lab/measure.h"
+#include "app/lab/pages.h"
+#include "assessment/metrics/version.h"
+#include "sim_core/lab/cut_figures.h"
+#include "sim_core/lab/cut_strokes.h"
+#include "sim_core/lab/size_sweep.h"
+#include "sim_core/lab/stability.h"
+#include "sim_core/lab/studies.h"
+#include "sim_core/lab/validation.h"
+
+namespace fulcrum::app {
+
+int deliver(const Arguments& arguments, const lab::ResultPage& page, nlohmann::json document) {
+    const lab::Machine machine = lab::this_machine(lab::build_info());
+    if (const auto folder = arguments.value("--output")) {
+        for (const std::string& path : page.write(*folder, machine)) std::cerr << "wrote " << path << '\n';
+    }
+    if (arguments.has("--json")) {
+        document["machine"] = lab::to_json(machine);
+        print_json(document);
+    } else if (!arguments.has("--output")) {
+        std::cout << page.text(machine);
+    }
+    return 0;
+}
+
+void make_output(const Arguments& arguments) {
+    if (arguments.has("--output")) arguments.folder("--output", "");
+}
+
+namespace {
+
+int size_sweep(const Arguments& arguments) {
+    arguments.exclude("--only", "--sweep");
+    make_output(arguments);
+    std::vector<lab::SizeSweep> sweeps;
+    for (const lab::SweepCase& sweep : lab::size_sweeps()) {
+        std::cerr << sweep.model << '\n';
+        sweeps.push_back(lab::time_sweep(sweep));
+    }
+    return deliver(arguments, lab::size_sweep_page(sweeps), lab::to_json(sweeps));
+}
+
+int bench(const Arguments& arguments) {
+    if (arguments.has("--sweep")) return size_sweep(arguments);
+    arguments.exclude("--only", "--output");  // a page contains every workload
+    make_output(arguments);
+    const Measured measured = measure_workloads(arguments.value("--only"));
+    return deliver(arguments, measured.page, measured.document);
+}
+
+int cost(const Arguments& arguments) {
+    make_output(arguments);
+    const Measured measured = measure_costs();
+    return deliver(arguments, measured.page, measured.document);
+}
+
+int clock(const Arguments& arguments) {
+    make_output(arguments);
+    const Measured measured = measure_cut_clock();
+    return deliver(arguments, measured.page, measured.document);
+}
+
+int validate(const Arguments& arguments) {
+    make_output(arguments);
+    const std::vector<lab::ValidationCase> cases = lab::validation_cases();
+    deliver(arguments, lab::validation_page(cases), lab::to_json(cases));
+    return std::all_of(cases.begin(), cases.end(), [](const lab::ValidationCase& c) { return c.passed; }) ? 0
+                                                                                                          : 1;
+}
+
+int stability(const Arguments& arguments) {
+    make_output(arguments);
+    const std::vector<lab::StabilityMap> maps = lab::stability_maps();
+    return deliver(arguments, lab::stability_page(maps), lab::to_json(maps));
+}
+
+int tradeoff(const Arguments& arguments) {
+    make_output(arguments);
+    const std::vector<lab::TradeoffStudy> studies = lab::tradeoff_studies();
+    const std::vector<lab::ScoreSensitivity> sensitivity = measure_score_sensitivity();
+    return deliver(arguments, lab::tradeoff_page(studies, sensitivity), lab::to_json(studies, sensitivity));
+}
+
+int cut(const Arguments& arguments) {
+    make_output(arguments);
+    const lab::ResultPage page = lab::cut_figures_page();
+    return deliver(arguments, page, page.document());
+}
+
+int strokes(const Arguments& arguments) {
+    int count = 100000;
+    if (!arguments.words().empty()) {
+        const std::string& word = arguments.words()[0];
+        const auto number = parse_integer(word, 1, 10000000);
+        if (!number)
+            throw UsageError("lab strokes", "'" + word + "' is not a number of strokes",
+                             "give a whole number from 1 to 10000000");
+        count = static_cast<int>(*number);
+    }
+    make_output(arguments);
+    const lab::ResultPage page = lab::cut_strokes_page(count);
+    return deliver(arguments, page, page.document());
+}
+
+int run_study(const Arguments& arguments) {
+    print_json(lab::run_study(arguments.words()[0]));
+    return 0;
+}
+
+/// The code of each command of laboratory_commands().
+const std::map<std::string, std::function<int(const Arguments&)>>& code() {
+    static const std::map<std::string, std::function<int(const Arguments&)>> code = {
+        {"lab bench", bench},       {"lab cost", cost},         {"lab clock", clock},
+        {"lab validate", validate}, {"lab tradeoff", tradeoff}, {"lab stability", stability},
+        {"lab cut", cut},           {"lab strokes", strokes},   {"lab experiment", run_experiments},
+        {"lab run", run_study}};
+    return code;
+}
+
+}  // namespace
+
+CommandTable laboratory_table() {
+    std::vector<Command> commands = laboratory_commands();
+    for (Command& command : commands) {
+        const auto found = code().find(command.name);
+        if (found == code().end())
+            throw std::logic_error("app/lab/commands.cpp: no code for the command " + command.name);
+        command.run = found->second;
+        command.program.clear();
+    }
+    return CommandTable(std::move(commands), program_version);
+}
+
+}  // namespace fulcrum::app

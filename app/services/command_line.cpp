@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/command_line.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <QApplication>
+#include <QTextCodec>
+#include <clocale>
+#include <csignal>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "database/rows/errors.h"
+#include "sim_core/numerics/input_error.h"
+
+namespace fulcrum::app {
+namespace {
+
+/// Prints the text as one line on standard error; returns the exit status.
+int report(std::string line, int status) {
+    for (char& c : line)
+        if (c == '\n' || c == '\r') c = ' ';
+    std::cerr << "fulcrum: " << line << '\n';
+    return status;
+}
+
+int run(const Invocation& call) {
+    const int status = call.run();
+    if (!std::cout.flush())
+        return report("standard output: not everything could be written; check the pipe or free some space",
+                      1);
+    return status;
+}
+
+int parse_and_run(const CommandTable& table, int& argc, char** argv) {
+    std::signal(SIGPIPE, SIG_IGN);  // run() reports a closed pipe
+    const Invocation call = table.parse(std::vector<std::string>(argv + 1, argv + argc));
+    if (!call.draws()) {
+        const QCoreApplication application(argc, argv);
+        set_plain_formats();
+        return run(call);
+    }
+    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY"))
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    const QApplication application(argc, argv);
+    set_plain_formats();
+    return run(call);
+}
+
+}  // namespace
+
+int guarded(const std::function<int()>& action) {
+    try {
+        return action();
+    } catch (const InputError& error) {
+        return report(error.what(), 2);
+    } catch (const database::StoreError& error) {
+        return report(error.what(), error.is_bad_input() ? 2 : 1);
+    } catch (const database::AccessDenied& error) {
+        return report(error.what(), 2);
+    } catch (const database::SignInRefused& error) {
+        return report(error.what(), 2);
+    } catch (const nlohmann::json::exception& error) {
+        return report(std::string("JSON: ") + error.what() + "; correct the document", 2);
+    } catch (const std::bad_alloc&) {
+        return report("not enough memory; close other programs or give smaller input", 1);
+    } catch (const std::exception& error) {
+        return report(error.what(), 1);
+    }
+}
+
+void keep_standard_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (fcntl(stream, F_GETFD) != -1) continue;
+        const int other = open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);  // use fails
+        if (other != stream && other >= 0) {
+            dup2(other, stream);
+            close(other);
+        }
+    }
+}
+
+void set_plain_formats() {
+    std::setlocale(LC_NUMERIC, "C");
+    QTextCodec::setCodecForLocale(QTextCodec::codecForName("UTF-8"));
+}
+
+int run_command_line(const CommandTable& table, int& argc, char** argv) {
+    return guarded([&] { return parse_and_run(table, argc, argv); });
+}
+
+}  // namespace fulcrum::app

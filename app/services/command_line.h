@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the programs fulcrum and fulcrum-lab do alike with a command line.
+#pragma once
+
+#include <functional>
+
+#include "app/cli/command.h"
+
+namespace fulcrum::app {
+
+/// A closed standard stream must not become the descriptor of the next file that is opened, such as the
+/// store. Call it first.
+void keep_standard_streams();
+/// After QCoreApplication has set the user's locale: numbers are read and written with a decimal point, and
+/// file names are UTF-8, in every language.
+void set_plain_formats();
+/// The action's exit status. What it throws is printed as one line: 2 for bad input, else 1.
+int guarded(const std::function<int()>& action);
+/// Parses the command line, which has at least one word, and runs its command; the exit status.
+int run_command_line(const CommandTable& table, int& argc, char** argv);
+
+}  // namespace fulcrum::app
