@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "app/cli/attempt_document.h"
 #include "app/cli/commands.h"
 #include "app/live/performance.h"
 #include "assessment/assets/assets.h"
@@ -38,7 +39,59 @@ Trace read_trace(const std::string& path) {
     return path == "-" ? read_trace_csv(std::cin, "standard input") : read_trace_csv(path);
 }
 
+/// What was not read, not joined, or replaced in the trace, on standard error.
+void print_notes(const nlohmann::json& document) {
+    for (const auto& column : document["ignored_columns"])
+        std::cerr << "note: the column " << column.get<std::string>() << " is not known and was not read\n";
+    for (const auto& gap : document["gaps"])
+        std::cerr << "note: no samples from " << gap[0].dump() << " s to " << gap[1].dump()
+                  << " s; nothing is measured across this gap\n";
+    if (document["replaced_force_samples"] != 0)
+        std::cerr << "note: " << document["replaced_force_samples"].dump()
+                  << " force samples were spikes and were replaced\n";
+}
+
+/// The verdict from a trace with its events.
+nlohmann::json verdict(const Arguments& arguments) {
+    if (!arguments.has("--task"))
+        throw UsageError("--events", "needs the task that was performed", "name it: --task TASK");
+    nlohmann::json document =
+        score_of_files(arguments.words()[0], *arguments.value("--events"), *arguments.value("--task"),
+                       arguments.value_or("--fidelity", ""));
+    document["device_class"] = or_null(arguments.value("--device-class"));
+    document["fidelity"] = or_null(arguments.value("--fidelity"));
+    return document;
+}
+
+void print_verdict(const nlohmann::json& document) {
+    const nlohmann::json& passed = document["passed"];
+    std::cout << (passed.is_null()     ? "not scored: " + document["not_scored_because"].get<std::string>()
+                  : passed.get<bool>() ? std::string("passed")
+                                       : std::string("failed"));
+    if (!document["points"].is_null()) std::cout << ", points " << document["points"].dump();
+    std::cout << '\n';
+    for (const auto& gate : document["gates"])
+        std::cout << "gate " << gate["metric"].get<std::string>() << ": " << gate["value"].dump() << " limit "
+                  << gate["limit"].dump() << " passed " << gate["passed"].dump() << '\n';
+    if (!document["pathology"].is_null())
+        std::cout << "pathology: grade " << document["pathology"]["tme_grade"].dump() << ' '
+                  << document["pathology"]["grade_reasons"].dump() << '\n';
+}
+
 int run_metrics(const Arguments& arguments) {
+    if (arguments.has("--events")) {
+        const nlohmann::json document = verdict(arguments);
+        if (arguments.has("--json")) {
+            print_json(document);
+        } else {
+            print_verdict(document);
+        }
+        return 0;
+    }
+    for (const char* option : {"--device-class", "--fidelity"})
+        if (arguments.has(option))
+            throw UsageError(option, "has no meaning without --events",
+                             "name the events: --events EVENTS.csv");
     std::optional<MetricContext> context;
     if (const auto task = arguments.value("--task")) {
         const LoadedTask loaded = load_task_and_scene(*task);
@@ -51,6 +104,7 @@ int run_metrics(const Arguments& arguments) {
         print_json(document);
         return 0;
     }
+    print_notes(document);
     for (const auto& row : document["metrics"]) {
         const std::string hand = row["hand"].is_null() ? "" : row["hand"].get<std::string>();
         const std::string tissue = row["tissue"].is_null() ? "" : row["tissue"].get<std::string>();
@@ -124,15 +178,20 @@ int run_check(const Arguments& arguments) {
 }  // namespace
 
 Command metrics_command() {
-    return {"metrics",
-            "TRACE.csv",
-            1,
-            1,
-            "Computes the metrics of a trace in the CSV format of docs/FORMATS.md; - reads standard input.",
-            {{"--task", "TASK",
-              "The task that the trace belongs to; metrics that depend on its targets need it."},
-             json_option()},
-            run_metrics};
+    return {
+        "metrics",
+        "TRACE.csv",
+        1,
+        1,
+        "Computes the metrics of a trace in the CSV format of docs/FORMATS.md; - reads standard input. With "
+        "its events it also gives gates, pathology and verdict.",
+        {{"--task", "TASK",
+          "The task that the trace belongs to; metrics that depend on its targets need it."},
+         {"--events", "EVENTS.csv", "The attempt's events."},
+         {"--device-class", "CLASS", "The class of the device.", "", device_class_names()},
+         {"--fidelity", "LEVEL", "The fidelity of the simulation.", "", fidelity_names()},
+         json_option()},
+        run_metrics};
 }
 
 Command check_command() {

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/attempt_document.h"
 #include "app/cli/commands.h"
 #include "app/live/interrupted.h"
 #include "app/live/live_attempt.h"
@@ -61,37 +62,16 @@ database::Person subject(const Arguments& arguments, const database::Store& stor
 
 nlohmann::json to_json(const database::AttemptMeta& meta, const std::string& attempt,
                        const database::Person& person, const Result& result) {
-    const Score& score = result.scored.score;
-    return {{"attempt", attempt},
-            {"task", meta.task_id},
-            {"person", person.login},
-            {"person_id", person.id},
-            {"operator", or_null(meta.operator_name)},
-            {"synthetic", person.kind != database::PersonKind::real},
-            {"mode", row_of(attempt_modes, meta.mode).name},
-            {"device_class", row_of(device_classes, meta.device_class).name},
-            {"variant", meta.variant},
-            {"seed", meta.seed},
-            {"fidelity", meta.fidelity},
-            {"duration_s", result.scored.duration_s},
-            {"wall_s", result.wall_s},
-            {"state", row_of(attempt_states, result.scored.state).name},
-            {"passed", or_null(score.passed)},
-            {"not_scored_because", or_null(words_of(score.not_scored_because))},
-            {"not_scored_code", statement_json(score.not_scored_because)},
-            {"points", or_null(score.points)},
-            {"advice", words_of(score.advice)},
-            {"advice_code", statement_json(score.advice)},
-            {"gates", gates_to_json(score.gates)},
-            {"metrics", metrics_to_json(result.scored.metrics)},
-            {"critical_errors", critical_errors_to_json(score.critical_errors)},
-            {"pathology", result.scored.pathology
-                              ? nlohmann::json::parse(pathology_json(*result.scored.pathology))
-                              : nlohmann::json()},
-            {"events", result.events},
-            {"missed_ticks", result.missed},
-            {"state_hash", hex(result.state_hash)},
-            {"loop", result.statistics ? statistics_json(*result.statistics) : nlohmann::json()}};
+    nlohmann::json document = attempt_document(meta, attempt, result.scored);
+    document.update({{"person", person.login},
+                     {"person_id", person.id},
+                     {"synthetic", person.kind != database::PersonKind::real},
+                     {"wall_s", result.wall_s},
+                     {"events", result.events},
+                     {"missed_ticks", result.missed},
+                     {"state_hash", hex(result.state_hash)},
+                     {"loop", result.statistics ? statistics_json(*result.statistics) : nlohmann::json()}});
+    return document;
 }
 
 Result perform_on_the_clock(const LoadedTask& loaded, std::shared_ptr<Rig> rig, const database::Store& store,
@@ -137,13 +117,19 @@ void print_summary(const nlohmann::json& document) {
 
 }  // namespace
 
-namespace {
-
 std::vector<std::string> fidelity_names() {
     std::vector<std::string> names;
     for (const NameRow<FidelityLevel>& level : fidelity_levels) names.push_back(level.name);
     return names;
 }
+
+std::vector<std::string> device_class_names() {
+    std::vector<std::string> names;
+    for (const NameRow<DeviceClass>& row : device_classes) names.push_back(row.name);
+    return names;
+}
+
+namespace {
 
 int run_perform(const Arguments& arguments) {
     arguments.exclude("--operator", "--input");

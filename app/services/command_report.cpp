@@ -2,6 +2,7 @@
 // fulcrum report: progress reports as PDF, CSV or JSON, from the same query as the screens.
 #include <iostream>
 
+#include "app/cli/attempt_document.h"
 #include "app/services/application.h"
 #include "app/services/program.h"
 #include "assessment/assets/assets.h"
@@ -12,12 +13,32 @@ namespace fulcrum::app {
 
 namespace {
 
+int report_files(const Arguments& arguments, const std::vector<std::string>& files) {
+    if (arguments.has("--json")) {
+        print_json({{"files", files}});
+    } else {
+        for (const std::string& file : files) std::cout << "wrote " << file << '\n';
+    }
+    return 0;
+}
+
+/// The record of one attempt as tables, in the folder --output.
+int write_trace(const Arguments& arguments) {
+    if (!arguments.has("--attempt"))
+        throw UsageError("--format trace", "is for one attempt", "name it: --attempt ID");
+    const database::Store store = open_store(arguments, false);
+    const database::Session session = session_of(arguments, store);
+    return report_files(
+        arguments, export_trace(store, session, *arguments.value("--attempt"), *arguments.value("--output")));
+}
+
 int run_report(const Arguments& arguments) {
     if (arguments.has("--person") + arguments.has("--cohort") + arguments.has("--attempt") != 1)
         throw UsageError("report", "needs exactly one of --person, --cohort and --attempt",
                          "give one of them");
     if (!arguments.has("--output"))
         throw UsageError("--output", "is missing", "name the file to write: -o FILE");
+    if (arguments.value_or("--format", "pdf") == "trace") return write_trace(arguments);
     ui::ReportRequest request;
     request.format = ui::parse_report_format(arguments.value_or("--format", "pdf"));
     request.path = *arguments.value("--output");
@@ -39,12 +60,7 @@ int run_report(const Arguments& arguments) {
     std::vector<TaskDefinition> tasks;
     for (const std::string& id : task_ids()) tasks.push_back(load_task(task_file(id)));
     const std::vector<std::string> files = ui::write_report(store, session, request, tasks, version_line());
-    if (arguments.has("--json")) {
-        print_json({{"files", files}});
-    } else {
-        for (const std::string& file : files) std::cout << "wrote " << file << '\n';
-    }
-    return 0;
+    return report_files(arguments, files);
 }
 
 }  // namespace
@@ -58,8 +74,8 @@ Command report_command() {
             joined({{"--person", "LOGIN", "A report of this person."},
                     {"--cohort", "NAME", "A report of this cohort."},
                     {"--attempt", "ID", "A report of this attempt."},
-                    {"--format", "FORMAT", "The kind of file.", "pdf", {"pdf", "csv", "json"}},
-                    {"--output", "FILE", "The file to write.", "", {}, "-o"}},
+                    {"--format", "FORMAT", "The kind of file.", "pdf", {"pdf", "csv", "json", "trace"}},
+                    {"--output", "FILE", "The file to write; with --format trace the folder.", "", {}, "-o"}},
                    session_options()),
             run_report,
             true};

@@ -33,7 +33,7 @@ struct RocArea {
     double low = 0, high = 0;  ///< 95 % interval
 };
 /// Chance that a value of `better` exceeds a value of `worse` (Mann-Whitney), with Newcombe's interval
-/// (method 5: Statistics in Medicine 2006; 25: 559-573), which keeps its width where the groups are fully
+/// (Newcombe 2006, method 5), which keeps its width where the groups are fully
 /// apart. None if a group is empty.
 std::optional<RocArea> roc_area(const std::vector<double>& better, const std::vector<double>& worse);
 

@@ -16,6 +16,12 @@ constexpr double motion_cutoff = 10.0, force_cutoff = 50.0;  // Hz
 constexpr double noise_cutoff = 50.0;  // Hz
 constexpr std::size_t decimation = 10;
 constexpr double shortest_segment_s = 0.3, longest_segment_s = 10.0, slowest_peak = 0.020;
+constexpr double valley_share = 0.5;     // of the lower of the peaks on both sides
+constexpr double shortest_free_s = 0.2;  // between two contacts
+// A spike of one sample can be told from a short force only where samples are dense.
+constexpr double despike_rate = 500.0;  // Hz
+constexpr double force_step = 1e-3;     // N, the record's resolution
+constexpr double area_step = 1e-9;      // m2
 static_assert(decimation * 100 == 1000);
 
 /// Three filtered columns with held ends, at 100 Hz.
@@ -124,6 +130,18 @@ std::vector<double> UniformGrid::interpolate(const std::vector<double>& column) 
     return out;
 }
 
+std::vector<double> UniformGrid::interpolate_within(const std::vector<double>& column,
+                                                    const std::vector<std::int16_t>& label) const {
+    if (index_.empty() || label.empty()) return interpolate(column);
+    std::vector<double> out(size_);
+    for (std::size_t i = 0; i < size_; ++i) {
+        const std::size_t k = index_[i];
+        const bool between = fraction_[i] > 0 && label[k] == label[k + 1];
+        out[i] = between ? column[k] + fraction_[i] * (column[k + 1] - column[k]) : column[k];
+    }
+    return out;
+}
+
 std::size_t MotionBlock::index(double t) const {
     const double i = std::clamp((t - begin) * motion_rate, 0.0, static_cast<double>(size() - 1));
     return static_cast<std::size_t>(std::lround(i));
@@ -157,6 +175,64 @@ std::vector<Segment> find_segments(const std::vector<double>& speed, const std::
     return segments;
 }
 
+namespace {
+
+/// Where [first, last) is divided: at the lowest speed relative to the lower of the peaks on both sides.
+std::optional<std::size_t> valley(const std::vector<double>& speed, const Run& run) {
+    std::vector<double> after(run.size());
+    double peak = 0;
+    for (std::size_t i = run.size(); i-- > 0;) after[i] = peak = std::max(peak, speed[run.first + i]);
+    double before = 0, lowest = valley_share;
+    std::optional<std::size_t> at;
+    for (std::size_t i = 0; i < run.size(); ++i) {
+        const double v = speed[run.first + i];
+        before = std::max(before, v);
+        const double limit = lowest * std::min(before, after[i]);
+        if (v >= limit) continue;
+        lowest = v / std::min(before, after[i]);
+        at = run.first + i;
+    }
+    return at;
+}
+
+}  // namespace
+
+FreeMovement find_free_movements(const std::vector<double>& speed, const std::vector<std::uint8_t>& pause,
+                                 std::vector<std::uint8_t> contact) {
+    for (const Run& gap : runs_of(contact.size(), [&](std::size_t i) { return contact[i] == 0; }))
+        if (gap.first > 0 && gap.last < contact.size() &&
+            static_cast<double>(gap.size()) < shortest_free_s * motion_rate)
+            std::fill(contact.begin() + static_cast<std::ptrdiff_t>(gap.first),
+                      contact.begin() + static_cast<std::ptrdiff_t>(gap.last), std::uint8_t{1});
+    const auto free = [&](std::size_t i) { return contact.empty() || contact[i] == 0; };
+    FreeMovement found;
+    std::vector<Run> open = runs_of(speed.size(), [&](std::size_t i) { return pause[i] == 0 && free(i); });
+    for (const Run& run : open)
+        if (static_cast<double>(run.size()) >= shortest_segment_s * motion_rate) found.samples += run.size();
+    std::reverse(open.begin(), open.end());
+    while (!open.empty()) {
+        const Run core = open.back();
+        open.pop_back();
+        if (const auto at = valley(speed, core)) {
+            open.push_back({*at, core.last});
+            open.push_back({core.first, *at});
+            continue;
+        }
+        if (core.first == 0 || core.last == speed.size()) continue;  // cut off by the block
+        Run whole = core;
+        while (whole.first > 0 && free(whole.first - 1) && speed[whole.first - 1] < speed[whole.first])
+            --whole.first;
+        while (whole.last < speed.size() && free(whole.last) && speed[whole.last] < speed[whole.last - 1])
+            ++whole.last;
+        const double peak = *std::max_element(speed.begin() + static_cast<std::ptrdiff_t>(core.first),
+                                              speed.begin() + static_cast<std::ptrdiff_t>(core.last));
+        const double duration = static_cast<double>(whole.size()) / motion_rate;
+        if (duration >= shortest_segment_s && duration <= longest_segment_s && peak >= slowest_peak)
+            found.segments.push_back({0, core, whole});
+    }
+    return found;
+}
+
 Analysis::Analysis(const Trace& trace, const std::vector<Event>& events, const MetricContext& context)
     : trace_(trace),
       events_(events),
@@ -177,6 +253,24 @@ Analysis::Analysis(const Trace& trace, const std::vector<Event>& events, const M
         build_force(h);
     }
 }
+
+namespace {
+
+/// 1 at 100 Hz where a blade is in tissue or the jaws hold it; empty where the trace cannot tell.
+std::vector<std::uint8_t> contact_of(const HandTrace& hand, const UniformGrid& grid, std::size_t size) {
+    std::vector<std::uint8_t> contact;
+    if (hand.has(Channel::cutting)) contact = decimate(grid.hold(hand.cutting));
+    if (!hand.has(Channel::jaw_force)) return contact;
+    contact.resize(size);
+    const std::vector<double> jaw = decimate(grid.hold(hand.jaw_force));
+    std::vector<std::int16_t> tissue;
+    if (hand.has(Channel::tissue)) tissue = decimate(grid.hold(hand.tissue));
+    for (std::size_t i = 0; i < size; ++i)
+        if (jaw[i] > contact_force && (tissue.empty() || tissue[i] >= 0)) contact[i] = 1;
+    return contact;
+}
+
+}  // namespace
 
 void Analysis::build_motion(std::size_t h) {
     const HandTrace& hand = trace_.hand[h];
@@ -221,6 +315,12 @@ void Analysis::build_motion(std::size_t h) {
             segment.block = out.motion.size();
             out.segments.push_back(segment);
         }
+        FreeMovement movement = find_free_movements(block.speed, block.pause, contact_of(hand, grid, size));
+        for (Segment& segment : movement.segments) {
+            segment.block = out.motion.size();
+            out.free_segments.push_back(segment);
+        }
+        out.free_moving_samples += movement.samples;
         out.moving_samples += static_cast<std::size_t>(std::count(block.pause.begin(), block.pause.end(), 0));
         for (std::size_t c = 0; c < 3; ++c) noise[c].add(residuals[c], block.pause);
         out.motion.push_back(std::move(block));
@@ -229,10 +329,30 @@ void Analysis::build_motion(std::size_t h) {
         out.noise_at_rest = std::max({noise[0].value(), noise[1].value(), noise[2].value()});
 }
 
+HandTrace despiked_forces(const Trace& trace, std::size_t h, std::size_t& replaced) {
+    const HandTrace& hand = trace.hand[h];
+    HandTrace out;
+    const bool dense = trace.mean_rate() >= despike_rate * 0.999;
+    const auto despiked = [&](std::vector<double> samples, double step) {
+        if (dense && !samples.empty())
+            for (const TraceBlock& block : trace.blocks)
+                replaced += despike(samples, block.first, block.last, step);
+        return samples;
+    };
+    out.fx = despiked(hand.fx, force_step);
+    out.fy = despiked(hand.fy, force_step);
+    out.fz = despiked(hand.fz, force_step);
+    out.jaw_force = despiked(hand.jaw_force, force_step);
+    out.jaw_area = despiked(hand.jaw_area, area_step);
+    return out;
+}
+
 void Analysis::build_force(std::size_t h) {
     const HandTrace& hand = trace_.hand[h];
     HandAnalysis& out = hands_[h];
     if (!hand.has(Channel::force) && !hand.has(Channel::jaw_force)) return;
+    std::size_t replaced = 0;
+    const HandTrace sampled = despiked_forces(trace_, h, replaced);
     for (const UniformGrid& grid : grids_) {
         ForceBlock block;
         block.begin = grid.begin();
@@ -244,7 +364,7 @@ void Analysis::build_force(std::size_t h) {
         if (hand.has(Channel::force)) {
             block.force.resize(3, static_cast<Eigen::Index>(grid.size()));
             Eigen::Index row = 0;
-            for (const auto* column : {&hand.fx, &hand.fy, &hand.fz}) {
+            for (const auto* column : {&sampled.fx, &sampled.fy, &sampled.fz}) {
                 const std::vector<double> smooth = filtered(grid.interpolate(*column));
                 block.force.row(row++) = Eigen::Map<const Eigen::RowVectorXd>(
                     smooth.data(), static_cast<Eigen::Index>(smooth.size()));
@@ -253,14 +373,14 @@ void Analysis::build_force(std::size_t h) {
             block.norm.assign(norm.data(), norm.data() + norm.size());
         }
         if (hand.has(Channel::jaw_force)) {
-            std::vector<double> jaw = grid.interpolate(hand.jaw_force);
+            std::vector<double> jaw = grid.interpolate_within(sampled.jaw_force, hand.tissue);
             block.grasp.resize(jaw.size());
             for (std::size_t i = 0; i < jaw.size(); ++i)
                 block.grasp[i] =
                     jaw[i] > contact_force && (block.tissue.empty() || block.tissue[i] >= 0) ? 1 : 0;
             block.jaw = filtered(jaw);
             if (hand.has(Channel::jaw_area)) {
-                const std::vector<double> area = grid.interpolate(hand.jaw_area);
+                const std::vector<double> area = grid.interpolate_within(sampled.jaw_area, hand.tissue);
                 for (std::size_t i = 0; i < jaw.size(); ++i)
                     jaw[i] = block.grasp[i] != 0 && area[i] > 0 ? jaw[i] / area[i] : 0.0;
                 block.pressure = filtered(jaw);

@@ -47,6 +47,10 @@ class UniformGrid {
     double begin() const { return begin_; }
     std::size_t size() const { return size_; }
     std::vector<double> interpolate(const std::vector<double>& column) const;
+    /// Interpolates only between samples with the same label, else holds: a force on one tissue says nothing
+    /// of the time on the next. Without labels as interpolate().
+    std::vector<double> interpolate_within(const std::vector<double>& column,
+                                           const std::vector<std::int16_t>& label) const;
     /// The value of the last sample at or before, for labels and flags.
     template <typename T>
     std::vector<T> hold(const std::vector<T>& column) const {
@@ -98,6 +102,18 @@ std::vector<std::uint8_t> find_pauses(const std::vector<double>& speed);
 /// Valid movement segments: 0.3 s to 10 s long, peak at least 20 mm/s, a pause on both sides.
 std::vector<Segment> find_segments(const std::vector<double>& speed, const std::vector<std::uint8_t>& pause);
 
+/// The contact-free movement of a profile, and the movements in it.
+struct FreeMovement {
+    std::vector<Segment> segments;
+    std::size_t samples = 0;  ///< outside pauses, without contact, in runs of at least 0.3 s
+};
+/// Movements without contact: runs outside pauses and without `contact`, divided where the speed falls below
+/// half of both the peak before and the peak after it. Valid: 0.3 s to 10 s long, peak at least 20 mm/s,
+/// not cut off by an end of the profile. So neither stopping nor never stopping changes what is measured.
+/// `contact`: 1 where a blade is in tissue or the jaws hold it; interruptions below 0.2 s count as contact.
+FreeMovement find_free_movements(const std::vector<double>& speed, const std::vector<std::uint8_t>& pause,
+                                 std::vector<std::uint8_t> contact);
+
 /// One hand's forces in one block at 1 kHz.
 struct ForceBlock {
     double begin = 0;
@@ -114,10 +130,17 @@ struct ForceBlock {
     bool on(std::size_t i, int label) const { return label < 0 || (!tissue.empty() && tissue[i] == label); }
 };
 
+/// A hand's force and jaw columns (no others) with spikes replaced in the samples as they were taken, before
+/// anything spreads them; adds how many to `replaced`. Below 500 Hz nothing is replaced: there a spike looks
+/// like a short force.
+HandTrace despiked_forces(const Trace& trace, std::size_t h, std::size_t& replaced);
+
 struct HandAnalysis {
     std::vector<MotionBlock> motion;
-    std::vector<Segment> segments;
+    std::vector<Segment> segments;        ///< between pauses, whatever the hand touches
+    std::vector<Segment> free_segments;   ///< contact-free movements, see find_free_movements()
     std::size_t moving_samples = 0;       ///< at 100 Hz, outside pauses
+    std::size_t free_moving_samples = 0;  ///< FreeMovement::samples
     std::optional<double> noise_at_rest;  ///< m, the device's: SD over pauses of position minus its 50 Hz
                                           ///< low-pass, worst component
     std::vector<ForceBlock> force;

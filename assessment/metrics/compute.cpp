@@ -118,6 +118,12 @@ class Rows {
 
 }  // namespace
 
+std::size_t replaced_force_samples(const Trace& trace) {
+    std::size_t replaced = 0;
+    for (std::size_t h = 0; h < trace.hand.size(); ++h) despiked_forces(trace, h, replaced);
+    return replaced;
+}
+
 std::vector<MetricResult> compute_metrics(const Trace& trace, const std::vector<Event>& events,
                                           const MetricContext& context) {
     for (const std::string& id : context.metrics)

@@ -13,7 +13,10 @@ namespace fulcrum {
 inline constexpr const char* motion_filter =
     "linear to 1 kHz, Butterworth 2nd order forward and backward 10 Hz, ends held 0.3 s, 100 Hz";
 inline constexpr const char* force_filter =
-    "linear to 1 kHz, Butterworth 2nd order forward and backward 50 Hz, ends held 0.3 s";
+    "spikes replaced from 500 Hz on (median of 5 samples, 10 times their spread), linear to 1 kHz within a "
+    "tissue label, Butterworth 2nd order forward and backward 50 Hz, ends held 0.3 s";
+/// 2: spikes are replaced, and the jaw force is not interpolated from one tissue label to the next.
+inline constexpr int force_filter_version = 2;
 inline constexpr const char* no_filter = "none";
 
 /// What a metric is called and how its value is written.

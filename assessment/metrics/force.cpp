@@ -235,6 +235,7 @@ std::vector<Metric> force_metrics() {
     const auto add = [&](MetricDescriptor d, std::vector<Channel> more,
                          Figure (*compute)(const Analysis&, const Selection&)) {
         d.filter = force_filter;
+        d.version = force_filter_version;
         d.per_tissue = true;
         d.channels = {Channel::force};
         d.channels.insert(d.channels.end(), more.begin(), more.end());
@@ -285,7 +286,7 @@ std::vector<Metric> force_metrics() {
         {QT_TRANSLATE_NOOP("fulcrum::metrics", "Fastest rise or fall of the force."),
          QT_TRANSLATE_NOOP("fulcrum::metrics", "the force changed by {value}, above the limit of {limit}"),
          QT_TRANSLATE_NOOP("fulcrum::metrics", "touch tissue slowly and release it slowly")});
-    d.minimum_rate = 50;
+    d.minimum_rate = 500;  // slower samples hide how steep a rise was
     add(std::move(d), {}, dfdt_max);
     add(describe({"f_volume", QT_TRANSLATE_NOOP("fulcrum::metrics", "Force volume"), "N³", 0.01}, D::lower,
                  Scale::raw, A::deviation, E::strong, "Horeman 2012, ellipsoid of one standard deviation",

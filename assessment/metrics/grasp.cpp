@@ -139,6 +139,7 @@ std::vector<Metric> grasp_metrics() {
     const auto add_grasp = [&](MetricDescriptor d, std::vector<Channel> channels,
                                Figure (*compute)(const Analysis&, const Selection&)) {
         d.filter = force_filter;
+        d.version = force_filter_version;
         d.per_tissue = true;
         d.channels = std::move(channels);
         d.absent_means = AbsentMeans::failed;

@@ -57,6 +57,8 @@ struct MetricDescriptor {
     std::string name;      ///< as on screens
     std::string unit;      ///< "-" where dimensionless
     double precision = 0;  ///< smallest difference worth showing, in `unit`
+    double least_deviation = 0;  ///< on its scale: a benchmark set's standard deviation counts as at least this,
+                                 ///< since no person repeats an attempt more exactly
     Direction direction = Direction::context;
     Scale scale = Scale::raw;
     Aggregation aggregation = Aggregation::total;
@@ -124,6 +126,8 @@ struct MetricContext {
 /// an id that the registry does not know.
 std::vector<MetricResult> compute_metrics(const Trace& trace, const std::vector<Event>& events,
                                           const MetricContext& context);
+/// Force and jaw samples of both hands that the filter of the force metrics replaces as spikes.
+std::size_t replaced_force_samples(const Trace& trace);
 
 /// The row of a metric; hand and tissue as in MetricResult. Null where there is none.
 const MetricResult* find_result(const std::vector<MetricResult>& results, const std::string& id,

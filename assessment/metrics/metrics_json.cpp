@@ -124,11 +124,15 @@ nlohmann::json metrics_of_trace(const Trace& trace, const std::string& file,
     known.events_recorded = false;
     nlohmann::json ignored = nlohmann::json::array();
     for (const std::string& column : trace.ignored_columns) ignored.push_back(column);
+    nlohmann::json gaps = nlohmann::json::array();
+    for (const TimeInterval& gap : trace.gaps) gaps.push_back({gap.begin, gap.end});
     return {{"file", file},
             {"samples", trace.t.size()},
             {"duration_s", trace.t.back() - trace.t.front()},
             {"mean_rate_hz", trace.mean_rate()},
             {"ignored_columns", std::move(ignored)},
+            {"gaps", std::move(gaps)},
+            {"replaced_force_samples", replaced_force_samples(trace)},
             {"metrics", metrics_to_json(compute_metrics(trace, {}, known))}};
 }
 

@@ -24,8 +24,8 @@ std::vector<MetricResult> metrics_from_json(const nlohmann::json& rows, const st
 MetricContext make_metric_context(const Scene& scene, const TaskDefinition& task,
                                   const std::vector<Vector3>& targets);
 
-/// `{"file", "samples", "duration_s", "mean_rate_hz", "ignored_columns", "metrics": […]}`; `file` is where
-/// the trace came from.
+/// `{"file", "samples", "duration_s", "mean_rate_hz", "ignored_columns", "gaps": [[begin, end], …],
+/// "replaced_force_samples", "metrics": […]}`; `file` is where the trace came from.
 nlohmann::json metrics_of_trace(const Trace& trace, const std::string& file,
                                 const std::optional<MetricContext>& context = std::nullopt);
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <complex>
@@ -82,6 +83,34 @@ bool is_prominent(const std::vector<double>& signal, std::size_t first, std::siz
 }
 
 }  // namespace
+
+std::size_t despike(std::vector<double>& samples, std::size_t first, std::size_t last, double step) {
+    constexpr std::size_t width = 5, half = 2;
+    constexpr double factor = 10.0;
+    last = std::min(last, samples.size());
+    if (last < first + width) return 0;
+    const std::vector<double> given(samples.begin() + static_cast<std::ptrdiff_t>(first),
+                                    samples.begin() + static_cast<std::ptrdiff_t>(last));
+    std::size_t replaced = 0;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        const std::size_t from = std::min(i - std::min(i, half), given.size() - width);
+        // The median is far away only if most of the neighbours are.
+        int near = 0;
+        for (std::size_t k = from; k < from + width; ++k)
+            near += std::abs(given[k] - given[i]) <= factor * step;
+        if (near >= 3) continue;
+        std::array<double, width> window;
+        std::copy_n(given.begin() + static_cast<std::ptrdiff_t>(from), width, window.begin());
+        std::nth_element(window.begin(), window.begin() + half, window.end());
+        const double median = window[half];
+        for (double& value : window) value = std::abs(value - median);
+        std::nth_element(window.begin(), window.begin() + half, window.end());
+        if (std::abs(given[i] - median) <= factor * std::max(window[half], step)) continue;
+        samples[first + i] = median;
+        ++replaced;
+    }
+    return replaced;
+}
 
 std::size_t hold_samples(double rate_hz) {
     return static_cast<std::size_t>(std::lround(filter_hold_s * rate_hz));

@@ -18,6 +18,11 @@ std::vector<double> low_pass(const std::vector<double>& signal, double cutoff_hz
 std::vector<double> low_pass_held(const std::vector<double>& signal, double cutoff_hz, double rate_hz);
 std::size_t hold_samples(double rate_hz);
 
+/// Replaces each sample of [first, last) that differs from the median of itself and its two neighbours on
+/// each side by more than 10 times their spread (median absolute deviation, at least `step`) by this median
+/// (Hampel's filter); returns how many. Fewer than 5 samples stay as they are.
+std::size_t despike(std::vector<double>& samples, std::size_t first, std::size_t last, double step);
+
 /// Spectral arc length of a speed profile (Balasubramanian 2015), frequency axis up to 10 Hz, threshold 0.05,
 /// padding 2^4. At most 0; nearer to 0 is smoother. `rate` in Hz. Returns NaN for fewer than 2 samples or no
 /// speed at all.

@@ -22,15 +22,17 @@ struct SegmentValues {
     std::vector<ScoredInterval> where;  ///< score: roughness, so that the worst come first
 };
 
-/// Median over segments, or the reason why there is none.
-Figure median_over(const HandAnalysis& hand, SegmentValues found, StatementId few) {
+/// Median over segments, or the reason why there is none. The segments must hold half of the `moving`
+/// samples.
+Figure median_over(const std::vector<Segment>& segments, std::size_t moving, SegmentValues found,
+                   StatementId few) {
     if (found.values.size() < fewest_segments)
         return absent(Absence::not_done, {few,
                                           {{"count", static_cast<double>(found.values.size())},
                                            {"least", static_cast<double>(fewest_segments)}}});
     std::size_t held = 0;
-    for (const Segment& segment : hand.segments) held += segment.core.size();
-    if (2 * held < hand.moving_samples) return absent(Absence::not_done, StatementId::movements_hold_little);
+    for (const Segment& segment : segments) held += segment.core.size();
+    if (2 * held < moving) return absent(Absence::not_done, StatementId::movements_hold_little);
     Figure figure;
     figure.count = static_cast<int>(found.values.size());
     figure.value = median_of(std::move(found.values));
@@ -44,10 +46,11 @@ std::vector<double> part_of(const std::vector<double>& series, std::size_t first
             series.begin() + static_cast<std::ptrdiff_t>(last)};
 }
 
+/// Of contact-free movements: tissue that is held or cut slows the hand and shakes it, whoever moves it.
 template <typename Value>
 SegmentValues speed_values(const HandAnalysis& hand, Value value) {
     SegmentValues found;
-    for (const Segment& segment : hand.segments) {
+    for (const Segment& segment : hand.free_segments) {
         const MotionBlock& block = hand.motion[segment.block];
         const double x = value(part_of(block.speed, segment.whole.first, segment.whole.last), motion_rate);
         if (std::isnan(x)) continue;
@@ -59,7 +62,8 @@ SegmentValues speed_values(const HandAnalysis& hand, Value value) {
 
 Figure sparc_of(const Analysis& analysis, const Selection& row) {
     const HandAnalysis& hand = analysis.hand(row.hand);
-    return median_over(hand, speed_values(hand, sparc), StatementId::few_movements);
+    return median_over(hand.free_segments, hand.free_moving_samples, speed_values(hand, sparc),
+                       StatementId::few_movements);
 }
 
 Figure ldlj_of(const Analysis& analysis, const Selection& row) {
@@ -68,7 +72,8 @@ Figure ldlj_of(const Analysis& analysis, const Selection& row) {
         return absent(Absence::not_measured,
                       {StatementId::device_noise,
                        {{"noise_um", *hand.noise_at_rest * 1e6}, {"limit_um", noise_limit * 1e6}}});
-    return median_over(hand, speed_values(hand, ldlj), StatementId::few_movements);
+    return median_over(hand.free_segments, hand.free_moving_samples, speed_values(hand, ldlj),
+                       StatementId::few_movements);
 }
 
 /// Sums of the power of tip acceleration over all windows, and where the tremor band was strongest.
@@ -154,7 +159,8 @@ Figure f_sparc(const Analysis& analysis, const Selection& row) {
         found.values.push_back(x);
         found.where.push_back({-x, hand.motion[segment.block].interval(segment.whole)});
     }
-    return median_over(hand, std::move(found), StatementId::few_loaded_movements);
+    return median_over(hand.segments, hand.moving_samples, std::move(found),
+                       StatementId::few_loaded_movements);
 }
 
 }  // namespace
@@ -170,32 +176,35 @@ std::vector<Metric> smoothness_metrics() {
         d.channels.insert(d.channels.begin(), Channel::position);
         metrics.push_back({std::move(d), compute});
     };
-    add(describe(
-            {"sparc", QT_TRANSLATE_NOOP("fulcrum::metrics", "Smoothness (SPARC)"), "-", 0.01}, D::higher,
-            Scale::raw, A::median_of_segments, E::strong, "Balasubramanian 2015",
-            {QT_TRANSLATE_NOOP(
-                 "fulcrum::metrics",
-                 "Spectral arc length of tip speed, median over movements between two rests. Nearer to 0 is "
-                 "smoother; a single "
-                 "smooth reach has about -1.4."),
-             QT_TRANSLATE_NOOP(
-                 "fulcrum::metrics",
-                 "movements were made of many corrections: smoothness {value}, below the required {limit}"),
-             QT_TRANSLATE_NOOP("fulcrum::metrics",
-                               "start each move slowly and let it run out in one stroke")}),
-        sparc_of);
     MetricDescriptor d = describe(
+        {"sparc", QT_TRANSLATE_NOOP("fulcrum::metrics", "Smoothness (SPARC)"), "-", 0.01}, D::higher,
+        Scale::raw, A::median_of_segments, E::strong, "Balasubramanian 2015",
+        {QT_TRANSLATE_NOOP(
+             "fulcrum::metrics",
+             "Spectral arc length of tip speed, median over movements in which the instrument neither holds "
+             "nor cuts tissue. Nearer to 0 is smoother; a single smooth reach has about -1.4."),
+         QT_TRANSLATE_NOOP(
+             "fulcrum::metrics",
+             "movements were made of many corrections: smoothness {value}, below the required {limit}"),
+         QT_TRANSLATE_NOOP("fulcrum::metrics", "start each move slowly and let it run out in one stroke")});
+    d.version = 2;  // 2: contact-free movements, divided at deep minima of speed
+    // A movement with one correction lies 0.07 below one without: half of a correction is no difference in skill.
+    d.least_deviation = 0.035;
+    add(std::move(d), sparc_of);
+    d = describe(
         {"ldlj", QT_TRANSLATE_NOOP("fulcrum::metrics", "Smoothness (log jerk)"), "-", 0.01}, D::higher,
         Scale::raw, A::median_of_segments, E::moderate, "Balasubramanian 2015, Hogan 2009",
         {QT_TRANSLATE_NOOP(
              "fulcrum::metrics",
-             "Minus the logarithm of the dimensionless jerk of tip speed, median over movements. Nearer "
-             "to 0 is smoother; "
-             "absent where the device's position noise would decide it."),
+             "Minus the logarithm of the dimensionless jerk of tip speed, median over movements in which the "
+             "instrument neither holds nor cuts tissue. Nearer to 0 is smoother; absent where the device's "
+             "position noise would decide it."),
          QT_TRANSLATE_NOOP("fulcrum::metrics",
                            "movements were jerky: log jerk {value}, below the required {limit}"),
          QT_TRANSLATE_NOOP("fulcrum::metrics", "relax the grip and accelerate gently")});
-    d.version = 2;  // 2: noise at rest is what lies above 50 Hz, so that tremor is not taken for the device's
+    // 2: noise at rest is what lies above 50 Hz, so that tremor is not taken for the device's. 3:
+    // contact-free movements, divided at deep minima of speed.
+    d.version = 3;
     add(std::move(d), ldlj_of);
     d = describe(
         {"tremor", QT_TRANSLATE_NOOP("fulcrum::metrics", "Tremor share"), "-", 0.01}, D::lower, Scale::raw,
@@ -220,6 +229,7 @@ std::vector<Metric> smoothness_metrics() {
                       "force was applied in bursts: force smoothness {value}, below the required {limit}"),
                   QT_TRANSLATE_NOOP("fulcrum::metrics", "take up the tension slowly and keep it")});
     d.filter = force_filter;
+    d.version = force_filter_version;
     d.channels = {Channel::force};
     add(std::move(d), f_sparc);
     return metrics;

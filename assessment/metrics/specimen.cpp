@@ -26,8 +26,8 @@ Finding finding_of(const Analysis& analysis) {
         return finding;
     }
     const Trace& trace = analysis.trace();
-    finding.report = pathology_report(cut_strokes(analysis.events(), trace.tick_period, trace.end),
-                                      *analysis.context().specimen);
+    finding.report =
+        pathology_of_events(analysis.events(), trace.tick_period, trace.end, *analysis.context().specimen);
     if (!(finding.report.plane.length > 0))
         finding.absence = absent(Absence::not_done, StatementId::nothing_cut);
     return finding;
@@ -44,6 +44,10 @@ std::vector<TimeInterval> defect_times(const PathologyReport& report) {
 Figure tme_grade(const Analysis& analysis, const Selection& /*row*/) {
     const Finding finding = finding_of(analysis);
     if (finding.absence) return *finding.absence;
+    if (!finding.report.grade)
+        return absent(Absence::not_done,
+                      {StatementId::specimen_undivided,
+                       {{"percent", 100 * finding.report.divided}, {"least", 100 * fully_divided_share}}});
     Figure figure;
     figure.value = *finding.report.grade;
     figure.evidence = defect_times(finding.report);
@@ -115,6 +119,7 @@ std::vector<Metric> specimen_metrics() {
                          Wording wording, Figure (*compute)(const Analysis&, const Selection&)) {
         MetricDescriptor d = describe(std::move(naming), direction, Scale::raw, aggregation, grade, source,
                                       std::move(wording));
+        d.version = 2;  // 2: graded only where the line is divided; bulk loss, fat and perforation count
         d.filter = no_filter;
         d.hands = Hands::either;
         d.needs_events = true;
@@ -124,7 +129,7 @@ std::vector<Metric> specimen_metrics() {
     add({"tme_grade", QT_TRANSLATE_NOOP("fulcrum::metrics", "Mesorectal grade"), "-", 1}, D::higher, A::grade,
         EvidenceGrade::moderate,
         "Quirke: 3 complete (no defect deeper than 5 mm, no coning), 2 nearly complete, 1 down to the "
-        "muscularis; from event cut_advance",
+        "muscularis; limits for fat, bulk loss and coning are this program's; from event cut_advance",
         {QT_TRANSLATE_NOOP("fulcrum::metrics",
                            "Grade that a pathologist would give the specimen: 3 complete, 2 nearly complete, "
                            "1 incomplete."),

@@ -32,6 +32,7 @@ enum class StatementId : std::uint8_t {
     flat_movement,
     no_specimen,
     nothing_cut,
+    specimen_undivided,
     no_tumour,
     tumour_plane_undivided,
     not_beyond_tumour,

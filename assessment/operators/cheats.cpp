@@ -378,12 +378,12 @@ const std::vector<Cheat>& cheats() {
         {"wide_open", "never closes the jaws", Site::jaws, nullptr, wide_open},
         {"drop_often", "opens the jaws every five seconds", Site::jaws, nullptr, drop_often},
         {"cut_elsewhere", "cuts 8 mm next to the line", Site::blade, nullptr, cut_elsewhere},
-        {"cut_deep", "cuts 4 mm too deep", Site::blade, nullptr, cut_deep},
+        {"cut_deep", "cuts 4 mm too deep", Site::septa, nullptr, cut_deep},
         {"park_blade", "leaves the active blade in the tissue", Site::blade, nullptr, park_blade},
         {"blade_always", "never releases the blade's button", Site::blade, nullptr, blade_always},
         {"let_go_and_cut", "lets go of the tissue before it cuts", Site::blade, nullptr, let_go_and_cut},
         {"pull_apart", "pulls the tissue apart and never cuts", Site::blade, nullptr, pull_apart},
-        {"pull_hard", "pulls far harder than it should while it cuts", Site::blade, nullptr, pull_hard},
+        {"pull_hard", "pulls far harder than it should while it cuts", Site::septa, nullptr, pull_hard},
         {"pump", "never releases the pedal for long, but pumps it in pulses of 80 ms", Site::energy, nullptr,
          pump},
         {"one_activation", "uses energy once and divides the rest cold", Site::energy, nullptr,
@@ -405,6 +405,7 @@ std::vector<const Cheat*> cheats_for(const TaskDefinition& /*task*/, const Scene
     for (const Cheat& cheat : cheats()) {
         const bool fits = cheat.site == CheatSite::any || (cheat.site == CheatSite::jaws && jaws) ||
                           (cheat.site == CheatSite::blade && blade) ||
+                          (cheat.site == CheatSite::septa && scene.septa) ||
                           (cheat.site == CheatSite::energy && scene.field() != nullptr) ||
                           (cheat.site == CheatSite::bands && scene.bands);
         if (fits) chosen.push_back(&cheat);

@@ -22,6 +22,8 @@ enum class CheatSite : std::uint8_t {
     any,
     jaws,    ///< tissue to grasp
     blade,   ///< a line to divide
+    septa,   ///< levels of septa: on the single sheet of B2 a blade has no depth to err in, and jaws slide
+             ///< before they overload it
     energy,  ///< an instrument that gives energy
     bands,   ///< bands to divide
 };

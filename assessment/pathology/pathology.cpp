@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim_core/numerics/name_table.h"
+
 namespace fulcrum {
 
 namespace {
@@ -203,12 +205,17 @@ double distance_to_tumour(const CutElement& element, double origin, const Specim
     return std::min({at(0), at(1), at(0.5 * (first + last))});
 }
 
-Margin circumferential_margin(const Specimen& specimen, const SpecimenPlan& plan) {
+Margin circumferential_margin(const Specimen& specimen, const SpecimenPlan& plan,
+                              const std::vector<SectorFinding>& findings) {
     Margin margin;
     if (!plan.tumour) return margin;
     const Tumour& tumour = *plan.tumour;
     margin.absence = MarginAbsence::not_divided;
-    if (specimen.cell(tumour.level, static_cast<int>(tumour.sector)).elements.empty()) return margin;
+    const auto at_tumour = [&](const SectorFinding& finding) {
+        return finding.level == tumour.level && finding.sector == tumour.sector;
+    };
+    const auto found = std::find_if(findings.begin(), findings.end(), at_tumour);
+    if (found == findings.end() || found->divided < fully_divided_share - 1e-9) return margin;
     margin.absence = MarginAbsence::none;
     for (int level = 0; level < plan.levels; ++level) {
         const double apart =
@@ -239,25 +246,66 @@ Margin distal_margin(const SpecimenPlan& plan, int lowest_level) {
     return margin;
 }
 
+/// How much of the cut lies deep in the fat, and its median depth there.
+void measure_fat(PathologyReport& report, const std::vector<CutStroke>& cells) {
+    const SpecimenPlan& plan = report.plan;
+    if (!(report.plane.length > 0)) return;
+    double entered = 0;
+    for (const CutStroke& cell : cells) {
+        for (CutElement element : cell.elements) {
+            element.from_distance = height_of(plan, element.from_distance) - plan.areolar;
+            element.distance = height_of(plan, element.distance) - plan.areolar;
+            entered += element.length * share_beyond(element, fat_entered + resolution);
+        }
+    }
+    report.fat_share = entered / report.plane.length;
+    report.median_fat_depth = depth_of(plan, *report.plane.side);
+}
+
 void judge(PathologyReport& report) {
     if (!(report.plane.length > 0)) return;
+    if (report.divided < fully_divided_share - 1e-9) {
+        report.reasons = {GradeReason::undivided};
+        return;
+    }
     const bool wall = std::any_of(report.defects.begin(), report.defects.end(),
                                   [](const Defect& defect) { return defect.muscularis; });
-    const bool deep = report.deepest_defect > deep_defect;
-    const bool coning = report.coning && *report.coning > coning_limit;
-    if (wall) {
-        report.grade = 1;
-        report.reason = GradeReason::muscularis;
-    } else if (deep || coning) {
-        report.grade = 2;
-        report.reason = deep && coning ? GradeReason::defect_and_coning
-                        : deep         ? GradeReason::defect
-                                       : GradeReason::coning;
-    } else {
-        report.grade = 3;
-        report.reason = GradeReason::intact;
+    const auto above = [](double value, double limit) { return value > limit + resolution; };
+    const double coning = report.coning.value_or(0);
+    std::vector<GradeReason> found;
+    if (report.perforated) found.push_back(GradeReason::perforation);
+    if (wall) found.push_back(GradeReason::muscularis);
+    if (above(report.median_fat_depth, bulk_loss_depth)) found.push_back(GradeReason::bulk_loss);
+    if (above(coning, deep_coning_limit)) found.push_back(GradeReason::deep_coning);
+    if (found.empty()) {
+        if (above(report.deepest_defect, deep_defect)) found.push_back(GradeReason::defect);
+        if (report.fat_share > fat_share_limit + 1e-9) found.push_back(GradeReason::fat);
+        if (above(coning, coning_limit)) found.push_back(GradeReason::coning);
     }
+    if (found.empty()) found.push_back(GradeReason::intact);
+    report.grade = grade_of(found.front());
+    report.reasons = std::move(found);
 }
+
+/// What a reason is called in documents, and its grade.
+struct ReasonRow {
+    GradeReason kind;
+    const char* name;
+    int grade;
+};
+constexpr ReasonRow reasons[] = {
+    {GradeReason::nothing_cut, "nothing_cut", 0},
+    {GradeReason::undivided, "undivided", 0},
+    {GradeReason::intact, "intact", 3},
+    {GradeReason::defect, "defect", 2},
+    {GradeReason::fat, "fat", 2},
+    {GradeReason::coning, "coning", 2},
+    {GradeReason::muscularis, "muscularis", 1},
+    {GradeReason::bulk_loss, "bulk_loss", 1},
+    {GradeReason::deep_coning, "deep_coning", 1},
+    {GradeReason::perforation, "perforation", 1},
+};
+static_assert(in_order(reasons));
 
 }  // namespace
 
@@ -274,21 +322,11 @@ const char* sector_name(Sector sector) {
 }
 
 const char* grade_reason_name(GradeReason reason) {
-    switch (reason) {
-        case GradeReason::nothing_cut:
-            return "nothing_cut";
-        case GradeReason::intact:
-            return "intact";
-        case GradeReason::defect:
-            return "defect";
-        case GradeReason::coning:
-            return "coning";
-        case GradeReason::defect_and_coning:
-            return "defect_and_coning";
-        case GradeReason::muscularis:
-            return "muscularis";
-    }
-    return "nothing_cut";
+    return row_of(reasons, reason).name;
+}
+
+int grade_of(GradeReason reason) {
+    return row_of(reasons, reason).grade;
 }
 
 const char* margin_absence_name(MarginAbsence absence) {
@@ -303,9 +341,15 @@ const char* margin_absence_name(MarginAbsence absence) {
     return "no_tumour";
 }
 
-PathologyReport pathology_report(const std::vector<CutStroke>& strokes, const SpecimenPlan& plan) {
+bool margin_is_positive(const Margin& margin) {
+    return margin.distance && *margin.distance <= positive_margin + resolution;
+}
+
+PathologyReport pathology_report(const std::vector<CutStroke>& strokes, const SpecimenPlan& plan,
+                                 bool perforated) {
     PathologyReport report;
     report.plan = plan;
+    report.perforated = perforated;
     for (int sector = 0; sector < sector_count; ++sector)
         report.sectors[static_cast<std::size_t>(sector)] = {-1, static_cast<Sector>(sector), {}, 0, 0};
     if (plan.levels < 1 || !(plan.line > 0)) return report;
@@ -343,11 +387,20 @@ PathologyReport pathology_report(const std::vector<CutStroke>& strokes, const Sp
     std::stable_sort(report.defects.begin(), report.defects.end(),
                      [](const Defect& a, const Defect& b) { return a.depth > b.depth; });
     report.coning = coning_of(specimen, plan, divided);
-    report.circumferential = circumferential_margin(specimen, plan);
+    measure_fat(report, whole);
+    report.circumferential = circumferential_margin(specimen, plan, report.findings);
     report.distal = distal_margin(plan, report.lowest_level);
     judge(report);
     if (report.defects.size() > most_defects) report.defects.resize(most_defects);
     return report;
+}
+
+PathologyReport pathology_of_events(const std::vector<Event>& events, double tick_period, double end,
+                                    const SpecimenPlan& plan) {
+    const bool perforated = std::any_of(events.begin(), events.end(), [](const Event& event) {
+        return event.kind == EventKind::perforation;
+    });
+    return pathology_report(cut_strokes(events, tick_period, end), plan, perforated);
 }
 
 }  // namespace fulcrum

@@ -44,16 +44,24 @@ struct SpecimenPlan {
     std::optional<Tumour> tumour;
 };
 
-// Quirke's grades ask for defects deeper than 5 mm; the rest is ours.
-inline constexpr double deep_defect = 0.005;         ///< m into the fat
-inline constexpr double least_defect = 0.001;        ///< m, a shallower scratch is not listed
-inline constexpr double muscularis_reach = 0.001;    ///< m from the muscularis counts as there
-inline constexpr double positive_margin = 0.001;     ///< m, a circumferential margin of this or less
-inline constexpr double coning_limit = 0.003;        ///< m inwards from the first judged level to the last
-inline constexpr int least_levels_of_coning = 3;     ///< a trend needs as many levels
-inline constexpr double judged_share = 0.5;          ///< of a level's line: less divided is not in the trend
-inline constexpr double fully_divided_share = 0.95;  ///< of a level's line
-inline constexpr std::size_t most_defects = 20;      ///< listed, deepest first
+// Quirke's grades ask for defects deeper than 5 mm, for coning, and for the muscularis; the other limits are
+// ours. A value equal to a limit is on the better side of it, except the margin, which is positive at its
+// limit. Values are compared as computed, never as shown; within `resolution` they are equal.
+inline constexpr double resolution = 1e-8;          ///< m, a tenth of the record's
+inline constexpr double deep_defect = 0.005;        ///< m into the fat
+inline constexpr double fat_entered = 0.002;        ///< m into the fat
+inline constexpr double fat_share_limit = 0.2;      ///< of the cut's length deeper than fat_entered: grade 2
+inline constexpr double bulk_loss_depth = 0.008;    ///< m, median depth into the fat: grade 1
+inline constexpr double deep_coning_limit = 0.006;  ///< m, as coning_limit: grade 1
+inline constexpr double least_defect = 0.001;       ///< m, a shallower scratch is not listed
+inline constexpr double muscularis_reach = 0.001;   ///< m from the muscularis counts as there
+inline constexpr double positive_margin = 0.001;    ///< m, a circumferential margin of this or less
+inline constexpr double coning_limit = 0.003;  ///< m inwards from the first judged level to the last: grade 2
+inline constexpr int least_levels_of_coning = 3;  ///< a trend needs as many levels
+inline constexpr double judged_share = 0.5;       ///< of a level's line: less divided is not in the trend
+inline constexpr double fully_divided_share =
+    0.95;  ///< of a level's line; of the whole line, for a grade; of the tumour's sector, for its margin
+inline constexpr std::size_t most_defects = 20;  ///< listed, deepest first
 
 /// Distances from the plane over a part of the cut, by length; absent where nothing was cut.
 struct PlaneDeviation {
@@ -82,19 +90,25 @@ struct Defect {
 };
 
 enum class GradeReason : std::uint8_t {
-    nothing_cut,        ///< no grade
-    intact,             ///< 3
-    defect,             ///< 2: deeper than 5 mm
-    coning,             ///< 2: the cut runs towards the rectum from level to level
-    defect_and_coning,  ///< 2
-    muscularis,         ///< 1: a defect down to the wall
+    nothing_cut,  ///< no grade
+    undivided,    ///< no grade: less than 95 % of the line is divided
+    intact,       ///< 3
+    defect,       ///< 2: deeper than 5 mm
+    fat,          ///< 2: more than a fifth of the cut lies more than 2 mm in the fat
+    coning,       ///< 2: the cut runs towards the rectum from level to level
+    muscularis,   ///< 1: a defect down to the wall
+    bulk_loss,    ///< 1: the median of the cut lies more than 8 mm in the fat
+    deep_coning,  ///< 1
+    perforation,  ///< 1: the bowel was perforated
 };
 const char* grade_reason_name(GradeReason reason);
+/// 3 complete, 2 nearly complete, 1 incomplete; 0: no grade.
+int grade_of(GradeReason reason);
 
 enum class MarginAbsence : std::uint8_t {
     none,         ///< there is a margin
     no_tumour,    ///< the case has none
-    not_divided,  ///< not dissected beside the tumour, or not beyond it
+    not_divided,  ///< the tumour's sector is not divided, or nothing beyond the tumour
 };
 const char* margin_absence_name(MarginAbsence absence);
 
@@ -105,7 +119,7 @@ struct Margin {
 };
 
 struct PathologyReport {
-    int version = 2;  ///< of this function; changes whenever a figure could
+    int version = 3;  ///< of this function; changes whenever a figure could
     SpecimenPlan plan;
     double divided = 0;  ///< share of the whole line
     PlaneDeviation plane;
@@ -115,16 +129,26 @@ struct PathologyReport {
     double deepest_defect = 0;                        ///< m
     std::optional<double> coning;  ///< m inwards over the judged levels, by least squares over their medians;
                                    ///< absent below least_levels_of_coning
-    std::optional<int> grade;      ///< 3 complete, 2 nearly complete, 1 incomplete; absent: nothing was cut
-    GradeReason reason = GradeReason::nothing_cut;
+    double fat_share = 0;          ///< of the cut's length, deeper in the fat than fat_entered
+    double median_fat_depth = 0;   ///< m, of the cut into the fat
+    bool perforated = false;       ///< the bowel
+    std::optional<int> grade;      ///< 3 complete, 2 nearly complete, 1 incomplete
+    std::vector<GradeReason> reasons{GradeReason::nothing_cut};  ///< all that give this grade, at least one
     Margin circumferential;  ///< least distance of the cut to the tumour's edge; 0 within it
     Margin distal;  ///< from the tumour's lower edge to the lowest level reached; nothing is transected
     int lowest_level = -1;  ///< the levels down to this one are fully divided; -1 none
 };
 
+/// Of 1 mm or less; false without a margin.
+bool margin_is_positive(const Margin& margin);
+
 /// Pure. Strokes as cut_strokes() gives them; what of them is no number is left out, as are ways along a rim
-/// of a level and from one level to the next.
-PathologyReport pathology_report(const std::vector<CutStroke>& strokes, const SpecimenPlan& plan);
+/// of a level and from one level to the next. `perforated`: the bowel was perforated during the attempt.
+PathologyReport pathology_report(const std::vector<CutStroke>& strokes, const SpecimenPlan& plan,
+                                 bool perforated = false);
+/// From the events of an attempt; `end` in s.
+PathologyReport pathology_of_events(const std::vector<Event>& events, double tick_period, double end,
+                                    const SpecimenPlan& plan);
 
 /// The report as one JSON document, lengths in mm, shares in percent; what the store keeps and exports show.
 std::string pathology_json(const PathologyReport& report);

@@ -140,6 +140,29 @@ SpecimenPlan specimen_from(const Json& node) {
     return plan;
 }
 
+/// Reports of versions 1 and 2 have one reason, and no shares of fat.
+void read_reasons(const Json& root, PathologyReport& report) {
+    using R = GradeReason;
+    const auto reason = [](const Json& node) {
+        return named(node,
+                     {R::nothing_cut, R::undivided, R::intact, R::defect, R::fat, R::coning, R::muscularis,
+                      R::bulk_loss, R::deep_coning, R::perforation},
+                     grade_reason_name);
+    };
+    report.reasons.clear();
+    if (report.version < 3) {
+        const Json& one = root.at("grade_reason");
+        report.reasons =
+            one == "defect_and_coning" ? std::vector<R>{R::defect, R::coning} : std::vector<R>{reason(one)};
+        return;
+    }
+    for (const Json& node : root.at("grade_reasons")) report.reasons.push_back(reason(node));
+    if (report.reasons.empty()) throw Json::other_error::create(501, "/grade_reasons is empty", &root);
+    report.fat_share = root.at("fat_share_percent").get<double>() / percent;
+    report.median_fat_depth = root.at("median_fat_depth_mm").get<double>() / mm;
+    report.perforated = root.at("perforated").get<bool>();
+}
+
 }  // namespace
 
 std::string pathology_json(const PathologyReport& report) {
@@ -154,6 +177,8 @@ std::string pathology_json(const PathologyReport& report) {
                            {"muscularis", defect.muscularis},
                            {"when_s", interval_json(defect.when)}});
     }
+    Json reasons = Json::array();
+    for (const GradeReason reason : report.reasons) reasons.push_back(grade_reason_name(reason));
     const Json document = {
         {"version", report.version},
         {"specimen", specimen_json(report.plan)},
@@ -165,7 +190,10 @@ std::string pathology_json(const PathologyReport& report) {
         {"deepest_defect_mm", scaled(report.deepest_defect, mm)},
         {"coning_mm", scaled(report.coning, mm)},
         {"tme_grade", report.grade ? Json(*report.grade) : Json(nullptr)},
-        {"grade_reason", grade_reason_name(report.reason)},
+        {"grade_reasons", std::move(reasons)},
+        {"fat_share_percent", scaled(report.fat_share, percent)},
+        {"median_fat_depth_mm", scaled(report.median_fat_depth, mm)},
+        {"perforated", report.perforated},
         {"crm", margin_json(report.circumferential)},
         {"drm", margin_json(report.distal)},
         {"lowest_level", report.lowest_level < 0 ? Json(nullptr) : Json(report.lowest_level)},
@@ -192,10 +220,7 @@ PathologyReport parse_pathology(const std::string& text, const std::string& file
         report.deepest_defect = root.at("deepest_defect_mm").get<double>() / mm;
         report.coning = unscaled(root.at("coning_mm"), mm);
         if (!root.at("tme_grade").is_null()) report.grade = root.at("tme_grade").get<int>();
-        report.reason = named(root.at("grade_reason"),
-                              {GradeReason::nothing_cut, GradeReason::intact, GradeReason::defect,
-                               GradeReason::coning, GradeReason::defect_and_coning, GradeReason::muscularis},
-                              grade_reason_name);
+        read_reasons(root, report);
         report.circumferential = margin_from(root.at("crm"));
         report.distal = margin_from(root.at("drm"));
         report.lowest_level = root.at("lowest_level").is_null() ? -1 : root.at("lowest_level").get<int>();

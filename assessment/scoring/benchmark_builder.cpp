@@ -94,12 +94,13 @@ Levels make_levels(const TaskDefinition& task, const BenchmarkRequest& request, 
         level.metric_version = d.version;
         level.unit = d.unit;
         level.scale = d.scale;
-        const std::optional<ExpertBenchmark> benchmark = expert_benchmark(experts, fewest);
+        std::optional<ExpertBenchmark> benchmark = expert_benchmark(experts, fewest);
         if (!benchmark) {
             out.refusal = level_name(level) + ": fewer than " + std::to_string(fewest) +
                           " experts are left with a value after the outlier rule";
             return out;
         }
+        benchmark->deviation = std::max(benchmark->deviation, d.least_deviation);
         level.mean = benchmark->mean;
         level.deviation = benchmark->deviation;
         level.experts = benchmark->experts;

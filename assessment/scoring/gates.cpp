@@ -116,6 +116,9 @@ GateResult judge_gate(const GateSpec& spec, const std::vector<MetricResult>& met
         gate.limit_source = spec.limit_source;
         gate.provisional = spec.provisional;
         judge_absolute(gate, *descriptor, spec.limit);
+        if (spec.exclusive && gate.value &&
+            std::abs(gated_value(*descriptor, *gate.value) - spec.limit) <= 1e-3 * descriptor->precision)
+            gate.passed = false;
     } else {
         level = benchmark == nullptr ? nullptr : benchmark->find(spec.metric, spec.hand, spec.tissue);
         if (level == nullptr) {

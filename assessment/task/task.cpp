@@ -168,6 +168,7 @@ class TaskReader {
         copy(node, "limit", gate.limit);
         copy(node, "limit_source", gate.limit_source);
         copy(node, "provisional", gate.provisional);
+        copy(node, "exclusive", gate.exclusive);
         copy(node, "advice", gate.advice);
         if (std::find(task_.metrics.begin(), task_.metrics.end(), gate.metric) == task_.metrics.end()) {
             document_.fail(place + "/metric",
@@ -187,7 +188,7 @@ class TaskReader {
                                "add both: the value and where it comes from");
             return gate;
         }
-        for (const char* key : {"limit", "limit_source", "provisional"}) {
+        for (const char* key : {"limit", "limit_source", "provisional", "exclusive"}) {
             if (node.contains(key))
                 document_.fail(place + "/" + key, "a benchmark gate with a limit of its own",
                                "remove it (the benchmark set gives it) or make the gate absolute");

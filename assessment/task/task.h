@@ -39,6 +39,7 @@ struct GateSpec {
     double limit = 0;          ///< absolute gates
     std::string limit_source;  ///< absolute gates: where the limit comes from
     bool provisional = false;  ///< absolute gates: the limit is our own and waits for a published one
+    bool exclusive = false;    ///< absolute gates: a value at the limit itself does not pass
     std::string advice = {};   ///< what to try where it is not met; "": the metric's own
 };
 

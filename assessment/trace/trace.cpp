@@ -63,6 +63,7 @@ void fill_hand(HandTrace& hand, const std::vector<TickSample>& samples, std::siz
     flag(hand.inside, hand_inside);
     flag(hand.in_view, hand_in_view);
     flag(hand.energy, hand_energy);
+    flag(hand.cutting, hand_cutting);
 }
 
 bool ends_attempt(EventKind kind) {
@@ -96,6 +97,8 @@ const char* channel_columns(Channel channel) {
             return "in_view";
         case Channel::energy:
             return "energy";
+        case Channel::cutting:
+            return "cutting";
     }
     return "";
 }
@@ -124,6 +127,8 @@ bool HandTrace::has(Channel channel) const {
             return !in_view.empty();
         case Channel::energy:
             return !energy.empty();
+        case Channel::cutting:
+            return !cutting.empty();
     }
     return false;
 }
@@ -164,9 +169,24 @@ Trace trace_from_samples(const std::vector<TickSample>& samples, const std::vect
     return trace;
 }
 
+void put_labels_first(Trace& trace, const std::vector<std::string>& labels) {
+    std::vector<std::string> table = labels;
+    std::vector<std::int16_t> place;  // of each label of the trace in the new table
+    for (const std::string& label : trace.tissues) {
+        const auto found = std::find(table.begin(), table.end(), label);
+        place.push_back(static_cast<std::int16_t>(found - table.begin()));
+        if (found == table.end()) table.push_back(label);
+    }
+    for (HandTrace& hand : trace.hand)
+        for (std::int16_t& tissue : hand.tissue)
+            if (tissue >= 0) tissue = place[static_cast<std::size_t>(tissue)];
+    trace.tissues = std::move(table);
+}
+
 void split_blocks(Trace& trace, const std::vector<Event>& events) {
     trace.blocks.clear();
     trace.pauses.clear();
+    trace.gaps.clear();
     trace.samples_lost = 0;
     trace.end = trace.t.empty() ? 0.0 : trace.t.back();
     std::vector<double> cuts;  // where samples were lost
@@ -202,19 +222,21 @@ void split_blocks(Trace& trace, const std::vector<Event>& events) {
     for (std::size_t i = 0; i < trace.t.size(); ++i) {
         const double t = trace.t[i];
         if (t > trace.end + slack) break;
-        bool split = i > 0 && t - trace.t[i - 1] > gap_limit_s + slack;
+        const bool gap = i > 0 && t - trace.t[i - 1] > gap_limit_s + slack;
+        bool split = gap, after_pause = false;
         while (cut < cuts.size() && cuts[cut] <= t + slack) {
             split = true;
             ++cut;
         }
         while (pause + (endless ? 1 : 0) < trace.pauses.size() && trace.pauses[pause].end <= t + slack) {
-            split = true;
+            split = after_pause = true;
             ++pause;
         }
         if (pause < trace.pauses.size() && trace.pauses[pause].begin < t - slack) {
             open = false;
             continue;
         }
+        if (open && gap && !after_pause) trace.gaps.push_back({trace.t[i - 1], t});
         if (!open || split) trace.blocks.push_back({i, i});
         open = true;
         trace.blocks.back().last = i + 1;

@@ -28,6 +28,7 @@ enum class Channel : std::uint8_t {
     inside,
     in_view,
     energy,
+    cutting,
 };
 /// The CSV columns of a channel without the hand's prefix, as a person would look for them ("px py pz").
 const char* channel_columns(Channel channel);
@@ -46,6 +47,7 @@ struct HandTrace {
     std::vector<std::uint8_t> inside;   ///< 1 inside the body; not recorded means always inside
     std::vector<std::uint8_t> in_view;  ///< 1 the tip is in the image
     std::vector<std::uint8_t> energy;   ///< 1 energy is on
+    std::vector<std::uint8_t> cutting;  ///< 1 the blade is in the tissue; not recorded means never
 
     /// True where every column of the channel is recorded.
     bool has(Channel channel) const;
@@ -81,6 +83,7 @@ struct Trace {
     double tick_period = 0.001;      ///< s, turns Event::tick into t
     double end = 0;                  ///< s, the end event's time, or the last sample's without one
     std::uint64_t samples_lost = 0;  ///< as the samples_lost events say
+    std::vector<TimeInterval> gaps;  ///< between samples more than 0.1 s apart that no pause explains
     std::vector<std::string> ignored_columns;  ///< CSV columns that the format does not know
 
     double time_of(const Event& event) const { return event.tick * tick_period; }
@@ -93,6 +96,10 @@ struct Trace {
 Trace trace_from_samples(const std::vector<TickSample>& samples, const std::vector<Event>& events,
                          const std::vector<std::string>& tissues, int tick_rate = 1000,
                          std::array<bool, hand_count> hands = {true, true});
+
+/// Puts `labels` first in the trace's table of tissues, in their order, and keeps the labels that are not among
+/// them behind; so that events of a scene with this table fit the trace.
+void put_labels_first(Trace& trace, const std::vector<std::string>& labels);
 
 /// Fills blocks, pauses, end and samples_lost from t and the events: split at gaps above 0.1 s, at pauses,
 /// where samples were lost; what follows the end event belongs to no block.

@@ -12,6 +12,7 @@
 #include <set>
 #include <string_view>
 
+#include "assessment/trace/csv_reader.h"
 #include "assessment/trace/utf8.h"
 #include "sim_core/numerics/files.h"
 #include "sim_core/numerics/input_error.h"
@@ -58,90 +59,6 @@ struct Column {
     std::vector<std::uint8_t>* flags = nullptr;
 };
 
-/// Splits lines into cells, counts rows, makes the errors.
-class Reader {
-  public:
-    Reader(std::istream& in, const std::string& file) : in_(in), file_(file) {}
-
-    bool next() {
-        if (!read_line()) return false;
-        ++row_;
-        split();
-        return true;
-    }
-    const std::vector<std::string_view>& cells() const { return cells_; }
-    [[noreturn]] void fail(const std::string& column, const std::string& wrong,
-                           const std::string& hint) const {
-        fail_at(row_, column, wrong, hint);
-    }
-    /// For what should have been in a row that is not there.
-    [[noreturn]] void fail_at(std::size_t row, const std::string& column, const std::string& wrong,
-                              const std::string& hint) const {
-        throw InputError(file_, std::to_string(row) + ": " + column, wrong, hint);
-    }
-    /// Cells are shown in errors; they may hold anything.
-    static std::string quoted(std::string_view cell) {
-        std::string text = "'";
-        for (const char c : cell.substr(0, 40)) text += c >= ' ' && c < 127 ? c : '?';
-        return text + (cell.size() > 40 ? "…'" : "'");
-    }
-
-  private:
-    bool read_line() {
-        line_.clear();
-        for (;;) {
-            if (position_ == filled_) {
-                in_.read(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
-                filled_ = static_cast<std::size_t>(in_.gcount());
-                position_ = 0;
-                if (filled_ == 0) return !line_.empty();
-            }
-            const char* begin = buffer_.data() + position_;
-            const char* end = buffer_.data() + filled_;
-            const char* newline = std::find(begin, end, '\n');
-            line_.append(begin, newline);
-            position_ += static_cast<std::size_t>(newline - begin);
-            if (line_.size() > trace_csv_line_limit) {
-                ++row_;
-                fail("(line)", "longer than " + std::to_string(trace_csv_line_limit) + " bytes",
-                     "write one sample a row");
-            }
-            if (newline != end) {
-                ++position_;
-                if (!line_.empty() && line_.back() == '\r') line_.pop_back();
-                return true;
-            }
-        }
-    }
-
-    void split() {
-        cells_.clear();
-        std::string_view rest = line_;
-        for (;;) {
-            const std::size_t comma = rest.find(',');
-            cells_.push_back(trimmed(rest.substr(0, comma)));
-            if (comma == std::string_view::npos) break;
-            rest.remove_prefix(comma + 1);
-        }
-    }
-
-    static std::string_view trimmed(std::string_view cell) {
-        while (!cell.empty() && cell.front() == ' ') cell.remove_prefix(1);
-        while (!cell.empty() && cell.back() == ' ') cell.remove_suffix(1);
-        // Spreadsheets put labels into quotes; the format needs none, so a plain pair is taken off.
-        if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
-            cell = cell.substr(1, cell.size() - 2);
-        return cell;
-    }
-
-    std::istream& in_;
-    std::string file_;
-    std::vector<char> buffer_ = std::vector<char>(1U << 16U);
-    std::size_t filled_ = 0, position_ = 0, row_ = 0;
-    std::string line_;
-    std::vector<std::string_view> cells_;
-};
-
 using ColumnMap = std::map<std::string, Column, std::less<>>;
 
 /// Every column of the format and where it goes.
@@ -180,6 +97,7 @@ ColumnMap known_columns(Trace& trace) {
         flag("inside", hand.inside);
         flag("in_view", hand.in_view);
         flag("energy", hand.energy);
+        flag("cutting", hand.cutting);
     }
     CameraTrace& camera = trace.camera;
     number("camera.px", Quantity::length, camera.px);
@@ -192,7 +110,7 @@ ColumnMap known_columns(Trace& trace) {
     return map;
 }
 
-std::vector<Column> read_header(Reader& reader, const ColumnMap& known, Trace& trace) {
+std::vector<Column> read_header(CsvReader& reader, const ColumnMap& known, Trace& trace) {
     if (!reader.next())
         reader.fail_at(1, "t", "the file is empty", "write a row of names, a row of units, then the samples");
     std::vector<std::string_view> cells = reader.cells();
@@ -204,22 +122,22 @@ std::vector<Column> read_header(Reader& reader, const ColumnMap& known, Trace& t
     std::set<std::string, std::less<>> seen;
     for (const std::string_view name : cells) {
         if (!seen.emplace(name).second)
-            reader.fail(Reader::quoted(name), "the column is there twice", "remove one");
+            reader.fail(CsvReader::quoted(name), "the column is there twice", "remove one");
         const auto found = known.find(name);
         if (found != known.end()) {
             columns.push_back(found->second);
         } else {
             columns.push_back({});
-            columns.back().name = Reader::quoted(name);
+            columns.back().name = CsvReader::quoted(name);
             if (!name.empty())
-                trace.ignored_columns.push_back(is_utf8(name) ? std::string(name) : Reader::quoted(name));
+                trace.ignored_columns.push_back(is_utf8(name) ? std::string(name) : CsvReader::quoted(name));
         }
     }
     if (seen.count("t") == 0) reader.fail("t", "the column is missing", "add t, the time in seconds");
     return columns;
 }
 
-void read_units(Reader& reader, const std::vector<Column>& columns) {
+void read_units(CsvReader& reader, const std::vector<Column>& columns) {
     if (!reader.next())
         reader.fail_at(2, "t", "the row of units is missing",
                        "write the units in row 2 (s, m, N, rad, m2, -)");
@@ -236,26 +154,26 @@ void read_units(Reader& reader, const std::vector<Column>& columns) {
             unit == expected || (expected == "-" && unit == "1") || (expected == "m2" && unit == "m²");
         if (!same)
             reader.fail(columns[c].name,
-                        "unit " + Reader::quoted(unit) + " where '" + expected + "' is needed",
+                        "unit " + CsvReader::quoted(unit) + " where '" + expected + "' is needed",
                         "convert the column to " + expected + " and write the unit in row 2");
     }
 }
 
-double parse_number(const Reader& reader, const Column& column, std::string_view cell) {
+double parse_number(const CsvReader& reader, const Column& column, std::string_view cell) {
     const ColumnRule& rule = rule_of(column.quantity);
     if (cell.empty()) reader.fail(column.name, "the cell is empty", rule.hint);
     if (cell.front() == '+') cell.remove_prefix(1);
     double value = 0;
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     if (error == std::errc::result_out_of_range)
-        reader.fail(column.name, Reader::quoted(cell) + " is out of range", rule.hint);
+        reader.fail(column.name, CsvReader::quoted(cell) + " is out of range", rule.hint);
     if (error != std::errc() || end != cell.data() + cell.size())
-        reader.fail(column.name, Reader::quoted(cell) + " is not a number", rule.hint);
+        reader.fail(column.name, CsvReader::quoted(cell) + " is not a number", rule.hint);
     if (!std::isfinite(value))
-        reader.fail(column.name, Reader::quoted(cell) + " is not a finite number",
+        reader.fail(column.name, CsvReader::quoted(cell) + " is not a finite number",
                     "leave the sample out or give the value");
     if (value < rule.low || value > rule.high)
-        reader.fail(column.name, Reader::quoted(cell) + " is out of range", rule.hint);
+        reader.fail(column.name, CsvReader::quoted(cell) + " is out of range", rule.hint);
     return value;
 }
 
@@ -263,13 +181,13 @@ double parse_number(const Reader& reader, const Column& column, std::string_view
 class LabelTable {
   public:
     explicit LabelTable(std::vector<std::string>& labels) : labels_(labels) {}
-    std::int16_t index(const Reader& reader, const Column& column, std::string_view label) {
+    std::int16_t index(const CsvReader& reader, const Column& column, std::string_view label) {
         if (label.empty()) return -1;
         if (last_ >= 0 && labels_[static_cast<std::size_t>(last_)] == label) return last_;
         const auto found = std::find(labels_.begin(), labels_.end(), label);
         if (found == labels_.end()) {
             if (label.size() > label_limit || !is_utf8(label))
-                reader.fail(column.name, Reader::quoted(label) + " is not a tissue label",
+                reader.fail(column.name, CsvReader::quoted(label) + " is not a tissue label",
                             "use UTF-8 text of at most " + std::to_string(label_limit) + " bytes");
             if (labels_.size() == trace_csv_tissue_limit)
                 reader.fail(column.name,
@@ -288,7 +206,7 @@ class LabelTable {
     std::int16_t last_ = -1;
 };
 
-void store_cell(const Reader& reader, const Column& column, std::string_view cell, LabelTable& labels) {
+void store_cell(const CsvReader& reader, const Column& column, std::string_view cell, LabelTable& labels) {
     if (column.quantity == Quantity::label) {
         column.indices->push_back(labels.index(reader, column, cell));
         return;
@@ -298,7 +216,7 @@ void store_cell(const Reader& reader, const Column& column, std::string_view cel
         column.numbers->push_back(value);
     } else {
         if (value != std::floor(value))
-            reader.fail(column.name, Reader::quoted(cell) + " is not a whole number",
+            reader.fail(column.name, CsvReader::quoted(cell) + " is not a whole number",
                         rule_of(column.quantity).hint);
         if (column.flags != nullptr) column.flags->push_back(value > 0 ? 1 : 0);
         if (column.indices != nullptr) column.indices->push_back(static_cast<std::int16_t>(value));
@@ -306,7 +224,7 @@ void store_cell(const Reader& reader, const Column& column, std::string_view cel
 }
 
 /// Axes and quaternions must have length one, or every angle from them is wrong.
-void check_unit_length(const Reader& reader, const std::string& column,
+void check_unit_length(const CsvReader& reader, const std::string& column,
                        std::initializer_list<const std::vector<double>*> parts) {
     double sum = 0;
     for (const auto* part : parts) {
@@ -322,7 +240,7 @@ void check_unit_length(const Reader& reader, const std::string& column,
 Trace read_trace_csv(std::istream& in, const std::string& file) {
     Trace trace;
     const ColumnMap known = known_columns(trace);
-    Reader reader(in, file);
+    CsvReader reader(in, file);
     const std::vector<Column> columns = read_header(reader, known, trace);
     read_units(reader, columns);
     LabelTable labels(trace.tissues);

@@ -54,6 +54,7 @@ std::vector<Output> outputs_of(const Trace& trace) {
         flag("inside", hand.inside);
         flag("in_view", hand.in_view);
         flag("energy", hand.energy);
+        flag("cutting", hand.cutting);
     }
     number("camera.px", "m", trace.camera.px);
     number("camera.py", "m", trace.camera.py);

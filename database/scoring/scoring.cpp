@@ -37,17 +37,23 @@ std::vector<std::string> tissue_labels(const Scene& scene) {
 ScoredAttempt score_record(const Scene& scene, const TaskDefinition& task,
                            const std::vector<Vector3>& targets, const std::vector<TickSample>& samples,
                            const std::vector<Event>& events, const BenchmarkSet* benchmark) {
-    ScoredAttempt scored;
     const std::array<bool, hand_count> hands = {scene.instrument(Hand::left) != nullptr,
                                                 scene.instrument(Hand::right) != nullptr};
-    const Trace trace = trace_from_samples(samples, events, tissue_labels(scene), scene.tick_rate, hands);
+    return score_trace(scene, task, targets,
+                       trace_from_samples(samples, events, tissue_labels(scene), scene.tick_rate, hands),
+                       events, benchmark);
+}
+
+ScoredAttempt score_trace(const Scene& scene, const TaskDefinition& task, const std::vector<Vector3>& targets,
+                          const Trace& trace, const std::vector<Event>& events,
+                          const BenchmarkSet* benchmark) {
+    ScoredAttempt scored;
     const MetricContext context = make_metric_context(scene, task, targets);
     scored.metrics = compute_metrics(trace, events, context);
     if (context.specimen)
-        scored.pathology =
-            pathology_report(cut_strokes(events, trace.tick_period, trace.end), *context.specimen);
+        scored.pathology = pathology_of_events(events, trace.tick_period, trace.end, *context.specimen);
     scored.state = attempt_state(events);
-    scored.duration_s = samples.empty() ? 0 : samples.back().tick * scene.tick_period();
+    scored.duration_s = trace.t.empty() ? 0 : trace.t.back();
     const Statement other =
         benchmark == nullptr ? Statement() : why_not_comparable(*benchmark, scene, task.scene);
     scored.score =

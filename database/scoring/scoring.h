@@ -41,6 +41,11 @@ ScoredAttempt score_record(const Scene& scene, const TaskDefinition& task,
                            const std::vector<Vector3>& targets, const std::vector<TickSample>& samples,
                            const std::vector<Event>& events, const BenchmarkSet* benchmark);
 
+/// The same from a trace that has been read from a file, with the scene's labels first in its table.
+ScoredAttempt score_trace(const Scene& scene, const TaskDefinition& task, const std::vector<Vector3>& targets,
+                          const Trace& trace, const std::vector<Event>& events,
+                          const BenchmarkSet* benchmark);
+
 /// Tissue labels in the order of HandSample::tissue.
 std::vector<std::string> tissue_labels(const Scene& scene);
 

@@ -23,30 +23,55 @@ QString percent(const std::optional<double>& share) {
     return share ? QString::number(std::round(100 * *share), 'f', 0) : QStringLiteral("–");
 }
 
-PathologyLine grade_line(const PathologyReport& report) {
-    PathologyLine line{tr("Mesorectum"), {}, report.grade.value_or(3) < 3, -1};
-    const QString deepest = mm(report.deepest_defect);
-    switch (report.reason) {
-        case GradeReason::nothing_cut:
-            line.words = tr("No grade: nothing was cut.");
-            break;
-        case GradeReason::intact:
-            line.words = tr("Grade 3, complete: no defect deeper than 5 mm, no coning.");
-            break;
-        case GradeReason::defect:
-            line.words = tr("Grade 2, nearly complete: a defect of %1 mm, deeper than 5 mm.").arg(deepest);
-            break;
-        case GradeReason::coning:
-            line.words = tr("Grade 2, nearly complete: coning.");
-            break;
-        case GradeReason::defect_and_coning:
-            line.words =
-                tr("Grade 2, nearly complete: a defect of %1 mm, deeper than 5 mm, and coning.").arg(deepest);
-            break;
-        case GradeReason::muscularis:
-            line.words = tr("Grade 1, incomplete: a defect down to the muscularis.");
-            break;
+/// A length next to a limit, in as many decimals as show on which side of it the length is.
+QString beside_limit(double metres, double limit) {
+    for (int decimals = 1; decimals < 5; ++decimals) {
+        const QString shown = QString::number(metres * 1e3, 'f', decimals);
+        if (shown != QString::number(limit * 1e3, 'f', decimals) || metres == limit) return shown;
     }
+    return QString::number(metres * 1e3, 'f', 5);
+}
+
+QString reason_text(const PathologyReport& report, GradeReason reason) {
+    switch (reason) {
+        case GradeReason::nothing_cut:
+            return tr("nothing was cut");
+        case GradeReason::undivided:
+            return tr("%1 % of the plane was divided; a grade needs %2 %")
+                .arg(QString::number(100 * report.divided, 'f', 1), percent(fully_divided_share));
+        case GradeReason::intact:
+            return tr("no defect deeper than 5 mm, no coning");
+        case GradeReason::defect:
+            return tr("a defect of %1 mm, deeper than 5 mm")
+                .arg(beside_limit(report.deepest_defect, deep_defect));
+        case GradeReason::fat:
+            return tr("%1 % of the cut lies more than 2 mm in the fat (limit %2 %)")
+                .arg(QString::number(100 * report.fat_share, 'f', 1), percent(fat_share_limit));
+        case GradeReason::coning:
+            return tr("coning of %1 mm").arg(beside_limit(report.coning.value_or(0), coning_limit));
+        case GradeReason::muscularis:
+            return tr("a defect down to the muscularis");
+        case GradeReason::bulk_loss:
+            return tr("half of the cut lies more than %1 mm in the fat")
+                .arg(beside_limit(report.median_fat_depth, bulk_loss_depth));
+        case GradeReason::deep_coning:
+            return tr("coning of %1 mm, more than %2 mm")
+                .arg(beside_limit(report.coning.value_or(0), deep_coning_limit), mm(deep_coning_limit));
+        case GradeReason::perforation:
+            return tr("the bowel was perforated");
+    }
+    return {};
+}
+
+PathologyLine grade_line(const PathologyReport& report) {
+    PathologyLine line{tr("Mesorectum"), {}, report.grade.value_or(0) < 3, -1};
+    QStringList reasons;
+    for (const GradeReason reason : report.reasons) reasons << reason_text(report, reason);
+    const QString grade = !report.grade        ? tr("Not gradable")
+                          : *report.grade == 3 ? tr("Grade 3, complete")
+                          : *report.grade == 2 ? tr("Grade 2, nearly complete")
+                                               : tr("Grade 1, incomplete");
+    line.words = tr("%1: %2.").arg(grade, reasons.join(tr("; ")));
     return line;
 }
 
@@ -56,7 +81,7 @@ PathologyLine coning_line(const PathologyReport& report) {
         line.words = tr("Not assessed: fewer than three levels were at least half divided.");
         return line;
     }
-    line.bad = *report.coning > coning_limit;
+    line.bad = *report.coning > coning_limit + resolution;
     const QString way = *report.coning >= 0 ? tr("towards the rectum") : tr("towards the sacrum");
     line.words =
         tr("%1: from the first level to the last the cut moves %2 mm %3 (coning: more than %4 mm "
@@ -99,11 +124,12 @@ PathologyLine circumferential_line(const PathologyReport& report) {
         line.words = tr("Not given: the plane next to the tumour was not divided.");
         line.bad = true;
     } else {
-        line.bad = *margin.distance <= positive_margin;
+        line.bad = margin_is_positive(margin);
         line.time = margin.when.begin;
         line.words = tr("%1 mm, %2 (positive: 1 mm or less). Tumour at %3, its edge %4 mm outside the "
                         "muscularis.")
-                         .arg(mm(*margin.distance), line.bad ? tr("positive") : tr("negative"),
+                         .arg(beside_limit(*margin.distance, positive_margin),
+                              line.bad ? tr("positive") : tr("negative"),
                               place_text(report.plan.tumour->level, report.plan.tumour->sector),
                               mm(report.plan.tumour->depth));
     }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "assessment/metrics/analysis.h"
 #include "assessment/metrics/statement_words.h"
 #include "tests/assessment/metrics/traces.h"
 
@@ -50,6 +51,48 @@ TEST(Force, SteepestChangeOfARaisedCosine) {
     Trace trace = make_trace(4.0);
     set_force(trace, Hand::left, [](double t) { return Vector3(0, 0, 2.0 - 1.5 * std::cos(2 * pi * t)); });
     EXPECT_NEAR(*measure(trace, "dfdt_max", "left").value, 3.0 * pi, 0.01);
+}
+
+TEST(Force, ASpikeOfOneSampleChangesNothing) {
+    Trace trace = half_sine();
+    const double most = *measure(trace, "f_max", "left").value;
+    const double steepest = *measure(trace, "dfdt_max", "left").value;
+    trace.hand[0].fx[2000] += 20.0;
+    EXPECT_EQ(replaced_force_samples(trace), 1U);
+    EXPECT_NEAR(*measure(trace, "f_max", "left").value, most, 1e-3);
+    EXPECT_NEAR(*measure(trace, "dfdt_max", "left").value, steepest, 0.05);
+    // 20 N for 20 ms are a force, not a spike.
+    for (std::size_t i = 2010; i < 2030; ++i) trace.hand[0].fx[i] += 20.0;
+    EXPECT_EQ(replaced_force_samples(trace), 1U);
+    EXPECT_GT(*measure(trace, "f_max", "left").value, 15.0);
+}
+
+TEST(Force, SteepestChangeNeedsFiveHundredSamplesASecond) {
+    for (const double rate : {500.0, 400.0}) {
+        Trace trace = make_trace(4.0, rate);
+        set_force(trace, Hand::left,
+                  [](double t) { return Vector3(0, 0, 2.0 - 1.5 * std::cos(2 * pi * t)); });
+        const MetricResult result = measure(trace, "dfdt_max", "left");
+        EXPECT_EQ(result.value.has_value(), rate >= 500.0);
+        if (!result.value) {
+            EXPECT_EQ(result.absent_because.id(), StatementId::low_rate);
+        }
+    }
+}
+
+TEST(Force, OfTheJawsIsNotCarriedFromOneTissueToTheNext) {
+    // At 100 Hz: 8 N on the vessel's label, 0.2 N on the bowel's from the next sample on.
+    Trace trace = make_trace(4.0, 100.0);
+    trace.tissues = {"vessel", "bowel"};
+    for (const double t : trace.t) {
+        trace.hand[0].jaw_force.push_back(t < 2 ? 8.0 : 0.2);
+        trace.hand[0].tissue.push_back(t < 2 ? 0 : 1);
+    }
+    const UniformGrid grid(trace.t, trace.blocks.at(0));
+    const std::vector<double> within = grid.interpolate_within(trace.hand[0].jaw_force, trace.hand[0].tissue);
+    EXPECT_EQ(within[1999], 8.0);
+    EXPECT_EQ(within[2000], 0.2);
+    EXPECT_NEAR(grid.interpolate(trace.hand[0].jaw_force)[1995], 4.1, 1e-9);
 }
 
 TEST(Force, EvidencePointsAtTheMoment) {

@@ -65,6 +65,25 @@ TEST(LogJerk, OfNoisySpeedIsRestoredByTheFilter) {
     EXPECT_NEAR(ldlj(slow, 100.0), -5.23, 0.03);
 }
 
+TEST(Despike, ReplacesSpikesAndKeepsStepsSlopesAndWaves) {
+    std::vector<double> wave(1000);
+    for (std::size_t i = 0; i < wave.size(); ++i)
+        wave[i] = (i >= 500 ? 5.0 : 0.0) +
+                  2.0 * std::sin(2 * 3.14159265358979 * 20.0 * static_cast<double>(i) / 1000.0);
+    std::vector<double> same = wave;
+    EXPECT_EQ(despike(same, 0, same.size(), 1e-3), 0U);
+    EXPECT_EQ(same, wave);
+    std::vector<double> spiked = wave;
+    for (const std::size_t i : {0, 200, 201, 700, 999}) spiked[i] += 20.0;
+    EXPECT_EQ(despike(spiked, 0, spiked.size(), 1e-3), 5U);
+    for (std::size_t i = 0; i < wave.size(); ++i) EXPECT_NEAR(spiked[i], wave[i], 0.8) << i;
+    // Outside the range nothing is touched.
+    std::vector<double> outside = wave;
+    outside[100] += 20.0;
+    EXPECT_EQ(despike(outside, 200, 900, 1e-3), 0U);
+    EXPECT_EQ(outside[100], wave[100] + 20.0);
+}
+
 TEST(LowPass, HalvesTheAmplitudeAtItsCutoffWithoutDelay) {
     std::vector<double> wave;
     for (int i = 0; i < 4000; ++i) wave.push_back(std::sin(2 * pi * 10.0 * i * 1e-3));

@@ -54,6 +54,93 @@ TEST(Segments, CutOffByTheBlockAreNone) {
     EXPECT_TRUE(find_segments(speed, find_pauses(speed)).empty());
 }
 
+std::vector<double> bells(int count, double peak, int samples, int rest, double floor = 0.0) {
+    std::vector<double> speed(static_cast<std::size_t>(rest), 0.0);
+    for (int n = 0; n < count; ++n) {
+        for (int i = 0; i <= samples; ++i) {
+            const double s = static_cast<double>(i) / samples;
+            speed.push_back(floor + (peak - floor) * 16 * s * s * (1 - s) * (1 - s));
+        }
+        speed.insert(speed.end(), static_cast<std::size_t>(rest), 0.0);
+    }
+    return speed;
+}
+
+TEST(FreeMovements, AreDividedAtDeepMinimaOfSpeedOnly) {
+    const auto count = [](double floor) {
+        std::vector<double> speed(50, 0.0);
+        const std::vector<double> four = bells(4, 0.1, 100, 0, floor);
+        speed.insert(speed.end(), four.begin(), four.end());
+        speed.resize(speed.size() + 50, 0.0);
+        return find_free_movements(speed, find_pauses(speed), {}).segments.size();
+    };
+    EXPECT_EQ(count(0.001), 4U);  // never rests for 0.2 s
+    EXPECT_EQ(count(0.049), 4U);
+    EXPECT_EQ(count(0.051), 1U);  // a correction inside a movement
+}
+
+TEST(FreeMovements, LeaveContactOutAndBridgeShortBreaks) {
+    const std::vector<double> speed = bells(3, 0.1, 100, 50);
+    const std::vector<std::uint8_t> pause = find_pauses(speed);
+    std::vector<std::uint8_t> contact(speed.size(), 0);
+    EXPECT_EQ(find_free_movements(speed, pause, contact).segments.size(), 3U);
+    std::fill(contact.begin() + 210, contact.begin() + 230, std::uint8_t{1});  // in the second
+    std::fill(contact.begin() + 245, contact.begin() + 300, std::uint8_t{1});
+    const FreeMovement found = find_free_movements(speed, pause, contact);
+    ASSERT_EQ(found.segments.size(), 2U);
+    EXPECT_LT(found.segments[0].whole.last, 201U);
+    EXPECT_GE(found.segments[1].whole.first, 352U);
+    std::size_t in_segments = 0;
+    for (const Segment& segment : found.segments) in_segments += segment.core.size();
+    EXPECT_EQ(found.samples, in_segments);
+}
+
+TEST(Sparc, LeavesOutTheTimeWithABladeInTissueOrTissueInTheJaws) {
+    // Two kinds of reaches by turns: smooth ones, and ones that shake.
+    const auto course = reaches(16, 0.1, 1.0, 1.5);
+    const auto shaking = [](double t) { return static_cast<int>((t - 0.75) / 2.5) % 2 == 1; };
+    Trace trace = make_trace(41.0);
+    set_position(trace, Hand::left, [&](double t) {
+        const double moving = shaking(t) ? (course(t + 0.001) - course(t - 0.001)).norm() : 0.0;
+        return Vector3(course(t) + Vector3(0, moving * 30 * std::sin(2 * pi * 3 * t), 0));
+    });
+    const double mixed = *measure(trace, "sparc", "left").value;
+    EXPECT_LT(mixed, -1.45);
+    for (const double t : trace.t) trace.hand[0].cutting.push_back(shaking(t) ? 1 : 0);
+    EXPECT_NEAR(*measure(trace, "sparc", "left").value, -1.40583, 0.003);
+    trace.hand[0].cutting.clear();
+    for (const double t : trace.t) trace.hand[0].jaw_force.push_back(shaking(t) ? 2.0 : 0.0);
+    EXPECT_NEAR(*measure(trace, "sparc", "left").value, -1.40583, 0.003);
+    EXPECT_EQ(measure(trace, "sparc", "left").count, 8);
+}
+
+TEST(Sparc, StoppingBeforeTheGoalGainsNothing) {
+    // 16 reaches of 100 mm, and the same each made as 80 mm, a stop, 20 mm.
+    const auto stopping = [](double t) {
+        double x = 0;
+        for (int i = 0; i < 16; ++i) {
+            const double start = 1.5 + i * 3.5, sign = i % 2 == 0 ? 1 : -1;
+            x += sign * (0.08 * test::minimum_jerk(t - start, 0.9) +
+                         0.02 * test::minimum_jerk(t - start - 1.3, 0.7));
+        }
+        return Vector3(x, 0, 0);
+    };
+    const auto slowing = [](double t) {
+        double x = 0;
+        for (int i = 0; i < 16; ++i) {
+            const double start = 1.5 + i * 3.5, sign = i % 2 == 0 ? 1 : -1;
+            x += sign * (0.08 * test::minimum_jerk(t - start, 0.9) +
+                         0.02 * test::minimum_jerk(t - start - 0.9, 0.7));
+        }
+        return Vector3(x, 0, 0);
+    };
+    Trace stops = make_trace(60.0), slows = make_trace(60.0);
+    set_position(stops, Hand::left, stopping);
+    set_position(slows, Hand::left, slowing);
+    EXPECT_NEAR(*measure(stops, "ldlj", "left").value, *measure(slows, "ldlj", "left").value, 0.1);
+    EXPECT_NEAR(*measure(stops, "sparc", "left").value, *measure(slows, "sparc", "left").value, 0.02);
+}
+
 TEST(Sparc, OfReachesIsThatOfOneReach) {
     Trace trace = make_trace(21.0);
     set_position(trace, Hand::left, reaches(8, 0.1, 1.0, 1.5));

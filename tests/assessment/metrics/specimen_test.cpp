@@ -61,8 +61,11 @@ TEST(Specimen, ADefectIsEvidence) {
     EXPECT_NEAR(result("tme_defect", cut(0, 0.12, -9000)).value.value(), 6, 1e-6);
     ASSERT_FALSE(grade.evidence.empty());
     EXPECT_GE(grade.evidence[0].begin, 0.5);
-    EXPECT_NEAR(result("crm_mm", cut(0, 0.12, -15000)).value.value(), 0, 1e-9);
-    EXPECT_FALSE(result("crm_mm", cut(0, 0.12, -15000)).evidence.empty());
+    EXPECT_NEAR(result("crm_mm", cut(0, 0.12, -9000)).value.value(), 0, 1e-9);
+    EXPECT_FALSE(result("crm_mm", cut(0, 0.12, -9000)).evidence.empty());
+    // Outside the corridor nothing is divided: neither grade nor margin.
+    EXPECT_EQ(result("tme_grade", cut(0, 0.12, -15000)).absence, Absence::not_done);
+    EXPECT_EQ(result("crm_mm", cut(0, 0.12, -15000)).absence, Absence::not_done);
 }
 
 TEST(Specimen, SaysWhyAFigureIsAbsent) {

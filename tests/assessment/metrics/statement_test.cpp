@@ -24,6 +24,7 @@ std::vector<Statement> samples() {
     const std::string hand = "left", metric = "f_max", tissue = "bowel", phase = "Run the bowel";
     const Statement because = Id::nothing_cut;
     const std::vector<Statement> with_parameters = {
+        {Id::specimen_undivided, {{"percent", 94.0}, {"least", 95.0}}},
         {Id::few_way_points, {{"least", 3.0}}},
         {Id::few_target_movements, {{"least", 2.0}}},
         {Id::few_movements, {{"count", 4.0}, {"least", 5.0}}},

@@ -16,6 +16,7 @@ namespace fulcrum {
 namespace {
 
 constexpr double mm = 1e-3;
+using Reasons = std::vector<GradeReason>;
 
 SpecimenPlan plan() {
     SpecimenPlan plan;
@@ -75,7 +76,7 @@ TEST(Pathology, OfACutInThePlaneIsComplete) {
     }
     EXPECT_NEAR(report.divided, 1, 1e-9);
     EXPECT_EQ(report.grade, 3);
-    EXPECT_EQ(report.reason, GradeReason::intact);
+    EXPECT_EQ(report.reasons, Reasons{GradeReason::intact});
     EXPECT_TRUE(report.defects.empty());
     EXPECT_NEAR(report.coning.value(), 0, 1e-12);
     // The tumour's edge lies at 10 mm, the cut at 3 mm: 7 mm are left.
@@ -114,7 +115,7 @@ TEST(Pathology, FindsADefectWhereAndHowDeepItIs) {
     });
     const PathologyReport report = pathology_report(strokes, plan());
     EXPECT_EQ(report.grade, 2);
-    EXPECT_EQ(report.reason, GradeReason::defect);
+    EXPECT_EQ(report.reasons, Reasons{GradeReason::defect});
     ASSERT_EQ(report.defects.size(), 1U);
     const Defect& defect = report.defects[0];
     EXPECT_EQ(defect.level, 2);
@@ -143,7 +144,7 @@ TEST(Pathology, ADefectDownToTheMuscularisIsGradeOne) {
     EXPECT_EQ(at(13.9 * mm).grade, 2);
     const PathologyReport wall = at(14.1 * mm);
     EXPECT_EQ(wall.grade, 1);
-    EXPECT_EQ(wall.reason, GradeReason::muscularis);
+    EXPECT_EQ(wall.reasons, Reasons{GradeReason::muscularis});
     EXPECT_TRUE(wall.defects.at(0).muscularis);
     EXPECT_NEAR(at(40 * mm).deepest_defect, 12 * mm, 1e-12) << "behind the wall there is no fat";
 }
@@ -154,11 +155,13 @@ TEST(Pathology, DetectsConingWithoutADeepLevel) {
     };
     EXPECT_NEAR(trend(4 * mm).coning.value(), 4 * mm, 1e-9);
     EXPECT_EQ(trend(4 * mm).grade, 2);
-    EXPECT_EQ(trend(4 * mm).reason, GradeReason::coning);
+    EXPECT_EQ(trend(4 * mm).reasons, Reasons{GradeReason::coning});
     EXPECT_EQ(trend(2.9 * mm).grade, 3);
     EXPECT_NEAR(trend(-6 * mm).coning.value(), -6 * mm, 1e-9);
     EXPECT_EQ(trend(-6 * mm).grade, 3) << "towards the sacrum is deep, not coning";
-    EXPECT_EQ(trend(9 * mm).reason, GradeReason::defect_and_coning);
+    EXPECT_EQ(trend(6 * mm).reasons, (Reasons{GradeReason::fat, GradeReason::coning}));
+    EXPECT_EQ(trend(6.1 * mm).reasons, Reasons{GradeReason::deep_coning});
+    EXPECT_EQ(trend(6.1 * mm).grade, 1);
     // Two levels are not a trend.
     std::vector<CutStroke> two = all_levels([](int level, double) { return -4 * mm * level; });
     two.resize(2);
@@ -209,22 +212,88 @@ TEST(Pathology, GivesTheReasonForAnAbsentMargin) {
 TEST(Pathology, WithoutACutIsEmpty) {
     const PathologyReport report = pathology_report({}, plan());
     EXPECT_FALSE(report.grade.has_value());
-    EXPECT_EQ(report.reason, GradeReason::nothing_cut);
+    EXPECT_EQ(report.reasons, Reasons{GradeReason::nothing_cut});
     EXPECT_FALSE(report.plane.median.has_value());
     EXPECT_EQ(report.divided, 0.0);
     EXPECT_FALSE(report.circumferential.distance.has_value());
     EXPECT_TRUE(pathology_report({}, SpecimenPlan{}).findings.empty());
 }
 
-TEST(Pathology, OfOneSectorJudgesThatSector) {
+TEST(Pathology, OfOneSectorHasNoGradeAndTheMarginOfThatSector) {
     const PathologyReport report = pathology_report({across(
                                                         1, [](double) { return 1 * mm; }, 20 * mm, 40 * mm)},
                                                     plan());
-    EXPECT_EQ(report.grade, 3);
+    EXPECT_FALSE(report.grade.has_value());
+    EXPECT_EQ(report.reasons, Reasons{GradeReason::undivided});
     EXPECT_FALSE(report.sectors[0].plane.median.has_value());
     EXPECT_NEAR(report.sectors[1].plane.median.value(), 1 * mm, 1e-12);
     EXPECT_FALSE(report.coning.has_value());
     EXPECT_NEAR(report.circumferential.distance.value(), 8 * mm, 1e-9);
+}
+
+TEST(Pathology, IsGradedFromNinetyFivePercentOn) {
+    const auto divided = [](double share) {
+        std::vector<CutStroke> strokes = all_levels([](int, double) { return 0.0; });
+        strokes[3] = across(
+            3, [](double) { return 0.0; }, 0, (4 * share - 3) * 60 * mm);
+        return pathology_report(strokes, plan());
+    };
+    EXPECT_EQ(divided(0.95).grade, 3);
+    EXPECT_FALSE(divided(0.949).grade.has_value());
+    EXPECT_EQ(divided(0.949).reasons, Reasons{GradeReason::undivided});
+    // The tumour's sector alone decides its margin.
+    EXPECT_TRUE(divided(0.8).circumferential.distance.has_value());
+    std::vector<CutStroke> strokes = all_levels([](int, double) { return 0.0; });
+    strokes[1] = across(
+        1, [](double) { return 0.0; }, 0, 38.5 * mm);
+    EXPECT_EQ(pathology_report(strokes, plan()).circumferential.absence, MarginAbsence::not_divided);
+}
+
+TEST(Pathology, DefectsCountByDepthAndByShareOfTheLength) {
+    // A third of each level 2.5 mm in the fat, that is 5.5 mm inwards of the plane.
+    const auto shallow = [](double share) {
+        return pathology_report(
+            all_levels([&](int, double x) { return x < share * 60 * mm ? -5.5 * mm : 0.0; }), plan());
+    };
+    EXPECT_EQ(shallow(0.19).grade, 3);
+    EXPECT_EQ(shallow(0.33).grade, 2);
+    EXPECT_EQ(shallow(0.33).reasons, Reasons{GradeReason::fat});
+    // Three quarters of each level 8.1 mm in the fat.
+    const auto bulk = [](double depth) {
+        SpecimenPlan wide = plan();
+        wide.corridor = 15 * mm;
+        return pathology_report(
+            all_levels([&](int, double x) { return x < 45 * mm ? -(3 * mm + depth) : 0.0; }), wide);
+    };
+    EXPECT_EQ(bulk(8 * mm).grade, 2);
+    EXPECT_EQ(bulk(8.1 * mm).grade, 1);
+    EXPECT_EQ(bulk(8.1 * mm).reasons, Reasons{GradeReason::bulk_loss});
+}
+
+TEST(Pathology, APerforatedBowelIsGradeOne) {
+    const auto strokes = all_levels([](int, double) { return 0.0; });
+    const PathologyReport report = pathology_report(strokes, plan(), true);
+    EXPECT_EQ(report.grade, 1);
+    EXPECT_EQ(report.reasons, Reasons{GradeReason::perforation});
+}
+
+TEST(Pathology, RoundingDecidesNoGradeAndNoMargin) {
+    const auto margin = [](double left) {
+        return pathology_report(all_levels([&](int, double) { return -(7 * mm - left); }), plan())
+            .circumferential;
+    };
+    EXPECT_TRUE(margin_is_positive(margin(0.99 * mm)));
+    EXPECT_TRUE(margin_is_positive(margin(1.0 * mm)));
+    EXPECT_FALSE(margin_is_positive(margin(1.001 * mm)));
+    EXPECT_FALSE(margin_is_positive({}));
+    const auto notch = [](double depth) {
+        return pathology_report(all_levels([&](int level, double x) {
+                                    return level == 1 && x < 3 * mm ? -(3 * mm + depth) : 0.0;
+                                }),
+                                plan());
+    };
+    EXPECT_EQ(notch(5 * mm).grade, 3);
+    EXPECT_EQ(notch(5.001 * mm).grade, 2);
 }
 
 TEST(Pathology, OmitsValuesThatAreNotNumbers) {
@@ -283,7 +352,7 @@ TEST(Pathology, SurvivesJson) {
     const std::string text = pathology_json(report);
     const PathologyReport again = parse_pathology(text, "report.json");
     EXPECT_EQ(again.grade, report.grade);
-    EXPECT_EQ(again.reason, report.reason);
+    EXPECT_EQ(again.reasons, report.reasons);
     EXPECT_EQ(again.findings.size(), report.findings.size());
     EXPECT_EQ(again.defects.size(), report.defects.size());
     EXPECT_NEAR(again.circumferential.distance.value(), report.circumferential.distance.value(), 5.1e-10);
@@ -357,8 +426,10 @@ RC_GTEST_PROP(PathologyProperties, LengthIsKeptAndSharesAreShares, ()) {
         RC_ASSERT(*finding.plane.p95 <= std::abs(*finding.plane.worst) + 1e-12);
     }
     RC_ASSERT(std::abs(parts - length) <= 1e-9 * (1 + length));
-    RC_ASSERT(report.grade.has_value() == (length > 0));
-    if (report.grade == 1) RC_ASSERT(report.deepest_defect >= 0.011 - 1e-12);
+    RC_ASSERT(report.grade.has_value() == (length > 0 && report.divided >= fully_divided_share - 1e-9));
+    if (report.grade == 1)
+        RC_ASSERT(report.deepest_defect >= 0.011 - 1e-12 || report.coning.value_or(0) > deep_coning_limit ||
+                  report.median_fat_depth > bulk_loss_depth);
     if (report.circumferential.distance) RC_ASSERT(*report.circumferential.distance >= 0);
     if (report.distal.distance) RC_ASSERT(*report.distal.distance >= 0);
     const std::string text = pathology_json(report);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "assessment/scoring/gate_rules.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/assessment/scoring/fixtures.h"
 
@@ -281,6 +282,26 @@ TEST(GatesJson, HasTheKeysOfTheContract) {
     EXPECT_TRUE(rows[0].at("hand").is_null());
     EXPECT_TRUE(rows[2].at("z").is_null());
     EXPECT_EQ(critical_errors_to_json({perforation})[0].at("event"), "perforation");
+}
+
+TEST(Gates, AnExclusiveLimitIsNotPassedAtTheLimit) {
+    GateSpec spec;
+    spec.metric = "crm_mm";
+    spec.kind = GateKind::absolute;
+    spec.limit = 1;
+    spec.limit_source = "a source";
+    const auto passes = [&](double value) {
+        MetricResult result;
+        result.id = spec.metric;
+        result.value = value;
+        return judge_gate(spec, {result}, nullptr).passed;
+    };
+    EXPECT_EQ(passes(1.0), true);
+    spec.exclusive = true;
+    EXPECT_EQ(passes(1.0), false);
+    EXPECT_EQ(passes(1.0 + 1e-9), false);
+    EXPECT_EQ(passes(1.001), true);
+    EXPECT_EQ(passes(0.9), false);
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ TEST(TraceCsv, WritesTheValuesThatItReads) {
             hand.jaw_force = 1000, hand.jaw_area = 12345;
             hand.tissue = static_cast<std::int16_t>(i % 3) - 1;
             hand.patch = static_cast<std::int16_t>(i % 50);
-            hand.flags = static_cast<std::uint16_t>(i % 8);
+            hand.flags = static_cast<std::uint16_t>(i % 8 + (i % 4 == 0 ? hand_cutting : 0));
         }
     }
     const Trace trace = trace_from_samples(samples, {}, {"wall", "bowel"});
@@ -83,6 +83,9 @@ TEST(TraceCsv, WritesTheValuesThatItReads) {
         EXPECT_EQ(back.hand[h].jaw_area, trace.hand[h].jaw_area);
         EXPECT_EQ(back.hand[h].patch, trace.hand[h].patch);
         EXPECT_EQ(back.hand[h].in_view, trace.hand[h].in_view);
+        EXPECT_EQ(back.hand[h].cutting, trace.hand[h].cutting);
+        EXPECT_EQ(back.hand[h].cutting[4], 1);
+        EXPECT_EQ(back.hand[h].cutting[5], 0);
         for (std::size_t i = 0; i < samples.size(); ++i) {
             const auto label = [&](const Trace& any) {
                 const int tissue = any.hand[h].tissue[i];
@@ -95,6 +98,16 @@ TEST(TraceCsv, WritesTheValuesThatItReads) {
     std::stringstream again;
     write_trace_csv(back, again);
     EXPECT_EQ(again.str(), text.str());
+}
+
+TEST(TraceCsv, NamesTheGapsBetweenSamples) {
+    std::stringstream text("t\ns\n0\n0.1\n0.3\n0.4\n2\n2.1\n");
+    const Trace trace = read_trace_csv(text, "trace.csv");
+    ASSERT_EQ(trace.gaps.size(), 2U);
+    EXPECT_EQ(trace.gaps[0].begin, 0.1);
+    EXPECT_EQ(trace.gaps[0].end, 0.3);
+    EXPECT_EQ(trace.gaps[1].begin, 0.4);
+    EXPECT_EQ(trace.blocks.size(), 3U);
 }
 
 TEST(TraceCsv, NamesFileRowColumnAndHint) {

@@ -77,7 +77,7 @@ TEST(AttemptReport, CsvJsonAndWordsContainTheSameValues) {
     const AttemptPaper one = paper();
     const nlohmann::json json = nlohmann::json::parse(attempt_json(one));
     EXPECT_EQ(json["pathology"]["tme_grade"], 2);
-    EXPECT_EQ(json["pathology"]["grade_reason"], "defect");
+    EXPECT_EQ(json["pathology"]["grade_reasons"][0], "defect");
     EXPECT_EQ(json["gates"][0]["passed"], false);
     ASSERT_EQ(json["pathology"]["findings"].size(), 12U);
     std::istringstream csv(attempt_csv(one));
@@ -125,7 +125,10 @@ TEST(AttemptReport, UsesThePathologistsTerms) {
     EXPECT_NE(words(dissection(15 * mm), "Mesorectum").find("Grade 1"), std::string::npos);
     EXPECT_NE(words(dissection(0), "Mesorectum").find("Grade 3, complete"), std::string::npos);
     const PathologyReport nothing = pathology_report({}, report.plan);
-    EXPECT_EQ(words(nothing, "Mesorectum"), "No grade: nothing was cut.");
+    EXPECT_EQ(words(nothing, "Mesorectum"), "Not gradable: nothing was cut.");
+    // Where the first decimal would hide on which side of the limit a value lies, more are shown.
+    EXPECT_NE(words(dissection(8.02 * mm), "Mesorectum").find("a defect of 5.02 mm"), std::string::npos)
+        << words(dissection(8.02 * mm), "Mesorectum");
     EXPECT_EQ(pathology_rows(nothing).size(), 16U);
     EXPECT_EQ(pathology_rows(nothing)[0][3], QStringLiteral("–"));
 }

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/attempt_document.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/cli/commands.h"
+#include "app/live/performance.h"
+#include "assessment/assets/assets.h"
+#include "assessment/attempt/engine.h"
+#include "assessment/metrics/metrics_json.h"
+#include "assessment/metrics/statement_words.h"
+#include "assessment/trace/events_csv.h"
+#include "assessment/trace/trace_csv.h"
+#include "sim_core/numerics/files.h"
+
+namespace fulcrum::app {
+namespace {
+
+constexpr std::uint64_t largest_detail = std::numeric_limits<std::int32_t>::max();
+
+std::vector<Vector3> targets_of(const LoadedTask& loaded, std::uint64_t seed) {
+    if (!loaded.scene.targets) return {};
+    const AttemptEngine engine(loaded.scene, loaded.task, seed);
+    std::vector<Vector3> centres;
+    for (const TargetSphere& target : engine.initial_snapshot().targets) centres.push_back(target.centre);
+    return centres;
+}
+
+/// In exports the begin of an attempt carries its seed, which places the targets.
+void put_seed(std::vector<Event>& events, std::uint64_t seed) {
+    for (Event& event : events)
+        if (event.kind == EventKind::attempt_begin && seed <= largest_detail)
+            event.detail = static_cast<std::int32_t>(seed);
+}
+std::uint64_t seed_of(const std::vector<Event>& events) {
+    const auto begin = std::find_if(events.begin(), events.end(), [](const Event& event) {
+        return event.kind == EventKind::attempt_begin;
+    });
+    return begin != events.end() && begin->detail > 0 ? static_cast<std::uint64_t>(begin->detail) : 0;
+}
+
+}  // namespace
+
+nlohmann::json score_document(const ScoredAttempt& scored) {
+    const Score& score = scored.score;
+    return {{"duration_s", scored.duration_s},
+            {"state", row_of(attempt_states, scored.state).name},
+            {"passed", or_null(score.passed)},
+            {"not_scored_because", or_null(words_of(score.not_scored_because))},
+            {"not_scored_code", statement_json(score.not_scored_because)},
+            {"points", or_null(score.points)},
+            {"advice", words_of(score.advice)},
+            {"advice_code", statement_json(score.advice)},
+            {"gates", gates_to_json(score.gates)},
+            {"metrics", metrics_to_json(scored.metrics)},
+            {"critical_errors", critical_errors_to_json(score.critical_errors)},
+            {"pathology",
+             scored.pathology ? nlohmann::json::parse(pathology_json(*scored.pathology)) : nlohmann::json()}};
+}
+
+nlohmann::json attempt_document(const database::AttemptMeta& meta, const std::string& attempt,
+                                const ScoredAttempt& scored) {
+    nlohmann::json document = score_document(scored);
+    document.update({{"attempt", attempt},
+                     {"task", meta.task_id},
+                     {"operator", or_null(meta.operator_name)},
+                     {"mode", row_of(attempt_modes, meta.mode).name},
+                     {"device_class", row_of(device_classes, meta.device_class).name},
+                     {"variant", meta.variant},
+                     {"seed", meta.seed},
+                     {"fidelity", meta.fidelity}});
+    return document;
+}
+
+std::vector<std::string> export_trace(const database::Store& store, const database::Session& session,
+                                      const std::string& attempt, const std::string& folder) {
+    const database::Attempts attempts(store);
+    const database::AttemptSummary summary = attempts.read(session, attempt);
+    const database::Trace record = attempts.read_trace(session, attempt);
+    const LoadedTask loaded = load_recorded(attempts, session, summary);
+    const std::optional<BenchmarkSet> benchmark = benchmark_in_force(loaded.task.id);
+    const ScoredAttempt scored =
+        score_record(loaded.scene, loaded.task, targets_of(loaded, summary.meta.seed), record.samples,
+                     record.events, benchmark ? &*benchmark : nullptr);
+    const std::array<bool, hand_count> hands = {loaded.scene.instrument(Hand::left) != nullptr,
+                                                loaded.scene.instrument(Hand::right) != nullptr};
+    const std::vector<std::string> labels = tissue_labels(loaded.scene);
+    std::ostringstream trace, table;
+    write_trace_csv(trace_from_samples(record.samples, record.events, labels, loaded.scene.tick_rate, hands),
+                    trace);
+    std::vector<Event> events = record.events;
+    put_seed(events, summary.meta.seed);
+    write_events_csv(events, labels, loaded.scene.tick_period(), table);
+    std::filesystem::create_directories(folder);
+    const std::string document = attempt_document(summary.meta, attempt, scored)
+                                     .dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+    std::vector<std::string> files;
+    for (const auto& [name, text] : {std::pair<const char*, std::string>{"trace.csv", trace.str()},
+                                     {"events.csv", table.str()},
+                                     {"attempt.json", document + "\n"}}) {
+        files.push_back((std::filesystem::path(folder) / name).string());
+        write_whole_file(files.back(), text);
+    }
+    return files;
+}
+
+nlohmann::json score_of_files(const std::string& trace_file, const std::string& events_file,
+                              const std::string& task, const std::string& fidelity) {
+    const LoadedTask loaded = load_task_and_scene(task, fidelity);
+    Trace trace = read_trace_csv(trace_file);
+    put_labels_first(trace, tissue_labels(loaded.scene));
+    const std::vector<Event> events = read_events_csv(events_file, trace.tissues, loaded.scene.tick_period());
+    trace.tick_period = loaded.scene.tick_period();
+    split_blocks(trace, events);
+    const std::optional<BenchmarkSet> benchmark = benchmark_in_force(loaded.task.id);
+    return score_document(score_trace(loaded.scene, loaded.task, targets_of(loaded, seed_of(events)), trace,
+                                      events, benchmark ? &*benchmark : nullptr));
+}
+
+}  // namespace fulcrum::app

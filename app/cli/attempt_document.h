@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An attempt as files: its score as a JSON document, its record as tables (docs/FORMATS.md, Trace export).
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "database/rows/attempt_records.h"
+#include "database/scoring/scoring.h"
+#include "database/store/store.h"
+
+namespace fulcrum::app {
+
+/// metrics, gates, pathology, passed, points and what else a score consists of.
+nlohmann::json score_document(const ScoredAttempt& scored);
+/// score_document() with the attempt's own data: task, seed, device_class, fidelity and others.
+nlohmann::json attempt_document(const database::AttemptMeta& meta, const std::string& attempt,
+                                const ScoredAttempt& scored);
+
+/// Writes trace.csv, events.csv and attempt.json of a stored attempt, scored again from its record; returns
+/// the paths. Throws InputError, StoreError, AccessDenied.
+std::vector<std::string> export_trace(const database::Store& store, const database::Session& session,
+                                      const std::string& attempt, const std::string& folder);
+
+/// The score of an attempt from its exported trace and events.
+nlohmann::json score_of_files(const std::string& trace_file, const std::string& events_file,
+                              const std::string& task, const std::string& fidelity);
+
+}  // namespace fulcrum::app
