@@ -53,12 +53,12 @@ enum class Absence : std::uint8_t {
 /// Every field is filled; check_registry() refuses a descriptor that leaves one empty. Name, explanation and
 /// advice are marked for translation where they are written (context fulcrum::metrics).
 struct MetricDescriptor {
-    std::string id;        ///< permanent
-    std::string name;      ///< as on screens
-    std::string unit;      ///< "-" where dimensionless
-    double precision = 0;  ///< smallest difference worth showing, in `unit`
-    double least_deviation = 0;  ///< on its scale: a benchmark set's standard deviation counts as at least this,
-                                 ///< since no person repeats an attempt more exactly
+    std::string id;              ///< permanent
+    std::string name;            ///< as on screens
+    std::string unit;            ///< "-" where dimensionless
+    double precision = 0;        ///< smallest difference worth showing, in `unit`
+    double least_deviation = 0;  ///< on its scale: a benchmark set's standard deviation counts as at least
+                                 ///< this, since no person repeats an attempt more exactly
     Direction direction = Direction::context;
     Scale scale = Scale::raw;
     Aggregation aggregation = Aggregation::total;

@@ -188,7 +188,8 @@ std::vector<Metric> smoothness_metrics() {
              "movements were made of many corrections: smoothness {value}, below the required {limit}"),
          QT_TRANSLATE_NOOP("fulcrum::metrics", "start each move slowly and let it run out in one stroke")});
     d.version = 2;  // 2: contact-free movements, divided at deep minima of speed
-    // A movement with one correction lies 0.07 below one without: half of a correction is no difference in skill.
+    // A movement with one correction lies 0.07 below one without: half of a correction is no difference in
+    // skill.
     d.least_deviation = 0.035;
     add(std::move(d), sparc_of);
     d = describe(

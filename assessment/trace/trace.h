@@ -97,8 +97,8 @@ Trace trace_from_samples(const std::vector<TickSample>& samples, const std::vect
                          const std::vector<std::string>& tissues, int tick_rate = 1000,
                          std::array<bool, hand_count> hands = {true, true});
 
-/// Puts `labels` first in the trace's table of tissues, in their order, and keeps the labels that are not among
-/// them behind; so that events of a scene with this table fit the trace.
+/// Puts `labels` first in the trace's table of tissues, in their order, and keeps the labels that are not
+/// among them behind; so that events of a scene with this table fit the trace.
 void put_labels_first(Trace& trace, const std::vector<std::string>& labels);
 
 /// Fills blocks, pauses, end and samples_lost from t and the events: split at gaps above 0.1 s, at pauses,
