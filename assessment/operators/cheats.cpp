@@ -233,10 +233,6 @@ void drop_often(CheatView& view, RigSample& sample) {
 void cut_elsewhere(CheatView& view, RigSample& sample) {
     aside(sample.hand[right], 0, 0.008 * std::min(1.0, view.time));
 }
-void cut_deep(CheatView& view, RigSample& sample) {
-    if (view.display.goal >= 1) view.pull = std::min(0.004, view.pull + 4e-6);
-    along_shaft(sample.hand[right], view.pull);
-}
 void park_blade(CheatView& view, RigSample& sample) {
     if (view.display.cutting && !view.frozen) {
         view.frozen = true;
@@ -378,9 +374,8 @@ const std::vector<Cheat>& cheats() {
         {"wide_open", "never closes the jaws", Site::jaws, nullptr, wide_open},
         {"drop_often", "opens the jaws every five seconds", Site::jaws, nullptr, drop_often},
         {"cut_elsewhere", "cuts 8 mm next to the line", Site::blade, nullptr, cut_elsewhere},
-        {"cut_deep", "cuts 4 mm too deep", Site::septa, nullptr, cut_deep},
         {"park_blade", "leaves the active blade in the tissue", Site::blade, nullptr, park_blade},
-        {"blade_always", "never releases the blade's button", Site::blade, nullptr, blade_always},
+        {"blade_always", "never releases the blade's button", Site::sheet, nullptr, blade_always},
         {"let_go_and_cut", "lets go of the tissue before it cuts", Site::blade, nullptr, let_go_and_cut},
         {"pull_apart", "pulls the tissue apart and never cuts", Site::blade, nullptr, pull_apart},
         {"pull_hard", "pulls far harder than it should while it cuts", Site::septa, nullptr, pull_hard},
@@ -405,6 +400,7 @@ std::vector<const Cheat*> cheats_for(const TaskDefinition& /*task*/, const Scene
     for (const Cheat& cheat : cheats()) {
         const bool fits = cheat.site == CheatSite::any || (cheat.site == CheatSite::jaws && jaws) ||
                           (cheat.site == CheatSite::blade && blade) ||
+                          (cheat.site == CheatSite::sheet && scene.sheet) ||
                           (cheat.site == CheatSite::septa && scene.septa) ||
                           (cheat.site == CheatSite::energy && scene.field() != nullptr) ||
                           (cheat.site == CheatSite::bands && scene.bands);

@@ -22,8 +22,8 @@ enum class CheatSite : std::uint8_t {
     any,
     jaws,    ///< tissue to grasp
     blade,   ///< a line to divide
-    septa,   ///< levels of septa: on the single sheet of B2 a blade has no depth to err in, and jaws slide
-             ///< before they overload it
+    sheet,   ///< the single sheet of B2; septa are divided as well by a blade that always cuts
+    septa,   ///< levels of septa; on the single sheet jaws slide before they overload it
     energy,  ///< an instrument that gives energy
     bands,   ///< bands to divide
 };
