@@ -177,8 +177,8 @@ std::string pathology_json(const PathologyReport& report) {
                            {"muscularis", defect.muscularis},
                            {"when_s", interval_json(defect.when)}});
     }
-    Json reasons = Json::array();
-    for (const GradeReason reason : report.reasons) reasons.push_back(grade_reason_name(reason));
+    Json reason_names = Json::array();
+    for (const GradeReason reason : report.reasons) reason_names.push_back(grade_reason_name(reason));
     const Json document = {
         {"version", report.version},
         {"specimen", specimen_json(report.plan)},
@@ -190,7 +190,7 @@ std::string pathology_json(const PathologyReport& report) {
         {"deepest_defect_mm", scaled(report.deepest_defect, mm)},
         {"coning_mm", scaled(report.coning, mm)},
         {"tme_grade", report.grade ? Json(*report.grade) : Json(nullptr)},
-        {"grade_reasons", std::move(reasons)},
+        {"grade_reasons", std::move(reason_names)},
         {"fat_share_percent", scaled(report.fat_share, percent)},
         {"median_fat_depth_mm", scaled(report.median_fat_depth, mm)},
         {"perforated", report.perforated},
