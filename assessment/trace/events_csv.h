@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Events CSV (docs/FORMATS.md): the events of an attempt as a table, beside its trace.
+// Events CSV (docs/FORMATS.md): the events of an attempt as a table; the trace is a file of its own.
 #pragma once
 
 #include <iosfwd>

@@ -23,8 +23,8 @@ QString percent(const std::optional<double>& share) {
     return share ? QString::number(std::round(100 * *share), 'f', 0) : QStringLiteral("–");
 }
 
-/// A length next to a limit, in as many decimals as show on which side of it the length is.
-QString beside_limit(double metres, double limit) {
+/// A length near a limit, in as many decimals as show on which side of it the length is.
+QString near_limit(double metres, double limit) {
     for (int decimals = 1; decimals < 5; ++decimals) {
         const QString shown = QString::number(metres * 1e3, 'f', decimals);
         if (shown != QString::number(limit * 1e3, 'f', decimals) || metres == limit) return shown;
@@ -43,20 +43,20 @@ QString reason_text(const PathologyReport& report, GradeReason reason) {
             return tr("no defect deeper than 5 mm, no coning");
         case GradeReason::defect:
             return tr("a defect of %1 mm, deeper than 5 mm")
-                .arg(beside_limit(report.deepest_defect, deep_defect));
+                .arg(near_limit(report.deepest_defect, deep_defect));
         case GradeReason::fat:
             return tr("%1 % of the cut lies more than 2 mm in the fat (limit %2 %)")
                 .arg(QString::number(100 * report.fat_share, 'f', 1), percent(fat_share_limit));
         case GradeReason::coning:
-            return tr("coning of %1 mm").arg(beside_limit(report.coning.value_or(0), coning_limit));
+            return tr("coning of %1 mm").arg(near_limit(report.coning.value_or(0), coning_limit));
         case GradeReason::muscularis:
             return tr("a defect down to the muscularis");
         case GradeReason::bulk_loss:
             return tr("half of the cut lies more than %1 mm in the fat")
-                .arg(beside_limit(report.median_fat_depth, bulk_loss_depth));
+                .arg(near_limit(report.median_fat_depth, bulk_loss_depth));
         case GradeReason::deep_coning:
             return tr("coning of %1 mm, more than %2 mm")
-                .arg(beside_limit(report.coning.value_or(0), deep_coning_limit), mm(deep_coning_limit));
+                .arg(near_limit(report.coning.value_or(0), deep_coning_limit), mm(deep_coning_limit));
         case GradeReason::perforation:
             return tr("the bowel was perforated");
     }
@@ -128,7 +128,7 @@ PathologyLine circumferential_line(const PathologyReport& report) {
         line.time = margin.when.begin;
         line.words = tr("%1 mm, %2 (positive: 1 mm or less). Tumour at %3, its edge %4 mm outside the "
                         "muscularis.")
-                         .arg(beside_limit(*margin.distance, positive_margin),
+                         .arg(near_limit(*margin.distance, positive_margin),
                               line.bad ? tr("positive") : tr("negative"),
                               place_text(report.plan.tumour->level, report.plan.tumour->sector),
                               mm(report.plan.tumour->depth));

@@ -127,7 +127,7 @@ TEST_F(Specimens, HaveTheGradeThatTheDefinitionsGive) {
                                                                          : std::nullopt;
         };
     };
-    const auto beside_tumour = [&](double left) {
+    const auto near_tumour = [&](double left) {
         return [=](int level, double place) {
             return std::optional<double>(at_tumour(level, place) ? margin(left) : whole);
         };
@@ -158,10 +158,10 @@ TEST_F(Specimens, HaveTheGradeThatTheDefinitionsGive) {
         {"94 % divided", up_to(3, 0.76), 0, "undivided", "negative"},
         {"96 % divided", up_to(3, 0.84), 3, "intact", "negative"},
         {"a perforated bowel, half divided", up_to(2, 0), 0, "undivided", "negative", true},
-        {"1.1 mm beside the tumour", beside_tumour(1.1 * mm), 3, "intact", "negative"},
-        {"1.0 mm beside the tumour", beside_tumour(1.0 * mm), 3, "intact", "positive"},
-        {"0.9 mm beside the tumour", beside_tumour(0.9 * mm), 2, "defect", "positive"},
-        {"through the tumour", beside_tumour(-1 * mm), 2, "defect", "positive"},
+        {"1.1 mm from the tumour", near_tumour(1.1 * mm), 3, "intact", "negative"},
+        {"1.0 mm from the tumour", near_tumour(1.0 * mm), 3, "intact", "positive"},
+        {"0.9 mm from the tumour", near_tumour(0.9 * mm), 2, "defect", "positive"},
+        {"through the tumour", near_tumour(-1 * mm), 2, "defect", "positive"},
         {"the tumour's sector left",
          [&](int level, double place) {
              return at_tumour(level, place) ? std::nullopt : std::optional<double>(whole);

@@ -116,27 +116,20 @@ TEST(Sparc, LeavesOutTheTimeWithABladeInTissueOrTissueInTheJaws) {
 
 TEST(Sparc, StoppingBeforeTheGoalGainsNothing) {
     // 16 reaches of 100 mm, and the same each made as 80 mm, a stop, 20 mm.
-    const auto stopping = [](double t) {
-        double x = 0;
-        for (int i = 0; i < 16; ++i) {
-            const double start = 1.5 + i * 3.5, sign = i % 2 == 0 ? 1 : -1;
-            x += sign * (0.08 * test::minimum_jerk(t - start, 0.9) +
-                         0.02 * test::minimum_jerk(t - start - 1.3, 0.7));
-        }
-        return Vector3(x, 0, 0);
-    };
-    const auto slowing = [](double t) {
-        double x = 0;
-        for (int i = 0; i < 16; ++i) {
-            const double start = 1.5 + i * 3.5, sign = i % 2 == 0 ? 1 : -1;
-            x += sign * (0.08 * test::minimum_jerk(t - start, 0.9) +
-                         0.02 * test::minimum_jerk(t - start - 0.9, 0.7));
-        }
-        return Vector3(x, 0, 0);
+    const auto reaches_with = [](double rest) {
+        return [rest](double t) {
+            double x = 0;
+            for (int i = 0; i < 16; ++i) {
+                const double start = 1.5 + i * 3.5, sign = i % 2 == 0 ? 1 : -1;
+                x += sign * (0.08 * test::minimum_jerk(t - start, 0.9) +
+                             0.02 * test::minimum_jerk(t - start - 0.9 - rest, 0.7));
+            }
+            return Vector3(x, 0, 0);
+        };
     };
     Trace stops = make_trace(60.0), slows = make_trace(60.0);
-    set_position(stops, Hand::left, stopping);
-    set_position(slows, Hand::left, slowing);
+    set_position(stops, Hand::left, reaches_with(0.4));
+    set_position(slows, Hand::left, reaches_with(0.0));
     EXPECT_NEAR(*measure(stops, "ldlj", "left").value, *measure(slows, "ldlj", "left").value, 0.1);
     EXPECT_NEAR(*measure(stops, "sparc", "left").value, *measure(slows, "sparc", "left").value, 0.02);
 }
