@@ -66,8 +66,8 @@ inline CheatVerdict judge(const CheatStage& stage, Rig& rig, std::uint64_t seed,
     const auto undecided = [&](double seconds) {
         verdict.seconds = seconds;
         if (whole || seconds < next) return true;
-        // Each look reads the record from its beginning: with a constant interval the looks would cost more than
-        // the attempt.
+        // Each look reads the record from its beginning: with a constant interval the looks would cost more
+        // than the attempt.
         next = std::max(seconds + 10, 1.5 * seconds);
         return score_so_far(stage, sink.record, targets).passed != false;
     };
