@@ -9,6 +9,7 @@
 
 #include "app/lab/experiment.h"
 #include "app/lab/measure.h"
+#include "app/lab/operators.h"
 #include "app/lab/pages.h"
 #include "assessment/metrics/version.h"
 #include "sim_core/lab/cut_figures.h"
@@ -113,6 +114,15 @@ int strokes(const Arguments& arguments) {
     return deliver(arguments, page, page.document());
 }
 
+int operators(const Arguments& arguments) {
+    const auto seeds = static_cast<int>(arguments.integer("--seeds", 20, 6, 1000));
+    const auto replays = static_cast<int>(arguments.integer("--replays", 1, 0, 1000));
+    make_output(arguments);
+    const Measured measured = measure_operators(arguments.words()[0], seeds, replays);
+    deliver(arguments, measured.page, measured.document);
+    return measured.document["identical"] == measured.document["replayed"] ? 0 : 1;
+}
+
 int run_study(const Arguments& arguments) {
     print_json(lab::run_study(arguments.words()[0]));
     return 0;
@@ -121,9 +131,16 @@ int run_study(const Arguments& arguments) {
 /// The code of each command of laboratory_commands().
 const std::map<std::string, std::function<int(const Arguments&)>>& code() {
     static const std::map<std::string, std::function<int(const Arguments&)>> code = {
-        {"lab bench", bench},       {"lab cost", cost},         {"lab clock", clock},
-        {"lab validate", validate}, {"lab tradeoff", tradeoff}, {"lab stability", stability},
-        {"lab cut", cut},           {"lab strokes", strokes},   {"lab experiment", run_experiments},
+        {"lab bench", bench},
+        {"lab cost", cost},
+        {"lab clock", clock},
+        {"lab validate", validate},
+        {"lab tradeoff", tradeoff},
+        {"lab stability", stability},
+        {"lab cut", cut},
+        {"lab strokes", strokes},
+        {"lab experiment", run_experiments},
+        {"lab operators", operators},
         {"lab run", run_study}};
     return code;
 }

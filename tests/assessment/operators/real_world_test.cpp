@@ -65,7 +65,7 @@ class Recording : public AttemptSink {
     std::vector<Event> events;
 };
 
-// Six seeds here; the twenty that docs/results shows are run by benchmark_operators.
+// Six seeds here; the twenty that docs/results shows are run by `fulcrum lab operators`.
 TEST(OperatorOnTheWorld, ExpertsAndNovicesVaryAndAreSeparated) {
     const TaskDefinition task = load_task(test::source_path("assets/tasks/A2.json"));
     const Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/lab/operators.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <map>
+#include <thread>
+#include <utility>
+
+#include "app/live/performance.h"
+#include "assessment/learning/statistics.h"
+#include "assessment/metrics/metric_names.h"
+#include "assessment/metrics/registry.h"
+#include "database/scoring/scoring.h"
+#include "sim_core/lab/chart.h"
+
+namespace fulcrum::app {
+namespace {
+
+using lab::short_number;
+
+constexpr int groups = 3;
+constexpr std::array<const char*, groups> presets = {"expert", "intermediate", "novice"};
+constexpr int expert = 0, novice = 2;
+
+/// A metric shown as quality separates experts from novices at least this well, with the interval above
+/// chance.
+constexpr double least_area = 0.6, chance = 0.5;
+
+using RowName = std::pair<std::string, std::string>;  // metric, hand
+
+struct Outcome {
+    bool completed = false, passed = false, identical = false;
+    double simulated_s = 0, wall_s = 0;
+    std::map<RowName, double> values;
+    std::map<RowName, bool> gates;  ///< judged gates: met or not
+};
+
+Outcome attempt(const LoadedTask& loaded, const BenchmarkSet* benchmark, const std::string& preset,
+                std::uint64_t seed, bool replayed) {
+    PerformRequest request;
+    request.loaded = loaded;
+    request.operator_name = preset;
+    request.seed = seed;
+    const Performed performed = perform(request, nullptr, benchmark);
+    const Score& score = performed.scored.score;
+    Outcome outcome;
+    outcome.wall_s = performed.wall_s;
+    outcome.simulated_s = performed.outcome.ticks * loaded.scene.tick_period();
+    outcome.completed = performed.outcome.end == EventKind::completed;
+    outcome.passed = score.passed.value_or(false);
+    for (const MetricResult& row : performed.scored.metrics)
+        if (row.tissue.empty() && row.value) outcome.values[{row.id, row.hand}] = *row.value;
+    for (const GateResult& gate : score.gates)
+        if (gate.passed) outcome.gates[{gate.metric, gate.hand}] = *gate.passed;
+    if (replayed) {
+        AttemptEngine again(loaded.scene, loaded.task, seed);
+        const ReplayOutcome replay = replay_record(again, performed.record);
+        outcome.identical = replay.identical && replay.state_hash == performed.outcome.state_hash;
+    }
+    return outcome;
+}
+
+/// All groups' attempts; values and counts by group.
+struct Summary {
+    std::array<std::map<RowName, std::vector<double>>, groups> values;
+    std::map<RowName, std::array<int, groups>> failed;  ///< by gate
+    std::array<int, groups> completed{}, passed{};
+    int identical = 0;
+    double simulated_s = 0, wall_s = 0;
+
+    void add(std::size_t group, const Outcome& outcome) {
+        completed[group] += outcome.completed ? 1 : 0;
+        passed[group] += outcome.passed ? 1 : 0;
+        identical += outcome.identical ? 1 : 0;
+        simulated_s += outcome.simulated_s;
+        wall_s += outcome.wall_s;
+        for (const auto& [name, value] : outcome.values) values[group][name].push_back(value);
+        for (const auto& [name, met] : outcome.gates) failed[name][group] += met ? 0 : 1;
+    }
+    const std::vector<double>& of(int group, const RowName& name) const {
+        static const std::vector<double> none;
+        const auto& all = values[static_cast<std::size_t>(group)];
+        const auto found = all.find(name);
+        return found == all.end() ? none : found->second;
+    }
+};
+
+Summary perform_all(const LoadedTask& loaded, const BenchmarkSet* benchmark, int seeds, int replays) {
+    std::vector<Outcome> outcomes(static_cast<std::size_t>(groups * seeds));
+    std::atomic<int> next{0}, done{0};
+    const unsigned workers = std::max(1U, std::thread::hardware_concurrency());
+    std::vector<std::exception_ptr> errors(workers);
+    std::vector<std::thread> threads;
+    for (unsigned worker = 0; worker < workers; ++worker) {
+        threads.emplace_back([&, worker] {
+            try {
+                for (int k = next++; k < groups * seeds; k = next++) {
+                    const int seed = k % seeds;
+                    outcomes[static_cast<std::size_t>(k)] =
+                        attempt(loaded, benchmark, presets[static_cast<std::size_t>(k / seeds)],
+                                static_cast<std::uint64_t>(operators_first_seed + seed), seed < replays);
+                    std::fprintf(stderr, "%s: %d of %d attempts\n", loaded.task.id.c_str(), ++done,
+                                 groups * seeds);
+                }
+            } catch (...) {
+                errors[worker] = std::current_exception();
+                next = groups * seeds;
+            }
+        });
+    }
+    for (std::thread& thread : threads) thread.join();
+    for (const std::exception_ptr& error : errors)
+        if (error) std::rethrow_exception(error);
+    Summary summary;
+    for (int k = 0; k < groups * seeds; ++k)
+        summary.add(static_cast<std::size_t>(k / seeds), outcomes[static_cast<std::size_t>(k)]);
+    return summary;
+}
+
+/// The values so that higher is better.
+std::vector<double> by_quality(const MetricDescriptor& descriptor, std::vector<double> values) {
+    for (double& value : values) {
+        if (descriptor.absolute_value) value = std::abs(value);
+        if (descriptor.direction != Direction::higher) value = -value;
+    }
+    return values;
+}
+
+std::string interval_text(const std::vector<double>& values) {
+    if (values.empty()) return "absent";
+    const auto interval = median_interval(values);
+    if (!interval) return short_number(median_of(values), 4);
+    return short_number(interval->median, 4) + " (" + short_number(interval->low, 4) + " to " +
+           short_number(interval->high, 4) + ")";
+}
+
+/// One row a metric and hand; adds the same to `document`. Returns how many quality metrics do not separate.
+int add_metric_row(const MetricDescriptor& descriptor, const RowName& name, const Summary& summary,
+                   lab::ResultTable& table, nlohmann::json& document) {
+    const auto area = roc_area(by_quality(descriptor, summary.of(expert, name)),
+                               by_quality(descriptor, summary.of(novice, name)));
+    const bool quality = descriptor.direction != Direction::context;
+    const bool separates = area && area->area >= least_area && area->low > chance;
+    const std::string direction = metric_directions[static_cast<std::size_t>(descriptor.direction)].name;
+    table.rows.push_back({name.first, name.second, direction, area ? short_number(area->area, 3) : "absent",
+                          area ? short_number(area->low, 3) + " to " + short_number(area->high, 3) : "",
+                          !quality    ? "context"
+                          : separates ? "yes"
+                                      : "**no**",
+                          interval_text(summary.of(expert, name)), interval_text(summary.of(1, name)),
+                          interval_text(summary.of(novice, name))});
+    nlohmann::json row = {{"metric", name.first},
+                          {"hand", name.second.empty() ? nlohmann::json() : nlohmann::json(name.second)},
+                          {"unit", descriptor.unit},
+                          {"direction", direction},
+                          {"auc", area ? nlohmann::json(area->area) : nlohmann::json()},
+                          {"auc_low", area ? nlohmann::json(area->low) : nlohmann::json()},
+                          {"auc_high", area ? nlohmann::json(area->high) : nlohmann::json()},
+                          {"separates", quality ? nlohmann::json(separates) : nlohmann::json()}};
+    for (int group = 0; group < groups; ++group)
+        row[presets[static_cast<std::size_t>(group)]] = summary.of(group, name);
+    document.push_back(std::move(row));
+    return quality && !separates ? 1 : 0;
+}
+
+/// The metrics that the task shows, in the registry's order.
+int add_metrics(const TaskDefinition& task, const Summary& summary, lab::ResultTable& table,
+                nlohmann::json& document) {
+    int failing = 0;
+    for (const Metric& metric : metric_registry()) {
+        const MetricDescriptor& descriptor = metric.descriptor;
+        if (std::find(task.metrics.begin(), task.metrics.end(), descriptor.id) == task.metrics.end())
+            continue;
+        for (const char* hand : {"", "left", "right"}) {
+            const RowName name{descriptor.id, hand};
+            if (summary.of(expert, name).empty() && summary.of(novice, name).empty()) continue;
+            failing += add_metric_row(descriptor, name, summary, table, document);
+        }
+    }
+    return failing;
+}
+
+std::string three(const std::array<int, groups>& counts) {
+    return std::to_string(counts[0]) + ", " + std::to_string(counts[1]) + ", " + std::to_string(counts[2]);
+}
+
+lab::ResultTable gate_table(const std::string& task, const Summary& summary, int seeds,
+                            nlohmann::json& document) {
+    lab::ResultTable table;
+    table.name = "operators_" + task + "_gates";
+    table.columns = {
+        "gate", "hand", "experts failed", "intermediates failed", "novices failed", "fails 1 novice in 10"};
+    for (const auto& [name, failed] : summary.failed) {
+        const bool used = 10 * failed[novice] >= seeds;
+        table.rows.push_back({name.first, name.second, std::to_string(failed[0]), std::to_string(failed[1]),
+                              std::to_string(failed[2]), used ? "yes" : "no"});
+        document.push_back({{"metric", name.first},
+                            {"hand", name.second.empty() ? nlohmann::json() : nlohmann::json(name.second)},
+                            {"failed", failed}});
+    }
+    return table;
+}
+
+}  // namespace
+
+Measured measure_operators(const std::string& task, int seeds, int replays) {
+    const LoadedTask loaded = load_task_and_scene(task);
+    const std::string& id = loaded.task.id;
+    const std::optional<BenchmarkSet> benchmark = benchmark_in_force(id);
+    replays = std::min(replays, seeds);
+    const Summary summary = perform_all(loaded, benchmark ? &*benchmark : nullptr, seeds, replays);
+    Measured measured{lab::ResultPage("operators_" + id,
+                                      id + ": experts, intermediates, novices, " + std::to_string(seeds) +
+                                          " seeds from " + std::to_string(operators_first_seed),
+                                      "fulcrum lab operators " + id + " --seeds " + std::to_string(seeds) +
+                                          " --replays " + std::to_string(replays) + " --output docs/results"),
+                      {}};
+    lab::ResultPage& page = measured.page;
+    nlohmann::json metrics = nlohmann::json::array(), gates = nlohmann::json::array();
+    lab::ResultTable table;
+    table.name = "operators_" + id;
+    table.columns = {"metric",    "hand",   "better",       "AUC",   "95 % interval",
+                     "separates", "expert", "intermediate", "novice"};
+    const int failing = add_metrics(loaded.task, summary, table, metrics);
+    page.paragraph(
+        "AUC: chance that a random expert is better than a random novice in the metric's direction; 0.5 is "
+        "chance (for context metrics: that the expert's value is lower). Separates: AUC at least " +
+        short_number(least_area) +
+        " and its interval (Newcombe, method 5) above 0.5. Medians of each group with 95 % intervals from "
+        "order statistics. Quality metrics that do not separate: " +
+        std::to_string(failing) + ".");
+    page.table(table);
+    page.heading("Gates");
+    page.table(gate_table(id, summary, seeds, gates));
+    page.paragraph(
+        "Of " + std::to_string(seeds) +
+        " experts, intermediates and novices, completed: " + three(summary.completed) +
+        "; passed: " + (benchmark ? three(summary.passed) : "none, because there is no benchmark set") +
+        ". Replayed bit for bit: " + std::to_string(summary.identical) + " of " +
+        std::to_string(groups * replays) + ". " + short_number(summary.simulated_s / summary.wall_s) +
+        " times real time on one core, with operator, record and score.");
+    page.paragraph(
+        "The presets are defined so that experts are steadier, faster and gentler. This page shows that the "
+        "tasks and metrics distinguish the presets; it does not show that they distinguish people.");
+    measured.document = {{"task", id},
+                         {"seeds", seeds},
+                         {"completed", summary.completed},
+                         {"passed", summary.passed},
+                         {"replayed", groups * replays},
+                         {"identical", summary.identical},
+                         {"real_time_factor", summary.simulated_s / summary.wall_s},
+                         {"not_separating", failing},
+                         {"metrics", metrics},
+                         {"gates", gates}};
+    page.document(measured.document);
+    return measured;
+}
+
+}  // namespace fulcrum::app

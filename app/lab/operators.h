@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Synthetic experts, intermediates and novices at one task: how well each metric separates experts from
+// novices, which gates stop whom, and whether every attempt replays bit for bit.
+#pragma once
+
+#include <string>
+
+#include "app/lab/measure.h"
+
+namespace fulcrum::app {
+
+/// First seed of the page; benchmark sets use 1000 to 1999.
+inline constexpr int operators_first_seed = 2000;
+
+/// `seeds` attempts a preset, on all cores; the first `replays` of each are replayed too. `identical` in the
+/// document counts those that replay bit for bit, out of `replayed`. Throws InputError for an unknown task.
+Measured measure_operators(const std::string& task, int seeds, int replays);
+
+}  // namespace fulcrum::app
