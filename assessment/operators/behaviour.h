@@ -3,6 +3,7 @@
 // moves two limbs.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "assessment/operators/limb.h"
@@ -33,8 +34,9 @@ std::unique_ptr<Behaviour> make_targeting(const TaskDefinition& task, const Scen
 std::unique_ptr<Behaviour> make_bowel_handling(const TaskDefinition& task, const Scene& scene,
                                                const Skill& skill);
 /// take_tension, divide_line and let_go: one hand keeps the sheet taut, the other divides it.
+/// `attempt` is the seed of what the operator believes of a plane that is not seen.
 std::unique_ptr<Behaviour> make_sheet_division(const TaskDefinition& task, const Scene& scene,
-                                               const Skill& skill);
+                                               const Skill& skill, std::uint64_t attempt);
 
 /// divide_bands and stop_bleeding: take, lift, divide, clip what bleeds.
 std::unique_ptr<Behaviour> make_band_handling(const TaskDefinition& task, const Scene& scene,

@@ -28,15 +28,15 @@ GoalSite site_of(const TaskDefinition& task) {
     return site;
 }
 
-std::unique_ptr<Behaviour> make_behaviour(const TaskDefinition& task, const Scene& scene,
-                                          const Skill& skill) {
+std::unique_ptr<Behaviour> make_behaviour(const TaskDefinition& task, const Scene& scene, const Skill& skill,
+                                          std::uint64_t attempt) {
     switch (site_of(task)) {
         case GoalSite::targets:
             return make_targeting(task, scene, skill);
         case GoalSite::bowel:
             return make_bowel_handling(task, scene, skill);
         case GoalSite::sheet:
-            return make_sheet_division(task, scene, skill);
+            return make_sheet_division(task, scene, skill, attempt);
         case GoalSite::bands:
             return make_band_handling(task, scene, skill);
     }
@@ -59,7 +59,7 @@ class SyntheticOperator : public ObservingRig {
         }
         body_.eyes = &eyes_;
         body_.view = camera_.view();
-        behaviour_ = make_behaviour(task, scene, skill);
+        behaviour_ = make_behaviour(task, scene, skill, attempt);
     }
 
     void observe(const WorldSnapshot& world, const TaskDisplay& display) noexcept override {

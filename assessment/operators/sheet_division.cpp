@@ -10,6 +10,7 @@
 #include "assessment/operators/blade_pedal.h"
 #include "assessment/operators/bowel_grasp.h"
 #include "assessment/operators/field_turn.h"
+#include "assessment/operators/plane_sense.h"
 #include "assessment/operators/sheet_sight.h"
 #include "sim_core/numerics/functions.h"
 
@@ -54,12 +55,13 @@ enum class Blade : std::uint8_t { wait, cross, travel, press, stroke, lift, suck
 
 class SheetDivision : public Behaviour {
   public:
-    SheetDivision(const TaskDefinition& task, const Scene& scene, const Skill& skill)
+    SheetDivision(const TaskDefinition& task, const Scene& scene, const Skill& skill, std::uint64_t attempt)
         : skill_(skill),
           goals_(task.goals),
           hold_reach_(skill),
           blade_reach_(skill),
           field_(skill),
+          plane_(skill.plane, attempt),
           pedal_(skill, scene.structures.has_value()) {
         for (const InstrumentSpec& spec : scene.instruments)
             (spec.cuts() ? cutter_ : holder_) = static_cast<int>(spec.hand);
@@ -339,6 +341,7 @@ class SheetDivision : public Behaviour {
         }
         from_ += misses_ * further_on;
         aside_ = skill_.line.error * limb.random().normal();
+        if (of_septa()) aside_ += believed_plane(seen);
         depth_ = blade_depth;
         pedal_.plan(limb);
         const double delay = skill_.choice_s * limb.random().uniform(0.3, 0.7);
@@ -352,6 +355,14 @@ class SheetDivision : public Behaviour {
         blade_ = Blade::travel;
         blade_reach_.start(limb, over(site_at(seen, body, from_), limb, blade_height), body.view, 0.008,
                            delay, 3);
+    }
+
+    /// Distance from the plane to where this stroke takes it to be, m, positive towards the rectum.
+    double believed_plane(const Perception& seen) noexcept {
+        const double opened = seen.display.traction_n_m / line_.traction_low_n_m;
+        if (sight_.level != planned_level_) plane_.next_level(opened);
+        planned_level_ = sight_.level;
+        return plane_.stroke(opened);
     }
 
     void cross(const Perception& seen, Body& body) noexcept {
@@ -481,6 +492,7 @@ class SheetDivision : public Behaviour {
     Goal line_;
     Reach hold_reach_, blade_reach_;
     FieldTurn field_;
+    PlaneSense plane_;
     BladePedal pedal_;
     SheetSight sight_;
     int holder_ = 0, cutter_ = 1, attempts_ = 0;
@@ -492,7 +504,8 @@ class SheetDivision : public Behaviour {
     int hold_level_ = 0;
     double radius_ = 0;
     int crossed_ = 0, misses_ = 0;
-    double way_ = 1;  // +1 along the line, -1 against it
+    int planned_level_ = -1;  // the last for which a stroke was planned
+    double way_ = 1;          // +1 along the line, -1 against it
     double hold_place_ = 0, wanted_ = 1, until_ = 0, slack_since_ = 0, content_since_ = 0;
     Vector3 taken_ = Vector3::Zero();
     double from_ = 0, to_ = 0, aside_ = 0, depth_ = 0, pressed_ = 0, cutting_seen_ = 0, asked_ = 0;
@@ -501,8 +514,8 @@ class SheetDivision : public Behaviour {
 }  // namespace
 
 std::unique_ptr<Behaviour> make_sheet_division(const TaskDefinition& task, const Scene& scene,
-                                               const Skill& skill) {
-    return std::make_unique<SheetDivision>(task, scene, skill);
+                                               const Skill& skill, std::uint64_t attempt) {
+    return std::make_unique<SheetDivision>(task, scene, skill, attempt);
 }
 
 }  // namespace fulcrum

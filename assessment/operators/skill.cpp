@@ -11,6 +11,7 @@ namespace fulcrum {
 namespace {
 
 constexpr std::uint64_t individual_stream = 0x736b696c;
+constexpr std::uint64_t plane_stream = 0x706c616e;
 constexpr std::uint64_t form_stream = 0x666f726d;
 // Standard deviations of the logarithm of an expert's tempo: between individuals, between one's attempts.
 constexpr double tempo_spread = 0.20, form_spread = 0.15;
@@ -44,6 +45,10 @@ Skill expert() {
     skill.traction.slack = 0.15;
     skill.line.error = 0.00025;
     skill.line.stroke = 0.020;
+    // Knows the plane's height where it is not seen; what is left is line.error.
+    skill.plane.recognition = 1;
+    skill.plane.blur = 0;
+    skill.plane.lean = 0;
     return skill;
 }
 
@@ -76,6 +81,9 @@ Skill novice() {
     skill.traction.slack = 0.50;
     skill.line.error = 0.0016;
     skill.line.stroke = 0.012;
+    skill.plane.recognition = 0.3;
+    skill.plane.blur = 0.006;
+    skill.plane.lean = 0.005;
     return skill;
 }
 
@@ -130,6 +138,9 @@ Skill intermediate() {
     skill.traction.slack = between(a.traction.slack, b.traction.slack);
     skill.line.error = between(a.line.error, b.line.error);
     skill.line.stroke = between(a.line.stroke, b.line.stroke);
+    skill.plane.recognition = between(a.plane.recognition, b.plane.recognition);
+    skill.plane.blur = between(a.plane.blur, b.plane.blur);
+    skill.plane.lean = between(a.plane.lean, b.plane.lean);
     return skill;
 }
 
@@ -169,6 +180,12 @@ bool draw_individual(const std::string& preset, std::uint64_t seed, Skill& skill
     vary(skill.traction.error, 0.12);
     vary(skill.traction.slack, 0.10);
     vary(skill.line.error, 0.12);
+    // A stream of its own, so that no other value of an individual depends on it.
+    Random plane(seed, plane_stream);
+    const double sight = math::exp(width * 0.3 * bounded_normal(plane));
+    skill.plane.recognition = 1 - std::min(1.0, (1 - skill.plane.recognition) * sight);
+    skill.plane.blur *= math::exp(width * 0.25 * bounded_normal(plane));
+    skill.plane.lean *= math::exp(width * 0.25 * bounded_normal(plane));
     return true;
 }
 

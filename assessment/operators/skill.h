@@ -32,6 +32,13 @@ struct LineSkill {
     double stroke = 0.018;  ///< m of one stroke of a blade
 };
 
+/// Skill used only for the plane between mesorectum and fascia.
+struct PlaneSkill {
+    double recognition = 1;  ///< share of the opened fibres that is recognised as the plane
+    double blur = 0;         ///< m, standard deviation of the guessed height of a plane that is not seen
+    double lean = 0;         ///< m, by which a guess leans towards the rectum, away from the veins
+};
+
 /// Skill used by every behaviour, and the parts used by some.
 struct Skill {
     double reaction_s = 0.2;    ///< from seeing to acting: decisions use what was shown this long ago
@@ -60,6 +67,7 @@ struct Skill {
     BowelSkill bowel;
     TractionSkill traction;
     LineSkill line;
+    PlaneSkill plane;
 };
 
 /// Draws an individual around "novice", "intermediate" or "expert"; false for another name. Pure.
