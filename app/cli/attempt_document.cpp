@@ -82,10 +82,9 @@ std::vector<std::string> export_trace(const database::Store& store, const databa
     const database::AttemptSummary summary = attempts.read(session, attempt);
     const database::Trace record = attempts.read_trace(session, attempt);
     const LoadedTask loaded = load_recorded(attempts, session, summary);
-    const std::optional<BenchmarkSet> benchmark = benchmark_in_force(loaded.task.id);
     const ScoredAttempt scored =
         score_record(loaded.scene, loaded.task, targets_of(loaded, summary.meta.seed), record.samples,
-                     record.events, benchmark ? &*benchmark : nullptr);
+                     record.events, limits_for(loaded.task, loaded.scene, summary.meta.device_class));
     const std::array<bool, hand_count> hands = {loaded.scene.instrument(Hand::left) != nullptr,
                                                 loaded.scene.instrument(Hand::right) != nullptr};
     const std::vector<std::string> labels = tissue_labels(loaded.scene);
@@ -109,16 +108,20 @@ std::vector<std::string> export_trace(const database::Store& store, const databa
 }
 
 nlohmann::json score_of_files(const std::string& trace_file, const std::string& events_file,
-                              const std::string& task, const std::string& fidelity) {
+                              const std::string& task, const std::string& fidelity,
+                              DeviceClass device_class) {
     const LoadedTask loaded = load_task_and_scene(task, fidelity);
     Trace trace = read_trace_csv(trace_file);
     put_labels_first(trace, tissue_labels(loaded.scene));
     const std::vector<Event> events = read_events_csv(events_file, trace.tissues, loaded.scene.tick_period());
     trace.tick_period = loaded.scene.tick_period();
     split_blocks(trace, events);
-    const std::optional<BenchmarkSet> benchmark = benchmark_in_force(loaded.task.id);
-    return score_document(score_trace(loaded.scene, loaded.task, targets_of(loaded, seed_of(events)), trace,
-                                      events, benchmark ? &*benchmark : nullptr));
+    nlohmann::json document =
+        score_document(score_trace(loaded.scene, loaded.task, targets_of(loaded, seed_of(events)), trace,
+                                   events, limits_for(loaded.task, loaded.scene, device_class)));
+    document["device_class"] = row_of(device_classes, device_class).name;
+    document["fidelity"] = loaded.scene.fidelity.id;
+    return document;
 }
 
 }  // namespace fulcrum::app

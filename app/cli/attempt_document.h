@@ -23,8 +23,9 @@ nlohmann::json attempt_document(const database::AttemptMeta& meta, const std::st
 std::vector<std::string> export_trace(const database::Store& store, const database::Session& session,
                                       const std::string& attempt, const std::string& folder);
 
-/// The score of an attempt from its exported trace and events.
+/// The score of an attempt from its exported trace and events, held against the limits of this device class
+/// and fidelity (empty: the scene's own).
 nlohmann::json score_of_files(const std::string& trace_file, const std::string& events_file,
-                              const std::string& task, const std::string& fidelity);
+                              const std::string& task, const std::string& fidelity, DeviceClass device_class);
 
 }  // namespace fulcrum::app

@@ -2,6 +2,7 @@
 // fulcrum benchmark build: builds a benchmark set from synthetic operators or from named experts' attempts.
 #include <algorithm>
 #include <atomic>
+#include <filesystem>
 #include <iostream>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -10,9 +11,11 @@
 #include "app/cli/commands.h"
 #include "app/live/performance.h"
 #include "assessment/assets/assets.h"
+#include "assessment/operators/device_model.h"
 #include "assessment/scoring/benchmark_builder.h"
 #include "database/records/attempts.h"
 #include "sim_core/numerics/files.h"
+#include "sim_core/scene/json_document.h"
 
 namespace fulcrum::app {
 namespace {
@@ -29,7 +32,7 @@ struct Job {
 /// Runs the counted attempts of all individuals, one thread per core. Operators do not learn, so they need no
 /// familiarisation; the set records 0.
 std::vector<BenchmarkAttempt> run_operators(const LoadedTask& loaded, const std::string& preset,
-                                            std::uint64_t seed_base) {
+                                            std::uint64_t seed_base, DeviceClass device_class) {
     std::vector<Job> jobs;
     for (int i = 0; i < individuals; ++i) {
         for (int a = 0; a < counted; ++a)
@@ -46,10 +49,11 @@ std::vector<BenchmarkAttempt> run_operators(const LoadedTask& loaded, const std:
                 request.loaded = loaded;
                 request.operator_name = jobs[k].preset;
                 request.seed = jobs[k].seed;
+                request.device_class = device_class;
                 request.individual =
                     seed_base + static_cast<std::uint64_t>(jobs[k].individual *
                                                            counted);  // one individual, many attempts
-                const Performed performed = perform(request, nullptr, nullptr);
+                const Performed performed = perform(request, nullptr, {});
                 attempts[k].person = preset + "-" + std::to_string(jobs[k].individual + 1);
                 attempts[k].metrics = performed.scored.metrics;
                 attempts[k].state = performed.scored.state;
@@ -73,9 +77,10 @@ std::vector<BenchmarkAttempt> run_operators(const LoadedTask& loaded, const std:
     return attempts;
 }
 
-/// Attempts whose cutting parameters equal those of `loaded`.
+/// Attempts with this class of device, in the scene of `loaded`: its variant, fidelity and cutting
+/// parameters.
 std::vector<BenchmarkAttempt> stored_attempts(const database::Store& store, const database::Session& session,
-                                              const LoadedTask& loaded,
+                                              const LoadedTask& loaded, DeviceClass device_class,
                                               const std::vector<std::string>& logins) {
     const database::Attempts attempts(store);
     const database::People people(store);
@@ -94,7 +99,9 @@ std::vector<BenchmarkAttempt> stored_attempts(const database::Store& store, cons
         int seen = 0;
         for (const database::AttemptSummary& summary : list) {
             if (summary.meta.mode != AttemptMode::assessed || summary.state != AttemptState::completed ||
-                ++seen <= familiarisation)
+                limits_class(summary.meta.device_class) != device_class ||
+                summary.meta.variant != loaded.scene.variant ||
+                summary.meta.fidelity != loaded.scene.fidelity.id || ++seen <= familiarisation)
                 continue;
             const auto score = attempts.score(session, summary.meta.id);
             if (!score) continue;
@@ -155,25 +162,53 @@ Setting setting_of(const Arguments& arguments) {
     return setting;
 }
 
-BenchmarkRequest request_for(const Arguments& arguments, const Setting& setting) {
+/// Of a set in a file, also of one that this program no longer reads (other versions of metrics); 0: none.
+int version_in(const std::string& path) {
+    if (!std::filesystem::exists(path)) return 0;
+    const nlohmann::json set = JsonDocument::load(path).root();
+    return set.is_object() && set.contains("version") && set["version"].is_number_integer()
+               ? set["version"].get<int>()
+               : 0;
+}
+
+/// One more than that of the set in force and of the one that `output` replaces.
+int next_version(const BenchmarkKey& key, const std::optional<std::string>& output) {
+    const int in_force = version_in(asset_path("benchmarks/" + benchmark_name(key) + ".json"));
+    return 1 + std::max(in_force, output ? version_in(*output) : 0);
+}
+
+/// The experts, as screens name them.
+std::string source_of(DeviceClass device_class) {
+    const std::string seeds = ", seeds 1000-1999";
+    return device_class == DeviceClass::haptic ? "synthetic operators" + seeds
+                                               : std::string("synthetic operators through a model of ") +
+                                                     row_of(device_classes, device_class).title + seeds;
+}
+
+BenchmarkRequest request_for(const Arguments& arguments, const Setting& setting, DeviceClass device_class,
+                             const std::optional<std::string>& output) {
     const LoadedTask& loaded = setting.loaded;
     BenchmarkRequest request;
+    request.device_class = device_class;
     request.cutting = cutting_values(loaded.scene);
     request.variant_family = loaded.scene.variant;
     request.fidelity = loaded.scene.fidelity.id;
+    request.version = next_version(
+        {loaded.task.id, request.variant_family, request.device_class, request.fidelity}, output);
     if (arguments.has("--operators")) {
-        request.source = "synthetic operators, seeds 1000-1999";
+        request.source = source_of(request.device_class);
         request.provisional = true;
         request.familiarisation = request.minimum_familiarisation = 0;
-        request.experts = run_operators(loaded, "expert", first_seed);
-        request.novices = run_operators(loaded, "novice", first_seed + 500);
+        request.experts = run_operators(loaded, "expert", first_seed, request.device_class);
+        request.novices = run_operators(loaded, "novice", first_seed + 500, request.device_class);
     } else {
         request.source = "experts of this site";
         request.provisional = false;
         request.familiarisation = familiarisation;
         const std::vector<std::string> logins = split(*arguments.value("--experts"));
         if (logins.empty()) throw UsageError("--experts", "is empty", "give logins separated by commas");
-        request.experts = stored_attempts(*setting.store, *setting.session, loaded, logins);
+        request.experts =
+            stored_attempts(*setting.store, *setting.session, loaded, request.device_class, logins);
     }
     return request;
 }
@@ -199,14 +234,12 @@ void print_summary(const BenchmarkBuild& build) {
               << '\n';
 }
 
-int run_benchmark_build(const Arguments& arguments) {
-    if (arguments.has("--operators") == arguments.has("--experts"))
-        throw UsageError("benchmark build", "needs either --operators or --experts", "give one of them");
-    const Setting setting = setting_of(arguments);
-    const std::optional<std::string> output = arguments.value("--output");
+/// Builds one set and writes it to `output`; true if it is usable.
+bool build_one(const Arguments& arguments, const Setting& setting, DeviceClass device_class,
+               const std::optional<std::string>& output) {
     if (output) require_writable_file(*output);  // checked before minutes of work
-
-    const BenchmarkBuild build = build_benchmark(setting.loaded.task, request_for(arguments, setting));
+    const BenchmarkBuild build =
+        build_benchmark(setting.loaded.task, request_for(arguments, setting, device_class, output));
     if (build.set && output) write_whole_file(*output, benchmark_to_json(*build.set).dump(2) + "\n");
     if (arguments.has("--json")) {
         print_json(json_of(build, setting.loaded.task.id));
@@ -214,22 +247,80 @@ int run_benchmark_build(const Arguments& arguments) {
         print_summary(build);
         if (build.set && !output) std::cout << benchmark_to_json(*build.set).dump(2) << '\n';
     }
-    return build.set ? 0 : 1;
+    return build.set.has_value();
+}
+
+/// The sets that this program ships: of every task with benchmark gates, for the haptic class and each other
+/// class that the task names and that has a model.
+int build_all(const Arguments& arguments) {
+    const std::string folder = arguments.folder("--output", asset_path("benchmarks"));
+    bool usable = true;
+    for (const std::string& task : task_ids()) {
+        const Setting setting{load_task_and_scene(task), {}, {}};
+        const std::vector<GateSpec>& gates = setting.loaded.task.gates;
+        if (std::none_of(gates.begin(), gates.end(),
+                         [](const GateSpec& gate) { return gate.kind == GateKind::benchmark; }))
+            continue;
+        for (const NameRow<DeviceClass>& row : device_classes) {
+            if (limits_class(row.kind) != row.kind || !has_device_model(row.kind) ||
+                !can_be_assessed(setting.loaded.task, row.kind))
+                continue;
+            const Scene& scene = setting.loaded.scene;
+            const std::string name = benchmark_name({task, scene.variant, row.kind, scene.fidelity.id});
+            std::cout << name << '\n';
+            usable = build_one(arguments, setting, row.kind,
+                               (std::filesystem::path(folder) / (name + ".json")).string()) &&
+                     usable;
+        }
+    }
+    return usable ? 0 : 1;
+}
+
+int run_benchmark_build(const Arguments& arguments) {
+    if (arguments.has("--operators") == arguments.has("--experts"))
+        throw UsageError("benchmark build", "needs either --operators or --experts", "give one of them");
+    if (arguments.has("--all")) {
+        for (const char* other : {"--experts", "--device-class", "--db", "--json"})
+            arguments.exclude("--all", other);
+        if (!arguments.words().empty())
+            throw UsageError(arguments.words()[0], "--all builds the sets of all tasks",
+                             "remove one of them");
+        return build_all(arguments);
+    }
+    if (arguments.words().empty())
+        throw UsageError("benchmark build", "names no task", "give a task, or --all");
+    const Setting setting = setting_of(arguments);
+    const DeviceClass device_class =
+        find_row(device_classes, arguments.value_or("--device-class", "haptic"))->kind;
+    return build_one(arguments, setting, device_class, arguments.value("--output")) ? 0 : 1;
 }
 
 }  // namespace
 
 Command benchmark_command() {
-    return {"benchmark build",
-            "TASK",
-            1,
-            1,
-            "Builds a benchmark set and prints the share of its own experts' attempts that would pass.",
-            joined({{"--operators", "", "Use synthetic operators; the set is provisional."},
-                    {"--experts", "LOGIN,LOGIN,...", "Use the stored attempts of these people; needs --as."},
-                    {"--output", "FILE", "Write the set to this file.", "", {}, "-o"}},
-                   session_options()),
-            run_benchmark_build};
+    return {
+        "benchmark build",
+        "[TASK]",
+        0,
+        1,
+        "Builds a benchmark set and prints the share of its own experts' attempts that would pass.",
+        joined({{"--operators", "", "Use synthetic operators; the set is provisional."},
+                {"--experts", "LOGIN,LOGIN,...", "Use the stored attempts of these people; needs --as."},
+                {"--device-class",
+                 "CLASS",
+                 "The class of devices that the set is for; operators work through a model of it.",
+                 "haptic",
+                 {"haptic", "tracked", "controller", "mouse-keyboard"}},
+                {"--all", "", "Build the sets of all tasks and device classes, from operators."},
+                {"--output",
+                 "FILE",
+                 "Write the set to this file; with --all, the sets to this folder. The version of a set is "
+                 "one more than that of the one it replaces.",
+                 "",
+                 {},
+                 "-o"}},
+               session_options()),
+        run_benchmark_build};
 }
 
 }  // namespace fulcrum::app

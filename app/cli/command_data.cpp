@@ -55,12 +55,9 @@ void print_notes(const nlohmann::json& document) {
 nlohmann::json verdict(const Arguments& arguments) {
     if (!arguments.has("--task"))
         throw UsageError("--events", "needs the task that was performed", "name it: --task TASK");
-    nlohmann::json document =
-        score_of_files(arguments.words()[0], *arguments.value("--events"), *arguments.value("--task"),
-                       arguments.value_or("--fidelity", ""));
-    document["device_class"] = or_null(arguments.value("--device-class"));
-    document["fidelity"] = or_null(arguments.value("--fidelity"));
-    return document;
+    return score_of_files(arguments.words()[0], *arguments.value("--events"), *arguments.value("--task"),
+                          arguments.value_or("--fidelity", ""),
+                          find_row(device_classes, arguments.value_or("--device-class", "haptic"))->kind);
 }
 
 void print_verdict(const nlohmann::json& document) {
@@ -188,8 +185,10 @@ Command metrics_command() {
         {{"--task", "TASK",
           "The task that the trace belongs to; metrics that depend on its targets need it."},
          {"--events", "EVENTS.csv", "The attempt's events."},
-         {"--device-class", "CLASS", "The class of the device.", "", device_class_names()},
-         {"--fidelity", "LEVEL", "The fidelity of the simulation.", "", fidelity_names()},
+         {"--device-class", "CLASS", "The class of the device; its limits are used.", "haptic",
+          device_class_names()},
+         {"--fidelity", "LEVEL", "The fidelity of the simulation; its limits are used.", "the scene's own",
+          fidelity_names()},
          json_option()},
         run_metrics};
 }

@@ -13,7 +13,7 @@
 #include "assessment/assets/assets.h"
 #include "assessment/metrics/metrics_json.h"
 #include "assessment/metrics/statement_words.h"
-#include "assessment/operators/operator.h"
+#include "assessment/operators/device_model.h"
 #include "database/records/recorder.h"
 #include "sim_core/scene/fidelity.h"
 
@@ -76,10 +76,10 @@ nlohmann::json to_json(const database::AttemptMeta& meta, const std::string& att
 
 Result perform_on_the_clock(const LoadedTask& loaded, std::shared_ptr<Rig> rig, const database::Store& store,
                             const database::Session& session, const database::AttemptMeta& meta,
-                            std::optional<BenchmarkSet> benchmark, std::string& attempt_id) {
-    LiveRequest request{loaded,         meta.seed,           meta.mode == AttemptMode::assessed,
-                        std::move(rig), store.path(),        session,
-                        meta,           std::move(benchmark)};
+                            const Limits& limits, std::string& attempt_id) {
+    LiveRequest request{loaded,         meta.seed,    meta.mode == AttemptMode::assessed,
+                        std::move(rig), store.path(), session,
+                        meta,           limits};
     LiveAttempt attempt(std::move(request));
     attempt.start();
     attempt.wait();
@@ -131,6 +131,12 @@ std::vector<std::string> device_class_names() {
 
 namespace {
 
+/// With which device the attempt is made: as named, else an operator without a device or a trace file.
+DeviceClass class_of(const Arguments& arguments, const std::string& operator_name) {
+    if (const auto name = arguments.value("--device-class")) return find_row(device_classes, *name)->kind;
+    return operator_name.empty() ? DeviceClass::external : DeviceClass::synthetic;
+}
+
 int run_perform(const Arguments& arguments) {
     arguments.exclude("--operator", "--input");
     const std::string fidelity = arguments.value_or("--fidelity", "");
@@ -139,34 +145,38 @@ int run_perform(const Arguments& arguments) {
     const auto seed = static_cast<std::uint64_t>(arguments.integer("--seed", 1, 0, 4'000'000'000LL));
     const std::string operator_name =
         arguments.has("--input") ? "" : arguments.value_or("--operator", "expert");
+    const DeviceClass device_class = class_of(arguments, operator_name);
+    if (!arguments.has("--practice")) require_assessable(loaded.task, device_class);
     AttemptRecord input;
     std::shared_ptr<Rig> rig;
     if (arguments.has("--input")) {
         input.inputs = inputs_from_csv(*arguments.value("--input"), loaded.scene);
         rig = std::make_shared<TraceRig>(input.inputs);
     } else {
-        rig = make_operator(operator_name, loaded.task, loaded.scene,
-                            seed);  // an unknown name is refused before anything is stored
+        // An unknown name is refused before anything is stored.
+        rig = through_device(make_operator(operator_name, loaded.task, loaded.scene, seed), device_class,
+                             loaded.scene);
     }
-    const std::optional<BenchmarkSet> benchmark = benchmark_in_force(loaded.task.id);
     const database::Store store = open_store(arguments, true);
     const database::Session session = store.station_session();
     score_interrupted(store.path(), session);  // attempts of a run that was killed
     loaded = load_site_task(store, session, loaded.task.id, fidelity);
-    if (!operator_name.empty()) rig = make_operator(operator_name, loaded.task, loaded.scene, seed);
+    if (!operator_name.empty())
+        rig = through_device(make_operator(operator_name, loaded.task, loaded.scene, seed), device_class,
+                             loaded.scene);
     const database::Person person = subject(arguments, store, session, operator_name, seed);
 
+    const Limits limits = limits_for(loaded.task, loaded.scene, device_class);
     database::AttemptMeta meta = attempt_meta(
         loaded, seed, arguments.has("--practice") ? AttemptMode::practice : AttemptMode::assessed,
-        operator_name.empty() ? DeviceClass::external : DeviceClass::synthetic,
-        operator_name.empty() ? "trace file" : "synthetic operator", benchmark ? &*benchmark : nullptr);
+        device_class, operator_name.empty() ? "trace file" : "synthetic operator", limits);
     meta.person_id = person.id;
     meta.operator_name = operator_name;
 
     Result result;
     std::string attempt_id;
     if (arguments.has("--realtime")) {
-        result = perform_on_the_clock(loaded, rig, store, session, meta, benchmark, attempt_id);
+        result = perform_on_the_clock(loaded, rig, store, session, meta, limits, attempt_id);
     } else {
         database::Recorder recorder(store.path(), session, meta);
         attempt_id = recorder.attempt_id();
@@ -175,7 +185,8 @@ int run_perform(const Arguments& arguments) {
         request.operator_name = operator_name;
         request.input_trace = operator_name.empty() ? &input : nullptr;
         request.seed = seed;
-        const Performed performed = perform(request, &recorder, benchmark ? &*benchmark : nullptr);
+        request.device_class = device_class;
+        const Performed performed = perform(request, &recorder, limits);
         result.scored = performed.scored;
         result.state_hash = performed.outcome.state_hash;
         result.wall_s = performed.wall_s;
@@ -209,6 +220,10 @@ Command perform_command() {
          {"--person", "LOGIN",
           "The synthetic or external person to whom the attempt belongs; created if missing.",
           "one person for each operator and seed"},
+         {"--device-class", "CLASS",
+          "The device that a trace was made with, or that an operator is to work through. A class that the "
+          "task does not name is practice only.",
+          "synthetic for an operator, external for a trace", device_class_names()},
          {"--practice", "", "Perform in practice mode: measured, but not assessed."},
          {"--fidelity", "LEVEL", "The level of detail of the models.", "the scene's own", fidelity_names()},
          {"--realtime", "",

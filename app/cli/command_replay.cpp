@@ -45,11 +45,11 @@ int run_replay(const Arguments& arguments) {
     AttemptEngine engine(loaded.scene, loaded.task, summary.meta.seed);
     const ReplayOutcome outcome = replay_record(engine, record);
 
-    const std::optional<BenchmarkSet> benchmark = benchmark_in_force(loaded.task.id);
+    const Limits limits = limits_for(loaded.task, loaded.scene, summary.meta.device_class);
     std::vector<Vector3> targets;
     for (const TargetSphere& target : engine.initial_snapshot().targets) targets.push_back(target.centre);
-    const ScoredAttempt again = score_record(loaded.scene, loaded.task, targets, record.samples,
-                                             record.events, benchmark ? &*benchmark : nullptr);
+    const ScoredAttempt again =
+        score_record(loaded.scene, loaded.task, targets, record.samples, record.events, limits);
     const auto stored = attempts.score(session, id);
     const bool metrics_identical =
         stored && same_metrics(stored->metrics, to_row(again, summary.meta.limits).metrics);

@@ -40,13 +40,13 @@ struct Outcome {
     std::map<RowName, bool> gates;  ///< judged gates: met or not
 };
 
-Outcome attempt(const LoadedTask& loaded, const BenchmarkSet* benchmark, const std::string& preset,
-                std::uint64_t seed, bool replayed) {
+Outcome attempt(const LoadedTask& loaded, const Limits& limits, const std::string& preset, std::uint64_t seed,
+                bool replayed) {
     PerformRequest request;
     request.loaded = loaded;
     request.operator_name = preset;
     request.seed = seed;
-    const Performed performed = perform(request, nullptr, benchmark);
+    const Performed performed = perform(request, nullptr, limits);
     const Score& score = performed.scored.score;
     Outcome outcome;
     outcome.wall_s = performed.wall_s;
@@ -90,7 +90,7 @@ struct Summary {
     }
 };
 
-Summary perform_all(const LoadedTask& loaded, const BenchmarkSet* benchmark, int seeds, int replays) {
+Summary perform_all(const LoadedTask& loaded, const Limits& limits, int seeds, int replays) {
     std::vector<Outcome> outcomes(static_cast<std::size_t>(groups * seeds));
     std::atomic<int> next{0}, done{0};
     const unsigned workers = std::max(1U, std::thread::hardware_concurrency());
@@ -102,7 +102,7 @@ Summary perform_all(const LoadedTask& loaded, const BenchmarkSet* benchmark, int
                 for (int k = next++; k < groups * seeds; k = next++) {
                     const int seed = k % seeds;
                     outcomes[static_cast<std::size_t>(k)] =
-                        attempt(loaded, benchmark, presets[static_cast<std::size_t>(k / seeds)],
+                        attempt(loaded, limits, presets[static_cast<std::size_t>(k / seeds)],
                                 static_cast<std::uint64_t>(operators_first_seed + seed), seed < replays);
                     std::fprintf(stderr, "%s: %d of %d attempts\n", loaded.task.id.c_str(), ++done,
                                  groups * seeds);
@@ -211,9 +211,9 @@ lab::ResultTable gate_table(const std::string& task, const Summary& summary, int
 Measured measure_operators(const std::string& task, int seeds, int replays) {
     const LoadedTask loaded = load_task_and_scene(task);
     const std::string& id = loaded.task.id;
-    const std::optional<BenchmarkSet> benchmark = benchmark_in_force(id);
+    const Limits limits = limits_for(loaded.task, loaded.scene, DeviceClass::synthetic);
     replays = std::min(replays, seeds);
-    const Summary summary = perform_all(loaded, benchmark ? &*benchmark : nullptr, seeds, replays);
+    const Summary summary = perform_all(loaded, limits, seeds, replays);
     Measured measured{lab::ResultPage("operators_" + id,
                                       id + ": experts, intermediates, novices, " + std::to_string(seeds) +
                                           " seeds from " + std::to_string(operators_first_seed),
@@ -239,8 +239,8 @@ Measured measure_operators(const std::string& task, int seeds, int replays) {
     page.table(gate_table(id, summary, seeds, gates));
     page.paragraph(
         "Of " + std::to_string(seeds) +
-        " experts, intermediates and novices, completed: " + three(summary.completed) +
-        "; passed: " + (benchmark ? three(summary.passed) : "none, because there is no benchmark set") +
+        " experts, intermediates and novices, completed: " + three(summary.completed) + "; passed: " +
+        (limits.comparable() != nullptr ? three(summary.passed) : "none, because there is no benchmark set") +
         ". Replayed bit for bit: " + std::to_string(summary.identical) + " of " +
         std::to_string(groups * replays) + ". " + short_number(summary.simulated_s / summary.wall_s) +
         " times real time on one core, with operator, record and score.");

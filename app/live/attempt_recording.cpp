@@ -87,7 +87,7 @@ ScoredAttempt AttemptRecording::score() const {
     const database::Trace trace =
         database::Attempts(store).read_trace(*request_.session, recorder_.attempt_id());
     return score_record(request_.loaded.scene, request_.loaded.task, targets_, trace.samples, trace.events,
-                        request_.benchmark ? &*request_.benchmark : nullptr);
+                        request_.limits);
 }
 
 }  // namespace fulcrum::app

@@ -9,10 +9,10 @@ namespace {
 
 ScoredAttempt score_one(const database::Attempts& attempts, const database::Session& session,
                         const database::AttemptSummary& summary) {
-    // Score only against the limits that were in force at the start of the attempt.
-    std::optional<BenchmarkSet> benchmark = benchmark_in_force(summary.meta.task_id);
-    if (benchmark && limits_name(&*benchmark) != summary.meta.limits) benchmark.reset();
-    return score_stored(attempts, session, summary, benchmark ? &*benchmark : nullptr);
+    const LoadedTask loaded = load_recorded(attempts, session, summary);
+    return score_stored(
+        attempts, session, summary, loaded,
+        limits_at_start(loaded.task, loaded.scene, summary.meta.device_class, summary.meta.limits));
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ struct LiveRequest {
     std::optional<database::Session>
         session;  ///< set with store_path: the session that performs the attempt and reads the record
     database::AttemptMeta meta;  ///< person, mode, device
-    std::optional<BenchmarkSet> benchmark;
+    Limits limits;
 };
 
 class LiveAttempt : public ui::AttemptSession {

@@ -7,7 +7,7 @@
 
 #include "app/live/trace_rig.h"
 #include "assessment/metrics/version.h"
-#include "assessment/operators/operator.h"
+#include "assessment/operators/device_model.h"
 
 namespace fulcrum::app {
 
@@ -59,7 +59,7 @@ std::string cpu_features() {
 
 database::AttemptMeta attempt_meta(const LoadedTask& loaded, std::uint64_t seed, AttemptMode mode,
                                    DeviceClass device_class, const std::string& device,
-                                   const BenchmarkSet* benchmark) {
+                                   const Limits& limits) {
     database::AttemptMeta meta;
     meta.task_id = loaded.task.id;
     meta.task_version = loaded.task.version;
@@ -71,7 +71,7 @@ database::AttemptMeta attempt_meta(const LoadedTask& loaded, std::uint64_t seed,
     meta.fidelity = loaded.scene.fidelity.id;
     meta.scene = loaded.task.scene;
     meta.scene_text = loaded.scene_text;
-    meta.limits = limits_name(benchmark);
+    meta.limits = limits.name();
     meta.program_version = program_version;
     meta.cpu_features = cpu_features();
     return meta;
@@ -90,8 +90,7 @@ database::AttemptResult attempt_result(const ScoredAttempt& scored, const RunOut
     return result;
 }
 
-Performed perform(const PerformRequest& request, database::Recorder* recorder,
-                  const BenchmarkSet* benchmark) {
+Performed perform(const PerformRequest& request, database::Recorder* recorder, const Limits& limits) {
     using Clock = std::chrono::steady_clock;
     const auto begin = Clock::now();
     Performed performed;
@@ -103,8 +102,9 @@ Performed perform(const PerformRequest& request, database::Recorder* recorder,
     if (request.input_trace != nullptr) {
         rig = std::make_unique<TraceRig>(request.input_trace->inputs);
     } else {
-        rig = make_operator(request.operator_name, request.loaded.task, request.loaded.scene,
-                            request.individual.value_or(request.seed), request.seed);
+        rig = through_device(make_operator(request.operator_name, request.loaded.task, request.loaded.scene,
+                                           request.individual.value_or(request.seed), request.seed),
+                             request.device_class, request.loaded.scene);
     }
     std::unique_ptr<MemorySink> sink =
         recorder != nullptr ? std::make_unique<RecordingSink>(*recorder) : std::make_unique<MemorySink>();
@@ -118,11 +118,11 @@ Performed perform(const PerformRequest& request, database::Recorder* recorder,
     if (recorder != nullptr) static_cast<RecordingSink&>(*sink).rethrow();
     performed.record = std::move(sink->record);
     performed.scored = score_record(request.loaded.scene, request.loaded.task, performed.targets,
-                                    performed.record.samples, performed.record.events, benchmark);
+                                    performed.record.samples, performed.record.events, limits);
     performed.wall_s = std::chrono::duration<double>(Clock::now() - begin).count();
     if (recorder != nullptr) {
-        recorder->finish(attempt_result(performed.scored, performed.outcome, performed.wall_s, 0, 0,
-                                        limits_name(benchmark)));
+        recorder->finish(
+            attempt_result(performed.scored, performed.outcome, performed.wall_s, 0, 0, limits.name()));
     }
     return performed;
 }

@@ -38,7 +38,8 @@ struct PerformRequest {
     std::string operator_name;  ///< empty: input_trace
     const AttemptRecord* input_trace = nullptr;
     std::uint64_t seed = 1;
-    std::optional<std::uint64_t> individual;  ///< of the operator; without it the seed selects one
+    std::optional<std::uint64_t> individual;            ///< of the operator; without it the seed selects one
+    DeviceClass device_class = DeviceClass::synthetic;  ///< the operator works through a model of it
     bool assessed = true;
     std::function<bool(double)> keep_going;  ///< simulated seconds; may be empty
 };
@@ -53,12 +54,11 @@ struct Performed {
 };
 
 /// Runs and scores an attempt; with a recorder also stores and finishes it. Throws InputError, StoreError.
-Performed perform(const PerformRequest& request, database::Recorder* recorder, const BenchmarkSet* benchmark);
+Performed perform(const PerformRequest& request, database::Recorder* recorder, const Limits& limits);
 
 /// The data of an attempt that are stored before it starts.
 database::AttemptMeta attempt_meta(const LoadedTask& loaded, std::uint64_t seed, AttemptMode mode,
-                                   DeviceClass device_class, const std::string& device,
-                                   const BenchmarkSet* benchmark);
+                                   DeviceClass device_class, const std::string& device, const Limits& limits);
 /// The data of an attempt that are stored at its end.
 database::AttemptResult attempt_result(const ScoredAttempt& scored, const RunOutcome& outcome, double wall_s,
                                        std::uint32_t missed, std::uint64_t lost, const std::string& limits);

@@ -50,20 +50,28 @@ class Services : public ui::ApplicationServices {
         // The recorder checks again; checked here so that no scene is built for a refused attempt.
         store_->require(request.session, database::Operation::perform_attempt,
                         database::Subject::person(request.session.person_id()));
-        LiveRequest live{load_site_task(*store_, request.session, request.task_id),
+        LoadedTask loaded = load_site_task(*store_, request.session, request.task_id);
+        if (request.assessed) require_assessable(loaded.task, request.device_class);
+        const Limits limits = limits_for(loaded.task, loaded.scene, request.device_class);
+        LiveRequest live{std::move(loaded),
                          request.seed,
                          request.assessed,
                          request.rig,
                          store_->path(),
                          request.session,
                          {},
-                         benchmark_in_force(request.task_id)};
+                         limits};
         if (live.seed == 0) live.seed = draw_seed();
-        live.meta = attempt_meta(
-            live.loaded, live.seed, request.assessed ? AttemptMode::assessed : AttemptMode::practice,
-            request.device_class, request.device, live.benchmark ? &*live.benchmark : nullptr);
+        live.meta = attempt_meta(live.loaded, live.seed,
+                                 request.assessed ? AttemptMode::assessed : AttemptMode::practice,
+                                 request.device_class, request.device, limits);
         live.meta.person_id = request.session.person_id();
         return std::make_unique<LiveAttempt>(std::move(live));
+    }
+    Statement why_not_comparable(const database::Session& session, const std::string& task_id,
+                                 DeviceClass device_class) override {
+        const LoadedTask loaded = load_site_task(*store_, session, task_id);
+        return limits_for(loaded.task, loaded.scene, device_class).not_comparable;
     }
     std::unique_ptr<ui::AttemptSession> start_demonstration(const database::Session& session,
                                                             const std::string& task_id) override {

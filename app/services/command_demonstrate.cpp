@@ -38,7 +38,7 @@ WorldSnapshot world_at(const LoadedTask& loaded, const std::string& preset, std:
 double perform_and_report(const LoadedTask& loaded, std::uint64_t seed, const std::string& store_path,
                           const std::string& report_path) {
     const std::string& task = loaded.task.id;
-    const std::optional<BenchmarkSet> benchmark = benchmark_in_force(task);
+    const Limits limits = limits_for(loaded.task, loaded.scene, DeviceClass::synthetic);
     database::Store store = database::Store::create(store_path, true);
     const database::Session station = store.station_session();
     const database::People people(store);
@@ -49,7 +49,7 @@ double perform_and_report(const LoadedTask& loaded, std::uint64_t seed, const st
     people.set_demo_roles(station, performer.id, {database::Role::trainee});
     people.set_demo_roles(station, director.id, {database::Role::director});
     database::AttemptMeta meta = attempt_meta(loaded, seed, AttemptMode::assessed, DeviceClass::synthetic,
-                                              "synthetic operator", benchmark ? &*benchmark : nullptr);
+                                              "synthetic operator", limits);
     meta.person_id = performer.id;
     meta.operator_name = "expert";
     database::Recorder recorder(store.path(), station, meta);
@@ -57,7 +57,7 @@ double perform_and_report(const LoadedTask& loaded, std::uint64_t seed, const st
     request.loaded = loaded;
     request.operator_name = "expert";
     request.seed = seed;
-    const Performed performed = perform(request, &recorder, benchmark ? &*benchmark : nullptr);
+    const Performed performed = perform(request, &recorder, limits);
     const double duration = performed.scored.duration_s;
     std::cerr << "performed " << task << ": " << row_of(attempt_states, performed.scored.state).name
               << " after " << duration << " s, computed in " << performed.wall_s << " s\n";

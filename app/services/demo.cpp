@@ -35,7 +35,7 @@ const int* attempts_at(const std::string& stage) {
 
 struct Job {
     LoadedTask loaded;
-    std::optional<BenchmarkSet> benchmark;
+    Limits limits;
     std::size_t trainee = 0;
     std::uint64_t seed = 0;
 };
@@ -46,10 +46,10 @@ std::vector<Job> jobs_of_cohort() {
     std::uint64_t seed = 3000;
     for (const std::string& task : task_ids()) {
         const LoadedTask loaded = load_task_and_scene(task);
-        const std::optional<BenchmarkSet> benchmark = benchmark_in_force(task);
+        const Limits limits = limits_for(loaded.task, loaded.scene, DeviceClass::synthetic);
         const int* attempts = attempts_at(loaded.task.stage);
         for (std::size_t trainee = 0; trainee < std::size(trainees); ++trainee) {
-            for (int k = 0; k < attempts[trainee]; ++k) jobs.push_back({loaded, benchmark, trainee, ++seed});
+            for (int k = 0; k < attempts[trainee]; ++k) jobs.push_back({loaded, limits, trainee, ++seed});
         }
     }
     std::stable_sort(jobs.begin(), jobs.end(), [](const Job& a, const Job& b) {
@@ -63,7 +63,6 @@ std::vector<Job> jobs_of_cohort() {
 /// Simulates and records one attempt. `keep_going` gets the elapsed share of its time limit.
 void simulate(const Job& job, const std::string& store_path, const database::Session& station,
               const std::string& person_id, const std::function<bool(double)>& keep_going) {
-    const BenchmarkSet* benchmark = job.benchmark ? &*job.benchmark : nullptr;
     PerformRequest request;
     request.loaded = job.loaded;
     request.operator_name = trainees[job.trainee].preset;
@@ -72,11 +71,11 @@ void simulate(const Job& job, const std::string& store_path, const database::Ses
         return keep_going(simulated / job.loaded.task.time_limit_s);
     };
     database::AttemptMeta meta = attempt_meta(job.loaded, job.seed, AttemptMode::assessed,
-                                              DeviceClass::synthetic, "synthetic operator", benchmark);
+                                              DeviceClass::synthetic, "synthetic operator", job.limits);
     meta.person_id = person_id;
     meta.operator_name = request.operator_name;
     database::Recorder recorder(store_path, station, meta);
-    perform(request, &recorder, benchmark);
+    perform(request, &recorder, job.limits);
 }
 
 /// Simulates all attempts, one thread per core; false if stopped. Throws what an attempt throws.

@@ -71,6 +71,10 @@ enum class StatementId : std::uint8_t {
     no_benchmark,
     no_benchmark_level,
     cutting_differs,
+    device_class_differs,
+    fidelity_differs,
+    variant_differs,
+    limits_replaced,
 
     // Why an attempt has no score.
     simulator_failed,

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "assessment/metrics/registry.h"
+#include "assessment/task/attempt_words.h"
 #include "sim_core/numerics/number_text.h"
 #include "sim_core/telemetry/event_names.h"
 
@@ -118,7 +119,20 @@ constexpr StatementRow statements[] = {
      QT_TRANSLATE_NOOP("fulcrum::statements", "the benchmark set has no level for it")},
     {StatementId::cutting_differs, "gate.cutting_differs",
      QT_TRANSLATE_NOOP("fulcrum::statements",
-                       "cutting parameters differ from those of the benchmark's scene ({difference})")},
+                       "not comparable: cutting parameters differ from those of the benchmark's scene "
+                       "({difference})")},
+    {StatementId::device_class_differs, "gate.device_class_differs",
+     QT_TRANSLATE_NOOP("fulcrum::statements",
+                       "not comparable: there are no limits for this device class ({device})")},
+    {StatementId::fidelity_differs, "gate.fidelity_differs",
+     QT_TRANSLATE_NOOP("fulcrum::statements",
+                       "not comparable: the limits are for fidelity {limits}, the attempt used {used}")},
+    {StatementId::variant_differs, "gate.variant_differs",
+     QT_TRANSLATE_NOOP("fulcrum::statements",
+                       "not comparable: the limits are for variant {limits}, the attempt used {used}")},
+    {StatementId::limits_replaced, "gate.limits_replaced",
+     QT_TRANSLATE_NOOP("fulcrum::statements",
+                       "not comparable: the limits in force when the attempt began have been replaced")},
     {StatementId::simulator_failed, "score.simulator_failed",
      QT_TRANSLATE_NOOP("fulcrum::statements", "the simulator failed during the attempt")},
     {StatementId::attempt_interrupted, "score.attempt_interrupted",
@@ -242,6 +256,7 @@ class Wording {
                        ? ""
                        : fill(marked(QT_TRANSLATE_NOOP("fulcrum::statements", ", on {tissue}")));
         if (name == "hand") return hand();
+        if (name == "device") return device();
         if (name == "event") return event();
         if (name == "time" && statement_.number("time_s") != nullptr)
             return clock_words(*statement_.number("time_s"));
@@ -250,6 +265,12 @@ class Wording {
         if (name == "excess") return excess();
         if (name == "remedy") return remedy();
         return parameter(name);
+    }
+
+    std::optional<std::string> device() const {
+        const NameRow<DeviceClass>* row = find_row(device_classes, text_of("device"));
+        if (row == nullptr) return parameter("device");
+        return translate_("fulcrum::devices", row->title);
     }
 
     std::optional<std::string> parameter(const std::string& name) const {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "assessment/scoring/benchmark.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
 
 #include "assessment/metrics/registry.h"
 #include "sim_core/scene/json_document.h"
+#include "sim_core/scene/json_names.h"
 
 namespace fulcrum {
 
@@ -88,6 +90,16 @@ void check_level(const JsonDocument& document, const BenchmarkLevel& level, cons
 
 }  // namespace
 
+std::string benchmark_name(const BenchmarkKey& key) {
+    const std::string device_class = row_of(device_classes, key.device_class).name;
+    std::string name = key.task;
+    if (key.variant != "standard") name += "-" + key.variant;
+    if (key.device_class != DeviceClass::haptic) name += "-" + device_class;
+    if (key.fidelity != "standard") name += "-" + key.fidelity;
+    std::replace(name.begin(), name.end(), '/', '_');
+    return name;
+}
+
 const BenchmarkLevel* BenchmarkSet::find(const std::string& metric, const std::string& hand,
                                          const std::string& tissue) const {
     for (const BenchmarkLevel& level : levels)
@@ -115,7 +127,7 @@ json benchmark_to_json(const BenchmarkSet& set) {
                      {"task", set.task},
                      {"task_version", set.task_version},
                      {"variant_family", set.variant_family},
-                     {"device_class", set.device_class},
+                     {"device_class", row_of(device_classes, set.device_class).name},
                      {"fidelity", set.fidelity},
                      {"source", set.source},
                      {"provisional", set.provisional},
@@ -138,7 +150,7 @@ BenchmarkSet parse_benchmark(const std::string& text, const std::string& file) {
     set.task = root.at("task").get<std::string>();
     set.task_version = root.at("task_version").get<int>();
     set.variant_family = root.at("variant_family").get<std::string>();
-    set.device_class = root.at("device_class").get<std::string>();
+    set.device_class = named(document, root.at("device_class"), "/device_class", device_classes);
     set.fidelity = root.at("fidelity").get<std::string>();
     set.source = root.at("source").get<std::string>();
     set.provisional = root.at("provisional").get<bool>();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A benchmark set: the proficiency levels of one task from named expert attempts, with their provenance.
+// A benchmark set: the proficiency levels of one task, scene variant, device class and fidelity from named
+// expert attempts, with their provenance.
 // File format: assets/schemas/benchmark.schema.json.
 #pragma once
 
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "assessment/metrics/metric.h"
+#include "assessment/task/attempt_words.h"
 #include "sim_core/scene/cutting_values.h"
 
 namespace fulcrum {
@@ -34,12 +36,23 @@ struct BenchmarkPerson {
     int familiarisation = 0;  ///< discarded before them
 };
 
+/// What a set is for. An attempt is held against a set of its own key only.
+struct BenchmarkKey {
+    std::string task, variant;
+    DeviceClass device_class = DeviceClass::haptic;
+    std::string fidelity;
+};
+/// "B1-standard-haptic-standard" with its usual parts (standard, haptic, standard) left out: "B1",
+/// "A2-mouse-keyboard", "B1-long_jaws-fast". The name of the set's file and, with a version, of the limits of
+/// an attempt.
+std::string benchmark_name(const BenchmarkKey& key);
+
 struct BenchmarkSet {
-    int version = 1;
+    int version = 1;  ///< rises each time the set is built again
     std::string task;
     int task_version = 1;
     std::string variant_family;
-    std::string device_class;  ///< or "any"
+    DeviceClass device_class = DeviceClass::haptic;
     std::string fidelity;
     std::string source;  ///< for screens: "synthetic operators", "experts of …"
     bool provisional = true;
@@ -52,6 +65,7 @@ struct BenchmarkSet {
     /// attempts with other values.
     CuttingValues cutting;
 
+    BenchmarkKey key() const { return {task, variant_family, device_class, fidelity}; }
     /// Null when the set has no level for it.
     const BenchmarkLevel* find(const std::string& metric, const std::string& hand,
                                const std::string& tissue) const;

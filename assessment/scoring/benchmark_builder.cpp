@@ -24,26 +24,35 @@ std::string level_name(const BenchmarkLevel& level) {
     return name;
 }
 
-std::optional<double> value_in(const BenchmarkAttempt& attempt, const GateSpec& gate) {
-    const MetricResult* result = find_result(attempt.metrics, gate.metric, gate.hand, gate.tissue);
-    return result == nullptr ? std::nullopt : result->value;
+/// The values of an attempt that a gate's level is made of: those of both hands where they are alike.
+std::vector<double> values_in(const BenchmarkAttempt& attempt, const TaskDefinition& task,
+                              const GateSpec& gate, const MetricDescriptor& descriptor) {
+    std::vector<std::string> hands = {gate.hand};
+    if (task.hands_alike && !gate.hand.empty()) hands = {"left", "right"};
+    std::vector<double> values;
+    for (const std::string& hand : hands) {
+        const MetricResult* result = find_result(attempt.metrics, gate.metric, hand, gate.tissue);
+        if (result == nullptr || !result->value) continue;
+        if (const std::optional<double> scaled = on_scale(descriptor, *result->value))
+            values.push_back(*scaled);
+    }
+    return values;
 }
 
-/// The values of one metric by person, in the order in which they first appear; completed attempts only.
+/// The values of one gate by person, in the order in which they first appear; completed attempts only.
 /// `without` leaves one out.
 std::vector<ExpertValues> values_by_person(const std::vector<BenchmarkAttempt>& attempts,
-                                           const GateSpec& gate, const MetricDescriptor& descriptor,
-                                           const std::string& without) {
+                                           const TaskDefinition& task, const GateSpec& gate,
+                                           const MetricDescriptor& descriptor, const std::string& without) {
     std::vector<ExpertValues> people;
     for (const BenchmarkAttempt& attempt : attempts) {
         if (attempt.person == without || attempt.state != AttemptState::completed) continue;
-        const std::optional<double> value = value_in(attempt, gate);
-        const std::optional<double> scaled = value ? on_scale(descriptor, *value) : std::nullopt;
-        if (!scaled) continue;
+        const std::vector<double> values = values_in(attempt, task, gate, descriptor);
+        if (values.empty()) continue;
         auto person = std::find_if(people.begin(), people.end(),
                                    [&](const ExpertValues& known) { return known.expert == attempt.person; });
         if (person == people.end()) person = people.insert(people.end(), {attempt.person, {}});
-        person->values.push_back(*scaled);
+        person->values.insert(person->values.end(), values.begin(), values.end());
     }
     return people;
 }
@@ -86,7 +95,7 @@ Levels make_levels(const TaskDefinition& task, const BenchmarkRequest& request, 
     for (const GateSpec& gate : task.gates) {
         if (gate.kind != GateKind::benchmark) continue;
         const MetricDescriptor& d = *find_metric(gate.metric);
-        const std::vector<ExpertValues> experts = values_by_person(request.experts, gate, d, without);
+        const std::vector<ExpertValues> experts = values_by_person(request.experts, task, gate, d, without);
         BenchmarkLevel level;
         level.metric = gate.metric;
         level.hand = gate.hand;
@@ -109,7 +118,7 @@ Levels make_levels(const TaskDefinition& task, const BenchmarkRequest& request, 
             level.absolute_limit = worst_value(d, experts, *benchmark);
         } else {
             std::vector<double> means;
-            for (const ExpertValues& novice : values_by_person(request.novices, gate, d, {}))
+            for (const ExpertValues& novice : values_by_person(request.novices, task, gate, d, {}))
                 means.push_back(mean_of(novice.values));
             if (!means.empty()) level.z_novice = z_of(d, level, mean_of(means));
         }
@@ -204,6 +213,7 @@ BenchmarkBuild build_benchmark(const TaskDefinition& task, const BenchmarkReques
     check_gates(task, "task " + task.id);
     BenchmarkBuild build;
     BenchmarkSet set;
+    set.version = request.version;
     set.task = task.id;
     set.task_version = task.version;
     set.variant_family = request.variant_family;

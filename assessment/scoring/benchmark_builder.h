@@ -18,7 +18,9 @@ struct BenchmarkAttempt {
 };
 
 struct BenchmarkRequest {
-    std::string variant_family = "standard", device_class = "any", fidelity = "standard", source;
+    std::string variant_family = "standard", fidelity = "standard", source;
+    DeviceClass device_class = DeviceClass::haptic;
+    int version = 1;
     bool provisional = true;
     int familiarisation = 3;  ///< attempts each person made before the counted ones
     double p0 = 0.1;          ///< share of a proficient person's attempts that may fail

@@ -59,6 +59,8 @@ void decide(const ScoreInput& input, Score& score) {
         }
         if (!gate.passed && open == nullptr) open = &gate;
     }
+    if (open != nullptr && open->kind == GateKind::benchmark && !input.why_no_benchmark.empty())
+        return not_scored(input.why_no_benchmark);
     if (open != nullptr)
         return not_scored(
             {StatementId::gate_not_judged,

@@ -72,9 +72,8 @@ struct ScoreInput {
         TimeInterval interval;
     };
     std::vector<Phase> phases = {};
-    Statement why_no_benchmark =
-        {};                    ///< with a null `benchmark`: there is one, but it does not fit this scene
-    bool device_lost = false;  ///< a device was lost and came back: what followed is practice
+    Statement why_no_benchmark = {};  ///< with a null `benchmark`: why the task's limits do not apply
+    bool device_lost = false;         ///< a device was lost and came back: what followed is practice
 };
 
 /// Pure: the same input gives the same score and advice.

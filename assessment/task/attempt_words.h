@@ -47,6 +47,12 @@ inline constexpr NameRow<DeviceClass> device_classes[] = {
     {DeviceClass::external, "external", QT_TRANSLATE_NOOP("fulcrum::devices", "external trace")}};
 static_assert(in_order(device_classes));
 
+/// The class whose limits an attempt is held against. A synthetic operator without a model of a device, and a
+/// trace whose device nobody named, move a handle freely and with force, as with a haptic device.
+constexpr DeviceClass limits_class(DeviceClass used) {
+    return used == DeviceClass::synthetic || used == DeviceClass::external ? DeviceClass::haptic : used;
+}
+
 enum class GateKind : std::uint8_t { benchmark, absolute };
 inline constexpr NameRow<GateKind> gate_kinds[] = {
     {GateKind::benchmark, "benchmark", QT_TRANSLATE_NOOP("fulcrum::gates", "benchmark")},

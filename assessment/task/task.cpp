@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim_core/numerics/input_error.h"
 #include "sim_core/scene/json_names.h"
 
 namespace fulcrum {
@@ -54,6 +55,7 @@ class TaskReader {
         copy(root, "warning_margin", task_.warning_margin);
         copy(root, "metrics", task_.metrics);
         copy(root, "critical_errors", task_.critical_errors);
+        copy(root, "hands_alike", task_.hands_alike);
         read_device_classes(root);
         read_pathology(root);
         check_scene_name();
@@ -210,6 +212,23 @@ TaskDefinition parse_task(const std::string& text, const std::string& file) {
 
 TaskDefinition load_task(const std::string& path) {
     return parse_task(read_text_file(path, JsonLimits().bytes), path);
+}
+
+bool can_be_assessed(const TaskDefinition& task, DeviceClass device_class) {
+    const DeviceClass counted = limits_class(device_class);
+    return std::find(task.device_classes.begin(), task.device_classes.end(), counted) !=
+           task.device_classes.end();
+}
+
+void require_assessable(const TaskDefinition& task, DeviceClass device_class) {
+    if (can_be_assessed(task, device_class)) return;
+    std::string named;
+    for (const DeviceClass one : task.device_classes)
+        named += (named.empty() ? "" : ", ") + std::string(row_of(device_classes, one).title);
+    throw InputError("task " + task.id, "/device_classes",
+                     std::string("attempts with ") + row_of(device_classes, device_class).title +
+                         " are not assessed, they are practice only",
+                     "practise, or use one of: " + named);
 }
 
 }  // namespace fulcrum

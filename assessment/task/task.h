@@ -55,13 +55,19 @@ struct TaskDefinition {
     std::vector<std::string> metrics;  ///< metric ids shown
     std::vector<GateSpec> gates;
     std::vector<std::string> critical_errors;  ///< event names that fail the attempt
-    std::vector<DeviceClass> device_classes;   ///< that count for the curriculum
-    bool pathology = false;                    ///< a pathology report is made of the specimen
-    std::optional<Tumour> tumour;              ///< of the report
+    std::vector<DeviceClass> device_classes;   ///< that can be assessed; any other practises
+    bool hands_alike = false;      ///< both hands do the same work: benchmark gates have one limit for both
+    bool pathology = false;        ///< a pathology report is made of the specimen
+    std::optional<Tumour> tumour;  ///< of the report
 };
 
 /// Throws InputError with file, place and hint.
 TaskDefinition load_task(const std::string& path);
 TaskDefinition parse_task(const std::string& text, const std::string& file);
+
+/// Whether attempts with this class of device can be assessed (limits_class()).
+bool can_be_assessed(const TaskDefinition& task, DeviceClass device_class);
+/// Throws InputError in a sentence for screens where they cannot.
+void require_assessable(const TaskDefinition& task, DeviceClass device_class);
 
 }  // namespace fulcrum

@@ -35,7 +35,8 @@ struct CorrectionRequest {
 /// What a score made today would be based on.
 struct ScoringInForce {
     std::map<std::string, int> metric_versions;  ///< by metric id
-    std::map<std::string, std::string> limits;   ///< by task id, as AttemptMeta::limits; tasks without: none
+    /// As AttemptMeta::limits, by task, variant, device class and fidelity of an attempt; "": none.
+    std::function<std::string(const AttemptMeta&)> limits;
 };
 
 /// An attempt none of whose scores is based on what is in force.

@@ -41,8 +41,8 @@ std::vector<StaleScore> Attempts::stale_scores(const Session& session, const Sco
         store_.require(session, Operation::recompute_score, Subject::person(person_id));
     }
     QString sql =
-        "SELECT a.id, a.person_id, p.display_name, a.task_id, s.id, s.limits, s.in_force, s.passed FROM "
-        "attempt a "
+        "SELECT a.id, a.person_id, p.display_name, a.task_id, s.id, s.limits, s.in_force, s.passed, "
+        "a.variant, a.device_class, a.fidelity FROM attempt a "
         "JOIN person p ON p.id = a.person_id JOIN score s ON s.attempt_id = a.id "
         "LEFT JOIN attempt_void v ON v.attempt_id = a.id "
         "WHERE v.attempt_id IS NULL AND a.state <> 'running' AND " +
@@ -57,9 +57,13 @@ std::vector<StaleScore> Attempts::stale_scores(const Session& session, const Sco
     while (rows.next()) {
         const bool next_attempt = rows.text(0) != attempt;
         if (!next_attempt && current) continue;
-        const auto limits = now.limits.find(rows.text(3));
-        const std::string why = why_stale(store_.connection(), rows.text(4), rows.text(5),
-                                          limits == now.limits.end() ? std::string() : limits->second, now);
+        AttemptMeta meta;
+        meta.task_id = rows.text(3);
+        meta.variant = rows.text(8);
+        meta.device_class = enum_of(rows.text(9), device_classes, "device class of attempt " + rows.text(0));
+        meta.fidelity = rows.text(10);
+        const std::string why =
+            why_stale(store_.connection(), rows.text(4), rows.text(5), now.limits(meta), now);
         current = why.empty();
         if (current && !next_attempt) stale.pop_back();
         if (!current && next_attempt)

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/scoring/rescoring.h"
 
-#include "assessment/assets/assets.h"
+#include <map>
+#include <memory>
+
 #include "assessment/attempt/engine.h"
 #include "assessment/metrics/registry.h"
 #include "database/scoring/loaded_task.h"
@@ -20,11 +22,11 @@ std::vector<Vector3> targets_of(const LoadedTask& loaded, std::uint64_t seed) {
 }
 
 void recompute(const database::Attempts& attempts, const database::Session& session, RecomputedScore& one) {
-    const std::optional<BenchmarkSet> benchmark = benchmark_in_force(one.task_id);
-    const BenchmarkSet* limits = benchmark ? &*benchmark : nullptr;
-    const ScoredAttempt scored =
-        score_stored(attempts, session, attempts.read(session, one.attempt_id), limits);
-    attempts.add_score(session, one.attempt_id, to_row(scored, limits_name(limits)));
+    const database::AttemptSummary summary = attempts.read(session, one.attempt_id);
+    const LoadedTask loaded = load_recorded(attempts, session, summary);
+    const Limits limits = limits_for(loaded.task, loaded.scene, summary.meta.device_class);
+    const ScoredAttempt scored = score_stored(attempts, session, summary, loaded, limits);
+    attempts.add_score(session, one.attempt_id, to_row(scored, limits.name()));
     one.passed = scored.score.passed;
     one.not_scored_because = scored.score.not_scored_because;
 }
@@ -32,21 +34,26 @@ void recompute(const database::Attempts& attempts, const database::Session& sess
 }  // namespace
 
 ScoredAttempt score_stored(const database::Attempts& attempts, const database::Session& session,
-                           const database::AttemptSummary& summary, const BenchmarkSet* benchmark) {
-    const LoadedTask loaded = load_recorded(attempts, session, summary);
+                           const database::AttemptSummary& summary, const LoadedTask& loaded,
+                           const Limits& limits) {
     const database::Trace trace = attempts.read_trace(session, summary.meta.id);
     return score_record(loaded.scene, loaded.task, targets_of(loaded, summary.meta.seed), trace.samples,
-                        trace.events, benchmark);
+                        trace.events, limits);
 }
 
 database::ScoringInForce scoring_in_force() {
     database::ScoringInForce now;
     for (const Metric& metric : metric_registry())
         now.metric_versions[metric.descriptor.id] = metric.descriptor.version;
-    for (const std::string& task : task_ids()) {
-        const std::optional<BenchmarkSet> benchmark = benchmark_in_force(task);
-        if (benchmark) now.limits[task] = limits_name(&*benchmark);
-    }
+    auto names = std::make_shared<std::map<std::string, std::string>>();  // by the sets' names
+    now.limits = [names](const database::AttemptMeta& attempt) {
+        const BenchmarkKey key{attempt.task_id, attempt.variant, limits_class(attempt.device_class),
+                               attempt.fidelity};
+        const auto [entry, added] = names->try_emplace(benchmark_name(key));
+        const std::optional<BenchmarkSet> set = added ? benchmark_in_force(key) : std::nullopt;
+        if (set) entry->second = Limits(*set).name();
+        return entry->second;
+    };
     return now;
 }
 

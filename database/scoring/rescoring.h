@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "database/records/attempts.h"
+#include "database/scoring/loaded_task.h"
 #include "database/scoring/scoring.h"
 
 namespace fulcrum {
@@ -21,10 +22,11 @@ struct RecomputedScore {
     std::string problem;                  ///< why there is no new one; empty if there is
 };
 
-/// From the record alone. Throws AccessDenied, StoreError, InputError (a task or scene that is not known
-/// here).
+/// From the record alone; `loaded` as load_recorded() gives it. Throws AccessDenied, StoreError, InputError
+/// (a task or scene that is not known here).
 ScoredAttempt score_stored(const database::Attempts& attempts, const database::Session& session,
-                           const database::AttemptSummary& summary, const BenchmarkSet* benchmark);
+                           const database::AttemptSummary& summary, const LoadedTask& loaded,
+                           const Limits& limits);
 
 /// The metrics of this program and the benchmark sets of its assets.
 database::ScoringInForce scoring_in_force();

@@ -1,31 +1,90 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/scoring/scoring.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "assessment/assets/assets.h"
 #include "assessment/metrics/metrics_json.h"
 #include "assessment/metrics/version.h"
+#include "sim_core/numerics/input_error.h"
 
 namespace fulcrum {
 
-std::optional<BenchmarkSet> benchmark_in_force(const std::string& task_id) {
-    const std::string path = asset_path("benchmarks/" + task_id + ".json");
-    if (!std::filesystem::exists(path)) return std::nullopt;
-    return load_benchmark(path);
+namespace {
+
+const char* const usual = "standard";  // variant and fidelity
+
+std::string file_of(const BenchmarkKey& key) {
+    return asset_path("benchmarks/" + benchmark_name(key) + ".json");
+}
+bool there_is(const BenchmarkKey& key) {
+    return std::filesystem::exists(file_of(key));
 }
 
-Statement why_not_comparable(const BenchmarkSet& benchmark, const Scene& scene,
-                             const std::string& scene_file) {
+/// Why a task with limits has none of this key; the nearest ones say what differs. Empty: it has none.
+Statement why_none(const BenchmarkKey& key, DeviceClass used) {
+    if (there_is({key.task, key.variant, key.device_class, usual}))
+        return {StatementId::fidelity_differs, {{"limits", std::string(usual)}, {"used", key.fidelity}}};
+    if (there_is({key.task, usual, key.device_class, usual}))
+        return {StatementId::variant_differs, {{"limits", std::string(usual)}, {"used", key.variant}}};
+    if (there_is({key.task, usual, DeviceClass::haptic, usual}))
+        return {StatementId::device_class_differs,
+                {{"device", std::string(row_of(device_classes, used).name)}}};
+    return {};
+}
+
+/// Why an attempt in this scene is not compared with the set: the cutting parameters differ from those of the
+/// scene that the set was made in; a set without any means those of the scene file.
+Statement why_other_tissue(const BenchmarkSet& set, const Scene& scene, const std::string& scene_file) {
     const CuttingValues used = cutting_values(scene);
-    if (used.empty() && benchmark.cutting.empty()) return {};
-    const CuttingValues made_with = benchmark.cutting.empty()
-                                        ? cutting_values(load_scene(asset_path("scenes/" + scene_file)))
-                                        : benchmark.cutting;
+    if (used.empty() && set.cutting.empty()) return {};
+    const CuttingValues made_with =
+        set.cutting.empty() ? cutting_values(load_scene(asset_path("scenes/" + scene_file))) : set.cutting;
     const std::string difference = cutting_difference(used, made_with);
     if (difference.empty()) return {};
     return {StatementId::cutting_differs, {{"difference", difference}}};
+}
+
+}  // namespace
+
+std::string Limits::name() const {
+    if (!set) return {};
+    return benchmark_name(set->key()) + "-" + (set->provisional ? "provisional" : "site") + "@" +
+           std::to_string(set->version);
+}
+
+std::optional<BenchmarkSet> benchmark_in_force(const BenchmarkKey& key) {
+    const std::string path = file_of(key);
+    if (!std::filesystem::exists(path)) return std::nullopt;
+    BenchmarkSet set = load_benchmark(path);
+    if (benchmark_name(set.key()) != benchmark_name(key))
+        throw InputError(path, "/",
+                         "holds the set " + benchmark_name(set.key()) + ", not " + benchmark_name(key),
+                         "name the file after its task, variant, device class and fidelity");
+    return set;
+}
+
+Limits limits_for(const TaskDefinition& task, const Scene& scene, DeviceClass device_class) {
+    const bool needed = std::any_of(task.gates.begin(), task.gates.end(),
+                                    [](const GateSpec& gate) { return gate.kind == GateKind::benchmark; });
+    if (!needed) return {};
+    const BenchmarkKey key{task.id, scene.variant, limits_class(device_class), scene.fidelity.id};
+    Limits limits;
+    limits.set = benchmark_in_force(key);
+    limits.not_comparable =
+        limits.set ? why_other_tissue(*limits.set, scene, task.scene) : why_none(key, device_class);
+    return limits;
+}
+
+Limits limits_at_start(const TaskDefinition& task, const Scene& scene, DeviceClass device_class,
+                       const std::string& name) {
+    Limits limits = limits_for(task, scene, device_class);
+    if (limits.name() == name) return limits;
+    limits.set.reset();
+    limits.not_comparable = StatementId::limits_replaced;
+    return limits;
 }
 
 std::vector<std::string> tissue_labels(const Scene& scene) {
@@ -36,17 +95,16 @@ std::vector<std::string> tissue_labels(const Scene& scene) {
 
 ScoredAttempt score_record(const Scene& scene, const TaskDefinition& task,
                            const std::vector<Vector3>& targets, const std::vector<TickSample>& samples,
-                           const std::vector<Event>& events, const BenchmarkSet* benchmark) {
+                           const std::vector<Event>& events, const Limits& limits) {
     const std::array<bool, hand_count> hands = {scene.instrument(Hand::left) != nullptr,
                                                 scene.instrument(Hand::right) != nullptr};
     return score_trace(scene, task, targets,
                        trace_from_samples(samples, events, tissue_labels(scene), scene.tick_rate, hands),
-                       events, benchmark);
+                       events, limits);
 }
 
 ScoredAttempt score_trace(const Scene& scene, const TaskDefinition& task, const std::vector<Vector3>& targets,
-                          const Trace& trace, const std::vector<Event>& events,
-                          const BenchmarkSet* benchmark) {
+                          const Trace& trace, const std::vector<Event>& events, const Limits& limits) {
     ScoredAttempt scored;
     const MetricContext context = make_metric_context(scene, task, targets);
     scored.metrics = compute_metrics(trace, events, context);
@@ -54,10 +112,8 @@ ScoredAttempt score_trace(const Scene& scene, const TaskDefinition& task, const 
         scored.pathology = pathology_of_events(events, trace.tick_period, trace.end, *context.specimen);
     scored.state = attempt_state(events);
     scored.duration_s = trace.t.empty() ? 0 : trace.t.back();
-    const Statement other =
-        benchmark == nullptr ? Statement() : why_not_comparable(*benchmark, scene, task.scene);
     scored.score =
-        score_attempt(task, trace, events, scored.metrics, other.empty() ? benchmark : nullptr, other);
+        score_attempt(task, trace, events, scored.metrics, limits.comparable(), limits.not_comparable);
     return scored;
 }
 
@@ -113,12 +169,6 @@ database::ScoreRow to_row(const ScoredAttempt& scored, const std::string& limits
         row.critical_errors.push_back({error.time_s, error.event, error.hand, error.tissue, error.event});
     }
     return row;
-}
-
-std::string limits_name(const BenchmarkSet* benchmark) {
-    if (benchmark == nullptr) return {};
-    return benchmark->task + "-" + (benchmark->provisional ? "provisional" : "site") + "@" +
-           std::to_string(benchmark->version);
 }
 
 }  // namespace fulcrum

@@ -26,32 +26,45 @@ struct ScoredAttempt {
     std::optional<PathologyReport> pathology;  ///< where the task leaves a specimen
 };
 
-/// The benchmark set in force for a task and device class: assets/benchmarks/TASK.json (first sets serve
-/// every class). Empty if none.
-std::optional<BenchmarkSet> benchmark_in_force(const std::string& task_id);
-/// Why an attempt in this scene is not compared with the set: its cutting parameters differ from those of the
-/// scene that the set was made in. Empty if they are equal. `scene_file`: the task's, whose values a set
-/// without any of its own means.
-Statement why_not_comparable(const BenchmarkSet& benchmark, const Scene& scene,
-                             const std::string& scene_file);
+/// What an attempt is held against.
+struct Limits {
+    Limits() = default;
+    explicit Limits(BenchmarkSet in_force) : set(std::move(in_force)) {}
 
-/// Pure but for its arguments and the scene file of the task (why_not_comparable). `targets`: centres of the
-/// scene's targets for this seed.
+    std::optional<BenchmarkSet> set;  ///< of the attempt's key
+    /// Why gates based on the experts' range are not judged: the task has limits, but not for this device
+    /// class, fidelity, variant or tissue. Without a set and without this the task has none at all.
+    Statement not_comparable;
+
+    /// Name of the set with its version, as stored with an attempt; empty without a set.
+    std::string name() const;
+    /// The set where attempts are compared with it, else null.
+    const BenchmarkSet* comparable() const { return set && not_comparable.empty() ? &*set : nullptr; }
+};
+/// The set of this key in assets/benchmarks (benchmark_name()). Throws InputError where the file holds
+/// another one.
+std::optional<BenchmarkSet> benchmark_in_force(const BenchmarkKey& key);
+/// The limits in force for attempts at this task in this scene with this device. `scene`: with the fidelity
+/// and the tissue values of the attempt.
+Limits limits_for(const TaskDefinition& task, const Scene& scene, DeviceClass device_class);
+/// Those that were in force when the attempt began, by the name stored with it; once replaced they are not
+/// comparable.
+Limits limits_at_start(const TaskDefinition& task, const Scene& scene, DeviceClass device_class,
+                       const std::string& name);
+
+/// Pure. `targets`: centres of the scene's targets for this seed.
 ScoredAttempt score_record(const Scene& scene, const TaskDefinition& task,
                            const std::vector<Vector3>& targets, const std::vector<TickSample>& samples,
-                           const std::vector<Event>& events, const BenchmarkSet* benchmark);
+                           const std::vector<Event>& events, const Limits& limits);
 
 /// The same from a trace that has been read from a file, with the scene's labels first in its table.
 ScoredAttempt score_trace(const Scene& scene, const TaskDefinition& task, const std::vector<Vector3>& targets,
-                          const Trace& trace, const std::vector<Event>& events,
-                          const BenchmarkSet* benchmark);
+                          const Trace& trace, const std::vector<Event>& events, const Limits& limits);
 
 /// Tissue labels in the order of HandSample::tissue.
 std::vector<std::string> tissue_labels(const Scene& scene);
 
 /// As the store keeps it.
 database::ScoreRow to_row(const ScoredAttempt& scored, const std::string& limits);
-/// Name of a benchmark set with its version, as stored with an attempt; empty for null.
-std::string limits_name(const BenchmarkSet* benchmark);
 
 }  // namespace fulcrum

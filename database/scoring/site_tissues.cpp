@@ -21,8 +21,7 @@ SiteTissues site_tissues(const database::Store& store, const database::Session& 
             site.values.push_back({tissue, key.key, key.words, key.unit, cutting_range(key.key).words,
                                    values.at(key.key), in_force.at(tissue).at(key.key)});
     }
-    const std::optional<BenchmarkSet> benchmark = benchmark_in_force(task_id);
-    if (benchmark) site.limits_note = why_not_comparable(*benchmark, here.scene, here.task.scene);
+    site.limits_note = limits_for(here.task, here.scene, DeviceClass::haptic).not_comparable;
     return site;
 }
 

@@ -152,10 +152,9 @@ TEST_F(Window, InterruptedAttemptIsScoredAtTheNextSignInAndShownOnHome) {
     std::string whole, broken;
     for (const bool breaks : {false, true}) {
         const LoadedTask loaded = load_task_and_scene("A2");
-        const auto benchmark = benchmark_in_force("A2");
         database::AttemptMeta meta =
             attempt_meta(loaded, 31, AttemptMode::assessed, DeviceClass::mouse_keyboard, "mouse and keyboard",
-                         benchmark ? &*benchmark : nullptr);
+                         limits_for(loaded.task, loaded.scene, DeviceClass::mouse_keyboard));
         meta.person_id = window.context().session().person_id();
         database::Recorder recorder(services.store_path(false), window.context().session(), meta);
         (breaks ? broken : whole) = recorder.attempt_id();

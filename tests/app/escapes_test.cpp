@@ -75,7 +75,7 @@ struct Attempt {
             if (std::string(one.name) == "heavy") cheat = &one;
         hands = std::make_shared<Hands>(heavy ? make_cheat(*cheat, loaded.task, loaded.scene, 2001)
                                               : make_operator("expert", loaded.task, loaded.scene, 2001));
-        const std::optional<BenchmarkSet> benchmark = benchmark_in_force("A2");
+        const Limits limits = limits_for(loaded.task, loaded.scene, DeviceClass::synthetic);
         LiveRequest request;
         request.loaded = loaded;
         request.seed = 2001;
@@ -83,10 +83,10 @@ struct Attempt {
         request.store_path = store_path;
         request.session = session;
         request.meta = attempt_meta(loaded, request.seed, AttemptMode::assessed, DeviceClass::synthetic,
-                                    "synthetic operator", benchmark ? &*benchmark : nullptr);
+                                    "synthetic operator", limits);
         request.meta.person_id =
             database::People(store).ensure_synthetic(session, "expert", "Synthetic expert").id;
-        request.benchmark = benchmark;
+        request.limits = limits;
         live.emplace(std::move(request));
         live->start();
     }

@@ -25,6 +25,10 @@ class ForwardingServices : public ui::ApplicationServices {
         if (between) asked.rig = between(request.rig);
         return own_->start_attempt(asked);
     }
+    Statement why_not_comparable(const database::Session& session, const std::string& task_id,
+                                 DeviceClass device_class) override {
+        return own_->why_not_comparable(session, task_id, device_class);
+    }
     std::unique_ptr<ui::AttemptSession> start_demonstration(const database::Session& session,
                                                             const std::string& task_id) override {
         return own_->start_demonstration(session, task_id);

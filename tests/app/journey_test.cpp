@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QHeaderView>
 #include <QPlainTextEdit>
+#include <QRadioButton>
 #include <QSlider>
 #include <nlohmann/json.hpp>
 
@@ -231,7 +232,12 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     compare_figures(csv_rows(read_text(by_trainee)), first);
 
     home();
-    start("B1", true);
+    click(window, "briefing_B1");
+    expect_page("briefing_page");
+    EXPECT_FALSE(find<QRadioButton>(window, "mode_assessed")->isEnabled())
+        << "B1 is not assessed with mouse and keyboard";
+    home();
+    start("B1", false);
     move_hands(10);
     ASSERT_TRUE(wait_for([&] { return theatre().session()->display().elapsed_s > 1.5; }, 60000));
     page.step("B1-begun", "B1 at the start");

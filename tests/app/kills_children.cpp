@@ -45,7 +45,7 @@ int perform_until_killed(const char* folder, const char* counters_path, unsigned
     const database::Person person =
         database::People(store).ensure_synthetic(station, "expert", "Synthetic expert");
     const LoadedTask loaded = load_task_and_scene("A2");
-    const std::optional<BenchmarkSet> benchmark = benchmark_in_force("A2");
+    const Limits limits = limits_for(loaded.task, loaded.scene, DeviceClass::synthetic);
     for (std::uint64_t number = 0;; ++number) {
         LiveRequest request;
         request.loaded = loaded;
@@ -55,9 +55,9 @@ int perform_until_killed(const char* folder, const char* counters_path, unsigned
         request.store_path = store_path;
         request.session = station;
         request.meta = attempt_meta(loaded, request.seed, AttemptMode::assessed, DeviceClass::synthetic,
-                                    "synthetic operator", &*benchmark);
+                                    "synthetic operator", limits);
         request.meta.person_id = person.id;
-        request.benchmark = benchmark;
+        request.limits = limits;
         counters->ticks.store(0);
         LiveAttempt attempt(std::move(request));
         attempt.start();

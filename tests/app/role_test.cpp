@@ -35,7 +35,7 @@ class Roles : public Window {
         const LoadedTask loaded = load_task_and_scene("A2");
         AttemptRequest request{session, "A2", true, 5, MouseKeyboardInput(loaded.scene).rig()};
         database::AttemptMeta meta = attempt_meta(loaded, 5, AttemptMode::assessed,
-                                                  DeviceClass::mouse_keyboard, "mouse and keyboard", nullptr);
+                                                  DeviceClass::mouse_keyboard, "mouse and keyboard", {});
         meta.person_id = session.person_id();
         const auto begin = [&] { services.start_attempt(request); };  // prepared, then closed
         const auto record = [&] { database::Recorder(services.store_path(false), session, meta); };

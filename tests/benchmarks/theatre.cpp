@@ -113,7 +113,7 @@ std::unique_ptr<LiveAttempt> start_attempt(const database::Store& store, const L
     request.store_path = store.path();
     request.session = session;
     request.meta =
-        attempt_meta(loaded, 1, AttemptMode::practice, DeviceClass::synthetic, "synthetic operator", nullptr);
+        attempt_meta(loaded, 1, AttemptMode::practice, DeviceClass::synthetic, "synthetic operator", {});
     request.meta.person_id = person.id;
     request.meta.operator_name = "expert";
     return std::make_unique<LiveAttempt>(std::move(request));

@@ -33,6 +33,9 @@ class FakeServices : public ApplicationServices {
     const std::vector<TaskDefinition>& tasks() const override { return tasks_; }
     Scene scene_for(const TaskDefinition& task) const override;
     std::unique_ptr<AttemptSession> start_attempt(const AttemptRequest& request) override;
+    Statement why_not_comparable(const database::Session&, const std::string&, DeviceClass) override {
+        return {};
+    }
     std::unique_ptr<AttemptSession> start_demonstration(const database::Session& session,
                                                         const std::string& task_id) override;
     std::vector<InterruptedScore> score_interrupted(const database::Session&, const Progress&) override {

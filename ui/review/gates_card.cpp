@@ -102,11 +102,11 @@ void GatesCard::open(const AttemptModel& model) {
         table_->setItem(row, 3, make_cell(limit, right));
         table_->setItem(row, 4, make_cell(z_text(gate.z), right));
         table_->setItem(row, 5, verdict_cell);
-        QString source = gate.value ? text(gate.limit_source) : statement_text(gate.not_passed_because);
+        const bool judged = gate.value && gate.limit;
+        QString source = judged ? text(gate.limit_source) : statement_text(gate.not_passed_because);
         // A source may say it of itself.
         if (gate.provisional && !source.contains(QLatin1String("provisional")))
-            source =
-                gate.value ? tr("provisional: %1").arg(source) : tr("%1 (limit provisional)").arg(source);
+            source = judged ? tr("provisional: %1").arg(source) : tr("%1 (limit provisional)").arg(source);
         auto* source_cell = make_cell(source);
         source_cell->setToolTip(source);
         table_->setItem(row, 6, source_cell);

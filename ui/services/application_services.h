@@ -68,9 +68,13 @@ class TaskService {
 class AttemptService {
   public:
     virtual ~AttemptService() = default;
-    /// Prepares an attempt; it begins with AttemptSession::start(). Throws InputError, database::StoreError,
-    /// database::AccessDenied.
+    /// Prepares an attempt; it begins with AttemptSession::start(). Throws InputError (also where the task is
+    /// not assessed with this device), database::StoreError, database::AccessDenied.
     virtual std::unique_ptr<AttemptSession> start_attempt(const AttemptRequest& request) = 0;
+    /// Why attempts with this device are not compared with the task's limits; empty where they are, or where
+    /// it has none. Throws InputError, database::AccessDenied.
+    virtual Statement why_not_comparable(const database::Session& session, const std::string& task_id,
+                                         DeviceClass device_class) = 0;
     /// An expert operator performs the task to be watched; nothing is stored. Prepares like an attempt; its
     /// outcome stays empty.
     virtual std::unique_ptr<AttemptSession> start_demonstration(const database::Session& session,

@@ -93,6 +93,9 @@ class AttemptSession {
     virtual const std::optional<AttemptOutcome>& outcome() const = 0;
 };
 
+/// What the window's attempts are made with.
+inline constexpr DeviceClass window_device = DeviceClass::mouse_keyboard;
+
 struct AttemptRequest {
     database::Session session;  ///< whose attempt it is
     std::string task_id;
@@ -101,7 +104,7 @@ struct AttemptRequest {
     /// The hands. Called on the haptic thread once a tick: must neither lock nor allocate. Pause, abandon and
     /// loss flags are added by the session. Device class and name are stored with the attempt.
     std::shared_ptr<Rig> rig;
-    DeviceClass device_class = DeviceClass::mouse_keyboard;
+    DeviceClass device_class = window_device;
     std::string device = "mouse and keyboard";
 };
 

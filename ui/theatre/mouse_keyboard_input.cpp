@@ -8,18 +8,8 @@
 namespace fulcrum::ui {
 namespace {
 
-constexpr double metres_per_pixel = 0.35e-3;  // of the handle
 constexpr double radians_per_pixel = 0.008;
-constexpr double metres_per_notch = 4e-3;  // of insertion
-constexpr double handle_speed = 0.07;      // m/s, keys
-constexpr double insertion_speed = 0.05;   // m/s
-constexpr double roll_speed = 1.8;         // rad/s
-constexpr double camera_speed = 0.045;     // m/s of the scope's handle
-constexpr double widest_tilt = 1.2;        // rad from the nominal shaft
-constexpr double least_inside = 0.005;     // m of insertion
-
-// Follow rates at one tick of 1 ms: 1 - exp(-2 pi 12 Hz 1 ms), and the same at 6 Hz for the jaws.
-constexpr double follow_rate = 0.07262, jaw_rate = 0.03700;
+constexpr double roll_speed = 1.8;  // rad/s, keys
 
 constexpr int longest_ramp = 400;  // ticks from one target to the next
 
@@ -41,61 +31,26 @@ constexpr KeyMove key_moves[] = {
     {Qt::Key_PageDown, 2, 0, 0, -1, 0}, {Qt::Key_Home, 2, 0, 0, 0, -1},      {Qt::Key_End, 2, 0, 0, 0, 1},
 };
 
-DeviceReading start_reading(double shaft_length, double insertion, double jaw) {
-    DeviceReading reading;
-    reading.handle = Vector3(0, 0, -(shaft_length - insertion));
-    reading.jaw = jaw;
-    return reading;
-}
-
 }  // namespace
-
-MouseKeyboardRig::Follower MouseKeyboardRig::start_follower(const DeviceReading& start) {
-    Follower follower;
-    follower.line = follower.first = follower.second = start.handle;
-    follower.roll = start.roll;
-    follower.jaw = start.jaw;
-    follower.grip = start.grip;
-    // The first reading is the start itself, not a jump from the origin.
-    follower.last = quantise(start, follower.last);
-    return follower;
-}
 
 MouseKeyboardRig::MouseKeyboardRig(const HandTargets& start) {
     targets_.fill(start);
-    for (int h = 0; h < hand_count; ++h) hand_[h] = start_follower(start.hand[h]);
-    camera_ = start_follower(start.camera);
-}
-
-void MouseKeyboardRig::follow(Follower& follower, const DeviceReading& target, DeviceSample& sample) const {
-    if (new_target_) follower.line_step = (target.handle - follower.line) / (ramp_ + 1);
-    follower.line = ramp_ > 0 ? Vector3(follower.line + follower.line_step) : target.handle;
-    follower.first += follow_rate * (follower.line - follower.first);
-    follower.second += follow_rate * (follower.first - follower.second);
-    follower.roll += follow_rate * (target.roll - follower.roll);
-    follower.jaw += jaw_rate * (target.jaw - follower.jaw);
-    follower.grip += jaw_rate * (target.grip - follower.grip);
-    DeviceReading reading = target;
-    reading.handle = follower.second;
-    reading.roll = follower.roll;
-    reading.jaw = follower.jaw;
-    reading.grip = follower.grip;
-    sample = quantise(reading, follower.last);
-    follower.last = sample;
+    for (int h = 0; h < hand_count; ++h) hand_[h] = HandleFollower(start.hand[h]);
+    camera_ = HandleFollower(start.camera);
 }
 
 void MouseKeyboardRig::read(std::uint32_t tick, RigSample& sample) {
     ++since_target_;
-    new_target_ = targets_.update();
-    if (new_target_) {
-        ramp_ = std::min(since_target_, longest_ramp);
+    if (targets_.update()) {
+        const int ramp = std::min(since_target_, longest_ramp) - 1;
         since_target_ = 0;
+        const HandTargets& wanted = targets_.value();
+        for (int h = 0; h < hand_count; ++h) hand_[h].aim(wanted.hand[h], ramp);
+        camera_.aim(wanted.camera, ramp);
     }
-    if (ramp_ > 0) --ramp_;
-    const HandTargets& wanted = targets_.value();
     sample.tick = tick;
-    for (int h = 0; h < hand_count; ++h) follow(hand_[h], wanted.hand[h], sample.hand[h]);
-    follow(camera_, wanted.camera, sample.camera);
+    for (int h = 0; h < hand_count; ++h) sample.hand[h] = hand_[h].tick();
+    sample.camera = camera_.tick();
 }
 
 MouseKeyboardInput::MouseKeyboardInput(const Scene& scene) {
@@ -106,8 +61,8 @@ MouseKeyboardInput::MouseKeyboardInput(const Scene& scene) {
         hand_[h].trocar = make_trocar(spec->trocar);
         hand_[h].opening = spec->jaw_opening;
         hand_[h].grip = spec->grip_force;
-        targets_.hand[h] =
-            start_reading(spec->trocar.shaft_length, spec->start_insertion, spec->jaw_opening * 0.6);
+        targets_.hand[h] = start_reading(spec->trocar.shaft_length, spec->start_insertion,
+                                         spec->jaw_opening * open_jaw_share);
     }
     if (scene.camera) {
         has_camera_ = true;
@@ -124,31 +79,6 @@ MouseKeyboardInput::MouseKeyboardInput(const Scene& scene) {
     rig_ = std::make_shared<MouseKeyboardRig>(targets_);
 }
 
-void MouseKeyboardInput::shift_handle(DeviceReading& reading, const Trocar& trocar,
-                                      const Vector3& shift) const {
-    const double outside = reading.handle.norm();
-    const Vector3 along = reading.handle / outside;
-    Vector3 step = trocar.rotation.transpose() * shift;
-    step -= along * along.dot(step);
-    Vector3 moved = reading.handle + step;
-    moved *= outside / moved.norm();
-    // The cone that a trocar allows.
-    const double tilt = std::atan2(std::hypot(moved.x(), moved.y()), -moved.z());
-    if (tilt > widest_tilt) {
-        const double across = std::hypot(moved.x(), moved.y());
-        const double scale = std::sin(widest_tilt) * outside / across;
-        moved = Vector3(moved.x() * scale, moved.y() * scale, -std::cos(widest_tilt) * outside);
-    }
-    reading.handle = moved;
-}
-
-void MouseKeyboardInput::insert(DeviceReading& reading, const Trocar& trocar, double depth) const {
-    const double outside = reading.handle.norm();
-    const double wanted =
-        std::clamp(outside - depth, handle_clearance + 0.01, trocar.shaft_length - least_inside);
-    reading.handle *= wanted / outside;
-}
-
 void MouseKeyboardInput::move_mouse(const QPointF& pixels, bool roll) {
     const auto h = static_cast<std::size_t>(active_);
     if (!hand_[h].exists) return;
@@ -162,7 +92,7 @@ void MouseKeyboardInput::move_mouse(const QPointF& pixels, bool roll) {
 
 void MouseKeyboardInput::turn_wheel(double notches) {
     const auto h = static_cast<std::size_t>(active_);
-    if (hand_[h].exists) insert(targets_.hand[h], hand_[h].trocar, notches * metres_per_notch);
+    if (hand_[h].exists) insert_handle(targets_.hand[h], hand_[h].trocar, notches * metres_per_notch);
 }
 
 void MouseKeyboardInput::set_primary_button(bool pressed) {
@@ -221,16 +151,16 @@ void MouseKeyboardInput::advance(double dt) {
         if (camera ? !has_camera_ : !hand_[move.hand].exists) continue;
         DeviceReading& reading = camera ? targets_.camera : targets_.hand[move.hand];
         const Trocar& trocar = camera ? camera_trocar_ : hand_[move.hand].trocar;
-        const double reach = (camera ? camera_speed : handle_speed) * dt;
+        const double reach = (camera ? key_camera_speed : key_handle_speed) * dt;
         if (move.right != 0 || move.up != 0) {
             shift_handle(reading, trocar, on_screen(move.right * reach, move.up * reach));
         }
-        if (move.in != 0) insert(reading, trocar, move.in * insertion_speed * dt);
+        if (move.in != 0) insert_handle(reading, trocar, move.in * key_insertion_speed * dt);
         reading.roll += move.roll * roll_speed * dt;
     }
     for (int h = 0; h < hand_count; ++h) {
         const bool closed = jaws_closed(static_cast<Hand>(h));
-        targets_.hand[h].jaw = closed ? 0 : hand_[h].opening * 0.6;
+        targets_.hand[h].jaw = closed ? 0 : hand_[h].opening * open_jaw_share;
         targets_.hand[h].grip = closed ? hand_[h].grip : 0;
         const bool active = h == static_cast<int>(active_);
         unsigned buttons = closed ? button_primary : button_none;

@@ -15,6 +15,7 @@
 
 #include "sim_core/instrument/device.h"
 #include "sim_core/instrument/instrument.h"
+#include "sim_core/instrument/mouse_mapping.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/telemetry/ring.h"
 
@@ -37,18 +38,9 @@ class MouseKeyboardRig : public Rig {
     TripleBuffer<HandTargets>& targets() { return targets_; }
 
   private:
-    struct Follower {
-        Vector3 line = Vector3::Zero(), line_step = Vector3::Zero();  ///< of the handle, m and m a tick
-        Vector3 first = Vector3::Zero(), second = Vector3::Zero();    ///< the two low-passes of it
-        double roll = 0, jaw = 0, grip = 0;
-        DeviceSample last;
-    };
-    static Follower start_follower(const DeviceReading& start);
-    void follow(Follower& follower, const DeviceReading& target, DeviceSample& sample) const;
     TripleBuffer<HandTargets> targets_;
-    Follower hand_[hand_count], camera_;
-    int since_target_ = 0, ramp_ = 0;  ///< ticks since the last target came; ticks left on the way to it
-    bool new_target_ = false;
+    HandleFollower hand_[hand_count], camera_;
+    int since_target_ = 0;  ///< ticks since the last target came
 };
 
 class MouseKeyboardInput {
@@ -89,9 +81,6 @@ class MouseKeyboardInput {
         double opening = 1.0, grip = 8.0;
         bool exists = false, latched = false;
     };
-    /// Moves a handle by `shift` (m, patient frame) across its shaft; the insertion stays.
-    void shift_handle(DeviceReading& reading, const Trocar& trocar, const Vector3& shift) const;
-    void insert(DeviceReading& reading, const Trocar& trocar, double depth) const;
     void publish();
     Vector3 on_screen(double right, double up) const { return view_ * Vector3(right, up, 0); }
 

@@ -89,9 +89,8 @@ bool TheatrePage::begin(const std::string& task_id, bool assessed) {
                auto input = std::make_unique<MouseKeyboardInput>(context().services().scene_for(*task));
                if (!task->goals.empty())
                    input->take_hand(asked_hand(task->goals.front()).value_or(input->active_hand()));
-               AttemptRequest request{
-                   context().session(), task_id, assessed, 0, input->rig(), DeviceClass::mouse_keyboard,
-                   "mouse and keyboard"};
+               AttemptRequest request{context().session(), task_id, assessed, 0, input->rig(), window_device,
+                                      "mouse and keyboard"};
                session_ = context().services().start_attempt(request);
                input_ = std::move(input);
            });

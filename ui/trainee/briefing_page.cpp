@@ -8,6 +8,17 @@
 #include "ui/style/widgets.h"
 
 namespace fulcrum::ui {
+namespace {
+
+/// Why the task cannot be assessed here.
+QString practice_only(const TaskDefinition& task) {
+    QStringList named;
+    for (const DeviceClass one : task.device_classes) named << device_class_text(one);
+    return BriefingPage::tr("With %1 this task is practice only; it is assessed with: %2.")
+        .arg(device_class_text(window_device), named.join(QStringLiteral(", ")));
+}
+
+}  // namespace
 
 BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
     auto* body = new QWidget;
@@ -78,9 +89,10 @@ void BriefingPage::fill() {
     clear_layout(judged_);
     title_->setText(context().task_title(task_id_));
     const bool demo = context().store().is_demo();
-    assessed_->setEnabled(!demo);
-    if (demo) practice_->setChecked(true);
     const TaskDefinition* task = context().task(task_id_);
+    const bool assessable = task != nullptr && can_be_assessed(*task, window_device);
+    assessed_->setEnabled(!demo && assessable);
+    if (!assessed_->isEnabled()) practice_->setChecked(true);
     start_->setEnabled(task != nullptr);
     watch_->setEnabled(task != nullptr);
     const QString start = tr("Start as %1").arg(text(context().session().display_name()));
@@ -124,24 +136,29 @@ void BriefingPage::fill() {
             tr("Critical errors (the attempt fails): %1").arg(errors.join(QStringLiteral(", "))), "bad"));
     }
     judged_->addStretch();
-    mode_note_->setText(
-        demo ? tr("The demonstration accepts practice attempts only.")
-             : tr("You work with mouse and keyboard: force is shown as bars, not felt. F1 shows the keys."));
-    show_tissue_note();
+    const QString hands =
+        tr("You work with mouse and keyboard: force is shown as bars, not felt. F1 shows the keys.");
+    mode_note_->setText(demo         ? tr("The demonstration accepts practice attempts only.")
+                        : assessable ? hands
+                                     : hands + QStringLiteral(" ") + practice_only(*task));
+    show_notes();
 }
 
-void BriefingPage::show_tissue_note() {
+void BriefingPage::show_notes() {
     SiteTissues site;
-    context().guarded([&] { site = context().services().site_tissues(context().session(), task_id_); });
+    Statement limits;
+    context().guarded([&] {
+        site = context().services().site_tissues(context().session(), task_id_);
+        limits = context().services().why_not_comparable(context().session(), task_id_, window_device);
+    });
     QString note;
     if (site.differ)
         note = tr("This site has its own tissue values (version %1): cutting parameters differ from the "
                   "scene's.")
                    .arg(site.version);
-    if (!site.limits_note.empty())
-        note +=
-            (note.isEmpty() ? QString() : QStringLiteral(" ")) +
-            tr("Gates based on the experts' range are not scored: %1.").arg(statement_text(site.limits_note));
+    const QString gap = note.isEmpty() ? QString() : QStringLiteral(" ");
+    if (!limits.empty())
+        note += gap + tr("Gates based on the experts' range are not scored: %1.").arg(statement_text(limits));
     tissue_note_->setText(note);
     tissue_note_->setVisible(!note.isEmpty());
 }

@@ -20,7 +20,7 @@ class BriefingPage : public Page {
 
   private:
     void fill();
-    void show_tissue_note();
+    void show_notes();
     std::string task_id_;
     QLabel *title_, *briefing_, *mode_note_, *tissue_note_;
     QVBoxLayout *steps_, *judged_;

@@ -63,10 +63,10 @@ TEST_F(SiteTissue, AnAttemptIsPerformedAndReplayedInTheTissueItBeganIn) {
     request.seed = 7;
     request.keep_going = [](double time) { return time < 14; };
     AttemptMeta meta = attempt_meta(request.loaded, request.seed, AttemptMode::practice,
-                                    DeviceClass::synthetic, "synthetic operator", nullptr);
+                                    DeviceClass::synthetic, "synthetic operator", {});
     meta.person_id = programme.synthetic.person;
     Recorder recorder(programme.path, station, meta);
-    const Performed performed = perform(request, &recorder, nullptr);
+    const Performed performed = perform(request, &recorder, {});
     ASSERT_TRUE(std::any_of(performed.record.events.begin(), performed.record.events.end(),
                             [](const Event& event) { return event.kind == EventKind::cut_advance; }))
         << "the values affect cutting only";
@@ -88,21 +88,22 @@ TEST_F(SiteTissue, AnAttemptIsPerformedAndReplayedInTheTissueItBeganIn) {
 }
 
 TEST_F(SiteTissue, LimitsMadeInOtherTissueDoNotScoreAnAttempt) {
-    const std::optional<BenchmarkSet> shipped = benchmark_in_force("B2");
-    ASSERT_TRUE(shipped);
     const LoadedTask own = load_task_and_scene("B2");
-    EXPECT_EQ(why_not_comparable(*shipped, own.scene, own.task.scene), Statement());
+    const Limits shipped = limits_for(own.task, own.scene, DeviceClass::haptic);
+    ASSERT_TRUE(shipped.set);
+    EXPECT_EQ(shipped.comparable(), &*shipped.set);
     EXPECT_EQ(site_tissues(store, *programme.educator, "B2").limits_note, Statement());
     set(tough, "as in our patients");
     const LoadedTask here = load_site_task(store, *programme.educator, "B2");
-    const Statement why = why_not_comparable(*shipped, here.scene, here.task.scene);
+    const Limits other = limits_for(here.task, here.scene, DeviceClass::haptic);
+    const Statement why = other.not_comparable;
+    EXPECT_EQ(other.comparable(), nullptr);
+    EXPECT_EQ(other.name(), shipped.name());
     EXPECT_NE(words_of(why).find("areolar: penetrate_n 0.11, there 0.04"), std::string::npos)
         << words_of(why);
     EXPECT_EQ(site_tissues(store, *programme.educator, "B2").limits_note, why);
-    BenchmarkSet built_here = *shipped;
+    BenchmarkSet built_here = *shipped.set;
     built_here.cutting = cutting_values(here.scene);
-    EXPECT_EQ(why_not_comparable(built_here, here.scene, here.task.scene), Statement());
-    EXPECT_NE(why_not_comparable(built_here, own.scene, own.task.scene), Statement());
     EXPECT_EQ(parse_benchmark(benchmark_to_json(built_here).dump(), "set").cutting, built_here.cutting);
 
     TaskDefinition task = own.task;

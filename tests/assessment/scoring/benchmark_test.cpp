@@ -155,6 +155,59 @@ TEST(BenchmarkBuilder, MakesASetThatItsExpertsPass) {
               benchmark_to_json(set));
 }
 
+TEST(Benchmark, IsNamedAfterItsKey) {
+    using D = DeviceClass;
+    EXPECT_EQ(benchmark_name({"A2", "standard", D::haptic, "standard"}), "A2");
+    EXPECT_EQ(benchmark_name({"A2", "standard", D::mouse_keyboard, "standard"}), "A2-mouse-keyboard");
+    EXPECT_EQ(benchmark_name({"B1", "long_jaws", D::tracked, "fast"}), "B1-long_jaws-tracked-fast");
+}
+
+TEST(BenchmarkBuilder, NeverAsksForMoreThanPeopleCanRepeat) {
+    BenchmarkRequest request = request_of(1);
+    request.version = 7;
+    for (std::size_t i = 0; i < request.experts.size(); ++i)
+        request.experts[i].metrics[0].value = 60 + 0.1 * static_cast<double>(i % 3);  // 0.2 % apart
+    const BenchmarkBuild build = build_benchmark(small_task(), request);
+    ASSERT_TRUE(build.set) << build.refusal;
+    EXPECT_EQ(build.set->version, 7);
+    EXPECT_EQ(build.set->levels[0].deviation, find_metric("time")->least_deviation);
+    EXPECT_GE(build.set->levels[0].deviation, 0.09);
+    EXPECT_FALSE(build.set->levels[0].absolute_limit);
+    for (const char* metric : {"time", "path_len", "f_max", "sparc"})
+        EXPECT_GT(find_metric(metric)->least_deviation, 0) << metric;
+}
+
+TEST(BenchmarkBuilder, GivesBothHandsOneLimitWhereTheyDoTheSame) {
+    TaskDefinition task = small_task();
+    task.gates = {{"path_len", "left", "", GateKind::benchmark, 0, ""},
+                  {"path_len", "right", "", GateKind::benchmark, 0, ""}};
+    task.metrics = {"path_len"};
+    BenchmarkRequest request;
+    std::mt19937 random(3);
+    std::normal_distribution<double> normal;
+    for (int p = 0; p < 8; ++p)
+        for (int a = 0; a < 3; ++a)
+            request.experts.push_back({"expert " + std::to_string(p),
+                                       {test::figure("path_len", "left", 600 + 60 * normal(random)),
+                                        test::figure("path_len", "right", 800 + 60 * normal(random))},
+                                       AttemptState::completed,
+                                       {}});
+    const auto levels = [&] {
+        const BenchmarkBuild build = build_benchmark(task, request);
+        EXPECT_TRUE(build.set) << build.refusal;
+        return build.set ? build.set->levels : std::vector<BenchmarkLevel>(2);
+    };
+    const std::vector<BenchmarkLevel> apart = levels();
+    EXPECT_LT(apart[0].mean, apart[1].mean - 0.2);
+    task.hands_alike = true;
+    const std::vector<BenchmarkLevel> alike = levels();
+    EXPECT_EQ(alike[0].mean, alike[1].mean);
+    EXPECT_EQ(alike[0].deviation, alike[1].deviation);
+    EXPECT_GT(alike[0].mean, apart[0].mean + 0.05);
+    EXPECT_LT(alike[0].mean, apart[1].mean - 0.05);
+    EXPECT_GT(alike[0].deviation, apart[0].deviation);
+}
+
 TEST(BenchmarkBuilder, RaisesKUntilTheExpertsPass) {
     const TaskDefinition task = small_task();
     bool raised = false;

@@ -59,7 +59,7 @@ inline BenchmarkSet small_set() {
     BenchmarkSet set;
     set.task = "T1";
     set.variant_family = "standard";
-    set.device_class = "any";
+    set.device_class = DeviceClass::haptic;
     set.fidelity = "standard";
     set.source = "synthetic operators";
     set.k = 2.0;

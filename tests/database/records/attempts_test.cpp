@@ -228,7 +228,13 @@ TEST(Score, IsStaleUntilOneRestsOnWhatIsInForce) {
     const Session& educator = programme.session("educator");
     ScoringInForce now;
     now.metric_versions = {{"path_len", 1}, {"sparc", 2}, {"time", 4}};
-    now.limits["A2"] = "A2-operators@1";
+    std::string in_force = "A2-operators@1";
+    now.limits = [&](const AttemptMeta& attempt) {
+        return attempt.task_id == "A2" && attempt.device_class == DeviceClass::mouse_keyboard &&
+                       attempt.variant == "standard" && attempt.fidelity == "standard"
+                   ? in_force
+                   : std::string();
+    };
     EXPECT_TRUE(attempts.stale_scores(educator, now).empty());
     now.metric_versions["sparc"] = 3;
     auto stale = attempts.stale_scores(educator, now);
@@ -248,7 +254,7 @@ TEST(Score, IsStaleUntilOneRestsOnWhatIsInForce) {
     stale = attempts.stale_scores(educator, now);
     ASSERT_EQ(stale.size(), 1U);
     EXPECT_EQ(stale[0].attempt_id, second);
-    now.limits["A2"] = "A2-site@1";
+    in_force = "A2-site@1";
     now.metric_versions.erase("path_len");
     stale = attempts.stale_scores(educator, now);
     ASSERT_EQ(stale.size(), 2U);

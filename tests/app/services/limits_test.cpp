@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An attempt is held against limits of its own task, variant, device class, fidelity and tissue only; against
+// any others it is not comparable and says why. Limits in force at the start of an attempt stay its limits.
+#include <gtest/gtest.h>
+
+#include <QByteArray>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/cli/attempt_document.h"
+#include "app/services/program.h"
+#include "assessment/assets/assets.h"
+#include "assessment/metrics/statement_words.h"
+#include "database/records/attempts.h"
+#include "database/scoring/loaded_task.h"
+#include "database/scoring/scoring.h"
+#include "sim_core/numerics/input_error.h"
+#include "tests/support/own_folder.h"
+#include "tests/support/support.h"
+
+namespace fulcrum::app::test {
+namespace {
+
+using nlohmann::json;
+
+/// With a copy of the assets that a test may change.
+class OwnLimits : public ::testing::Test {
+  protected:
+    OwnLimits() {
+        std::filesystem::copy(fulcrum::test::source_path("assets"), assets_,
+                              std::filesystem::copy_options::recursive);
+        qputenv("FULCRUM_ASSETS", QByteArray::fromStdString(assets_.string()));
+    }
+    ~OwnLimits() override {
+        if (before_.isNull()) {
+            qunsetenv("FULCRUM_ASSETS");
+        } else {
+            qputenv("FULCRUM_ASSETS", before_);
+        }
+    }
+    struct Outcome {
+        int status;
+        std::string errors;
+        json document;
+    };
+    static Outcome run(std::vector<std::string> words) {
+        std::ostringstream out, errors;
+        std::streambuf* const before_out = std::cout.rdbuf(out.rdbuf());
+        std::streambuf* const before_errors = std::cerr.rdbuf(errors.rdbuf());
+        int status = 2;
+        try {
+            status = run_command(words);
+        } catch (const InputError& error) {  // as the program does
+            errors << error.what();
+        }
+        std::cout.rdbuf(before_out);
+        std::cerr.rdbuf(before_errors);
+        return {status, errors.str(), out.str().empty() ? json() : json::parse(out.str())};
+    }
+    json perform(std::vector<std::string> words) const {
+        words.insert(words.begin(), "perform");
+        words.insert(words.end(), {"--seed", "2001", "--db", store_, "--json"});
+        const Outcome outcome = run(words);
+        EXPECT_EQ(outcome.status, 0) << outcome.errors;
+        return outcome.document;
+    }
+    void change_set(const std::string& name, const std::function<void(json&)>& change) const {
+        const std::filesystem::path file = assets_ / "benchmarks" / (name + ".json");
+        json set = json::parse(std::ifstream(file));
+        change(set);
+        std::ofstream(file) << set.dump(1);
+    }
+
+    fulcrum::test::OwnFolder folder_;
+    std::filesystem::path assets_ = folder_ / "assets";
+    std::string store_ = (folder_ / "fulcrum.db").string();
+    QByteArray before_ = qgetenv("FULCRUM_ASSETS");
+};
+
+TEST_F(OwnLimits, AreFoundByTaskVariantDeviceClassAndFidelity) {
+    const LoadedTask a2 = load_task_and_scene("A2");
+    const Limits haptic = limits_for(a2.task, a2.scene, DeviceClass::haptic);
+    ASSERT_NE(haptic.comparable(), nullptr);
+    EXPECT_EQ(haptic.name(), "A2-provisional@" + std::to_string(haptic.set->version));
+    for (const DeviceClass free_hand : {DeviceClass::synthetic, DeviceClass::external})
+        EXPECT_EQ(limits_for(a2.task, a2.scene, free_hand).name(), haptic.name());
+
+    const Limits controller = limits_for(a2.task, a2.scene, DeviceClass::controller);
+    EXPECT_EQ(controller.comparable(), nullptr);
+    EXPECT_EQ(controller.name(), "");
+    EXPECT_EQ(words_of(controller.not_comparable),
+              "not comparable: there are no limits for this device class (game controller)");
+
+    const LoadedTask fast = load_task_and_scene("A2", "fast");
+    EXPECT_EQ(words_of(limits_for(fast.task, fast.scene, DeviceClass::haptic).not_comparable),
+              "not comparable: the limits are for fidelity standard, the attempt used fast");
+
+    LoadedTask long_jaws = load_task_and_scene("B1");
+    long_jaws.scene = load_scene(asset_path("scenes/b1_long_jaws.json"));
+    EXPECT_EQ(words_of(limits_for(long_jaws.task, long_jaws.scene, DeviceClass::haptic).not_comparable),
+              "not comparable: the limits are for variant standard, the attempt used long_jaws");
+
+    const LoadedTask b0 = load_task_and_scene("B0");
+    EXPECT_TRUE(limits_for(b0.task, b0.scene, DeviceClass::controller).not_comparable.empty())
+        << "it has no gates based on a set";
+
+    change_set("A2", [](json& set) { set["device_class"] = "controller"; });
+    EXPECT_THROW(limits_for(a2.task, a2.scene, DeviceClass::haptic), InputError)
+        << "the file's name promises another set";
+    std::filesystem::rename(assets_ / "benchmarks/A2.json", assets_ / "benchmarks/A2-controller.json");
+    EXPECT_EQ(limits_for(a2.task, a2.scene, DeviceClass::controller).name(),
+              "A2-controller" + haptic.name().substr(2));
+}
+
+TEST_F(OwnLimits, OfTheStandardFidelityDoNotJudgeTheFastOne) {
+    const json attempt = perform({"A2", "--fidelity", "fast"});
+    EXPECT_TRUE(attempt["passed"].is_null());
+    EXPECT_TRUE(attempt["points"].is_null());
+    EXPECT_EQ(attempt["not_scored_because"],
+              "not comparable: the limits are for fidelity standard, the attempt used fast");
+    for (const json& gate : attempt["gates"]) {
+        const bool absolute = gate["kind"] == "absolute";
+        EXPECT_EQ(gate["passed"].is_null(), !absolute) << gate;
+        EXPECT_EQ(gate["absent_because"].is_null(), absolute) << gate;
+    }
+}
+
+TEST_F(OwnLimits, PracticeIsAllThatOtherDevicesAreFor) {
+    const Outcome outcome = run({"perform", "B1", "--device-class", "controller", "--db", store_});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.errors.find("attempts with game controller are not assessed, they are practice only"),
+              std::string::npos)
+        << outcome.errors;
+    EXPECT_FALSE(std::filesystem::exists(store_)) << "said before anything begins";
+    const TaskDefinition b1 = load_task(task_file("B1"));
+    EXPECT_FALSE(can_be_assessed(b1, DeviceClass::mouse_keyboard));
+    EXPECT_TRUE(can_be_assessed(b1, DeviceClass::haptic));
+    EXPECT_TRUE(can_be_assessed(b1, DeviceClass::synthetic));
+}
+
+TEST_F(OwnLimits, StayThoseOfTheStartWhenTheSetIsReplaced) {
+    const json first = perform({"A2"});
+    ASSERT_EQ(first["passed"], true) << first["advice"];
+    const LoadedTask a2 = load_task_and_scene("A2");
+    const std::string old_name = limits_for(a2.task, a2.scene, DeviceClass::synthetic).name();
+    change_set("A2", [](json& set) {
+        set["version"] = set["version"].get<int>() + 1;
+        for (json& level : set["levels"])
+            if (level["metric"] == "time") level["mean"] = level["mean"].get<double>() - 2;
+    });
+    const std::string new_name = limits_for(a2.task, a2.scene, DeviceClass::synthetic).name();
+    EXPECT_NE(new_name, old_name);
+    const json second = perform({"A2"});
+    EXPECT_EQ(second["passed"], false);
+    EXPECT_EQ(second["state_hash"], first["state_hash"]);
+
+    const database::Store store = database::Store::open(store_);
+    const database::Session station = store.station_session();
+    const database::Attempts attempts(store);
+    const auto in_force = [&](const json& attempt) {
+        return *attempts.score(station, attempt["attempt"].get<std::string>());
+    };
+    EXPECT_EQ(in_force(first).passed, true);
+    EXPECT_EQ(in_force(first).limits, old_name);
+    EXPECT_EQ(in_force(second).limits, new_name);
+    // What was interrupted is scored later, and not by limits that came after its start.
+    EXPECT_EQ(limits_at_start(a2.task, a2.scene, DeviceClass::synthetic, new_name).name(), new_name);
+    const Limits replaced = limits_at_start(a2.task, a2.scene, DeviceClass::synthetic, old_name);
+    EXPECT_EQ(replaced.comparable(), nullptr);
+    EXPECT_EQ(replaced.not_comparable, Statement(StatementId::limits_replaced));
+}
+
+TEST_F(OwnLimits, OfTheNamedDeviceAndFidelityJudgeATraceFile) {
+    const json attempt = perform({"A2"});
+    {
+        const database::Store store = database::Store::open(store_);
+        export_trace(store, store.station_session(), attempt["attempt"].get<std::string>(),
+                     (folder_ / "trace").string());
+    }
+    const auto verdict = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words = {"metrics",  (folder_ / "trace/trace.csv").string(),
+                                          "--events", (folder_ / "trace/events.csv").string(),
+                                          "--task",   "A2",
+                                          "--json"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Outcome outcome = run(words);
+        EXPECT_EQ(outcome.status, 0) << outcome.errors;
+        return outcome.document;
+    };
+    for (const std::vector<std::string>& same : std::vector<std::vector<std::string>>{
+             {}, {"--device-class", "haptic"}, {"--device-class", "synthetic", "--fidelity", "standard"}}) {
+        const json document = verdict(same);
+        EXPECT_EQ(document["passed"], attempt["passed"]);
+        EXPECT_EQ(document["fidelity"], "standard");
+    }
+    const json controller = verdict({"--device-class", "controller"});
+    EXPECT_TRUE(controller["passed"].is_null());
+    EXPECT_EQ(controller["device_class"], "controller");
+    EXPECT_EQ(controller["not_scored_because"],
+              "not comparable: there are no limits for this device class (game controller)");
+    EXPECT_TRUE(verdict({"--fidelity", "fast"})["passed"].is_null());
+}
+
+}  // namespace
+}  // namespace fulcrum::app::test
