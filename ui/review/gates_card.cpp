@@ -111,7 +111,7 @@ void GatesCard::open(const AttemptModel& model) {
         source_cell->setToolTip(source);
         table_->setItem(row, 6, source_cell);
     }
-    fit_columns(table_, 2);  // words need the room more than figures
+    size_columns(table_, 2);  // words need the room more than figures
     fit();
 }
 

@@ -70,7 +70,7 @@ void PathologyCard::open(const std::optional<PathologyReport>& report, const std
                             make_cell(cells[column], column < 2 ? Qt::AlignLeft | Qt::AlignVCenter
                                                                 : Qt::AlignRight | Qt::AlignVCenter));
     }
-    fit_columns(table_);
+    size_columns(table_);
     table_->horizontalHeader()->setStretchLastSection(false);
     table_->horizontalHeader()->setMinimumSectionSize(40);
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/style/widgets.h"
 
+#include <QEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QPainter>
 #include <QScrollArea>
 #include <QStyle>
 #include <algorithm>
+#include <vector>
 
 #include "ui/style/palette.h"
 
@@ -137,7 +139,7 @@ QTableWidgetItem* make_cell(const QString& shown, Qt::Alignment alignment) {
     return item;
 }
 
-void fit_columns(QTableWidget* table, int air) {
+void size_columns(QTableWidget* table, int air) {
     QHeaderView* header = table->horizontalHeader();
     header->setStretchLastSection(false);
     table->resizeColumnsToContents();
@@ -150,6 +152,91 @@ void fit_columns(QTableWidget* table, int air) {
         }
     }
     header->setStretchLastSection(true);
+}
+
+namespace {
+
+/// Narrows the columns of its table to the width of the viewport. Child of the table.
+class ColumnFitter : public QObject {
+  public:
+    explicit ColumnFitter(QTableWidget* table) : QObject(table), table_(table) {
+        setObjectName(QString::fromLatin1(name));
+        table->viewport()->installEventFilter(this);
+        connect(table->horizontalHeader(), &QHeaderView::sectionResized, this, [this](int column) {
+            dragged_ = dragged_ || (!fitting_ && column + 1 < table_->columnCount());
+        });
+    }
+    static ColumnFitter* of(QTableWidget* table) {
+        auto* present = table->findChild<QObject*>(QString::fromLatin1(name), Qt::FindDirectChildrenOnly);
+        return present != nullptr ? static_cast<ColumnFitter*>(present) : new ColumnFitter(table);
+    }
+    /// The contents are new.
+    void renew() {
+        fitting_ = true;
+        size_columns(table_);
+        fitting_ = false;
+        dragged_ = false;
+        wanted_.clear();
+        for (int column = 0; column < table_->columnCount(); ++column)
+            wanted_.push_back(table_->columnWidth(column));
+        // The last one is stretched: what it holds counts.
+        if (!wanted_.empty()) {
+            int& end = wanted_[static_cast<std::size_t>(last())];
+            end = std::min(end, std::max(static_cast<QAbstractItemView*>(table_)->sizeHintForColumn(last()),
+                                         table_->horizontalHeader()->sectionSizeHint(last())) +
+                                    16);
+        }
+        if (table_->isVisible()) narrow();
+    }
+
+  protected:
+    bool eventFilter(QObject*, QEvent* event) override {
+        if (event->type() == QEvent::Resize || event->type() == QEvent::Show) narrow();
+        return false;
+    }
+
+  private:
+    static constexpr const char* name = "column_fitter";
+
+    /// Columns may stand in another order than they are numbered.
+    int last() const { return table_->horizontalHeader()->logicalIndex(table_->columnCount() - 1); }
+    void narrow() {
+        if (dragged_ || wanted_.empty()) return;
+        const int room = table_->viewport()->width();
+        // The widest columns share what the others leave: the width w with sum(min(wanted, w)) = room.
+        std::vector<int> narrowest_first = wanted_;
+        std::sort(narrowest_first.begin(), narrowest_first.end());
+        int left = room, columns = static_cast<int>(narrowest_first.size()), share = narrowest_first.back();
+        for (const int width : narrowest_first) {
+            share = left / columns;
+            if (width > share) break;
+            left -= width;
+            --columns;
+            share = narrowest_first.back();
+        }
+        share = std::max(share, table_->fontMetrics().horizontalAdvance(QLatin1Char('m')) * 7);
+        fitting_ = true;
+        for (int column = 0; column < table_->columnCount(); ++column) {
+            const int wanted = wanted_[static_cast<std::size_t>(column)];
+            table_->horizontalHeader()->resizeSection(column, std::min(wanted, share));
+            if (wanted <= share) continue;
+            for (int row = 0; row < table_->rowCount(); ++row)
+                if (QTableWidgetItem* cell = table_->item(row, column);
+                    cell != nullptr && cell->toolTip().isEmpty())
+                    cell->setToolTip(cell->text());
+        }
+        fitting_ = false;
+    }
+
+    QTableWidget* table_;
+    std::vector<int> wanted_;  ///< px, of each column, for all that it holds
+    bool fitting_ = false, dragged_ = false;
+};
+
+}  // namespace
+
+void fit_columns(QTableWidget* table) {
+    ColumnFitter::of(table)->renew();
 }
 
 namespace {

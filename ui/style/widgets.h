@@ -51,7 +51,11 @@ class TintDelegate : public QStyledItemDelegate {
 QTableWidgetItem* make_cell(const QString& shown, Qt::Alignment alignment = Qt::AlignLeft | Qt::AlignVCenter);
 /// Columns as wide as what they hold, with at most `air` pixels between them, less where there is no room; a
 /// header is aligned with its values; the last column takes the rest.
-void fit_columns(QTableWidget* table, int air = 16);
+void size_columns(QTableWidget* table, int air = 16);
+/// size_columns(), and from now on the widest columns are narrowed to the table's width, also when it
+/// changes: a text without room ends in "…" and is whole in its tool tip. A column that a person drags stays
+/// as it is.
+void fit_columns(QTableWidget* table);
 /// Rows, or the row of heads, as high as their words need in columns that are narrower. The table's own
 /// measure takes no account of what the style leaves free beside the words.
 void fit_rows(QTableWidget* table);
