@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sqlite3.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -59,6 +60,10 @@ class Kills : public ::testing::Test {
     Kills() : counters(map_counters(counters_path.c_str())) { database::Store::create(store_path, false); }
     /// Long enough for a second attempt to run while the first is stored.
     static constexpr unsigned longest_wait_ms = 3000;
+    /// Of a programme with an administrator and this trainee, as the child signs in.
+    database::Session create_trainee() const;
+    /// Opens the store from other programs while the child runs: the command line and SQLite in turn.
+    void open_from_outside(int times);
     /// Starts `child`, kills it at a random time after its first tick, and looks at what the next start
     /// finds.
     void round(const char* child, int number, const database::Session& performer);
@@ -69,8 +74,44 @@ class Kills : public ::testing::Test {
     Counters* counters;
     std::mt19937_64 random{20261121};
     std::set<std::string> earlier;  ///< attempts of the previous rounds
+    int foreign_opens = 0;          ///< in each round, before the kill
     Toll toll;
 };
+
+database::Session Kills::create_trainee() const {
+    const database::Store store = database::Store::open(store_path);
+    const database::People people(store);
+    const auto programme = people.create_programme("Department", "alma", "Alma Admin", "correct horse");
+    const auto created =
+        people.create(programme.administrator, trainee_login, "Tara Trainee", {database::Role::trainee});
+    return people.change_password(people.sign_in(trainee_login, created.one_time_password),
+                                  created.one_time_password, trainee_password);
+}
+
+void Kills::open_from_outside(int times) {
+    for (int k = 0; k < times; ++k) {
+        if (k % 2 == 1) {
+            sqlite3* store = nullptr;
+            EXPECT_EQ(sqlite3_open_v2(store_path.c_str(), &store, SQLITE_OPEN_READWRITE, nullptr), SQLITE_OK);
+            EXPECT_EQ(sqlite3_exec(store, "select count(*) from attempt", nullptr, nullptr, nullptr),
+                      SQLITE_OK)
+                << sqlite3_errmsg(store);
+            EXPECT_EQ(sqlite3_close(store), SQLITE_OK);
+            continue;
+        }
+        const pid_t program = ::fork();
+        ASSERT_GE(program, 0);
+        if (program == 0) {
+            ::close(STDOUT_FILENO);
+            ::execl(FULCRUM_PROGRAM, "fulcrum", "tissues", "--db", store_path.c_str(),
+                    static_cast<char*>(nullptr));
+            ::_exit(127);
+        }
+        int status = 0;
+        ASSERT_EQ(::waitpid(program, &status, 0), program);
+        EXPECT_EQ(status, 0) << "fulcrum tissues";
+    }
+}
 
 void Kills::round(const char* child_option, int number, const database::Session& performer) {
     counters->ticks.store(0);
@@ -87,6 +128,8 @@ void Kills::round(const char* child_option, int number, const database::Session&
         ASSERT_EQ(::waitpid(child, &status, WNOHANG), 0) << "the child ended by itself: " << status;
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
+    open_from_outside(foreign_opens);
+    ASSERT_EQ(::waitpid(child, &status, WNOHANG), 0) << "the child ended by itself: " << status;
     std::this_thread::sleep_for(std::chrono::milliseconds(random() % longest_wait_ms));
     ASSERT_EQ(::kill(child, SIGKILL), 0);
     ASSERT_EQ(::waitpid(child, &status, 0), child);
@@ -190,20 +233,24 @@ void write_page(const char* page_folder, const Toll& toll) {
     page.write(page_folder, lab::this_machine(lab::build_info()));
 }
 
+// The window is signed in and an attempt is on the clock while other programs open and close the store.
+TEST_F(Kills, OfTheWholeWindowAfterFiftyForeignOpensLoseNoScore) {
+    ASSERT_NE(counters, nullptr);
+    const database::Session trainee = create_trainee();
+    foreign_opens = 50;
+    round("--use-window-until-killed", 0, trainee);
+    const database::Store store = database::Store::open(store_path);
+    EXPECT_TRUE(store.check(store.station_session()).ok);
+    EXPECT_EQ(toll.missing, 0U);
+    EXPECT_EQ(toll.finished_lost, 0U);
+    expect_a_second_at_most(toll);
+}
+
 TEST_F(Kills, OfTheWholeWindowLoseNoScoreAndListEveryAttempt) {
     ASSERT_NE(counters, nullptr);
-    std::optional<database::Session> trainee;
-    {
-        const database::Store store = database::Store::open(store_path);
-        const database::People people(store);
-        const auto programme = people.create_programme("Department", "alma", "Alma Admin", "correct horse");
-        const auto created =
-            people.create(programme.administrator, trainee_login, "Tara Trainee", {database::Role::trainee});
-        trainee = people.change_password(people.sign_in(trainee_login, created.one_time_password),
-                                         created.one_time_password, trainee_password);
-    }
+    const database::Session trainee = create_trainee();
     const int rounds = kills(3);
-    for (int i = 0; i < rounds && !HasFatalFailure(); ++i) round("--use-window-until-killed", i, *trainee);
+    for (int i = 0; i < rounds && !HasFatalFailure(); ++i) round("--use-window-until-killed", i, trainee);
     const database::Store store = database::Store::open(store_path);
     const bool sound = store.check(store.station_session()).ok;
     EXPECT_TRUE(sound);
