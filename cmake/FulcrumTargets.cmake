@@ -49,7 +49,8 @@ target_precompile_headers(fulcrum_precompiled PRIVATE <Eigen/Dense> <algorithm> 
 # as the library fulcrum_FOLDER, '/' read as '_'. USES names the rooms whose headers the folder may include, in full:
 # tests/structure/rooms_test.cpp reads these calls, refuses every include that they do not name, and every cycle.
 # WITH names folders below that belong to the same room. FULCRUM_UNITY sources are compiled together; APART names those that cannot share a translation unit with their neighbours.
-set(FULCRUM_UNITY 1 CACHE STRING "Sources compiled together as one; 1 compiles each by itself")
+set(FULCRUM_UNITY 1 CACHE STRING "Sources of a room compiled together as one; 1 compiles each by itself")
+set(FULCRUM_TEST_UNITY 1 CACHE STRING "Sources of a test program compiled together as one; 1 compiles each by itself")
 function(fulcrum_room folder)
     cmake_parse_arguments(ARG "" "PCH" "USES;LINKS;APART;WITH" ${ARGN})
     string(REPLACE "/" "_" name fulcrum_${folder})

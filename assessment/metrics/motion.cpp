@@ -10,11 +10,9 @@
 #include "assessment/metrics/waits.h"
 
 namespace fulcrum {
-
 namespace {
 
-constexpr double mm = 1e3;  // mm in a metre
-constexpr double degrees = 180.0 / 3.14159265358979323846;
+constexpr double mm = 1e3, degrees = 180.0 / 3.14159265358979323846;  // in a metre, in a radian
 
 Figure value_of(double value, std::vector<TimeInterval> evidence = {}) {
     Figure figure;
@@ -74,9 +72,9 @@ double sum_steps(const HandAnalysis& hand, Part part) {
     double sum = 0;
     for (const MotionBlock& block : hand.motion)
         for (Eigen::Index i = 1; i < block.position.cols(); ++i) {
-            const Vector3 step = block.position.col(i) - block.position.col(i - 1);
+            const Vector3 moved = block.position.col(i) - block.position.col(i - 1);
             const Vector3 axis = (block.axis.col(i) + block.axis.col(i - 1)).normalized();
-            sum += part(step.dot(axis), step.norm());
+            sum += part(moved.dot(axis), moved.norm());
         }
     return sum;
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One hand grasps the flap and keeps the sheet taut, the other divides it along the marked line, stroke by
-// stroke. With septa behind a rectum, one hand grasps the rectum and lifts it off the sacrum, regrasping
-// further down as the dissection proceeds; the other divides septum after septum and removes smoke and blood
-// by suction.
+// stroke. With septa behind a rectum, one hand grasps it and lifts it off the sacrum, regrasping further down;
+// the other divides septum after septum and removes smoke and blood by suction.
 #include <algorithm>
 #include <cmath>
 #include <vector>

@@ -35,11 +35,11 @@ Tube find_tube(const TriangleMesh& mesh) {
         mesh.triangles.size() != static_cast<std::size_t>(2 * tube.columns * tube.rows))
         return {};
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const int gap = static_cast<int>(t) / tube.columns;  // half a gap each
+        const int half_gap = static_cast<int>(t) / tube.columns;  // from 0
         for (const std::int32_t vertex : mesh.triangles[t]) {
             const int row =
                 vertex == 0 ? -1 : (vertex == vertices - 1 ? tube.rows : (vertex - 1) / tube.columns);
-            if (row < (gap + 1) / 2 - 1 || row > (gap + 1) / 2) return {};
+            if (row < (half_gap + 1) / 2 - 1 || row > (half_gap + 1) / 2) return {};
         }
     }
     const Triangle& fan = mesh.triangles[0];
@@ -103,16 +103,16 @@ class CoarseTube {
 void add_bands(const Tube& tube, std::vector<Triangle>& triangles, SurfaceMesh& surface) {
     const auto columns = static_cast<std::size_t>(tube.columns);
     // Index of the first triangle of the gap above a row.
-    const auto gap = [columns](int row) {
+    const auto first_of_gap = [columns](int row) {
         return 3 * (columns + 2 * columns * static_cast<std::size_t>(row));
     };
     const std::size_t fine_end = 3 * triangles.size();
-    surface.bands.push_back({{0, gap(0)}, {}, {}, {}, {}, {}});
+    surface.bands.push_back({{0, first_of_gap(0)}, {}, {}, {}, {}, {}});
     CoarseTube coarse(tube, triangles);
     int row = 0;
     for (; row + band_gaps < tube.rows; row += band_gaps) {
         SurfaceBand band;
-        band.fine = {gap(row), gap(row + band_gaps)};
+        band.fine = {first_of_gap(row), first_of_gap(row + band_gaps)};
         band.first_plain = coarse.strip(row);
         band.first_stitched = coarse.stitched(row, row);
         const int last = row + band_gaps - 2;
@@ -122,7 +122,7 @@ void add_bands(const Tube& tube, std::vector<Triangle>& triangles, SurfaceMesh& 
         band.last_stitched = coarse.stitched(last, last + 2);
         surface.bands.push_back(band);
     }
-    surface.bands.push_back({{gap(row), fine_end}, {}, {}, {}, {}, {}});
+    surface.bands.push_back({{first_of_gap(row), fine_end}, {}, {}, {}, {}, {}});
 }
 
 void add_runs(const std::vector<Triangle>& triangles, SurfaceMesh& surface) {
