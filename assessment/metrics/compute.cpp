@@ -118,6 +118,13 @@ class Rows {
 
 }  // namespace
 
+bool only_describes(const std::vector<std::string>& described, const std::string& id,
+                    const std::string& hand) {
+    return std::any_of(described.begin(), described.end(), [&](const std::string& row) {
+        return row == id || (!hand.empty() && row == id + "." + hand);
+    });
+}
+
 std::size_t replaced_force_samples(const Trace& trace) {
     std::size_t replaced = 0;
     for (std::size_t h = 0; h < trace.hand.size(); ++h) despiked_forces(trace, h, replaced);
@@ -136,6 +143,8 @@ std::vector<MetricResult> compute_metrics(const Trace& trace, const std::vector<
         if (wanted.empty() || std::find(wanted.begin(), wanted.end(), metric.descriptor.id) != wanted.end())
             rows.add(metric);
     }
+    for (MetricResult& result : results)
+        if (only_describes(context.described, result.id, result.hand)) result.direction = Direction::context;
     return results;
 }
 

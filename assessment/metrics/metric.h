@@ -117,6 +117,8 @@ struct MetricContext {
     std::vector<Vector3> targets;      ///< m, centre of target i (Event::detail of target_shown)
     std::vector<std::string> phases;   ///< HUD or goal name of phase i (Event::detail of phase_begin)
     std::vector<std::string> metrics;  ///< ids wanted; empty: all of the registry
+    /// Rows that only describe, whatever their descriptor says: "id" or "id.hand".
+    std::vector<std::string> described;
     bool events_recorded = true;  ///< false for a trace file, which carries none: counts are absent, not 0
 };
 
@@ -126,6 +128,9 @@ struct MetricContext {
 /// an id that the registry does not know.
 std::vector<MetricResult> compute_metrics(const Trace& trace, const std::vector<Event>& events,
                                           const MetricContext& context);
+/// Whether a row is among those that only describe.
+bool only_describes(const std::vector<std::string>& described, const std::string& id,
+                    const std::string& hand);
 /// Force and jaw samples of both hands that the filter of the force metrics replaces as spikes.
 std::size_t replaced_force_samples(const Trace& trace);
 

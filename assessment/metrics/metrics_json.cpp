@@ -108,6 +108,7 @@ MetricContext make_metric_context(const Scene& scene, const TaskDefinition& task
         context.tissues.push_back(std::move(limits));
     }
     context.targets = targets;
+    context.described = task.context;
     context.specimen = make_specimen_plan(scene, task);
     for (const Goal& goal : task.goals) {
         context.phases.push_back(goal.id);

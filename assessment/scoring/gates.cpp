@@ -171,6 +171,9 @@ void check_gates(const TaskDefinition& task, const std::string& file) {
         if (d->direction == Direction::context)
             refuse("/metric", "'" + gate.metric + "' is context only",
                    "gate a metric that is better in one direction");
+        if (only_describes(task.context, gate.metric, gate.hand))
+            refuse("/metric", "'" + gate.metric + "' is context in this task",
+                   "remove it from context, or remove the gate");
         const bool counted = d->needs_events && d->aggregation == Aggregation::count;
         if (d->hands == Hands::each && gate.hand.empty() && !counted)
             refuse("/hand", "'" + gate.metric + "' is measured for each hand", "give hand left or right");

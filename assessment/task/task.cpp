@@ -54,6 +54,7 @@ class TaskReader {
         copy(root, "time_limit_s", task_.time_limit_s);
         copy(root, "warning_margin", task_.warning_margin);
         copy(root, "metrics", task_.metrics);
+        copy(root, "context", task_.context);
         copy(root, "critical_errors", task_.critical_errors);
         copy(root, "hands_alike", task_.hands_alike);
         read_device_classes(root);
@@ -106,6 +107,12 @@ class TaskReader {
                                "the metric \"" + task_.metrics[i] + "\" is given twice",
                                "remove one of the two");
             }
+        }
+        for (std::size_t i = 0; i < task_.context.size(); ++i) {
+            const std::string id = task_.context[i].substr(0, task_.context[i].find('.'));
+            if (std::find(task_.metrics.begin(), task_.metrics.end(), id) == task_.metrics.end())
+                document_.fail("/context/" + std::to_string(i), "\"" + id + "\" is not among the metrics",
+                               "name a metric of this task, alone or with .left or .right");
         }
     }
 

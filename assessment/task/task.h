@@ -53,6 +53,9 @@ struct TaskDefinition {
     double warning_margin = 0;  ///< bandwidth feedback: 0 stage A, 0.10 B, 0.25 C; negative: never warn (D)
     std::vector<Goal> goals;    ///< phases, in order
     std::vector<std::string> metrics;  ///< metric ids shown
+    /// Rows of these that describe and do not rate in this task, because they do not tell experts from
+    /// novices: "idle" (both hands) or "idle.left".
+    std::vector<std::string> context;
     std::vector<GateSpec> gates;
     std::vector<std::string> critical_errors;  ///< event names that fail the attempt
     std::vector<DeviceClass> device_classes;   ///< that can be assessed; any other practises
