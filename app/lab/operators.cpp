@@ -24,7 +24,7 @@ namespace {
 using lab::short_number;
 
 constexpr int groups = 3;
-constexpr std::array<const char*, groups> presets = {"expert", "intermediate", "novice"};
+constexpr std::array<const char*, groups> group_names = {"expert", "intermediate", "novice"};
 constexpr int expert = 0, novice = 2;
 
 /// A metric shown as quality separates experts from novices at least this well, with the interval above
@@ -41,11 +41,12 @@ struct Outcome {
 };
 
 Outcome attempt(const LoadedTask& loaded, const Limits& limits, const std::string& preset, std::uint64_t seed,
-                bool replayed) {
+                bool replayed, std::uint64_t individual) {
     PerformRequest request;
     request.loaded = loaded;
     request.operator_name = preset;
     request.seed = seed;
+    request.individual = individual;
     const Performed performed = perform(request, nullptr, limits);
     const Score& score = performed.scored.score;
     Outcome outcome;
@@ -70,6 +71,7 @@ struct Summary {
     std::array<std::map<RowName, std::vector<double>>, groups> values;
     std::map<RowName, std::array<int, groups>> failed;  ///< by gate
     std::array<int, groups> completed{}, passed{};
+    std::map<RowName, std::vector<std::pair<double, double>>> retests;  ///< two attempts of one individual
     int identical = 0;
     double simulated_s = 0, wall_s = 0;
 
@@ -82,6 +84,11 @@ struct Summary {
         for (const auto& [name, value] : outcome.values) values[group][name].push_back(value);
         for (const auto& [name, met] : outcome.gates) failed[name][group] += met ? 0 : 1;
     }
+    void add_retest(const Outcome& first, const Outcome& second) {
+        for (const auto& [name, value] : first.values)
+            if (const auto again = second.values.find(name); again != second.values.end())
+                retests[name].emplace_back(value, again->second);
+    }
     const std::vector<double>& of(int group, const RowName& name) const {
         static const std::vector<double> none;
         const auto& all = values[static_cast<std::size_t>(group)];
@@ -90,8 +97,27 @@ struct Summary {
     }
 };
 
-Summary perform_all(const LoadedTask& loaded, const Limits& limits, int seeds, int replays) {
-    std::vector<Outcome> outcomes(static_cast<std::size_t>(groups * seeds));
+/// Attempt k of those of measure_operators(): first all groups' attempts, then the second ones of the first
+/// `retests` individuals of each group.
+struct Plan {
+    int seeds = 0, replays = 0, retests = 0;
+    int attempts() const { return groups * (seeds + retests); }
+    bool again(int k) const { return k >= groups * seeds; }
+    int group(int k) const { return again(k) ? (k - groups * seeds) / retests : k / seeds; }
+    int number(int k) const { return again(k) ? (k - groups * seeds) % retests : k % seeds; }
+};
+
+Outcome perform_one(const LoadedTask& loaded, const Limits& limits, const Plan& plan, int k) {
+    constexpr std::uint64_t apart = 500000;  // from the seeds of the first attempts
+    const auto individual = static_cast<std::uint64_t>(operators_first_seed + plan.number(k));
+    return attempt(loaded, limits, group_names[static_cast<std::size_t>(plan.group(k))],
+                   individual + (plan.again(k) ? apart : 0), !plan.again(k) && plan.number(k) < plan.replays,
+                   individual);
+}
+
+Summary perform_all(const LoadedTask& loaded, const Limits& limits, const Plan& plan) {
+    const int count = plan.attempts();
+    std::vector<Outcome> outcomes(static_cast<std::size_t>(count));
     std::atomic<int> next{0}, done{0};
     const unsigned workers = std::max(1U, std::thread::hardware_concurrency());
     std::vector<std::exception_ptr> errors(workers);
@@ -99,17 +125,13 @@ Summary perform_all(const LoadedTask& loaded, const Limits& limits, int seeds, i
     for (unsigned worker = 0; worker < workers; ++worker) {
         threads.emplace_back([&, worker] {
             try {
-                for (int k = next++; k < groups * seeds; k = next++) {
-                    const int seed = k % seeds;
-                    outcomes[static_cast<std::size_t>(k)] =
-                        attempt(loaded, limits, presets[static_cast<std::size_t>(k / seeds)],
-                                static_cast<std::uint64_t>(operators_first_seed + seed), seed < replays);
-                    std::fprintf(stderr, "%s: %d of %d attempts\n", loaded.task.id.c_str(), ++done,
-                                 groups * seeds);
+                for (int k = next++; k < count; k = next++) {
+                    outcomes[static_cast<std::size_t>(k)] = perform_one(loaded, limits, plan, k);
+                    std::fprintf(stderr, "%s: %d of %d attempts\n", loaded.task.id.c_str(), ++done, count);
                 }
             } catch (...) {
                 errors[worker] = std::current_exception();
-                next = groups * seeds;
+                next = count;
             }
         });
     }
@@ -117,8 +139,15 @@ Summary perform_all(const LoadedTask& loaded, const Limits& limits, int seeds, i
     for (const std::exception_ptr& error : errors)
         if (error) std::rethrow_exception(error);
     Summary summary;
-    for (int k = 0; k < groups * seeds; ++k)
-        summary.add(static_cast<std::size_t>(k / seeds), outcomes[static_cast<std::size_t>(k)]);
+    for (int k = 0; k < count; ++k) {
+        const Outcome& outcome = outcomes[static_cast<std::size_t>(k)];
+        if (plan.again(k)) {
+            const int first = plan.group(k) * plan.seeds + plan.number(k);
+            summary.add_retest(outcomes[static_cast<std::size_t>(first)], outcome);
+        } else {
+            summary.add(static_cast<std::size_t>(plan.group(k)), outcome);
+        }
+    }
     return summary;
 }
 
@@ -140,11 +169,14 @@ std::string interval_text(const std::vector<double>& values) {
 }
 
 /// One row a metric and hand; adds the same to `document`. Returns how many quality metrics do not separate.
-int add_metric_row(const MetricDescriptor& descriptor, const RowName& name, const Summary& summary,
-                   lab::ResultTable& table, nlohmann::json& document) {
+int add_metric_row(const MetricDescriptor& descriptor, const RowName& name, bool describes,
+                   const Summary& summary, lab::ResultTable& table, nlohmann::json& document) {
     const auto area = roc_area(by_quality(descriptor, summary.of(expert, name)),
                                by_quality(descriptor, summary.of(novice, name)));
-    const bool quality = descriptor.direction != Direction::context;
+    const bool quality = descriptor.direction != Direction::context && !describes;
+    const auto pairs = summary.retests.find(name);
+    const std::optional<double> retest =
+        pairs == summary.retests.end() ? std::nullopt : retest_correlation(pairs->second);
     const bool separates = area && area->area >= least_area && area->low > chance;
     const std::string direction = metric_directions[static_cast<std::size_t>(descriptor.direction)].name;
     table.rows.push_back({name.first, name.second, direction, area ? short_number(area->area, 3) : "absent",
@@ -152,8 +184,8 @@ int add_metric_row(const MetricDescriptor& descriptor, const RowName& name, cons
                           !quality    ? "context"
                           : separates ? "yes"
                                       : "**no**",
-                          interval_text(summary.of(expert, name)), interval_text(summary.of(1, name)),
-                          interval_text(summary.of(novice, name))});
+                          retest ? short_number(*retest, 2) : "", interval_text(summary.of(expert, name)),
+                          interval_text(summary.of(1, name)), interval_text(summary.of(novice, name))});
     nlohmann::json row = {{"metric", name.first},
                           {"hand", name.second.empty() ? nlohmann::json() : nlohmann::json(name.second)},
                           {"unit", descriptor.unit},
@@ -161,9 +193,10 @@ int add_metric_row(const MetricDescriptor& descriptor, const RowName& name, cons
                           {"auc", area ? nlohmann::json(area->area) : nlohmann::json()},
                           {"auc_low", area ? nlohmann::json(area->low) : nlohmann::json()},
                           {"auc_high", area ? nlohmann::json(area->high) : nlohmann::json()},
+                          {"retest", retest ? nlohmann::json(*retest) : nlohmann::json()},
                           {"separates", quality ? nlohmann::json(separates) : nlohmann::json()}};
     for (int group = 0; group < groups; ++group)
-        row[presets[static_cast<std::size_t>(group)]] = summary.of(group, name);
+        row[group_names[static_cast<std::size_t>(group)]] = summary.of(group, name);
     document.push_back(std::move(row));
     return quality && !separates ? 1 : 0;
 }
@@ -179,7 +212,8 @@ int add_metrics(const TaskDefinition& task, const Summary& summary, lab::ResultT
         for (const char* hand : {"", "left", "right"}) {
             const RowName name{descriptor.id, hand};
             if (summary.of(expert, name).empty() && summary.of(novice, name).empty()) continue;
-            failing += add_metric_row(descriptor, name, summary, table, document);
+            failing += add_metric_row(descriptor, name, only_describes(task.context, name.first, name.second),
+                                      summary, table, document);
         }
     }
     return failing;
@@ -208,31 +242,35 @@ lab::ResultTable gate_table(const std::string& task, const Summary& summary, int
 
 }  // namespace
 
-Measured measure_operators(const std::string& task, int seeds, int replays) {
+Measured measure_operators(const std::string& task, int seeds, int replays, int retests) {
     const LoadedTask loaded = load_task_and_scene(task);
     const std::string& id = loaded.task.id;
     const Limits limits = limits_for(loaded.task, loaded.scene, DeviceClass::synthetic);
     replays = std::min(replays, seeds);
-    const Summary summary = perform_all(loaded, limits, seeds, replays);
+    retests = std::min(retests, seeds);
+    const Summary summary = perform_all(loaded, limits, {seeds, replays, retests});
     Measured measured{lab::ResultPage("operators_" + id,
                                       id + ": experts, intermediates, novices, " + std::to_string(seeds) +
                                           " seeds from " + std::to_string(operators_first_seed),
                                       "fulcrum lab operators " + id + " --seeds " + std::to_string(seeds) +
-                                          " --replays " + std::to_string(replays) + " --output docs/results"),
+                                          " --replays " + std::to_string(replays) + " --retests " +
+                                          std::to_string(retests) + " --output docs/results"),
                       {}};
     lab::ResultPage& page = measured.page;
     nlohmann::json metrics = nlohmann::json::array(), gates = nlohmann::json::array();
     lab::ResultTable table;
     table.name = "operators_" + id;
-    table.columns = {"metric",    "hand",   "better",       "AUC",   "95 % interval",
-                     "separates", "expert", "intermediate", "novice"};
+    table.columns = {"metric",    "hand",   "better", "AUC",          "95 % interval",
+                     "separates", "retest", "expert", "intermediate", "novice"};
     const int failing = add_metrics(loaded.task, summary, table, metrics);
     page.paragraph(
         "AUC: chance that a random expert is better than a random novice in the metric's direction; 0.5 is "
         "chance (for context metrics: that the expert's value is lower). Separates: AUC at least " +
         short_number(least_area) +
         " and its interval (Newcombe, method 5) above 0.5. Medians of each group with 95 % intervals from "
-        "order statistics. Quality metrics that do not separate: " +
+        "order statistics. Retest: intraclass correlation ICC(1,1) of two attempts of the same individual, "
+        "individuals "
+        "of all groups. Quality metrics that do not separate: " +
         std::to_string(failing) + ".");
     page.table(table);
     page.heading("Gates");
@@ -245,8 +283,9 @@ Measured measure_operators(const std::string& task, int seeds, int replays) {
         std::to_string(groups * replays) + ". " + short_number(summary.simulated_s / summary.wall_s) +
         " times real time on one core, with operator, record and score.");
     page.paragraph(
-        "The presets are defined so that experts are steadier, faster and gentler. This page shows that the "
-        "tasks and metrics distinguish the presets; it does not show that they distinguish people.");
+        "The group_names are defined so that experts are steadier, faster and gentler. This page shows that "
+        "the "
+        "tasks and metrics distinguish the group_names; it does not show that they distinguish people.");
     measured.document = {{"task", id},
                          {"seeds", seeds},
                          {"completed", summary.completed},

@@ -13,7 +13,8 @@ namespace fulcrum::app {
 inline constexpr int operators_first_seed = 2000;
 
 /// `seeds` attempts a preset, on all cores; the first `replays` of each are replayed too. `identical` in the
-/// document counts those that replay bit for bit, out of `replayed`. Throws InputError for an unknown task.
-Measured measure_operators(const std::string& task, int seeds, int replays);
+/// document counts those that replay bit for bit, out of `replayed`. The first `retests` individuals of each
+/// preset make a second attempt. Throws InputError for an unknown task.
+Measured measure_operators(const std::string& task, int seeds, int replays, int retests);
 
 }  // namespace fulcrum::app

@@ -116,4 +116,18 @@ std::optional<ExpertBenchmark> expert_benchmark(const std::vector<ExpertValues>&
     return out;
 }
 
+std::optional<double> retest_correlation(const std::vector<std::pair<double, double>>& attempts) {
+    if (attempts.size() < 3) return std::nullopt;
+    std::vector<double> means;
+    double within = 0;
+    for (const auto& [first, second] : attempts) {
+        means.push_back(0.5 * (first + second));
+        within += 0.5 * (first - second) * (first - second);
+    }
+    within /= static_cast<double>(attempts.size());
+    const double deviation = sample_deviation(means), between = 2 * deviation * deviation;
+    if (!(between + within > 0)) return std::nullopt;
+    return (between - within) / (between + within);
+}
+
 }  // namespace fulcrum

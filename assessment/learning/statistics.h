@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace fulcrum {
@@ -36,6 +37,11 @@ struct RocArea {
 /// (Newcombe 2006, method 5), which keeps its width where the groups are fully
 /// apart. None if a group is empty.
 std::optional<RocArea> roc_area(const std::vector<double>& better, const std::vector<double>& worse);
+
+/// Intraclass correlation ICC(1,1) (Shrout and Fleiss 1979) of two attempts of each individual: 1 where they
+/// agree, about 0 where individuals differ no more than attempts do. None for fewer than 3 pairs, or where
+/// all values are equal.
+std::optional<double> retest_correlation(const std::vector<std::pair<double, double>>& attempts);
 
 /// The attempts of one expert in one metric, on the metric's scale.
 struct ExpertValues {

@@ -240,7 +240,7 @@ std::vector<Metric> force_metrics() {
         d.channels = {Channel::force};
         d.channels.insert(d.channels.end(), more.begin(), more.end());
         d.absent_means = AbsentMeans::failed;
-        // Nobody keeps a force more exactly than it is felt: two forces are told apart from 7 % on (Jones
+        // Nobody keeps a force more exactly than it is felt: the smallest difference felt is 7 % (Jones
         // 1989).
         if (d.id == "f_max") d.least_deviation = 0.07;
         metrics.push_back({std::move(d), compute});

@@ -158,5 +158,15 @@ TEST(RocArea, IntervalCoversAsOftenAsStated) {
     EXPECT_NEAR(covered / static_cast<double>(trials), 0.95, 0.02);
 }
 
+TEST(RetestCorrelation, IsOneForEqualAttemptsAndFollowsItsClosedForm) {
+    EXPECT_DOUBLE_EQ(*retest_correlation({{1, 1}, {2, 2}, {4, 4}}), 1);
+    // Means 2, 3, 4: MSB = 2 * 1; differences of 2: MSW = 2; (2 - 2) / (2 + 2).
+    EXPECT_DOUBLE_EQ(*retest_correlation({{1, 3}, {4, 2}, {3, 5}}), 0);
+    // Equal means: nothing but the scatter of attempts.
+    EXPECT_DOUBLE_EQ(*retest_correlation({{1, 3}, {3, 1}, {1, 3}}), -1);
+    EXPECT_FALSE(retest_correlation({{1, 2}, {2, 3}}));
+    EXPECT_FALSE(retest_correlation({{5, 5}, {5, 5}, {5, 5}}));
+}
+
 }  // namespace
 }  // namespace fulcrum

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/lab/validity.h"
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+
+#include "assessment/assets/assets.h"
+#include "assessment/metrics/registry.h"
+#include "assessment/operators/cheats.h"
+#include "sim_core/lab/chart.h"
+#include "sim_core/numerics/input_error.h"
+
+namespace fulcrum::app {
+namespace {
+
+using lab::short_number;
+using nlohmann::json;
+
+json read_result(const std::string& folder, const std::string& name, const std::string& command) {
+    const std::string path = (std::filesystem::path(folder) / name).string();
+    std::ifstream file(path);
+    const json document = file ? json::parse(file, nullptr, false) : json();
+    if (!document.is_object())
+        throw InputError(path, "", file ? "not a JSON object" : "no such file",
+                         "make it with fulcrum " + command + " --output " + folder);
+    return document;
+}
+
+/// Tasks in the order of their ids that have a page of operators.
+std::vector<std::string> tasks_in(const std::string& folder) {
+    std::set<std::string> tasks;
+    if (std::filesystem::is_directory(folder))
+        for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+            const std::string stem = entry.path().stem().string(), begin = "operators_";
+            if (entry.path().extension() == ".json" && stem.compare(0, begin.size(), begin) == 0)
+                tasks.insert(stem.substr(begin.size()));
+        }
+    if (tasks.empty())
+        throw InputError(folder, "", "holds no operators_TASK.json",
+                         "make them with fulcrum lab operators TASK --output " + folder);
+    return {tasks.begin(), tasks.end()};
+}
+
+/// "left 0.99, right 1" of the rows of a metric; `key` auc or retest.
+std::string by_hand(const json& rows, const std::string& metric, const char* key) {
+    std::string text;
+    for (const json& row : rows) {
+        if (row.at("metric") != metric || row.at(key).is_null()) continue;
+        const std::string hand = row.at("hand").is_null() ? "" : row.at("hand").get<std::string>() + " ";
+        const bool context = row.at("separates").is_null();
+        const std::string value = short_number(row.at(key).get<double>(), 2);
+        text += (text.empty() ? "" : ", ") + hand + (context ? "(" + value + ")" : value);
+    }
+    return text;
+}
+
+std::string change_words(const json& changes, const std::string& metric, const char* change) {
+    const auto found = changes.find(metric);
+    if (found == changes.end() || !found->contains(change)) return "";
+    const json& value = found->at(change);
+    if (value.is_null()) return "absent";
+    return value.get<double>() <= 1e-9 ? "–" : short_number(100 * value.get<double>(), 2) + " %";
+}
+
+const char* grade_words(EvidenceGrade grade) {
+    switch (grade) {
+        case EvidenceGrade::strong:
+            return "strong";
+        case EvidenceGrade::moderate:
+            return "moderate";
+        case EvidenceGrade::expert:
+            return "reasoned";
+    }
+    return "";
+}
+
+void add_metrics(lab::ResultPage& page, const std::map<std::string, json>& operators, const json& changes) {
+    page.heading("Metrics");
+    page.paragraph(
+        "AUC: chance that a random synthetic expert is better than a random synthetic novice; 0.5 is chance. "
+        "In "
+        "brackets: the metric describes and does not rate in that task. Retest: intraclass correlation of "
+        "two attempts "
+        "of the same individual. The last two columns: largest change where the same attempt is recorded "
+        "with 500 "
+        "samples a second, or with 2 um of noise in the tip.");
+    lab::ResultTable table;
+    table.columns = {"metric", "what it is", "source, evidence"};
+    for (const auto& [task, document] : operators) table.columns.push_back("AUC " + task);
+    table.columns.insert(table.columns.end(), {"retest", "500 Hz", "noise"});
+    for (const Metric& metric : metric_registry()) {
+        const MetricDescriptor& d = metric.descriptor;
+        std::vector<std::string> row = {"`" + d.id + "` (v" + std::to_string(d.version) + ")", d.explanation,
+                                        d.source + "; " + grade_words(d.grade)};
+        std::string retest;
+        bool shown = false;
+        for (const auto& [task, document] : operators) {
+            row.push_back(by_hand(document.at("metrics"), d.id, "auc"));
+            shown = shown || !row.back().empty();
+            const std::string again = by_hand(document.at("metrics"), d.id, "retest");
+            if (!again.empty()) retest += (retest.empty() ? "" : "; ") + task + " " + again;
+        }
+        if (!shown) continue;
+        row.push_back(retest);
+        row.push_back(change_words(changes, d.id, "half_rate"));
+        row.push_back(change_words(changes, d.id, "noise"));
+        table.rows.push_back(std::move(row));
+    }
+    page.table(table);
+}
+
+void add_gates(lab::ResultPage& page, const std::map<std::string, json>& operators) {
+    page.heading("Gates");
+    lab::ResultTable table;
+    table.columns = {"task",           "gate", "hand", "experts failed", "intermediates failed",
+                     "novices failed", "of"};
+    for (const auto& [task, document] : operators)
+        for (const json& gate : document.at("gates")) {
+            const json& failed = gate.at("failed");
+            table.rows.push_back(
+                {task, gate.at("metric"), gate.at("hand").is_null() ? "" : gate.at("hand"),
+                 std::to_string(failed.at(0).get<int>()), std::to_string(failed.at(1).get<int>()),
+                 std::to_string(failed.at(2).get<int>()), std::to_string(document.at("seeds").get<int>())});
+        }
+    page.table(table);
+    page.paragraph(
+        "A gate that fails fewer than one novice in ten is kept for safety: it stops harm (force, "
+        "perforation, injury) or "
+        "work that nobody can see (off_screen), which the synthetic novices seldom do.");
+    page.heading("Passed");
+    lab::ResultTable passed;
+    passed.columns = {"task", "attempts of each group", "experts", "intermediates", "novices"};
+    for (const auto& [task, document] : operators) {
+        const int seeds = document.at("seeds").get<int>();
+        std::vector<std::string> row = {task, std::to_string(seeds)};
+        for (const json& count : document.at("passed"))
+            row.push_back(short_number(100.0 * count.get<int>() / seeds, 3) + " %");
+        passed.rows.push_back(std::move(row));
+    }
+    page.table(passed);
+}
+
+void add_cheats(lab::ResultPage& page) {
+    page.heading("Known ways to game the scores");
+    page.paragraph(
+        "An expert who does one of these instead of the work passes no task where it changes something "
+        "(tests/assessment/operators/cheats_test.cpp performs each).");
+    lab::ResultTable table;
+    table.columns = {"name", "what it does"};
+    for (const Cheat& cheat : cheats()) table.rows.push_back({cheat.name, cheat.what});
+    page.table(table);
+}
+
+}  // namespace
+
+Measured validity_page(const std::string& folder) {
+    std::map<std::string, json> operators;
+    for (const std::string& task : tasks_in(folder))
+        operators[task] = read_result(folder, "operators_" + task + ".json", "lab operators " + task);
+    const json invariance = read_result(folder, "lab_invariance.json", "lab invariance");
+    Measured measured{lab::ResultPage("VALIDITY", "What each metric and gate is worth",
+                                      "fulcrum lab validity FOLDER --output docs"),
+                      {}};
+    measured.page.paragraph(
+        "All of this is measured on synthetic operators, whose presets are made so that experts are "
+        "steadier, faster and "
+        "gentler. It shows that tasks and metrics tell the presets apart, not yet that they tell people "
+        "apart.");
+    try {
+        add_metrics(measured.page, operators, invariance.at("metrics"));
+        add_gates(measured.page, operators);
+    } catch (const json::exception& wrong) {
+        throw InputError(folder, "", std::string("results of another version: ") + wrong.what(),
+                         "make them again with fulcrum lab operators and fulcrum lab invariance");
+    }
+    add_cheats(measured.page);
+    measured.document = {{"tasks", operators.size()}};
+    return measured;
+}
+
+}  // namespace fulcrum::app
