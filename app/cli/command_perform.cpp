@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fulcrum perform: performs, stores and scores one attempt without a window.
+#include <iomanip>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "app/cli/attempt_document.h"
 #include "app/cli/commands.h"
@@ -11,6 +13,7 @@
 #include "app/live/trace_input.h"
 #include "app/live/trace_rig.h"
 #include "assessment/assets/assets.h"
+#include "assessment/assets/fidelity_cost.h"
 #include "assessment/metrics/metrics_json.h"
 #include "assessment/metrics/statement_words.h"
 #include "assessment/operators/device_model.h"
@@ -137,6 +140,52 @@ DeviceClass class_of(const Arguments& arguments, const std::string& operator_nam
     return operator_name.empty() ? DeviceClass::external : DeviceClass::synthetic;
 }
 
+/// "standard 46.2 ms of processor time for one second; ..."
+std::string cost_text(const FidelityCost& cost) {
+    std::ostringstream text;
+    text << std::setprecision(3) << cost.fidelity << ' ' << cost.processor_ms
+         << " ms of processor time for one second";
+    if (cost.fidelity == finest_fidelity()) return text.str() + ", the reference";
+    if (cost.metric.empty() && cost.verdicts == 0) return text.str() + ", the same score";
+    if (!cost.metric.empty())
+        text << ", " << cost.metric << (cost.hand.empty() ? "" : " ") << cost.hand << ' ' << std::showpos
+             << cost.shift_percent << std::noshowpos << " %";
+    text << ", another verdict for " << cost.verdicts << " of " << cost.attempts;
+    return text.str();
+}
+
+std::string cost_text(const std::string& task, const std::string& fidelity) {
+    if (const auto costs = fidelity_cost(task)) {
+        for (const FidelityCost& cost : costs->levels)
+            if (cost.fidelity == fidelity) return cost_text(cost) + " (against " + finest_fidelity() + ")\n";
+    }
+    return fidelity + ": what it costs in score is not measured for this version\n";
+}
+
+/// For --help: what each fidelity costs at each task.
+std::string costs_text() {
+    std::optional<FidelityCosts> costs;
+    try {
+        costs = fidelity_costs();
+    } catch (const InputError&) {  // no assets: the commands that need them report it
+    }
+    if (!costs) return "What a fidelity costs in score is not measured for this version.";
+    std::string text =
+        "What a fidelity costs: processor time, the assessed metric that differs most from " +
+        finest_fidelity() +
+        ", and verdicts that differ, measured with synthetic operators (fulcrum lab fidelity).";
+    for (const auto& [task, measured] : costs->tasks) {
+        text += " " + task + ":";
+        const char* between = " ";
+        for (const FidelityCost& cost : measured.levels) {
+            text += between + cost_text(cost);
+            between = "; ";
+        }
+        text += ".";
+    }
+    return text;
+}
+
 int run_perform(const Arguments& arguments) {
     arguments.exclude("--operator", "--input");
     const std::string fidelity = arguments.value_or("--fidelity", "");
@@ -197,6 +246,7 @@ int run_perform(const Arguments& arguments) {
         print_json(document);
     } else {
         print_summary(document);
+        if (arguments.has("--fidelity")) std::cout << "  fidelity " << cost_text(loaded.task.id, fidelity);
     }
     return 0;
 }
@@ -230,7 +280,9 @@ Command perform_command() {
           "Run in real time with the threads of the window instead of as fast as possible."},
          store_option(),
          json_option()},
-        run_perform};
+        run_perform,
+        false,
+        costs_text()};
 }
 
 }  // namespace fulcrum::app

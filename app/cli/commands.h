@@ -29,7 +29,9 @@ Option json_option();
 Option store_option();                  ///< --db
 std::vector<Option> session_options();  ///< --db, --as, --role, --password-file, --json
 Option seed_option();
-std::vector<std::string> fidelity_names();      ///< choices of --fidelity
+inline constexpr int default_fidelity_seeds =
+    40;                                     ///< of lab fidelity, for each task: under an hour on two cores
+std::vector<std::string> fidelity_names();  ///< choices of --fidelity
 std::vector<std::string> device_class_names();  ///< choices of --device-class
 /// `more`, then `rest`.
 std::vector<Option> joined(std::vector<Option> more, const std::vector<Option>& rest);

@@ -8,15 +8,18 @@
 #include <stdexcept>
 
 #include "app/lab/experiment.h"
+#include "app/lab/invariance.h"
 #include "app/lab/measure.h"
 #include "app/lab/operators.h"
 #include "app/lab/pages.h"
+#include "app/lab/validity.h"
 #include "assessment/metrics/version.h"
 #include "sim_core/lab/cut_figures.h"
 #include "sim_core/lab/cut_strokes.h"
 #include "sim_core/lab/size_sweep.h"
 #include "sim_core/lab/stability.h"
 #include "sim_core/lab/studies.h"
+#include "sim_core/lab/tradeoff.h"
 #include "sim_core/lab/validation.h"
 
 namespace fulcrum::app {
@@ -89,8 +92,7 @@ int stability(const Arguments& arguments) {
 int tradeoff(const Arguments& arguments) {
     make_output(arguments);
     const std::vector<lab::TradeoffStudy> studies = lab::tradeoff_studies();
-    const std::vector<lab::ScoreSensitivity> sensitivity = measure_score_sensitivity();
-    return deliver(arguments, lab::tradeoff_page(studies, sensitivity), lab::to_json(studies, sensitivity));
+    return deliver(arguments, lab::tradeoff_page(studies), lab::to_json(studies));
 }
 
 int cut(const Arguments& arguments) {
@@ -117,10 +119,23 @@ int strokes(const Arguments& arguments) {
 int operators(const Arguments& arguments) {
     const auto seeds = static_cast<int>(arguments.integer("--seeds", 20, 6, 1000));
     const auto replays = static_cast<int>(arguments.integer("--replays", 1, 0, 1000));
+    const auto retests = static_cast<int>(arguments.integer("--retests", 0, 0, 1000));
     make_output(arguments);
-    const Measured measured = measure_operators(arguments.words()[0], seeds, replays);
+    const Measured measured = measure_operators(arguments.words()[0], seeds, replays, retests);
     deliver(arguments, measured.page, measured.document);
     return measured.document["identical"] == measured.document["replayed"] ? 0 : 1;
+}
+
+int invariance(const Arguments& arguments) {
+    make_output(arguments);
+    const Measured measured = measure_invariance();
+    return deliver(arguments, measured.page, measured.document);
+}
+
+int validity(const Arguments& arguments) {
+    make_output(arguments);
+    const Measured measured = validity_page(arguments.words()[0]);
+    return deliver(arguments, measured.page, measured.document);
 }
 
 int run_study(const Arguments& arguments) {
@@ -141,6 +156,9 @@ const std::map<std::string, std::function<int(const Arguments&)>>& code() {
         {"lab strokes", strokes},
         {"lab experiment", run_experiments},
         {"lab operators", operators},
+        {"lab invariance", invariance},
+        {"lab validity", validity},
+        {"lab fidelity", run_fidelity},
         {"lab run", run_study}};
     return code;
 }

@@ -9,12 +9,10 @@
 #include "app/lab/attempt_workloads.h"
 #include "app/live/performance.h"
 #include "assessment/assets/assets.h"
-#include "assessment/metrics/metrics_json.h"
 #include "assessment/operators/operator.h"
 #include "sim_core/lab/bench.h"
 #include "sim_core/lab/chart.h"
 #include "sim_core/numerics/input_error.h"
-#include "sim_core/scene/fidelity.h"
 
 namespace fulcrum::app {
 namespace {
@@ -34,20 +32,6 @@ class NoSink : public AttemptSink {
     void on_event(const Event& /*event*/) noexcept override {}
     void on_tick(const RigSample& /*input*/, const TickSample& /*sample*/) noexcept override {}
     void on_step(const StepRecord& /*step*/) noexcept override {}
-};
-
-constexpr std::uint64_t sensitivity_seed = 2100;  // outside the benchmarks' own
-
-/// Sink that keeps what metrics are computed from.
-class Memory : public AttemptSink {
-  public:
-    void on_event(const Event& event) noexcept override { events.push_back(event); }
-    void on_tick(const RigSample& /*input*/, const TickSample& sample) noexcept override {
-        samples.push_back(sample);
-    }
-    void on_step(const StepRecord& /*step*/) noexcept override {}
-    std::vector<TickSample> samples;
-    std::vector<Event> events;
 };
 
 }  // namespace
@@ -177,52 +161,6 @@ Measured measure_costs() {
     measured.document = {{"scenes", scenes}};
     page.document(measured.document);
     return measured;
-}
-
-std::vector<lab::ScoreSensitivity> measure_score_sensitivity() {
-    std::vector<lab::ScoreSensitivity> rows;
-    for (const std::string& id : task_ids()) {
-        const LoadedTask loaded = load_task_and_scene(id);
-        std::map<std::string, std::map<std::string, double>> values;  // fidelity, metric
-        for (const NameRow<FidelityLevel>& level : fidelity_levels) {
-            const std::string fidelity = level.name;
-            Scene scene = loaded.scene;
-            scene.fidelity = fidelity_of(level.kind);
-            AttemptEngine engine(scene, loaded.task, sensitivity_seed);
-            auto rig = make_operator("expert", loaded.task, scene, sensitivity_seed);
-            Memory sink;
-            run_headless(engine, *rig, sink);
-            std::vector<std::string> tissues;
-            for (const TissueSpec& tissue : scene.tissues) tissues.push_back(tissue.label);
-            const Trace trace = trace_from_samples(sink.samples, sink.events, tissues, scene.tick_rate);
-            for (const MetricResult& row :
-                 compute_metrics(trace, sink.events, make_metric_context(scene, loaded.task, {}))) {
-                if (!row.tissue.empty() || !row.value) continue;
-                values[fidelity][row.id + (row.hand.empty() ? "" : " " + row.hand)] = *row.value;
-            }
-        }
-        for (const NameRow<FidelityLevel>& level : fidelity_levels) {
-            const std::string fidelity = level.name;
-            if (level.kind == FidelityLevel::fine) continue;
-            for (const auto& [metric, value] : values[fidelity]) {
-                const auto reference = values["fine"].find(metric);
-                if (reference == values["fine"].end()) continue;
-                lab::ScoreSensitivity row;
-                row.task = id;
-                row.operator_name = "expert " + std::to_string(sensitivity_seed);
-                row.fidelity = fidelity;
-                row.metric = metric;
-                row.value = value;
-                row.reference_value = reference->second;
-                const double size = std::fabs(row.reference_value);
-                row.relative_change = value == row.reference_value ? 0
-                                                                   : (value - row.reference_value) /
-                                                                         (size > 0 ? size : std::fabs(value));
-                rows.push_back(row);
-            }
-        }
-    }
-    return rows;
 }
 
 }  // namespace fulcrum::app

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The laboratory's commands that need the whole product: reference workloads with the attempt's own, the
-// cost of each part of a scene, and how much metrics change with the fidelity.
+// The laboratory's commands that need the whole product: reference workloads with the attempt's own, and the
+// cost of each part of a scene.
 #pragma once
 
 #include <optional>
 #include <string>
 
 #include "sim_core/lab/result_page.h"
-#include "sim_core/lab/tradeoff.h"
 
 namespace fulcrum::app {
 
@@ -23,7 +22,5 @@ Measured measure_workloads(const std::optional<std::string>& only);
 Measured measure_cut_clock();
 /// What each part of each task's scene costs while an expert operator performs.
 Measured measure_costs();
-/// Every metric of the same operator on the same task at each fidelity, against "fine".
-std::vector<lab::ScoreSensitivity> measure_score_sensitivity();
 
 }  // namespace fulcrum::app

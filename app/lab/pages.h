@@ -12,5 +12,6 @@ namespace fulcrum::app {
 void make_output(const Arguments& arguments);
 /// Writes the page to --output, or prints it; with --json prints the document. Returns 0.
 int deliver(const Arguments& arguments, const lab::ResultPage& page, nlohmann::json document);
+int run_fidelity(const Arguments& arguments);  ///< lab fidelity
 
 }  // namespace fulcrum::app

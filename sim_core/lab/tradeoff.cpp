@@ -36,9 +36,8 @@ std::vector<TradeoffStudy> tradeoff_studies() {
     return studies;
 }
 
-nlohmann::json to_json(const std::vector<TradeoffStudy>& studies,
-                       const std::vector<ScoreSensitivity>& sensitivity) {
-    nlohmann::json list = nlohmann::json::array(), rows = nlohmann::json::array();
+nlohmann::json to_json(const std::vector<TradeoffStudy>& studies) {
+    nlohmann::json list = nlohmann::json::array();
     for (const TradeoffStudy& study : studies) {
         nlohmann::json levels = nlohmann::json::array();
         for (const TradeoffLevel& level : study.levels) {
@@ -51,16 +50,7 @@ nlohmann::json to_json(const std::vector<TradeoffStudy>& studies,
         }
         list.push_back({{"model", study.model}, {"reference", study.reference}, {"levels", levels}});
     }
-    for (const ScoreSensitivity& row : sensitivity) {
-        rows.push_back({{"task", row.task},
-                        {"operator", row.operator_name},
-                        {"fidelity", row.fidelity},
-                        {"metric", row.metric},
-                        {"value", row.value},
-                        {"reference_value", row.reference_value},
-                        {"relative_change", row.relative_change}});
-    }
-    return {{"studies", list}, {"score_sensitivity", rows}};
+    return {{"studies", list}};
 }
 
 namespace {
@@ -108,8 +98,7 @@ void add_charts(ResultPage& page, const TradeoffStudy& study, std::size_t number
 
 }  // namespace
 
-ResultPage tradeoff_page(const std::vector<TradeoffStudy>& studies,
-                         const std::vector<ScoreSensitivity>& sensitivity) {
+ResultPage tradeoff_page(const std::vector<TradeoffStudy>& studies) {
     ResultPage page("lab_tradeoff", "Speed against accuracy", "fulcrum lab tradeoff --output docs/results");
     page.paragraph(
         "Each level of each model at several resolutions: its error against the stated reference and the "
@@ -129,24 +118,7 @@ ResultPage tradeoff_page(const std::vector<TradeoffStudy>& studies,
         page.table(table);
         add_charts(page, study, i + 1);
     }
-    if (!sensitivity.empty()) {
-        page.heading("Effect on the score");
-        page.paragraph(
-            "The same operator (same seed) performs the same task at each fidelity; the reference is the "
-            "fidelity `fine`. An attempt is a closed loop: a slightly different force makes the operator "
-            "move differently. A change in this table is therefore a change of the whole attempt, not of one "
-            "model.");
-        ResultTable table;
-        table.name = "tradeoff_score_sensitivity";
-        table.columns = {"task", "operator", "fidelity", "metric", "value", "at fine", "relative change"};
-        for (const ScoreSensitivity& row : sensitivity) {
-            table.rows.push_back({row.task, row.operator_name, row.fidelity, row.metric,
-                                  short_number(row.value, 5), short_number(row.reference_value, 5),
-                                  short_number(row.relative_change)});
-        }
-        page.table(table);
-    }
-    page.document(to_json(studies, sensitivity));
+    page.document(to_json(studies));
     return page;
 }
 

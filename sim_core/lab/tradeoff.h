@@ -58,17 +58,8 @@ double median_time_us(int warm_up, int samples, Step&& step, Between&& between) 
 /// minutes.
 std::vector<TradeoffStudy> tradeoff_studies();
 
-/// Change of one metric of one attempt when the same operator does the same task at another fidelity.
-struct ScoreSensitivity {
-    std::string task, operator_name, fidelity, metric;  ///< metric: id and hand
-    double value = 0, reference_value = 0;              ///< reference: the fidelity "fine"
-    double relative_change = 0;                         ///< (value - reference) / |reference|
-};
-
-/// {"studies": [...], "score_sensitivity": [...]} of docs/FORMATS.md.
-nlohmann::json to_json(const std::vector<TradeoffStudy>& studies,
-                       const std::vector<ScoreSensitivity>& sensitivity);
-ResultPage tradeoff_page(const std::vector<TradeoffStudy>& studies,
-                         const std::vector<ScoreSensitivity>& sensitivity);
+/// {"studies": [...]} of docs/FORMATS.md.
+nlohmann::json to_json(const std::vector<TradeoffStudy>& studies);
+ResultPage tradeoff_page(const std::vector<TradeoffStudy>& studies);
 
 }  // namespace fulcrum::lab

@@ -2,6 +2,7 @@
 // Named fidelities: one level for every row of the speed-accuracy table.
 #pragma once
 
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,10 @@ inline constexpr NameRow<FidelityLevel> fidelity_levels[] = {
     {FidelityLevel::fine, "fine", QT_TRANSLATE_NOOP("fulcrum::fidelity", "fine")}};
 static_assert(in_order(fidelity_levels));
 
+/// The reference of comparisons.
+inline std::string finest_fidelity() {
+    return fidelity_levels[std::size(fidelity_levels) - 1].name;
+}
 Fidelity fidelity_of(FidelityLevel level);
 /// By its name. Throws InputError listing the names for any other.
 Fidelity named_fidelity(const std::string& name);

@@ -41,7 +41,7 @@ TEST(Labels, SuitesWithALabelOfTheirOwnExist) {
             EXPECT_EQ(suites.count(pattern.substr(0, pattern.size() - 2)), 1U) << pattern;
         }
     }
-    EXPECT_EQ(lists, 5);
+    EXPECT_EQ(lists, 6);
     EXPECT_EQ(suites_below("tests/structure").count("Labels"), 1U);
     EXPECT_EQ(suites_below("tests/structure").count("Label"), 0U);
 }

@@ -12,6 +12,7 @@
 #include <QTableWidget>
 #include <nlohmann/json.hpp>
 
+#include "assessment/assets/fidelity_cost.h"
 #include "database/records/attempts.h"
 #include "database/records/people.h"
 #include "tests/ui/fake_services.h"
@@ -91,6 +92,10 @@ class Journey : public ::testing::Test {
         expect_page("briefing_page");
         check(window, assessed ? "mode_assessed" : "mode_practice");
         keep_picture(window, QStringLiteral("06-briefing-") + QLatin1String(task));
+        // Measured values of the assets, or that there are none for this version.
+        const QString fidelity = shown("fidelity_note");
+        EXPECT_TRUE(fidelity.contains(fidelity_cost(task) ? "compared with fine" : "is not measured"))
+            << plain(fidelity);
         EXPECT_TRUE(find<QAbstractButton>(window, "start_attempt")->text().startsWith("Start as "));
         click(window, "start_attempt");
         expect_page("theatre_page");

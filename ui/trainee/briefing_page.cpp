@@ -2,8 +2,11 @@
 #include "ui/trainee/briefing_page.h"
 
 #include <QRadioButton>
+#include <cmath>
 
+#include "assessment/assets/fidelity_cost.h"
 #include "assessment/metrics/registry.h"
+#include "sim_core/scene/fidelity.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -55,6 +58,9 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
     tissue_note_ = make_label({});
     tissue_note_->setObjectName(QStringLiteral("tissue_note"));
     card_layout(start_card)->addWidget(tissue_note_);
+    fidelity_note_ = make_label({}, "muted");
+    fidelity_note_->setObjectName(QStringLiteral("fidelity_note"));
+    card_layout(start_card)->addWidget(fidelity_note_);
     start_ = make_button({}, "start_attempt", "primary");
     watch_ = make_button(tr("Watch an expert do it"), "watch_demonstration");
     watch_->setToolTip(tr("A simulated expert performs the task. Nothing is stored. Press Escape to stop."));
@@ -142,6 +148,41 @@ void BriefingPage::fill() {
                         : assessable ? hands
                                      : hands + QStringLiteral(" ") + practice_only(*task));
     show_notes();
+    show_fidelity_note();
+}
+
+namespace {
+
+QString level_text(const std::string& fidelity) {
+    const NameRow<FidelityLevel>* row = find_row(fidelity_levels, fidelity);
+    return row == nullptr ? text(fidelity) : QCoreApplication::translate("fulcrum::fidelity", row->title);
+}
+
+}  // namespace
+
+/// What the fidelities cost in score; the window runs the scene's own.
+void BriefingPage::show_fidelity_note() {
+    std::optional<TaskFidelityCost> costs;
+    context().guarded([&] { costs = fidelity_cost(task_id_); });
+    if (!costs) {
+        fidelity_note_->setText(tr("Fidelity of the simulation: its effect on the score is not measured."));
+        return;
+    }
+    QStringList lines;
+    for (const FidelityCost& cost : costs->levels) {
+        if (cost.fidelity == finest_fidelity()) continue;
+        QStringList parts;
+        if (!cost.metric.empty()) {
+            QString metric = metric_text(cost.metric);
+            if (!cost.hand.empty()) metric += QStringLiteral(", ") + hand_text(cost.hand);
+            parts << tr("%1 differs by %2 %").arg(metric, figure(std::fabs(cost.shift_percent)));
+        }
+        if (cost.verdicts > 0) parts << tr("%1 of %2 verdicts differ").arg(cost.verdicts).arg(cost.attempts);
+        lines << tr("%1: %2").arg(level_text(cost.fidelity),
+                                  parts.isEmpty() ? tr("the same score") : parts.join(QStringLiteral("; ")));
+    }
+    fidelity_note_->setText(tr("Fidelity of the simulation, compared with %1 (synthetic operators). %2.")
+                                .arg(level_text(finest_fidelity()), lines.join(QStringLiteral(". "))));
 }
 
 void BriefingPage::show_notes() {

@@ -21,8 +21,9 @@ class BriefingPage : public Page {
   private:
     void fill();
     void show_notes();
+    void show_fidelity_note();
     std::string task_id_;
-    QLabel *title_, *briefing_, *mode_note_, *tissue_note_;
+    QLabel *title_, *briefing_, *mode_note_, *tissue_note_, *fidelity_note_;
     QVBoxLayout *steps_, *judged_;
     QRadioButton *assessed_, *practice_;
     QPushButton *start_, *watch_;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // State hashes of one expert attempt on every task of assets/tasks; a task without a value here fails. A
 // change of structure must not change them. After a deliberate change of physics, of a scene or of an
-// operator, write the new value in the same commit and give the reason.
+// operator, write the new value in the same commit and give the reason; after one of physics, raise
+// physics_version as well.
 #include <gtest/gtest.h>
 
 #include <iomanip>
@@ -10,6 +11,7 @@
 
 #include "assessment/attempt/memory_sink.h"
 #include "assessment/operators/operator.h"
+#include "sim_core/world/physics_version.h"
 #include "tests/support/support.h"
 
 namespace fulcrum {
@@ -18,6 +20,8 @@ namespace {
 const std::map<std::string, std::string> golden = {{"A2", "116eac90bab280e8"}, {"B0", "dc9f0a8affa9f7b3"},
                                                    {"B1", "320a99d03f8803f2"}, {"B2", "dea630522b3d047e"},
                                                    {"B3", "4ea9c997ce67ab8f"}, {"C4", "a052b6beba0d95bd"}};
+
+static_assert(physics_version == 1, "the table belongs to one version of physics: change both or neither");
 
 void expect_golden(const std::string& id) {
     const TaskDefinition task = load_task(test::source_path("assets/tasks/" + id + ".json"));
