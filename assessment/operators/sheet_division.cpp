@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One hand grasps the flap and keeps the sheet taut, the other divides it along the marked line, stroke by
-// stroke. With septa behind a rectum, one hand grasps it and lifts it off the sacrum, regrasping further down;
+// One hand grasps the flap and keeps the sheet taut, the other divides it along the marked line. With septa
+// behind a rectum, one hand grasps it and lifts it off the sacrum, further down as the dissection proceeds;
 // the other divides septum after septum and removes smoke and blood by suction.
 #include <algorithm>
 #include <cmath>
