@@ -102,8 +102,8 @@ void Kills::open_from_outside(int times) {
         const pid_t program = ::fork();
         ASSERT_GE(program, 0);
         if (program == 0) {
-            ::close(STDOUT_FILENO);
-            ::execl(FULCRUM_PROGRAM, "fulcrum", "tissues", "--db", store_path.c_str(),
+            ::dup2(::open("/dev/null", O_WRONLY), STDOUT_FILENO);
+            ::execl(FULCRUM_PROGRAM, "fulcrum", "tissues", "B2", "--db", store_path.c_str(),
                     static_cast<char*>(nullptr));
             ::_exit(127);
         }
