@@ -200,7 +200,7 @@ void AuditPage::show_entries(const std::vector<database::AuditEntry>& entries) {
         oldest_ = entry.sequence;
     }
     table_->setUpdatesEnabled(true);
-    fit_columns(table_);
+    fit_columns(table_, {0});
 }
 
 void AuditPage::verify() {

@@ -160,7 +160,7 @@ void PeoplePage::fill() {
         table_->setItem(row, 4, make_cell(local_time(person.last_sign_in)));
         if (person.id == kept) table_->selectRow(row);
     }
-    fit_columns(table_);
+    fit_columns(table_, {4});
     select();
 }
 

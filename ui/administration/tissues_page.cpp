@@ -199,7 +199,7 @@ void TissuesPage::show_history() {
             history_->item(row, 4)->setToolTip(text(one.reason));
         }
     });
-    fit_columns(history_);
+    fit_columns(history_, {0, 1});
 }
 
 void TissuesPage::save() {

@@ -283,7 +283,7 @@ void AttemptsPage::load() {
         }
     }
     table_->setUpdatesEnabled(true);
-    fit_columns(table_);
+    fit_columns(table_, {1, 2, 6, 7, 8});
     if (!attempts_.empty()) table_->setCurrentCell(0, 0);
     count_->setText(attempts_.size() >= 500 ? tr("the newest 500")
                                             : tr("attempts: %1").arg(attempts_.size()));

@@ -171,7 +171,8 @@ class ColumnFitter : public QObject {
         return present != nullptr ? static_cast<ColumnFitter*>(present) : new ColumnFitter(table);
     }
     /// The contents are new.
-    void renew() {
+    void renew(std::vector<int> whole) {
+        whole_ = std::move(whole);
         fitting_ = true;
         size_columns(table_);
         fitting_ = false;
@@ -202,11 +203,19 @@ class ColumnFitter : public QObject {
     int last() const { return table_->horizontalHeader()->logicalIndex(table_->columnCount() - 1); }
     void narrow() {
         if (dragged_ || wanted_.empty()) return;
-        const int room = table_->viewport()->width();
         // The widest columns share what the others leave: the width w with sum(min(wanted, w)) = room.
-        std::vector<int> narrowest_first = wanted_;
+        int left = table_->viewport()->width();
+        std::vector<int> narrowest_first;
+        for (int column = 0; column < table_->columnCount(); ++column) {
+            const int wanted = wanted_[static_cast<std::size_t>(column)];
+            if (is_whole(column))
+                left -= wanted;
+            else
+                narrowest_first.push_back(wanted);
+        }
+        if (narrowest_first.empty()) return;
         std::sort(narrowest_first.begin(), narrowest_first.end());
-        int left = room, columns = static_cast<int>(narrowest_first.size()), share = narrowest_first.back();
+        int columns = static_cast<int>(narrowest_first.size()), share = narrowest_first.back();
         for (const int width : narrowest_first) {
             share = left / columns;
             if (width > share) break;
@@ -218,8 +227,9 @@ class ColumnFitter : public QObject {
         fitting_ = true;
         for (int column = 0; column < table_->columnCount(); ++column) {
             const int wanted = wanted_[static_cast<std::size_t>(column)];
-            table_->horizontalHeader()->resizeSection(column, std::min(wanted, share));
-            if (wanted <= share) continue;
+            const bool fits = is_whole(column) || wanted <= share;
+            table_->horizontalHeader()->resizeSection(column, fits ? wanted : share);
+            if (fits) continue;
             for (int row = 0; row < table_->rowCount(); ++row)
                 if (QTableWidgetItem* cell = table_->item(row, column);
                     cell != nullptr && cell->toolTip().isEmpty())
@@ -228,15 +238,20 @@ class ColumnFitter : public QObject {
         fitting_ = false;
     }
 
+    bool is_whole(int column) const {
+        return std::find(whole_.begin(), whole_.end(), column) != whole_.end();
+    }
+
     QTableWidget* table_;
+    std::vector<int> whole_;   ///< columns that are not narrowed
     std::vector<int> wanted_;  ///< px, of each column, for all that it holds
     bool fitting_ = false, dragged_ = false;
 };
 
 }  // namespace
 
-void fit_columns(QTableWidget* table) {
-    ColumnFitter::of(table)->renew();
+void fit_columns(QTableWidget* table, std::vector<int> whole) {
+    ColumnFitter::of(table)->renew(std::move(whole));
 }
 
 namespace {

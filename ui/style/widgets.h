@@ -10,6 +10,7 @@
 #include <QStyledItemDelegate>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <vector>
 
 namespace fulcrum::ui {
 
@@ -53,9 +54,9 @@ QTableWidgetItem* make_cell(const QString& shown, Qt::Alignment alignment = Qt::
 /// header is aligned with its values; the last column takes the rest.
 void size_columns(QTableWidget* table, int air = 16);
 /// size_columns(), and from now on the widest columns are narrowed to the table's width, also when it
-/// changes: a text without room ends in "…" and is whole in its tool tip. A column that a person drags stays
-/// as it is.
-void fit_columns(QTableWidget* table);
+/// changes: a text without room ends in "…" and is whole in its tool tip. Columns named in `whole` (times,
+/// figures) keep their width. A column that a person drags stays as it is.
+void fit_columns(QTableWidget* table, std::vector<int> whole = {});
 /// Rows, or the row of heads, as high as their words need in columns that are narrower. The table's own
 /// measure takes no account of what the style leaves free beside the words.
 void fit_rows(QTableWidget* table);

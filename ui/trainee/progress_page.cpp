@@ -224,7 +224,7 @@ void ProgressPage::fill_table() {
             table_->setItem(row, 7, make_cell(figure(point.points), Qt::AlignRight | Qt::AlignVCenter));
         }
     }
-    fit_columns(table_);
+    fit_columns(table_, {0, 1, 5, 6, 7});
 }
 
 void ProgressPage::export_to(const QString& path, ReportFormat format) {

@@ -47,6 +47,15 @@ TEST_F(TableColumns, AreNarrowedToTheTableAndKeepTheShortOnesWhole) {
     EXPECT_TRUE(table->item(0, 0)->toolTip().isEmpty());
 }
 
+TEST_F(TableColumns, ThatMustBeReadKeepTheirWidth) {
+    fit_columns(table.get(), {1});
+    const int name = table->columnWidth(1);
+    show(name + 360);
+    EXPECT_EQ(table->columnWidth(1), name);
+    EXPECT_LT(table->columnWidth(3), name);
+    EXPECT_LE(width_of_columns(), table->viewport()->width());
+}
+
 TEST_F(TableColumns, GetTheirWidthBackWhenTheTableGrows) {
     fit_columns(table.get());
     const int wanted = table->columnWidth(1);
