@@ -356,7 +356,7 @@ const std::vector<Cheat>& cheats() {
         {"camera_away", "turns the camera away from the work", Site::any, nullptr, camera_away},
         {"slow", "takes four times as long for every movement", Site::any, slow, nullptr},
         {"creep", "takes twelve times as long for every movement", Site::any, creep, nullptr},
-        {"rush", "moves in under half the time and far less exactly", Site::any, rush, nullptr},
+        {"rush", "moves in under half the time and far less exactly", Site::exact, rush, nullptr},
         {"heavy", "presses, grips and pulls several times as hard", Site::any, heavy, nullptr},
         {"wander", "lets the hands drift by millimetres", Site::any, wander, nullptr},
         {"shake", "shakes both hands by 3 mm", Site::any, nullptr, shake},
@@ -403,7 +403,8 @@ std::vector<const Cheat*> cheats_for(const TaskDefinition& /*task*/, const Scene
                           (cheat.site == CheatSite::sheet && scene.sheet) ||
                           (cheat.site == CheatSite::septa && scene.septa) ||
                           (cheat.site == CheatSite::energy && scene.field() != nullptr) ||
-                          (cheat.site == CheatSite::bands && scene.bands);
+                          (cheat.site == CheatSite::bands && scene.bands) ||
+                          (cheat.site == CheatSite::exact && (!scene.bowel || blade || scene.bands));
         if (fits) chosen.push_back(&cheat);
     }
     return chosen;

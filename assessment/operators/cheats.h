@@ -26,6 +26,7 @@ enum class CheatSite : std::uint8_t {
     septa,   ///< levels of septa; on the single sheet jaws slide before they overload it
     energy,  ///< an instrument that gives energy
     bands,   ///< bands to divide
+    exact,   ///< places to meet: targets, a line, bands; running the bowel asks for none
 };
 
 struct CheatView;
