@@ -24,7 +24,7 @@ inline constexpr NameRow<TraceChange> trace_changes[] = {
     {TraceChange::spike, "spike", "one sample of 20 N in each hand"}};
 static_assert(in_order(trace_changes));
 
-/// A record and what metrics must know besides it.
+/// The record of an attempt, and the task and scene data that its metrics need.
 struct RecordedAttempt {
     Trace trace;
     std::vector<Event> events;
