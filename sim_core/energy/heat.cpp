@@ -148,11 +148,11 @@ double stored_heat(const HeatModel& model, const HeatState& state) {
 }
 
 double dose_rate(double temperature) {
-    constexpr double ln2 = 0.6931471805599453;
+    constexpr double ln2 = 0.6931471805599453, highest_rate = 1e9;
     if (!(temperature >= 39)) return 0;
     if (temperature < 43) return math::exp((temperature - 43) * 2 * ln2);
     return temperature < 70 ? math::exp((temperature - 43) * ln2)
-                            : std::min(dose_limit, math::exp((std::min(temperature, 500.0) - 43) * ln2));
+                            : std::min(highest_rate, math::exp((std::min(temperature, 500.0) - 43) * ln2));
 }
 
 double damage_rate(double temperature) {

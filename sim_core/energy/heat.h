@@ -72,9 +72,12 @@ HeatReport step_heat(const HeatModel& model, const HeatInputs& inputs, double dt
 double stored_heat(const HeatModel& model, const HeatState& state);
 
 /// Cumulative equivalent minutes at 43 degrees C per minute at `temperature`: R^(43 - T), R = 0.5 from 43,
-/// 0.25 from 39 to 43, zero below 39 (Sapareto and Dewey 1984). Saturates at dose_limit.
+/// 0.25 from 39 to 43, zero below 39 (Sapareto and Dewey 1984).
 double dose_rate(double temperature);
-inline constexpr double dose_limit = 1e9;
+/// min: the dose of a patch stays there. Forty times what kills tissue says no more than twenty times.
+inline constexpr double dose_limit = 1e4;
+/// min, CEM43 from which soft tissue is taken as dead (Sapareto and Dewey 1984; Dewhirst 2003).
+inline constexpr double lethal_dose = 240;
 
 /// 1/s, A exp(-Ea / (R T)) with A 3.1e98 1/s and Ea 6.28e5 J/mol (Henriques and Moritz 1947). 1 -
 /// exp(-integral) is the coagulated fraction of protein. Saturates at 1e6.

@@ -163,9 +163,8 @@ MembraneReport CutMembrane::step(CutMembraneState& state, CutMembraneInputs& inp
         for (std::size_t n = 0; n < nodes; ++n)
             g[n] = all_lanes(state.masses[n]) *
                    (all_lanes(material_.mass_damping) * v[n] - weight[state.isolated[n]]);
-        membrane_detail::add_springs(ends, state.stiffness.data(), state.rest.data(), x, g);
-        if (material_.stiffness_damping > 0)
-            membrane_detail::add_dampers(ends, state.stiffness.data(), material_.stiffness_damping, x, v, g);
+        membrane_detail::add_damped_springs(ends, state.stiffness.data(), state.rest.data(),
+                                            material_.stiffness_damping, x, v, g);
         for (std::size_t n = 0; n < nodes; ++n) {
             if (!(anchor[n] > 0)) continue;
             const double share = anchor[n] / (1 + h * h * anchor[n] * inverse[n]);

@@ -63,15 +63,37 @@ double add_springs(const SpringEnds& ends, const double* stiffness, const double
     return 0.5 * sum_lanes(energy);
 }
 
-void add_dampers(const SpringEnds& ends, const double* stiffness, double damping, const Lanes* x,
-                 const Lanes* v, Lanes* gradient) {
-    for (std::size_t s = 0; s < ends.count; ++s) {
-        const auto i = ends.first[s], j = ends.second[s];
-        const Lanes d = x[i] - x[j], u = v[i] - v[j];
-        const double squared = std::max(sum_lanes(d * d), shortest * shortest);
-        const Lanes force = all_lanes(damping * stiffness[s] * sum_lanes(d * u) / squared) * d;
-        gradient[i] += force;
-        gradient[j] -= force;
+void add_damped_springs(const SpringEnds& ends, const double* stiffness, const double* rest, double damping,
+                        const Lanes* x, const Lanes* v, Lanes* gradient) {
+    const std::int32_t *first = ends.first, *second = ends.second;
+    const Lanes least = all_lanes(shortest * shortest), damped = all_lanes(damping);
+    const auto add_four = [&](std::size_t s) {
+        Lanes difference[4], d[4], u[4];
+        for (int q = 0; q < 4; ++q) {
+            const auto i = first[s + static_cast<std::size_t>(q)],
+                       j = second[s + static_cast<std::size_t>(q)];
+            d[q] = difference[q] = x[i] - x[j];
+            u[q] = v[i] - v[j];
+        }
+        transpose_lanes(d[0], d[1], d[2], d[3]);
+        transpose_lanes(u[0], u[1], u[2], u[3]);
+        Lanes squared = (d[0] * d[0] + d[1] * d[1]) + d[2] * d[2];
+        squared = squared > least ? squared : least;
+        const Lanes length = sqrt_lanes(squared), approach = (d[0] * u[0] + d[1] * u[1]) + d[2] * u[2];
+        const Lanes pull = load_lanes(stiffness + s) *
+                           (length * (length - load_lanes(rest + s)) + damped * approach) / squared;
+        for (int q = 0; q < 4; ++q) {
+            const Lanes force = all_lanes(pull[q]) * difference[q];
+            gradient[first[s + static_cast<std::size_t>(q)]] += force;
+            gradient[second[s + static_cast<std::size_t>(q)]] -= force;
+        }
+    };
+    // Neighbours in the table share nodes, and each sum at a node waits for the one before it. Two places of
+    // the table in turn keep the processor busy meanwhile.
+    const std::size_t half = (ends.count / 4 + 1) / 2 * 4;
+    for (std::size_t s = 0; s < half; s += 4) {
+        add_four(s);
+        if (half + s < ends.count) add_four(half + s);
     }
 }
 

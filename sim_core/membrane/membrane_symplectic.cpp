@@ -63,11 +63,9 @@ void step_symplectic(const Membrane& membrane, MembraneInputs& inputs, double sa
             d.gradient[at(n)] =
                 all_lanes(material.mass_damping * t.mass[at(n)]) * d.start_velocity[at(n)] - d.load[at(n)];
         }
-        add_springs(t, d.stiffness.data(), d.rest.data(), d.trial.data(), d.gradient.data());
-        if (material.stiffness_damping > 0)
-            add_dampers({t.first.data(), t.second.data(), t.first.size()}, d.stiffness.data(),
-                        material.stiffness_damping, d.trial.data(), d.start_velocity.data(),
-                        d.gradient.data());
+        add_damped_springs({t.first.data(), t.second.data(), t.first.size()}, d.stiffness.data(),
+                           d.rest.data(), material.stiffness_damping, d.trial.data(), d.start_velocity.data(),
+                           d.gradient.data());
         const double share = static_cast<double>(k + 1) / report.substeps;
         // A held node is pulled by its spring's force at the end of the substep: stable for any stiffness. If
         // two jaws hold a node, they act one after the other.

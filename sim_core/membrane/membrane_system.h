@@ -100,9 +100,9 @@ double add_springs(const SpringEnds& ends, const double* stiffness, const double
                    Lanes* gradient);
 double add_springs(const Membrane::Tables& tables, const double* stiffness, const double* rest,
                    const Lanes* x, Lanes* gradient);
-/// Spring dampers: gradient += damping * stiffness * (n . (v_i - v_j)) n.
-void add_dampers(const SpringEnds& ends, const double* stiffness, double damping, const Lanes* x,
-                 const Lanes* v, Lanes* gradient);
+/// Springs with dampers, gradient += stiffness * (length - rest + damping * n . (v_i - v_j)) n.
+void add_damped_springs(const SpringEnds& ends, const double* stiffness, const double* rest, double damping,
+                        const Lanes* x, const Lanes* v, Lanes* gradient);
 /// Prepares tangent products at x; `clamped` omits the negative part that compressed springs have across
 /// their direction.
 void make_tangent(const Membrane::Tables& tables, const double* stiffness, const double* rest, const Lanes* x,
