@@ -22,12 +22,9 @@ namespace {
 
 constexpr std::uint64_t largest_detail = std::numeric_limits<std::int32_t>::max();
 
-std::vector<Vector3> targets_of(const LoadedTask& loaded, std::uint64_t seed) {
+std::vector<TargetSphere> targets_of(const LoadedTask& loaded, std::uint64_t seed) {
     if (!loaded.scene.targets) return {};
-    const AttemptEngine engine(loaded.scene, loaded.task, seed);
-    std::vector<Vector3> centres;
-    for (const TargetSphere& target : engine.initial_snapshot().targets) centres.push_back(target.centre);
-    return centres;
+    return AttemptEngine(loaded.scene, loaded.task, seed).initial_snapshot().targets;
 }
 
 /// In exports the begin of an attempt carries its seed, which places the targets.

@@ -46,8 +46,7 @@ int run_replay(const Arguments& arguments) {
     const ReplayOutcome outcome = replay_record(engine, record);
 
     const Limits limits = limits_for(loaded.task, loaded.scene, summary.meta.device_class);
-    std::vector<Vector3> targets;
-    for (const TargetSphere& target : engine.initial_snapshot().targets) targets.push_back(target.centre);
+    const std::vector<TargetSphere>& targets = engine.initial_snapshot().targets;
     const ScoredAttempt again =
         score_record(loaded.scene, loaded.task, targets, record.samples, record.events, limits);
     const auto stored = attempts.score(session, id);

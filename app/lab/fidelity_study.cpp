@@ -101,8 +101,7 @@ Ran run_one(const std::string& task, std::uint64_t seed, Pairing pairing, Fideli
     ran.observed.pairing = pairing;
     ran.observed.fidelity = level;
     AttemptEngine engine(loaded.scene, loaded.task, seed);
-    std::vector<Vector3> targets;
-    for (const TargetSphere& target : engine.initial_snapshot().targets) targets.push_back(target.centre);
+    const std::vector<TargetSphere>& targets = engine.initial_snapshot().targets;
     std::unique_ptr<Rig> rig;
     if (input != nullptr) {
         rig = std::make_unique<PatientRig>(input->inputs, loaded.scene.tick_rate);

@@ -30,7 +30,7 @@ bool can_fail(EventKind kind) {
 
 }  // namespace
 
-AttemptRecording::AttemptRecording(const LiveRequest& request, std::vector<Vector3> targets)
+AttemptRecording::AttemptRecording(const LiveRequest& request, std::vector<TargetSphere> targets)
     : request_(request),
       targets_(std::move(targets)),
       recorder_(request.store_path, *request.session, request.meta) {}

@@ -15,7 +15,7 @@ namespace fulcrum::app {
 class AttemptRecording {
   public:
     /// Begins the attempt in the store. The request must outlive it.
-    AttemptRecording(const LiveRequest& request, std::vector<Vector3> targets);
+    AttemptRecording(const LiveRequest& request, std::vector<TargetSphere> targets);
 
     void append(const RigSample& input) { recorder_.append(input); }
     void append(const TickSample& sample) { recorder_.append(sample); }
@@ -38,7 +38,7 @@ class AttemptRecording {
     void relabel();
 
     const LiveRequest& request_;
-    std::vector<Vector3> targets_;
+    std::vector<TargetSphere> targets_;
     database::Recorder recorder_;
     std::uint32_t flushed_tick_ = 0;
     bool keep_now_ = false, lost_now_ = false, came_back_ = false, practice_ = false;

@@ -52,7 +52,7 @@ struct LiveAttempt::State : public AttemptSink {
     std::unique_ptr<AttemptEngine>
         engine;  // created by the recorder thread; the owner reads it once `built` is set
     std::unique_ptr<AttemptRecording> recording;  // created when the attempt begins; null for a demonstration
-    std::vector<Vector3> targets;
+    std::vector<TargetSphere> targets;
 
     Ring<TickOutput> world_ring{world_ring_ticks};
     Ring<RecordTick> record_ring{record_ring_ticks};
@@ -82,8 +82,7 @@ struct LiveAttempt::State : public AttemptSink {
     bool recorded() const { return !request.store_path.empty(); }
     void build() {
         engine = std::make_unique<AttemptEngine>(request.loaded.scene, request.loaded.task, request.seed);
-        for (const TargetSphere& target : engine->initial_snapshot().targets)
-            targets.push_back(target.centre);
+        targets = engine->initial_snapshot().targets;
         models.fill(engine->world().local_models());
         const View start{engine->initial_snapshot(), engine->display()};
         view.fill(start);

@@ -95,8 +95,7 @@ Performed perform(const PerformRequest& request, database::Recorder* recorder, c
     const auto begin = Clock::now();
     Performed performed;
     AttemptEngine engine(request.loaded.scene, request.loaded.task, request.seed);
-    for (const TargetSphere& target : engine.initial_snapshot().targets)
-        performed.targets.push_back(target.centre);
+    performed.targets = engine.initial_snapshot().targets;
 
     std::unique_ptr<Rig> rig;
     if (request.input_trace != nullptr) {

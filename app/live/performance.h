@@ -48,7 +48,7 @@ struct Performed {
     AttemptRecord record;
     RunOutcome outcome;
     ScoredAttempt scored;
-    std::vector<Vector3> targets;
+    std::vector<TargetSphere> targets;
     double wall_s = 0;
     std::size_t allocations = 0;
 };

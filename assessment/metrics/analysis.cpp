@@ -434,6 +434,13 @@ Figure absent(Absence absence, Statement because) {
     return figure;
 }
 
+Figure value_of(double value, std::vector<TimeInterval> evidence) {
+    Figure figure;
+    figure.value = value;
+    figure.evidence = std::move(evidence);
+    return figure;
+}
+
 Figure count_events(const Analysis& analysis, const Selection& row, EventKind kind) {
     int count = 0;
     Figure figure;

@@ -166,7 +166,7 @@ Figure last_reported(const Analysis& analysis, EventKind kind) {
 }
 
 Figure lateral_heat(const Analysis& analysis, const Selection& /*row*/) {
-    return last_reported(analysis, EventKind::heat_dose);
+    return last_reported(analysis, EventKind::heat_area);
 }
 
 Figure bleed_ml(const Analysis& analysis, const Selection& /*row*/) {
@@ -252,18 +252,21 @@ std::vector<Metric> energy_metrics() {
              QT_TRANSLATE_NOOP("fulcrum::metrics", "energy was on for {value}, above the limit of {limit}"),
              QT_TRANSLATE_NOOP("fulcrum::metrics", "release the pedal as soon as the tissue has parted")}),
         Hands::each, false, {Channel::energy}, energy_time);
-    add(describe({"lateral_heat", QT_TRANSLATE_NOOP("fulcrum::metrics", "Thermal spread"), "min", 0.1},
-                 D::lower, Scale::raw, A::maximum, E::moderate,
-                 "CEM43, Sapareto and Dewey 1984: R 0.5 from 43 degrees C, 0.25 from 39",
-                 {QT_TRANSLATE_NOOP("fulcrum::metrics",
-                                    "Largest thermal dose (equivalent minutes at 43 degrees) of tissue that "
-                                    "was not to be heated."),
-                  QT_TRANSLATE_NOOP("fulcrum::metrics",
-                                    "non-target tissue received {value}, above the limit of {limit}"),
-                  QT_TRANSLATE_NOOP(
-                      "fulcrum::metrics",
-                      "keep the hot blade away from what lies behind, and let it cool before touching")}),
-        Hands::either, true, {}, lateral_heat);
+    MetricDescriptor heat = describe(
+        {"lateral_heat", QT_TRANSLATE_NOOP("fulcrum::metrics", "Thermal spread"), "mm²", 0.1}, D::lower,
+        Scale::raw, A::total, E::moderate,
+        "area with a CEM43 of at least 240 min; Sapareto and Dewey 1984: R 0.5 from 43 degrees C, 0.25 from "
+        "39",
+        {QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "Area of tissue that was not to be heated and received a dose that kills it (240 "
+                           "equivalent minutes at 43 degrees)."),
+         QT_TRANSLATE_NOOP("fulcrum::metrics",
+                           "heat killed {value} of non-target tissue, above the limit of {limit}"),
+         QT_TRANSLATE_NOOP(
+             "fulcrum::metrics",
+             "keep the hot blade away from what lies behind, and let it cool before touching")});
+    heat.version = 2;  // 2: area at a dose that kills, not the largest dose
+    add(std::move(heat), Hands::either, true, {}, lateral_heat);
     add(describe(
             {"bleed_ml", QT_TRANSLATE_NOOP("fulcrum::metrics", "Blood lost"), "mL", 0.1}, D::lower,
             Scale::raw, A::total, E::moderate, "modelled blood loss",

@@ -34,7 +34,7 @@ void map_frame(RecordedAttempt& attempt, const Map& place, const Map& direction,
         map_columns(&hand.tx, &hand.ty, &hand.tz, moment);
     }
     map_columns(&attempt.trace.camera.px, &attempt.trace.camera.py, &attempt.trace.camera.pz, place);
-    for (Vector3& target : attempt.context.targets) target = place(target);
+    for (TargetSphere& target : attempt.context.targets) target.centre = place(target.centre);
 }
 
 template <typename T>

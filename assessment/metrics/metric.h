@@ -11,6 +11,7 @@
 #include "assessment/metrics/statement.h"
 #include "assessment/pathology/pathology.h"
 #include "assessment/trace/trace.h"
+#include "sim_core/rigid/target_sphere.h"
 
 namespace fulcrum {
 
@@ -114,9 +115,9 @@ struct MetricContext {
     std::optional<CutPlan> cut;            ///< absent: the task marks no line
     std::optional<SpecimenPlan> specimen;  ///< absent: the task leaves none
     std::vector<TissueLimits> tissues;
-    std::vector<Vector3> targets;      ///< m, centre of target i (Event::detail of target_shown)
-    std::vector<std::string> phases;   ///< HUD or goal name of phase i (Event::detail of phase_begin)
-    std::vector<std::string> metrics;  ///< ids wanted; empty: all of the registry
+    std::vector<TargetSphere> targets;  ///< target i is Event::detail of target_shown
+    std::vector<std::string> phases;    ///< HUD or goal name of phase i (Event::detail of phase_begin)
+    std::vector<std::string> metrics;   ///< ids wanted; empty: all of the registry
     /// Rows that only describe, whatever their descriptor says: "id" or "id.hand".
     std::vector<std::string> described;
     bool events_recorded = true;  ///< false for a trace file, which carries none: counts are absent, not 0

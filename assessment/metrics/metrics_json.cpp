@@ -99,7 +99,7 @@ std::vector<MetricResult> metrics_from_json(const nlohmann::json& rows, const st
 }
 
 MetricContext make_metric_context(const Scene& scene, const TaskDefinition& task,
-                                  const std::vector<Vector3>& targets) {
+                                  const std::vector<TargetSphere>& targets) {
     MetricContext context;
     for (const TissueSpec& tissue : scene.tissues) {
         TissueLimits limits;

@@ -19,10 +19,10 @@ nlohmann::json metrics_to_json(const std::vector<MetricResult>& results);
 /// The reverse; throws InputError naming `file` and the JSON pointer.
 std::vector<MetricResult> metrics_from_json(const nlohmann::json& rows, const std::string& file);
 
-/// What compute_metrics must know of a task: limits of the scene's tissues, phases, targets (centres by
-/// index, may be empty).
+/// What compute_metrics must know of a task: limits of the scene's tissues, phases, targets (by index,
+/// may be empty).
 MetricContext make_metric_context(const Scene& scene, const TaskDefinition& task,
-                                  const std::vector<Vector3>& targets);
+                                  const std::vector<TargetSphere>& targets);
 
 /// `{"file", "samples", "duration_s", "mean_rate_hz", "ignored_columns", "gaps": [[begin, end], …],
 /// "replaced_force_samples", "metrics": […]}`; `file` is where the trace came from.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assessment/metrics/aim.h"
 #include "assessment/metrics/analysis.h"
 #include "assessment/metrics/descriptor_text.h"
 #include "assessment/metrics/registry.h"
@@ -13,13 +14,6 @@ namespace fulcrum {
 namespace {
 
 constexpr double mm = 1e3, degrees = 180.0 / 3.14159265358979323846;  // in a metre, in a radian
-
-Figure value_of(double value, std::vector<TimeInterval> evidence = {}) {
-    Figure figure;
-    figure.value = value;
-    figure.evidence = std::move(evidence);
-    return figure;
-}
 
 /// Evidence of a sum over the whole attempt: its worst 5 s.
 std::vector<TimeInterval> worst_five_seconds(const HandAnalysis& hand, bool angular) {
@@ -102,121 +96,6 @@ Figure depth_axis(const Analysis& analysis, const Selection& row) {
     if (worst.size() > 1) worst.resize(1);
     return value_of(mm * sum_steps(hand, [](double along, double) { return std::abs(along); }),
                     std::move(worst));
-}
-
-/// Times at which the hand reached a target, grasped or released.
-std::vector<double> way_points(const Analysis& analysis, int h) {
-    std::vector<double> times;
-    for (const Event& event : analysis.events()) {
-        const bool way_point = event.kind == EventKind::target_reached || event.kind == EventKind::grasp ||
-                               event.kind == EventKind::release;
-        if (way_point && event.hand == h) times.push_back(analysis.trace().time_of(event));
-    }
-    std::sort(times.begin(), times.end());
-    return times;
-}
-
-Figure econ(const Analysis& analysis, const Selection& row) {
-    const HandAnalysis& hand = analysis.hand(row.hand);
-    std::vector<double> times = way_points(analysis, row.hand);
-    const std::optional<double> begin = analysis.first_movement(row.hand);
-    if (times.size() < 3) return absent(Absence::not_done, {StatementId::few_way_points, {{"least", 3.0}}});
-    if (!begin) return absent(Absence::not_done, StatementId::hand_never_moved);
-    times.erase(std::remove_if(times.begin(), times.end(), [&](double t) { return t <= *begin; }),
-                times.end());
-    times.insert(times.begin(), *begin);
-    double straight = 0, travelled = 0;
-    std::vector<ScoredInterval> legs;
-    for (std::size_t i = 0; i + 1 < times.size(); ++i) {
-        const auto from = analysis.block_at(row.hand, times[i]),
-                   to = analysis.block_at(row.hand, times[i + 1]);
-        if (!from || from != to) continue;  // no movement spans a gap
-        const MotionBlock& block = hand.motion[*from];
-        std::size_t first = block.index(times[i]), last = block.index(times[i + 1]);
-        // Holds at either end are not part of the path.
-        while (first < last && block.pause[first] != 0) ++first;
-        while (last > first && block.pause[last] != 0) --last;
-        const auto size = static_cast<Eigen::Index>(last - first + 1);
-        const double path =
-            path_length(block.position.middleCols(static_cast<Eigen::Index>(first + block.held), size));
-        const double distance = (block.point(last) - block.point(first)).norm();
-        straight += distance;
-        travelled += path;
-        legs.push_back({path - distance, {block.time(first), block.time(last)}});
-    }
-    if (!(travelled > 0)) return absent(Absence::not_done, StatementId::still_between_way_points);
-    Figure figure = value_of(std::clamp(straight / travelled, 0.0, 1.0), worst_first(std::move(legs)));
-    figure.count = static_cast<int>(figure.evidence.size());
-    return figure;
-}
-
-/// Signed depth errors at the end of the first movement after each target was shown, m, and where.
-struct DepthErrors {
-    std::vector<double> errors;
-    std::vector<ScoredInterval> movements;
-    int shown = 0;
-};
-
-DepthErrors depth_errors(const Analysis& analysis, int h) {
-    const HandAnalysis& hand = analysis.hand(h);
-    std::vector<std::pair<double, std::size_t>> shown;
-    for (const Event& event : analysis.events())
-        if (event.kind == EventKind::target_shown && event.hand == h && event.detail >= 0 &&
-            static_cast<std::size_t>(event.detail) < analysis.context().targets.size())
-            shown.emplace_back(analysis.trace().time_of(event), static_cast<std::size_t>(event.detail));
-    std::stable_sort(shown.begin(), shown.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    DepthErrors out;
-    out.shown = static_cast<int>(shown.size());
-    std::size_t s = 0;
-    for (std::size_t i = 0; i < shown.size(); ++i) {
-        const double until = i + 1 < shown.size() ? shown[i + 1].first : analysis.trace().end;
-        const auto start = [&](const Segment& segment) {
-            return hand.motion[segment.block].time(segment.core.first);
-        };
-        while (s < hand.segments.size() && start(hand.segments[s]) < shown[i].first) ++s;
-        if (s == hand.segments.size()) break;
-        if (start(hand.segments[s]) > until) continue;
-        const Segment& segment = hand.segments[s];
-        const MotionBlock& block = hand.motion[segment.block];
-        const std::size_t last = segment.whole.last - 1;
-        const Vector3 offset = block.point(last) - analysis.context().targets[shown[i].second];
-        const double error = offset.dot(block.direction(last));
-        out.errors.push_back(error);
-        out.movements.push_back({std::abs(error), block.interval(segment.whole)});
-    }
-    return out;
-}
-
-Figure no_depth_error(const Analysis& analysis, const DepthErrors& depth, std::size_t needed) {
-    if (analysis.context().targets.empty())
-        return absent(Absence::not_measured, StatementId::target_positions_unknown);
-    if (depth.shown == 0) return absent(Absence::not_done, StatementId::no_target_shown);
-    return absent(Absence::not_done,
-                  {StatementId::few_target_movements, {{"least", static_cast<double>(needed)}}});
-}
-
-Figure depth_err(const Analysis& analysis, const Selection& row) {
-    const DepthErrors depth = depth_errors(analysis, row.hand);
-    if (depth.errors.empty()) return no_depth_error(analysis, depth, 1);
-    double sum = 0;
-    for (const double error : depth.errors) sum += error;
-    Figure figure =
-        value_of(mm * sum / static_cast<double>(depth.errors.size()), worst_first(depth.movements));
-    figure.count = static_cast<int>(depth.errors.size());
-    return figure;
-}
-
-Figure depth_err_sd(const Analysis& analysis, const Selection& row) {
-    const DepthErrors depth = depth_errors(analysis, row.hand);
-    const auto n = static_cast<double>(depth.errors.size());
-    if (depth.errors.size() < 2) return no_depth_error(analysis, depth, 2);
-    double mean = 0, square = 0;
-    for (const double error : depth.errors) mean += error / n;
-    for (const double error : depth.errors) square += (error - mean) * (error - mean);
-    Figure figure = value_of(mm * std::sqrt(square / (n - 1)), worst_first(depth.movements));
-    figure.count = static_cast<int>(depth.errors.size());
-    return figure;
 }
 
 Figure n_moves(const Analysis& analysis, const Selection& row) {
@@ -387,9 +266,10 @@ void add_paths(std::vector<Metric>& metrics) {
     d = motion(
         {"econ", QT_TRANSLATE_NOOP("fulcrum::metrics", "Economy of movement"), "-", 0.01}, D::higher,
         Scale::raw, A::ratio, E::strong, "Oropesa 2013; ratio of ideal to actual path",
-        {QT_TRANSLATE_NOOP("fulcrum::metrics", "Straight distances between way-points (targets reached, grasps, releases) over the path that was travelled between them; 1 is a straight line each time. Holds are left out."),
+        {QT_TRANSLATE_NOOP("fulcrum::metrics", "Straight distances between way-points (targets reached, grasps, releases, beginnings and ends of strokes of a blade) over the path that was travelled between them; 1 is a straight line each time. Holds and strokes are left out."),
          QT_TRANSLATE_NOOP("fulcrum::metrics", "the path between grasps and targets was indirect: economy {value}, below the required {limit}"),
          QT_TRANSLATE_NOOP("fulcrum::metrics", "aim before moving, then go straight")});
+    d.version = 2;  // 2: strokes of a blade are way-points
     d.needs_events = true;
     d.absent_means = AbsentMeans::failed;
     d.dependencies = {"path_len"};
@@ -428,19 +308,19 @@ void add_movements(std::vector<Metric>& metrics) {
     const auto add = [&](MetricDescriptor d, Compute compute) { metrics.push_back({std::move(d), compute}); };
     MetricDescriptor d = with_axis(motion(
         {"depth_err", QT_TRANSLATE_NOOP("fulcrum::metrics", "Depth error"), "mm", 0.1}, D::lower, Scale::raw,
-        A::mean, E::moderate, "signed error along the shaft at the end of the first movement",
-        {QT_TRANSLATE_NOOP("fulcrum::metrics", "How far beyond (positive) or short of the target the first movement ended, on average over targets."),
+        A::mean, E::moderate, "distance along the shaft from the target's surface at the end of the first movement",
+        {QT_TRANSLATE_NOOP("fulcrum::metrics", "How far from the target's surface, too deep or too shallow, the first movement ended, on average over targets."),
          QT_TRANSLATE_NOOP("fulcrum::metrics", "the first movement missed the depth by {value} on average, above the limit of {limit}"),
          QT_TRANSLATE_NOOP("fulcrum::metrics", "slow down near the target and watch the contact shadow")}));
     d.needs_events = true;
-    d.absolute_value = true;
+    d.version = 2;  // 2: mean of the sizes, not of signed errors that cancel; from the surface, not the centre
     d.minimum_rate = 50;
     d.absent_means = AbsentMeans::failed;
     add(d, depth_err);
     d.id = "depth_err_sd";
     d.name = QT_TRANSLATE_NOOP("fulcrum::metrics", "Depth error, spread");
+    d.version = 1;
     d.aggregation = A::deviation;
-    d.absolute_value = false;
     d.dependencies = {"depth_err"};
     d.explanation = QT_TRANSLATE_NOOP("fulcrum::metrics", "How much the depth error varied from target to target (standard deviation).");
     d.advice_fault = QT_TRANSLATE_NOOP("fulcrum::metrics", "the depth of the first movement varied by {value}, above the limit of {limit}");

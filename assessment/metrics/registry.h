@@ -20,6 +20,7 @@ struct Figure {
     std::optional<int> count;
 };
 Figure absent(Absence absence, Statement because);
+Figure value_of(double value, std::vector<TimeInterval> evidence = {});
 
 /// Which row: hand 0 or 1, -1 where a metric has none; tissue an index into Analysis::tissues(), -1 all
 /// together.

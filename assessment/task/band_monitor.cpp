@@ -6,10 +6,11 @@
 namespace fulcrum {
 namespace {
 
-constexpr double millilitres = 1e6;  // per m3
-constexpr double loss_step = 0.25;   // mL between two reports of the sum
-constexpr double dose_pause = 0.5;   // s between two reports of the dose
-constexpr double least_dose = 0.01;  // min, smaller doses are not reported
+constexpr double millilitres = 1e6;         // per m3
+constexpr double loss_step = 0.25;          // mL between two reports of the sum
+constexpr double dose_pause = 0.5;          // s between two reports of the dose
+constexpr double square_millimetres = 1e6;  // per m2
+constexpr double least_dose = 0.01;         // min, smaller doses are not reported
 
 void emit(EventSink& sink, std::uint32_t tick, EventKind kind, int hand, std::int8_t tissue,
           std::int32_t detail, double value) noexcept {
@@ -103,6 +104,8 @@ void BandMonitor::step(const WorldSnapshot& world, std::uint32_t tick, EventSink
                                                                   : sheet_tissue_;
     }
     if ((tick - told_dose_tick_) * tick_period_ >= dose_pause) tell_dose(tick, sink);
+    area_ = std::max(area_, view.lateral_area);
+    if ((tick - told_area_tick_) * tick_period_ >= dose_pause) tell_area(tick, sink);
     step_nerves(view, tick, sink);
 }
 
@@ -244,6 +247,13 @@ void BandMonitor::tell_dose(std::uint32_t tick, EventSink& sink) noexcept {
     emit(sink, tick, EventKind::heat_dose, no_hand, dose_tissue_, 0, dose_);
 }
 
+void BandMonitor::tell_area(std::uint32_t tick, EventSink& sink) noexcept {
+    if (!(area_ > told_area_)) return;
+    told_area_ = area_;
+    told_area_tick_ = tick;
+    emit(sink, tick, EventKind::heat_area, no_hand, bed_tissue_, 0, area_ * square_millimetres);
+}
+
 void BandMonitor::finish(std::uint32_t tick, EventSink& sink) noexcept {
     if (!present_) return;
     for (int hand = 0; hand < hand_count; ++hand) {
@@ -257,6 +267,7 @@ void BandMonitor::finish(std::uint32_t tick, EventSink& sink) noexcept {
     }
     tell_loss(tick, sink);
     tell_dose(tick, sink);
+    tell_area(tick, sink);
 }
 
 }  // namespace fulcrum

@@ -47,6 +47,7 @@ class BandMonitor {
     void end_activation(int hand, std::uint32_t tick, EventSink& sink) noexcept;
     void tell_loss(std::uint32_t tick, EventSink& sink) noexcept;
     void tell_dose(std::uint32_t tick, EventSink& sink) noexcept;
+    void tell_area(std::uint32_t tick, EventSink& sink) noexcept;
     std::int8_t tissue_of(EnergyTarget target) const noexcept;
 
     bool present_ = false;
@@ -58,8 +59,8 @@ class BandMonitor {
     std::vector<std::uint8_t> band_parted_, pulled_by_, bleeding_, injured_, nerve_heated_, nerve_divided_;
     std::vector<double> outlet_ml_;
     int divided_ = 0, torn_ = 0, dry_ = 0, clips_left_ = 0;
-    double lost_ml_ = 0, told_ml_ = 0, dose_ = 0, told_dose_ = 0;
-    std::uint32_t told_dose_tick_ = 0;
+    double lost_ml_ = 0, told_ml_ = 0, dose_ = 0, told_dose_ = 0, area_ = 0, told_area_ = 0;
+    std::uint32_t told_dose_tick_ = 0, told_area_tick_ = 0;
     std::int8_t dose_tissue_ = -1;
 };
 

@@ -13,12 +13,9 @@ namespace fulcrum {
 namespace {
 
 /// The world's targets as they stood in that attempt.
-std::vector<Vector3> targets_of(const LoadedTask& loaded, std::uint64_t seed) {
-    std::vector<Vector3> targets;
-    if (!loaded.scene.targets) return targets;
-    const AttemptEngine engine(loaded.scene, loaded.task, seed);
-    for (const TargetSphere& target : engine.initial_snapshot().targets) targets.push_back(target.centre);
-    return targets;
+std::vector<TargetSphere> targets_of(const LoadedTask& loaded, std::uint64_t seed) {
+    if (!loaded.scene.targets) return {};
+    return AttemptEngine(loaded.scene, loaded.task, seed).initial_snapshot().targets;
 }
 
 void recompute(const database::Attempts& attempts, const database::Session& session, RecomputedScore& one) {

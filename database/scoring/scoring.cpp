@@ -94,7 +94,7 @@ std::vector<std::string> tissue_labels(const Scene& scene) {
 }
 
 ScoredAttempt score_record(const Scene& scene, const TaskDefinition& task,
-                           const std::vector<Vector3>& targets, const std::vector<TickSample>& samples,
+                           const std::vector<TargetSphere>& targets, const std::vector<TickSample>& samples,
                            const std::vector<Event>& events, const Limits& limits) {
     const std::array<bool, hand_count> hands = {scene.instrument(Hand::left) != nullptr,
                                                 scene.instrument(Hand::right) != nullptr};
@@ -103,8 +103,9 @@ ScoredAttempt score_record(const Scene& scene, const TaskDefinition& task,
                        events, limits);
 }
 
-ScoredAttempt score_trace(const Scene& scene, const TaskDefinition& task, const std::vector<Vector3>& targets,
-                          const Trace& trace, const std::vector<Event>& events, const Limits& limits) {
+ScoredAttempt score_trace(const Scene& scene, const TaskDefinition& task,
+                          const std::vector<TargetSphere>& targets, const Trace& trace,
+                          const std::vector<Event>& events, const Limits& limits) {
     ScoredAttempt scored;
     const MetricContext context = make_metric_context(scene, task, targets);
     scored.metrics = compute_metrics(trace, events, context);

@@ -54,12 +54,13 @@ Limits limits_at_start(const TaskDefinition& task, const Scene& scene, DeviceCla
 
 /// Pure. `targets`: centres of the scene's targets for this seed.
 ScoredAttempt score_record(const Scene& scene, const TaskDefinition& task,
-                           const std::vector<Vector3>& targets, const std::vector<TickSample>& samples,
+                           const std::vector<TargetSphere>& targets, const std::vector<TickSample>& samples,
                            const std::vector<Event>& events, const Limits& limits);
 
 /// The same from a trace that has been read from a file, with the scene's labels first in its table.
-ScoredAttempt score_trace(const Scene& scene, const TaskDefinition& task, const std::vector<Vector3>& targets,
-                          const Trace& trace, const std::vector<Event>& events, const Limits& limits);
+ScoredAttempt score_trace(const Scene& scene, const TaskDefinition& task,
+                          const std::vector<TargetSphere>& targets, const Trace& trace,
+                          const std::vector<Event>& events, const Limits& limits);
 
 /// Tissue labels in the order of HandSample::tissue.
 std::vector<std::string> tissue_labels(const Scene& scene);

@@ -64,6 +64,7 @@ enum class EventKind : std::uint16_t {
     tool_exchanged = 48,  ///< detail: index in the hand's list of instruments
     fibres_parted = 49,   ///< under tension, by no hand, from here to the cut_advance that follows; value,
                           ///< detail: as cut_begin
+    heat_area = 50,       ///< value: non-target tissue at or above lethal_dose so far (mm2)
 };
 const char* event_name(EventKind kind);
 

@@ -67,6 +67,7 @@ inline constexpr NameRow<EventKind> event_kinds[] = {
      QT_TRANSLATE_NOOP("fulcrum::events", "instrument exchanged")},
     {EventKind::fibres_parted, "fibres_parted",
      QT_TRANSLATE_NOOP("fulcrum::events", "fibres tore under too much tension")},
+    {EventKind::heat_area, "heat_area", QT_TRANSLATE_NOOP("fulcrum::events", "area of dead tissue")},
 };
 static_assert(in_order(event_kinds));
 

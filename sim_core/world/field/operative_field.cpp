@@ -194,6 +194,7 @@ void OperativeField::fill_view(BandsView& view) const noexcept {
         seen.last_clip_distance = static_cast<float>(from.last_clip_distance);
     }
     double worst = 0, lateral = 0;
+    std::size_t dead = 0;
     for (std::size_t n = 0; n < model_.nerves.size(); ++n) {
         NerveView& seen = view.nerves[n];
         for (std::size_t i = 0; i < seen.dose.size(); ++i) {
@@ -208,10 +209,12 @@ void OperativeField::fill_view(BandsView& view) const noexcept {
         const double dose = heat_.dose[model_.first_bed + i];
         view.bed_dose[i] = static_cast<float>(dose);
         lateral = std::max(lateral, dose);
+        dead += dose >= lethal_dose ? 1 : 0;
     }
     view.worst_nerve_dose = worst;
     view.worst_bed_dose = lateral;
     view.lateral_dose = std::max(worst, lateral);
+    view.lateral_area = static_cast<double>(dead) * bed.pool.cell * bed.pool.cell;
     view.smoke = 1 - transmission(smoke_model_, smoke_);
     view.heat_given = heat_.given;
 }

@@ -87,6 +87,7 @@ struct BandsView {
     double nerve_radius = 0;  ///< m
     double lateral_dose =
         0;  ///< min, largest over what energy is not for: nerves, bed, far tissue of a sheet
+    double lateral_area = 0;                          ///< m2 of bed and far tissue at or above lethal_dose
     double worst_nerve_dose = 0, worst_bed_dose = 0;  ///< min
     /// Of a sheet that energy divides, by its root triangle as it was made (SheetView::roots); empty without.
     std::vector<float> sheet_char;  ///< 0 moist .. 1 dry and black

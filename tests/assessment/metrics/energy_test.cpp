@@ -144,13 +144,13 @@ TEST(EnergySafe, IsAbsentWithoutAnActivationAndWithoutEvents) {
     }
 }
 
-TEST(LateralHeat, IsTheLargestDoseTold) {
+TEST(LateralHeat, IsTheAreaThatReceivedALethalDose) {
     const Trace trace = make_trace(20);
     EXPECT_EQ(*measure(trace, "lateral_heat", "").value, 0.0);
     const MetricResult result =
         measure(trace, "lateral_heat", "",
-                {told(3, EventKind::heat_dose, 0.5), told(8, EventKind::heat_dose, 7.25),
-                 told(9, EventKind::heat_dose, 7.5)});
+                {told(3, EventKind::heat_area, 0.5), told(8, EventKind::heat_area, 7.25),
+                 told(9, EventKind::heat_area, 7.5)});
     EXPECT_NEAR(*result.value, 7.5, 1e-6);
     ASSERT_EQ(result.evidence.size(), 3U);
     EXPECT_NEAR(result.evidence[0].end, 8.0, 1e-9);  // where it rose most

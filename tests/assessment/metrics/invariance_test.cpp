@@ -21,8 +21,7 @@ RecordedAttempt attempt_of_an_expert(const std::string& id) {
     const Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
     AttemptEngine engine(scene, task, 2001);
     RecordedAttempt attempt;
-    std::vector<Vector3> targets;
-    for (const TargetSphere& target : engine.initial_snapshot().targets) targets.push_back(target.centre);
+    const std::vector<TargetSphere>& targets = engine.initial_snapshot().targets;
     const auto rig = make_operator("expert", task, scene, 2001);
     MemorySink sink;
     run_headless(engine, *rig, sink);

@@ -194,18 +194,44 @@ TEST(Economy, OfADetourIsTheRatioOfDistances) {
     EXPECT_FALSE(measure(trace, "econ", "right", events).value);
 }
 
-TEST(DepthError, IsPositiveWhereTheFirstMovementWentTooDeep) {
+TEST(Economy, OfABladeCountsTheWaysBetweenItsStrokes) {
+    // Half circles between strokes of a quarter turn each way: the strokes do not count.
+    Trace trace = make_trace(14.0);
+    set_position(trace, Hand::left, [](double t) {
+        double angle = 0;
+        for (int i = 0; i < 4; ++i) angle += pi * test::minimum_jerk(t - 1.0 - 2.5 * i, 1.5);
+        return Vector3(0.05 * std::cos(angle), 0.05 * std::sin(angle), 0);
+    });
+    std::vector<Event> events;
+    for (int i = 0; i < 4; ++i) {
+        events.push_back(make_event(2.6 + 2.5 * i, EventKind::cut_begin, 0));
+        events.push_back(make_event(3.4 + 2.5 * i, EventKind::cut_end, 0));
+    }
+    EXPECT_NEAR(measure(trace, "econ", "left", events).value.value_or(0), 2 / pi, 0.002);
+    // Strokes along the half circles: the ways between them are the rests, and nothing is left to count.
+    events.clear();
+    for (int i = 0; i < 4; ++i) {
+        events.push_back(make_event(0.9 + 2.5 * i, EventKind::cut_begin, 0));
+        events.push_back(make_event(2.6 + 2.5 * i, EventKind::cut_end, 0));
+    }
+    EXPECT_FALSE(measure(trace, "econ", "left", events).value);
+}
+
+TEST(DepthError, IsTheMeanDistanceFromTheSurfaceWhereTheFirstMovementEnded) {
     Trace trace = make_trace(9.0);
     set_axis(trace, Hand::left, [](double) { return Vector3(1, 0, 0); });
     set_position(trace, Hand::left, reaches(3, 0.1, 1.0, 1.0));  // ends at 100, 0 and 100 mm
     MetricContext context;
-    context.targets = {{0.096, 0.01, 0}, {0.002, 0, 0}, {0.097, 0, 0.02}};
+    // Their nearer sides are at 96, 2 and 97 mm.
+    context.targets = {{{0.101, 0.01, 0}, 0.005, Hand::left},
+                       {{0.005, 0, 0}, 0.003, Hand::left},
+                       {{0.097, 0, 0.02}, 0, Hand::left}};
     std::vector<Event> events;
     for (int i = 0; i < 3; ++i) events.push_back(make_event(0.5 + 2.0 * i, EventKind::target_shown, 0, i));
     const MetricResult mean = measure(trace, "depth_err", "left", events, context);
     ASSERT_TRUE(mean.value) << words_of(mean.absent_because);
     EXPECT_EQ(mean.count, 3);
-    EXPECT_NEAR(*mean.value, (4.0 - 2.0 + 3.0) / 3.0, 0.02);
+    EXPECT_NEAR(*mean.value, (4.0 + 2.0 + 3.0) / 3.0, 0.02);
     EXPECT_NEAR(*measure(trace, "depth_err_sd", "left", events, context).value, std::sqrt(62.0 / 6.0), 0.03);
     EXPECT_EQ(measure(trace, "depth_err", "left", events).absence, Absence::not_measured);
     EXPECT_EQ(measure(trace, "depth_err", "left", {}, context).absence, Absence::not_done);

@@ -44,7 +44,7 @@ struct CheatVerdict {
 };
 
 inline Score score_so_far(const CheatStage& stage, const AttemptRecord& record,
-                          const std::vector<Vector3>& targets) {
+                          const std::vector<TargetSphere>& targets) {
     const Trace trace =
         trace_from_samples(record.samples, record.events, stage.labels, stage.scene.tick_rate);
     MetricContext context = make_metric_context(stage.scene, stage.task, targets);
@@ -58,8 +58,7 @@ inline Score score_so_far(const CheatStage& stage, const AttemptRecord& record,
 /// WhatIsBrokenForGoodStaysFailed). `whole` runs to the end all the same.
 inline CheatVerdict judge(const CheatStage& stage, Rig& rig, std::uint64_t seed, bool whole = false) {
     AttemptEngine engine(stage.scene, stage.task, seed);
-    std::vector<Vector3> targets;
-    for (const TargetSphere& target : engine.initial_snapshot().targets) targets.push_back(target.centre);
+    const std::vector<TargetSphere>& targets = engine.initial_snapshot().targets;
     MemorySink sink;
     CheatVerdict verdict;
     double next = 10;

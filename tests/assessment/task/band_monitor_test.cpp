@@ -313,12 +313,15 @@ TEST(BandMonitor, AWallWithVeinsReportsTheSameEvents) {
 
     // Heat outside the plane is reported with the sheet's tissue, a divided nerve once.
     view.lateral_dose = 30;
+    view.lateral_area = 2.5e-6;
     view.nerves[0].divided = true;
     tick += 1000;
     step();
     step();
     ASSERT_EQ(sink.of(EventKind::heat_dose).size(), 1U);
     EXPECT_EQ(sink.of(EventKind::heat_dose)[0].tissue, scene.tissue_index("fat"));
+    ASSERT_EQ(sink.of(EventKind::heat_area).size(), 1U);
+    EXPECT_NEAR(static_cast<double>(sink.of(EventKind::heat_area)[0].value), 2.5, 1e-5);
     ASSERT_EQ(sink.of(EventKind::nerve_injury).size(), 1U);
     EXPECT_EQ(nerve_injury_of(sink.of(EventKind::nerve_injury)[0]).cause, InjuryCause::blade);
 }

@@ -295,7 +295,9 @@ void StructuresPart::fill_snapshot(WorldSnapshot& snapshot) const noexcept {
         const double water = field_.model().heat.patches[patch].water;
         view.sheet_char[r] = water > 0 ? static_cast<float>(1 - heat.water[patch] / water) : 0.0F;
         view.sheet_dose[r] = static_cast<float>(heat.dose[patch]);
-        if (root_is_target_[r] == 0) view.lateral_dose = std::max(view.lateral_dose, heat.dose[patch]);
+        if (root_is_target_[r] != 0) continue;
+        view.lateral_dose = std::max(view.lateral_dose, heat.dose[patch]);
+        if (heat.dose[patch] >= lethal_dose) view.lateral_area += root_area_[r];
     }
 }
 
