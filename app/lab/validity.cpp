@@ -114,21 +114,21 @@ void add_metrics(lab::ResultPage& page, const std::map<std::string, json>& opera
 void add_gates(lab::ResultPage& page, const std::map<std::string, json>& operators) {
     page.heading("Gates");
     lab::ResultTable table;
-    table.columns = {"task",           "gate", "hand", "experts failed", "intermediates failed",
-                     "novices failed", "of"};
+    table.columns = {"task",           "gate", "hand",    "experts failed", "intermediates failed",
+                     "novices failed", "of",   "kept for"};
     for (const auto& [task, document] : operators)
         for (const json& gate : document.at("gates")) {
             const json& failed = gate.at("failed");
             table.rows.push_back(
                 {task, gate.at("metric"), gate.at("hand").is_null() ? "" : gate.at("hand"),
                  std::to_string(failed.at(0).get<int>()), std::to_string(failed.at(1).get<int>()),
-                 std::to_string(failed.at(2).get<int>()), std::to_string(document.at("seeds").get<int>())});
+                 std::to_string(failed.at(2).get<int>()), std::to_string(document.at("seeds").get<int>()),
+                 gate.at("safety").get<std::string>()});
         }
     page.table(table);
     page.paragraph(
-        "A gate that fails fewer than one novice in ten is kept for safety: it stops harm (force, "
-        "perforation, injury) or "
-        "work that nobody can see (off_screen), which the synthetic novices seldom do.");
+        "A gate that fails fewer than one novice in ten says what it is kept for: harm that must stop an "
+        "attempt even if the synthetic novices seldom do it.");
     page.heading("Passed");
     lab::ResultTable passed;
     passed.columns = {"task", "attempts of each group", "experts", "intermediates", "novices"};

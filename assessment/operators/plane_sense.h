@@ -38,7 +38,7 @@ class PlaneSense {
     static constexpr double return_share =
         0.25;  // of the distance, in a stroke, where all fibres are recognised
     static constexpr double furthest_out = 0.002,
-                            furthest_in = 0.009;  // m: bone, and yellow fat that anyone sees
+                            furthest_in = 0.0075;  // m: bone, and yellow fat that anyone sees
     static constexpr double wide_open = 0.7;      // of the least traction asked for: all fibres are seen
     double unseen(double opened) const noexcept {
         return 1 - skill_.recognition * std::clamp(opened / wide_open, 0.0, 1.0);

@@ -81,9 +81,9 @@ Skill novice() {
     skill.traction.slack = 0.50;
     skill.line.error = 0.0016;
     skill.line.stroke = 0.012;
-    skill.plane.recognition = 0.3;
+    skill.plane.recognition = 0.2;
     skill.plane.blur = 0.006;
-    skill.plane.lean = 0.005;
+    skill.plane.lean = 0.006;
     return skill;
 }
 

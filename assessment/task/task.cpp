@@ -179,6 +179,7 @@ class TaskReader {
         copy(node, "provisional", gate.provisional);
         copy(node, "exclusive", gate.exclusive);
         copy(node, "advice", gate.advice);
+        copy(node, "safety", gate.safety);
         if (std::find(task_.metrics.begin(), task_.metrics.end(), gate.metric) == task_.metrics.end()) {
             document_.fail(place + "/metric",
                            "the gate's metric \"" + gate.metric + "\" is not among the task's metrics",

@@ -41,6 +41,7 @@ struct GateSpec {
     bool provisional = false;  ///< absolute gates: the limit is our own and waits for a published one
     bool exclusive = false;    ///< absolute gates: a value at the limit itself does not pass
     std::string advice = {};   ///< what to try where it is not met; "": the metric's own
+    std::string safety = {};   ///< the harm it stops, for a gate that seldom fails anyone
 };
 
 struct TaskDefinition {

@@ -24,6 +24,7 @@
 #include "database/rows/errors.h"
 #include "tests/ui/fake_services.h"
 #include "tests/ui/hands.h"
+#include "ui/page/background_job.h"
 #include "ui/page/error_text.h"
 #include "ui/review/debrief_page.h"
 #include "ui/shell/main_window.h"
@@ -126,10 +127,14 @@ class Screens : public ::testing::Test {
         window->context().set_session(sessions.at(role));
         settle();
     }
-    static void settle() {
-        QCoreApplication::processEvents();
-        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-        QCoreApplication::processEvents();
+    /// Handles what is due, and waits for the work that the page does in the background.
+    void settle() {
+        EXPECT_TRUE(wait_for([&] {
+            QCoreApplication::processEvents();
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+            QCoreApplication::processEvents();
+            return window->findChildren<BackgroundJob*>().isEmpty();
+        }));
     }
     std::vector<const char*> rail() {
         std::vector<const char*> names;
