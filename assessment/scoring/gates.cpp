@@ -171,7 +171,8 @@ void check_gates(const TaskDefinition& task, const std::string& file) {
         if (d->direction == Direction::context)
             refuse("/metric", "'" + gate.metric + "' is context only",
                    "gate a metric that is better in one direction");
-        if (only_describes(task.context, gate.metric, gate.hand))
+        // A gate that stops harm may rest on a value that does not tell experts from novices.
+        if (gate.safety.empty() && only_describes(task.context, gate.metric, gate.hand))
             refuse("/metric", "'" + gate.metric + "' is context in this task",
                    "remove it from context, or remove the gate");
         const bool counted = d->needs_events && d->aggregation == Aggregation::count;

@@ -76,7 +76,7 @@ double stored_heat(const HeatModel& model, const HeatState& state);
 double dose_rate(double temperature);
 /// min: the dose of a patch stays there. Forty times what kills tissue says no more than twenty times.
 inline constexpr double dose_limit = 1e4;
-/// min, CEM43 from which soft tissue is taken as dead (Sapareto and Dewey 1984; Dewhirst 2003).
+/// min, CEM43 from which soft tissue is taken as dead: the usual bound of thermal ablation.
 inline constexpr double lethal_dose = 240;
 
 /// 1/s, A exp(-Ea / (R T)) with A 3.1e98 1/s and Ea 6.28e5 J/mol (Henriques and Moritz 1947). 1 -
