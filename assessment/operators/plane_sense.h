@@ -39,7 +39,7 @@ class PlaneSense {
         0.25;  // of the distance, in a stroke, where all fibres are recognised
     static constexpr double furthest_out = 0.002,
                             furthest_in = 0.0075;  // m: bone, and yellow fat that anyone sees
-    static constexpr double wide_open = 0.7;      // of the least traction asked for: all fibres are seen
+    static constexpr double wide_open = 0.7;       // of the least traction asked for: all fibres are seen
     double unseen(double opened) const noexcept {
         return 1 - skill_.recognition * std::clamp(opened / wide_open, 0.0, 1.0);
     }
