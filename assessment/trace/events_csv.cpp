@@ -80,8 +80,11 @@ EventKind kind_in(const CsvReader& reader) {
 
 }  // namespace
 
-void write_events_csv(const std::vector<Event>& events, const std::vector<std::string>& tissues,
-                      double tick_period, std::ostream& out) {
+void write_events_csv(std::vector<Event> events, const std::vector<std::string>& tissues, double tick_period,
+                      std::ostream& out) {
+    // The first movement is known only when it has lasted: it is recorded after later events.
+    std::stable_sort(events.begin(), events.end(),
+                     [](const Event& a, const Event& b) { return a.tick < b.tick; });
     out << "t,event,hand,tissue,value,detail\ns,-,-,-,event,event\n";
     for (const Event& event : events) {
         out << decimal(event.tick * tick_period) << ',' << event_name(event.kind) << ',';

@@ -13,8 +13,8 @@ namespace fulcrum {
 inline constexpr std::size_t events_csv_row_limit = 1'000'000;
 
 /// One row an event. `tissues`: the scene's labels that Event::tissue points into; `tick_period` in s.
-void write_events_csv(const std::vector<Event>& events, const std::vector<std::string>& tissues,
-                      double tick_period, std::ostream& out);
+void write_events_csv(std::vector<Event> events, const std::vector<std::string>& tissues, double tick_period,
+                      std::ostream& out);
 
 /// The reverse. Throws InputError `FILE:ROW: COLUMN: what is wrong; what to do` for an unknown event, hand or
 /// tissue, a time that falls, and numbers that are none.

@@ -18,7 +18,7 @@ constexpr const char* header = "t,event,hand,tissue,value,detail\ns,-,-,-,event,
 
 TEST(EventsCsv, ReadsWhatItWrites) {
     std::vector<Event> events;
-    for (int kind = 0; kind < 50; ++kind) {
+    for (int kind = 0; kind < 51; ++kind) {
         Event event;
         event.tick = static_cast<std::uint32_t>(kind * 37);
         event.kind = static_cast<EventKind>(kind);
@@ -40,6 +40,20 @@ TEST(EventsCsv, ReadsWhatItWrites) {
         EXPECT_EQ(again[i].value, events[i].value);
         EXPECT_EQ(again[i].detail, events[i].detail);
     }
+}
+
+TEST(EventsCsv, IsWrittenInTheOrderOfTime) {
+    std::vector<Event> events(3);
+    events[0].tick = 900;
+    events[1].tick = 1200;
+    events[2].tick = 1000;  // seen to have begun only later
+    events[2].kind = EventKind::first_movement;
+    std::stringstream text;
+    write_events_csv(events, labels, 0.001, text);
+    const std::vector<Event> again = read_events_csv(text, "events.csv", labels, 0.001);
+    ASSERT_EQ(again.size(), 3U);
+    EXPECT_EQ(again[1].kind, EventKind::first_movement);
+    EXPECT_EQ(again[2].tick, 1200U);
 }
 
 TEST(EventsCsv, NamesRowColumnAndHintOfWhatIsWrong) {
