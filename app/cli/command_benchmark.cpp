@@ -20,7 +20,7 @@
 namespace fulcrum::app {
 namespace {
 
-constexpr int individuals = 8, counted = 3, familiarisation = 3;
+constexpr int individuals = 16, counted = 3, familiarisation = 3;
 constexpr std::uint64_t first_seed = 1000;  // seeds 1000-1999 are reserved for benchmarks
 
 struct Job {
@@ -198,6 +198,7 @@ BenchmarkRequest request_for(const Arguments& arguments, const Setting& setting,
     if (arguments.has("--operators")) {
         request.source = source_of(request.device_class);
         request.provisional = true;
+        request.outliers = false;
         request.familiarisation = request.minimum_familiarisation = 0;
         request.experts = run_operators(loaded, "expert", first_seed, request.device_class);
         request.novices = run_operators(loaded, "novice", first_seed + 500, request.device_class);

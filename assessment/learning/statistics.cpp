@@ -76,8 +76,8 @@ std::optional<RocArea> roc_area(const std::vector<double>& better, const std::ve
     return RocArea{area, bound_from(0), bound_from(1)};
 }
 
-std::optional<ExpertBenchmark> expert_benchmark(const std::vector<ExpertValues>& experts,
-                                                int minimum_experts) {
+std::optional<ExpertBenchmark> expert_benchmark(const std::vector<ExpertValues>& experts, int minimum_experts,
+                                                bool outliers) {
     std::vector<const ExpertValues*> counted;
     std::vector<double> means;
     for (const ExpertValues& expert : experts) {
@@ -91,7 +91,7 @@ std::optional<ExpertBenchmark> expert_benchmark(const std::vector<ExpertValues>&
     std::vector<const ExpertValues*> kept;
     std::vector<double> kept_means;
     for (std::size_t i = 0; i < counted.size(); ++i) {
-        if (std::abs(means[i] - centre) > reach && reach > 0) {
+        if (outliers && std::abs(means[i] - centre) > reach && reach > 0) {
             out.left_out.push_back({counted[i]->expert, means[i]});
         } else {
             kept.push_back(counted[i]);

@@ -62,7 +62,8 @@ struct ExpertBenchmark {
 };
 /// One pass of the outlier rule, then the random-effects estimate; experts without values are not counted.
 /// None if fewer than `minimum_experts` are left.
+/// Without `outliers` nobody is left out.
 std::optional<ExpertBenchmark> expert_benchmark(const std::vector<ExpertValues>& experts,
-                                                int minimum_experts = 6);
+                                                int minimum_experts = 6, bool outliers = true);
 
 }  // namespace fulcrum

@@ -103,7 +103,7 @@ Levels make_levels(const TaskDefinition& task, const BenchmarkRequest& request, 
         level.metric_version = d.version;
         level.unit = d.unit;
         level.scale = d.scale;
-        std::optional<ExpertBenchmark> benchmark = expert_benchmark(experts, fewest);
+        std::optional<ExpertBenchmark> benchmark = expert_benchmark(experts, fewest, request.outliers);
         if (!benchmark) {
             out.refusal = level_name(level) + ": fewer than " + std::to_string(fewest) +
                           " experts are left with a value after the outlier rule";

@@ -23,7 +23,9 @@ struct BenchmarkRequest {
     int version = 1;
     bool provisional = true;
     int familiarisation = 3;  ///< attempts each person made before the counted ones
-    double p0 = 0.1;          ///< share of a proficient person's attempts that may fail
+    bool outliers =
+        true;         ///< experts far from the others are left out; operators are not: their presets vary so
+    double p0 = 0.1;  ///< share of a proficient person's attempts that may fail
     int minimum_experts = 8, minimum_attempts = 3;
     int minimum_familiarisation = 3;  ///< 0 for synthetic operators, who do not learn
     std::vector<BenchmarkAttempt> experts, novices;

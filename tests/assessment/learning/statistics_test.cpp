@@ -33,6 +33,10 @@ TEST(ExpertBenchmark, LeavesOneExpertOutInOnePass) {
     EXPECT_NEAR(benchmark->means_deviation, 2.410, 5e-4);
     EXPECT_NEAR(benchmark->deviation, 2.410, 5e-4);  // no spread within experts
     EXPECT_EQ(benchmark->experts, 7);
+    const auto all = expert_benchmark(experts, 6, false);
+    ASSERT_TRUE(all);
+    EXPECT_TRUE(all->left_out.empty());
+    EXPECT_EQ(all->experts, 8);
 }
 
 TEST(ExpertBenchmark, NeedsSixExperts) {
