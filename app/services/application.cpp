@@ -26,6 +26,7 @@ class Services : public ui::ApplicationServices {
   public:
     explicit Services(std::string folder) : folder_(std::move(folder)) {
         for (const std::string& id : task_ids()) tasks_.push_back(load_task(task_file(id)));
+        curriculum_ = load_curriculum(asset_path("curricula/rectal.json"), task_ids());
     }
     database::Store* store() override { return store_.get(); }
     std::string store_path(bool demo) const override {
@@ -42,6 +43,7 @@ class Services : public ui::ApplicationServices {
         return app::build_demo(store_path(true), progress);
     }
     const std::vector<TaskDefinition>& tasks() const override { return tasks_; }
+    const Curriculum& curriculum() const override { return curriculum_; }
     Scene scene_for(const TaskDefinition& task) const override {
         return load_scene(asset_path("scenes/" + task.scene));
     }
@@ -123,6 +125,7 @@ class Services : public ui::ApplicationServices {
     }
     std::string folder_;
     std::vector<TaskDefinition> tasks_;
+    Curriculum curriculum_;
     std::unique_ptr<database::Store> store_;
 };
 

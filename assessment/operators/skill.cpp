@@ -126,7 +126,9 @@ constexpr double Skill::*faculties[] = {&Skill::reaction_s,
                                         &Skill::foresight,
                                         &Skill::hesitation};
 
-/// Half-way between an expert and a novice in everything.
+/// Half-way between an expert and a novice, but for traction (a third of the way on a logarithmic scale),
+/// following a line (a tenth of it) and knowing the plane (a twentieth of a novice's errors): half-way there
+/// nobody would stay within the limits of B2 and C4. Chosen for these limits, not measured on people.
 Skill intermediate() {
     const Skill a = expert(), b = novice();
     const auto between = [](double x, double y) { return 0.5 * (x + y); };
@@ -134,13 +136,15 @@ Skill intermediate() {
     for (const auto faculty : faculties) skill.*faculty = between(a.*faculty, b.*faculty);
     skill.target.standoff = between(a.target.standoff, b.target.standoff);
     skill.bowel.stride = between(a.bowel.stride, b.bowel.stride);
-    skill.traction.error = between(a.traction.error, b.traction.error);
+    const auto geometric = [](double x, double y, double share) { return x * std::pow(y / x, share); };
+    skill.traction.error = geometric(a.traction.error, b.traction.error, 1.0 / 3);
     skill.traction.slack = between(a.traction.slack, b.traction.slack);
-    skill.line.error = between(a.line.error, b.line.error);
+    skill.line.error = geometric(a.line.error, b.line.error, 0.1);
     skill.line.stroke = between(a.line.stroke, b.line.stroke);
-    skill.plane.recognition = between(a.plane.recognition, b.plane.recognition);
-    skill.plane.blur = between(a.plane.blur, b.plane.blur);
-    skill.plane.lean = between(a.plane.lean, b.plane.lean);
+    const auto twentieth = [](double x, double y) { return x + 0.05 * (y - x); };
+    skill.plane.recognition = twentieth(a.plane.recognition, b.plane.recognition);
+    skill.plane.blur = twentieth(a.plane.blur, b.plane.blur);
+    skill.plane.lean = twentieth(a.plane.lean, b.plane.lean);
     return skill;
 }
 

@@ -43,6 +43,7 @@ constexpr std::array<Row, operation_count> table{{
     {Operation::mark_comment_read,       "mark_comment_read",          own,       none,      none,      none,      none,      false},
     {Operation::void_attempt,            "void_attempt",               none,      cohort,    none,      none,      none,      true},
     {Operation::reassign_attempt,        "reassign_attempt",           none,      cohort,    none,      none,      none,      true},
+    {Operation::decide_standing,         "decide_standing",            none,      cohort,    none,      none,      none,      true},
     {Operation::request_correction,      "request_correction",         own,       none,      none,      none,      none,      false},
     {Operation::read_requests,           "read_requests",              own,       cohort,    programme, none,      none,      false},
     {Operation::export_person,           "export_person",              own,       none,      programme, none,      synthetic, false},

@@ -49,6 +49,7 @@ enum class Operation : std::uint8_t {
     mark_comment_read,
     void_attempt,        ///< never one's own
     reassign_attempt,    ///< never one's own, nor to oneself
+    decide_standing,     ///< unlock a task or declare someone proficient; never oneself
     request_correction,  ///< ask an educator to void or reassign
     read_requests,       ///< the corrections asked for
     export_person,       ///< reports of one person
@@ -60,7 +61,7 @@ enum class Operation : std::uint8_t {
     read_tissues,     ///< what the site says of a task's tissues
     set_tissues,
 };
-inline constexpr int operation_count = 31;
+inline constexpr int operation_count = 32;
 const char* operation_name(Operation operation);
 
 /// The relation of an operation's subject to the actor.

@@ -21,6 +21,7 @@ bool writes(Operation operation) {
         case Operation::mark_comment_read:
         case Operation::void_attempt:
         case Operation::reassign_attempt:
+        case Operation::decide_standing:
         case Operation::request_correction:
         case Operation::manage_settings:
         case Operation::set_tissues:

@@ -10,6 +10,7 @@
 #include "database/rows/crypto.h"
 #include "database/rows/json.h"
 #include "database/store/audit.h"
+#include "database/store/override_rows.h"
 #include "database/store/recording_lock.h"
 #include "database/store/score_rows.h"
 #include "database/store/store_state.h"
@@ -158,6 +159,20 @@ void check_scenes(const Store& store, CheckItem& item) {
     while (lost.next()) item.problems.push_back("attempt " + lost.text(0) + ": its scene is gone");
 }
 
+void check_overrides(const Store& store, CheckItem& item) {
+    for (const OverrideRow& row : read_overrides(store.connection(), "")) {
+        ++item.count;
+        Query deed(store.connection(),
+                   "SELECT p.payload FROM audit_entry e JOIN audit_payload p ON p.station_id = e.station_id "
+                   "AND p.sequence = e.sequence WHERE e.object_id = ? AND e.operation = 'standing.decide' "
+                   "AND e.actor_id = ?");
+        deed.bind(row.decision.id).bind(row.author_id);
+        if (!deed.next() || !is_payload_of(deed.text(0), row))
+            item.problems.push_back("decision " + row.decision.id + " on " + row.decision.task +
+                                    ": not as the audit log has it");
+    }
+}
+
 void check_permissions(const Store& store, CheckItem& item) {
     struct stat status {};
     item.count = 1;
@@ -205,6 +220,7 @@ CheckReport check_store(const Store& store, const StoreProgress& progress) {
     look(0.4, 0.85, "trace checksums", [&](CheckItem& item) { check_traces(store, item, watch); });
     look(0.85, 1, "score digests", [&](CheckItem& item) { check_scores(store, item); });
     look(1, 1, "scenes", [&](CheckItem& item) { check_scenes(store, item); });
+    look(1, 1, "decisions", [&](CheckItem& item) { check_overrides(store, item); });
     look(1, 1, "permissions", [&](CheckItem& item) { check_permissions(store, item); });
     return report;
 }

@@ -19,6 +19,7 @@ class ForwardingServices : public ui::ApplicationServices {
     bool demo_is_built() const override { return own_->demo_is_built(); }
     bool build_demo(const ui::Progress& progress) override { return own_->build_demo(progress); }
     const std::vector<TaskDefinition>& tasks() const override { return own_->tasks(); }
+    const Curriculum& curriculum() const override { return own_->curriculum(); }
     Scene scene_for(const TaskDefinition& task) const override { return own_->scene_for(task); }
     std::unique_ptr<ui::AttemptSession> start_attempt(const ui::AttemptRequest& request) override {
         ui::AttemptRequest asked = request;

@@ -38,6 +38,7 @@ inline const Expected expected_table[] = {
     {Operation::mark_comment_read, "o----"},
     {Operation::void_attempt, "-c---"},
     {Operation::reassign_attempt, "-c---"},
+    {Operation::decide_standing, "-c---"},
     {Operation::request_correction, "o----"},
     {Operation::read_requests, "ocp--"},
     {Operation::export_person, "o-p-s"},
@@ -81,7 +82,8 @@ inline bool covers(Scope scope, const Relation& relation) {
 
 /// The whole rule: the scope covers the relation, and nobody voids or reassigns their own attempt.
 inline bool expected_allowed(Operation operation, Role role, const Relation& relation) {
-    const bool never_own = operation == Operation::void_attempt || operation == Operation::reassign_attempt;
+    const bool never_own = operation == Operation::void_attempt || operation == Operation::reassign_attempt ||
+                           operation == Operation::decide_standing;
     return covers(expected_scope(operation, role), relation) && !(never_own && relation.own);
 }
 

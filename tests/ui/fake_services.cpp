@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "assessment/assets/assets.h"
 #include "database/records/people.h"
 #include "sim_core/instrument/instrument.h"
 #include "sim_core/numerics/input_error.h"
@@ -307,9 +308,10 @@ class FakeReplay : public ReplaySource {
 }  // namespace
 
 FakeServices::FakeServices() {
-    for (const char* id : {"A2", "B1"}) {
-        tasks_.push_back(load_task(fulcrum::test::source_path(std::string("assets/tasks/") + id + ".json")));
-    }
+    for (const std::string& id : fulcrum::task_ids())
+        tasks_.push_back(load_task(fulcrum::test::source_path("assets/tasks/" + id + ".json")));
+    curriculum_ =
+        load_curriculum(fulcrum::test::source_path("assets/curricula/rectal.json"), fulcrum::task_ids());
 }
 
 std::string FakeServices::store_path(bool demo) const {

@@ -31,6 +31,7 @@ class FakeServices : public ApplicationServices {
     bool demo_is_built() const override { return database::Store::exists(store_path(true)); }
     bool build_demo(const Progress& progress) override;
     const std::vector<TaskDefinition>& tasks() const override { return tasks_; }
+    const Curriculum& curriculum() const override { return curriculum_; }
     Scene scene_for(const TaskDefinition& task) const override;
     std::unique_ptr<AttemptSession> start_attempt(const AttemptRequest& request) override;
     Statement why_not_comparable(const database::Session&, const std::string&, DeviceClass) override {
@@ -59,6 +60,7 @@ class FakeServices : public ApplicationServices {
   private:
     QTemporaryDir folder_;
     std::vector<TaskDefinition> tasks_;
+    Curriculum curriculum_;
     std::unique_ptr<database::Store> store_;
 };
 

@@ -31,6 +31,7 @@ constexpr WordsOf operations[] = {
     {"score.add", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Score added")},
     {"setting.sign_in_picker", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Sign-in list shown or hidden")},
     {"sign_in", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Signed in")},
+    {"standing.decide", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Standing decided by an educator")},
     {"store.backup", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Store backed up")},
     {"store.create", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Store created")},
     {"tissue.set", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Tissue values set")},
@@ -46,6 +47,7 @@ constexpr WordsOf groups[] = {
     {"programme", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Programme: all")},
     {"score", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Scores: all")},
     {"setting", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Settings: all")},
+    {"standing", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Standings: all")},
     {"store", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Store: all")},
     {"tissue", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Tissue values: all")},
 };

@@ -30,6 +30,8 @@ AttemptsPage::AttemptsPage(Context& context) : Page(context, "attempts_page") {
         auto* box = new QComboBox;
         box->setObjectName(QString::fromLatin1(name));
         box->setAccessibleName(label);
+        // As wide now as after a change of the theme, whatever it holds.
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box->setMinimumWidth(190);
         row->addWidget(box);
         connect(box, QOverload<int>::of(&QComboBox::activated), this, &AttemptsPage::load);

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "assessment/curriculum/curriculum.h"
 #include "database/records/tissues.h"
 #include "database/rows/attempt_records.h"
 #include "database/scoring/rescoring.h"
@@ -60,6 +61,8 @@ class TaskService {
     virtual ~TaskService() = default;
     /// All tasks of assets/tasks, in curriculum order.
     virtual const std::vector<TaskDefinition>& tasks() const = 0;
+    /// The curriculum that trainees follow.
+    virtual const Curriculum& curriculum() const = 0;
     /// Throws InputError.
     virtual Scene scene_for(const TaskDefinition& task) const = 0;
 };

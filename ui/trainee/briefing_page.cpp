@@ -6,7 +6,9 @@
 
 #include "assessment/assets/fidelity_cost.h"
 #include "assessment/metrics/registry.h"
+#include "database/records/standings.h"
 #include "sim_core/scene/fidelity.h"
+#include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -90,6 +92,23 @@ void BriefingPage::enter() {
     start_->setFocus();
 }
 
+QString BriefingPage::why_locked() {
+    std::vector<TaskStanding> standings;
+    context().guarded([&] {
+        const database::Session& session = context().session();
+        if (!context().allowed(database::Operation::read_progress,
+                               database::Subject::person(session.person_id())))
+            return;
+        standings = standing_of(database::Standings(context().store())
+                                    .record(session, session.person_id(), context().services().curriculum()),
+                                context().store().now());
+    });
+    for (const TaskStanding& one : standings)
+        if (one.task == task_id_ && one.standing == Standing::locked)
+            return tr("For you this task is %1; until then it is practice only.").arg(standing_text(one));
+    return {};
+}
+
 void BriefingPage::fill() {
     clear_layout(steps_);
     clear_layout(judged_);
@@ -97,7 +116,8 @@ void BriefingPage::fill() {
     const bool demo = context().store().is_demo();
     const TaskDefinition* task = context().task(task_id_);
     const bool assessable = task != nullptr && can_be_assessed(*task, window_device);
-    assessed_->setEnabled(!demo && assessable);
+    const QString locked = why_locked();
+    assessed_->setEnabled(!demo && assessable && locked.isEmpty());
     if (!assessed_->isEnabled()) practice_->setChecked(true);
     start_->setEnabled(task != nullptr);
     watch_->setEnabled(task != nullptr);
@@ -144,9 +164,10 @@ void BriefingPage::fill() {
     judged_->addStretch();
     const QString hands =
         tr("You work with mouse and keyboard: force is shown as bars, not felt. F1 shows the keys.");
-    mode_note_->setText(demo         ? tr("The demonstration accepts practice attempts only.")
-                        : assessable ? hands
-                                     : hands + QStringLiteral(" ") + practice_only(*task));
+    mode_note_->setText(demo                ? tr("The demonstration accepts practice attempts only.")
+                        : !assessable       ? hands + QStringLiteral(" ") + practice_only(*task)
+                        : !locked.isEmpty() ? hands + QStringLiteral(" ") + locked
+                                            : hands);
     show_notes();
     show_fidelity_note();
 }

@@ -20,6 +20,8 @@ class BriefingPage : public Page {
 
   private:
     void fill();
+    /// Why the task does not count yet for who is signed in; empty where it does.
+    QString why_locked();
     void show_notes();
     void show_fidelity_note();
     std::string task_id_;

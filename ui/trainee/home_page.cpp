@@ -5,8 +5,11 @@
 
 #include "database/records/report_data.h"
 #include "database/records/reviews.h"
+#include "database/records/standings.h"
+#include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
+#include "ui/trainee/ladder.h"
 #include "ui/trainee/next_task.h"
 
 namespace fulcrum::ui {
@@ -26,14 +29,17 @@ HomePage::HomePage(Context& context) : Page(context, "home_page") {
     comments_card_ = make_card(4);
     comments_ = card_layout(comments_card_);
     layout->addWidget(comments_card_);
-    layout->addWidget(make_label(tr("Tasks"), "heading"));
+    ladder_ = new Ladder;
+    layout->addWidget(ladder_);
+    others_heading_ = make_label(tr("Other exercises"), "heading");
+    layout->addWidget(others_heading_);
     cards_ = new QGridLayout;
     cards_->setSpacing(14);
     layout->addLayout(cards_);
     layout->addStretch();
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
-    outer->addWidget(scrolled(body, 1000));
+    outer->addWidget(scrolled(body, 1180));
 }
 
 void HomePage::enter() {
@@ -45,26 +51,38 @@ void HomePage::enter() {
         for (const TaskDefinition& task : context().services().tasks()) ids.push_back(task.id);
         rows = database::Reports(context().store()).person_table(session, session.person_id(), ids);
     });
-    const std::vector<TaskSummary> summaries = summarise(rows, context().services().tasks());
+    standings_.clear();
+    context().guarded([&] {
+        standings_ = standing_of(database::Standings(context().store())
+                                     .record(session, session.person_id(), context().services().curriculum()),
+                                 context().store().now());
+    });
+    const Summaries summaries = summarise(rows);
     fill_next(summaries);
     fill_interrupted();
     fill_comments();
     fill_tasks(summaries);
 }
 
-void HomePage::fill_next(const std::vector<TaskSummary>& summaries) {
+void HomePage::fill_next(const Summaries& summaries) {
     clear_layout(next_);
-    const NextTask next = next_task(summaries, context().services().tasks(), context().store().now());
+    const Curriculum& curriculum = context().services().curriculum();
+    std::map<std::string, std::int64_t> last;
+    for (const auto& [task, summary] : summaries) last[task] = summary.last_attempt;
+    const Recommendation next = recommend(curriculum, standings_, last, window_device);
+    const CurriculumStage* stage = curriculum.find_stage(next.stage);
+    const QString why =
+        reason_text(next, stage == nullptr ? QString() : text(stage->title), context().store().now());
     next_->addWidget(make_label(tr("Next"), "muted"));
-    if (next.task_id.empty()) {
-        next_->addWidget(make_label(tr("No tasks are installed."), "heading"));
+    if (next.reason == RecommendationReason::nothing) {
+        next_->addWidget(make_label(why, "heading"));
         return;
     }
-    next_->addWidget(make_label(context().task_title(next.task_id), "title"));
-    next_->addWidget(make_label(next.why));
+    next_->addWidget(make_label(context().task_title(next.task), "title"));
+    next_->addWidget(make_label(why));
     QPushButton* go = make_button(tr("Open the briefing"), "next_briefing", "primary");
     connect(go, &QPushButton::clicked, this,
-            [this, id = text(next.task_id)] { emit context().briefing_wanted(id); });
+            [this, id = text(next.task)] { emit context().briefing_wanted(id); });
     next_->addWidget(go, 0, Qt::AlignLeft);
     go->setFocus();
 }
@@ -110,56 +128,71 @@ void HomePage::fill_comments() {
     }
 }
 
-void HomePage::fill_tasks(const std::vector<TaskSummary>& summaries) {
+void HomePage::fill_tasks(const Summaries& summaries) {
+    const Curriculum& curriculum = context().services().curriculum();
+    const auto summary_of = [&](const std::string& task) {
+        const auto found = summaries.find(task);
+        return found == summaries.end() ? TaskSummary() : found->second;
+    };
+    std::vector<Ladder::Stage> stages;
+    for (const CurriculumStage& stage : curriculum.stages) {
+        Ladder::Stage shown{tr("%1 · %2").arg(text(stage.id), text(stage.title)), {}};
+        for (const TaskStanding& standing : standings_) {
+            const CurriculumTask& task = *curriculum.find(standing.task);
+            if (task.stage != stage.id || context().task(task.task) == nullptr) continue;
+            shown.steps.push_back({task.task, task.after, standing.standing != Standing::locked,
+                                   task_card(task.task, &standing, summary_of(task.task))});
+        }
+        if (!shown.steps.empty()) stages.push_back(std::move(shown));
+    }
+    ladder_->set_stages(std::move(stages));
     clear_layout(cards_);
     int index = 0;
-    for (const TaskSummary& summary : summaries) {
-        cards_->addWidget(task_card(summary), index / 2, index % 2);
+    for (const TaskDefinition& task : context().services().tasks()) {
+        if (curriculum.find(task.id) != nullptr) continue;
+        cards_->addWidget(task_card(task.id, nullptr, summary_of(task.id)), index / 2, index % 2);
         ++index;
     }
+    others_heading_->setVisible(index > 0);
 }
 
-QFrame* HomePage::task_card(const TaskSummary& summary) {
+QFrame* HomePage::task_card(const std::string& task_id, const TaskStanding* standing,
+                            const TaskSummary& summary) {
     QFrame* card = make_card(6);
-    const TaskDefinition* task = context().task(summary.task_id);
-    card_layout(card)->addWidget(
-        make_label(task == nullptr ? QString() : tr("Stage %1").arg(text(task->stage)), "muted"));
-    card_layout(card)->addWidget(make_label(context().task_title(summary.task_id), "heading"));
-    QLabel* state = nullptr;
-    switch (summary.state) {
-        case database::TaskState::passed:
-            state = make_label(summary.provisional ? tr("✓ passed (provisional)") : tr("✓ passed"), "good");
-            break;
-        case database::TaskState::attempted:
-            state = make_label(tr("attempted, not passed yet"), "neutral");
-            break;
-        case database::TaskState::open:
-            state = make_label(tr("open"), "neutral");
-            break;
+    auto* head = new QHBoxLayout;
+    if (standing != nullptr) head->addWidget(new StandingBadge(*standing), 0, Qt::AlignTop);
+    QLabel* title = make_label(context().task_title(task_id), "heading");
+    head->addWidget(title, 1);
+    card_layout(card)->addLayout(head);
+    if (standing != nullptr) {
+        const bool done = standing->declared_at != 0 || standing->standing == Standing::passed;
+        card_layout(card)->addWidget(make_label(standing_text(*standing), done ? "good" : "neutral"));
+        const QString detail = standing_detail(*standing);
+        if (!detail.isEmpty()) card_layout(card)->addWidget(make_label(detail, "muted"));
     }
-    card_layout(card)->addWidget(state);
-    QString figures = tr("counting attempts: %1").arg(summary.attempts);
-    if (summary.best_points) figures += tr(" · best %1").arg(points_text(*summary.best_points));
-    if (summary.not_counting > 0) figures += tr(" · not counting: %1").arg(summary.not_counting);
-    card_layout(card)->addWidget(make_label(figures, "muted"));
-    card_layout(card)->addWidget(make_label(summary.last_attempt == 0
-                                                ? tr("not attempted yet")
-                                                : tr("last on %1").arg(local_time(summary.last_attempt)),
-                                            "muted"));
+    QString figures;
+    if (summary.attempts > 0)
+        figures = tr("%1 of %2 attempts passed").arg(summary.passes).arg(summary.attempts);
+    if (summary.best_points)
+        figures = beside({figures, tr("best %1").arg(points_text(*summary.best_points))});
+    if (summary.not_counting > 0)
+        figures = beside({figures, tr("not counting: %1").arg(summary.not_counting)});
+    if (!figures.isEmpty()) card_layout(card)->addWidget(make_label(figures, "muted"));
     auto* row = new QHBoxLayout;
     QPushButton* briefing =
-        make_button(tr("Briefing"), qPrintable(QStringLiteral("briefing_") + text(summary.task_id)));
+        make_button(tr("Briefing"), qPrintable(QStringLiteral("briefing_") + text(task_id)));
     connect(briefing, &QPushButton::clicked, this,
-            [this, id = text(summary.task_id)] { emit context().briefing_wanted(id); });
+            [this, id = text(task_id)] { emit context().briefing_wanted(id); });
     row->addWidget(briefing);
     QPushButton* progress =
-        make_button(tr("Progress"), qPrintable(QStringLiteral("progress_") + text(summary.task_id)));
-    connect(progress, &QPushButton::clicked, this, [this, id = text(summary.task_id)] {
+        make_button(tr("Progress"), qPrintable(QStringLiteral("progress_") + text(task_id)));
+    connect(progress, &QPushButton::clicked, this, [this, id = text(task_id)] {
         emit context().progress_wanted(text(context().session().person_id()), id);
     });
     row->addWidget(progress);
     row->addStretch();
     card_layout(card)->addLayout(row);
+    card_layout(card)->addStretch();
     return card;
 }
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The trainee's first page: the next thing to do and why, unread comments, a card a task.
+// The trainee's first page: the next thing to do and why, unread comments, the curriculum as a path with a
+// card for each task.
 #pragma once
 
+#include <map>
+
+#include "assessment/curriculum/standing.h"
 #include "ui/page/context.h"
 
 class QFrame;
@@ -11,6 +15,7 @@ class QVBoxLayout;
 
 namespace fulcrum::ui {
 
+class Ladder;
 struct TaskSummary;
 
 class HomePage : public Page {
@@ -20,16 +25,22 @@ class HomePage : public Page {
     void enter() override;
 
   private:
-    void fill_next(const std::vector<TaskSummary>& summaries);
+    /// By task.
+    using Summaries = std::map<std::string, TaskSummary>;
+    void fill_next(const Summaries& summaries);
     void fill_interrupted();
     void fill_comments();
-    void fill_tasks(const std::vector<TaskSummary>& summaries);
-    QFrame* task_card(const TaskSummary& summary);
+    void fill_tasks(const Summaries& summaries);
+    /// `standing`: null for a task that does not belong to the curriculum.
+    QFrame* task_card(const std::string& task_id, const TaskStanding* standing, const TaskSummary& summary);
 
     QLabel* greeting_;
     QVBoxLayout *next_, *interrupted_, *comments_;
     QFrame *interrupted_card_, *comments_card_;
+    Ladder* ladder_;
+    QLabel* others_heading_;
     QGridLayout* cards_;
+    std::vector<TaskStanding> standings_;
 };
 
 }  // namespace fulcrum::ui

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
@@ -13,79 +14,62 @@ QString words(const char* source, int count = -1) {
     return QCoreApplication::translate("fulcrum::ui::next_task", source, nullptr, count);
 }
 
+QString ago_text(std::int64_t last, std::int64_t now_ms) {
+    const auto days = static_cast<int>((now_ms - last) / 86'400'000);
+    return days <= 0   ? words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task", "today"))
+           : days == 1 ? words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task", "yesterday"))
+                       : words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task", "%n days ago"), days);
+}
+
 }  // namespace
 
-std::vector<TaskSummary> summarise(const std::vector<database::CohortRow>& rows,
-                                   const std::vector<TaskDefinition>& tasks) {
-    std::vector<TaskSummary> summaries;
-    for (const TaskDefinition& task : tasks) {
-        TaskSummary summary;
-        summary.task_id = task.id;
-        for (const database::CohortRow& row : rows) {
-            if (row.task_id != task.id) continue;
-            if (row.state == database::TaskState::passed) {
-                summary.provisional = summary.state == database::TaskState::passed
-                                          ? summary.provisional && row.provisional
-                                          : row.provisional;
-            }
-            summary.state = std::max(summary.state, row.state);
-            summary.attempts += row.attempts;
-            summary.passes += row.passes;
-            summary.not_counting += row.not_counting;
-            summary.last_attempt = std::max(summary.last_attempt, row.last_attempt);
-            if (row.best_points) {
-                summary.best_points =
-                    std::max(summary.best_points.value_or(*row.best_points), *row.best_points);
-            }
-        }
-        summaries.push_back(std::move(summary));
+std::map<std::string, TaskSummary> summarise(const std::vector<database::CohortRow>& rows) {
+    std::map<std::string, TaskSummary> summaries;
+    for (const database::CohortRow& row : rows) {
+        TaskSummary& summary = summaries[row.task_id];
+        summary.attempts += row.attempts;
+        summary.passes += row.passes;
+        summary.not_counting += row.not_counting;
+        summary.last_attempt = std::max(summary.last_attempt, row.last_attempt);
+        if (row.best_points)
+            summary.best_points = std::max(summary.best_points.value_or(*row.best_points), *row.best_points);
     }
     return summaries;
 }
 
-NextTask next_task(const std::vector<TaskSummary>& summaries, const std::vector<TaskDefinition>& tasks,
-                   std::int64_t now_ms) {
-    std::string stage;
-    bool all_passed = true;
-    for (std::size_t i = 0; i < summaries.size() && i < tasks.size(); ++i) {
-        if (summaries[i].state == database::TaskState::passed) continue;
-        all_passed = false;
-        if (stage.empty() || tasks[i].stage < stage) stage = tasks[i].stage;
+QString reason_text(const Recommendation& next, const QString& stage, std::int64_t now_ms) {
+    switch (next.reason) {
+        case RecommendationReason::nothing:
+            return words(
+                QT_TRANSLATE_NOOP("fulcrum::ui::next_task", "No task of the curriculum is unlocked."));
+        case RecommendationReason::check_due:
+            return words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
+                                           "You are proficient in it; a check is due since %1."))
+                .arg(date_text(next.check));
+        case RecommendationReason::relapsed:
+            return words(QT_TRANSLATE_NOOP(
+                "fulcrum::ui::next_task",
+                "Your results have fallen below proficiency; three passes in four attempts restore it."));
+        case RecommendationReason::not_tried:
+            return words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
+                                           "You have not tried this task of the stage %1 yet."))
+                .arg(stage);
+        case RecommendationReason::longest_ago:
+            return words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
+                                           "Of the tasks left in the stage %1 it is the one you have not "
+                                           "practised for longest (%2)."))
+                .arg(stage, ago_text(next.last, now_ms));
+        case RecommendationReason::practice_only:
+            return words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
+                                           "What is left cannot be assessed with mouse and keyboard; you can "
+                                           "practise this task."));
+        case RecommendationReason::all_done:
+            return words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
+                                           "Every task is done; this is the one that you performed longest "
+                                           "ago (%1)."))
+                .arg(ago_text(next.last, now_ms));
     }
-    const TaskSummary* chosen = nullptr;
-    for (std::size_t i = 0; i < summaries.size() && i < tasks.size(); ++i) {
-        const bool candidate =
-            all_passed || (tasks[i].stage == stage && summaries[i].state != database::TaskState::passed);
-        if (candidate && (chosen == nullptr || summaries[i].last_attempt < chosen->last_attempt)) {
-            chosen = &summaries[i];
-        }
-    }
-    if (chosen == nullptr) return {};
-    const auto days = static_cast<int>((now_ms - chosen->last_attempt) / 86'400'000);
-    const QString ago = days <= 0   ? words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task", "today"))
-                        : days == 1 ? words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task", "yesterday"))
-                                    : words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task", "%n days ago"), days);
-    NextTask next;
-    next.task_id = chosen->task_id;
-    if (all_passed) {
-        next.why = words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
-                                           "You have passed every task; this is the one you did "
-                                           "longest ago (%1)."))
-                       .arg(ago);
-    } else if (chosen->last_attempt == 0) {
-        next.why =
-            words(QT_TRANSLATE_NOOP("fulcrum::ui::next_task",
-                                    "You have not tried it yet, and it belongs to stage %1, the first that "
-                                    "you have not passed."))
-                .arg(text(stage));
-    } else {
-        next.why = words(QT_TRANSLATE_NOOP(
-                             "fulcrum::ui::next_task",
-                             "Not passed yet; of the tasks left in stage %1 it is the one you have not "
-                             "practised for longest (%2)."))
-                       .arg(text(stage), ago);
-    }
-    return next;
+    return {};
 }
 
 }  // namespace fulcrum::ui

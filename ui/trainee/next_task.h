@@ -1,35 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Next and why, from the rows of a person's table: the tasks of the lowest stage that is not
-// passed, of these the one not practised longest. Pure.
+// The recommendation of the curriculum in words, and a person's attempts summed up by task. Pure.
 #pragma once
 
 #include <QString>
+#include <map>
 #include <string>
 #include <vector>
 
-#include "assessment/task/task.h"
+#include "assessment/curriculum/recommendation.h"
 #include "database/records/report_data.h"
 
 namespace fulcrum::ui {
 
-/// One task of one person over all device classes: best state, sums, latest.
+/// One task of one person over all device classes.
 struct TaskSummary {
-    std::string task_id;
-    database::TaskState state = database::TaskState::open;
-    bool provisional = false;
     int attempts = 0, passes = 0, not_counting = 0;
     std::optional<double> best_points;
-    std::int64_t last_attempt = 0;
+    std::int64_t last_attempt = 0;  ///< UTC ms, practice included; 0: none
 };
-/// In the order of `tasks`; a task without rows is open.
-std::vector<TaskSummary> summarise(const std::vector<database::CohortRow>& rows,
-                                   const std::vector<TaskDefinition>& tasks);
+/// By task; a task without rows is left out.
+std::map<std::string, TaskSummary> summarise(const std::vector<database::CohortRow>& rows);
 
-struct NextTask {
-    std::string task_id;  ///< "" without tasks
-    QString why;
-};
-NextTask next_task(const std::vector<TaskSummary>& summaries, const std::vector<TaskDefinition>& tasks,
-                   std::int64_t now_ms);
+/// Why this is the next thing to do: one sentence. `stage`: the title of the task's stage.
+QString reason_text(const Recommendation& next, const QString& stage, std::int64_t now_ms);
 
 }  // namespace fulcrum::ui

@@ -13,6 +13,7 @@
 #include "ui/reports/report_export.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
+#include "ui/trainee/standing_card.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -59,6 +60,8 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     layout->addWidget(export_);
     job_ = new JobBar;
     layout->addWidget(job_);
+    standing_ = new StandingCard(context);
+    layout->addWidget(standing_);
     QFrame* card = make_card(8);
     summary_ = make_label({}, "muted");
     card_layout(card)->addWidget(summary_);
@@ -113,7 +116,14 @@ void ProgressPage::fill_choices() {
                           database::Subject::person(session.person_id()))) {
         person_->addItem(text(session.display_name()), text(session.person_id()));
     }
-    if (person_id_.empty()) person_id_ = session.person_id();
+    if (person_id_.empty()) {
+        // Whoever looks at others begins with one of them.
+        person_id_ = session.person_id();
+        for (int i = 0; session.role() != database::Role::trainee && i < person_->count(); ++i) {
+            person_id_ = plain(person_->itemData(i).toString());
+            if (person_id_ != session.person_id()) break;
+        }
+    }
     person_->setCurrentIndex(std::max(0, person_->findData(text(person_id_))));
     person_->setVisible(person_->count() > 1);
     task_->clear();
@@ -136,6 +146,7 @@ void ProgressPage::load() {
     export_->setVisible(
         context().allowed(database::Operation::export_person, database::Subject::person(person_id_)));
     export_->propose(person_->currentText());
+    standing_->show_task(person_id_, task_id_);
     title_->setText(person_id_ == context().session().person_id()
                         ? tr("My progress")
                         : tr("Progress of %1").arg(person_->currentText()));

@@ -18,6 +18,7 @@ namespace fulcrum::ui {
 class AttemptChart;
 class ExportRow;
 class JobBar;
+class StandingCard;
 
 class ProgressPage : public Page {
     Q_OBJECT
@@ -43,6 +44,7 @@ class ProgressPage : public Page {
     QComboBox *person_, *task_, *metric_;
     ExportRow* export_;
     JobBar* job_;
+    StandingCard* standing_;
     AttemptChart* chart_;
     QTableWidget* table_;
 };

@@ -59,6 +59,8 @@ inline std::vector<const char*> window_places(Operation operation) {
             return {"void_attempt"};
         case Operation::reassign_attempt:
             return {"reassign_attempt"};
+        case Operation::decide_standing:
+            return {"decide_standing"};
         case Operation::request_correction:
             return {"request_correction"};
         case Operation::read_requests:
@@ -141,6 +143,7 @@ inline std::vector<std::string> commands_of(Operation operation) {
         case Operation::mark_comment_read:
         case Operation::void_attempt:
         case Operation::reassign_attempt:
+        case Operation::decide_standing:
         case Operation::request_correction:
         case Operation::read_requests:
         case Operation::manage_settings:

@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 
+#include "database/records/standings.h"
 #include "database/records/tissues.h"
 #include "database/rows/connection.h"
 #include "tests/database/access_expectation.h"
@@ -21,7 +22,8 @@ TEST(AccessTable, EveryOperationOnceAndEveryCellAsWritten) {
             for (int bits = 0; bits < 8; ++bits) {
                 const Relation relation{(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0};
                 const bool own_forbidden = relation.own && (operation == Operation::void_attempt ||
-                                                            operation == Operation::reassign_attempt);
+                                                            operation == Operation::reassign_attempt ||
+                                                            operation == Operation::decide_standing);
                 EXPECT_EQ(permits(role, operation, relation),
                           !own_forbidden && covers(expected_scope(operation, role), relation))
                     << operation_name(operation) << " " << role_name(role) << " " << bits;
@@ -180,6 +182,11 @@ class EveryCell : public ::testing::Test {
             case Operation::reassign_attempt:
                 return
                     [=] { attempts.reassign(session, target.attempt, programme.id("ben"), "wrong person"); };
+            case Operation::decide_standing:
+                return [=] {
+                    Standings(*programme.store)
+                        .decide(session, target.person, "B1", StandingOverride::Kind::unlocked, "moved here");
+                };
             case Operation::request_correction:
                 return [=] { attempts.request_correction(session, target.attempt, "this was not me"); };
             case Operation::read_requests:
@@ -254,7 +261,8 @@ TEST_F(EveryCell, TheStoreAnswersAsTheTableSays) {
                 }
                 const Scope scope = expected_scope(operation, session.role());
                 const bool own_forbidden = relation.own && (operation == Operation::void_attempt ||
-                                                            operation == Operation::reassign_attempt);
+                                                            operation == Operation::reassign_attempt ||
+                                                            operation == Operation::decide_standing);
                 const bool expected = about_nobody(operation) ? scope != Scope::none
                                                               : covers(scope, relation) && !own_forbidden;
 

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/curriculum/curriculum.h"
+
+#include <algorithm>
+#include <set>
+
+#include "sim_core/numerics/input_error.h"
+#include "sim_core/scene/json_document.h"
+
+namespace fulcrum {
+
+extern const char* const curriculum_schema_text;  // assets/schemas/curriculum.schema.json, embedded
+
+namespace {
+
+using nlohmann::json;
+
+std::string place(std::size_t task, const char* key) {
+    return "/tasks/" + std::to_string(task) + "/" + key;
+}
+
+void read_stages(const JsonDocument& document, Curriculum& curriculum) {
+    for (const json& node : document.root().at("stages")) {
+        const CurriculumStage stage{node.at("id").get<std::string>(), node.at("title").get<std::string>()};
+        if (curriculum.find_stage(stage.id) != nullptr)
+            document.fail("/stages", "stage " + stage.id + " is listed twice", "give every stage its own id");
+        curriculum.stages.push_back(stage);
+    }
+}
+
+CurriculumTask read_task(const JsonDocument& document, std::size_t number, const json& node) {
+    CurriculumTask task;
+    task.task = node.at("task").get<std::string>();
+    task.stage = node.at("stage").get<std::string>();
+    task.after = node.at("after").get<std::vector<std::string>>();
+    try {
+        task.rule = parse_pass_rule(node.at("rule").get<std::string>());
+    } catch (const InputError& error) {
+        document.fail(place(number, "rule"), error.problem(), error.hint());
+    }
+    for (const json& name : node.at("device_classes"))
+        task.device_classes.push_back(find_row(device_classes, name.get<std::string>())->kind);
+    return task;
+}
+
+std::size_t rank_of(const Curriculum& curriculum, const std::string& stage) {
+    std::size_t rank = 0;
+    while (curriculum.stages[rank].id != stage) ++rank;
+    return rank;
+}
+
+/// Whether `task` comes after itself. `seen`: the tasks on the way to it.
+bool in_cycle(const Curriculum& curriculum, const std::string& task, const std::string& from,
+              std::set<std::string>& seen) {
+    const CurriculumTask* here = curriculum.find(from);
+    return std::any_of(here->after.begin(), here->after.end(), [&](const std::string& before) {
+        return before == task || (seen.insert(before).second && in_cycle(curriculum, task, before, seen));
+    });
+}
+
+void check_prerequisites(const JsonDocument& document, const Curriculum& curriculum) {
+    for (std::size_t i = 0; i < curriculum.tasks.size(); ++i) {
+        const CurriculumTask& task = curriculum.tasks[i];
+        for (const std::string& before : task.after) {
+            const CurriculumTask* other = curriculum.find(before);
+            if (other == nullptr)
+                document.fail(place(i, "after"), before + " is not a task of this curriculum",
+                              "add it to /tasks, or remove it here");
+            if (rank_of(curriculum, other->stage) > rank_of(curriculum, task.stage))
+                document.fail(place(i, "after"), before + " belongs to a later stage than " + task.task,
+                              "name tasks of the same or an earlier stage");
+        }
+    }
+    for (std::size_t i = 0; i < curriculum.tasks.size(); ++i) {
+        std::set<std::string> seen;
+        const std::string& task = curriculum.tasks[i].task;
+        if (in_cycle(curriculum, task, task, seen))
+            document.fail(place(i, "after"), task + " would unlock only after itself",
+                          "remove one of the prerequisites on the way back to " + task);
+    }
+}
+
+}  // namespace
+
+const CurriculumTask* Curriculum::find(const std::string& task) const {
+    const auto found =
+        std::find_if(tasks.begin(), tasks.end(), [&](const CurriculumTask& one) { return one.task == task; });
+    return found == tasks.end() ? nullptr : &*found;
+}
+
+const CurriculumStage* Curriculum::find_stage(const std::string& stage) const {
+    const auto found = std::find_if(stages.begin(), stages.end(),
+                                    [&](const CurriculumStage& one) { return one.id == stage; });
+    return found == stages.end() ? nullptr : &*found;
+}
+
+bool counts(const CurriculumTask& task, DeviceClass used) {
+    const std::vector<DeviceClass>& classes = task.device_classes;
+    return std::find(classes.begin(), classes.end(), curriculum_class(used)) != classes.end();
+}
+
+Curriculum parse_curriculum(const std::string& text, const std::string& file,
+                            const std::vector<std::string>& tasks) {
+    const JsonDocument document = JsonDocument::parse(text, file);
+    document.check_schema(curriculum_schema_text);
+    Curriculum curriculum;
+    curriculum.id = document.root().at("id").get<std::string>();
+    curriculum.version = document.root().at("version").get<int>();
+    curriculum.title = document.root().at("title").get<std::string>();
+    read_stages(document, curriculum);
+    std::size_t number = 0;
+    for (const json& node : document.root().at("tasks")) {
+        CurriculumTask task = read_task(document, number, node);
+        if (std::find(tasks.begin(), tasks.end(), task.task) == tasks.end())
+            document.fail(place(number, "task"), "no task " + task.task + " is installed",
+                          "name a file of assets/tasks");
+        if (curriculum.find(task.task) != nullptr)
+            document.fail(place(number, "task"), task.task + " is listed twice", "list every task once");
+        if (curriculum.find_stage(task.stage) == nullptr)
+            document.fail(place(number, "stage"), "there is no stage " + task.stage,
+                          "name one of /stages, or add it there");
+        curriculum.tasks.push_back(std::move(task));
+        ++number;
+    }
+    check_prerequisites(document, curriculum);
+    return curriculum;
+}
+
+Curriculum load_curriculum(const std::string& path, const std::vector<std::string>& tasks) {
+    return parse_curriculum(read_text_file(path, JsonLimits().bytes), path, tasks);
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/curriculum/standing.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "assessment/learning/relapse_cusum.h"
+
+namespace fulcrum {
+namespace {
+
+constexpr std::int64_t day_ms = 86'400'000;
+// A retention check is passed at the second pass of a day and failed at the second failure.
+constexpr int decides_a_check = 2;
+// After a relapse: 3 of the last 4.
+constexpr int regained_passes = 3, regained_window = 4;
+
+std::int64_t floor_day(std::int64_t ms) {
+    return ms >= 0 ? ms / day_ms : -((-ms + day_ms - 1) / day_ms);
+}
+std::int64_t local_day(const CountedAttempt& attempt) {
+    return floor_day(attempt.time + std::int64_t{60'000} * attempt.utc_offset_minutes);
+}
+
+struct Outcome {
+    bool passed = false;
+    std::int64_t day = 0;
+};
+
+bool on_two_days(const std::vector<Outcome>& outcomes, std::size_t from) {
+    std::set<std::int64_t> days;
+    for (std::size_t i = from; i < outcomes.size(); ++i)
+        if (outcomes[i].passed) days.insert(outcomes[i].day);
+    return days.size() >= 2;
+}
+
+struct RuleState {
+    bool met = false, one_more_day = false;
+    double progress = 0;
+};
+
+/// The rule with the condition that the passes it counts lie on two local dates.
+RuleState judge(const PassRule& rule, const std::vector<Outcome>& outcomes) {
+    RuleState state;
+    std::size_t from = outcomes.size();
+    double have = 0, need = 1;
+    if (rule.kind == PassRuleKind::lc_cusum) {
+        // Held at the limit until there are passes on two days: kept as "met but for a second day".
+        double sum = 0;
+        from = 0;
+        for (std::size_t i = 0; i < outcomes.size(); ++i) {
+            sum = std::max(0.0, std::min(rule.h, sum) + lc_cusum_step(rule, outcomes[i].passed));
+            if (sum <= 0) from = i + 1;
+        }
+        have = sum;
+        need = rule.h;
+    } else {
+        const std::size_t window = std::min<std::size_t>(outcomes.size(), static_cast<std::size_t>(rule.n));
+        from = outcomes.size() - window;
+        if (rule.kind == PassRuleKind::in_a_row)
+            while (from < outcomes.size() &&
+                   std::any_of(outcomes.begin() + static_cast<std::ptrdiff_t>(from), outcomes.end(),
+                               [](const Outcome& one) { return !one.passed; }))
+                ++from;
+        for (std::size_t i = from; i < outcomes.size(); ++i) have += outcomes[i].passed ? 1 : 0;
+        need = rule.k;
+    }
+    const bool enough = have >= need - 1e-12;
+    state.met = enough && on_two_days(outcomes, from);
+    state.one_more_day = enough && !state.met;
+    state.progress = std::clamp(have / need, 0.0, 1.0);
+    return state;
+}
+
+/// One task of one trainee, event by event.
+class TaskRun {
+  public:
+    bool unlocked = false, unlocked_by_override = false;
+
+    bool met_ever() const { return declared_ever_ || met_provisionally_; }
+
+    void attempt(const CurriculumTask& task, const CountedAttempt& one) {
+        last_ = one.time;
+        ++attempts_;
+        if (one.passed) {
+            provisional_ = passes_ == 0 ? one.provisional : provisional_ && one.provisional;
+            ++passes_;
+        }
+        const Outcome outcome{one.passed, local_day(one)};
+        all_.push_back(outcome);
+        if (!met_provisionally_) {
+            all_state_ = judge(task.rule, all_);
+            met_provisionally_ = all_state_.met;
+        }
+        // What provisional limits say neither makes nor ends proficiency.
+        if (one.provisional) return;
+        if (relapsed_) {
+            regain(outcome, one.time);
+        } else if (declared_at_ != 0) {
+            keep(outcome, one.time);
+        } else {
+            firm_.push_back(outcome);
+            firm_state_ = judge(task.rule, firm_);
+            if (firm_state_.met) declare(one.time, false);
+        }
+    }
+
+    void declare(std::int64_t time, bool by_override) {
+        declared_at_ = time;
+        declared_ever_ = true;
+        declared_by_override_ = by_override;
+        relapsed_ = maintained_ = false;
+        cusum_ = RelapseCusum();
+        check_ = {};
+        next_check_ = scheduled_after(time);
+    }
+
+    TaskStanding standing(const CurriculumTask& task, std::int64_t at) const {
+        TaskStanding result;
+        result.task = task.task;
+        result.attempts = attempts_;
+        result.passes = passes_;
+        result.last_attempt = last_;
+        result.by_override = declared_at_ != 0 ? declared_by_override_ : unlocked_by_override;
+        if (relapsed_) {
+            result.standing = Standing::relapsed;
+            return result;
+        }
+        if (declared_at_ != 0) {
+            result.declared_at = declared_at_;
+            result.next_check = next_check_;
+            result.overdue = at >= next_check_ + overdue_days * day_ms;
+            result.standing = at >= next_check_ ? Standing::due
+                              : maintained_     ? Standing::maintained
+                                                : Standing::proficient;
+            return result;
+        }
+        result.standing = passes_ > 0     ? Standing::passed
+                          : attempts_ > 0 ? Standing::attempted
+                                          : Standing::open;
+        if (!unlocked) result.standing = Standing::locked;
+        result.provisional = provisional_;
+        result.met_provisionally = met_provisionally_;
+        const RuleState& shown = provisional_ ? all_state_ : firm_state_;
+        result.one_more_day = shown.one_more_day && !met_provisionally_;
+        result.progress = met_provisionally_ ? 1 : shown.progress;
+        result.stalled = !met_provisionally_ && attempts_ >= most_attempts;
+        return result;
+    }
+
+  private:
+    struct Check {
+        std::int64_t day = 0;
+        int passes = 0, failures = 0;
+    };
+
+    std::int64_t scheduled_after(std::int64_t time) const {
+        std::int64_t date = 0;
+        for (const int days : retention_days) {
+            date = declared_at_ + days * day_ms;
+            if (date > time) return date;
+        }
+        while (date <= time) date += retention_days[3] * day_ms;
+        return date;
+    }
+
+    void keep(const Outcome& outcome, std::int64_t time) {
+        bool lost = cusum_.step(outcome.passed);
+        if (time >= next_check_) {
+            if (check_.day != outcome.day) check_ = {outcome.day, 0, 0};
+            ++(outcome.passed ? check_.passes : check_.failures);
+            if (check_.failures >= decides_a_check) lost = true;
+            if (check_.passes >= decides_a_check && !lost) {
+                maintained_ = true;
+                next_check_ = scheduled_after(time);
+                check_ = {};
+            }
+        }
+        if (!lost) return;
+        relapsed_ = true;
+        declared_at_ = 0;
+        since_relapse_.clear();
+    }
+
+    void regain(const Outcome& outcome, std::int64_t time) {
+        since_relapse_.push_back(outcome);
+        int passes = 0;
+        const std::size_t first =
+            since_relapse_.size() - std::min<std::size_t>(since_relapse_.size(), regained_window);
+        for (std::size_t i = first; i < since_relapse_.size(); ++i)
+            passes += since_relapse_[i].passed ? 1 : 0;
+        if (passes >= regained_passes) declare(time, false);
+    }
+
+    int attempts_ = 0, passes_ = 0;
+    bool provisional_ = false, met_provisionally_ = false;
+    std::int64_t last_ = 0;
+    std::vector<Outcome> all_, firm_, since_relapse_;
+    RuleState all_state_, firm_state_;
+    std::int64_t declared_at_ = 0, next_check_ = 0;
+    bool declared_ever_ = false, declared_by_override_ = false, relapsed_ = false, maintained_ = false;
+    RelapseCusum cusum_;
+    Check check_;
+};
+
+/// What was recorded, in the order in which it happened.
+struct Entry {
+    std::int64_t time = 0;
+    int kind = 0;  // at the same time: assignments, then overrides, then attempts
+    std::string id;
+    const CurriculumAssignment* assignment = nullptr;
+    const StandingOverride* decision = nullptr;
+    const CountedAttempt* attempt = nullptr;
+};
+
+std::vector<Entry> entries_of(const PersonRecord& record, std::int64_t at) {
+    std::vector<Entry> entries;
+    for (const CurriculumAssignment& one : record.assignments)
+        if (one.time <= at) entries.push_back({one.time, 0, one.curriculum->name(), &one, nullptr, nullptr});
+    for (const StandingOverride& one : record.overrides)
+        if (one.time <= at) entries.push_back({one.time, 1, one.id, nullptr, &one, nullptr});
+    for (const CountedAttempt& one : record.attempts) {
+        const bool voided = one.voided_at != 0 && one.voided_at <= at;
+        if (one.time <= at && !voided) entries.push_back({one.time, 2, one.id, nullptr, nullptr, &one});
+    }
+    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+        return std::tie(a.time, a.kind, a.id) < std::tie(b.time, b.kind, b.id);
+    });
+    return entries;
+}
+
+class Programme {
+  public:
+    void take(const Entry& entry) {
+        if (entry.assignment != nullptr) curriculum_ = entry.assignment->curriculum;
+        if (entry.decision != nullptr) decide(*entry.decision);
+        if (entry.attempt != nullptr && curriculum_ != nullptr) {
+            const CurriculumTask* task = curriculum_->find(entry.attempt->task);
+            if (task != nullptr && runs_[task->task].unlocked && counts(*task, entry.attempt->device_class))
+                runs_[task->task].attempt(*task, *entry.attempt);
+        }
+        unlock();
+    }
+
+    std::vector<TaskStanding> standings_at(std::int64_t at) {
+        std::vector<TaskStanding> result;
+        if (curriculum_ == nullptr) return result;
+        for (const CurriculumTask& task : curriculum_->tasks) {
+            result.push_back(runs_[task.task].standing(task, at));
+            if (result.back().standing == Standing::locked) result.back().waits_for = missing(task);
+        }
+        return result;
+    }
+
+  private:
+    void decide(const StandingOverride& decision) {
+        TaskRun& run = runs_[decision.task];
+        if (decision.kind == StandingOverride::Kind::proficient) run.declare(decision.time, true);
+        // Whoever is declared proficient may also perform the task.
+        run.unlocked_by_override = run.unlocked_by_override || !run.unlocked;
+        run.unlocked = true;
+    }
+
+    std::vector<std::string> missing(const CurriculumTask& task) {
+        std::vector<std::string> names;
+        for (const std::string& before : task.after)
+            if (!runs_[before].met_ever()) names.push_back(before);
+        return names;
+    }
+
+    /// Once unlocked, a task is never locked again.
+    void unlock() {
+        if (curriculum_ == nullptr) return;
+        for (const CurriculumTask& task : curriculum_->tasks) {
+            TaskRun& run = runs_[task.task];
+            run.unlocked = run.unlocked || missing(task).empty();
+        }
+    }
+
+    const Curriculum* curriculum_ = nullptr;
+    std::map<std::string, TaskRun> runs_;
+};
+
+}  // namespace
+
+std::vector<TaskStanding> standing_of(const PersonRecord& record, std::int64_t at) {
+    Programme programme;
+    for (const Entry& entry : entries_of(record, at)) programme.take(entry);
+    return programme.standings_at(at);
+}
+
+}  // namespace fulcrum

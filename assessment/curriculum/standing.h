@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a trainee stands in a curriculum: one pure function of what was recorded up to a moment. The order in
+// which records were inserted changes nothing; a record changes no standing before its own time; a declared
+// proficiency ends only by a relapse, or as if it had never been where an attempt that it counted is voided.
+//
+// Provisional limits allow a pass, never proficiency. Whoever meets the rule on them is shown as "passed
+// (provisional)", and the next tasks unlock, so that a site without expert sets of its own can be used.
+// docs/METRICS.md, Progress.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "assessment/curriculum/curriculum.h"
+
+namespace fulcrum {
+
+enum class Standing : std::uint8_t { locked, open, attempted, passed, proficient, maintained, due, relapsed };
+inline constexpr NameRow<Standing> standing_names[] = {
+    {Standing::locked, "locked", QT_TRANSLATE_NOOP("fulcrum::standings", "locked")},
+    {Standing::open, "open", QT_TRANSLATE_NOOP("fulcrum::standings", "open")},
+    {Standing::attempted, "attempted", QT_TRANSLATE_NOOP("fulcrum::standings", "attempted")},
+    {Standing::passed, "passed", QT_TRANSLATE_NOOP("fulcrum::standings", "passed")},
+    {Standing::proficient, "proficient", QT_TRANSLATE_NOOP("fulcrum::standings", "proficient")},
+    {Standing::maintained, "maintained", QT_TRANSLATE_NOOP("fulcrum::standings", "maintained")},
+    {Standing::due, "due", QT_TRANSLATE_NOOP("fulcrum::standings", "check due")},
+    {Standing::relapsed, "relapsed", QT_TRANSLATE_NOOP("fulcrum::standings", "relapsed")}};
+static_assert(in_order(standing_names));
+
+/// An attempt that was assessed and scored and ended by the trainee, the time limit or a failure.
+struct CountedAttempt {
+    std::string id, task;
+    std::int64_t time = 0;       ///< UTC ms, when it began
+    int utc_offset_minutes = 0;  ///< local time minus UTC
+    DeviceClass device_class = DeviceClass::haptic;
+    bool passed = false;
+    bool provisional = false;    ///< passed or failed by limits that are provisional
+    std::int64_t voided_at = 0;  ///< UTC ms; 0: not voided
+};
+
+/// An educator's decision, in place of the rule.
+struct StandingOverride {
+    enum class Kind : std::uint8_t { unlocked, proficient };
+    std::string id, task;
+    Kind kind = Kind::unlocked;
+    std::int64_t time = 0;  ///< UTC ms
+};
+
+/// From `time` on the trainee follows this curriculum.
+struct CurriculumAssignment {
+    std::int64_t time = 0;  ///< UTC ms
+    const Curriculum* curriculum = nullptr;
+};
+
+struct PersonRecord {
+    std::vector<CurriculumAssignment> assignments;
+    std::vector<CountedAttempt> attempts;
+    std::vector<StandingOverride> overrides;
+};
+
+struct TaskStanding {
+    std::string task;
+    Standing standing = Standing::locked;
+    bool provisional = false;            ///< passed: every pass so far is by provisional limits
+    bool met_provisionally = false;      ///< the rule is met, by provisional limits
+    bool one_more_day = false;           ///< the rule is met but for passes on a second day
+    bool stalled = false;                ///< 60 attempts without a declaration: the educator is asked
+    bool by_override = false;            ///< unlocked or declared proficient by an educator
+    bool overdue = false;                ///< due for more than 14 days
+    int attempts = 0, passes = 0;        ///< that count
+    double progress = 0;                 ///< 0 to 1 towards the rule, before it is met
+    std::vector<std::string> waits_for;  ///< locked: prerequisites that are missing
+    std::int64_t declared_at = 0;        ///< UTC ms; 0: not proficient
+    std::int64_t next_check = 0;         ///< UTC ms; 0: none
+    std::int64_t last_attempt = 0;       ///< UTC ms, of those that count; 0: none
+};
+
+/// Days after the declaration on which a retention check is due; after the last one every 182 days.
+inline constexpr int retention_days[] = {14, 30, 91, 182};
+inline constexpr int overdue_days = 14;
+inline constexpr int most_attempts = 60;  ///< without a declaration, before the educator is asked
+
+/// Of every task of the curriculum in force at `at`, in its order; empty without an assignment. `at`: UTC ms.
+std::vector<TaskStanding> standing_of(const PersonRecord& record, std::int64_t at);
+
+}  // namespace fulcrum

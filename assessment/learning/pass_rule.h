@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// When a trainee is proficient in a task, as a rule on the sequence of passed and failed attempts.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace fulcrum {
+
+enum class PassRuleKind : std::uint8_t {
+    in_a_row,  ///< k passes in a row
+    k_of_n,    ///< k passes among the last n attempts; may be met before n attempts
+    lc_cusum   ///< learning-curve cumulative sum (Biau and Porcher 2010)
+};
+
+/// p0: acceptable share of failures; p1: unacceptable share, 0 < p0 < p1 < 1; h > 0: limit of the sum.
+struct PassRule {
+    PassRuleKind kind = PassRuleKind::in_a_row;
+    int k = 2, n = 2;
+    double p0 = 0.1, p1 = 0.3, h = 2.5;
+};
+
+/// "row:K", "of:K,N" or "lc-cusum:P0,P1,H", 1 <= K <= N <= 60. Throws InputError.
+PassRule parse_pass_rule(const std::string& text);
+/// What an attempt adds to the sum of LC-CUSUM: ln((1 - p0)/(1 - p1)) for a pass, ln(p0/p1) for a failure.
+/// The sum starts at 0 and never falls below it.
+double lc_cusum_step(const PassRule& rule, bool passed);
+
+}  // namespace fulcrum

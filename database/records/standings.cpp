@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/records/standings.h"
+
+#include "database/records/attempt_query.h"
+#include "database/rows/crypto.h"
+#include "database/store/audit.h"
+#include "database/store/override_rows.h"
+
+namespace fulcrum::database {
+namespace {
+
+/// As is_counting(), but also what was voided: until then it counted.
+bool counted_once(AttemptSummary attempt) {
+    attempt.voided_at = 0;
+    return is_counting(attempt);
+}
+
+}  // namespace
+
+PersonRecord Standings::record(const Session& session, const std::string& person_id,
+                               const Curriculum& curriculum) const {
+    store_.require(session, Operation::read_progress, Subject::person(person_id));
+    PersonRecord record;
+    record.assignments.push_back({0, &curriculum});
+    AttemptFilter filter;
+    filter.person_id = person_id;
+    filter.limit = -1;
+    for (const AttemptSummary& attempt : query_attempts(store_, session, filter)) {
+        if (!counted_once(attempt)) continue;
+        record.attempts.push_back({attempt.meta.id, attempt.meta.task_id, attempt.meta.started,
+                                   attempt.meta.utc_offset_min, attempt.meta.device_class, *attempt.passed,
+                                   attempt.provisional, attempt.voided_at});
+    }
+    for (const OverrideRow& row : overrides(session, person_id)) record.overrides.push_back(row.decision);
+    return record;
+}
+
+std::vector<OverrideRow> Standings::overrides(const Session& session, const std::string& person_id) const {
+    store_.require(session, Operation::read_progress, Subject::person(person_id));
+    return read_overrides(store_.connection(), person_id);
+}
+
+std::string Standings::decide(const Session& educator, const std::string& person_id,
+                              const std::string& task_id, StandingOverride::Kind kind,
+                              const std::string& reason) const {
+    store_.require(educator, Operation::decide_standing, Subject::person(person_id));
+    if (reason.find_first_not_of(" \t\r\n") == std::string::npos || reason.size() > 4000)
+        throw StoreError(StoreErrorKind::bad_value, "a reason is needed (1 to 4,000 characters)", "say why");
+    if (task_id.empty())
+        throw StoreError(StoreErrorKind::bad_value, "no task was named", "name a task of the curriculum");
+    Connection& connection = store_.connection();
+    OverrideRow row;
+    row.decision = {random_uuid(), task_id, kind, store_.now()};
+    row.person_id = person_id;
+    row.author_id = educator.person_id();
+    row.reason = reason;
+    Transaction transaction(connection);
+    write_override(connection, row);
+    Audit(store_).append(educator, row.decision.id, "standing.decide", override_payload(row));
+    transaction.commit();
+    return row.decision.id;
+}
+
+}  // namespace fulcrum::database

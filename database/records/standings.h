@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a person's record says for a curriculum: the attempts that count, voids, and the decisions of
+// educators. assessment/curriculum makes the standing of it; nothing else is stored.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "assessment/curriculum/standing.h"
+#include "database/rows/attempt_records.h"
+#include "database/store/override_rows.h"
+#include "database/store/store.h"
+
+namespace fulcrum::database {
+
+class Standings {
+  public:
+    explicit Standings(const Store& store) : store_(store) {}
+
+    /// Checked as read_progress. The person follows `curriculum` from the beginning; it must outlive the
+    /// record.
+    PersonRecord record(const Session& session, const std::string& person_id,
+                        const Curriculum& curriculum) const;
+    /// Of a person, newest first. Checked as read_progress.
+    std::vector<OverrideRow> overrides(const Session& session, const std::string& person_id) const;
+    /// Unlocks a task for a person or declares the person proficient in it. Never for oneself. `reason`: 1 to
+    /// 4,000 characters. Throws AccessDenied, StoreError. Returns the id.
+    std::string decide(const Session& educator, const std::string& person_id, const std::string& task_id,
+                       StandingOverride::Kind kind, const std::string& reason) const;
+
+  private:
+    const Store& store_;
+};
+
+}  // namespace fulcrum::database

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rows of educators' decisions on a standing, and what the audit log keeps of them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "assessment/curriculum/standing.h"
+#include "database/rows/connection.h"
+
+namespace fulcrum::database {
+
+/// An educator's decision with its reason, shown wherever the standing is.
+struct OverrideRow {
+    StandingOverride decision;
+    std::string person_id, author_id, reason;
+    std::string author_name;  ///< read only
+};
+
+/// Of one person, newest first; of everyone where `person_id` is empty.
+std::vector<OverrideRow> read_overrides(Connection& connection, const std::string& person_id);
+void write_override(Connection& connection, const OverrideRow& row);
+/// JSON with everything but the author and the time, which the audit entry has itself.
+std::string override_payload(const OverrideRow& row);
+/// Whether a stored payload, which also has the role of the actor, says the same.
+bool is_payload_of(const std::string& payload, const OverrideRow& row);
+
+}  // namespace fulcrum::database

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the store gives the function of standings: attempts that count, voids at their own time, decisions.
+#include "database/records/standings.h"
+
+#include <gtest/gtest.h>
+
+#include "assessment/assets/assets.h"
+#include "tests/database/programme_fixture.h"
+
+namespace fulcrum::database {
+namespace {
+
+using test::error_kind;
+using test::Programme;
+
+Curriculum rectal() {
+    return load_curriculum(asset_path("curricula/rectal.json"), task_ids());
+}
+
+TaskStanding standing(const Programme& programme, const Curriculum& curriculum, const std::string& task,
+                      std::int64_t at) {
+    const PersonRecord record =
+        Standings(*programme.store).record(programme.session("educator"), programme.id("ann"), curriculum);
+    for (const TaskStanding& one : standing_of(record, at))
+        if (one.task == task) return one;
+    ADD_FAILURE() << task;
+    return {};
+}
+
+TEST(Standings, AttemptsCountUntilTheyAreVoided) {
+    const Programme programme;
+    const Curriculum curriculum = rectal();
+    const std::int64_t begin = programme.store->now();
+    EXPECT_EQ(standing(programme, curriculum, "A2", begin).standing, Standing::open);
+    const std::string passed = programme.record("ann");
+    programme.clock.pass_s(100);
+    programme.attempts().void_attempt(programme.session("educator"), passed, "wrong person");
+    EXPECT_EQ(standing(programme, curriculum, "A2", begin + 99'000).standing, Standing::passed);
+    EXPECT_TRUE(standing(programme, curriculum, "A2", begin + 99'000).provisional);
+    EXPECT_EQ(standing(programme, curriculum, "A2", begin + 100'000).standing, Standing::open);
+    programme.record("ann", false, 0);
+    EXPECT_EQ(standing(programme, curriculum, "A2", begin + 100'000).standing, Standing::attempted);
+    programme.record_broken("ann");  // interrupted without a verdict
+    EXPECT_EQ(standing(programme, curriculum, "A2", begin + 200'000).attempts, 1);
+    programme.record("ann", true, 90, "B1");  // locked
+    EXPECT_EQ(standing(programme, curriculum, "B1", begin + 200'000).standing, Standing::locked);
+}
+
+TEST(Standings, DecisionsOfEducatorsAreKeptWithReasonAndAudited) {
+    const Programme programme;
+    const Curriculum curriculum = rectal();
+    const Standings standings(*programme.store);
+    const Session& educator = programme.session("educator");
+    const std::int64_t begin = programme.store->now();
+    standings.decide(educator, programme.id("ann"), "B1", StandingOverride::Kind::unlocked,
+                     "has done this course elsewhere");
+    EXPECT_EQ(standing(programme, curriculum, "B1", begin - 1).standing, Standing::locked);
+    EXPECT_EQ(standing(programme, curriculum, "B1", begin).standing, Standing::open);
+    programme.clock.pass_s(10);
+    standings.decide(educator, programme.id("ann"), "A2", StandingOverride::Kind::proficient, "instructor");
+    EXPECT_EQ(standing(programme, curriculum, "A2", begin + 10'000).standing, Standing::proficient);
+    EXPECT_EQ(standing(programme, curriculum, "B2", begin + 10'000).standing, Standing::open);
+    const std::vector<OverrideRow> rows = standings.overrides(programme.session("ann"), programme.id("ann"));
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_EQ(rows[1].reason, "has done this course elsewhere");
+    EXPECT_EQ(rows[1].author_name, "Edu Cator");
+    EXPECT_EQ(rows[0].decision.kind, StandingOverride::Kind::proficient);
+    const auto entries = Audit(*programme.store).entries(programme.session("administrator"));
+    EXPECT_EQ(std::count_if(entries.begin(), entries.end(),
+                            [](const auto& entry) { return entry.operation == "standing.decide"; }),
+              2);
+    for (const char* reason : {"", " \n"})
+        EXPECT_EQ(error_kind([&] {
+                      standings.decide(educator, programme.id("ann"), "B1", StandingOverride::Kind::unlocked,
+                                       reason);
+                  }),
+                  StoreErrorKind::bad_value);
+    EXPECT_THROW(standings.decide(programme.session("other_educator"), programme.id("ann"), "B1",
+                                  StandingOverride::Kind::unlocked, "not my trainee"),
+                 AccessDenied);
+}
+
+TEST(Standings, CheckFindsADecisionThatNobodyMade) {
+    const Programme programme;
+    Standings(*programme.store)
+        .decide(programme.session("educator"), programme.id("ann"), "B1", StandingOverride::Kind::unlocked,
+                "x");
+    const auto decisions = [&] {
+        for (const CheckItem& item : programme.store->check(programme.session("administrator")).items)
+            if (item.name == "decisions") return item;
+        ADD_FAILURE();
+        return CheckItem();
+    };
+    EXPECT_TRUE(decisions().ok);
+    EXPECT_EQ(decisions().count, 1);
+    Connection& connection = programme.store->connection();
+    EXPECT_THROW(connection.execute("UPDATE standing_override SET kind = 'proficient'"), StoreError);
+    EXPECT_THROW(connection.execute("DELETE FROM standing_override"), StoreError);
+    connection.execute("DROP TRIGGER standing_override_is_fixed");
+    connection.execute("UPDATE standing_override SET kind = 'proficient'");
+    EXPECT_FALSE(decisions().ok);
+    connection.execute("UPDATE standing_override SET kind = 'unlocked'");
+    EXPECT_TRUE(decisions().ok);
+    connection.execute(
+        "INSERT INTO standing_override SELECT 'forged', person_id, 'C4', kind, author_id, time, reason FROM "
+        "standing_override");
+    EXPECT_EQ(decisions().problems.size(), 1U);
+}
+
+}  // namespace
+}  // namespace fulcrum::database

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/style/standing_badge.h"
+
+#include <QDateTime>
+#include <QLocale>
+#include <QPainter>
+#include <QPainterPath>
+
+#include "ui/style/palette.h"
+#include "ui/style/text.h"
+
+namespace fulcrum::ui {
+namespace {
+
+QString say(const char* source, int count = -1) {
+    return QCoreApplication::translate("fulcrum::ui::standing", source, nullptr, count);
+}
+
+QPainterPath tick(const QRectF& box) {
+    QPainterPath path;
+    path.moveTo(box.left() + 0.26 * box.width(), box.top() + 0.53 * box.height());
+    path.lineTo(box.left() + 0.43 * box.width(), box.top() + 0.70 * box.height());
+    path.lineTo(box.left() + 0.75 * box.width(), box.top() + 0.32 * box.height());
+    return path;
+}
+
+void paint_padlock(QPainter& painter, const QRectF& box, const QColor& colour) {
+    const QRectF body(box.left() + 0.2 * box.width(), box.top() + 0.46 * box.height(), 0.6 * box.width(),
+                      0.44 * box.height());
+    painter.setPen(QPen(colour, 0.09 * box.width()));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawArc(QRectF(box.left() + 0.31 * box.width(), box.top() + 0.12 * box.height(),
+                           0.38 * box.width(), 0.62 * box.height()),
+                    0, 180 * 16);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    painter.drawRoundedRect(body, 0.06 * box.width(), 0.06 * box.width());
+}
+
+void paint_clock(QPainter& painter, const QRectF& disc, const QPen& pen) {
+    painter.setPen(pen);
+    painter.drawEllipse(disc);
+    const QPointF centre = disc.center();
+    painter.drawLine(centre, centre - QPointF(0, 0.33 * disc.height()));
+    painter.drawLine(centre, centre + QPointF(0.24 * disc.width(), 0.12 * disc.height()));
+}
+
+void paint_triangle(QPainter& painter, const QRectF& disc, const Palette& p) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(p.bad);
+    painter.drawPolygon(QPolygonF({disc.topLeft(), disc.topRight(), {disc.center().x(), disc.bottom()}}));
+}
+
+}  // namespace
+
+void paint_standing(QPainter& painter, const QRectF& box, const TaskStanding& standing) {
+    const Palette& p = colours();
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double line = std::max(1.5, 0.085 * box.width());
+    const QRectF disc = box.adjusted(1.6 * line, 1.6 * line, -1.6 * line, -1.6 * line);
+    const auto pen = [&](const QColor& colour) {
+        return QPen(colour, line, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+    };
+    painter.setBrush(Qt::NoBrush);
+    switch (standing.standing) {
+        case Standing::locked:
+            paint_padlock(painter, box, p.muted);
+            break;
+        case Standing::open:
+            painter.setPen(pen(p.accent));
+            painter.drawEllipse(disc);
+            break;
+        case Standing::attempted:
+            painter.setPen(pen(p.accent));
+            painter.drawEllipse(disc);
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(p.accent);
+            painter.drawEllipse(disc.center(), 0.22 * disc.width(), 0.22 * disc.height());
+            break;
+        case Standing::passed: {
+            QPen ring = pen(p.good);
+            if (standing.provisional) ring.setDashPattern({1.5, 2});
+            painter.setPen(ring);
+            painter.drawEllipse(disc);
+            painter.setPen(pen(p.good));
+            painter.drawPath(tick(disc));
+            break;
+        }
+        case Standing::proficient:
+        case Standing::maintained:
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(p.good);
+            painter.drawEllipse(disc);
+            painter.setBrush(Qt::NoBrush);
+            painter.setPen(pen(p.card));
+            painter.drawPath(tick(disc));
+            if (standing.standing == Standing::maintained) {
+                painter.setPen(QPen(p.good, 0.5 * line));
+                painter.drawEllipse(disc.adjusted(-line, -line, line, line));
+            }
+            break;
+        case Standing::due:
+            paint_clock(painter, disc, pen(p.warning));
+            break;
+        case Standing::relapsed:
+            paint_triangle(painter, disc, p);
+            break;
+    }
+    painter.restore();
+}
+
+QString date_text(std::int64_t utc_ms) {
+    return QLocale().toString(QDateTime::fromMSecsSinceEpoch(utc_ms).date(), QStringLiteral("d MMM yyyy"));
+}
+
+QString standing_text(const TaskStanding& standing) {
+    switch (standing.standing) {
+        case Standing::locked: {
+            QStringList tasks;
+            for (const std::string& task : standing.waits_for) tasks << text(task);
+            return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "locked until proficient in %1"))
+                .arg(tasks.join(QStringLiteral(", ")));
+        }
+        case Standing::open:
+            return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "open"));
+        case Standing::attempted:
+            return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "attempted, not passed yet"));
+        case Standing::passed:
+            return standing.provisional
+                       ? say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "passed (provisional)"))
+                       : say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "passed"));
+        case Standing::proficient:
+            return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "proficient since %1"))
+                .arg(date_text(standing.declared_at));
+        case Standing::maintained:
+            return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "proficient, last check passed"));
+        case Standing::due:
+            return (standing.overdue
+                        ? say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "check overdue since %1"))
+                        : say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "check due since %1")))
+                .arg(date_text(standing.next_check));
+        case Standing::relapsed:
+            return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "relapsed"));
+    }
+    return {};
+}
+
+QString standing_detail(const TaskStanding& standing) {
+    switch (standing.standing) {
+        case Standing::locked:
+        case Standing::open:
+            return {};
+        case Standing::attempted:
+        case Standing::passed:
+            break;
+        case Standing::proficient:
+        case Standing::maintained:
+            return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "Next check on %1."))
+                .arg(date_text(standing.next_check));
+        case Standing::due:
+            return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "Two passes on one day complete it."));
+        case Standing::relapsed:
+            return say(
+                QT_TRANSLATE_NOOP("fulcrum::ui::standing", "Three passes in four attempts restore it."));
+    }
+    if (standing.met_provisionally)
+        return say(QT_TRANSLATE_NOOP(
+            "fulcrum::ui::standing",
+            "The rule is met on provisional limits: later tasks unlock, but nobody is declared proficient."));
+    if (standing.one_more_day)
+        return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "Pass once more on another day."));
+    if (standing.stalled)
+        return say(
+            QT_TRANSLATE_NOOP("fulcrum::ui::standing", "%n attempts without proficiency: ask your educator."),
+            standing.attempts);
+    return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "%1 % of the way to proficiency."))
+        .arg(static_cast<int>(100 * standing.progress));
+}
+
+StandingBadge::StandingBadge(const TaskStanding& standing) : standing_(standing) {
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    setAccessibleName(standing_text(standing));
+    setToolTip(standing_text(standing));
+}
+
+QSize StandingBadge::sizeHint() const {
+    const int side = static_cast<int>(1.7 * fontMetrics().height());
+    return {side, side};
+}
+
+void StandingBadge::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    paint_standing(painter, QRectF(rect()), standing_);
+}
+
+}  // namespace fulcrum::ui

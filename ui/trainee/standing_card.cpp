@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/trainee/standing_card.h"
+
+#include <QComboBox>
+#include <QLineEdit>
+
+#include "database/records/standings.h"
+#include "ui/style/standing_badge.h"
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+
+namespace fulcrum::ui {
+
+StandingCard::StandingCard(Context& context) : context_(context) {
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    QFrame* card = make_card(6);
+    outer->addWidget(card);
+    lines_ = new QVBoxLayout;
+    card_layout(card)->addLayout(lines_);
+    decision_ = new QWidget;
+    auto* row = new QHBoxLayout(decision_);
+    row->setContentsMargins(0, 0, 0, 0);
+    kind_ = new QComboBox;
+    kind_->setObjectName(QStringLiteral("decision_kind"));
+    kind_->setAccessibleName(tr("Decision"));
+    row->addWidget(kind_);
+    reason_ = new QLineEdit;
+    reason_->setObjectName(QStringLiteral("decision_reason"));
+    reason_->setAccessibleName(tr("Reason"));
+    reason_->setPlaceholderText(tr("reason, kept in the audit log"));
+    row->addWidget(reason_, 1);
+    QPushButton* button = make_button(tr("Decide"), "decide_standing");
+    row->addWidget(button);
+    card_layout(card)->addWidget(decision_);
+    connect(button, &QPushButton::clicked, this, &StandingCard::decide);
+}
+
+void StandingCard::show_task(const std::string& person_id, const std::string& task_id) {
+    person_id_ = person_id;
+    task_id_ = task_id;
+    reason_->clear();
+    fill();
+}
+
+void StandingCard::fill() {
+    clear_layout(lines_);
+    const Curriculum& curriculum = context_.services().curriculum();
+    const database::Subject subject = database::Subject::person(person_id_);
+    const bool known = !person_id_.empty() && curriculum.find(task_id_) != nullptr &&
+                       context_.allowed(database::Operation::read_progress, subject);
+    setVisible(known);
+    if (!known) return;
+    const database::Standings standings(context_.store());
+    TaskStanding here;
+    std::vector<database::OverrideRow> decisions;
+    context_.guarded([&] {
+        const PersonRecord record = standings.record(context_.session(), person_id_, curriculum);
+        for (const TaskStanding& one : standing_of(record, context_.store().now()))
+            if (one.task == task_id_) here = one;
+        decisions = standings.overrides(context_.session(), person_id_);
+    });
+    auto* head = new QHBoxLayout;
+    head->addWidget(new StandingBadge(here));
+    QLabel* state = make_label(standing_text(here), "heading");
+    state->setObjectName(QStringLiteral("standing_text"));
+    head->addWidget(state, 1);
+    lines_->addLayout(head);
+    const QString detail = standing_detail(here);
+    if (!detail.isEmpty()) lines_->addWidget(make_label(detail, "muted"));
+    for (const database::OverrideRow& row : decisions) {
+        if (row.decision.task != task_id_) continue;
+        const QString what = row.decision.kind == StandingOverride::Kind::unlocked
+                                 ? tr("Unlocked by %1 on %2: %3")
+                                 : tr("Declared proficient by %1 on %2: %3");
+        lines_->addWidget(make_label(
+            what.arg(text(row.author_name), date_text(row.decision.time), text(row.reason)), "muted"));
+    }
+    const bool locked = here.standing == Standing::locked;
+    kind_->clear();
+    if (locked) kind_->addItem(tr("Unlock"), static_cast<int>(StandingOverride::Kind::unlocked));
+    kind_->addItem(tr("Declare proficient"), static_cast<int>(StandingOverride::Kind::proficient));
+    decision_->setVisible(context_.allowed(database::Operation::decide_standing, subject));
+}
+
+void StandingCard::decide() {
+    const std::string words = plain(reason_->text().trimmed());
+    if (words.empty()) {
+        reason_->setFocus();
+        context_.complain(tr("Enter a reason."));
+        return;
+    }
+    const auto kind = static_cast<StandingOverride::Kind>(kind_->currentData().toInt());
+    if (context_.guarded([&] {
+            database::Standings(context_.store())
+                .decide(context_.session(), person_id_, task_id_, kind, words);
+        })) {
+        context_.say(kind == StandingOverride::Kind::unlocked ? tr("The task is unlocked.")
+                                                              : tr("Declared proficient."));
+        reason_->clear();
+        fill();
+    }
+}
+
+}  // namespace fulcrum::ui
+
+#include "moc_standing_card.cpp"

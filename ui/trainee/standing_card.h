@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a person stands in one task, the decisions of educators on it, and for those who may decide: unlock
+// the task or declare the person proficient, with a reason.
+#pragma once
+
+#include "ui/page/context.h"
+
+class QComboBox;
+class QLineEdit;
+class QVBoxLayout;
+
+namespace fulcrum::ui {
+
+class StandingCard : public QWidget {
+    Q_OBJECT
+  public:
+    explicit StandingCard(Context& context);
+    /// Hidden for a task that does not belong to the curriculum.
+    void show_task(const std::string& person_id, const std::string& task_id);
+
+  private:
+    void fill();
+    void decide();
+
+    Context& context_;
+    std::string person_id_, task_id_;
+    QVBoxLayout* lines_;
+    QWidget* decision_;
+    QComboBox* kind_;
+    QLineEdit* reason_;
+};
+
+}  // namespace fulcrum::ui
