@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "sim_core/numerics/input_error.h"
@@ -11,6 +13,8 @@ namespace fulcrum {
 namespace {
 
 constexpr int most = 60;
+// The last N attempts are kept as bits: 2^15 states at most.
+constexpr int most_of = 16;
 
 [[noreturn]] void refuse(const std::string& text, const std::string& wrong) {
     throw InputError("pass rule '" + text + "'", "", wrong,
@@ -43,6 +47,37 @@ int whole(const std::string& text, double value) {
     return static_cast<int>(value);
 }
 
+/// In a row: passes since the last failure. K of N: 0 and the outcomes of the last N - 1 attempts as bits.
+/// LC-CUSUM: failures and passes since the sum was last 0.
+using State = std::pair<int, int>;
+
+/// The state after one more attempt; none: the rule is met.
+std::optional<State> step(const PassRule& rule, const State& state, bool passed) {
+    switch (rule.kind) {
+        case PassRuleKind::in_a_row: {
+            const int run = passed ? state.first + 1 : 0;
+            return run >= rule.k ? std::nullopt : std::optional<State>({run, 0});
+        }
+        case PassRuleKind::k_of_n: {
+            const unsigned bits = (static_cast<unsigned>(state.second) << 1U) | (passed ? 1U : 0U);
+            int passes = 0;
+            for (int i = 0; i < rule.n; ++i)
+                passes += static_cast<int>((bits >> static_cast<unsigned>(i)) & 1U);
+            if (passes >= rule.k) return std::nullopt;
+            const unsigned kept = bits & ((1U << static_cast<unsigned>(rule.n - 1)) - 1U);
+            return State{0, static_cast<int>(kept)};
+        }
+        case PassRuleKind::lc_cusum: {
+            const State next{state.first + (passed ? 0 : 1), state.second + (passed ? 1 : 0)};
+            const double sum =
+                next.first * lc_cusum_step(rule, false) + next.second * lc_cusum_step(rule, true);
+            if (sum >= rule.h) return std::nullopt;
+            return sum <= 0 ? State{0, 0} : next;
+        }
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 PassRule parse_pass_rule(const std::string& text) {
@@ -55,6 +90,7 @@ PassRule parse_pass_rule(const std::string& text) {
         const std::vector<double> numbers = numbers_of(text, 3, 2);
         rule.k = whole(text, numbers[0]);
         rule.n = whole(text, numbers[1]);
+        if (rule.n > most_of) refuse(text, "N must be at most " + std::to_string(most_of));
         if (rule.k > rule.n) refuse(text, "K is larger than N");
     } else if (text.rfind("lc-cusum:", 0) == 0) {
         rule.kind = PassRuleKind::lc_cusum;
@@ -68,6 +104,34 @@ PassRule parse_pass_rule(const std::string& text) {
         refuse(text, "is not a rule");
     }
     return rule;
+}
+
+OperatingPoint operating_point(const PassRule& rule, double q, int attempts) {
+    std::map<State, double> now{{{0, 0}, 1.0}};
+    OperatingPoint point;
+    double moment = 0;
+    for (int t = 1; t <= attempts && !now.empty(); ++t) {
+        std::map<State, double> next;
+        double met_now = 0;
+        for (const auto& [state, chance] : now) {
+            for (const bool passed : {true, false}) {
+                const double share = chance * (passed ? q : 1 - q);
+                if (share <= 0) continue;
+                const std::optional<State> after = step(rule, state, passed);
+                if (after) {
+                    next[*after] += share;
+                } else {
+                    met_now += share;
+                }
+            }
+        }
+        point.declared += met_now;
+        moment += t * met_now;
+        if (!point.median_attempts && point.declared >= 0.5) point.median_attempts = t;
+        now = std::move(next);
+    }
+    if (point.declared > 0) point.mean_attempts_if_declared = moment / point.declared;
+    return point;
 }
 
 double lc_cusum_step(const PassRule& rule, bool passed) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace fulcrum {
@@ -20,10 +21,21 @@ struct PassRule {
     double p0 = 0.1, p1 = 0.3, h = 2.5;
 };
 
-/// "row:K", "of:K,N" or "lc-cusum:P0,P1,H", 1 <= K <= N <= 60. Throws InputError.
+/// "row:K", "of:K,N" or "lc-cusum:P0,P1,H", 1 <= K <= 60, N <= 16. Throws InputError.
 PassRule parse_pass_rule(const std::string& text);
 /// What an attempt adds to the sum of LC-CUSUM: ln((1 - p0)/(1 - p1)) for a pass, ln(p0/p1) for a failure.
 /// The sum starts at 0 and never falls below it.
 double lc_cusum_step(const PassRule& rule, bool passed);
+
+/// What a rule does to trainees who pass each attempt with the same chance. T: the attempt at which the rule
+/// is met.
+struct OperatingPoint {
+    double declared = 0;                              ///< chance that T <= attempts
+    std::optional<double> mean_attempts_if_declared;  ///< E[T | T <= attempts]; none if that never happens
+    std::optional<int> median_attempts;  ///< least t with P(T <= t) >= 1/2; none beyond `attempts`
+};
+/// Exact, by dynamic programming on whole-number states. `q`: chance of a pass, 0 to 1; `attempts` 1 to 1000.
+/// Learning and the condition of two days are left out.
+OperatingPoint operating_point(const PassRule& rule, double q, int attempts);
 
 }  // namespace fulcrum

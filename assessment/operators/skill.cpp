@@ -126,9 +126,10 @@ constexpr double Skill::*faculties[] = {&Skill::reaction_s,
                                         &Skill::foresight,
                                         &Skill::hesitation};
 
-/// Half-way between an expert and a novice, but for traction (a third of the way on a logarithmic scale),
-/// following a line (a tenth of it) and knowing the plane (a twentieth of a novice's errors): half-way there
-/// nobody would stay within the limits of B2 and C4. Chosen for these limits, not measured on people.
+/// Half-way between an expert and a novice in the hands and their pace. Follows a line as an expert does,
+/// feels the right traction a third of the way on a logarithmic scale, and makes a twentieth of a novice's
+/// errors of the plane: half-way there nobody would stay within the limits of B2 and C4. Chosen for these
+/// limits, not measured on people.
 Skill intermediate() {
     const Skill a = expert(), b = novice();
     const auto between = [](double x, double y) { return 0.5 * (x + y); };
@@ -136,11 +137,9 @@ Skill intermediate() {
     for (const auto faculty : faculties) skill.*faculty = between(a.*faculty, b.*faculty);
     skill.target.standoff = between(a.target.standoff, b.target.standoff);
     skill.bowel.stride = between(a.bowel.stride, b.bowel.stride);
-    const auto geometric = [](double x, double y, double share) { return x * std::pow(y / x, share); };
-    skill.traction.error = geometric(a.traction.error, b.traction.error, 1.0 / 3);
+    skill.traction.error = a.traction.error * std::cbrt(b.traction.error / a.traction.error);
     skill.traction.slack = between(a.traction.slack, b.traction.slack);
-    skill.line.error = geometric(a.line.error, b.line.error, 0.1);
-    skill.line.stroke = between(a.line.stroke, b.line.stroke);
+    skill.line = a.line;
     const auto twentieth = [](double x, double y) { return x + 0.05 * (y - x); };
     skill.plane.recognition = twentieth(a.plane.recognition, b.plane.recognition);
     skill.plane.blur = twentieth(a.plane.blur, b.plane.blur);

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fulcrum curriculum rule, fit, agreement and fulcrum benchmark statistics: the statistics of the platform on
+// values from elsewhere (docs/FORMATS.md, Statistics).
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "app/cli/commands.h"
+#include "assessment/learning/agreement.h"
+#include "assessment/learning/learning_curve.h"
+#include "assessment/learning/pass_rule.h"
+#include "assessment/learning/statistics.h"
+#include "assessment/trace/csv_reader.h"
+
+namespace fulcrum::app {
+namespace {
+
+constexpr std::size_t most_rows = 100'000;
+
+double number_of(std::string_view text, bool& ok) {
+    const std::string word(text);
+    char* rest = nullptr;
+    const double value = std::strtod(word.c_str(), &rest);
+    ok = !word.empty() && *rest == '\0' && std::isfinite(value);
+    return value;
+}
+
+/// The named columns of a CSV file with a header row, as text.
+struct Columns {
+    std::vector<std::vector<std::string>> rows;
+
+    Columns(const std::string& path, const std::vector<std::string>& names) {
+        std::ifstream file(path);
+        if (!file) throw InputError(path, "", "cannot be read", "give a CSV file with a header row");
+        CsvReader reader(file, path);
+        std::vector<std::size_t> at(names.size());
+        if (!reader.next()) reader.fail_at(1, names[0], "the file is empty", "begin with a row of names");
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            const auto& cells = reader.cells();
+            const auto found = std::find(cells.begin(), cells.end(), names[i]);
+            if (found == cells.end())
+                reader.fail(names[i], "the column is missing", "add it to the first row");
+            at[i] = static_cast<std::size_t>(found - cells.begin());
+        }
+        const std::size_t width = reader.cells().size();
+        while (reader.next()) {
+            if (reader.cells().size() != width)
+                reader.fail("(row)", std::to_string(reader.cells().size()) + " cells",
+                            "write " + std::to_string(width) + " cells as in the first row");
+            if (rows.size() == most_rows) reader.fail("(row)", "too many rows", "give at most 100,000");
+            std::vector<std::string> row;
+            for (const std::size_t column : at) row.emplace_back(reader.cells()[column]);
+            rows.push_back(std::move(row));
+        }
+    }
+    double number(const std::string& path, std::size_t row, std::size_t column, const char* name) const {
+        bool ok = false;
+        const double value = number_of(rows[row][column], ok);
+        if (!ok)
+            throw InputError(path, std::to_string(row + 2) + ": " + name,
+                             CsvReader::quoted(rows[row][column]) + " is not a number",
+                             "write a finite number");
+        return value;
+    }
+};
+
+double chance_of(const std::string& text) {
+    bool ok = false;
+    const double q = number_of(text, ok);
+    if (!ok || q < 0 || q > 1) throw UsageError("--q", "'" + text + "' is not a chance", "give 0 to 1");
+    return q;
+}
+
+int run_rule(const Arguments& arguments) {
+    for (const char* needed : {"--rule", "--q"})
+        if (!arguments.has(needed))
+            throw UsageError(needed, "is missing", "see fulcrum curriculum rule --help");
+    const PassRule rule = parse_pass_rule(*arguments.value("--rule"));
+    const double q = chance_of(*arguments.value("--q"));
+    const auto attempts = static_cast<int>(arguments.integer("--attempts", 30, 1, 1000));
+    const OperatingPoint point = operating_point(rule, q, attempts);
+    if (arguments.has("--json")) {
+        print_json({{"declared", point.declared},
+                    {"mean_attempts_if_declared", or_null(point.mean_attempts_if_declared)},
+                    {"median_attempts", or_null(point.median_attempts)}});
+        return 0;
+    }
+    std::cout << "proficient within " << attempts << " attempts: " << 100 * point.declared
+              << " % of trainees\n";
+    if (point.mean_attempts_if_declared)
+        std::cout << "these need " << *point.mean_attempts_if_declared << " attempts on average\n";
+    std::cout << "half of all trainees within: "
+              << (point.median_attempts ? std::to_string(*point.median_attempts) + " attempts" : "never")
+              << '\n';
+    return 0;
+}
+
+nlohmann::json json_of(const CurveFit& fit) {
+    nlohmann::json parameters = {{"plateau", fit.plateau}, {"first", fit.first}};
+    if (fit.model != CurveModel::inverse) parameters["rate"] = fit.rate;
+    return {{"name", curve_model_name(fit.model)},
+            {"parameters", parameters},
+            {"rss", fit.rss},
+            {"aicc", fit.aicc},
+            {"plateau", fit.plateau},
+            {"plateau_low", or_null(fit.plateau_low)},
+            {"plateau_high", or_null(fit.plateau_high)}};
+}
+
+int run_fit(const Arguments& arguments) {
+    const std::string path = arguments.words()[0];
+    const Columns columns(path, {"x", "y"});
+    std::vector<double> values;
+    for (std::size_t i = 0; i < columns.rows.size(); ++i) {
+        if (columns.number(path, i, 0, "x") != static_cast<double>(i + 1))
+            throw InputError(path, std::to_string(i + 2) + ": x", "is not " + std::to_string(i + 1),
+                             "number the attempts 1, 2, 3, ... in order");
+        values.push_back(columns.number(path, i, 1, "y"));
+    }
+    const std::vector<CurveFit> fits = fit_curves(values);
+    if (fits.empty())
+        throw InputError(path, "", std::to_string(values.size()) + " attempts are too few for a curve",
+                         "give at least " + std::to_string(fewest_attempts_of_a_curve));
+    const CurveFit& best = best_curve(fits);
+    if (arguments.has("--json")) {
+        nlohmann::json models = nlohmann::json::array();
+        for (const CurveFit& fit : fits) models.push_back(json_of(fit));
+        print_json({{"models", models}, {"best", curve_model_name(best.model)}});
+        return 0;
+    }
+    const auto end = [](const std::optional<double>& value) {
+        return value ? nlohmann::json(*value).dump() : std::string("open");
+    };
+    for (const CurveFit& fit : fits)
+        std::cout << curve_model_name(fit.model) << ": levels off at " << fit.plateau << " ("
+                  << end(fit.plateau_low) << " to " << end(fit.plateau_high) << "), AICc " << fit.aicc
+                  << (&fit == &best ? ", best\n" : "\n");
+    return 0;
+}
+
+/// `ratings[target][rater]`, in the order of first mention.
+std::vector<std::vector<double>> table_of(const std::string& path) {
+    const Columns columns(path, {"target", "rater", "score"});
+    std::vector<std::string> targets, raters;
+    const auto index = [](std::vector<std::string>& names, const std::string& name) {
+        const auto found = std::find(names.begin(), names.end(), name);
+        if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+        names.push_back(name);
+        return names.size() - 1;
+    };
+    std::map<std::pair<std::size_t, std::size_t>, double> cells;
+    for (std::size_t i = 0; i < columns.rows.size(); ++i) {
+        const auto cell =
+            std::make_pair(index(targets, columns.rows[i][0]), index(raters, columns.rows[i][1]));
+        if (!cells.emplace(cell, columns.number(path, i, 2, "score")).second)
+            throw InputError(path, std::to_string(i + 2) + ": rater",
+                             columns.rows[i][1] + " has rated " + columns.rows[i][0] + " twice",
+                             "give one score for each target and rater");
+    }
+    std::vector<std::vector<double>> table(targets.size(), std::vector<double>(raters.size()));
+    for (std::size_t t = 0; t < targets.size(); ++t) {
+        for (std::size_t r = 0; r < raters.size(); ++r) {
+            const auto found = cells.find({t, r});
+            if (found == cells.end())
+                throw InputError(path, "", "there is no score of " + targets[t] + " by " + raters[r],
+                                 "every rater must have rated every target");
+            table[t][r] = found->second;
+        }
+    }
+    return table;
+}
+
+int run_agreement(const Arguments& arguments) {
+    const std::string path = arguments.words()[0];
+    const std::vector<std::vector<double>> table = table_of(path);
+    IntraclassCorrelations icc;
+    double alpha = 0;
+    try {
+        icc = intraclass_correlations(table);
+        alpha = cronbach_alpha(table);
+    } catch (const std::invalid_argument& error) {
+        throw InputError(path, "", error.what(), "give scores of two or more raters on two or more targets");
+    }
+    const std::pair<const char*, Correlation> forms[] = {{"1,1", icc.one_1},   {"2,1", icc.two_1},
+                                                         {"3,1", icc.three_1}, {"1,k", icc.one_k},
+                                                         {"2,k", icc.two_k},   {"3,k", icc.three_k}};
+    nlohmann::json document;
+    for (const auto& [name, one] : forms) {
+        document[name] = {{"value", one.value}, {"low", one.low}, {"high", one.high}};
+        if (!arguments.has("--json"))
+            std::cout << "ICC(" << name << ") " << one.value << " (" << one.low << " to " << one.high
+                      << ")\n";
+    }
+    if (arguments.has("--json")) {
+        print_json({{"icc", document}, {"cronbach_alpha", alpha}});
+    } else {
+        std::cout << "Cronbach alpha " << alpha << '\n';
+    }
+    return 0;
+}
+
+int run_statistics(const Arguments& arguments) {
+    const std::string path = arguments.words()[0];
+    const bool logarithm = arguments.value_or("--scale", "raw") == "ln";
+    const Columns columns(path, {"expert", "value"});
+    std::vector<ExpertValues> experts;
+    for (std::size_t i = 0; i < columns.rows.size(); ++i) {
+        double value = columns.number(path, i, 1, "value");
+        if (logarithm && value <= 0)
+            throw InputError(path, std::to_string(i + 2) + ": value", "has no logarithm",
+                             "give values above 0, or --scale raw");
+        value = logarithm ? std::log(value) : value;
+        const std::string& name = columns.rows[i][0];
+        const auto found = std::find_if(experts.begin(), experts.end(),
+                                        [&](const ExpertValues& one) { return one.expert == name; });
+        if (found == experts.end()) {
+            experts.push_back({name, {value}});
+        } else {
+            found->values.push_back(value);
+        }
+    }
+    const std::optional<ExpertBenchmark> benchmark = expert_benchmark(experts, 2);
+    if (!benchmark)
+        throw InputError(path, "", "fewer than 2 experts are left", "give the values of more experts");
+    nlohmann::json dropped = nlohmann::json::array();
+    std::set<std::string> left_out;
+    for (const LeftOutExpert& one : benchmark->left_out) {
+        dropped.push_back(one.expert);
+        left_out.insert(one.expert);
+    }
+    std::size_t attempts = 0;
+    for (const ExpertValues& one : experts)
+        attempts += left_out.count(one.expert) > 0 ? 0 : one.values.size();
+    if (arguments.has("--json")) {
+        print_json({{"mean", benchmark->mean},
+                    {"sd", benchmark->deviation},
+                    {"dropped", dropped},
+                    {"experts", benchmark->experts},
+                    {"attempts", attempts}});
+        return 0;
+    }
+    std::cout << "mean " << benchmark->mean << ", standard deviation of an attempt " << benchmark->deviation
+              << ", " << benchmark->experts << " experts, " << attempts << " attempts\n";
+    for (const LeftOutExpert& one : benchmark->left_out)
+        std::cout << "left out: " << one.expert << ", mean " << one.mean << '\n';
+    return 0;
+}
+
+}  // namespace
+
+std::vector<Command> statistics_commands() {
+    return {{"curriculum rule",
+             "",
+             0,
+             0,
+             "Prints how likely a rule declares a trainee proficient who passes each attempt with the same "
+             "chance. "
+             "Learning and the condition of two days are left out.",
+             {{"--rule", "RULE", "row:K, of:K,N or lc-cusum:P0,P1,H."},
+              {"--q", "Q", "The chance of a pass, from 0 to 1."},
+              {"--attempts", "N", "The number of attempts, from 1 to 1000.", "30"},
+              json_option()},
+             run_rule},
+            {"curriculum fit",
+             "VALUES.csv",
+             1,
+             1,
+             "Fits learning curves to the values of attempts 1, 2, 3, ...: columns x and y.",
+             {json_option()},
+             run_fit},
+            {"curriculum agreement",
+             "RATINGS.csv",
+             1,
+             1,
+             "Prints how far raters agree: columns target, rater and score.",
+             {json_option()},
+             run_agreement},
+            {"benchmark statistics",
+             "VALUES.csv",
+             1,
+             1,
+             "Prints mean and standard deviation of experts as a benchmark set uses them: columns expert and "
+             "value.",
+             {{"--scale", "SCALE", "The scale of the values.", "raw", {"raw", "ln"}}, json_option()},
+             run_statistics}};
+}
+
+}  // namespace fulcrum::app
