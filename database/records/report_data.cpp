@@ -251,6 +251,7 @@ PersonProgress Reports::person_progress(const Session& session, const std::strin
             ScoreRow score = read_score(store_.connection(), score_id);
             point.pathology = pathology_of(score);
             point.metrics = std::move(score.metrics);
+            point.gates = std::move(score.gates);
         }
         series.points.push_back(std::move(point));
     }

@@ -65,6 +65,7 @@ struct ProgressPoint {
     Statement not_scored_because;
     std::optional<double> points;
     std::vector<MetricRow> metrics;            ///< of the score in force
+    std::vector<GateRow> gates;                ///< of the score in force
     std::optional<PathologyReport> pathology;  ///< of the score in force, where the task leaves a specimen
 };
 struct ProgressSeries {

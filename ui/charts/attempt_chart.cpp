@@ -6,6 +6,7 @@
 #include <QKeyEvent>
 #include <QPainter>
 #include <QToolTip>
+#include <algorithm>
 #include <cmath>
 
 #include "ui/style/text.h"
@@ -16,10 +17,10 @@ namespace {
 /// Maps attempt number and value to the plot.
 struct Frame {
     QRectF plot;
-    double x_low = 0.5, x_high = 1.5, y_high = 1, y_step = 1;
+    double x_low = 0.5, x_high = 1.5, y_low = 0, y_high = 1, y_step = 1;
     QPointF at(double number, double value) const {
         return {plot.left() + plot.width() * (number - x_low) / (x_high - x_low),
-                plot.bottom() - plot.height() * value / y_high};
+                plot.bottom() - plot.height() * (value - y_low) / (y_high - y_low)};
     }
 };
 
@@ -35,11 +36,12 @@ Frame frame_of(const QRectF& area, const AttemptChartData& data, double unit) {
     Frame frame;
     frame.plot = area.adjusted(64 * unit, 30 * unit, -14 * unit, -44 * unit);
     int last = 1;
-    double high = data.limit.value_or(0);
+    double high = data.limit.value_or(0), low = std::min(0.0, data.limit.value_or(0));
     for (const AttemptSeries& series : data.series) {
         for (const AttemptPoint& point : series.points) {
             last = std::max(last, point.number);
             if (point.value) high = std::max(high, *point.value);
+            if (point.value) low = std::min(low, *point.value);
         }
     }
     frame.x_high = last + 0.5;
@@ -47,11 +49,31 @@ Frame frame_of(const QRectF& area, const AttemptChartData& data, double unit) {
         frame.y_high = *data.y_maximum;
         frame.y_step = *data.y_maximum / 4;
     } else {
-        if (high <= 0) high = 1;
-        frame.y_step = nice_step(high * 1.08);
+        if (high <= 0 && low >= 0) high = 1;
+        frame.y_step = nice_step((high - low) * 1.08);
         frame.y_high = std::ceil(high * 1.08 / frame.y_step) * frame.y_step;
+        frame.y_low = std::floor(low * 1.08 / frame.y_step) * frame.y_step;
     }
     return frame;
+}
+
+/// The interval of the plateau as a band, the fitted curve as a thick line over it.
+void paint_curve(QPainter& painter, const Frame& frame, const AttemptSeries& series, QColor colour,
+                 double unit) {
+    if (series.plateau_low && series.plateau_high) {
+        QColor band = colour;
+        band.setAlpha(40);
+        const double low = std::clamp(*series.plateau_low, frame.y_low, frame.y_high);
+        const double high = std::clamp(*series.plateau_high, frame.y_low, frame.y_high);
+        painter.fillRect(QRectF(frame.at(frame.x_low, high), frame.at(frame.x_high, low)), band);
+    }
+    QPolygonF curve;
+    for (const auto& [number, value] : series.curve)
+        curve << frame.at(number, std::clamp(value, frame.y_low, frame.y_high));
+    colour.setAlpha(150);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colour, 4 * unit, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPolyline(curve);
 }
 
 }  // namespace
@@ -65,7 +87,9 @@ void paint_attempt_chart(QPainter& painter, const QRectF& area, const AttemptCha
     painter.setPen(p.muted);
     painter.drawText(QRectF(area.left(), area.top(), area.width() / 2, line_height), Qt::AlignLeft,
                      data.y_title);
-    for (double y = 0; y <= frame.y_high * 1.0001; y += frame.y_step) {
+    const int lines = static_cast<int>(std::lround((frame.y_high - frame.y_low) / frame.y_step));
+    for (int i = 0; i <= lines; ++i) {
+        const double y = frame.y_low + i * frame.y_step;
         const QPointF left = frame.at(frame.x_low, y), right = frame.at(frame.x_high, y);
         painter.setPen(QPen(p.line, unit));
         painter.drawLine(left, right);
@@ -76,7 +100,7 @@ void paint_attempt_chart(QPainter& painter, const QRectF& area, const AttemptCha
     const int last = static_cast<int>(frame.x_high - 0.5);
     const int step = std::max(1, last / 12);
     for (int number = 1; number <= last; number += step) {
-        const QPointF foot = frame.at(number, 0);
+        const QPointF foot = frame.at(number, frame.y_low);
         painter.drawText(QRectF(foot.x() - 30 * unit, foot.y() + 4 * unit, 60 * unit, line_height),
                          Qt::AlignCenter, QString::number(number));
     }
@@ -98,8 +122,9 @@ void paint_attempt_chart(QPainter& painter, const QRectF& area, const AttemptCha
         for (const AttemptPoint& point : series.points) {
             if (point.value) line << frame.at(point.number, std::min(*point.value, frame.y_high));
         }
+        paint_curve(painter, frame, series, colour, unit);
         painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(colour, 1.6 * unit, styles[s % 6]));
+        painter.setPen(QPen(colour, (series.curve.empty() ? 1.6 : 0.8) * unit, styles[s % 6]));
         painter.drawPolyline(line);
         for (const AttemptPoint& point : series.points) {
             if (!point.value) continue;

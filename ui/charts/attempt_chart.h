@@ -27,6 +27,8 @@ struct AttemptPoint {
 struct AttemptSeries {
     QString name;
     std::vector<AttemptPoint> points;
+    std::vector<std::pair<double, double>> curve;     ///< fitted: attempt number, value
+    std::optional<double> plateau_low, plateau_high;  ///< interval of where the curve levels off
 };
 struct AttemptChartData {
     QString y_title;

@@ -13,6 +13,7 @@
 #include "ui/reports/report_export.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
+#include "ui/trainee/curve_words.h"
 #include "ui/trainee/standing_card.h"
 
 namespace fulcrum::ui {
@@ -65,6 +66,9 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     QFrame* card = make_card(8);
     summary_ = make_label({}, "muted");
     card_layout(card)->addWidget(summary_);
+    curve_ = make_label({});
+    curve_->setObjectName(QStringLiteral("learning_curve"));
+    card_layout(card)->addWidget(curve_);
     chart_ = new AttemptChart;
     chart_->setMinimumHeight(280);
     card_layout(card)->addWidget(chart_);
@@ -180,6 +184,7 @@ void ProgressPage::draw() {
     drawn.y_title = metric_->currentText();
     if (key == QLatin1String("points")) drawn.y_maximum = 100;
     int counting = 0, passed = 0;
+    QStringList said;
     if (progress_) {
         for (const database::ProgressSeries& series : progress_->series) {
             AttemptSeries shown;
@@ -204,12 +209,54 @@ void ProgressPage::draw() {
                 passed += point.counting && point.passed.value_or(false) ? 1 : 0;
                 shown.points.push_back(std::move(mark));
             }
+            const QString words = add_curve(series, shown, key, drawn.limit);
+            if (!words.isEmpty())
+                said << (progress_->series.size() > 1 ? shown.name + QStringLiteral(": ") + words : words);
             drawn.series.push_back(std::move(shown));
         }
     }
     summary_->setText(
         tr("%1 · counting attempts: %2 · passed: %3").arg(task_->currentText()).arg(counting).arg(passed));
+    if (drawn.limit) drawn.limit_name = tr("limit");
+    curve_->setText(said.join(QStringLiteral("\n")));
+    curve_->setVisible(!said.isEmpty());
     chart_->set_data(std::move(drawn));
+}
+
+QString ProgressPage::add_curve(const database::ProgressSeries& series, AttemptSeries& shown,
+                                const QString& key, std::optional<double>& limit) const {
+    const bool points = key == QLatin1String("points");
+    std::vector<CurveValue> values;
+    std::optional<double> here;
+    std::string unit;
+    bool lower = false;
+    for (const database::ProgressPoint& point : series.points) {
+        // One anatomy only: that of the latest attempt.
+        if (point.variant != series.points.back().variant || point.state != AttemptState::completed ||
+            !point.passed)
+            continue;
+        const database::MetricRow* metric = points ? nullptr : find_row(point, key);
+        const std::optional<double> value = points              ? point.points
+                                            : metric != nullptr ? metric->value
+                                                                : std::nullopt;
+        if (!value) continue;
+        values.push_back({point.number, *value});
+        if (metric == nullptr) continue;
+        unit = metric->unit;
+        lower = metric->direction == Direction::lower;
+        if (metric->direction == Direction::context) return {};
+        here.reset();
+        for (const database::GateRow& gate : point.gates)
+            if (gate.metric == metric->id && gate.hand == metric->hand && gate.tissue == metric->tissue)
+                here = gate.limit;
+    }
+    const LearningCurve curve = learning_curve(values, here, lower, unit);
+    shown.curve = curve.line;
+    shown.plateau_low = curve.plateau_low;
+    shown.plateau_high = curve.plateau_high;
+    // Limits differ between device classes; one line is shown where there is one class.
+    if (progress_->series.size() == 1) limit = here;
+    return curve.words;
 }
 
 void ProgressPage::fill_table() {

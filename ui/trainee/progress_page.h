@@ -16,6 +16,7 @@ class QTableWidget;
 namespace fulcrum::ui {
 
 class AttemptChart;
+struct AttemptSeries;
 class ExportRow;
 class JobBar;
 class StandingCard;
@@ -37,10 +38,13 @@ class ProgressPage : public Page {
     void load();
     void draw();
     void fill_table();
+    /// Adds the fitted curve of a series to the chart; returns what it says.
+    QString add_curve(const database::ProgressSeries& series, AttemptSeries& shown, const QString& key,
+                      std::optional<double>& limit) const;
 
     std::string person_id_, task_id_;
     std::optional<database::PersonProgress> progress_;
-    QLabel *title_, *summary_;
+    QLabel *title_, *summary_, *curve_;
     QComboBox *person_, *task_, *metric_;
     ExportRow* export_;
     JobBar* job_;

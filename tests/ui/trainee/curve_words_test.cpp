@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a learning curve says in words.
+#include "ui/trainee/curve_words.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace fulcrum::ui {
+namespace {
+
+std::vector<CurveValue> improving(int attempts, double plateau) {
+    std::vector<CurveValue> values;
+    for (int i = 0; i < attempts; ++i)
+        values.push_back({2 * i + 1, plateau + 60 * std::exp(-0.3 * i) + (i % 2 == 0 ? 1.0 : -1.0)});
+    return values;
+}
+
+/// With plain spaces between numbers and units.
+QString words_of(const LearningCurve& curve) {
+    return QString(curve.words).simplified().replace(QChar(0x202f), ' ').replace(QChar(0x00a0), ' ');
+}
+
+TEST(LearningCurveWords, FewAttemptsGiveNoCurve) {
+    const LearningCurve curve = learning_curve(improving(7, 30), 40.0, true, "mm");
+    EXPECT_TRUE(curve.line.empty());
+    EXPECT_EQ(curve.words, "A learning curve is shown from 8 completed attempts on.");
+    EXPECT_TRUE(learning_curve({}, 40.0, true, "mm").words.isEmpty());
+}
+
+TEST(LearningCurveWords, SaysWhereItLevelsOffAndWhetherTheLimitIsMet) {
+    const LearningCurve met = learning_curve(improving(30, 30), 40.0, true, "mm");
+    ASSERT_EQ(met.line.size(), 30U);
+    EXPECT_EQ(met.line[4].first, 9) << "numbered as the chart numbers the attempts";
+    ASSERT_TRUE(met.plateau_low && met.plateau_high);
+    EXPECT_NEAR(*met.plateau_low, 30, 1);
+    EXPECT_TRUE(words_of(met).startsWith("The curve levels off at 30")) << met.words.toStdString();
+    EXPECT_TRUE(words_of(met).contains("meets the limit of 40 mm since attempt 7"))
+        << met.words.toStdString();
+    const LearningCurve never = learning_curve(improving(30, 30), 20.0, true, "mm");
+    EXPECT_TRUE(words_of(never).contains("does not meet the limit of 20 mm")) << never.words.toStdString();
+    EXPECT_FALSE(learning_curve(improving(30, 30), {}, true, "mm").words.contains("limit"));
+}
+
+TEST(LearningCurveWords, SaysWhenTheLimitWouldBeMet) {
+    std::vector<CurveValue> slow;
+    for (int i = 0; i < 12; ++i) slow.push_back({i + 1, 100.0 - 2.5 * i + (i % 2 == 0 ? 0.4 : -0.4)});
+    const LearningCurve curve = learning_curve(slow, 60.0, true, "s");
+    EXPECT_TRUE(words_of(curve).startsWith("The curve has not levelled off yet."))
+        << curve.words.toStdString();
+    EXPECT_TRUE(words_of(curve).contains("It would meet the limit of 60 s at attempt"))
+        << curve.words.toStdString();
+    EXPECT_FALSE(curve.plateau_low.has_value());
+}
+
+}  // namespace
+}  // namespace fulcrum::ui

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/trainee/curve_words.h"
+
+#include <QCoreApplication>
+
+#include "ui/style/text.h"
+
+namespace fulcrum::ui {
+namespace {
+
+QString say(const char* source) {
+    return QCoreApplication::translate("fulcrum::ui::learning_curve", source);
+}
+
+QString plateau_words(const CurveFit& fit, const std::string& unit) {
+    if (!fit.plateau_low || !fit.plateau_high)
+        return say(QT_TRANSLATE_NOOP("fulcrum::ui::learning_curve", "The curve has not levelled off yet."));
+    return say(QT_TRANSLATE_NOOP("fulcrum::ui::learning_curve",
+                                 "The curve levels off at %1 (95 % interval %2 to %3)."))
+        .arg(figure_with_unit(fit.plateau, unit), figure(*fit.plateau_low), figure(*fit.plateau_high));
+}
+
+QString limit_words(const std::vector<double>& values, const CurveFit& fit, double limit,
+                    bool lower_is_better, const std::string& unit) {
+    const QString shown = figure_with_unit(limit, unit);
+    const AttemptsToLimit met = attempts_to_limit(values, fit, limit, lower_is_better);
+    if (!met.attempts)
+        return say(QT_TRANSLATE_NOOP("fulcrum::ui::learning_curve",
+                                     "It does not meet the limit of %1: something has to change."))
+            .arg(shown);
+    if (*met.attempts <= static_cast<int>(values.size()))
+        return say(QT_TRANSLATE_NOOP("fulcrum::ui::learning_curve",
+                                     "It meets the limit of %1 since attempt %2."))
+            .arg(shown)
+            .arg(*met.attempts);
+    const QString interval =
+        met.high ? say(QT_TRANSLATE_NOOP("fulcrum::ui::learning_curve", "%1 to %2"))
+                       .arg(met.low.value_or(*met.attempts))
+                       .arg(*met.high)
+                 : say(QT_TRANSLATE_NOOP("fulcrum::ui::learning_curve", "%1 or later, or never"))
+                       .arg(met.low.value_or(*met.attempts));
+    return say(QT_TRANSLATE_NOOP("fulcrum::ui::learning_curve",
+                                 "It would meet the limit of %1 at attempt %2 (%3)."))
+        .arg(shown)
+        .arg(*met.attempts)
+        .arg(interval);
+}
+
+}  // namespace
+
+LearningCurve learning_curve(const std::vector<CurveValue>& values, const std::optional<double>& limit,
+                             bool lower_is_better, const std::string& unit) {
+    LearningCurve curve;
+    if (values.empty()) return curve;
+    std::vector<double> measured;
+    for (const CurveValue& one : values) measured.push_back(one.value);
+    const std::vector<CurveFit> fits = fit_curves(measured);
+    if (fits.empty()) {
+        curve.words = say(QT_TRANSLATE_NOOP("fulcrum::ui::learning_curve",
+                                            "A learning curve is shown from %1 completed attempts on."))
+                          .arg(fewest_attempts_of_a_curve);
+        return curve;
+    }
+    const CurveFit& fit = best_curve(fits);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        curve.line.emplace_back(values[i].number, fit.at(static_cast<double>(i + 1)));
+    if (fit.plateau_low && fit.plateau_high) {
+        curve.plateau_low = fit.plateau_low;
+        curve.plateau_high = fit.plateau_high;
+    }
+    curve.words = plateau_words(fit, unit);
+    if (limit) curve.words += QStringLiteral(" ") + limit_words(measured, fit, *limit, lower_is_better, unit);
+    return curve;
+}
+
+}  // namespace fulcrum::ui
