@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "app/cli/commands.h"
-#include "assessment/learning/agreement.h"
+#include "app/cli/statistics_json.h"
 #include "assessment/learning/learning_curve.h"
 #include "assessment/learning/pass_rule.h"
 #include "assessment/learning/statistics.h"
@@ -99,18 +99,6 @@ int run_rule(const Arguments& arguments) {
     return 0;
 }
 
-nlohmann::json json_of(const CurveFit& fit) {
-    nlohmann::json parameters = {{"plateau", fit.plateau}, {"first", fit.first}};
-    if (fit.model != CurveModel::inverse) parameters["rate"] = fit.rate;
-    return {{"name", curve_model_name(fit.model)},
-            {"parameters", parameters},
-            {"rss", fit.rss},
-            {"aicc", fit.aicc},
-            {"plateau", fit.plateau},
-            {"plateau_low", or_null(fit.plateau_low)},
-            {"plateau_high", or_null(fit.plateau_high)}};
-}
-
 int run_fit(const Arguments& arguments) {
     const std::string path = arguments.words()[0];
     const Columns columns(path, {"x", "y"});
@@ -127,9 +115,7 @@ int run_fit(const Arguments& arguments) {
                          "give at least " + std::to_string(fewest_attempts_of_a_curve));
     const CurveFit& best = best_curve(fits);
     if (arguments.has("--json")) {
-        nlohmann::json models = nlohmann::json::array();
-        for (const CurveFit& fit : fits) models.push_back(json_of(fit));
-        print_json({{"models", models}, {"best", curve_model_name(best.model)}});
+        print_json(curves_json(fits));
         return 0;
     }
     const auto end = [](const std::optional<double>& value) {
@@ -177,29 +163,20 @@ std::vector<std::vector<double>> table_of(const std::string& path) {
 int run_agreement(const Arguments& arguments) {
     const std::string path = arguments.words()[0];
     const std::vector<std::vector<double>> table = table_of(path);
-    IntraclassCorrelations icc;
-    double alpha = 0;
+    nlohmann::json agreement;
     try {
-        icc = intraclass_correlations(table);
-        alpha = cronbach_alpha(table);
+        agreement = agreement_json(table);
     } catch (const std::invalid_argument& error) {
         throw InputError(path, "", error.what(), "give scores of two or more raters on two or more targets");
     }
-    const std::pair<const char*, Correlation> forms[] = {{"1,1", icc.one_1},   {"2,1", icc.two_1},
-                                                         {"3,1", icc.three_1}, {"1,k", icc.one_k},
-                                                         {"2,k", icc.two_k},   {"3,k", icc.three_k}};
-    nlohmann::json document;
-    for (const auto& [name, one] : forms) {
-        document[name] = {{"value", one.value}, {"low", one.low}, {"high", one.high}};
-        if (!arguments.has("--json"))
-            std::cout << "ICC(" << name << ") " << one.value << " (" << one.low << " to " << one.high
-                      << ")\n";
-    }
     if (arguments.has("--json")) {
-        print_json({{"icc", document}, {"cronbach_alpha", alpha}});
-    } else {
-        std::cout << "Cronbach alpha " << alpha << '\n';
+        print_json(agreement);
+        return 0;
     }
+    for (const auto& [name, one] : agreement["icc"].items())
+        std::cout << "ICC(" << name << ") " << one["value"] << " (" << one["low"] << " to " << one["high"]
+                  << ")\n";
+    std::cout << "Cronbach alpha " << agreement["cronbach_alpha"] << '\n';
     return 0;
 }
 

@@ -10,6 +10,7 @@
 #include "app/cli/commands.h"
 #include "app/live/performance.h"
 #include "assessment/assets/assets.h"
+#include "assessment/curriculum/curriculum.h"
 #include "assessment/metrics/metrics_json.h"
 #include "assessment/scoring/benchmark.h"
 #include "assessment/scoring/score.h"
@@ -132,6 +133,7 @@ std::string check_text(const std::string& text, const std::string& file) {
     }
     if (document.contains("levels") || document.contains("experts"))
         return "benchmark set of task " + parse_benchmark(text, file).task;
+    if (document.contains("stages")) return "curriculum " + parse_curriculum(text, file, task_ids()).name();
     return "scene " + parse_scene(text, file).id;
 }
 
@@ -151,6 +153,7 @@ std::string check_file(const std::string& path) {
     }
     if (document.contains("levels") || document.contains("experts"))
         return "benchmark set of task " + load_benchmark(path).task;
+    if (document.contains("stages")) return "curriculum " + load_curriculum(path, task_ids()).name();
     return "scene " + load_scene(path).id;
 }
 
@@ -198,7 +201,7 @@ Command check_command() {
             "FILE...",
             1,
             10000,
-            "Checks scenes, tasks, benchmark sets and traces; - reads standard input.",
+            "Checks scenes, tasks, curricula, benchmark sets and traces; - reads standard input.",
             {json_option()},
             run_check};
 }

@@ -9,6 +9,7 @@
 
 #include "app/lab/experiment.h"
 #include "app/lab/invariance.h"
+#include "app/lab/learning_studies.h"
 #include "app/lab/measure.h"
 #include "app/lab/operators.h"
 #include "app/lab/pages.h"
@@ -139,7 +140,7 @@ int validity(const Arguments& arguments) {
 }
 
 int run_study(const Arguments& arguments) {
-    print_json(lab::run_study(arguments.words()[0]));
+    print_json(lab::run_study(arguments.words()[0], learning_studies()));
     return 0;
 }
 

@@ -15,12 +15,6 @@
 namespace fulcrum::lab {
 namespace {
 
-struct Study {
-    const char* model;
-    nlohmann::json (*run)(const JsonDocument& study);
-    std::vector<const char*> keys;  ///< in addition to "model"
-};
-
 nlohmann::json run_rod(const JsonDocument& study) {
     return run_rod_study(study.root(), study.file());
 }
@@ -63,11 +57,13 @@ void refuse_unknown_keys(const JsonDocument& document, const Study& study) {
 
 }  // namespace
 
-nlohmann::json run_study(const std::string& path) {
+nlohmann::json run_study(const std::string& path, const std::vector<Study>& more) {
     const JsonDocument document = JsonDocument::load(path);
     const std::string model = text_of(document, "model");
     std::string known;
-    for (const Study& study : studies()) {
+    std::vector<Study> all = studies();
+    all.insert(all.end(), more.begin(), more.end());
+    for (const Study& study : all) {
         if (model == study.model) {
             refuse_unknown_keys(document, study);
             return study.run(document);

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The progress page with a history: the learning curve, and an educator who decides on a standing. With
+// FULCRUM_PICTURES=FOLDER the pages are stored there.
+#include "ui/trainee/progress_page.h"
+
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QLabel>
+#include <cmath>
+
+#include "database/records/people.h"
+#include "database/records/recorder.h"
+#include "database/records/standings.h"
+#include "tests/ui/fake_services.h"
+#include "tests/ui/hands.h"
+#include "ui/shell/main_window.h"
+
+namespace fulcrum::ui::test {
+namespace {
+
+using database::Role;
+
+class ProgressWithHistory : public ::testing::Test {
+  protected:
+    ProgressWithHistory() {
+        apply_theme(*qApp, Theme::light);
+        services.open_store(false);
+        const database::People people(*services.store());
+        const database::Session alma =
+            people.create_programme("Surgery", "alma", "Alma Admin", "correct horse").administrator;
+        for (const auto& [role, login, name] : {std::tuple{Role::trainee, "tara", "Tara Trainee"},
+                                                std::tuple{Role::educator, "ed", "Ed Educator"},
+                                                std::tuple{Role::director, "dora", "Dora Director"}}) {
+            const auto made = people.create(alma, login, name, {role});
+            const database::Session once = people.sign_in(login, made.one_time_password);
+            sessions.emplace(role, people.change_password(once, made.one_time_password, "a long password"));
+        }
+        const database::Session& dora = sessions.at(Role::director);
+        const std::string cohort = people.create_cohort(dora, "Spring");
+        people.set_members(dora, cohort, {sessions.at(Role::trainee).person_id()});
+        people.set_educators(dora, cohort, {sessions.at(Role::educator).person_id()});
+    }
+    ~ProgressWithHistory() override { apply_theme(*qApp, Theme::light); }
+
+    /// A completed attempt at A2 whose left path is `path` mm long, with a limit of 900 mm.
+    void record(double path) {
+        const database::Session& tara = sessions.at(Role::trainee);
+        database::AttemptMeta meta;
+        meta.person_id = tara.person_id();
+        meta.task_id = "A2";
+        meta.mode = AttemptMode::assessed;
+        meta.device_class = DeviceClass::mouse_keyboard;
+        meta.device = "mouse and keyboard";
+        meta.variant = meta.fidelity = "standard";
+        meta.scene = "a2_targets.json";
+        meta.limits = "A2-operators@1";
+        meta.program_version = "test";
+        database::Recorder recorder(services.store()->path(), tara, meta);
+        database::AttemptResult result;
+        result.state = AttemptState::completed;
+        result.duration_s = 30;
+        database::ScoreRow score;
+        score.passed = path <= 900;
+        score.points = path <= 900 ? 80 : 40;
+        score.metrics.push_back({"path_len", 1, "left", "", path, {}, "mm", Direction::lower, {}});
+        score.gates.push_back({"path_len",
+                               "left",
+                               "",
+                               GateKind::benchmark,
+                               path,
+                               "mm",
+                               900.0,
+                               "A2-operators@1",
+                               0.5,
+                               60.0,
+                               path <= 900,
+                               true,
+                               {}});
+        result.score = score;
+        recorder.finish(result);
+    }
+    ProgressPage& open(Role role) {
+        window = std::make_unique<MainWindow>(services);
+        window->resize(1000, 720);
+        window->show();
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+        window->start();
+        window->context().set_session(sessions.at(role));
+        click(*window, "rail_progress");
+        return *static_cast<ProgressPage*>(window->current_page());
+    }
+    void keep(const QString& name) {
+        QCoreApplication::processEvents();
+        if (!qEnvironmentVariableIsSet("FULCRUM_PICTURES")) return;
+        window->grab().save(QString::fromLocal8Bit(qgetenv("FULCRUM_PICTURES")) + "/" + name + ".png");
+    }
+
+    FakeServices services;
+    std::map<Role, database::Session> sessions;
+    std::unique_ptr<MainWindow> window;
+};
+
+TEST_F(ProgressWithHistory, ShowsTheCurveItsPlateauAndTheLimit) {
+    for (int i = 0; i < 14; ++i) record(700 + 800 * std::exp(-0.35 * i) + (i % 2 == 0 ? 25 : -25));
+    open(Role::trainee);
+    auto* metric = find<QComboBox>(*window, "progress_metric");
+    const int index = metric->findData("path_len/left/");
+    ASSERT_GE(index, 0);
+    metric->setCurrentIndex(index);
+    emit metric->activated(index);
+    const QString words = find<QLabel>(*window, "learning_curve")->text();
+    EXPECT_TRUE(words.startsWith("The curve levels off at 7")) << words.toStdString();
+    EXPECT_TRUE(words.contains("It meets the limit of 900")) << words.toStdString();
+    keep("progress-curve");
+    window->set_theme(Theme::dark);
+    keep("progress-curve-dark");
+}
+
+TEST_F(ProgressWithHistory, AnEducatorUnlocksATaskWithAReason) {
+    record(1200);
+    open(Role::educator);
+    auto* task = find<QComboBox>(*window, "progress_task");
+    task->setCurrentIndex(task->findData("B1"));
+    emit task->activated(task->currentIndex());
+    EXPECT_EQ(find<QLabel>(*window, "standing_text")->text(), "locked until proficient in A2");
+    EXPECT_EQ(find<QComboBox>(*window, "decision_kind")->count(), 2);
+    click(*window, "decide_standing");
+    EXPECT_EQ(find<QLabel>(*window, "standing_text")->text(), "locked until proficient in A2")
+        << "nothing is decided without a reason";
+    QTest::keyClicks(find<QLineEdit>(*window, "decision_reason"), "course elsewhere");
+    click(*window, "decide_standing");
+    EXPECT_EQ(find<QLabel>(*window, "standing_text")->text(), "open");
+    EXPECT_EQ(find<QComboBox>(*window, "decision_kind")->count(), 1) << "there is nothing left to unlock";
+    keep("progress-decided");
+    QTest::keyClicks(find<QLineEdit>(*window, "decision_reason"), "examined in theatre");
+    click(*window, "decide_standing");
+    EXPECT_TRUE(find<QLabel>(*window, "standing_text")->text().startsWith("proficient since"));
+    const auto rows = database::Standings(*services.store())
+                          .overrides(sessions.at(Role::trainee), sessions.at(Role::trainee).person_id());
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_EQ(rows[1].reason, "course elsewhere");
+    // The trainee sees the standing and the reason, and can decide nothing.
+    open(Role::trainee);
+    task = find<QComboBox>(*window, "progress_task");
+    task->setCurrentIndex(task->findData("B1"));
+    emit task->activated(task->currentIndex());
+    EXPECT_TRUE(find<QLabel>(*window, "standing_text")->text().startsWith("proficient since"));
+    EXPECT_FALSE(sees(*window, "decide_standing"));
+    keep("progress-decided-trainee");
+}
+
+}  // namespace
+}  // namespace fulcrum::ui::test
