@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "assessment/assets/assets.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/world/physics_version.h"
 #include "tests/support/own_folder.h"
@@ -70,6 +71,19 @@ TEST(FidelityCost, IsNotMeasuredForAnotherPhysicsVersionOrTask) {
     EXPECT_FALSE(fidelity_cost("A2"));
     assets.put(some_costs(physics_version + 1));
     EXPECT_FALSE(fidelity_cost("B1"));
+}
+
+TEST(FidelityCost, OfTheRepositoryIsOfThisPhysicsAndHasEveryTask) {
+    const std::optional<FidelityCosts> costs = fidelity_costs();
+    ASSERT_TRUE(costs.has_value()) << "measure again: fulcrum lab fidelity --data assets/fidelity_cost.json";
+    for (const std::string& task : task_ids()) {
+        ASSERT_EQ(costs->tasks.count(task), 1U) << task;
+        for (const FidelityCost& level : costs->tasks.at(task).levels) {
+            EXPECT_GE(level.attempts, 12) << task << " " << level.fidelity;
+            EXPECT_LE(level.verdicts, level.attempts) << task << " " << level.fidelity;
+            EXPECT_GT(level.processor_ms, 0) << task << " " << level.fidelity;
+        }
+    }
 }
 
 }  // namespace
