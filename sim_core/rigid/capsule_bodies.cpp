@@ -65,7 +65,7 @@ std::size_t CapsuleBodies::bytes() const {
 }
 
 // Velocities after gravity and the bodies' own turning; gyroscopic torque by one Newton step of the implicit
-// equation in the body's frame, which never adds energy.
+// equation in the body's frame, which damps a little.
 void CapsuleBodies::begin_substep(std::vector<BodyState>& bodies, double h) noexcept {
     const Matrix3 inertia = shape_.inertia.asDiagonal();
     const Vector3 inverse = shape_.inertia.cwiseInverse();

@@ -2,8 +2,7 @@
 // Small rigid rings of straight tubes, with dry friction: on a plane, around posts, on each other, pushed by
 // instruments and held in jaws. Time stepping at the level of velocities with complementarity conditions for
 // contact and friction (Stewart and Trinkle 1996), solved by projected Gauss-Seidel; holds and instruments
-// act through implicit springs, so that no stiffness makes a step unstable. Equations: docs/THEORY.md,
-// section 9.
+// act through implicit springs (tested from 1 to 1e7 N/m). Equations: docs/THEORY.md, section 12.
 //
 // World thread. step() neither allocates, locks nor throws. Frames: patient frame unless a name says body.
 #pragma once
@@ -75,7 +74,7 @@ struct BodyGrip {
 struct BodyPusher {
     bool present = false;
     std::int32_t spares = -1;         ///< body that it does not push: its jaws hold it; -1 none
-    Capsule before, after;            ///< at the step's begin and end
+    Capsule before, after;            ///< at the step's begin and end, longer than 0
     double stiffness = 600;           ///< N/m
     double damping = 0.5;             ///< N s/m
     Vector3 force = Vector3::Zero();  ///< N, on the bodies, mean of the last step; written by step()
@@ -83,12 +82,13 @@ struct BodyPusher {
 
 class CapsuleBodies {
   public:
-    static constexpr int contact_capacity = 256;  ///< in a substep; further ones wait for the next
+    static constexpr int contact_capacity = 256;  ///< in a substep; further ones are left out of it
     static constexpr double substep = 0.00125;    ///< s, longest
 
     CapsuleBodies(BodyShape shape, BodyGround ground)
         : shape_(std::move(shape)), ground_(std::move(ground)) {}
-    /// Advances all bodies by dt (s). Writes the forces of grips and pushers.
+    /// Advances all bodies, at most body_capacity, by dt (s). Writes the forces of grips and pushers, one of
+    /// each for each of at most two hands. The caller keeps these limits: they are not checked here.
     void step(std::vector<BodyState>& bodies, BodyGrip* grips, BodyPusher* pushers, int hands,
               double dt) noexcept;
 
