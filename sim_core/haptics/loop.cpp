@@ -210,10 +210,7 @@ HapticLoop::HapticLoop(const Scene& scene, const World& world) : parts_(std::mak
         parts.has_hand[hand] = true;
         contact = make_tool_contact(scene, make_instrument(spec, scene.tick_period()));
         contact.cavity = world.wall();
-        if (scene.cavity || scene.bands || scene.presacral) {
-            const int index = scene.tissue_index(scene.cavity      ? scene.cavity->tissue
-                                                 : scene.presacral ? scene.presacral->tissue
-                                                                   : scene.bands->bed_tissue);
+        if (const int index = scene.wall_tissue(); index >= 0) {
             contact.wall.tissue = static_cast<std::int16_t>(index);
             contact.wall.most_stiffness = scene.tissues[static_cast<std::size_t>(index)].stiffness;
             contact.wall.damping = scene.tissues[static_cast<std::size_t>(index)].damping;

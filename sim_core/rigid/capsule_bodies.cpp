@@ -72,7 +72,7 @@ void CapsuleBodies::begin_substep(std::vector<BodyState>& bodies, double h) noex
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         BodyState& body = bodies[i];
         const Matrix3 turn = body.rotation.toRotationMatrix();
-        answers_[i].inverse_inertia = turn * inverse.asDiagonal() * turn.transpose();
+        inverse_inertia_[i] = turn * inverse.asDiagonal() * turn.transpose();
         for (std::size_t k = 0; k < shape_.corners.size(); ++k)
             corners_[i][k] = body.position + turn * shape_.corners[k];
         body.velocity += h * ground_.gravity;
@@ -87,7 +87,7 @@ void CapsuleBodies::begin_substep(std::vector<BodyState>& bodies, double h) noex
 Matrix3 CapsuleBodies::answer(std::int32_t body, const Vector3& arm) const noexcept {
     const Matrix3 lever = cross(arm);
     return Matrix3::Identity() / shape_.mass -
-           lever * answers_[static_cast<std::size_t>(body)].inverse_inertia * lever;
+           lever * inverse_inertia_[static_cast<std::size_t>(body)] * lever;
 }
 
 void CapsuleBodies::add(const Contact& contact) noexcept {
@@ -218,7 +218,7 @@ void CapsuleBodies::find_springs(const std::vector<BodyState>& bodies, const Bod
 void CapsuleBodies::shift(BodyState& body, std::int32_t index, const Vector3& arm,
                           const Vector3& impulse) const noexcept {
     body.velocity += impulse / shape_.mass;
-    body.spin += answers_[static_cast<std::size_t>(index)].inverse_inertia * arm.cross(impulse);
+    body.spin += inverse_inertia_[static_cast<std::size_t>(index)] * arm.cross(impulse);
 }
 
 void CapsuleBodies::pull(std::vector<BodyState>& bodies, Spring& spring) const noexcept {

@@ -113,9 +113,6 @@ class CapsuleBodies {
         Vector3 drag = Vector3::Zero();                                   ///< N s, along the contact
         double share_normal = 0, share_along = 0;                         ///< 1/kg, of the bodies' answer
     };
-    struct Answer {
-        Matrix3 inverse_inertia = Matrix3::Zero();  ///< patient frame
-    };
     /// A spring of a grip in a substep.
     struct Spring {
         std::int32_t body = -1, hand = 0;
@@ -146,7 +143,7 @@ class CapsuleBodies {
     BodyGround ground_;
     // Scratch.
     static constexpr int most_bodies = 16, most_springs = 2 * grip_points;
-    std::array<Answer, most_bodies> answers_;
+    std::array<Matrix3, most_bodies> inverse_inertia_;  ///< 1/(kg m2), patient frame
     std::array<std::array<Vector3, BodyShape::most_corners>, most_bodies> corners_;  ///< m, of each body now
     std::array<Contact, contact_capacity> contacts_;
     std::array<Spring, most_springs> springs_;

@@ -8,6 +8,7 @@
 #include "sim_core/scene/cutting_values.h"
 #include "sim_core/scene/json_document.h"
 #include "sim_core/scene/json_names.h"
+#include "sim_core/scene/objects_reader.h"
 #include "sim_core/scene/scene_json.h"
 #include "sim_core/scene/septa_reader.h"
 #include "sim_core/scene/structures_reader.h"
@@ -50,6 +51,7 @@ class SceneReader {
         read_sacral_hollow(root);
         if (root.contains("bands")) read_bands(root.at("bands"));
         if (root.contains("structures")) read_structures(root.at("structures"));
+        if (root.contains("objects")) read_objects(root.at("objects"));
         if (root.contains("fidelity")) read_fidelity(root.at("fidelity"));
         return std::move(scene_);
     }
@@ -453,6 +455,17 @@ class SceneReader {
         }
     }
 
+    void read_objects(const json& node) {
+        scene_.objects = read_objects_spec(document_, node);
+        for (const std::string& label : {scene_.objects->tissue, scene_.objects->tray_tissue})
+            check_tissue("/objects", label);
+        if (scene_.bowel || scene_.cavity || scene_.targets || scene_.sheet || scene_.bands ||
+            scene_.presacral) {
+            document_.fail("/objects", "objects on a tray cannot be combined with tissue, cavity or targets",
+                           "remove those parts or \"objects\"");
+        }
+    }
+
     void read_fidelity(const json& node) {
         Fidelity& fidelity = scene_.fidelity;
         copy(node, "id", fidelity.id);
@@ -482,25 +495,6 @@ class SceneReader {
 };
 
 }  // namespace
-
-int Scene::tissue_index(const std::string& label) const {
-    for (std::size_t i = 0; i < tissues.size(); ++i) {
-        if (tissues[i].label == label) return static_cast<int>(i);
-    }
-    return -1;
-}
-
-const InstrumentSpec* Scene::instrument(Hand hand) const {
-    for (const InstrumentSpec& spec : instruments) {
-        if (spec.hand == hand) return &spec;
-    }
-    return nullptr;
-}
-
-const FieldSpec* Scene::field() const {
-    if (bands) return &*bands;
-    return structures ? &*structures : nullptr;
-}
 
 Scene parse_scene(const std::string& text, const std::string& file) {
     const JsonDocument document = JsonDocument::parse(text, file);

@@ -14,6 +14,7 @@
 #include "sim_core/scene/bands_spec.h"
 #include "sim_core/scene/fidelity_levels.h"
 #include "sim_core/scene/instrument_type.h"
+#include "sim_core/scene/objects_spec.h"
 #include "sim_core/scene/septa_spec.h"
 #include "sim_core/scene/structures_spec.h"
 
@@ -217,6 +218,7 @@ struct Scene {
     std::optional<SeptaSpec> septa;
     std::optional<BandsSpec> bands;
     std::optional<StructuresSpec> structures;
+    std::optional<ObjectsSpec> objects;
     Fidelity fidelity;
 
     double tick_period() const { return 1.0 / tick_rate; }
@@ -224,6 +226,8 @@ struct Scene {
     int tissue_index(const std::string& label) const;  ///< -1 if unknown
     const InstrumentSpec* instrument(Hand hand) const;
     const FieldSpec* field() const;  ///< of bands or structures; null without
+    /// Index of the tissue of the wall that instruments feel; -1 without a wall.
+    int wall_tissue() const;
 };
 
 /// Reads and checks a scene file. Throws InputError with file, place (line or JSON pointer) and hint.

@@ -6,6 +6,7 @@
 #include "sim_core/world/parts/bands/bands_part.h"
 #include "sim_core/world/parts/bowel/bowel_part.h"
 #include "sim_core/world/parts/membranes/membranes_part.h"
+#include "sim_core/world/parts/objects/objects_part.h"
 #include "sim_core/world/parts/sheet/sheet_part.h"
 #include "sim_core/world/parts/structures/structures_part.h"
 #include "sim_core/world/parts/targets/targets_part.h"
@@ -19,7 +20,7 @@ using PartBuilder = std::unique_ptr<Part> (*)(const Scene& scene, std::uint64_t 
 
 constexpr PartBuilder part_builders[] = {
     build_targets,    build_wall,       build_bowel_part,      build_membranes_part,
-    build_sheet_part, build_bands_part, build_structures_part,
+    build_sheet_part, build_bands_part, build_structures_part, build_objects_part,
 };
 
 /// Builds the coupling where both its ends are there, else returns null.

@@ -187,7 +187,8 @@ std::string trimmed(const std::string& text) {
 std::map<std::string, Struct> structs_of_headers() {
     static const std::regex comment("//[^\n]*");
     static const std::regex head(R"(\bstruct (\w+)( : (public )?(\w+))? \{\n)");
-    static const std::regex field(R"((?:^|\n)\s*([\w:]+) (\w+ =[^;]*|\w+, \w+ =[^;]*);)");
+    static const std::regex field(
+        R"((?:^|\n)\s*(?:static constexpr )?([\w:]+) (\w+ =[^;]*|\w+, \w+ =[^;]*);)");
     std::map<std::string, Struct> structs;
     for (const auto& entry : fs::recursive_directory_iterator(test::source_path("sim_core"))) {
         if (entry.path().extension() != ".h") continue;
@@ -254,6 +255,7 @@ const std::map<std::string, std::string>& structure_of() {
     static const std::map<std::string, std::string> table = {{"scene", "Scene"},
                                                              {"camera", "CameraSpec"},
                                                              {"targets", "TargetFieldSpec"},
+                                                             {"objects", "ObjectsSpec"},
                                                              {"cavity", "CavitySpec"},
                                                              {"bowel", "BowelSpec"},
                                                              {"bowel.nodule", "NoduleSpec"},
@@ -289,6 +291,9 @@ void check_defaults(const json& object, const std::string& title,
         if (structure->second == "FibreSpec") field = field.substr(0, field.find('_'));
         const std::string* initial = initial_value(structs, structure->second, field);
         ASSERT_NE(initial, nullptr) << structure->second << " has no field " << field << " with a value";
+        // A value may be a constant of the same structure.
+        if (const std::string* constant = initial_value(structs, structure->second, *initial))
+            initial = constant;
         EXPECT_TRUE(same_value(node["default"], *initial, degrees))
             << name << ": the schema says " << node["default"] << ", the code " << *initial;
         ++checked;

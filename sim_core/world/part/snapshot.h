@@ -16,11 +16,12 @@
 #include "sim_core/rigid/target_sphere.h"
 #include "sim_core/telemetry/event.h"
 #include "sim_core/world/part/bands_view.h"
+#include "sim_core/world/part/objects_view.h"
 
 namespace fulcrum {
 
 /// What jaws can hold.
-enum class HeldBody : std::uint8_t { none, bowel, membrane, sheet, band };
+enum class HeldBody : std::uint8_t { none, bowel, membrane, sheet, band, object };
 
 /// What a pair of jaws holds. The world writes it, from the part that holds (Part::grasp); after the hold it
 /// shows the last one, without reaction.
@@ -30,7 +31,7 @@ struct GraspState {
     Vector3 offset = Vector3::Zero();    ///< wall point in the ring frame, m
     Vector3 point = Vector3::Zero();     ///< wall point, patient frame, m
     Vector3 reaction = Vector3::Zero();  ///< N, jaw on tissue
-    std::int32_t patch = -1;             ///< of the bowel's wall; -1 of a membrane
+    std::int32_t patch = -1;             ///< of the bowel's wall, or which band or object; -1 of a membrane
     HeldBody body = HeldBody::none;
     std::int8_t tissue = -1;  ///< index in Scene::tissues of what is or was last held; -1: nothing yet
     bool slipped =
@@ -135,6 +136,7 @@ struct WorldSnapshot {
                                 ///< event_count valid
     std::int32_t event_count = 0;
     std::vector<BandsView> bands;     ///< one with Scene::bands or Scene::structures; empty without
+    ObjectsView objects;              ///< Scene::objects; empty without
     std::vector<float> patch_damage;  ///< N s per tissue patch
     double solve_residual = 0;        ///< of the bowel's last solve: share of the largest force that was left
     double residual_penetration = 0;  ///< m, deepest sphere in the cavity after the step

@@ -52,6 +52,10 @@ Vector3 somewhere_on_tissue(const World& world, Random& random) {
             static_cast<std::size_t>(random.uniform() * static_cast<double>(now.bands[0].bands.size()));
         places.push_back(now.bands[0].bands[band].position[strand_nodes / 2]);
     }
+    if (!now.objects.objects.empty())
+        places.push_back(
+            now.objects.objects[random.below(static_cast<std::uint32_t>(now.objects.objects.size()))]
+                .position);
     for (const TargetSphere& target : now.targets) places.push_back(target.centre);
     if (places.empty()) return Vector3::Zero();
     return places[static_cast<std::size_t>(random.uniform() * static_cast<double>(places.size()))];

@@ -24,7 +24,8 @@ TEST_P(WorldSave, ContinuesBitForBitInTheSameAndInANewWorld) {
                           : rig.scene.sheet    ? rig.scene.sheet->centre
                           : rig.scene.bands
                               ? Vector3(rig.scene.bands->centre + Vector3(0, 0, rig.scene.bands->height))
-                              : Vector3(Vector3::Zero());
+                          : rig.scene.objects ? first.objects.objects[0].position
+                                              : Vector3(Vector3::Zero());
     // Both tips into the tissue, the left jaws closed on it, the right one moved along with its button
     // pressed.
     rig.go(0, rig.tip_for(place + Vector3(0.012, 0, 0)), 0.3);
@@ -62,7 +63,7 @@ TEST_P(WorldSave, ContinuesBitForBitInTheSameAndInANewWorld) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, WorldSave,
                          testing::Values("b1_bowel", "b1_mesentery", "bowel_enterotomy", "b2_plane",
-                                         "b3_bands", "c4_posterior"),
+                                         "b3_bands", "c4_posterior", "a3_rings"),
                          [](const testing::TestParamInfo<const char*>& scene) {
                              return std::string(scene.param);
                          });

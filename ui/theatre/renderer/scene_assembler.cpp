@@ -8,6 +8,7 @@
 #include "ui/theatre/renderer/bands_drawing.h"
 #include "ui/theatre/renderer/bowel_cut_drawing.h"
 #include "ui/theatre/renderer/hollow_drawing.h"
+#include "ui/theatre/renderer/objects_drawing.h"
 
 namespace fulcrum::ui {
 
@@ -60,6 +61,7 @@ struct SceneAssembler::Impl {
     std::unique_ptr<BowelCutDrawing> bowel_cut;  // where its tissue can be cut
     std::vector<float> ring_floats, positions, normals, sheet_positions, sheet_normals;
     BandsDrawing bands;
+    ObjectsDrawing objects;
     std::unique_ptr<HollowDrawing> hollow;
     SceneFrame frame;
 };
@@ -157,6 +159,7 @@ SceneFrame& SceneAssembler::assemble(const WorldSnapshot& snapshot) {
     i.frame.enclosed = false;
     if (i.hollow) i.hollow->add(snapshot, i.frame);
     if (!snapshot.bands.empty()) i.bands.add(snapshot.bands[0], i.frame);
+    i.objects.add(snapshot.objects, i.frame);
     i.frame.bowel_positions = i.frame.bowel_normals = nullptr;
     i.frame.bowel_hidden = nullptr;
     i.frame.mesentery_positions = i.frame.mesentery_normals = nullptr;

@@ -111,6 +111,32 @@ void SceneRenderer::Impl::draw_targets(QOpenGLExtraFunctions& gl, const SceneFra
     gl.glDisable(GL_CULL_FACE);
 }
 
+void SceneRenderer::Impl::draw_tubes(QOpenGLExtraFunctions& gl, const SceneFrame& frame) const {
+    if (frame.tubes.empty()) return;
+    start(*target, frame);
+    target->setUniformValue("glow", 0.0F);
+    target->setUniformValue("opacity", 1.0F);
+    target->setUniformValue("bands", 0.0F);
+    gl.glEnable(GL_CULL_FACE);
+    gl.glCullFace(GL_BACK);
+    for (const DrawnTube& tube : frame.tubes) {
+        const Vector3 way = tube.to - tube.from;
+        const auto radius = static_cast<float>(tube.radius);
+        QMatrix4x4 end, pose;
+        end.translate(vector(tube.to));
+        end.scale(radius);
+        pose.translate(vector(tube.from));
+        pose.rotate(quaternion(Quaternion::FromTwoVectors(Vector3::UnitZ(), way)));
+        pose.scale(radius, radius, static_cast<float>(way.norm()));
+        target->setUniformValue("hue", tube.hue);
+        target->setUniformValue("to_camera", to_camera * pose);
+        shapes[static_cast<std::size_t>(ToolShape::shaft)]->draw(gl);
+        target->setUniformValue("to_camera", to_camera * end);
+        shapes[static_cast<std::size_t>(ToolShape::ball)]->draw(gl);
+    }
+    gl.glDisable(GL_CULL_FACE);
+}
+
 QOpenGLShaderProgram& SceneRenderer::Impl::program_of(const DrawnSheet& drawn, bool shaded) const {
     if (shaded) return *shaded_sheet;
     if (drawn.fibres) return *fibres;
@@ -269,6 +295,7 @@ void SceneRenderer::Impl::draw_scene(QOpenGLExtraFunctions& gl, const SceneFrame
 
     draw_tools(gl, frame, false);
     draw_targets(gl, frame, false);
+    draw_tubes(gl, frame);
     draw_studies(gl, frame, sight);
     draw_sheets(gl, frame);
     gl.glEnable(GL_CULL_FACE);

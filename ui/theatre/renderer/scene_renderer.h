@@ -30,6 +30,14 @@ struct DrawnTarget {
     Hand hand = Hand::left;  ///< left: blue, right: orange
 };
 
+/// A straight tube with a round end at `to`.
+struct DrawnTube {
+    Vector3 from = Vector3::Zero(), to = Vector3::Zero();  ///< m
+    double radius = 0;                                     ///< m
+    QVector3D hue;                                         ///< sRGB
+    int object = -1;                                       ///< ring that it belongs to
+};
+
 struct DrawnTool {
     ToolPose pose;  ///< shaft from the trocar to the jaws; tip = end of the jaws
     InstrumentKind kind = InstrumentKind::grasper;
@@ -84,6 +92,7 @@ struct SceneFrame {
         0;  ///< of the positions and normals: equal and not 0, they have not changed since the last picture
     std::vector<DrawnSheet> sheets;
     std::vector<DrawnTarget> targets;
+    std::vector<DrawnTube> tubes;
     std::vector<DrawnTool> tools;
     double brightness = 1.0;            ///< of the light
     Vector3 lamp = {0, 0.0035, 0.001};  ///< m, camera space: beside the lens

@@ -76,6 +76,7 @@ struct SceneRenderer::Impl {
 
     void draw_tools(QOpenGLExtraFunctions& gl, const SceneFrame& frame, bool ghosts);
 
+    void draw_tubes(QOpenGLExtraFunctions& gl, const SceneFrame& frame) const;
     void draw_targets(QOpenGLExtraFunctions& gl, const SceneFrame& frame, bool translucent) const;
 
     QOpenGLShaderProgram& program_of(const DrawnSheet& drawn, bool shaded) const;
