@@ -261,8 +261,11 @@ void cohort_pages(Sheet& sheet, const CohortReport& report) {
         for (const ReportTask& task : report.tasks) {
             QStringList cell;
             for (const QString& part :
-                 cohort_cell(report.table.rows, person, task.id).split(QLatin1Char('\n')))
-                cell << wrapped(sheet, part, QStringLiteral(" · "), task_width - Sheet::mm(3));
+                 cohort_cell(report.table.rows, person, task.id).split(QLatin1Char('\n'))) {
+                for (const QString& piece :
+                     wrapped(sheet, part, QStringLiteral(" · "), task_width - Sheet::mm(3)))
+                    cell << wrapped(sheet, piece, QStringLiteral(" "), task_width - Sheet::mm(3));
+            }
             lines = std::max(lines, static_cast<int>(cell.size()));
             cells.push_back(cell);
         }

@@ -87,18 +87,28 @@ void Ladder::paintEvent(QPaintEvent*) {
                     return QRect(card.mapTo(this, QPoint(0, 0)), card.size());
                 };
                 const QRect a = here(*from->second), b = here(*step.card);
-                const QPointF begin(a.right() + 1, a.center().y()), end(b.left() - 7, b.center().y());
+                // From side to side; between cards of one stage from the bottom to the top.
+                const bool below = b.top() > a.bottom() && b.left() < a.right();
+                const QPointF begin =
+                    below ? QPointF(a.center().x(), a.bottom() + 1) : QPointF(a.right() + 1, a.center().y());
+                const QPointF tip =
+                    below ? QPointF(b.center().x(), b.top()) : QPointF(b.left(), b.center().y());
+                const QPointF ahead = below ? QPointF(0, 1) : QPointF(1, 0), aside(ahead.y(), ahead.x());
+                const QPointF end = tip - 7 * ahead;
                 QPainterPath path(begin);
                 const double middle = 0.5 * (begin.x() + end.x());
-                path.cubicTo({middle, begin.y()}, {middle, end.y()}, end);
+                if (below) {
+                    path.lineTo(end);
+                } else {
+                    path.cubicTo({middle, begin.y()}, {middle, end.y()}, end);
+                }
                 painter.setPen(
                     QPen(step.unlocked ? p.good : p.muted, 2, step.unlocked ? Qt::SolidLine : Qt::DashLine));
                 painter.setBrush(Qt::NoBrush);
                 painter.drawPath(path);
                 painter.setPen(Qt::NoPen);
                 painter.setBrush(step.unlocked ? p.good : p.muted);
-                painter.drawPolygon(
-                    QPolygonF({end + QPointF(7, 0), end + QPointF(-1, -5), end + QPointF(-1, 5)}));
+                painter.drawPolygon(QPolygonF({tip, end - ahead - 5 * aside, end - ahead + 5 * aside}));
             }
         }
     }
