@@ -15,7 +15,7 @@
 namespace fulcrum::app {
 namespace {
 
-constexpr const char* measured_tasks[] = {"A2", "B1", "B2", "B3", "C4"};
+constexpr const char* measured_tasks[] = {"A2", "A3", "B1", "B2", "B3", "C4"};
 constexpr std::uint64_t expert_seed = 2001;
 /// A change up to this share is rounding.
 constexpr double rounding = 1e-9;

@@ -41,5 +41,8 @@ std::unique_ptr<Behaviour> make_sheet_division(const TaskDefinition& task, const
 /// divide_bands and stop_bleeding: take, lift, divide, clip what bleeds.
 std::unique_ptr<Behaviour> make_band_handling(const TaskDefinition& task, const Scene& scene,
                                               const Skill& skill);
+/// transfer_objects: one hand lifts each ring, the other takes it in the air and puts it around a peg.
+std::unique_ptr<Behaviour> make_object_handling(const TaskDefinition& task, const Scene& scene,
+                                                const Skill& skill);
 
 }  // namespace fulcrum

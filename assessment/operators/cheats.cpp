@@ -394,7 +394,7 @@ const std::vector<Cheat>& cheats() {
 }
 
 std::vector<const Cheat*> cheats_for(const TaskDefinition& /*task*/, const Scene& scene) {
-    const bool jaws = scene.bowel || scene.sheet || scene.septa || scene.bands;
+    const bool jaws = scene.bowel || scene.sheet || scene.septa || scene.bands || scene.objects;
     const bool blade = scene.sheet || scene.septa;
     std::vector<const Cheat*> chosen;
     for (const Cheat& cheat : cheats()) {

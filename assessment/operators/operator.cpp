@@ -23,7 +23,7 @@ GoalSite site_of(const TaskDefinition& task) {
     for (const Goal& goal : task.goals)
         if (type_of(goal.kind).site != site)
             throw InputError("operator", task.id,
-                             "an operator does not perform targets, bowel, a sheet and bands in one task",
+                             "an operator does not perform goals of different parts of a scene in one task",
                              "choose a task whose goals are all of one site");
     return site;
 }
@@ -39,6 +39,8 @@ std::unique_ptr<Behaviour> make_behaviour(const TaskDefinition& task, const Scen
             return make_sheet_division(task, scene, skill, attempt);
         case GoalSite::bands:
             return make_band_handling(task, scene, skill);
+        case GoalSite::objects:
+            return make_object_handling(task, scene, skill);
     }
     throw std::logic_error("a site without a behaviour");
 }
@@ -125,7 +127,8 @@ std::unique_ptr<ObservingRig> make_operator(const Skill& skill, const TaskDefini
         }
     }
     for (const Hand hand : {Hand::left, Hand::right}) {
-        if ((site == GoalSite::bowel || site == GoalSite::bands) && scene.instrument(hand) == nullptr) {
+        if ((site == GoalSite::bowel || site == GoalSite::bands || site == GoalSite::objects) &&
+            scene.instrument(hand) == nullptr) {
             throw InputError("operator", task.id,
                              std::string("the scene gives the ") + hand_name(hand) + " hand no instrument",
                              "add a grasper to the scene");

@@ -41,6 +41,13 @@ DelayLine::DelayLine(const Scene& scene, double longest_delay_s) {
             look.nerve.reserve(most_nerve_points);
         }
     }
+    if (scene.objects) {
+        const auto rings = static_cast<std::size_t>(scene.objects->count);
+        for (Perception& look : looks_) look.objects.resize(rings);
+        tray_.objects.resize(rings);
+        tray_.pegs.resize(2 * rings);
+        tray_.corners.resize(static_cast<std::size_t>(scene.objects->sides));
+    }
     if (scene.targets) targets_.reserve(2 * static_cast<std::size_t>(scene.targets->per_hand));
 }
 
@@ -54,6 +61,8 @@ void DelayLine::push(std::uint32_t tick, const WorldSnapshot& world, const TaskD
     }
     look.display = display;
     std::copy_n(world.nodes.begin(), std::min(look.nodes.size(), world.nodes.size()), look.nodes.begin());
+    std::copy_n(world.objects.objects.begin(), std::min(look.objects.size(), world.objects.objects.size()),
+                look.objects.begin());
     copy_within(world.sheet.line, look.line);
     copy_within(world.sheet.flap, look.flap);
     if (!world.bands.empty()) {
@@ -70,6 +79,7 @@ void DelayLine::push(std::uint32_t tick, const WorldSnapshot& world, const TaskD
         look.smoke = view.smoke;
     }
     if (count_ == 0) {
+        if (!tray_.pegs.empty()) tray_ = world.objects;  // of the same sizes
         const std::size_t places = std::min(line_positions_.capacity(), world.sheet.line_positions.size());
         line_positions_.assign(world.sheet.line_positions.begin(),
                                world.sheet.line_positions.begin() + static_cast<std::ptrdiff_t>(places));

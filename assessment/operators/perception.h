@@ -26,6 +26,7 @@ struct Perception {
     std::vector<Vector3> nerve;
     HandToolView tools[hand_count];
     double smoke = 0;
+    std::vector<ObjectView> objects;  ///< rings on a tray; empty without
     std::vector<Vector3> nodes;  ///< bowel centre line; arc lengths do not change and stand beside the line
 };
 
@@ -52,11 +53,14 @@ class DelayLine {
     const std::vector<double>& arc_lengths() const noexcept { return arc_lengths_; }
     const std::vector<double>& line_positions() const noexcept { return line_positions_; }
     const std::vector<TargetSphere>& targets() const noexcept { return targets_; }
+    /// Pegs, tray and shape of the rings; its rings' places are those of the first look.
+    const ObjectsView& tray() const noexcept { return tray_; }
 
   private:
     std::vector<Perception> looks_;
     std::vector<double> arc_lengths_, line_positions_;
     std::vector<TargetSphere> targets_;
+    ObjectsView tray_;
     std::size_t next_ = 0, count_ = 0;
 };
 

@@ -30,6 +30,10 @@ std::optional<GoalFault> goal_fault(const Goal& goal, const Scene& scene) {
         case GoalSite::bands:
             if (!scene.bands) return lacks("bands", "add \"bands\" to the scene or name another scene");
             break;
+        case GoalSite::objects:
+            if (!scene.objects)
+                return lacks("objects to hand over", "add \"objects\" to the scene or name another scene");
+            break;
     }
     return type.suits == nullptr ? std::nullopt : type.suits(goal, scene);
 }
@@ -110,6 +114,7 @@ void GoalMonitor::show(TaskDisplay& display) const noexcept {
     display.goal_progress = done() ? 1.0 : 0.0;
     display.hold_progress = 0;
     display.lift_height_m = 0;
+    display.rings_placed = 0;
     display.run_covered_m = display.run_next_m = 0;
     display.cut_divided_m = cut.divided();
     display.cut_torn_m = cut.torn();

@@ -30,10 +30,11 @@ enum class GoalKind : std::uint8_t {
     divide_bands,   ///< divide a number of bands (B3)
     stop_bleeding,  ///< every vessel divided, none of them bleeding for a while (B3)
     palpate,        ///< rest an instrument on a stretch of bowel, in contact for a while (B0)
+    transfer_objects,  ///< hand rings over in the air and put them around pegs (A3)
 };
 
 /// The part of a scene that a goal works on. Synthetic operators have one behaviour for each.
-enum class GoalSite : std::uint8_t { targets, bowel, sheet, bands };
+enum class GoalSite : std::uint8_t { targets, bowel, sheet, bands, objects };
 /// What goal_progress events of a goal count.
 enum class GoalMeasure : std::uint8_t { count, metres, seconds };
 
@@ -88,6 +89,10 @@ std::optional<GoalFault> enough_bands(const Goal& goal, const Scene& scene);
 std::optional<GoalFault> enough_vessels(const Goal& goal, const Scene& scene);
 
 std::unique_ptr<GoalTracker> track_palpation(const Goal& goal, const GoalWatch& watch);
+
+std::unique_ptr<GoalTracker> track_transfer(const Goal& goal, const GoalWatch& watch);
+std::optional<GoalFault> check_transfer(const Goal& goal);
+std::optional<GoalFault> objects_suit(const Goal& goal, const Scene& scene);
 
 inline constexpr GoalKey traction_low = {"traction_low_n_m", "the least traction across the line, N/m"};
 inline constexpr GoalKey traction_high = {"traction_high_n_m", "the most traction across the line, N/m"};
@@ -199,6 +204,19 @@ inline constexpr GoalType goal_types[] = {
      goals::check_stretch,
      goals::on_bowel,
      goals::track_palpation},
+    {GoalKind::transfer_objects,
+     "transfer_objects",
+     QT_TRANSLATE_NOOP("fulcrum::goals", "Transfer objects"),
+     GoalSite::objects,
+     GoalMeasure::count,
+     false,
+     {{{"hand", "the hand that lifts each ring: left or right"},
+       {"count", "how many rings"},
+       {"hold_s", "seconds that both hands hold a ring in the air"},
+       {"height_m", "metres above the tray from where on a ring is in the air"}}},
+     goals::check_transfer,
+     goals::objects_suit,
+     goals::track_transfer},
 };
 static_assert(in_order(goal_types));
 

@@ -42,8 +42,10 @@ struct TaskDisplay {
     bool cutting = false;              ///< a blade is in the tissue
     std::int32_t bands_divided = 0;    ///< divide_bands: so far, with an instrument
     std::int32_t bands_torn = 0;       ///< divide_bands: torn, which the goal never counts
-    std::int32_t vessels_dry = 0;      ///< stop_bleeding: open and not bleeding
-    float blood_ml = 0;                ///< lost so far
+    std::uint32_t rings_placed =
+        0;  ///< transfer_objects: bit i, ring i was handed over and lies around its peg
+    std::int32_t vessels_dry = 0;  ///< stop_bleeding: open and not bleeding
+    float blood_ml = 0;            ///< lost so far
     std::int32_t clips_left = 0;
     float force[hand_count] = {0, 0};        ///< N, this step's largest
     float force_limit[hand_count] = {0, 0};  ///< N, of the tissue in contact or grasped; 0 none

@@ -18,13 +18,13 @@ struct Goal {
     std::string id;
     GoalKind kind = GoalKind::touch_targets;
     std::string text;             ///< one line for the HUD, imperative
-    Hand hand = Hand::left;       ///< touch_targets
-    int count = 0;                ///< touch_targets: spheres to hold
+    Hand hand = Hand::left;       ///< touch_targets, palpate; transfer_objects: lifts first
+    int count = 0;                ///< touch_targets: spheres to hold; transfer_objects: rings
     double hold_s = 0;            ///< s, continuous
     double length_m = 0;          ///< run_bowel: arc length to cover; divide_line: of the marked line
     double from_m = 0, to_m = 0;  ///< arc lengths on the bowel: where to start (run), or the stretch to lift
     double minimum_step_m = 0, maximum_step_m = 0;  ///< run_bowel: hand-over-hand distance that counts
-    double height_m = 0;                            ///< lift_and_hold
+    double height_m = 0;                            ///< lift_and_hold, transfer_objects
     double tolerance_m = 0;  ///< divide_line: further from the line is too deep or too shallow
     double corridor_m = 0;   ///< divide_line: further from the line divides nothing of it
     double traction_low_n_m = 0, traction_high_n_m = 0;  ///< take_tension, divide_line: N/m across the line

@@ -170,6 +170,8 @@ QString goal_detail(const HudState& state, const Goal& goal) {
                 .arg(std::lround(display.goal_progress * goal.count))
                 .arg(goal.count)
                 .arg(static_cast<double>(display.blood_ml), 0, 'f', 1);
+        case GoalKind::transfer_objects:
+            return tr("%1 of %2 rings").arg(std::lround(display.goal_progress * goal.count)).arg(goal.count);
         case GoalKind::palpate:
             return tr("%1 of %2 s in contact")
                 .arg(display.goal_progress * goal.hold_s, 0, 'f', 1)

@@ -12,6 +12,11 @@
 #include "ui/theatre/renderer/scene_renderer.h"
 
 namespace fulcrum::ui {
+namespace {
+
+constexpr float counted_share = 0.62F;  // of a ring's colour once it counts
+
+}  // namespace
 
 TheatreView::TheatreView(QWidget* parent) : QWidget(parent) {
     setAttribute(Qt::WA_OpaquePaintEvent);
@@ -115,6 +120,10 @@ SceneFrame& TheatreView::assemble() {
         if (i < done_.size() && done_[i]) look = TargetLook::done;
         if (static_cast<int>(i) == active_) look = touched_ ? TargetLook::touched : TargetLook::current;
         frame.targets[i].look = look;
+    }
+    for (DrawnTube& tube : frame.tubes) {  // a ring that counts is darker
+        if (tube.object >= 0 && (hud_.display.rings_placed >> static_cast<unsigned>(tube.object) & 1U) != 0)
+            tube.hue *= counted_share;
     }
     for (std::size_t h = 0; h < frame.tools.size() && h < hand_count; ++h) {
         const double limit = hud_.display.force_limit[h];

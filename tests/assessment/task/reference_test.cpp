@@ -20,6 +20,8 @@ const char* site_text(GoalSite site) {
             return "sheet or septa";
         case GoalSite::bands:
             return "bands";
+        case GoalSite::objects:
+            return "objects";
     }
     return "";
 }
