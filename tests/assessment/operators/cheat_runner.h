@@ -54,8 +54,11 @@ inline Score score_so_far(const CheatStage& stage, const AttemptRecord& record,
                          &stage.benchmark);
 }
 
+inline constexpr double longest_rest_s = 60;
+
 /// Stops as soon as the attempt has failed for good: whatever an interruption cannot take back (Score,
-/// WhatIsBrokenForGoodStaysFailed). `whole` runs to the end all the same.
+/// WhatIsBrokenForGoodStaysFailed). It stops too after a minute in which no hand moved: what cheats do begins
+/// within 20 s, so the rest of the time limit would be the same. `whole` runs to the end all the same.
 inline CheatVerdict judge(const CheatStage& stage, Rig& rig, std::uint64_t seed, bool whole = false) {
     AttemptEngine engine(stage.scene, stage.task, seed);
     const std::vector<TargetSphere>& targets = engine.initial_snapshot().targets;
@@ -65,6 +68,11 @@ inline CheatVerdict judge(const CheatStage& stage, Rig& rig, std::uint64_t seed,
     const auto undecided = [&](double seconds) {
         verdict.seconds = seconds;
         if (whole || seconds < next) return true;
+        const std::vector<Event>& events = sink.record.events;
+        if (seconds > longest_rest_s && std::none_of(events.begin(), events.end(), [](const Event& event) {
+                return event.kind == EventKind::first_movement;
+            }))
+            return false;
         // Each look reads the record from its beginning: with a constant interval the looks would cost more
         // than the attempt.
         next = std::max(seconds + 10, 1.5 * seconds);

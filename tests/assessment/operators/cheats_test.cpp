@@ -48,7 +48,9 @@ TEST_P(CheatsAt, NonePasses) {
     const std::unique_ptr<ObservingRig> rig =
         honest ? make_operator("expert", stage.task, stage.scene, seed)
                : make_cheat(*GetParam().cheat, stage.task, stage.scene, seed);
-    const test::CheatVerdict verdict = test::judge(stage, *rig, seed);
+    // One who does nothing is followed to the end of the time limit once.
+    const bool whole = !honest && GetParam().task == "A2" && GetParam().cheat->name == std::string("nothing");
+    const test::CheatVerdict verdict = test::judge(stage, *rig, seed, whole);
     EXPECT_EQ(verdict.score.passed == true, honest)
         << verdict.seconds << " s, " << row_of(attempt_states, verdict.state).name << ": " << verdict.why();
     EXPECT_EQ(verdict.score.points.value_or(0) >= pass_mark, honest);
