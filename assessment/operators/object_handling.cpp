@@ -20,7 +20,7 @@ constexpr double shortest_close_s = 0.35;                 // time for the jaws t
 constexpr double carry_speed = 3;                         // times the speed at which tissue is moved
 constexpr double both_hold_s = 0.25;                      // longer than the goal asks: seen, then let go
 constexpr int attempts_at_a_tube = 3, attempts_at_a_peg = 3;
-constexpr double laid_height = 0.0008;  // m above the tray, of a ring that is laid down to be taken anew
+constexpr double laid_height = 0.0008;  // m above the tray, of a ring that is laid down to be taken again
 constexpr double anticipation = 0.25;   // largest share of handovers in which the giving hand opens too early
 constexpr double longest_wait_s = 1.5;  // for a ring to count
 constexpr double longest_stage_s = 12;  // then the hand begins again
@@ -351,7 +351,7 @@ class ObjectHandling : public Behaviour {
         if (!laying_ && object.peg != peg_) {  // not around the peg: up again, and once more
             const double way = std::max(0.0, peg_height_ + above_pegs - (object.position.z() - tray_.z()));
             limb.carry(Vector3(0, 0, way), std::max(0.2, way / (carry_speed * skill_.lift_speed)));
-            laying_ = ++attempts_ >= attempts_at_a_peg;  // it hangs too steeply: laid down, taken anew
+            laying_ = ++attempts_ >= attempts_at_a_peg;  // it hangs too steeply: laid down, taken again
             begin_reach(body, Stage::centre, tip_for_ring(seen, over_peg(body)), 0.004, 2.5, 0.4);
             return;
         }

@@ -135,7 +135,7 @@ TEST(Transfer, NeedsAPegOfTheOtherSideForEachRing) {
     table.transfer(left, right, 2, 2);
     EXPECT_EQ(table.counted(), 0U) << "put back on the side that it came from";
     table.transfer(left, right, 2, -1);
-    EXPECT_EQ(table.counted(), 0U) << "beside the pegs";
+    EXPECT_EQ(table.counted(), 0U) << "around no peg";
     table.transfer(left, right, 2, 8);
     table.transfer(left, right, 3, 8);
     EXPECT_EQ(table.counted(), 1U << 2) << "two rings around one peg";
@@ -177,7 +177,7 @@ TEST(Transfer, GoesBothWaysAndEndsTheAttempt) {
         table.transfer(left, right, i, 6 + i);
     }
     EXPECT_EQ(table.goal(), 1);
-    EXPECT_EQ(table.counted(), 0U) << "the way back begins anew";
+    EXPECT_EQ(table.counted(), 0U) << "the way back starts at none";
     for (int i = 0; i < 6; ++i) {
         EXPECT_FALSE(table.monitor.display().ended);
         table.transfer(right, left, i, i);
