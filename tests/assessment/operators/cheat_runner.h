@@ -9,7 +9,9 @@
 
 #include "assessment/attempt/memory_sink.h"
 #include "assessment/metrics/metrics_json.h"
+#include "assessment/metrics/registry.h"
 #include "assessment/operators/cheats.h"
+#include "assessment/scoring/gate_rules.h"
 #include "assessment/scoring/score.h"
 #include "tests/support/support.h"
 
@@ -54,17 +56,35 @@ inline Score score_so_far(const CheatStage& stage, const AttemptRecord& record,
                          &stage.benchmark);
 }
 
-inline constexpr double longest_rest_s = 60;
+inline constexpr double longest_rest_s = 30;
 
-/// Stops as soon as the attempt has failed for good: whatever an interruption cannot take back (Score,
-/// WhatIsBrokenForGoodStaysFailed). It stops too after a minute in which no hand moved: what cheats do begins
-/// within 20 s, so the rest of the time limit would be the same. `whole` runs to the end all the same.
+/// No continuation can pass: what an interruption cannot take back is broken (Score,
+/// WhatIsBrokenForGoodStaysFailed), or a limit on time or path, which only grow, has been passed.
+inline bool fails_whatever_follows(const Score& score) {
+    return score.passed == false ||
+           std::any_of(score.gates.begin(), score.gates.end(), [](const GateResult& gate) {
+               return (gate.metric == "time" || gate.metric == "path_len") && gate.value && gate.limit &&
+                      *gate.value > *gate.limit;
+           });
+}
+
+/// Of the benchmark set, s; the task's own limit where it has none.
+inline double limit_on_time(const CheatStage& stage) {
+    const BenchmarkLevel* level = stage.benchmark.find("time", "", "");
+    return level == nullptr ? stage.task.time_limit_s
+                            : limit_of(*find_metric("time"), *level, stage.benchmark.k);
+}
+
+/// Stops as soon as the attempt fails whatever follows; its verdict is then failed. It stops too after half a
+/// minute in which no hand moved: what cheats do begins within 20 s, so the rest of the time limit would be
+/// the same. `whole` runs to the end all the same.
 inline CheatVerdict judge(const CheatStage& stage, Rig& rig, std::uint64_t seed, bool whole = false) {
     AttemptEngine engine(stage.scene, stage.task, seed);
     const std::vector<TargetSphere>& targets = engine.initial_snapshot().targets;
     MemorySink sink;
     CheatVerdict verdict;
     double next = 10;
+    const double after_limit = limit_on_time(stage) + 2;
     const auto undecided = [&](double seconds) {
         verdict.seconds = seconds;
         if (whole || seconds < next) return true;
@@ -74,9 +94,10 @@ inline CheatVerdict judge(const CheatStage& stage, Rig& rig, std::uint64_t seed,
             }))
             return false;
         // Each look reads the record from its beginning: with a constant interval the looks would cost more
-        // than the attempt.
+        // than the attempt. One look is soon after the limit on time.
         next = std::max(seconds + 10, 1.5 * seconds);
-        return score_so_far(stage, sink.record, targets).passed != false;
+        if (seconds < after_limit) next = std::min(next, after_limit);
+        return !fails_whatever_follows(score_so_far(stage, sink.record, targets));
     };
     const RunOutcome outcome = run_headless(engine, rig, sink, undecided);
     verdict.seconds = outcome.ticks * stage.scene.tick_period();
