@@ -36,7 +36,7 @@ DeviceSample quantise(const DeviceReading& reading, const DeviceSample& previous
     }
     for (int i = 0; i < 3; ++i) sample.handle[i] = to_counts(reading.handle[i], device_length_unit);
     sample.roll = to_counts(reading.roll, device_angle_unit);
-    sample.jaw = to_counts(reading.jaw < 0 ? 0 : reading.jaw, device_angle_unit);
+    sample.jaw = to_counts(reading.jaw, device_angle_unit);  // of a scope it may be negative
     sample.grip = to_counts(reading.grip < 0 ? 0 : reading.grip, device_force_unit);
     sample.buttons = reading.buttons;
     return sample;

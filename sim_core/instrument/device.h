@@ -48,7 +48,9 @@ struct RigSample {
     std::uint32_t tick = 0;
     std::uint32_t flags = 0;  ///< RigFlag mask
     DeviceSample hand[hand_count];
-    DeviceSample camera;  ///< the scope: handle in its own trocar frame, roll = light-post rotation
+    /// The scope: handle in its own trocar frame, roll = light-post rotation, jaw = turn of the camera head
+    /// against the shaft, positive counterclockwise as the camera looks.
+    DeviceSample camera;
 };
 enum RigFlag : std::uint32_t {
     rig_paused = 1,

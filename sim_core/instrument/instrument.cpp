@@ -175,7 +175,8 @@ CameraPose scope_pose(const ScopeModel& model, const DeviceSample& sample) {
     Matrix3 camera_to_tool = Matrix3::Zero();
     camera_to_tool.diagonal() = Vector3(-1, 1, -1);
     const Matrix3 rotation = model.trocar.rotation * rotation_to(line.axis) * rotation_about_z(post) *
-                             rotation_about_x(model.angle) * rotation_about_z(-post) * camera_to_tool;
+                             rotation_about_x(model.angle) * rotation_about_z(-post) * camera_to_tool *
+                             rotation_about_z(device_angle_unit * sample.jaw);
     CameraPose camera;
     camera.position = model.trocar.position + line.insertion * (model.trocar.rotation * line.axis);
     camera.orientation = Quaternion(rotation).normalized();

@@ -102,9 +102,10 @@ struct ScopeModel {
 
 ScopeModel make_scope(const CameraSpec& spec);
 
-/// The camera head is held upright while the light post turns with the sample's roll: the roll moves the
-/// direction of view around the shaft and keeps the horizon (model of Yamaguchi et al. 2004). At roll 0 a 30
-/// degree scope looks down, away from the light post.
+/// The camera head stays as it is while the light post turns with the sample's roll: the roll moves the
+/// direction of view around the shaft (model of Yamaguchi et al. 2004). At roll 0 a 30 degree scope looks
+/// down, away from the light post. The camera head, turned by the sample's jaw angle, turns the image alone:
+/// with it the horizon is kept.
 CameraPose scope_pose(const ScopeModel& model, const DeviceSample& sample);
 
 /// Unit direction of view, patient frame.

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "sim_core/scene/bands_reader.h"
+#include "sim_core/scene/camera_targets_reader.h"
 #include "sim_core/scene/cutting_values.h"
 #include "sim_core/scene/json_document.h"
 #include "sim_core/scene/json_names.h"
@@ -52,6 +53,7 @@ class SceneReader {
         if (root.contains("bands")) read_bands(root.at("bands"));
         if (root.contains("structures")) read_structures(root.at("structures"));
         if (root.contains("objects")) read_objects(root.at("objects"));
+        read_camera_targets(document_, scene_);
         if (root.contains("fidelity")) read_fidelity(root.at("fidelity"));
         return std::move(scene_);
     }

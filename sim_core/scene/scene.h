@@ -12,6 +12,7 @@
 #include "sim_core/material/layered_wall.h"
 #include "sim_core/numerics/types.h"
 #include "sim_core/scene/bands_spec.h"
+#include "sim_core/scene/camera_targets_spec.h"
 #include "sim_core/scene/fidelity_levels.h"
 #include "sim_core/scene/instrument_type.h"
 #include "sim_core/scene/objects_spec.h"
@@ -206,7 +207,7 @@ struct Scene {
         false;                  ///< the device never returns more energy to the hand than the hand put in
     double slew_limit = 300.0;  ///< N/s, on changes of the model, on loss and on resume
     std::vector<TissueSpec> tissues;
-    std::vector<InstrumentSpec> instruments;  ///< at most one per hand
+    std::vector<InstrumentSpec> instruments;  ///< at most one per hand; none with camera_targets only
     std::optional<CameraSpec> camera;
     std::optional<TargetFieldSpec> targets;
     std::optional<CavitySpec> cavity;
@@ -219,6 +220,7 @@ struct Scene {
     std::optional<BandsSpec> bands;
     std::optional<StructuresSpec> structures;
     std::optional<ObjectsSpec> objects;
+    std::optional<CameraTargetsSpec> camera_targets;
     Fidelity fidelity;
 
     double tick_period() const { return 1.0 / tick_rate; }

@@ -65,6 +65,8 @@ enum class EventKind : std::uint16_t {
     fibres_parted = 49,   ///< under tension, by no hand, from here to the cut_advance that follows; value,
                           ///< detail: as cut_begin
     heat_area = 50,       ///< value: non-target tissue at or above lethal_dose so far (mm2)
+    lens_contact = 51,    ///< the scope's lens touched something; value: depth (m)
+    target_lost = 52,     ///< a target to be followed was off the middle until now; value: for how long (s)
 };
 const char* event_name(EventKind kind);
 

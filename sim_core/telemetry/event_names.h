@@ -68,6 +68,8 @@ inline constexpr NameRow<EventKind> event_kinds[] = {
     {EventKind::fibres_parted, "fibres_parted",
      QT_TRANSLATE_NOOP("fulcrum::events", "fibres tore under too much tension")},
     {EventKind::heat_area, "heat_area", QT_TRANSLATE_NOOP("fulcrum::events", "area of dead tissue")},
+    {EventKind::lens_contact, "lens_contact", QT_TRANSLATE_NOOP("fulcrum::events", "lens touched")},
+    {EventKind::target_lost, "target_lost", QT_TRANSLATE_NOOP("fulcrum::events", "target lost")},
 };
 static_assert(in_order(event_kinds));
 

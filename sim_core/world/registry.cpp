@@ -5,6 +5,7 @@
 #include "sim_core/world/couplings/septa_on_rectum.h"
 #include "sim_core/world/parts/bands/bands_part.h"
 #include "sim_core/world/parts/bowel/bowel_part.h"
+#include "sim_core/world/parts/camera_targets/camera_targets_part.h"
 #include "sim_core/world/parts/membranes/membranes_part.h"
 #include "sim_core/world/parts/objects/objects_part.h"
 #include "sim_core/world/parts/sheet/sheet_part.h"
@@ -19,8 +20,9 @@ namespace {
 using PartBuilder = std::unique_ptr<Part> (*)(const Scene& scene, std::uint64_t seed, const PartList& parts);
 
 constexpr PartBuilder part_builders[] = {
-    build_targets,    build_wall,       build_bowel_part,      build_membranes_part,
-    build_sheet_part, build_bands_part, build_structures_part, build_objects_part,
+    build_targets,         build_wall,         build_bowel_part,
+    build_membranes_part,  build_sheet_part,   build_bands_part,
+    build_structures_part, build_objects_part, build_camera_targets,
 };
 
 /// Builds the coupling where both its ends are there, else returns null.

@@ -256,6 +256,7 @@ const std::map<std::string, std::string>& structure_of() {
                                                              {"camera", "CameraSpec"},
                                                              {"targets", "TargetFieldSpec"},
                                                              {"objects", "ObjectsSpec"},
+                                                             {"camera_targets", "CameraTargetsSpec"},
                                                              {"cavity", "CavitySpec"},
                                                              {"bowel", "BowelSpec"},
                                                              {"bowel.nodule", "NoduleSpec"},

@@ -16,6 +16,7 @@
 #include "sim_core/rigid/target_sphere.h"
 #include "sim_core/telemetry/event.h"
 #include "sim_core/world/part/bands_view.h"
+#include "sim_core/world/part/camera_targets_view.h"
 #include "sim_core/world/part/objects_view.h"
 
 namespace fulcrum {
@@ -135,9 +136,10 @@ struct WorldSnapshot {
     std::vector<Event> events;  ///< what this step did to tissue, for the monitor to pass on; fixed capacity,
                                 ///< event_count valid
     std::int32_t event_count = 0;
-    std::vector<BandsView> bands;     ///< one with Scene::bands or Scene::structures; empty without
-    ObjectsView objects;              ///< Scene::objects; empty without
-    std::vector<float> patch_damage;  ///< N s per tissue patch
+    std::vector<BandsView> bands;      ///< one with Scene::bands or Scene::structures; empty without
+    ObjectsView objects;               ///< Scene::objects; empty without
+    CameraTargetsView camera_targets;  ///< Scene::camera_targets; empty without
+    std::vector<float> patch_damage;   ///< N s per tissue patch
     double solve_residual = 0;        ///< of the bowel's last solve: share of the largest force that was left
     double residual_penetration = 0;  ///< m, deepest sphere in the cavity after the step
     double floor_load = 0;            ///< N, sum of contact forces on the cavity

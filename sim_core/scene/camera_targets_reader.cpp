@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_core/scene/camera_targets_reader.h"
+
+#include "sim_core/scene/scene_json.h"
+
+namespace fulcrum {
+
+namespace {
+
+CameraTargetsSpec read_spec(const JsonDocument& document, const nlohmann::json& node) {
+    using scene_json::copy;
+    CameraTargetsSpec targets;
+    copy(node, "count", targets.count);
+    copy(node, "ball_radius", targets.ball_radius);
+    copy(node, "cup_radius", targets.cup_radius);
+    copy(node, "wall", targets.wall);
+    copy(node, "cup_depth", targets.cup_depth);
+    copy(node, "distance", targets.distance);
+    copy(node, "spacing", targets.spacing);
+    copy(node, "least_insertion", targets.least_insertion);
+    copy(node, "most_insertion", targets.most_insertion);
+    scene_json::copy_degrees(node, "swing_deg", targets.swing);
+    scene_json::copy_degrees(node, "tilt_deg", targets.tilt);
+    copy(node, "lens_radius", targets.lens_radius);
+    copy(node, "tip_centre", targets.tip_centre);
+    copy(node, "tip_extent", targets.tip_extent);
+    copy(node, "tip_speed", targets.tip_speed);
+    copy(node, "tissue", targets.tissue);
+    if (targets.ball_radius >= targets.cup_radius) {
+        document.fail("/camera_targets/ball_radius", "the balls do not fit into the cups",
+                      "give smaller balls or wider cups");
+    }
+    if (targets.distance < targets.cup_depth + 2 * targets.lens_radius) {
+        document.fail("/camera_targets/distance", "the lens would be in the cup",
+                      "give a larger distance, a shallower cup or a thinner scope");
+    }
+    if (targets.least_insertion > targets.most_insertion) {
+        document.fail("/camera_targets/least_insertion", "least_insertion is above most_insertion",
+                      "give at most the value of most_insertion");
+    }
+    return targets;
+}
+
+}  // namespace
+
+void read_camera_targets(const JsonDocument& document, Scene& scene) {
+    if (!document.root().contains("camera_targets")) {
+        if (scene.instruments.empty())
+            document.fail("/instruments", "a scene without instruments has nothing to do",
+                          "give at least one instrument, or \"camera_targets\"");
+        return;
+    }
+    scene.camera_targets = read_spec(document, document.root().at("camera_targets"));
+    if (scene.tissue_index(scene.camera_targets->tissue) < 0)
+        document.fail("/camera_targets", "the tissue \"" + scene.camera_targets->tissue + "\" is not listed",
+                      "add it to \"tissues\" or name another");
+    if (!scene.camera) document.fail("/camera_targets", "targets to look at need a scope", "add \"camera\"");
+    if (scene.targets || !scene.instruments.empty())
+        document.fail("/camera_targets",
+                      "a scene for the scope alone has no instruments and no targets to touch",
+                      "remove \"instruments\" and \"targets\", or \"camera_targets\"");
+}
+
+}  // namespace fulcrum
