@@ -38,6 +38,10 @@ CameraTargetsSpec read_spec(const JsonDocument& document, const nlohmann::json& 
         document.fail("/camera_targets/least_insertion", "least_insertion is above most_insertion",
                       "give at most the value of most_insertion");
     }
+    if (targets.tip_extent.minCoeff() < 0) {
+        document.fail("/camera_targets/tip_extent", "a tip cannot move by less than nothing",
+                      "give three values from 0 on");
+    }
     return targets;
 }
 
@@ -59,6 +63,12 @@ void read_camera_targets(const JsonDocument& document, Scene& scene) {
         document.fail("/camera_targets",
                       "a scene for the scope alone has no instruments and no targets to touch",
                       "remove \"instruments\" and \"targets\", or \"camera_targets\"");
+    for (const char* part : {"cavity", "bowel", "tethers", "membranes", "sheet", "septa", "presacral",
+                             "bands", "structures", "objects"}) {
+        if (document.root().contains(part))
+            document.fail(std::string("/") + part, "cups for the camera would lie in the tissue",
+                          std::string("remove \"") + part + "\" or \"camera_targets\"");
+    }
 }
 
 }  // namespace fulcrum

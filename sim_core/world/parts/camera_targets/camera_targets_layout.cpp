@@ -38,6 +38,12 @@ class CupPlacer {
         : spec_(*scene.camera_targets), scope_(make_scope(*scene.camera)), random_(seed, cup_stream) {
         outer_ = spec_.cup_radius + spec_.wall;
         nominal_ = scope_.trocar.rotation.col(2);
+        follow_.push_back({spec_.tip_centre, eye_for(spec_.tip_centre)});
+        for (int corner = 0; corner < 8; ++corner) {
+            const Vector3 side(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+            const Vector3 tip = spec_.tip_centre + side.cwiseProduct(spec_.tip_extent);
+            follow_.push_back({tip, eye_for(tip)});
+        }
     }
 
     bool add() {
@@ -69,6 +75,17 @@ class CupPlacer {
         return cup;
     }
 
+    /// Where a tip is framed with the light post as it is at the beginning.
+    Vector3 eye_for(const Vector3& tip) const {
+        Vector3 eye = tip - spec_.distance * nominal_;
+        for (int i = 0; i < 20; ++i) {
+            DeviceReading reading;
+            reading.handle = handle_for_tip(scope_.trocar, eye);
+            eye = tip - spec_.distance * view_direction(scope_pose(scope_, quantise(reading, {})));
+        }
+        return eye;
+    }
+
     bool near_tip(const Vector3& point, double margin) const {
         const Vector3 away = (point - spec_.tip_centre).cwiseAbs() - spec_.tip_extent;
         return away.maxCoeff() < margin;
@@ -85,11 +102,13 @@ class CupPlacer {
     bool has_room(const CameraTarget& cup) const {
         const double margin = outer_ + 2 * clearance;
         if (near_tip(cup.ball, margin) || near_tip(cup.mouth, margin)) return false;
-        // The way of the scope to the tip stays free.
-        const Vector3 towards_tip = spec_.tip_centre - spec_.distance * nominal_;
-        if (distance(bottom(cup), cup.mouth, scope_.trocar.position, towards_tip) <
-            outer_ + spec_.lens_radius + clearance)
-            return false;
+        // The tip can be followed, and is seen, wherever it is.
+        for (const Followed& tip : follow_) {
+            if (distance(bottom(cup), cup.mouth, scope_.trocar.position, tip.eye) <
+                    outer_ + spec_.lens_radius + 2 * clearance ||
+                distance(bottom(cup), cup.mouth, tip.eye, tip.tip) < outer_ + clearance)
+                return false;
+        }
         for (const CameraTarget& other : cups_) {
             if (distance(bottom(cup), cup.mouth, bottom(other), other.mouth) < spec_.spacing) return false;
             if (!clear_of(cup, other) || !clear_of(other, cup)) return false;
@@ -97,8 +116,13 @@ class CupPlacer {
         return true;
     }
 
+    struct Followed {
+        Vector3 tip, eye;
+    };
+
     const CameraTargetsSpec& spec_;
     ScopeModel scope_;
+    std::vector<Followed> follow_;
     Random random_;
     double outer_ = 0;
     Vector3 nominal_ = Vector3::UnitZ();
