@@ -22,11 +22,6 @@ namespace {
 
 constexpr std::uint64_t largest_detail = std::numeric_limits<std::int32_t>::max();
 
-std::vector<TargetSphere> targets_of(const LoadedTask& loaded, std::uint64_t seed) {
-    if (!loaded.scene.targets) return {};
-    return AttemptEngine(loaded.scene, loaded.task, seed).initial_snapshot().targets;
-}
-
 /// In exports the begin of an attempt carries its seed, which places the targets.
 void put_seed(std::vector<Event>& events, std::uint64_t seed) {
     for (Event& event : events)
@@ -79,9 +74,9 @@ std::vector<std::string> export_trace(const database::Store& store, const databa
     const database::AttemptSummary summary = attempts.read(session, attempt);
     const database::Trace record = attempts.read_trace(session, attempt);
     const LoadedTask loaded = load_recorded(attempts, session, summary);
-    const ScoredAttempt scored =
-        score_record(loaded.scene, loaded.task, targets_of(loaded, summary.meta.seed), record.samples,
-                     record.events, limits_for(loaded.task, loaded.scene, summary.meta.device_class));
+    const ScoredAttempt scored = score_record(
+        loaded.scene, loaded.task, targets_of(loaded.scene, loaded.task, summary.meta.seed), record.samples,
+        record.events, limits_for(loaded.task, loaded.scene, summary.meta.device_class));
     const std::array<bool, hand_count> hands = {loaded.scene.instrument(Hand::left) != nullptr,
                                                 loaded.scene.instrument(Hand::right) != nullptr};
     const std::vector<std::string> labels = tissue_labels(loaded.scene);
@@ -113,9 +108,9 @@ nlohmann::json score_of_files(const std::string& trace_file, const std::string& 
     const std::vector<Event> events = read_events_csv(events_file, trace.tissues, loaded.scene.tick_period());
     trace.tick_period = loaded.scene.tick_period();
     split_blocks(trace, events);
-    nlohmann::json document =
-        score_document(score_trace(loaded.scene, loaded.task, targets_of(loaded, seed_of(events)), trace,
-                                   events, limits_for(loaded.task, loaded.scene, device_class)));
+    nlohmann::json document = score_document(
+        score_trace(loaded.scene, loaded.task, targets_of(loaded.scene, loaded.task, seed_of(events)), trace,
+                    events, limits_for(loaded.task, loaded.scene, device_class)));
     document["device_class"] = row_of(device_classes, device_class).name;
     document["fidelity"] = loaded.scene.fidelity.id;
     return document;

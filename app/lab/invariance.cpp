@@ -15,7 +15,7 @@
 namespace fulcrum::app {
 namespace {
 
-constexpr const char* measured_tasks[] = {"A2", "A3", "B1", "B2", "B3", "C4"};
+constexpr const char* measured_tasks[] = {"A1", "A2", "A3", "B1", "B2", "B3", "C4"};
 constexpr std::uint64_t expert_seed = 2001;
 /// A change up to this share is rounding.
 constexpr double rounding = 1e-9;
@@ -73,7 +73,8 @@ Measured measure_invariance() {
         table.rows.push_back(std::move(row));
     }
     measured.page.paragraph(
-        "An expert's attempt (seed 2001) at A2, A3, B1, B2, B3 and C4 was measured again after each of these "
+        "An expert's attempt (seed 2001) at A1, A2, A3, B1, B2, B3 and C4 was measured again after each of "
+        "these "
         "changes to its "
         "trace. The table gives the largest change of a metric over tasks, hands and tissues, as a share of "
         "its value "

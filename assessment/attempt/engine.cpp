@@ -56,6 +56,12 @@ HapticLoop& AttemptEngine::loop() noexcept {
 const WorldSnapshot& AttemptEngine::initial_snapshot() const noexcept {
     return parts_->initial;
 }
+
+std::vector<TargetSphere> targets_of(const Scene& scene, const TaskDefinition& task, std::uint64_t seed) {
+    if (!scene.targets && !scene.camera_targets) return {};
+    return AttemptEngine(scene, task, seed).initial_snapshot().targets;
+}
+
 bool AttemptEngine::ended() const noexcept {
     return parts_->monitor.display().ended;
 }

@@ -75,6 +75,10 @@ class AttemptEngine {
     std::unique_ptr<Parts> parts_;
 };
 
+/// The targets that the metrics of a task need, where an attempt with this seed has them; none where the
+/// scene has none.
+std::vector<TargetSphere> targets_of(const Scene& scene, const TaskDefinition& task, std::uint64_t seed);
+
 struct RunOutcome {
     EventKind end = EventKind::interrupted;
     std::uint32_t ticks = 0;

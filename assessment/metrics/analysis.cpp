@@ -245,11 +245,11 @@ Analysis::Analysis(const Trace& trace, const std::vector<Event>& events, const M
     for (const TraceBlock& block : trace.blocks)
         if (block.last - block.first >= 2) grids_.emplace_back(trace.t, block);
     for (std::size_t h = 0; h < hands_.size(); ++h) {
+        hands_[h] = motion_of(trace.hand[h]);
         hands_[h].touched.assign(tissues_.size(), 0);
         for (const std::int16_t tissue : trace.hand[h].tissue)
             if (tissue >= 0 && static_cast<std::size_t>(tissue) < tissues_.size())
                 hands_[h].touched[static_cast<std::size_t>(tissue)] = 1;
-        build_motion(h);
         build_force(h);
     }
 }
@@ -272,10 +272,20 @@ std::vector<std::uint8_t> contact_of(const HandTrace& hand, const UniformGrid& g
 
 }  // namespace
 
-void Analysis::build_motion(std::size_t h) {
-    const HandTrace& hand = trace_.hand[h];
-    HandAnalysis& out = hands_[h];
-    if (!hand.has(Channel::position)) return;
+const HandAnalysis& Analysis::scope() const {
+    if (!scope_) {
+        HandTrace lens;
+        lens.px = trace_.camera.px;
+        lens.py = trace_.camera.py;
+        lens.pz = trace_.camera.pz;
+        scope_ = motion_of(lens);
+    }
+    return *scope_;
+}
+
+HandAnalysis Analysis::motion_of(const HandTrace& hand) const {
+    HandAnalysis out;
+    if (!hand.has(Channel::position)) return out;
     std::array<Deviation, 3> noise;
     for (const UniformGrid& grid : grids_) {
         MotionBlock block;
@@ -327,6 +337,7 @@ void Analysis::build_motion(std::size_t h) {
     }
     if (noise[0].count > 0)
         out.noise_at_rest = std::max({noise[0].value(), noise[1].value(), noise[2].value()});
+    return out;
 }
 
 HandTrace despiked_forces(const Trace& trace, std::size_t h, std::size_t& replaced) {

@@ -154,6 +154,9 @@ class Analysis {
     const Trace& trace() const { return trace_; }
     const std::vector<Event>& events() const { return events_; }
     const MetricContext& context() const { return context_; }
+    /// The scope's lens as a hand's tip: `motion` and what follows of it. Built when first asked for, so one
+    /// thread at a time; empty where the scope was not recorded.
+    const HandAnalysis& scope() const;
     const HandAnalysis& hand(int h) const { return hands_[static_cast<std::size_t>(h)]; }
     /// The labels of the trace, then those that are only in the context.
     const std::vector<std::string>& tissues() const { return tissues_; }
@@ -169,7 +172,7 @@ class Analysis {
     std::optional<double> first_movement(int h) const;
 
   private:
-    void build_motion(std::size_t h);
+    HandAnalysis motion_of(const HandTrace& hand) const;
     void build_force(std::size_t h);
 
     const Trace& trace_;
@@ -178,6 +181,7 @@ class Analysis {
     std::vector<std::string> tissues_;
     std::vector<UniformGrid> grids_;
     std::array<HandAnalysis, hand_count> hands_;
+    mutable std::optional<HandAnalysis> scope_;
     double mean_rate_ = 0;
 };
 

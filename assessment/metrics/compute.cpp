@@ -39,7 +39,10 @@ Statement missing_channels(const Analysis& analysis, const MetricDescriptor& d, 
 Statement not_measurable(const Analysis& analysis, const MetricDescriptor& d, const Selection& row) {
     const Trace& trace = analysis.trace();
     if (d.needs_events && !analysis.context().events_recorded) return StatementId::no_events;
-    if (row.hand >= 0) {
+    if (d.hands == Hands::scope) {
+        if (!d.channels.empty() && !trace.camera.recorded())
+            return {StatementId::not_recorded, {{"channels", channel_columns(Channel::scope)}}};
+    } else if (row.hand >= 0) {
         Statement missing = missing_channels(analysis, d, row.hand);
         if (!missing.empty()) return missing;
         if (row.tissue >= 0 && !d.channels.empty())
@@ -48,7 +51,8 @@ Statement not_measurable(const Analysis& analysis, const MetricDescriptor& d, co
     } else if (!d.channels.empty()) {
         const Statement left = missing_channels(analysis, d, 0), right = missing_channels(analysis, d, 1);
         if (d.hands == Hands::both && !(left.empty() && right.empty())) return left.empty() ? right : left;
-        if (d.hands == Hands::either && !left.empty() && !right.empty()) return left;
+        const bool one = d.hands == Hands::either || (d.hands == Hands::any && !trace.camera.recorded());
+        if (one && !left.empty() && !right.empty()) return left;
     }
     if (d.channels.empty()) return {};
     if (analysis.grids().empty()) return StatementId::few_samples;
@@ -65,12 +69,12 @@ class Rows {
     Rows(const Analysis& analysis, std::vector<MetricResult>& out) : analysis_(analysis), out_(out) {}
 
     void add(const Metric& metric) {
-        if (metric.descriptor.needs_events && metric.descriptor.aggregation == Aggregation::count) {
-            add_row(metric, {});  // counted events also have a row of both hands together
-        }
         if (metric.descriptor.hands != Hands::each) {
             add_row(metric, {});
             return;
+        }
+        if (metric.descriptor.needs_events && metric.descriptor.aggregation == Aggregation::count) {
+            add_row(metric, {});  // counted events also have a row of both hands together
         }
         for (int h = 0; h < hand_count; ++h) {
             add_row(metric, {h, -1});

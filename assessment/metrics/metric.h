@@ -41,7 +41,8 @@ enum class EvidenceGrade : std::uint8_t {
     expert,    ///< reasoned or agreed by experts; no published separation
 };
 /// Whose channels a metric needs: a row for each hand, one row from both, one row from whichever is there.
-enum class Hands : std::uint8_t { each, both, either };
+/// `any`: as either, or the scope alone; `scope`: one row from the scope.
+enum class Hands : std::uint8_t { each, both, either, any, scope };
 /// What an attempt is when a gate's metric is absent because the trainee did not do the thing.
 enum class AbsentMeans : std::uint8_t { failed, not_scored };
 /// Why a value is absent.
@@ -116,8 +117,10 @@ struct MetricContext {
     std::optional<SpecimenPlan> specimen;  ///< absent: the task leaves none
     std::vector<TissueLimits> tissues;
     std::vector<TargetSphere> targets;  ///< target i is Event::detail of target_shown
-    std::vector<std::string> phases;    ///< HUD or goal name of phase i (Event::detail of phase_begin)
-    std::vector<std::string> metrics;   ///< ids wanted; empty: all of the registry
+    double framing_distance =
+        0;  ///< m, from the lens to a target of the wanted size; 0: the task asks for none
+    std::vector<std::string> phases;   ///< HUD or goal name of phase i (Event::detail of phase_begin)
+    std::vector<std::string> metrics;  ///< ids wanted; empty: all of the registry
     /// Rows that only describe, whatever their descriptor says: "id" or "id.hand".
     std::vector<std::string> described;
     bool events_recorded = true;  ///< false for a trace file, which carries none: counts are absent, not 0

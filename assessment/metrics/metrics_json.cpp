@@ -101,6 +101,7 @@ std::vector<MetricResult> metrics_from_json(const nlohmann::json& rows, const st
 MetricContext make_metric_context(const Scene& scene, const TaskDefinition& task,
                                   const std::vector<TargetSphere>& targets) {
     MetricContext context;
+    if (scene.camera_targets) context.framing_distance = scene.camera_targets->distance;
     for (const TissueSpec& tissue : scene.tissues) {
         TissueLimits limits;
         limits.label = tissue.label;

@@ -238,11 +238,11 @@ void add_paths(std::vector<Metric>& metrics) {
     MetricDescriptor d = motion(
         {"time", QT_TRANSLATE_NOOP("fulcrum::metrics", "Time"), "s", 0.1}, D::lower, Scale::ln, A::total,
         E::strong, "van Hove 2010; Fundamentals of Laparoscopic Surgery",
-        {QT_TRANSLATE_NOOP("fulcrum::metrics", "Time from the first movement or work of either instrument to the end of the task, pauses excluded. In a trace file without events the last sample is the end."),
+        {QT_TRANSLATE_NOOP("fulcrum::metrics", "Time from the first movement or work of either instrument (or of the scope, where there is none) to the end of the task, pauses excluded. In a trace file without events the last sample is the end."),
          QT_TRANSLATE_NOOP("fulcrum::metrics", "the task took {value}, above the limit of {limit}"),
          QT_TRANSLATE_NOOP("fulcrum::metrics", "look at the next goal while finishing this one, and keep both hands at work")});
     d.version = 2;  // 2: halting work before the first movement also starts the time
-    d.hands = Hands::either;
+    d.hands = Hands::any;
     d.absent_means = AbsentMeans::failed;
     d.least_deviation = least_pace_deviation;
     add(d, time);

@@ -25,6 +25,7 @@ std::vector<Metric> make_registry() {
     append(all, cutting_metrics());
     append(all, energy_metrics());
     append(all, specimen_metrics());
+    append(all, camera_metrics());
     check_registry(all);
     return all;
 }

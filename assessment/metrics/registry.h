@@ -36,7 +36,7 @@ struct Metric {
     Figure (*compute)(const Analysis& analysis, const Selection& row) = nullptr;
 };
 
-/// Checked on first use; families in the order motion, smoothness, force, cutting, energy, specimen.
+/// Checked on first use; families in the order motion, smoothness, force, cutting, energy, specimen, camera.
 const std::vector<Metric>& metric_registry();
 /// Null when unknown.
 const MetricDescriptor* find_metric(const std::string& id);
@@ -53,5 +53,6 @@ std::vector<Metric> grasp_metrics();
 std::vector<Metric> cutting_metrics();
 std::vector<Metric> energy_metrics();
 std::vector<Metric> specimen_metrics();
+std::vector<Metric> camera_metrics();
 
 }  // namespace fulcrum

@@ -66,14 +66,21 @@ Figure sparc_of(const Analysis& analysis, const Selection& row) {
                        StatementId::few_movements);
 }
 
-Figure ldlj_of(const Analysis& analysis, const Selection& row) {
-    const HandAnalysis& hand = analysis.hand(row.hand);
+}  // namespace
+
+Figure log_jerk(const HandAnalysis& hand) {
     if (hand.noise_at_rest && *hand.noise_at_rest > noise_limit)
         return absent(Absence::not_measured,
                       {StatementId::device_noise,
                        {{"noise_um", *hand.noise_at_rest * 1e6}, {"limit_um", noise_limit * 1e6}}});
     return median_over(hand.free_segments, hand.free_moving_samples, speed_values(hand, ldlj),
                        StatementId::few_movements);
+}
+
+namespace {
+
+Figure ldlj_of(const Analysis& analysis, const Selection& row) {
+    return log_jerk(analysis.hand(row.hand));
 }
 
 /// Sums of the power of tip acceleration over all windows, and where the tremor band was strongest.

@@ -26,6 +26,8 @@ enum class StatementId : std::uint8_t {
     still_between_way_points,
     target_positions_unknown,
     no_target_shown,
+    no_target_reached,
+    tip_not_followed,
     few_target_movements,
     no_movement_between_rests,
     never_inside,

@@ -12,9 +12,12 @@
 
 namespace fulcrum {
 
+class ScopeLimb;
+
 /// The operator's limbs and view, as used by a behaviour. Limbs that the scene lacks are null.
 struct Body {
     Limb* limb[hand_count] = {nullptr, nullptr};
+    ScopeLimb* scope = nullptr;  ///< where the scene has a scope and no instruments
     const DelayLine* eyes = nullptr;
     Vector3 view =
         Vector3(0, -1, -1).normalized();  ///< unit, the camera's line of sight: depth is misjudged along it
@@ -44,5 +47,8 @@ std::unique_ptr<Behaviour> make_band_handling(const TaskDefinition& task, const 
 /// transfer_objects: one hand lifts each ring, the other takes it in the air and puts it around a peg.
 std::unique_ptr<Behaviour> make_object_handling(const TaskDefinition& task, const Scene& scene,
                                                 const Skill& skill);
+/// frame_targets and follow_tip: the scope is brought to each target, then after the moving tip.
+std::unique_ptr<Behaviour> make_scope_handling(const TaskDefinition& task, const Scene& scene,
+                                               const Skill& skill);
 
 }  // namespace fulcrum

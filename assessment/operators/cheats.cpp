@@ -110,6 +110,8 @@ void rush(Skill& skill) {
     skill.tolerance *= 3;
     skill.line.error *= 8;
     skill.traction.error *= 6;
+    skill.scope.post_error *= 5;
+    skill.scope.level_error *= 5;
 }
 void heavy(Skill& skill) {
     skill.touch_force = 9;
@@ -297,10 +299,42 @@ void leave_bleeding(CheatView& /*view*/, RigSample& sample) {
         hand.buttons = static_cast<std::uint16_t>(hand.buttons & ~unsigned{button_exchange});
 }
 
+// The scope, as the right hand.
+void stop_at_first(CheatView& view, RigSample& sample) {
+    freeze(view, sample, view.display.hold_progress > 0.5);
+}
+void never_level(CheatView& /*view*/, RigSample& sample) {
+    sample.hand[right].jaw = 0;
+}
+void upside_down(CheatView& view, RigSample& sample) {
+    sample.hand[right].jaw += static_cast<std::int32_t>(pi / device_angle_unit * std::min(1.0, view.time));
+}
+void fixed_post(CheatView& /*view*/, RigSample& sample) {
+    sample.hand[right].roll = 0;
+}
+void spin_post(CheatView& view, RigSample& sample) {
+    sample.hand[right].roll += static_cast<std::int32_t>(0.6 / device_angle_unit * math::sin(3 * view.time));
+}
+void from_afar(CheatView& view, RigSample& sample) {
+    along_shaft(sample.hand[right], -0.02 * std::min(1.0, view.time));
+}
+void blunder(Skill& skill) {
+    skill.foresight = 0;
+    skill.scope.post_error = 1.5;
+    skill.scope.level_error = 0.5;
+}
+void lag(Skill& skill) {
+    skill.reaction_s = 0.9;
+    skill.scope.lead = -1;
+}
+
 class Cheater : public ObservingRig {
   public:
-    Cheater(const Cheat& cheat, std::unique_ptr<ObservingRig> expert, double tick_period)
-        : cheat_(cheat), expert_(std::move(expert)), tick_period_(tick_period) {}
+    Cheater(const Cheat& cheat, std::unique_ptr<ObservingRig> expert, const Scene& scene)
+        : cheat_(cheat),
+          expert_(std::move(expert)),
+          tick_period_(scene.tick_period()),
+          scope_alone_(scene.instruments.empty()) {}
 
     void observe(const WorldSnapshot& world, const TaskDisplay& display) noexcept override {
         expert_->observe(world, display);
@@ -317,6 +351,7 @@ class Cheater : public ObservingRig {
 
     void read(std::uint32_t tick, RigSample& sample) override {
         expert_->read(tick, sample);
+        if (scope_alone_) std::swap(sample.hand[right], sample.camera);
         const std::array<DeviceSample, hand_count> read = {sample.hand[left], sample.hand[right]};
         if (!begun_) {
             begun_ = true;
@@ -326,6 +361,7 @@ class Cheater : public ObservingRig {
         if (cheat_.act != nullptr) cheat_.act(view_, sample);
         view_.last_read = read;
         view_.time += tick_period_;
+        if (scope_alone_) std::swap(sample.hand[right], sample.camera);
     }
 
     void write_force(Hand hand, const Vector3& force) override { expert_->write_force(hand, force); }
@@ -336,6 +372,7 @@ class Cheater : public ObservingRig {
     const Cheat& cheat_;
     std::unique_ptr<ObservingRig> expert_;
     double tick_period_;
+    bool scope_alone_;
     CheatView view_;
     bool begun_ = false;
 };
@@ -349,15 +386,15 @@ const std::vector<Cheat>& cheats() {
         {"sway", "sways by less than 1 mm and touches nothing", Site::any, nullptr, sway},
         {"hover", "makes every movement 15 mm above the tissue", Site::any, nullptr, hover},
         {"plunge", "makes every movement 20 mm too deep", Site::any, nullptr, plunge},
-        {"left_only", "leaves the right hand where it began", Site::any, nullptr, left_only},
-        {"right_only", "leaves the left hand where it began", Site::any, nullptr, right_only},
-        {"swap_hands", "crosses the hands on the handles", Site::any, nullptr, swap_hands},
+        {"left_only", "leaves the right hand where it began", Site::hands, nullptr, left_only},
+        {"right_only", "leaves the left hand where it began", Site::hands, nullptr, right_only},
+        {"swap_hands", "crosses the hands on the handles", Site::hands, nullptr, swap_hands},
         {"mirror", "moves left where right is meant", Site::any, nullptr, mirror},
-        {"camera_away", "turns the camera away from the work", Site::any, nullptr, camera_away},
+        {"camera_away", "turns the camera away from the work", Site::hands, nullptr, camera_away},
         {"slow", "takes four times as long for every movement", Site::any, slow, nullptr},
         {"creep", "takes twelve times as long for every movement", Site::any, creep, nullptr},
         {"rush", "moves in under half the time and far less exactly", Site::exact, rush, nullptr},
-        {"heavy", "presses, grips and pulls several times as hard", Site::any, heavy, nullptr},
+        {"heavy", "presses, grips and pulls several times as hard", Site::hands, heavy, nullptr},
         {"wander", "lets the hands drift by millimetres", Site::any, wander, nullptr},
         {"shake", "shakes both hands by 3 mm", Site::any, nullptr, shake},
         {"detour", "circles on every path", Site::any, nullptr, detour},
@@ -366,7 +403,7 @@ const std::vector<Cheat>& cheats() {
          leave_and_return},
         {"half_done", "stops moving after 20 s", Site::any, nullptr, half_done},
         {"quit", "abandons after 20 s", Site::any, nullptr, quit},
-        {"park", "freezes at the first contact", Site::any, nullptr, park},
+        {"park", "freezes at the first contact", Site::hands, nullptr, park},
         {"pause_and_move", "pauses while the hands travel", Site::any, nullptr, pause_and_move},
         {"pause_often", "pauses every other half second", Site::any, nullptr, pause_often},
         {"unplug_and_move", "unplugs a device while the hands travel", Site::any, nullptr, unplug_and_move},
@@ -387,6 +424,15 @@ const std::vector<Cheat>& cheats() {
         {"always_on", "never releases the pedal", Site::energy, nullptr, always_on},
         {"tear", "tears every band without a vessel", Site::bands, nullptr, tear},
         {"tear_all", "tears every band", Site::bands, nullptr, tear_all},
+        {"stop_at_first", "freezes when the first target is framed", Site::scope, nullptr, stop_at_first},
+        {"never_level", "never turns the camera head", Site::scope, nullptr, never_level},
+        {"upside_down", "holds the camera head upside down", Site::scope, nullptr, upside_down},
+        {"fixed_post", "never turns the light post", Site::scope, nullptr, fixed_post},
+        {"spin_post", "turns the light post all the time", Site::scope, nullptr, spin_post},
+        {"from_afar", "looks at everything from 20 mm too far", Site::scope, nullptr, from_afar},
+        {"blunder", "goes straight to each target, whatever is in the way, and tries every turn", Site::scope,
+         blunder, nullptr},
+        {"lag", "follows late", Site::scope, lag, nullptr},
         {"leave_bleeding", "never exchanges an instrument, so nothing is clipped", Site::bands, nullptr,
          leave_bleeding},
     };
@@ -404,6 +450,8 @@ std::vector<const Cheat*> cheats_for(const TaskDefinition& /*task*/, const Scene
                           (cheat.site == CheatSite::septa && scene.septa) ||
                           (cheat.site == CheatSite::energy && scene.field() != nullptr) ||
                           (cheat.site == CheatSite::bands && scene.bands) ||
+                          (cheat.site == CheatSite::hands && !scene.instruments.empty()) ||
+                          (cheat.site == CheatSite::scope && scene.instruments.empty()) ||
                           (cheat.site == CheatSite::exact && (!scene.bowel || blade || scene.bands));
         if (fits) chosen.push_back(&cheat);
     }
@@ -416,7 +464,7 @@ std::unique_ptr<ObservingRig> make_cheat(const Cheat& cheat, const TaskDefinitio
     draw_individual("expert", seed, skill);
     draw_form("expert", seed, skill);
     if (cheat.skill != nullptr) cheat.skill(skill);
-    return std::make_unique<Cheater>(cheat, make_operator(skill, task, scene, seed), scene.tick_period());
+    return std::make_unique<Cheater>(cheat, make_operator(skill, task, scene, seed), scene);
 }
 
 }  // namespace fulcrum

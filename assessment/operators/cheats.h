@@ -26,6 +26,8 @@ enum class CheatSite : std::uint8_t {
     septa,   ///< levels of septa; on the single sheet jaws slide before they overload it
     energy,  ///< an instrument that gives energy
     bands,   ///< bands to divide
+    hands,   ///< two hands
+    scope,   ///< the scope alone; what others do to the hands is then done to the scope
     exact,   ///< places to meet: targets, a line, bands; running the bowel asks for none
 };
 

@@ -44,8 +44,10 @@ class MouseModel : public ObservingRig {
         if (!scene.camera) return;
         scope_ = make_scope(*scene.camera);
         has_scope_ = true;
+        scope_alone_ = scene.instruments.empty();
         camera_ = start_reading(scene.camera->trocar.shaft_length, scene.camera->start_insertion, 0);
         camera_follower_ = HandleFollower(camera_);
+        if (scope_alone_) wish_.camera = quantise(camera_, wish_.camera);
     }
 
     void observe(const WorldSnapshot& world, const TaskDisplay& display) noexcept override {
@@ -54,7 +56,8 @@ class MouseModel : public ObservingRig {
 
     void read(std::uint32_t tick, RigSample& sample) override {
         // Nobody plans further ahead than the device follows.
-        if (std::max(error_of(0), error_of(1)) <= furthest_ahead) hands_->read(tick, wish_);
+        if (std::max({error_of(0), error_of(1), error_of_scope()}) <= furthest_ahead)
+            hands_->read(tick, wish_);
         if (tick % event_ticks_ == 0) handle_events(sample.camera);
         for (std::size_t h = 0; h < hand_count; ++h)
             if (arms_[h].exists) sample.hand[h] = arms_[h].follower.tick();
@@ -78,6 +81,11 @@ class MouseModel : public ObservingRig {
         return arms_[h].exists ? (handle_of(wish_.hand[h]) - arms_[h].target.handle).norm() : 0;
     }
 
+    /// Where the mouse moves the scope itself; 0 in other scenes.
+    double error_of_scope() const {
+        return scope_alone_ ? (handle_of(wish_.camera) - camera_.handle).norm() : 0;
+    }
+
     /// What a person does between two frames of the screen.
     void handle_events(const DeviceSample& scope_sample) {
         const double dt = event_ticks_ * period_;
@@ -91,7 +99,11 @@ class MouseModel : public ObservingRig {
         }
         changing_ -= dt;
         if (changing_ <= 0 && arms_[active_].exists) steer(dt, scope_sample);
-        move_scope(dt);
+        if (scope_alone_) {
+            steer_scope(dt, scope_sample);
+        } else {
+            move_scope(dt);
+        }
         for (std::size_t h = 0; h < hand_count; ++h) {
             if (!arms_[h].exists) continue;
             press(h);
@@ -100,29 +112,45 @@ class MouseModel : public ObservingRig {
         if (has_scope_) camera_follower_.aim(camera_, static_cast<int>(event_ticks_) - 1);
     }
 
-    /// Mouse, wheel and insertion keys of the active hand.
+    /// The active hand.
     void steer(double dt, const DeviceSample& scope_sample) {
         Arm& arm = arms_[active_];
-        const Vector3 wanted = handle_of(wish_.hand[active_]);
         arm.target.roll = device_angle_unit * wish_.hand[active_].roll;
-        const double deeper = arm.target.handle.norm() - wanted.norm();
+        follow(arm.target, arm.trocar, handle_of(wish_.hand[active_]), dt, scope_sample);
+    }
+
+    /// The scope where it is the only instrument: the mouse moves it, keys turn light post and camera head.
+    void steer_scope(double dt, const DeviceSample& scope_sample) {
+        const auto turn = [&](double& angle, std::int32_t wished) {
+            const double off = device_angle_unit * wished - angle, most = key_turn_speed * dt;
+            angle += std::clamp(off, -most, most);
+        };
+        turn(camera_.roll, wish_.camera.roll);
+        turn(camera_.jaw, wish_.camera.jaw);
+        follow(camera_, scope_.trocar, handle_of(wish_.camera), dt, scope_sample);
+    }
+
+    /// Mouse, wheel and insertion keys bring a handle to where it is wanted.
+    void follow(DeviceReading& target, const Trocar& trocar, const Vector3& wanted, double dt,
+                const DeviceSample& scope_sample) {
+        const double deeper = target.handle.norm() - wanted.norm();
         if (std::abs(deeper) >= metres_per_notch) {
             if (since_notch_ >= notch_time) {
-                insert_handle(arm.target, arm.trocar, std::copysign(metres_per_notch, deeper));
+                insert_handle(target, trocar, std::copysign(metres_per_notch, deeper));
                 since_notch_ = 0;
             }
         } else if (std::abs(deeper) > 0.5 * key_insertion_speed * dt) {
-            insert_handle(arm.target, arm.trocar, std::copysign(key_insertion_speed * dt, deeper));
+            insert_handle(target, trocar, std::copysign(key_insertion_speed * dt, deeper));
         }
         // The movement on the screen whose part across the shaft is the wanted one.
-        const Vector3 along = arm.target.handle.normalized();
+        const Vector3 along = target.handle.normalized();
         const auto across = [&](const Vector3& v) { return Vector3(v - along * along.dot(v)); };
         const Quaternion view =
             has_scope_ ? scope_pose(scope_, scope_sample).orientation : Quaternion::Identity();
-        const Matrix3 to_trocar = arm.trocar.rotation.transpose();
+        const Matrix3 to_trocar = trocar.rotation.transpose();
         const Vector3 sideways = across(to_trocar * (view * Vector3(1, 0, 0)));
         const Vector3 upwards = across(to_trocar * (view * Vector3(0, 1, 0)));
-        const Vector3 step = across(wanted - arm.target.handle);
+        const Vector3 step = across(wanted - target.handle);
         const double rr = sideways.dot(sideways), ru = sideways.dot(upwards), uu = upwards.dot(upwards);
         const double determinant = rr * uu - ru * ru;
         if (determinant < 1e-6) return;  // the screen is seen along the shaft's plane
@@ -130,8 +158,7 @@ class MouseModel : public ObservingRig {
         const double y = (rr * upwards.dot(step) - ru * sideways.dot(step)) / determinant;
         const double columns = std::round(x / metres_per_pixel), rows = std::round(y / metres_per_pixel);
         if (columns == 0 && rows == 0) return;
-        shift_handle(arm.target, arm.trocar,
-                     view * Vector3(columns * metres_per_pixel, rows * metres_per_pixel, 0));
+        shift_handle(target, trocar, view * Vector3(columns * metres_per_pixel, rows * metres_per_pixel, 0));
     }
 
     /// The button of a hand closes the jaws or works the blade; pedal and exchange belong to the active hand.
@@ -162,7 +189,7 @@ class MouseModel : public ObservingRig {
     std::array<Arm, hand_count> arms_;
     std::size_t active_ = 1;
     double changing_ = 0, since_notch_ = 1;
-    bool has_scope_ = false;
+    bool has_scope_ = false, scope_alone_ = false;
     ScopeModel scope_;
     DeviceReading camera_;
     HandleFollower camera_follower_;

@@ -15,8 +15,9 @@ bool has_device_model(DeviceClass device_class);
 
 /// `hands` through the device. Mouse and keyboard: events at 60 Hz; one hand at a time, which changes in
 /// 0.25 s; the mouse in whole pixels of the screen's plane, the wheel in whole notches, finer depth by the
-/// insertion keys; jaws open or closed; the scope at the speed of its keys; no force felt. The mapping is
-/// that of the window (sim_core/instrument/mouse_mapping.h). Throws InputError for a class without a model.
+/// insertion keys; jaws open or closed; the scope at the speed of its keys (where it is the only instrument,
+/// by the mouse); no force felt. The mapping is that of the window (sim_core/instrument/mouse_mapping.h).
+/// Throws InputError for a class without a model.
 std::unique_ptr<ObservingRig> through_device(std::unique_ptr<ObservingRig> hands, DeviceClass device_class,
                                              const Scene& scene);
 

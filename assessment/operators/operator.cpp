@@ -9,12 +9,14 @@
 
 #include "assessment/operators/behaviour.h"
 #include "assessment/operators/camera_hand.h"
+#include "assessment/operators/scope_limb.h"
 #include "sim_core/numerics/input_error.h"
 
 namespace fulcrum {
 namespace {
 
 constexpr std::uint64_t attempt_stream = 0x61747470;
+constexpr std::uint64_t lens_stream = 0x6c656e73;
 constexpr double decision_period = 0.01;  // s
 
 /// The one site that all goals of a task are at. Throws InputError where there are several.
@@ -41,6 +43,8 @@ std::unique_ptr<Behaviour> make_behaviour(const TaskDefinition& task, const Scen
             return make_band_handling(task, scene, skill);
         case GoalSite::objects:
             return make_object_handling(task, scene, skill);
+        case GoalSite::camera_targets:
+            return make_scope_handling(task, scene, skill);
     }
     throw std::logic_error("a site without a behaviour");
 }
@@ -58,6 +62,10 @@ class SyntheticOperator : public ObservingRig {
             const auto hand = static_cast<std::size_t>(spec.hand);
             limbs_[hand].emplace(skill, spec, scene.tick_period(), Random(attempt, attempt_stream + hand));
             body_.limb[hand] = &*limbs_[hand];
+        }
+        if (scene.camera && scene.instruments.empty()) {
+            scope_.emplace(skill, *scene.camera, scene.tick_period(), Random(attempt, lens_stream));
+            body_.scope = &*scope_;
         }
         body_.eyes = &eyes_;
         body_.view = camera_.view();
@@ -80,7 +88,7 @@ class SyntheticOperator : public ObservingRig {
             limbs_[hand]->tick();
             sample.hand[hand] = limbs_[hand]->sample();
         }
-        sample.camera = camera_.tick();
+        sample.camera = scope_ ? scope_->tick() : camera_.tick();
     }
 
     // A position-driven arm: it feels through what it sees of the force (TaskDisplay::force), so that the
@@ -94,6 +102,7 @@ class SyntheticOperator : public ObservingRig {
     std::uint32_t delay_, ticks_per_decision_, now_ = 0;
     std::array<std::optional<Limb>, hand_count> limbs_;
     CameraHand camera_;
+    std::optional<ScopeLimb> scope_;
     Body body_;
     std::unique_ptr<Behaviour> behaviour_;
 };
@@ -126,6 +135,9 @@ std::unique_ptr<ObservingRig> make_operator(const Skill& skill, const TaskDefini
                              "give one hand a grasper and the other scissors or a hook");
         }
     }
+    if (site == GoalSite::camera_targets && !scene.instruments.empty())
+        throw InputError("operator", task.id, "an operator does not hold the scope and instruments at once",
+                         "choose a task without instruments");
     for (const Hand hand : {Hand::left, Hand::right}) {
         if ((site == GoalSite::bowel || site == GoalSite::bands || site == GoalSite::objects) &&
             scene.instrument(hand) == nullptr) {

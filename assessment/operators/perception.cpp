@@ -48,6 +48,8 @@ DelayLine::DelayLine(const Scene& scene, double longest_delay_s) {
         tray_.pegs.resize(2 * rings);
         tray_.corners.resize(static_cast<std::size_t>(scene.objects->sides));
     }
+    if (scene.camera_targets)
+        camera_targets_.targets.resize(static_cast<std::size_t>(scene.camera_targets->count));
     if (scene.targets) targets_.reserve(2 * static_cast<std::size_t>(scene.targets->per_hand));
 }
 
@@ -60,6 +62,9 @@ void DelayLine::push(std::uint32_t tick, const WorldSnapshot& world, const TaskD
         look.grasps[h] = world.grasps[h];
     }
     look.display = display;
+    look.lens = world.camera.position;
+    look.moving_tip = world.camera_targets.tip;
+    look.moving_tip_velocity = world.camera_targets.tip_velocity;
     std::copy_n(world.nodes.begin(), std::min(look.nodes.size(), world.nodes.size()), look.nodes.begin());
     std::copy_n(world.objects.objects.begin(), std::min(look.objects.size(), world.objects.objects.size()),
                 look.objects.begin());
@@ -80,6 +85,7 @@ void DelayLine::push(std::uint32_t tick, const WorldSnapshot& world, const TaskD
     }
     if (count_ == 0) {
         if (!tray_.pegs.empty()) tray_ = world.objects;  // of the same sizes
+        if (!camera_targets_.targets.empty()) camera_targets_ = world.camera_targets;
         const std::size_t places = std::min(line_positions_.capacity(), world.sheet.line_positions.size());
         line_positions_.assign(world.sheet.line_positions.begin(),
                                world.sheet.line_positions.begin() + static_cast<std::ptrdiff_t>(places));

@@ -27,6 +27,9 @@ struct Perception {
     HandToolView tools[hand_count];
     double smoke = 0;
     std::vector<ObjectView> objects;  ///< rings on a tray; empty without
+    Vector3 lens = Vector3::Zero();   ///< m, of the scope
+    Vector3 moving_tip = Vector3::Zero(),
+            moving_tip_velocity = Vector3::Zero();  ///< m, m/s; Scene::camera_targets
     std::vector<Vector3> nodes;  ///< bowel centre line; arc lengths do not change and stand beside the line
 };
 
@@ -55,12 +58,15 @@ class DelayLine {
     const std::vector<TargetSphere>& targets() const noexcept { return targets_; }
     /// Pegs, tray and shape of the rings; its rings' places are those of the first look.
     const ObjectsView& tray() const noexcept { return tray_; }
+    /// Cups and balls; its tip's place is that of the first look.
+    const CameraTargetsView& camera_targets() const noexcept { return camera_targets_; }
 
   private:
     std::vector<Perception> looks_;
     std::vector<double> arc_lengths_, line_positions_;
     std::vector<TargetSphere> targets_;
     ObjectsView tray_;
+    CameraTargetsView camera_targets_;
     std::size_t next_ = 0, count_ = 0;
 };
 

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::uint64_t individual_stream = 0x736b696c;
 constexpr std::uint64_t plane_stream = 0x706c616e;
+constexpr std::uint64_t scope_stream = 0x73636f70;
 constexpr std::uint64_t form_stream = 0x666f726d;
 // Standard deviations of the logarithm of an expert's tempo: between individuals, between one's attempts.
 constexpr double tempo_spread = 0.20, form_spread = 0.15;
@@ -49,6 +50,10 @@ Skill expert() {
     skill.plane.recognition = 1;
     skill.plane.blur = 0;
     skill.plane.lean = 0;
+    skill.scope.post_error = 0.06;
+    skill.scope.level_error = 0.025;
+    skill.scope.together = 0.95;
+    skill.scope.lead = 0.8;
     return skill;
 }
 
@@ -84,6 +89,10 @@ Skill novice() {
     skill.plane.recognition = 0.2;
     skill.plane.blur = 0.006;
     skill.plane.lean = 0.006;
+    skill.scope.post_error = 0.45;
+    skill.scope.level_error = 0.20;
+    skill.scope.together = 0.1;
+    skill.scope.lead = 0.1;
     return skill;
 }
 
@@ -144,6 +153,10 @@ Skill intermediate() {
     skill.plane.recognition = twentieth(a.plane.recognition, b.plane.recognition);
     skill.plane.blur = twentieth(a.plane.blur, b.plane.blur);
     skill.plane.lean = twentieth(a.plane.lean, b.plane.lean);
+    skill.scope.post_error = std::sqrt(a.scope.post_error * b.scope.post_error);
+    skill.scope.level_error = std::sqrt(a.scope.level_error * b.scope.level_error);
+    skill.scope.together = between(a.scope.together, b.scope.together);
+    skill.scope.lead = between(a.scope.lead, b.scope.lead);
     return skill;
 }
 
@@ -189,6 +202,9 @@ bool draw_individual(const std::string& preset, std::uint64_t seed, Skill& skill
     skill.plane.recognition = 1 - std::min(1.0, (1 - skill.plane.recognition) * sight);
     skill.plane.blur *= math::exp(width * 0.25 * bounded_normal(plane));
     skill.plane.lean *= math::exp(width * 0.25 * bounded_normal(plane));
+    Random scope(seed, scope_stream);
+    skill.scope.post_error *= math::exp(width * 0.15 * bounded_normal(scope));
+    skill.scope.level_error *= math::exp(width * 0.15 * bounded_normal(scope));
     return true;
 }
 

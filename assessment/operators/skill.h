@@ -39,6 +39,14 @@ struct PlaneSkill {
     double lean = 0;         ///< m, by which a guess leans towards the rectum, away from the veins
 };
 
+/// Skill used only where the scope itself is the instrument.
+struct ScopeSkill {
+    double post_error = 0.05;   ///< rad, standard deviation of a turn of the light post
+    double level_error = 0.03;  ///< rad, standard deviation of a turn of the camera head
+    double together = 1;        ///< share of turns that are made on the way, not after it
+    double lead = 1;            ///< share of a tip's movement during the delay that is foreseen
+};
+
 /// Skill used by every behaviour, and the parts used by some.
 struct Skill {
     double reaction_s = 0.2;    ///< from seeing to acting: decisions use what was shown this long ago
@@ -68,6 +76,7 @@ struct Skill {
     TractionSkill traction;
     LineSkill line;
     PlaneSkill plane;
+    ScopeSkill scope;
 };
 
 /// Draws an individual around "novice", "intermediate" or "expert"; false for another name. Pure.

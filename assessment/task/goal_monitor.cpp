@@ -34,6 +34,11 @@ std::optional<GoalFault> goal_fault(const Goal& goal, const Scene& scene) {
             if (!scene.objects)
                 return lacks("objects to hand over", "add \"objects\" to the scene or name another scene");
             break;
+        case GoalSite::camera_targets:
+            if (!scene.camera_targets)
+                return lacks("targets for the camera",
+                             "add \"camera_targets\" to the scene or name another scene");
+            break;
     }
     return type.suits == nullptr ? std::nullopt : type.suits(goal, scene);
 }
@@ -115,6 +120,8 @@ void GoalMonitor::show(TaskDisplay& display) const noexcept {
     display.hold_progress = 0;
     display.lift_height_m = 0;
     display.rings_placed = 0;
+    display.framing = {};
+    display.framing_faults = 0;
     display.run_covered_m = display.run_next_m = 0;
     display.cut_divided_m = cut.divided();
     display.cut_torn_m = cut.torn();

@@ -37,6 +37,10 @@ class GoalEvents {
     void target(EventKind kind, Hand hand, std::int32_t target) noexcept {
         emit(kind, static_cast<int>(hand), target, 0);
     }
+    /// A target of the camera, by no hand.
+    void target(EventKind kind, std::int32_t target, double value = 0) noexcept {
+        emit(kind, 255, target, value);
+    }
     void phase(EventKind kind) noexcept { emit(kind, 255, goal_, 0); }
 
   private:

@@ -31,10 +31,12 @@ enum class GoalKind : std::uint8_t {
     stop_bleeding,  ///< every vessel divided, none of them bleeding for a while (B3)
     palpate,        ///< rest an instrument on a stretch of bowel, in contact for a while (B0)
     transfer_objects,  ///< hand rings over in the air and put them around pegs (A3)
+    frame_targets,     ///< frame each target in the middle, level and at its size, in order (A1)
+    follow_tip,        ///< keep a tip that moves in the middle (A1)
 };
 
 /// The part of a scene that a goal works on. Synthetic operators have one behaviour for each.
-enum class GoalSite : std::uint8_t { targets, bowel, sheet, bands, objects };
+enum class GoalSite : std::uint8_t { targets, bowel, sheet, bands, objects, camera_targets };
 /// What goal_progress events of a goal count.
 enum class GoalMeasure : std::uint8_t { count, metres, seconds };
 
@@ -94,6 +96,14 @@ std::unique_ptr<GoalTracker> track_transfer(const Goal& goal, const GoalWatch& w
 std::optional<GoalFault> check_transfer(const Goal& goal);
 std::optional<GoalFault> objects_suit(const Goal& goal, const Scene& scene);
 
+std::unique_ptr<GoalTracker> track_framing(const Goal& goal, const GoalWatch& watch);
+std::unique_ptr<GoalTracker> track_tip(const Goal& goal, const GoalWatch& watch);
+std::optional<GoalFault> check_framing(const Goal& goal);
+std::optional<GoalFault> camera_targets_suit(const Goal& goal, const Scene& scene);
+
+inline constexpr GoalKey centre = {"centre_deg", "degrees from the middle of the image"};
+inline constexpr GoalKey horizon = {"horizon_deg", "degrees between the image's upright and the body's"};
+inline constexpr GoalKey size = {"size_share", "how far the size may be off the wanted one"};
 inline constexpr GoalKey traction_low = {"traction_low_n_m", "the least traction across the line, N/m"};
 inline constexpr GoalKey traction_high = {"traction_high_n_m", "the most traction across the line, N/m"};
 
@@ -217,6 +227,30 @@ inline constexpr GoalType goal_types[] = {
      goals::check_transfer,
      goals::objects_suit,
      goals::track_transfer},
+    {GoalKind::frame_targets,
+     "frame_targets",
+     QT_TRANSLATE_NOOP("fulcrum::goals", "Frame targets"),
+     GoalSite::camera_targets,
+     GoalMeasure::count,
+     false,
+     {{{"count", "how many targets"},
+       {"hold_s", "seconds to keep each framed"},
+       goals::centre,
+       goals::horizon,
+       goals::size}},
+     goals::check_framing,
+     goals::camera_targets_suit,
+     goals::track_framing},
+    {GoalKind::follow_tip,
+     "follow_tip",
+     QT_TRANSLATE_NOOP("fulcrum::goals", "Follow the tip"),
+     GoalSite::camera_targets,
+     GoalMeasure::seconds,
+     false,
+     {{{"hold_s", "seconds in all that the tip is framed"}, goals::centre, goals::horizon, goals::size}},
+     goals::check_framing,
+     nullptr,
+     goals::track_tip},
 };
 static_assert(in_order(goal_types));
 

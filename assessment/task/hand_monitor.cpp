@@ -38,12 +38,11 @@ void HandMonitor::emit(EventSink& sink, std::uint32_t tick, EventKind kind, int 
     sink.on_event(event);
 }
 
-void HandMonitor::speed_tick(const HandSample& sample) noexcept {
-    const bool inside = (sample.flags & hand_inside) != 0;
+void HandMonitor::move(const std::int32_t (&tip)[3], bool inside) noexcept {
     if (!inside || !was_inside_) samples_ = 0;
     was_inside_ = inside;
     auto& slot = tips_[samples_ % tips_.size()];
-    std::copy(std::begin(sample.tip), std::end(sample.tip), slot.begin());
+    std::copy(std::begin(tip), std::end(tip), slot.begin());
     speed_ = 0;
     if (inside && samples_ >= static_cast<std::uint64_t>(span_)) {
         const auto& before = tips_[(samples_ - static_cast<std::uint64_t>(span_)) % tips_.size()];
@@ -60,7 +59,7 @@ void HandMonitor::speed_tick(const HandSample& sample) noexcept {
 void HandMonitor::tick(const TickSample& tick_sample, EventSink& sink) noexcept {
     const HandSample& sample = tick_sample.hand[static_cast<int>(hand_)];
     const std::uint32_t tick = tick_sample.tick;
-    speed_tick(sample);
+    move(sample.tip, (sample.flags & hand_inside) != 0);
 
     const bool faulty = (sample.flags & hand_faulty) != 0;
     if (faulty && !faulty_) emit(sink, tick, EventKind::device_fault, -1, 0, 0);

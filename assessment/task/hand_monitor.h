@@ -29,6 +29,8 @@ class HandMonitor {
                    double warning_margin);
     /// One tick: forces, pressure, perforation, wall contact.
     void tick(const TickSample& sample, EventSink& sink) noexcept;
+    /// Where the tip is in this tick, 0.1 um: for speed() alone. tick() does this too.
+    void move(const std::int32_t (&tip)[3], bool inside) noexcept;
     /// After the step: the hold as the world left it. `tick` stamps the events.
     HoldChange hold(const GraspState& grasp, std::uint32_t tick, EventSink& sink) noexcept;
     /// Speed of the tip over the last 20 ms inside the body, m/s; 0 outside or before 20 ms have passed.
@@ -49,11 +51,10 @@ class HandMonitor {
     bool warning() const noexcept { return warning_; }
 
   private:
-    void speed_tick(const HandSample& sample) noexcept;
     void emit(EventSink& sink, std::uint32_t tick, EventKind kind, int tissue, std::int32_t detail,
               double value) const noexcept;
 
-    static constexpr int speed_span = 20;  // samples at 1 kHz; see speed_tick
+    static constexpr int speed_span = 20;  // samples at 1 kHz; see move()
     const std::vector<TissueWatch>* tissues_ = nullptr;
     Hand hand_ = Hand::left;
     double tick_rate_ = 1000, warning_margin_ = 0;

@@ -71,6 +71,8 @@ struct TaskMonitor::State {
     TaskDefinition task;
     std::vector<TissueWatch> tissues;
     std::array<HandMonitor, hand_count> hands;
+    HandMonitor scope;  // its movement alone, where the scene has no instruments
+    bool scope_alone = false;
     GoalMonitor goals;
     BandMonitor bands;
     TaskDisplay display;
@@ -80,7 +82,7 @@ struct TaskMonitor::State {
     bool begun = false, paused = false, lost = false, late = false, colliding = false;
     std::uint32_t unpaused_ticks = 0, elapsed_ticks = 0;  // since the beginning; since the first movement
     std::uint32_t lost_ticks = 0, late_ticks = 0, last_tick = 0;
-    std::array<std::uint32_t, hand_count> run_ticks{}, run_start{};
+    std::array<std::uint32_t, hand_count + 1> run_ticks{};  // the last: of the scope
 
     State(const TaskDefinition& definition, const Scene& scene, std::uint64_t seed)
         : task(definition), goals(definition, scene), bands(scene), tick_period(scene.tick_period()) {
@@ -101,6 +103,8 @@ struct TaskMonitor::State {
             hands[static_cast<std::size_t>(h)].configure(static_cast<Hand>(h), scene, &tissues,
                                                          task.warning_margin);
         }
+        scope.configure(Hand::left, scene, &tissues, task.warning_margin);
+        scope_alone = scene.instruments.empty();
         for (const EventKind kind :
              {EventKind::perforation, EventKind::tear, EventKind::drop, EventKind::tool_collision,
               EventKind::vessel_injury, EventKind::nerve_injury}) {
@@ -117,6 +121,10 @@ struct TaskMonitor::State {
     void watch_rig(const TickSample& sample, CriticalFilter& events) noexcept;
     /// Speed and work of a hand: the attempt's clock starts with the first.
     void watch_hand(std::size_t h, const TickSample& sample, CriticalFilter& events) noexcept;
+    void watch_scope(const TickSample& sample, CriticalFilter& events) noexcept;
+    /// Starts the clock with the first movement or work; `h`: a hand, or hand_count for the scope.
+    void watch_movement(std::size_t h, double speed, bool at_work, std::uint32_t tick,
+                        CriticalFilter& events) noexcept;
     /// One tick; returns true if it was not paused.
     bool tick(const TickSample& sample, const WorldSnapshot& world, CriticalFilter& events) noexcept;
     /// A hold that a hand's step changed: whether it is a repeated grasp or a drop.
@@ -161,23 +169,29 @@ void TaskMonitor::State::watch_hand(std::size_t h, const TickSample& sample,
                                     CriticalFilter& events) noexcept {
     HandMonitor& hand = hands[h];
     hand.tick(sample, events);
-    if (hand.speed() > moving_speed) {
-        if (run_ticks[h]++ == 0) run_start[h] = unpaused_ticks;
-    } else {
-        run_ticks[h] = 0;
-    }
     // A hand that holds, cuts or heats tissue, or is where the task requires it, is working, even if it moved
     // there slowly.
     const std::uint16_t flags = sample.hand[h].flags;
     const bool at_work =
         goals.at_target(static_cast<Hand>(h)) ||
         ((flags & hand_inside) != 0 && (flags & (hand_grasping | hand_cutting | hand_energy)) != 0);
+    watch_movement(h, hand.speed(), at_work, sample.tick, events);
+}
+
+void TaskMonitor::State::watch_scope(const TickSample& sample, CriticalFilter& events) noexcept {
+    scope.move(sample.camera.tip, true);
+    watch_movement(hand_count, scope.speed(), goals.at_target(Hand::left), sample.tick, events);
+}
+
+void TaskMonitor::State::watch_movement(std::size_t h, double speed, bool at_work, std::uint32_t tick,
+                                        CriticalFilter& events) noexcept {
+    run_ticks[h] = speed > moving_speed ? run_ticks[h] + 1 : 0;
     if (display.moving_seen || !(at_work || run_ticks[h] * tick_period >= moving_duration)) return;
     display.moving_seen = true;
     // The movement began earlier; only now is it long enough to count.
     const std::uint32_t age = run_ticks[h] > 0 ? run_ticks[h] - 1 : 0;
     elapsed_ticks = age;
-    events.emit(sample.tick - age, EventKind::first_movement, 0, 0, static_cast<int>(h));
+    events.emit(tick - age, EventKind::first_movement, 0, 0, h < hand_count ? static_cast<int>(h) : no_hand);
 }
 
 bool TaskMonitor::State::tick(const TickSample& sample, const WorldSnapshot& world,
@@ -198,6 +212,7 @@ bool TaskMonitor::State::tick(const TickSample& sample, const WorldSnapshot& wor
     }
     ++unpaused_ticks;
     for (std::size_t h = 0; h < hand_count; ++h) watch_hand(h, sample, events);
+    if (scope_alone) watch_scope(sample, events);
     if (display.moving_seen) ++elapsed_ticks;
     bands.tick(sample);
     goals.tick(sample, world, events);

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "assessment/task/task.h"
+#include "sim_core/instrument/framing.h"
 #include "sim_core/scene/scene.h"
 #include "sim_core/telemetry/event.h"
 #include "sim_core/telemetry/sample.h"
@@ -19,6 +20,14 @@ class EventSink {
   public:
     virtual ~EventSink() = default;
     virtual void on_event(const Event& event) noexcept = 0;
+};
+
+enum FramingFault : std::uint8_t {
+    framing_hidden = 1,  ///< the cup hides the target
+    framing_off_centre = 2,
+    framing_too_far = 4,
+    framing_too_near = 8,
+    framing_tilted = 16,  ///< the horizon is not level
 };
 
 /// The state of the task for the HUD and the operators. Plain data, copied with the snapshot.
@@ -43,9 +52,11 @@ struct TaskDisplay {
     std::int32_t bands_divided = 0;    ///< divide_bands: so far, with an instrument
     std::int32_t bands_torn = 0;       ///< divide_bands: torn, which the goal never counts
     std::uint32_t rings_placed =
-        0;  ///< transfer_objects: bit i, ring i was handed over and lies around its peg
-    std::int32_t vessels_dry = 0;  ///< stop_bleeding: open and not bleeding
-    float blood_ml = 0;            ///< lost so far
+        0;            ///< transfer_objects: bit i, ring i was handed over and lies around its peg
+    Framing framing;  ///< frame_targets, follow_tip: how the target lies in the image
+    std::uint8_t framing_faults = 0;  ///< FramingFault mask: what keeps it from being framed
+    std::int32_t vessels_dry = 0;     ///< stop_bleeding: open and not bleeding
+    float blood_ml = 0;               ///< lost so far
     std::int32_t clips_left = 0;
     float force[hand_count] = {0, 0};        ///< N, this step's largest
     float force_limit[hand_count] = {0, 0};  ///< N, of the tissue in contact or grasped; 0 none

@@ -28,6 +28,9 @@ constexpr std::pair<const char*, double Goal::*> goal_numbers[] = {
     {"corridor_m", &Goal::corridor_m},
     {"traction_low_n_m", &Goal::traction_low_n_m},
     {"traction_high_n_m", &Goal::traction_high_n_m},
+    {"centre_deg", &Goal::centre_deg},
+    {"horizon_deg", &Goal::horizon_deg},
+    {"size_share", &Goal::size_share},
 };
 
 constexpr int most_benchmark_gates = 6;  // docs/METRICS.md, Gates

@@ -28,6 +28,10 @@ struct Goal {
     double tolerance_m = 0;  ///< divide_line: further from the line is too deep or too shallow
     double corridor_m = 0;   ///< divide_line: further from the line divides nothing of it
     double traction_low_n_m = 0, traction_high_n_m = 0;  ///< take_tension, divide_line: N/m across the line
+    double centre_deg = 0;  ///< frame_targets, follow_tip: at most off the middle of the image
+    double horizon_deg =
+        0;                  ///< frame_targets, follow_tip: at most between the image's upright and the body's
+    double size_share = 0;  ///< frame_targets, follow_tip: at most off the wanted size, 0 .. 1
 };
 
 /// A gate as the task names it; the limit of a benchmark gate comes from the benchmark set.

@@ -99,6 +99,8 @@ const char* channel_columns(Channel channel) {
             return "energy";
         case Channel::cutting:
             return "cutting";
+        case Channel::scope:
+            return "camera.px camera.py camera.pz camera.qw camera.qx camera.qy camera.qz";
     }
     return "";
 }
@@ -129,6 +131,8 @@ bool HandTrace::has(Channel channel) const {
             return !energy.empty();
         case Channel::cutting:
             return !cutting.empty();
+        case Channel::scope:
+            return false;
     }
     return false;
 }

@@ -29,6 +29,7 @@ enum class Channel : std::uint8_t {
     in_view,
     energy,
     cutting,
+    scope,  ///< CameraTrace, of no hand
 };
 /// The CSV columns of a channel without the hand's prefix, as a person would look for them ("px py pz").
 const char* channel_columns(Channel channel);
@@ -57,6 +58,8 @@ struct HandTrace {
 struct CameraTrace {
     std::vector<double> px, py, pz;
     std::vector<double> qw, qx, qy, qz;
+
+    bool recorded() const { return !px.empty() && !qw.empty(); }
 };
 
 /// Seconds since the attempt began, begin <= end.

@@ -12,12 +12,6 @@
 namespace fulcrum {
 namespace {
 
-/// The world's targets as they stood in that attempt.
-std::vector<TargetSphere> targets_of(const LoadedTask& loaded, std::uint64_t seed) {
-    if (!loaded.scene.targets) return {};
-    return AttemptEngine(loaded.scene, loaded.task, seed).initial_snapshot().targets;
-}
-
 void recompute(const database::Attempts& attempts, const database::Session& session, RecomputedScore& one) {
     const database::AttemptSummary summary = attempts.read(session, one.attempt_id);
     const LoadedTask loaded = load_recorded(attempts, session, summary);
@@ -34,8 +28,8 @@ ScoredAttempt score_stored(const database::Attempts& attempts, const database::S
                            const database::AttemptSummary& summary, const LoadedTask& loaded,
                            const Limits& limits) {
     const database::Trace trace = attempts.read_trace(session, summary.meta.id);
-    return score_record(loaded.scene, loaded.task, targets_of(loaded, summary.meta.seed), trace.samples,
-                        trace.events, limits);
+    return score_record(loaded.scene, loaded.task, targets_of(loaded.scene, loaded.task, summary.meta.seed),
+                        trace.samples, trace.events, limits);
 }
 
 database::ScoringInForce scoring_in_force() {

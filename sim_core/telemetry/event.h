@@ -66,7 +66,8 @@ enum class EventKind : std::uint16_t {
                           ///< detail: as cut_begin
     heat_area = 50,       ///< value: non-target tissue at or above lethal_dose so far (mm2)
     lens_contact = 51,    ///< the scope's lens touched something; value: depth (m)
-    target_lost = 52,     ///< a target to be followed was off the middle until now; value: for how long (s)
+    target_lost = 52,     ///< a target to be followed was not framed until now; value: for how long (s);
+                          ///< detail: target index
 };
 const char* event_name(EventKind kind);
 

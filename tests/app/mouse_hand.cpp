@@ -163,6 +163,10 @@ void MouseHand::jaws() {
 void MouseHand::scope() {
     const Scene& scene = theatre_.session()->scene();
     if (!scene.camera || wish_.camera.handle[2] == 0) return;
+    if (scene.instruments.empty()) {
+        turn_scope();
+        return;
+    }
     const Vector3 error = handle_of(wish_.camera) - theatre_.input()->targets().camera.handle;
     const Vector3 seen = theatre_.session()->snapshot().camera.orientation.inverse() *
                          (make_trocar(scene.camera->trocar).rotation * error);
@@ -173,11 +177,23 @@ void MouseHand::scope() {
         key = std::abs(seen.x()) > std::abs(seen.y()) ? (seen.x() > 0 ? Qt::Key_Left : Qt::Key_Right)
                                                       : (seen.y() > 0 ? Qt::Key_Down : Qt::Key_Up);
     }
-    if (key == scope_key_) return;
-    if (scope_key_ != 0) QTest::keyRelease(theatre_.view(), static_cast<Qt::Key>(scope_key_));
+    hold_key(scope_key_, key);
+}
+
+void MouseHand::hold_key(int& held, int key) {
+    if (key == held) return;
+    if (held != 0) QTest::keyRelease(theatre_.view(), static_cast<Qt::Key>(held));
     if (key != 0) QTest::keyPress(theatre_.view(), static_cast<Qt::Key>(key));
-    scope_key_ = key;
+    held = key;
     ++events_;
+}
+
+void MouseHand::turn_scope() {
+    const DeviceReading& is = theatre_.input()->targets().camera;
+    const double post = device_angle_unit * wish_.camera.roll - is.roll;
+    const double head = device_angle_unit * wish_.camera.jaw - is.jaw;
+    hold_key(post_key_, std::abs(post) < 0.03 ? 0 : post > 0 ? Qt::Key_End : Qt::Key_Home);
+    hold_key(head_key_, std::abs(head) < 0.03 ? 0 : head > 0 ? Qt::Key_Comma : Qt::Key_Period);
 }
 
 void turn_wheel(ui::TheatreView& view, int units) {
@@ -191,6 +207,11 @@ void MouseHand::steer() {
     const ui::AttemptSession& session = *theatre_.session();
     const ui::MouseKeyboardInput& input = *theatre_.input();
     ui::TheatreView* view = theatre_.view();
+    if (session.scene().instruments.empty()) {
+        if (wish_.camera.handle[2] != 0)
+            bring(input.targets().camera, handle_of(wish_.camera), session.scene().camera->trocar);
+        return;
+    }
     double error[hand_count] = {0, 0};
     for (int h = 0; h < hand_count; ++h) {
         if (session.scene().instrument(static_cast<Hand>(h)) != nullptr)
@@ -202,17 +223,22 @@ void MouseHand::steer() {
         h = static_cast<int>(input.active_hand());
         ++events_;
     }
-    if (error[h] < near_enough) return;
-    const Vector3 is = input.targets().hand[h].handle, wish = handle_of(wish_.hand[h]);
+    bring(input.targets().hand[h], handle_of(wish_.hand[h]),
+          session.scene().instrument(static_cast<Hand>(h))->trocar);
+}
+
+void MouseHand::bring(const DeviceReading& handle, const Vector3& wish, const TrocarSpec& trocar) {
+    const Vector3 is = handle.handle;
+    if ((wish - is).norm() < near_enough) return;
+    ui::TheatreView* view = theatre_.view();
     const auto units = static_cast<int>(std::lround((is.norm() - wish.norm()) / metres_per_wheel_unit));
     if (std::abs(units) >= 4) {
         turn_wheel(*view, units);
         ++events_;
     }
     // Across the shaft: the mouse movement, as seen through the scope, that brings the handle there.
-    const Matrix3 to_trocar =
-        make_trocar(session.scene().instrument(static_cast<Hand>(h))->trocar).rotation.transpose() *
-        session.snapshot().camera.orientation.toRotationMatrix();
+    const Matrix3 to_trocar = make_trocar(trocar).rotation.transpose() *
+                              theatre_.session()->snapshot().camera.orientation.toRotationMatrix();
     const Vector3 along = is.normalized();
     const auto across = [&](const Vector3& v) { return Vector3(v - along * along.dot(v)); };
     const Vector3 right = across(to_trocar.col(0)), up = across(to_trocar.col(1)),

@@ -35,11 +35,16 @@ class MouseHand {
     void buttons();
     void take(int hand);
     void scope();
+    /// Mouse and wheel bring a handle to a place.
+    void bring(const DeviceReading& handle, const Vector3& wish, const TrocarSpec& trocar);
+    /// Keys turn light post and camera head, where the scope is the only instrument.
+    void turn_scope();
+    void hold_key(int& held, int key);
     ui::TheatrePage& theatre_;
     ObservingRig& mind_;
     RigSample wish_;
     std::uint32_t tick_ = 0;
-    int scope_key_ = 0, events_ = 0;
+    int scope_key_ = 0, post_key_ = 0, head_key_ = 0, events_ = 0;
     bool pedal_ = false, asks_exchange_[hand_count] = {false, false};
 };
 

@@ -113,6 +113,7 @@ std::optional<AttemptModel> load_attempt(const database::Store& store, const dat
     if (model.score) model.pathology = database::pathology_of(*model.score);
     if (scene) {
         model.tick = scene->tick_period();
+        model.scope_alone = scene->instruments.empty();
         for (const TissueSpec& tissue : scene->tissues) {
             model.tissues.push_back(tissue.label);
             if (tissue.force_limit > 0) model.force_limits.emplace_back(tissue.label, tissue.force_limit);
@@ -150,7 +151,31 @@ const database::MetricRow* find_metric_row(const database::ScoreRow& score, cons
     return nullptr;
 }
 
+namespace {
+
+/// Of an attempt in which the scope was the only instrument.
+std::array<Headline, 4> scope_headlines(const AttemptModel& model) {
+    const char* const ids[] = {"time", "scope_path", "horizon_err", "lens_contact"};
+    std::array<Headline, 4> shown;
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        shown[i] = {metric_text(ids[i]), QStringLiteral("–"), tr("no score")};
+        if (!model.score) continue;
+        const database::MetricRow* row = find_metric_row(*model.score, ids[i], "");
+        shown[i].why = row == nullptr ? tr("not measured") : QString();
+        if (row == nullptr) continue;
+        if (!row->value) {
+            shown[i].why = statement_text(row->absent_because);
+        } else {
+            shown[i].value = i == 0 ? clock_text(*row->value) : figure_with_unit(*row->value, row->unit);
+        }
+    }
+    return shown;
+}
+
+}  // namespace
+
 std::array<Headline, 4> headlines(const AttemptModel& model) {
+    if (model.scope_alone) return scope_headlines(model);
     std::array<Headline, 4> shown{Headline{tr("Time"), QStringLiteral("–"), {}},
                                   Headline{tr("Left hand path"), QStringLiteral("–"), {}},
                                   Headline{tr("Right hand path"), QStringLiteral("–"), {}},

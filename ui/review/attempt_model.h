@@ -46,7 +46,8 @@ struct AttemptModel {
     std::vector<EventLine> events;                                       ///< those worth a line, by time
     std::vector<std::pair<std::string, double>> force_limits;            ///< tissue label, N
     std::vector<std::string> tissues;
-    double tick = 1e-3;  ///< s
+    double tick = 1e-3;        ///< s
+    bool scope_alone = false;  ///< the scope was the only instrument
 };
 
 /// Reads and prepares all but the trace: an hour's charts are ready within a second. Worker thread. Empty

@@ -339,8 +339,8 @@ void DebriefPage::fill_head() {
         notes << tr("Recomputed on %1 with newer metrics or limits: %2. The score shown stays in force.")
                      .arg(local_time(beside.computed), result);
     }
-    if (attempt.meta.device_class == DeviceClass::mouse_keyboard ||
-        attempt.meta.device_class == DeviceClass::controller) {
+    if (!model_->scope_alone && (attempt.meta.device_class == DeviceClass::mouse_keyboard ||
+                                 attempt.meta.device_class == DeviceClass::controller)) {
         notes << tr("Force was not felt: this device cannot render it. It was shown as bars.");
     }
     if (attempt.lost_samples > 0) notes << tr("%1 samples were lost.").arg(attempt.lost_samples);
@@ -353,6 +353,8 @@ void DebriefPage::fill_head() {
         number_why_[i]->setText(shown[i].why);
         number_why_[i]->setVisible(!shown[i].why.isEmpty());
     }
+    for (QWidget* chart : {static_cast<QWidget*>(force_), static_cast<QWidget*>(path_)})  // of the hands
+        chart->parentWidget()->setVisible(!model_->scope_alone);
     const Statement advice = model_->score ? model_->score->advice : Statement();
     advice_->setText(statement_text(advice));
     advice_->parentWidget()->setVisible(!advice.empty());

@@ -75,6 +75,9 @@ constexpr EventLineRow event_lines[] = {
     {EventKind::nerve_injury, Weight::critical},
     {EventKind::tool_exchanged},
     {EventKind::fibres_parted, Weight::penalty},
+    {EventKind::lens_contact, Weight::penalty},
+    {EventKind::target_lost, Weight::ordinary,
+     QT_TRANSLATE_NOOP("fulcrum::event_lines", "Tip framed after %1 s without it"), Number::value},
 };
 
 constexpr double least_piece = 1e-6;  // m2: smaller pieces cannot be seen to come free

@@ -170,6 +170,7 @@ void ReplayPanel::tick() {
 void ReplayPanel::fill_hud() {
     HudState hud;
     hud.task = task_;
+    set_scope(hud, source_->scene());
     hud.place = playing_ ? tr("replay ×%1").arg(factor_) : tr("replay");
     for (int h = 0; h < hand_count; ++h) {
         const InstrumentSpec* spec = source_->scene().instrument(static_cast<Hand>(h));

@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "sim_core/scene/scene.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
 
@@ -172,6 +173,14 @@ QString goal_detail(const HudState& state, const Goal& goal) {
                 .arg(static_cast<double>(display.blood_ml), 0, 'f', 1);
         case GoalKind::transfer_objects:
             return tr("%1 of %2 rings").arg(std::lround(display.goal_progress * goal.count)).arg(goal.count);
+        case GoalKind::frame_targets:
+            return tr("%1 of %2 targets")
+                .arg(std::lround(display.goal_progress * goal.count))
+                .arg(goal.count);
+        case GoalKind::follow_tip:
+            return tr("%1 of %2 s framed")
+                .arg(std::floor(display.goal_progress * goal.hold_s + 1e-6), 0, 'f', 0)
+                .arg(goal.hold_s, 0, 'f', 0);
         case GoalKind::palpate:
             return tr("%1 of %2 s in contact")
                 .arg(display.goal_progress * goal.hold_s, 0, 'f', 1)
@@ -181,6 +190,18 @@ QString goal_detail(const HudState& state, const Goal& goal) {
                 .arg(display.goal_progress * goal.hold_s, 0, 'f', 1)
                 .arg(goal.hold_s, 0, 'f', 1);
     }
+    return {};
+}
+
+/// What keeps a target from being framed, the first thing to do first; "" nothing.
+QString framing_warning(const TaskDisplay& display, double field_of_view) {
+    const unsigned faults = display.framing_faults;
+    if (faults != 0 && display.framing.off_centre > 0.5 * field_of_view) return tr("⚠ look for the lit ball");
+    if ((faults & framing_hidden) != 0) return tr("⚠ look into the cup");
+    if ((faults & framing_off_centre) != 0) return tr("⚠ to the middle");
+    if ((faults & framing_too_far) != 0) return tr("⚠ nearer");
+    if ((faults & framing_too_near) != 0) return tr("⚠ further away");
+    if ((faults & framing_tilted) != 0) return tr("⚠ level the horizon");
     return {};
 }
 
@@ -214,6 +235,13 @@ void draw_traction(QPainter& painter, const QRectF& bar, const TaskDisplay& disp
 }
 
 }  // namespace
+
+void set_scope(HudState& hud, const Scene& scene) {
+    hud.hands = !scene.instruments.empty();
+    if (!scene.camera_targets || !scene.camera) return;
+    hud.wanted_size = std::asin(scene.camera_targets->ball_radius / scene.camera_targets->distance);
+    hud.field_of_view = scene.camera->field_of_view;
+}
 
 QString tool_words(const HandToolView& tool) {
     const InstrumentType& type = type_of(tool.kind);
@@ -304,7 +332,8 @@ double paint_goal(QPainter& painter, const QRectF& area, const HudState& state, 
         draw_traction(painter, QRectF(box.right() - length, y + 26, length, 10), state.display, goal);
     }
     if (pulls) y += 42;
-    const QString wrong = cut_warning(state.display);
+    const QString wrong = state.wanted_size > 0 ? framing_warning(state.display, state.field_of_view)
+                                                : cut_warning(state.display);
     if (!wrong.isEmpty()) {
         painter.setFont(hud_font(13, true));
         painter.setPen(p.warning);
@@ -312,6 +341,34 @@ double paint_goal(QPainter& painter, const QRectF& area, const HudState& state, 
     }
     if (pulls || !wrong.isEmpty()) y += 26;
     return y;
+}
+
+/// In the round image: the circle that a target is to fill, the level marks and the horizon as it is.
+void paint_reticle(QPainter& painter, const QRectF& area, const HudState& state) {
+    const Palette& p = dark();
+    const double radius = 0.5 * std::min(area.width(), area.height());
+    const double per_tangent = radius / std::tan(0.5 * state.field_of_view);
+    const QPointF middle = area.center();
+    const bool framed = state.display.framing.size > 0 && state.display.framing_faults == 0;
+    const QColor colour = framed ? p.good : p.text;
+    painter.setBrush(Qt::NoBrush);
+    // Dark under bright: seen on any ground.
+    for (const auto& [ink, width] : {std::pair<QColor, double>{QColor(0, 0, 0, 150), 4.0}, {colour, 2.0}}) {
+        painter.setPen(QPen(ink, framed ? width + 1 : width));
+        const double wanted = per_tangent * std::tan(state.wanted_size);
+        painter.drawEllipse(middle, wanted, wanted);
+        for (const double side : {-1.0, 1.0}) {
+            painter.drawLine(middle + QPointF(side * 0.62 * radius, 0),
+                             middle + QPointF(side * 0.74 * radius, 0));
+        }
+    }
+    if (!(state.display.framing.size > 0)) return;  // a replay does not know how the image is turned
+    const bool tilted = (state.display.framing_faults & framing_tilted) != 0;
+    const double turn = state.display.framing.horizon;
+    const QPointF along(std::cos(turn), std::sin(turn));
+    painter.setPen(QPen(tilted ? p.warning : p.good, 3));
+    for (const double side : {-1.0, 1.0})
+        painter.drawLine(middle + side * 0.48 * radius * along, middle + side * 0.60 * radius * along);
 }
 
 }  // namespace
@@ -336,14 +393,17 @@ void paint_hud(QPainter& painter, const QRectF& whole, const HudState& state) {
     const double bars_top =
         std::max(foot_of_bars - std::min(area.height() * 0.55, 360.0), goal_bottom + (compact ? 0 : 50));
     const double bars_height = foot_of_bars - bars_top;
-    draw_force(painter, QRectF(area.left() + margin + 4, bars_top, 130, bars_height), state, 0, compact);
-    draw_force(painter, QRectF(area.right() - margin - (compact ? 74 : 112), bars_top, 130, bars_height),
-               state, 1, compact);
+    if (state.hands) {
+        draw_force(painter, QRectF(area.left() + margin + 4, bars_top, 130, bars_height), state, 0, compact);
+        draw_force(painter, QRectF(area.right() - margin - (compact ? 74 : 112), bars_top, 130, bars_height),
+                   state, 1, compact);
+    }
+    if (state.wanted_size > 0) paint_reticle(painter, area, state);
 
     painter.setFont(hud_font(12));
     painter.setPen(p.muted);
     QStringList foot;
-    if (!state.force_felt) foot << tr("force is shown, not felt");
+    if (state.hands && !state.force_felt) foot << tr("force is shown, not felt");
     if (!state.health.isEmpty()) foot << state.health;
     painter.drawText(QRectF(area.left() + margin, area.bottom() - 34, area.width() - 2 * margin, 26),
                      Qt::AlignLeft | Qt::AlignVCenter, foot.join(QStringLiteral(" · ")));

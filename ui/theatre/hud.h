@@ -13,6 +13,10 @@
 
 class QPainter;
 
+namespace fulcrum {
+struct Scene;
+}
+
 namespace fulcrum::ui {
 
 struct HudState {
@@ -23,6 +27,9 @@ struct HudState {
     Hand active_hand = Hand::right;
     bool shows_active_hand = false;  ///< mouse: which hand it moves
     bool force_felt = true;
+    bool hands = true;       ///< the scene has instruments; without, the scope alone is held
+    double wanted_size = 0;  ///< rad, angular radius of a target of the wanted size; 0: none is to be framed
+    double field_of_view = 0;  ///< rad, of the round image
     bool jaws_closed[hand_count] = {false, false};
     bool has_jaws[hand_count] = {true, true};  ///< a probe has none
     QString tool[hand_count];  ///< what the hand holds where instruments are exchanged, "" elsewhere
@@ -31,6 +38,8 @@ struct HudState {
     QString place;  ///< where it happens: "replay ×0.5" instead of the mode, "" live
 };
 
+/// Sets what the HUD shows of the scope's work in this scene.
+void set_scope(HudState& hud, const Scene& scene);
 /// In words: "shears", "clip applier, 5 clips", "suction, in 1.2 s".
 QString tool_words(const HandToolView& tool);
 

@@ -9,7 +9,6 @@ namespace fulcrum::ui {
 namespace {
 
 constexpr double radians_per_pixel = 0.008;
-constexpr double roll_speed = 1.8;  // rad/s, keys
 
 constexpr int longest_ramp = 400;  // ticks from one target to the next
 
@@ -18,7 +17,7 @@ constexpr int pedal_key = Qt::Key_B, exchange_key = Qt::Key_T;
 struct KeyMove {
     int key;
     int hand;  // 0 left, 1 right, 2 camera
-    double right, up, in, roll;
+    double right, up, in, roll, head = 0;
 };
 constexpr KeyMove key_moves[] = {
     {Qt::Key_A, 0, -1, 0, 0, 0},        {Qt::Key_D, 0, 1, 0, 0, 0},          {Qt::Key_W, 0, 0, 1, 0, 0},
@@ -29,6 +28,7 @@ constexpr KeyMove key_moves[] = {
     {Qt::Key_O, 1, 0, 0, 0, 1},         {Qt::Key_Left, 2, 1, 0, 0, 0},       {Qt::Key_Right, 2, -1, 0, 0, 0},
     {Qt::Key_Up, 2, 0, -1, 0, 0},       {Qt::Key_Down, 2, 0, 1, 0, 0},       {Qt::Key_PageUp, 2, 0, 0, 1, 0},
     {Qt::Key_PageDown, 2, 0, 0, -1, 0}, {Qt::Key_Home, 2, 0, 0, 0, -1},      {Qt::Key_End, 2, 0, 0, 0, 1},
+    {Qt::Key_Comma, 2, 0, 0, 0, 0, 1},  {Qt::Key_Period, 2, 0, 0, 0, 0, -1},
 };
 
 }  // namespace
@@ -76,23 +76,36 @@ MouseKeyboardInput::MouseKeyboardInput(const Scene& scene) {
         view_ = scope_pose(make_scope(*scene.camera), sample).orientation;
     }
     if (!hand_[1].exists) active_ = Hand::left;
+    scope_alone_ = has_camera_ && scene.instruments.empty();
     rig_ = std::make_shared<MouseKeyboardRig>(targets_);
 }
 
-void MouseKeyboardInput::move_mouse(const QPointF& pixels, bool roll) {
+DeviceReading* MouseKeyboardInput::held_reading() {
+    if (scope_alone_) return &targets_.camera;
     const auto h = static_cast<std::size_t>(active_);
-    if (!hand_[h].exists) return;
-    if (roll) {
-        targets_.hand[h].roll += pixels.x() * radians_per_pixel;
-        return;
+    return hand_[h].exists ? &targets_.hand[h] : nullptr;
+}
+
+const Trocar& MouseKeyboardInput::held_trocar() const {
+    return scope_alone_ ? camera_trocar_ : hand_[static_cast<std::size_t>(active_)].trocar;
+}
+
+void MouseKeyboardInput::move_mouse(const QPointF& pixels, MouseUse use) {
+    DeviceReading* reading = held_reading();
+    if (reading == nullptr) return;
+    if (use == MouseUse::turn) {
+        reading->roll += pixels.x() * radians_per_pixel;
+    } else if (use == MouseUse::turn_head && scope_alone_) {
+        reading->jaw -= pixels.x() * radians_per_pixel;
+    } else if (use == MouseUse::move) {
+        shift_handle(*reading, held_trocar(),
+                     on_screen(pixels.x() * metres_per_pixel, -pixels.y() * metres_per_pixel));
     }
-    shift_handle(targets_.hand[h], hand_[h].trocar,
-                 on_screen(pixels.x() * metres_per_pixel, -pixels.y() * metres_per_pixel));
 }
 
 void MouseKeyboardInput::turn_wheel(double notches) {
-    const auto h = static_cast<std::size_t>(active_);
-    if (hand_[h].exists) insert_handle(targets_.hand[h], hand_[h].trocar, notches * metres_per_notch);
+    DeviceReading* reading = held_reading();
+    if (reading != nullptr) insert_handle(*reading, held_trocar(), notches * metres_per_notch);
 }
 
 void MouseKeyboardInput::set_primary_button(bool pressed) {
@@ -156,7 +169,8 @@ void MouseKeyboardInput::advance(double dt) {
             shift_handle(reading, trocar, on_screen(move.right * reach, move.up * reach));
         }
         if (move.in != 0) insert_handle(reading, trocar, move.in * key_insertion_speed * dt);
-        reading.roll += move.roll * roll_speed * dt;
+        reading.roll += move.roll * key_turn_speed * dt;
+        if (camera) reading.jaw += move.head * key_turn_speed * dt;
     }
     for (int h = 0; h < hand_count; ++h) {
         const bool closed = jaws_closed(static_cast<Hand>(h));
@@ -182,10 +196,21 @@ void MouseKeyboardInput::set_connected(bool connected) {
     publish();
 }
 
-QStringList MouseKeyboardInput::help_lines() {
+QStringList MouseKeyboardInput::help_lines() const {
     const auto words = [](const char* source) {
         return QCoreApplication::translate("fulcrum::ui::MouseKeyboardInput", source);
     };
+    if (scope_alone_) {
+        return {
+            words("Mouse\tmoves the handle of the scope; the lens goes the other way"),
+            words("Wheel\tin and out"),
+            words("Shift + mouse\tturns the light post: the direction in which the scope looks"),
+            words("Ctrl + mouse\tturns the camera head: the image alone"),
+            words("Arrows · Page up, down\tlook · in, out"),
+            words("Home, End · , .\tlight post · camera head"),
+            words("Escape, F1\tpause · this help"),
+        };
+    }
     return {
         words("Mouse\tmoves the handle of the active hand; the tip goes the other way"),
         words("Left button\tcloses the jaws while held"),
@@ -196,7 +221,8 @@ QStringList MouseKeyboardInput::help_lines() {
         words("W A S D · R F · Q E · X\tleft hand: handle · in, out · turn · jaws"),
         words("I J K L · P ; · U O · M\tright hand: handle · in, out · turn · jaws"),
         words("B · T\tpedal of the active hand (energy, suction) · its next instrument"),
-        words("Arrows · Page up, down · Home, End\tscope: look · in, out · light post"),
+        words("Arrows · Page up, down\tscope: look · in, out"),
+        words("Home, End · , .\tscope: light post · camera head"),
         words("Escape, F1\tpause · this help"),
     };
 }

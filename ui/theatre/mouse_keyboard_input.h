@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two instruments and the scope by mouse and keyboard. The mouse moves the *handle* of the active hand in the
 // plane of the screen, so the tip goes the other way, as through any trocar; keys move either hand's handle
-// and the scope at the same time.
+// and the scope at the same time. In a scene without instruments the mouse moves the scope's handle.
 //
 // Threads: MouseKeyboardInput lives on the UI thread and hands targets over through a triple buffer; its rig
 // is read by the haptic thread, which follows the targets smoothly so that the window's events become 1,000
@@ -57,8 +57,11 @@ class MouseKeyboardInput {
     }
     /// The picture's orientation, so that the mouse moves in the plane of the screen.
     void set_camera(const Quaternion& orientation) { view_ = orientation; }
-    /// Pixels since the last call; `roll`: turns the shaft instead.
-    void move_mouse(const QPointF& pixels, bool roll);
+    /// What the mouse does: it moves the handle, turns the shaft (of the scope: the light post), or turns the
+    /// camera head.
+    enum class MouseUse { move, turn, turn_head };
+    /// Pixels since the last call.
+    void move_mouse(const QPointF& pixels, MouseUse use = MouseUse::move);
     void turn_wheel(double notches);
     void set_primary_button(bool pressed);
     /// True if the key means something here.
@@ -73,7 +76,7 @@ class MouseKeyboardInput {
     const HandTargets& targets() const { return targets_; }
     bool jaws_closed(Hand hand) const;
 
-    static QStringList help_lines();
+    QStringList help_lines() const;
 
   private:
     struct Axis {
@@ -82,12 +85,15 @@ class MouseKeyboardInput {
         bool exists = false, latched = false;
     };
     void publish();
+    /// What the mouse moves; null: nothing.
+    DeviceReading* held_reading();
+    const Trocar& held_trocar() const;
     Vector3 on_screen(double right, double up) const { return view_ * Vector3(right, up, 0); }
 
     HandTargets targets_;
     Axis hand_[hand_count];
     Trocar camera_trocar_;
-    bool has_camera_ = false, button_ = false;
+    bool has_camera_ = false, scope_alone_ = false, button_ = false;
     Hand active_ = Hand::right;
     Quaternion view_ = Quaternion::Identity();
     QSet<int> held_;

@@ -276,8 +276,7 @@ void TheatrePage::resizeEvent(QResizeEvent* event) {
 
 void TheatrePage::toggle_help() {
     help_shown_ = !help_shown_;
-    view_->set_cover(tr("Mouse and keyboard"),
-                     help_shown_ ? MouseKeyboardInput::help_lines() : QStringList());
+    view_->set_cover(tr("Mouse and keyboard"), help_shown_ ? input_->help_lines() : QStringList());
 }
 
 void TheatrePage::tick() {
@@ -385,6 +384,7 @@ void TheatrePage::show_world() {
     const LoopHealth health = session_->health();
     HudState hud;
     hud.task = &session_->task();
+    set_scope(hud, session_->scene());
     hud.display = display;
     hud.assessed = session_->assessed();
     hud.became_practice = session_->became_practice();
@@ -493,7 +493,11 @@ void TheatrePage::mouse_move(QMouseEvent* event) {
     const QPoint now = event->pos();
     if (mouse_known_) {
         const QPoint moved = now - last_mouse_;
-        input_->move_mouse(moved, event->modifiers().testFlag(Qt::ShiftModifier));
+        using Use = MouseKeyboardInput::MouseUse;
+        const Qt::KeyboardModifiers with = event->modifiers();
+        input_->move_mouse(moved, with.testFlag(Qt::ShiftModifier)     ? Use::turn
+                                  : with.testFlag(Qt::ControlModifier) ? Use::turn_head
+                                                                       : Use::move);
     }
     mouse_known_ = true;
     last_mouse_ = now;

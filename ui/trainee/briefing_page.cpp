@@ -162,8 +162,12 @@ void BriefingPage::fill() {
             tr("Critical errors (the attempt fails): %1").arg(errors.join(QStringLiteral(", "))), "bad"));
     }
     judged_->addStretch();
+    const bool scope_alone =
+        !task->goals.empty() && type_of(task->goals.front().kind).site == GoalSite::camera_targets;
     const QString hands =
-        tr("You work with mouse and keyboard: force is shown as bars, not felt. F1 shows the keys.");
+        scope_alone
+            ? tr("You hold the scope with mouse and keyboard. F1 shows the keys.")
+            : tr("You work with mouse and keyboard: force is shown as bars, not felt. F1 shows the keys.");
     mode_note_->setText(demo                ? tr("The demonstration accepts practice attempts only.")
                         : !assessable       ? hands + QStringLiteral(" ") + practice_only(*task)
                         : !locked.isEmpty() ? hands + QStringLiteral(" ") + locked

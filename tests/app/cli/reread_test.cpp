@@ -17,7 +17,7 @@
 namespace fulcrum::app {
 namespace {
 
-constexpr const char* reread_tasks[] = {"A2", "A3", "B1", "B2", "B3", "C4"};
+constexpr const char* reread_tasks[] = {"A1", "A2", "A3", "B1", "B2", "B3", "C4"};
 constexpr const char* reread_operators[] = {"expert", "novice", "intermediate"};
 
 class Reread : public ::testing::Test {

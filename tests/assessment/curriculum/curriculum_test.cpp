@@ -52,13 +52,13 @@ TEST(Curriculum, RefusesWhatCannotBeFollowed) {
         document[nlohmann::json::json_pointer(pointer)] = value;
         return refusal(document);
     };
-    EXPECT_EQ(broken("/tasks/2/after", {"B2"}), "");
+    EXPECT_EQ(broken("/tasks/3/after", {"B2"}), "");
     nlohmann::json cycle = shipped();
-    cycle["tasks"][2]["after"] = {"B2"};
-    cycle["tasks"][3]["after"] = {"B3"};
-    cycle["tasks"][4]["after"] = {"B1"};
+    cycle["tasks"][3]["after"] = {"B2"};
+    cycle["tasks"][4]["after"] = {"B3"};
+    cycle["tasks"][5]["after"] = {"B1"};
     EXPECT_NE(refusal(cycle).find("would unlock only after itself"), std::string::npos);
-    EXPECT_NE(broken("/tasks/0/after", {"A2"}).find("only after itself"), std::string::npos);
+    EXPECT_NE(broken("/tasks/1/after", {"A2"}).find("only after itself"), std::string::npos);
     EXPECT_NE(broken("/tasks/0/after", {"C4"}).find("later stage"), std::string::npos);
     EXPECT_NE(broken("/tasks/0/after", {"X9"}).find("not a task of this curriculum"), std::string::npos);
     EXPECT_NE(broken("/tasks/0/task", "X9").find("no task X9 is installed"), std::string::npos);

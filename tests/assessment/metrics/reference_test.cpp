@@ -31,9 +31,10 @@ TEST(References, MetricsAreThoseOfTheRegistry) {
         "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
     for (const Metric& metric : metric_registry()) {
         const MetricDescriptor& d = metric.descriptor;
-        const char* hands = d.hands == Hands::each   ? "each hand"
-                            : d.hands == Hands::both ? "both hands"
-                                                     : "either hand";
+        const char* hands = d.hands == Hands::each    ? "each hand"
+                            : d.hands == Hands::both  ? "both hands"
+                            : d.hands == Hands::scope ? "the scope"
+                                                      : "either hand";
         text += "| `" + d.id + "` (v" + std::to_string(d.version) + ") | " + in_cell(d.name) + " | " +
                 in_cell(d.unit) + " | " + direction_text(d.direction) + (d.scale == Scale::ln ? ", ln" : "") +
                 " | " + hands + (d.per_tissue ? ", per tissue" : "") + (d.needs_events ? ", events" : "") +

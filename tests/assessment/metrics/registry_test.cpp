@@ -37,6 +37,9 @@ TEST(Registry, HoldsTheMetricsOfTheSpecification) {
     for (const char* id :
          {"energy_safe", "energy_time", "lateral_heat", "bleed_ml", "vessel_injury", "nerve_injury", "tear"})
         EXPECT_NE(find_metric(id), nullptr) << id;
+    for (const char* id :
+         {"scope_path", "scope_ldlj", "horizon_err", "centre_err", "size_err", "tip_lost", "lens_contact"})
+        EXPECT_NE(find_metric(id), nullptr) << id;
     for (const char* id : {"tme_grade", "tme_defect", "crm_mm", "drm_mm", "plane_dev_right", "plane_dev_mid",
                            "plane_dev_left"})
         EXPECT_NE(find_metric(id), nullptr) << id;
@@ -45,7 +48,7 @@ TEST(Registry, HoldsTheMetricsOfTheSpecification) {
 
 TEST(Registry, TakesLogarithmsOnlyOfWhatCannotBeZero) {
     const std::set<std::string> allowed = {"time",  "path_len", "ang_path", "ws_volume",
-                                           "f_max", "impulse",  "dfdt_max"};
+                                           "f_max", "impulse",  "dfdt_max", "scope_path"};
     for (const Metric& metric : metric_registry())
         EXPECT_EQ(metric.descriptor.scale == Scale::ln, allowed.count(metric.descriptor.id) == 1)
             << metric.descriptor.id;
@@ -117,7 +120,8 @@ TEST(Compute, OfAnEmptyRecordIsAbsentThroughout) {
     for (const MetricResult& result : compute_metrics(trace, {}, {})) {
         const bool counted = result.id == "slip" || result.id == "regrasp" || result.id == "drop" ||
                              result.id == "perforation" || result.id == "vessel_injury" ||
-                             result.id == "nerve_injury" || result.id == "tear";
+                             result.id == "nerve_injury" || result.id == "tear" ||
+                             result.id == "lens_contact";
         EXPECT_EQ(result.value.has_value(), counted) << result.id;
     }
 }

@@ -47,8 +47,10 @@ struct CheatVerdict {
 
 inline Score score_so_far(const CheatStage& stage, const AttemptRecord& record,
                           const std::vector<TargetSphere>& targets) {
+    const std::array<bool, hand_count> hands = {stage.scene.instrument(Hand::left) != nullptr,
+                                                stage.scene.instrument(Hand::right) != nullptr};
     const Trace trace =
-        trace_from_samples(record.samples, record.events, stage.labels, stage.scene.tick_rate);
+        trace_from_samples(record.samples, record.events, stage.labels, stage.scene.tick_rate, hands);
     MetricContext context = make_metric_context(stage.scene, stage.task, targets);
     context.metrics.clear();
     for (const GateSpec& gate : stage.task.gates) context.metrics.push_back(gate.metric);
@@ -63,8 +65,8 @@ inline constexpr double longest_rest_s = 30;
 inline bool fails_whatever_follows(const Score& score) {
     return score.passed == false ||
            std::any_of(score.gates.begin(), score.gates.end(), [](const GateResult& gate) {
-               return (gate.metric == "time" || gate.metric == "path_len") && gate.value && gate.limit &&
-                      *gate.value > *gate.limit;
+               return (gate.metric == "time" || gate.metric == "path_len" || gate.metric == "scope_path") &&
+                      gate.value && gate.limit && *gate.value > *gate.limit;
            });
 }
 

@@ -10,7 +10,7 @@ namespace fulcrum {
 namespace {
 
 constexpr std::uint64_t seed = 2001;
-constexpr const char* tasks[] = {"A2", "A3", "B1", "B2", "B3", "C4"};
+constexpr const char* tasks[] = {"A1", "A2", "A3", "B1", "B2", "B3", "C4"};
 
 struct Case {
     std::string task;

@@ -22,6 +22,8 @@ const char* site_text(GoalSite site) {
             return "bands";
         case GoalSite::objects:
             return "objects";
+        case GoalSite::camera_targets:
+            return "camera_targets";
     }
     return "";
 }

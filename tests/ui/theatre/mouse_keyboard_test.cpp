@@ -55,6 +55,52 @@ TEST(MouseKeyboard, BeginsWithTheHandOfTheFirstGoal) {
     EXPECT_FALSE(asked_hand(b1.goals.front()).has_value());
 }
 
+Vector3 lens(const Scene& scene, const RigSample& sample) {
+    return scope_pose(make_scope(*scene.camera), sample.camera).position;
+}
+
+TEST(MouseKeyboard, MouseMovesTheScopeWhereItIsTheOnlyInstrument) {
+    const Scene cups = load_scene(fulcrum::test::source_path("assets/scenes/a1_camera.json"));
+    MouseKeyboardInput input(cups);
+    const RigSample first = settle(*input.rig(), 1);
+    const Quaternion view = scope_pose(make_scope(*cups.camera), first.camera).orientation;
+    input.move_mouse({40, 0});
+    input.advance(0);
+    const RigSample moved = settle(*input.rig());
+    const Vector3 step = view.conjugate() * (lens(cups, moved) - lens(cups, first));
+    EXPECT_LT(step.x(), -1e-3);  // the lens goes the other way
+    EXPECT_LT(std::abs(step.y()), 0.1 * std::abs(step.x()));
+    input.turn_wheel(2);
+    input.advance(0);
+    const RigSample deeper = settle(*input.rig());
+    EXPECT_NEAR((lens(cups, deeper) - lens(cups, moved)).norm(), 2 * metres_per_notch, 1e-5);
+    input.move_mouse({50, 0}, MouseKeyboardInput::MouseUse::turn);
+    input.move_mouse({-25, 0}, MouseKeyboardInput::MouseUse::turn_head);
+    input.advance(0);
+    const RigSample turned = settle(*input.rig());
+    EXPECT_NEAR(turned.camera.roll * device_angle_unit, 0.4, 1e-4);
+    EXPECT_NEAR(turned.camera.jaw * device_angle_unit, 0.2, 1e-4);
+    EXPECT_LT((lens(cups, turned) - lens(cups, deeper)).norm(), 1e-6);
+    for (const DeviceSample& hand : turned.hand) EXPECT_EQ(hand.handle[2], first.hand[0].handle[2]);
+    EXPECT_TRUE(input.help_lines().join(QString()).contains(QStringLiteral("camera head")));
+}
+
+TEST(MouseKeyboard, KeysTurnTheCameraHeadInEveryScene) {
+    for (const char* name : {"a1_camera", "a2_targets"}) {
+        const Scene any =
+            load_scene(fulcrum::test::source_path(std::string("assets/scenes/") + name + ".json"));
+        MouseKeyboardInput input(any);
+        EXPECT_TRUE(input.press_key(Qt::Key_Comma));
+        input.advance(0.5);
+        EXPECT_NEAR(settle(*input.rig()).camera.jaw * device_angle_unit, 0.9, 1e-3) << name;
+        input.release_key(Qt::Key_Comma);
+        EXPECT_TRUE(input.press_key(Qt::Key_Period));
+        input.advance(0.5);
+        EXPECT_NEAR(settle(*input.rig()).camera.jaw * device_angle_unit, 0, 1e-3) << name;
+        input.release_key(Qt::Key_Period);
+    }
+}
+
 TEST(MouseKeyboard, PedalAndExchangeAreButtonsOfTheActiveHandWhileHeld) {
     const Scene bands = load_scene(fulcrum::test::source_path("assets/scenes/b3_bands.json"));
     MouseKeyboardInput input(bands);
@@ -83,7 +129,7 @@ TEST(MouseKeyboard, TheTipMovesOppositeToTheMouse) {
     const Quaternion view = scope_pose(make_scope(*targets.camera), start).orientation;
     input.set_camera(view);
     const Vector3 before = tip(targets, Hand::right, settle(*input.rig()));
-    input.move_mouse({80, 0}, false);
+    input.move_mouse({80, 0});
     input.advance(0);
     const Vector3 moved = view.inverse() * (tip(targets, Hand::right, settle(*input.rig())) - before);
     EXPECT_LT(moved.x(), -0.003);
@@ -131,7 +177,7 @@ TEST(MouseKeyboard, FollowsSmoothlyWithoutJumpsOrAllocations) {
     std::shared_ptr<Rig> rig = input.rig();
     RigSample sample;
     rig->read(0, sample);
-    input.move_mouse({400, -300}, false);
+    input.move_mouse({400, -300});
     input.turn_wheel(-8);
     input.advance(0);
     const std::size_t before = fulcrum::test::allocation_count();
@@ -151,7 +197,7 @@ TEST(MouseKeyboard, FollowsSmoothlyWithoutJumpsOrAllocations) {
 TEST(MouseKeyboard, NeverLeavesTheTrocarsCone) {
     const Scene targets = scene();
     MouseKeyboardInput input(targets);
-    for (int i = 0; i < 200; ++i) input.move_mouse({997.0 * std::cos(i), 911.0 * std::sin(1.7 * i)}, false);
+    for (int i = 0; i < 200; ++i) input.move_mouse({997.0 * std::cos(i), 911.0 * std::sin(1.7 * i)});
     input.turn_wheel(-1000);
     input.advance(0);
     const Vector3 out = input.targets().hand[1].handle;
@@ -186,7 +232,7 @@ TEST(MouseKeyboard, HandsOverBetweenThreads) {
         }
     });
     for (int i = 0; i < 2000 || ticks.load() < 1000; ++i) {
-        input.move_mouse({std::sin(i * 0.1) * 5, std::cos(i * 0.1) * 5}, false);
+        input.move_mouse({std::sin(i * 0.1) * 5, std::cos(i * 0.1) * 5});
         input.advance(0.001);
     }
     stop.store(true);

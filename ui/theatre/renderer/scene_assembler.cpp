@@ -7,6 +7,7 @@
 #include "sim_core/bowel/display_skin.h"
 #include "ui/theatre/renderer/bands_drawing.h"
 #include "ui/theatre/renderer/bowel_cut_drawing.h"
+#include "ui/theatre/renderer/cups_drawing.h"
 #include "ui/theatre/renderer/hollow_drawing.h"
 #include "ui/theatre/renderer/objects_drawing.h"
 
@@ -160,6 +161,7 @@ SceneFrame& SceneAssembler::assemble(const WorldSnapshot& snapshot) {
     if (i.hollow) i.hollow->add(snapshot, i.frame);
     if (!snapshot.bands.empty()) i.bands.add(snapshot.bands[0], i.frame);
     i.objects.add(snapshot.objects, i.frame);
+    add_cups(snapshot.camera_targets, i.frame);
     i.frame.bowel_positions = i.frame.bowel_normals = nullptr;
     i.frame.bowel_hidden = nullptr;
     i.frame.mesentery_positions = i.frame.mesentery_normals = nullptr;
