@@ -6,6 +6,7 @@
 #include <set>
 
 #include "assessment/metrics/registry.h"
+#include "database/records/attempts.h"
 #include "database/records/people.h"
 #include "ui/charts/attempt_chart.h"
 #include "ui/page/background_job.h"
@@ -134,7 +135,20 @@ void ProgressPage::fill_choices() {
     for (const TaskDefinition& task : context().services().tasks()) {
         task_->addItem(context().task_title(task.id), text(task.id));
     }
+    if (task_id_.empty()) task_id_ = newest_task();
     task_->setCurrentIndex(std::max(0, task_->findData(text(task_id_))));
+}
+
+std::string ProgressPage::newest_task() const {
+    if (!context().allowed(database::Operation::read_attempt, database::Subject::person(person_id_)))
+        return {};
+    database::AttemptFilter newest;
+    newest.person_id = person_id_;
+    newest.limit = 1;
+    std::vector<database::AttemptSummary> attempts;
+    context().guarded(
+        [&] { attempts = database::Attempts(context().store()).list(context().session(), newest); });
+    return attempts.empty() ? std::string() : attempts.front().meta.task_id;
 }
 
 void ProgressPage::load() {

@@ -35,6 +35,8 @@ class ProgressPage : public Page {
 
   private:
     void fill_choices();
+    /// Of the person's newest attempt; "": none, or the session may not read attempts.
+    std::string newest_task() const;
     void load();
     void draw();
     void fill_table();
