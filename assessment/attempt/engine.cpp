@@ -192,6 +192,12 @@ ReplayOutcome replay_record(AttemptEngine& engine, const AttemptRecord& record, 
         if (!same_sample(output.sample, recorded)) diverged(recorded.tick);
         if (keep_samples) outcome.samples.push_back(output.sample);
         outputs.push_back(output);
+        // Where no tick waits for a model any more (never one without instruments), steps follow their ticks:
+        // what waits would otherwise grow with the attempt.
+        if (record.samples.back().model_step != adopted) continue;
+        while (next_step < record.steps.size() && record.steps[next_step].last_tick <= recorded.tick &&
+               !stopped)
+            step_once();
     }
     while (next_step < record.steps.size() && !stopped) step_once();
     outcome.state_hash = engine.state_hash();

@@ -59,6 +59,25 @@ TEST(ScopeHandling, NovicesTakeLongerAndLoseTheTip) {
     }
 }
 
+// Without instruments no tick waits for a model of the world: the replay once made all ticks before the first
+// step, and what waited grew with the attempt.
+TEST(ScopeHandling, ReplayMakesEachStepWithItsTicks) {
+    const TaskDefinition task = load_task(test::source_path("assets/tasks/A1.json"));
+    const Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
+    AttemptEngine engine(scene, task, 3);
+    const auto rig = make_operator("expert", task, scene, 3);
+    MemorySink sink;
+    const RunOutcome outcome = run_headless(engine, *rig, sink);
+    AttemptEngine whole(scene, task, 3);
+    const ReplayOutcome replay = replay_record(whole, sink.record);
+    EXPECT_TRUE(replay.identical);
+    EXPECT_EQ(replay.state_hash, outcome.state_hash);
+    AttemptEngine begun(scene, task, 3);
+    const ReplayOutcome first =
+        replay_record(begun, sink.record, true, [](const WorldSnapshot&) { return false; });
+    EXPECT_EQ(first.samples.size(), static_cast<std::size_t>(scene.ticks_per_step));
+}
+
 TEST(ScopeHandling, MouseAloneIsEnough) {
     for (std::uint64_t seed = 1; seed <= 6; ++seed)
         EXPECT_TRUE(perform("expert", seed, DeviceClass::mouse_keyboard).completed) << seed;
