@@ -147,6 +147,14 @@ void CohortPage::load() {
             if (row.state == database::TaskState::open) set_tint(cell, Tint::muted);
         }
     }
+    // No column is narrower than a word of its heading: with many tasks the table scrolls sideways.
+    QFont bold = table_->font();
+    bold.setWeight(QFont::DemiBold);
+    int longest = 0;
+    for (const QString& title : titles)
+        for (const QString& word : title.split(QLatin1Char(' ')))
+            longest = std::max(longest, QFontMetrics(bold).horizontalAdvance(word));
+    table_->horizontalHeader()->setMinimumSectionSize(longest + 26);
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     fit();
     QString line_text = tr("people: n = %1").arg(data_->people);
