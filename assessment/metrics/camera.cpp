@@ -16,8 +16,6 @@ namespace fulcrum {
 namespace {
 
 constexpr double millimetres = 1e3, degrees = 180 / 3.14159265358979323846;
-constexpr double motion_cutoff = 10;  // Hz, as for the hands
-constexpr std::size_t decimation = 10;
 constexpr double last_second = 1.0;            // s before a target counts as held
 constexpr double least_pace_deviation = 0.09;  // as of path_len
 

@@ -181,7 +181,14 @@ void MouseHand::scope() {
 }
 
 void MouseHand::hold_key(int& held, int key) {
-    if (key == held) return;
+    if (key == held) {
+        // Pressed again twice a second: a window that lost the keyboard has let go of its keys.
+        if (key == 0 || since_press_.elapsed() < 500) return;
+        QTest::keyPress(theatre_.view(), static_cast<Qt::Key>(key));
+        since_press_.restart();
+        return;
+    }
+    since_press_.restart();
     if (held != 0) QTest::keyRelease(theatre_.view(), static_cast<Qt::Key>(held));
     if (key != 0) QTest::keyPress(theatre_.view(), static_cast<Qt::Key>(key));
     held = key;

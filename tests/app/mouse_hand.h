@@ -3,6 +3,7 @@
 // person at the window causes.
 #pragma once
 
+#include <QElapsedTimer>
 #include <functional>
 #include <memory>
 
@@ -44,6 +45,7 @@ class MouseHand {
     ObservingRig& mind_;
     RigSample wish_;
     std::uint32_t tick_ = 0;
+    QElapsedTimer since_press_;
     int scope_key_ = 0, post_key_ = 0, head_key_ = 0, events_ = 0;
     bool pedal_ = false, asks_exchange_[hand_count] = {false, false};
 };
