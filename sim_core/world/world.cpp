@@ -92,7 +92,7 @@ void World::begin_input(const TickOutput* outputs, std::size_t count) noexcept {
         held.instrument = scene_.instrument(static_cast<Hand>(hand));
         held.tool = input_.last().contact[hand].tool;
         for (const std::unique_ptr<Part>& part : parts_) {
-            part->exchange(hand, held);
+            part->exchange(hand, input_, held);
             if (part->holds(hand)) input_.holder[hand] = part.get();
         }
     }

@@ -74,8 +74,9 @@ class Part {
     virtual ~Part() = default;
 
     virtual void begin_step() noexcept {}
-    /// Replaces what a hand holds, where its instruments are exchanged in the field.
-    virtual void exchange(int /*hand*/, HeldTool& /*held*/) const noexcept {}
+    /// Replaces what a hand holds, where its instruments are exchanged in the field. Called once a step and
+    /// hand, before any offer.
+    virtual void exchange(int /*hand*/, const StepInput& /*input*/, HeldTool& /*held*/) noexcept {}
     /// m, from the jaws of a hand that close in this step to the nearest tissue that they can take.
     virtual double offer(int /*hand*/, const HeldTool& /*held*/) const noexcept { return no_offer; }
     /// Whether a hand's jaws hold its tissue.

@@ -107,6 +107,55 @@ TEST(BandsPart, InconsistentScenesAreRefusedWithPlaceAndHint) {
     EXPECT_THROW(parse_scene(text, "scene.json"), InputError);
 }
 
+TEST(BandsPart, IsOfferedToClosingJawsAndTakenWhereTheWorldDecidesSo) {
+    const Scene scene = bands_scene();
+    BandsPart part(scene, 5);
+    const InstrumentSpec& grasper = *scene.instrument(Hand::left);
+    TickOutput output;
+    ToolKinematics& tool = output.contact[0].tool;
+    tool.present = tool.inside = true;
+    tool.axis = -Vector3::UnitZ();
+    tool.rotation = Vector3(1, -1, -1).asDiagonal();
+    const auto above = [&](double height) {  // of the middle of the jaws
+        tool.tip = part.strand(2).position[strand_segments / 2] + Vector3(0, 0, height) +
+                   0.5 * grasper.jaw_length * tool.axis;
+    };
+    const auto step = [&](const Part* taker) {
+        StepInput input;
+        input.outputs = &output;
+        input.count = 1;
+        input.dt = scene.step_period();
+        input.held[0].instrument = &grasper;
+        input.held[0].tool = tool;
+        part.exchange(0, input, input.held[0]);
+        const double offer = part.offer(0, input.held[0]);
+        input.taker[0] = taker;
+        part.apply(input);
+        part.solve(input);
+        return offer;
+    };
+    const auto open = [&] { tool.jaw_angle = grasper.jaw_opening, tool.grip = 0; };
+    const auto close = [&] { tool.jaw_angle = 0.02, tool.grip = 4; };
+    above(0.002);
+    open();
+    EXPECT_EQ(step(nullptr), Part::no_offer) << "open jaws take nothing";
+    close();
+    EXPECT_NEAR(step(nullptr), 0.002, 1e-4);
+    EXPECT_FALSE(part.holds(0)) << "tissue of another part is nearer";
+    open();
+    step(nullptr);
+    above(Jaws::reach + 0.001);
+    close();
+    EXPECT_EQ(step(nullptr), Part::no_offer) << "out of reach";
+    open();
+    step(nullptr);
+    above(0.002);
+    close();
+    EXPECT_NEAR(step(&part), 0.002, 1e-4);
+    EXPECT_TRUE(part.holds(0));
+    EXPECT_EQ(part.grasp(0).patch, 2);
+}
+
 TEST(BandsPart, GraspedBandPullsOnTheHandUntilReleased) {
     BandsStage stage;
     stage.take(Hand::left, 2, 0.5);
