@@ -75,7 +75,7 @@ SceneAssembler::SceneAssembler(const Scene& scene, const WorldSnapshot& first)
     if (scene.cavity) i.cavity = std::make_unique<CavityShape>(make_cavity(pelvis_parameters(*scene.cavity)));
     if (i.cavity)
         i.wall = std::make_shared<TissueTexture>(make_wall_texture(*i.cavity, i.textures.peritoneum));
-    const bool rectum = scene.bowel && scene.bowel->layout == "rectum" && scene.presacral;
+    const bool rectum = scene.bowel && scene.bowel->layout == BowelLayout::rectum && scene.presacral;
     if (rectum) i.hollow = std::make_unique<HollowDrawing>(scene, first);
     if (scene.sheet || scene.septa) i.areolar = std::make_shared<TissueTexture>(make_areolar_texture(1, 512));
     if (!scene.bowel || !(i.cavity || rectum) || first.rings.size() < 3) return;
