@@ -25,7 +25,7 @@ struct Bench : public AttemptSink {
     explicit Bench(const std::string& task, double warm_seconds)
         : loaded(load_task_and_scene(task)),
           engine(loaded.scene, loaded.task, 7),
-          rig(make_operator("expert", loaded.task, loaded.scene, 7)),
+          rig(make_operator(OperatorLevel::expert, loaded.task, loaded.scene, 7)),
           ticks_per_step(static_cast<std::uint32_t>(loaded.scene.ticks_per_step)) {
         outputs.resize(ticks_per_step);
         rig->observe(engine.initial_snapshot(), engine.display());

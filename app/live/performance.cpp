@@ -101,9 +101,10 @@ Performed perform(const PerformRequest& request, database::Recorder* recorder, c
     if (request.input_trace != nullptr) {
         rig = std::make_unique<TraceRig>(request.input_trace->inputs);
     } else {
-        rig = through_device(make_operator(request.operator_name, request.loaded.task, request.loaded.scene,
-                                           request.individual.value_or(request.seed), request.seed),
-                             request.device_class, request.loaded.scene);
+        rig = through_device(
+            make_operator(request.operator_level.value(), request.loaded.task, request.loaded.scene,
+                          request.individual.value_or(request.seed), request.seed),
+            request.device_class, request.loaded.scene);
     }
     std::unique_ptr<MemorySink> sink =
         recorder != nullptr ? std::make_unique<RecordingSink>(*recorder) : std::make_unique<MemorySink>();

@@ -35,7 +35,7 @@ class RecordingSink : public MemorySink {
 
 struct PerformRequest {
     LoadedTask loaded;
-    std::string operator_name;  ///< empty: input_trace
+    std::optional<OperatorLevel> operator_level;  ///< none: input_trace
     const AttemptRecord* input_trace = nullptr;
     std::uint64_t seed = 1;
     std::optional<std::uint64_t> individual;            ///< of the operator; without it the seed selects one

@@ -81,7 +81,8 @@ class Services : public ui::ApplicationServices {
         live.loaded = load_site_task(*store_, session, task_id);
         live.seed = demonstration_seed;
         live.assessed = false;
-        live.rig = make_operator("expert", live.loaded.task, live.loaded.scene, demonstration_seed);
+        live.rig =
+            make_operator(OperatorLevel::expert, live.loaded.task, live.loaded.scene, demonstration_seed);
         return std::make_unique<LiveAttempt>(std::move(live));
     }
     std::vector<ui::InterruptedScore> score_interrupted(const database::Session& session,

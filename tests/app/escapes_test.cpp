@@ -73,8 +73,9 @@ struct Attempt {
         const Cheat* cheat = nullptr;
         for (const Cheat& one : cheats())
             if (std::string(one.name) == "heavy") cheat = &one;
-        hands = std::make_shared<Hands>(heavy ? make_cheat(*cheat, loaded.task, loaded.scene, 2001)
-                                              : make_operator("expert", loaded.task, loaded.scene, 2001));
+        hands = std::make_shared<Hands>(
+            heavy ? make_cheat(*cheat, loaded.task, loaded.scene, 2001)
+                  : make_operator(OperatorLevel::expert, loaded.task, loaded.scene, 2001));
         const Limits limits = limits_for(loaded.task, loaded.scene, DeviceClass::synthetic);
         LiveRequest request;
         request.loaded = loaded;

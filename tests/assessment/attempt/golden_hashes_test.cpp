@@ -28,7 +28,7 @@ void expect_golden(const std::string& id) {
     const TaskDefinition task = load_task(test::source_path("assets/tasks/" + id + ".json"));
     const Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
     AttemptEngine engine(scene, task, 2001);
-    const auto rig = make_operator("expert", task, scene, 2001);
+    const auto rig = make_operator(OperatorLevel::expert, task, scene, 2001);
     MemorySink sink;
     const RunOutcome outcome = run_headless(engine, *rig, sink);
     std::ostringstream hash;

@@ -17,7 +17,7 @@ TEST(JawArea, IsOneValueInEachHoldOfAnAttempt) {
     const TaskDefinition task = load_task(test::source_path("assets/tasks/C4.json"));
     const Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
     AttemptEngine engine(scene, task, 2001);
-    const auto rig = make_operator("expert", task, scene, 2001);
+    const auto rig = make_operator(OperatorLevel::expert, task, scene, 2001);
     MemorySink sink;
     run_headless(engine, *rig, sink);
     int holds = 0;

@@ -22,7 +22,7 @@ RecordedAttempt attempt_of_an_expert(const std::string& id) {
     AttemptEngine engine(scene, task, 2001);
     RecordedAttempt attempt;
     const std::vector<TargetSphere>& targets = engine.initial_snapshot().targets;
-    const auto rig = make_operator("expert", task, scene, 2001);
+    const auto rig = make_operator(OperatorLevel::expert, task, scene, 2001);
     MemorySink sink;
     run_headless(engine, *rig, sink);
     std::vector<std::string> labels;

@@ -46,7 +46,7 @@ TEST_P(CheatsAt, NonePasses) {
     const test::CheatStage stage(GetParam().task);
     const bool honest = GetParam().cheat == nullptr;
     const std::unique_ptr<ObservingRig> rig =
-        honest ? make_operator("expert", stage.task, stage.scene, seed)
+        honest ? make_operator(OperatorLevel::expert, stage.task, stage.scene, seed)
                : make_cheat(*GetParam().cheat, stage.task, stage.scene, seed);
     // One who does nothing is followed to the end of the time limit once.
     const bool whole = !honest && GetParam().task == "A2" && GetParam().cheat->name == std::string("nothing");
