@@ -253,7 +253,7 @@ Trace read_trace_csv(std::istream& in, const std::string& file) {
         }
         if (blank || cells.size() != columns.size())
             reader.fail("(row)",
-                        blank ? "a blank line lies before it"
+                        blank ? "there is a blank line before it"
                               : std::to_string(cells.size()) + " cells where the header has " +
                                     std::to_string(columns.size()),
                         "give every row one cell a column");

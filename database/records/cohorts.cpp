@@ -47,7 +47,7 @@ void write_people(const Store& store, Table table, const std::string& cohort_id,
         const std::vector<Role>& roles = person.roles;
         if (table == Table::educators &&
             std::find(roles.begin(), roles.end(), Role::educator) == roles.end()) {
-            throw StoreError(StoreErrorKind::bad_value, person.display_name + " is no educator",
+            throw StoreError(StoreErrorKind::bad_value, person.display_name + " is not an educator",
                              "have an administrator give them the role first");
         }
         Query(connection, "INSERT INTO " + table_name(table) +

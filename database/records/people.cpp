@@ -93,7 +93,7 @@ void write_roles(Connection& connection, const std::string& person_id, const std
     Query(connection, "DELETE FROM person_role WHERE person_id = ?").bind(person_id).run();
     for (const Role role : roles) {
         if (role == Role::station) {
-            throw StoreError(StoreErrorKind::bad_value, "station is no person's role",
+            throw StoreError(StoreErrorKind::bad_value, "station is not the role of a person",
                              "choose trainee, educator, director or administrator");
         }
         Query(connection, "INSERT INTO person_role (person_id, role) VALUES (?, ?) ON CONFLICT DO NOTHING")

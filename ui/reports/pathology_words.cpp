@@ -45,14 +45,14 @@ QString reason_text(const PathologyReport& report, GradeReason reason) {
             return tr("a defect of %1 mm, deeper than 5 mm")
                 .arg(near_limit(report.deepest_defect, deep_defect));
         case GradeReason::fat:
-            return tr("%1 % of the cut lies more than 2 mm in the fat (limit %2 %)")
+            return tr("%1 % of the cut is more than 2 mm in the fat (limit %2 %)")
                 .arg(QString::number(100 * report.fat_share, 'f', 1), percent(fat_share_limit));
         case GradeReason::coning:
             return tr("coning of %1 mm").arg(near_limit(report.coning.value_or(0), coning_limit));
         case GradeReason::muscularis:
             return tr("a defect down to the muscularis");
         case GradeReason::bulk_loss:
-            return tr("half of the cut lies more than %1 mm in the fat")
+            return tr("half of the cut is more than %1 mm in the fat")
                 .arg(near_limit(report.median_fat_depth, bulk_loss_depth));
         case GradeReason::deep_coning:
             return tr("coning of %1 mm, more than %2 mm")
