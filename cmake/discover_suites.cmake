@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: Apache-2.0
+# Read by ctest before it runs: one entry for each suite of a test program, not for each test: of many short tests the
+# start of the program takes longer than the test. Needs EXECUTABLE, FILTER, PROPERTIES, LIST_FILE.
+function(discover_suites)
+    if(NOT EXISTS "${EXECUTABLE}")
+        add_test(${EXECUTABLE}_NOT_BUILT ${EXECUTABLE}_NOT_BUILT)
+        return()
+    endif()
+    if(NOT EXISTS "${LIST_FILE}" OR "${EXECUTABLE}" IS_NEWER_THAN "${LIST_FILE}" OR "${CMAKE_CURRENT_LIST_FILE}" IS_NEWER_THAN "${LIST_FILE}")
+        execute_process(COMMAND "${EXECUTABLE}" --gtest_list_tests "--gtest_filter=${FILTER}"
+            OUTPUT_VARIABLE listing RESULT_VARIABLE result TIMEOUT 60)
+        if(NOT result EQUAL 0)
+            message(FATAL_ERROR "${EXECUTABLE} cannot list its tests (${result}):\n${listing}")
+        endif()
+        string(REGEX REPLACE "[][;]" "." listing "${listing}")  # of parameters; a list cannot contain them
+        string(REPLACE "\n" ";" lines "${listing}")
+        set(text "")
+        foreach(line IN LISTS lines)
+            if(line MATCHES "^([^ ]+)\\.( .*)?$")
+                set(suite "${CMAKE_MATCH_1}")
+                string(APPEND text "add_test([=[${suite}]=] [=[${EXECUTABLE}]=] [=[--gtest_filter=${suite}.*]=])\n")
+                string(APPEND text "set_tests_properties([=[${suite}]=] PROPERTIES ${PROPERTIES})\n")
+            endif()
+        endforeach()
+        if(text STREQUAL "")
+            message(FATAL_ERROR "${EXECUTABLE} has no test that matches ${FILTER}")
+        endif()
+        file(WRITE "${LIST_FILE}" "${text}")
+    endif()
+    include("${LIST_FILE}")
+endfunction()
+discover_suites()
