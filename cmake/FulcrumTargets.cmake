@@ -6,7 +6,7 @@ find_package(Threads REQUIRED)
 find_program(FULCRUM_CCACHE ccache)
 if(FULCRUM_CCACHE)
     # Precompiled headers need these two sloppiness settings to be cached.
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime CCACHE_NOHASHDIR=1 CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} ${FULCRUM_CCACHE})
+    set(CMAKE_CXX_COMPILER_LAUNCHER /usr/bin/env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime CCACHE_NOHASHDIR=1 CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} ${FULCRUM_CCACHE})
 endif()
 
 add_library(fulcrum_flags INTERFACE)
