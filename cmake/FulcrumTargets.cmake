@@ -89,6 +89,8 @@ function(fulcrum_room folder)
     if(NOT ARG_PCH STREQUAL "none")
         target_precompile_headers(${name} REUSE_FROM ${ARG_PCH})
     endif()
+    # Every source includes the code that moc makes of its header, so nothing is left in the file that CMake makes of all others.
+    set_source_files_properties(${CMAKE_CURRENT_BINARY_DIR}/${name}_autogen/mocs_compilation.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
     if(FULCRUM_UNITY GREATER 1)
         set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${FULCRUM_UNITY})
         foreach(source ${ARG_APART})
