@@ -104,8 +104,7 @@ void GatesCard::open(const AttemptModel& model) {
         table_->setItem(row, 5, verdict_cell);
         const bool judged = gate.value && gate.limit;
         QString source = judged ? text(gate.limit_source) : statement_text(gate.not_passed_because);
-        // A source may say it of itself.
-        if (gate.provisional && !source.contains(QLatin1String("provisional")))
+        if (gate.provisional)
             source = judged ? tr("provisional: %1").arg(source) : tr("%1 (limit provisional)").arg(source);
         auto* source_cell = make_cell(source);
         source_cell->setToolTip(source);
