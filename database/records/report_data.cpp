@@ -127,6 +127,17 @@ AttemptFilter all_of_person(const std::string& person_id) {
     return filter;
 }
 
+PersonStandings standings_of(const Store& store, const PersonName& person,
+                             const std::vector<AttemptSummary>& attempts, const Curriculum& curriculum,
+                             std::int64_t at) {
+    PersonStandings standings =
+        person_standings(attempts, read_overrides(store.connection(), person.id), curriculum, at);
+    standings.person_id = person.id;
+    standings.login = person.login;
+    standings.name = person.name;
+    return standings;
+}
+
 void add_tasks(std::vector<std::string>& tasks, const std::vector<AttemptSummary>& attempts) {
     std::set<std::string> found(tasks.begin(), tasks.end());
     for (const AttemptSummary& attempt : attempts) found.insert(attempt.meta.task_id);
@@ -193,9 +204,22 @@ CohortTable Reports::cohort_table(const Session& session, const std::string& coh
         for (const AttemptSummary& attempt : attempts[i]) {
             if (attempt.counting) provenance.add(attempt);
         }
+        if (options.curriculum != nullptr)
+            table.standings.push_back(
+                standings_of(store_, shown[i], attempts[i], *options.curriculum, table.as_of));
     }
+    if (options.curriculum != nullptr) table.curriculum = options.curriculum->name();
     provenance.write(table);
     return table;
+}
+
+PersonStandings Reports::standings(const Session& session, const std::string& person_id,
+                                   const Curriculum& curriculum, ReportPurpose purpose) const {
+    const Operation operation =
+        purpose == ReportPurpose::exported ? Operation::export_person : Operation::read_progress;
+    store_.require(session, operation, Subject::person(person_id));
+    return standings_of(store_, name_of(store_, person_id),
+                        query_attempts(store_, session, all_of_person(person_id)), curriculum, store_.now());
 }
 
 PersonProgress Reports::person_progress(const Session& session, const std::string& person_id,

@@ -8,6 +8,7 @@
 #include <QPlainTextEdit>
 #include <QRadioButton>
 #include <QSlider>
+#include <QTabWidget>
 #include <nlohmann/json.hpp>
 
 #include "assessment/metrics/statement_words.h"
@@ -269,6 +270,8 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
 
     // The educator comments on the first and voids the abandoned B1.
     first_sign_in("ed", ed_once, "eduard's word");
+    expect_page("cohort_page");
+    click(window, "rail_attempts");
     expect_page("attempts_page");
     attempts = find<QTableWidget>(window, "attempts_table");
     EXPECT_EQ(attempts->rowCount(), 3);
@@ -324,6 +327,9 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     EXPECT_EQ(shown_cell.contains("best " + first_points), first.points.has_value());
     for (const char* name : {"cohort.pdf", "cohort.csv", "cohort.json"})
         save_report("export_cohort", folder.filePath(name));
+    page.step("director-grid", "The director's cohort: where each person stands, with the latest attempts");
+    find<QTabWidget>(window, "cohort_views")->setCurrentIndex(3);
+    QCoreApplication::processEvents();
     expect_whole(*table);
     page.step("director", "The director's cohort table, saved as PDF, CSV and JSON");
     const std::vector<Cells> csv = csv_rows(read_text(folder.filePath("cohort.csv")));

@@ -58,7 +58,7 @@ TEST_F(Roles, OnlyTraineesAreOfferedAttemptsAndOnlyTheirAttemptsAreAccepted) {
     take(false, "administrator");
     switch_user();
     first_sign_in("ed", ed_once, "eduard's word");
-    expect_page("attempts_page");
+    expect_page("cohort_page");
     EXPECT_FALSE(offered()) << "educator";
     take(false, "educator");
     switch_user();

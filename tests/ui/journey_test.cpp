@@ -233,6 +233,8 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
 
     // The educator comments at a moment and voids the abandoned attempt.
     first_sign_in("ed", ed_once, "eduard's word");
+    expect_page("cohort_page");
+    click(window, "rail_attempts");
     expect_page("attempts_page");
     auto* attempts = find<QTableWidget>(window, "attempts_table");
     ASSERT_EQ(attempts->rowCount(), 3);

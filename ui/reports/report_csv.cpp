@@ -7,7 +7,7 @@
 
 #include "assessment/metrics/registry.h"
 #include "assessment/metrics/statement_words.h"
-#include "ui/reports/report.h"
+#include "ui/reports/report_rows.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -35,6 +35,12 @@ const std::vector<Column>& cohort_columns() {
         {"best_points_scaled", "1", "best_points / 100"},
         {"best_attempt_id", "-", "UUID of the attempt with the best points"},
         {"last_attempt_utc", "-", "start of the latest attempt of any kind, ISO 8601 UTC"},
+        {"standing", "-",
+         "standing in the curriculum over the device classes that count there: locked, open, attempted, "
+         "passed, "
+         "proficient, maintained, due, relapsed; empty: the task does not belong to it"},
+        {"proficient_since_utc", "-", "when proficiency was declared, ISO 8601 UTC; empty: it was not"},
+        {"next_check_utc", "-", "when the next retention check is due, ISO 8601 UTC"},
         {"metric_versions", "-", "metric@version of every metric behind the figures"},
         {"benchmark_sets", "-", "benchmark sets behind the figures"},
         {"n_people", "1", "people in the table"},
@@ -135,6 +141,10 @@ std::optional<double> scaled(const std::optional<double>& points) {
     return points ? std::optional<double>(*points / 100.0) : std::nullopt;
 }
 
+std::string time_text(std::int64_t utc_ms) {
+    return utc_ms == 0 ? std::string() : database::iso_utc(utc_ms);
+}
+
 }  // namespace
 
 std::string csv_text(const std::string& cell) {
@@ -174,6 +184,7 @@ std::string cohort_csv(const CohortReport& report) {
         for (const ReportTask& task : report.tasks) {
             if (task.id == row.task_id) title = task.title;
         }
+        const TaskStanding* standing = standing_in(report.table, row.person_id, row.task_id);
         Row(csv)
             .words(report.table.cohort_name)
             .words(row.person_id)
@@ -190,7 +201,10 @@ std::string cohort_csv(const CohortReport& report) {
             .number(row.best_points)
             .number(scaled(row.best_points))
             .words(row.best_attempt_id)
-            .words(row.last_attempt == 0 ? std::string() : database::iso_utc(row.last_attempt))
+            .words(time_text(row.last_attempt))
+            .words(standing == nullptr ? "" : row_of(standing_names, standing->standing).name)
+            .words(time_text(standing == nullptr ? 0 : standing->declared_at))
+            .words(time_text(standing == nullptr ? 0 : standing->next_check))
             .words(joined(report.table.metric_versions))
             .words(joined(report.table.benchmark_sets))
             .count(report.table.people)
