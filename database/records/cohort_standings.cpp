@@ -66,6 +66,13 @@ PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
     for (const TaskStanding& standing : standings) {
         PersonTask task;
         task.standing = standing;
+        for (const AttemptSummary* attempt : by_time) {
+            if (!attempt->counting || attempt->meta.task_id != standing.task ||
+                !counts(*curriculum.find(standing.task), attempt->meta.device_class))
+                continue;
+            if (task.first_attempt == 0) task.first_attempt = attempt->meta.started;
+            if (task.first_pass == 0 && *attempt->passed) task.first_pass = attempt->meta.started;
+        }
         for (const AttemptSummary* attempt : of_task(by_time, *curriculum.find(standing.task))) {
             task.device_class = attempt->meta.device_class;
             if (attempt->points) points[standing.task].push_back(*attempt->points);
@@ -79,6 +86,37 @@ PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
     }
     person.concerns = concerns_of(standings, points, person.last_attempt, pass_mark, at);
     return person;
+}
+
+std::vector<TaskOverview> overview_of(const std::vector<PersonStandings>& people, std::int64_t at) {
+    std::vector<TaskOverview> overview;
+    const std::size_t tasks = people.empty() ? 0 : people.front().tasks.size();
+    for (std::size_t t = 0; t < tasks; ++t) {
+        TaskOverview one;
+        one.task = people.front().tasks[t].standing.task;
+        std::vector<Observation> to_pass, to_proficiency;
+        const auto observe = [at](std::vector<Observation>& to, const PersonTask& task, std::int64_t event) {
+            const std::int64_t end = event > 0 ? event : at;
+            to.push_back({static_cast<double>(std::max<std::int64_t>(0, end - task.first_attempt)) /
+                              static_cast<double>(day_ms),
+                          event > 0});
+        };
+        for (const PersonStandings& person : people) {
+            const PersonTask& task = person.tasks[t];
+            ++one.people[task.standing.standing];
+            if (task.standing.provisional) ++one.provisional;
+            if (task.first_attempt == 0) continue;
+            ++one.attempted;
+            if (task.first_pass > 0) ++one.passed;
+            observe(to_pass, task, task.first_pass);
+            observe(to_proficiency, task, task.standing.declared_at);
+        }
+        one.share = wilson(one.passed, one.attempted);
+        one.days_to_pass = survival_median(survival_curve(to_pass));
+        one.days_to_proficiency = survival_median(survival_curve(to_proficiency));
+        overview.push_back(std::move(one));
+    }
+    return overview;
 }
 
 }  // namespace fulcrum::database

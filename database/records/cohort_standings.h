@@ -5,11 +5,13 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "assessment/curriculum/concern.h"
+#include "assessment/learning/survival.h"
 #include "database/rows/attempt_records.h"
 #include "database/store/override_rows.h"
 
@@ -28,6 +30,8 @@ struct PersonTask {
     /// Of the device class used last: classes are never pooled. Empty without attempts.
     std::optional<DeviceClass> device_class;
     std::vector<RecentAttempt> recent;  ///< oldest first, at most most_recent
+    std::int64_t first_attempt = 0;     ///< UTC ms of the first that counts, of any device class; 0: none
+    std::int64_t first_pass = 0;        ///< UTC ms; 0: none
 };
 inline constexpr std::size_t most_recent = 12;
 
@@ -50,6 +54,19 @@ struct PersonStandings {
 PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
                                  const std::vector<OverrideRow>& overrides, const Curriculum& curriculum,
                                  std::int64_t at);
+
+/// One task over the people of a cohort.
+struct TaskOverview {
+    std::string task;
+    std::map<Standing, int> people;  ///< in each standing, provisional passes among the passed
+    int provisional = 0;             ///< people whose every pass is by provisional limits
+    int attempted = 0, passed = 0;   ///< people with an attempt that counts, with a pass
+    Share share;                     ///< passed of attempted
+    /// Days from the first attempt that counts; who is not there yet is censored at `at`.
+    SurvivalMedian days_to_pass, days_to_proficiency;
+};
+/// In the order of the curriculum; empty without people. `at`: UTC ms. Pure.
+std::vector<TaskOverview> overview_of(const std::vector<PersonStandings>& people, std::int64_t at);
 
 /// The attempt as the curriculum counts it.
 CountedAttempt counted_attempt(const AttemptSummary& attempt);

@@ -328,7 +328,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     for (const char* name : {"cohort.pdf", "cohort.csv", "cohort.json"})
         save_report("export_cohort", folder.filePath(name));
     page.step("director-grid", "The director's cohort: where each person stands, with the latest attempts");
-    find<QTabWidget>(window, "cohort_views")->setCurrentIndex(3);
+    find<QTabWidget>(window, "cohort_views")->setCurrentIndex(4);
     QCoreApplication::processEvents();
     expect_whole(*table);
     page.step("director", "The director's cohort table, saved as PDF, CSV and JSON");

@@ -219,9 +219,9 @@ class Legend : public QWidget {
         setAccessibleName(CohortGrid::tr("What the signs mean"));
         for (const auto& row : standing_names) {
             TaskStanding one;
-            one.standing = row.value;
+            one.standing = row.kind;
             shown_.push_back(one);
-            if (row.value != Standing::passed) continue;
+            if (row.kind != Standing::passed) continue;
             one.provisional = true;
             shown_.push_back(one);
         }
@@ -283,7 +283,7 @@ CohortGrid::CohortGrid(QWidget* parent) : QWidget(parent), model_(new CohortGrid
     standing_->addItem(tr("Any standing"), -1);
     for (const auto& one : standing_names)
         standing_->addItem(QCoreApplication::translate("fulcrum::standings", one.title),
-                           static_cast<int>(one.value));
+                           static_cast<int>(one.kind));
     row->addWidget(standing_);
     order_ = new QComboBox;
     order_->setObjectName(QStringLiteral("grid_order"));

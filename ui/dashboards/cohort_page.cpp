@@ -11,6 +11,7 @@
 #include "database/records/people.h"
 #include "ui/dashboards/cohort_grid.h"
 #include "ui/dashboards/concern_words.h"
+#include "ui/dashboards/overview_view.h"
 #include "ui/dashboards/practice_view.h"
 #include "ui/page/background_job.h"
 #include "ui/reports/export_row.h"
@@ -19,6 +20,11 @@
 #include "ui/style/widgets.h"
 
 namespace fulcrum::ui {
+namespace {
+
+constexpr int attention_tab = 3;
+
+}  // namespace
 
 QString cohort_cell_text(const database::CohortRow& row) {
     QString state;
@@ -74,6 +80,7 @@ QWidget* CohortPage::make_views() {
     views_->setObjectName(QStringLiteral("cohort_views"));
     views_->setAccessibleName(tr("Views of the cohort"));
     grid_ = new CohortGrid;
+    overview_ = new OverviewView;
     practice_ = new PracticeView;
     const auto open_progress = [this](const QString& person, const QString& task) {
         emit context().progress_wanted(person, task);
@@ -106,6 +113,7 @@ QWidget* CohortPage::make_views() {
         emit context().progress_wanted(person, task);
     });
     views_->addTab(grid_, tr("Grid"));
+    views_->addTab(overview_, tr("Tasks"));
     views_->addTab(practice_, tr("Days of practice"));
     views_->addTab(concerns_, QString());
     views_->addTab(table_, tr("Table"));
@@ -133,8 +141,9 @@ void CohortPage::load() {
     table_->setRowCount(0);
     table_->setColumnCount(0);
     concerns_->setRowCount(0);
-    views_->setTabText(2, tr("Needs attention"));
+    views_->setTabText(attention_tab, tr("Needs attention"));
     grid_->show_table({}, {});
+    overview_->show_table({}, {});
     practice_->show_table({});
     const std::string id = plain(cohort_->currentData().toString());
     export_->setVisible(!id.empty() &&
@@ -157,6 +166,7 @@ void CohortPage::load() {
     QStringList titles;
     for (const CurriculumTask& task : options.curriculum->tasks) titles << context().task_title(task.task);
     grid_->show_table(*data_, titles);
+    overview_->show_table(*data_, titles);
     practice_->show_table(*data_);
     show_concerns();
     show_rows();
@@ -230,7 +240,7 @@ void CohortPage::show_concerns() {
             concerns_->setItem(line, 1, reason);
         }
     }
-    views_->setTabText(2, tr("Needs attention (%1)").arg(concerns_->rowCount()));
+    views_->setTabText(attention_tab, tr("Needs attention (%1)").arg(concerns_->rowCount()));
     concerns_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     concerns_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
 }

@@ -20,6 +20,7 @@ namespace fulcrum::ui {
 class CohortGrid;
 class ExportRow;
 class JobBar;
+class OverviewView;
 class PracticeView;
 
 class CohortPage : public Page {
@@ -45,6 +46,7 @@ class CohortPage : public Page {
     QLabel *summary_, *foot_;
     QTabWidget* views_;
     CohortGrid* grid_;
+    OverviewView* overview_;
     PracticeView* practice_;
     QTableWidget *concerns_, *table_;
     ExportRow* export_;

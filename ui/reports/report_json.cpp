@@ -121,6 +121,35 @@ Json standings_json(const database::PersonStandings& person) {
             {"tasks", std::move(tasks)},     {"concerns", std::move(concerns)}};
 }
 
+namespace {
+
+Json median_json(const SurvivalMedian& days) {
+    return {{"median", or_null(days.median)}, {"low", or_null(days.low)}, {"high", or_null(days.high)}};
+}
+
+Json overview_json(const database::CohortTable& table) {
+    Json tasks = Json::array();
+    for (const database::TaskOverview& one : database::overview_of(table.standings, table.as_of)) {
+        Json people;
+        for (const auto& row : standing_names) {
+            const auto found = one.people.find(row.kind);
+            people[row.name] = found == one.people.end() ? 0 : found->second;
+        }
+        tasks.push_back(
+            {{"task", one.task},
+             {"people", std::move(people)},
+             {"passed_provisionally", one.provisional},
+             {"attempted", one.attempted},
+             {"passed", one.passed},
+             {"pass_share", {{"share", one.share.share}, {"low", one.share.low}, {"high", one.share.high}}},
+             {"days_to_first_pass", median_json(one.days_to_pass)},
+             {"days_to_proficiency", median_json(one.days_to_proficiency)}});
+    }
+    return tasks;
+}
+
+}  // namespace
+
 std::string person_json(const PersonReport& report) {
     Json document = {{"report", "person"},
                      {"person", {{"id", report.person_id}, {"login", report.login}, {"name", report.name}}},
@@ -158,6 +187,7 @@ std::string cohort_json(const CohortReport& report) {
     document["rows"] = Json::array();
     for (const database::CohortRow& row : report.table.rows) document["rows"].push_back(row_json(row));
     document["curriculum"] = or_null(report.table.curriculum);
+    document["overview"] = overview_json(report.table);
     document["standings"] = Json::array();
     for (const database::PersonStandings& person : report.table.standings)
         document["standings"].push_back(standings_json(person));

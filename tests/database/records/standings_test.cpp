@@ -150,6 +150,17 @@ TEST(Standings, TheCohortTableCarriesThemWithTheLatestAttempts) {
     EXPECT_GE(ann->days.size(), 4U);
     ASSERT_EQ(ann->concerns.size(), 1U);
     EXPECT_EQ(ann->concerns[0].kind, ConcernKind::stopped);
+    const std::vector<TaskOverview> overview = overview_of(table.standings, table.as_of);
+    const auto of_a2 = std::find_if(overview.begin(), overview.end(),
+                                    [](const TaskOverview& one) { return one.task == "A2"; });
+    ASSERT_NE(of_a2, overview.end());
+    EXPECT_EQ(of_a2->attempted, 1);
+    EXPECT_EQ(of_a2->passed, 1);
+    EXPECT_EQ(of_a2->people.at(Standing::passed), 1);
+    EXPECT_EQ(of_a2->provisional, 1);
+    ASSERT_TRUE(of_a2->days_to_pass.median);
+    EXPECT_NEAR(*of_a2->days_to_pass.median, 13 * 0.25, 1e-9) << "the 14th attempt, four a day";
+    EXPECT_FALSE(of_a2->days_to_proficiency.median) << "by provisional limits nobody is proficient";
     options.curriculum = nullptr;
     EXPECT_TRUE(Reports(*programme.store)
                     .cohort_table(programme.session("director"), programme.cohort, options)

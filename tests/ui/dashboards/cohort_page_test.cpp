@@ -17,6 +17,7 @@
 #include "tests/ui/files.h"
 #include "tests/ui/hands.h"
 #include "ui/dashboards/concern_words.h"
+#include "ui/dashboards/overview_view.h"
 #include "ui/reports/report.h"
 #include "ui/shell/main_window.h"
 
@@ -105,6 +106,14 @@ TEST_F(CohortViews, TheGridShowsEveryoneIsFilteredOrderedAndOpenedByKeys) {
 TEST_F(CohortViews, DaysReasonsAndTableComeFromTheSameQuery) {
     open();
     views->setCurrentIndex(1);
+    auto* overview = find<QTableWidget>(*window, "cohort_overview");
+    ASSERT_EQ(overview->rowCount(), static_cast<int>(services.curriculum().tasks.size()));
+    keep("cohort-tasks-light");
+    window->set_theme(Theme::dark);
+    keep("cohort-tasks-dark");
+    window->set_theme(Theme::light);
+
+    views->setCurrentIndex(2);
     auto* days = find<QTableView>(*window, "practice_days");
     ASSERT_EQ(days->model()->rowCount(), people);
     EXPECT_EQ(days->model()->columnCount(), 13) << "twelve weeks";
@@ -119,12 +128,12 @@ TEST_F(CohortViews, DaysReasonsAndTableComeFromTheSameQuery) {
     keep("cohort-days-dark");
     window->set_theme(Theme::light);
 
-    views->setCurrentIndex(2);
+    views->setCurrentIndex(3);
     auto* reasons = find<QTableWidget>(*window, "cohort_concerns");
-    EXPECT_EQ(views->tabText(2), QString("Needs attention (%1)").arg(reasons->rowCount()));
+    EXPECT_EQ(views->tabText(3), QString("Needs attention (%1)").arg(reasons->rowCount()));
     keep("cohort-attention-light");
 
-    views->setCurrentIndex(3);
+    views->setCurrentIndex(4);
     ASSERT_EQ(find<QTableWidget>(*window, "cohort_table")->rowCount(), people);
     keep("cohort-table-light");
 
@@ -139,6 +148,14 @@ TEST_F(CohortViews, DaysReasonsAndTableComeFromTheSameQuery) {
     std::size_t concerns = 0;
     for (const nlohmann::json& person : json["standings"]) concerns += person["concerns"].size();
     EXPECT_EQ(concerns, static_cast<std::size_t>(reasons->rowCount()));
+    ASSERT_EQ(json["overview"].size(), static_cast<std::size_t>(overview->rowCount()));
+    for (int row = 0; row < overview->rowCount(); ++row) {
+        const nlohmann::json& task = json["overview"][static_cast<std::size_t>(row)];
+        if (task["attempted"] == 0) continue;
+        const QString shown =
+            QString("%1 of %2 (").arg(task["passed"].get<int>()).arg(task["attempted"].get<int>());
+        EXPECT_TRUE(overview->item(row, 1)->text().startsWith(shown)) << task.dump();
+    }
     const nlohmann::json& first = json["standings"][0]["tasks"];
     for (std::size_t t = 0; t < first.size(); ++t) {
         const QString spoken =
@@ -146,6 +163,19 @@ TEST_F(CohortViews, DaysReasonsAndTableComeFromTheSameQuery) {
         const std::string standing = first[t]["standing"];
         EXPECT_TRUE(spoken.contains(QString::fromStdString(": " + standing))) << spoken.toStdString();
     }
+}
+
+TEST(OverviewWords, NameTheShareAndTheDaysWithTheirIntervals) {
+    database::TaskOverview task;
+    EXPECT_EQ(share_text(task), "–");
+    task.attempted = 18;
+    task.passed = 12;
+    task.share = wilson(12, 18);
+    EXPECT_EQ(share_text(task), "12 of 18 (67 %, 44 to 84 %)");
+    EXPECT_EQ(days_text({}, 0), "–");
+    EXPECT_EQ(days_text({}, 18), "not yet by half");
+    EXPECT_EQ(days_text({23, 15, 40}, 18), "23 days (15 to 40)");
+    EXPECT_EQ(days_text({23, 15, {}}, 18), "23 days (15 or more)");
 }
 
 TEST(ConcernWords, SayWhatSinceWhenAndHowMuch) {
