@@ -39,7 +39,7 @@ int run_replay(const Arguments& arguments) {
     const LoadedTask loaded = load_recorded(attempts, session, summary);
 
     AttemptRecord record{std::move(trace.inputs), std::move(trace.samples), std::move(trace.steps),
-                         std::move(trace.events)};
+                         std::move(trace.events), summary.meta.force_devices};
     if (record.inputs.size() != record.samples.size())
         throw InputError(id, "trace", "the numbers of inputs and samples differ", "run fulcrum db check");
     AttemptEngine engine(loaded.scene, loaded.task, summary.meta.seed);

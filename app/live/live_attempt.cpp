@@ -78,7 +78,9 @@ struct LiveAttempt::State : public AttemptSink {
     LoopCounters counters;
     std::thread haptic_thread, world_thread, recorder_thread;
 
-    explicit State(LiveRequest request_in) : request(std::move(request_in)) {}
+    explicit State(LiveRequest request_in) : request(std::move(request_in)) {
+        request.meta.force_devices = devices_of(*request.rig);
+    }
     bool recorded() const { return !request.store_path.empty(); }
     void build() {
         engine = std::make_unique<AttemptEngine>(request.loaded.scene, request.loaded.task, request.seed);
@@ -87,9 +89,7 @@ struct LiveAttempt::State : public AttemptSink {
         const View start{engine->initial_snapshot(), engine->display()};
         view.fill(start);
         rig_view.fill(start);
-        for (int hand = 0; hand < hand_count; ++hand)
-            engine->loop().set_device_damping(static_cast<Hand>(hand),
-                                              request.rig->damping(static_cast<Hand>(hand)));
+        engine->use_devices(request.meta.force_devices);
         built.store(true);
     }
 
@@ -165,8 +165,7 @@ void LiveAttempt::State::run_haptic() noexcept {
         input.flags |= device_flags(input);
         TickOutput output = engine->tick(input);
         output.sample.missed = counters.missed();
-        rig.write_force(Hand::left, output.device_force[0]);
-        rig.write_force(Hand::right, output.device_force[1]);
+        write_forces(rig, output);
         world_ring.push(output);
         record_ring.push({output.input, output.sample});
         tick_count.store(tick, std::memory_order_relaxed);
@@ -175,8 +174,7 @@ void LiveAttempt::State::run_haptic() noexcept {
         last_use = use_of_this_thread() - at_begin;
         counters.tick_ends(last_duration, last_use);
     }
-    rig.write_force(Hand::left, Vector3::Zero());
-    rig.write_force(Hand::right, Vector3::Zero());
+    write_forces(rig, TickOutput{});
     haptic_stopped.store(true);
     ticks_ready.post();
 }
@@ -385,7 +383,8 @@ ui::LoopHealth LiveAttempt::health() const {
     health.late_steps = state.counters.late_steps();
     health.lost_samples = state.world_ring.lost() + state.record_ring.lost() + state.record_world_ring.lost();
     for (int hand = 0; hand < hand_count; ++hand)
-        health.force_felt[hand] = state.request.rig->has_force(static_cast<Hand>(hand));
+        health.force_felt[hand] =
+            state.request.meta.force_devices[static_cast<std::size_t>(hand)].has_value();
     return health;
 }
 

@@ -105,7 +105,7 @@ class Services : public ui::ApplicationServices {
                                                   const database::AttemptSummary& attempt,
                                                   std::shared_ptr<const database::Trace> trace) override {
         return make_replay_source(load_recorded(database::Attempts(*store_), session, attempt),
-                                  attempt.meta.seed, std::move(trace));
+                                  attempt.meta.seed, attempt.meta.force_devices, std::move(trace));
     }
     SiteTissues site_tissues(const database::Session& session, const std::string& task_id) override {
         return fulcrum::site_tissues(*store_, session, task_id);

@@ -17,8 +17,9 @@ constexpr std::uint32_t picture_ticks = 100;
 
 class Replay : public ui::ReplaySource {
   public:
-    Replay(LoadedTask loaded, std::uint64_t seed, std::shared_ptr<const database::Trace> trace)
-        : loaded_(std::move(loaded)), trace_(std::move(trace)), seed_(seed) {
+    Replay(LoadedTask loaded, std::uint64_t seed, const ForceDevices& devices,
+           std::shared_ptr<const database::Trace> trace)
+        : loaded_(std::move(loaded)), trace_(std::move(trace)), seed_(seed), devices_(devices) {
         for (const InstrumentSpec& spec : loaded_.scene.instruments) {
             instruments_[static_cast<int>(spec.hand)] = make_instrument(spec, loaded_.scene.tick_period());
         }
@@ -66,7 +67,8 @@ class Replay : public ui::ReplaySource {
         try {
             AttemptEngine engine(loaded_.scene, loaded_.task, seed_);
             keep(engine.initial_snapshot());
-            AttemptRecord record{trace_->inputs, trace_->samples, trace_->steps, trace_->events};
+            const AttemptRecord record{trace_->inputs, trace_->samples, trace_->steps, trace_->events,
+                                       devices_};
             std::uint32_t next = picture_ticks;
             const ReplayOutcome outcome =
                 replay_record(engine, record, false, [&](const WorldSnapshot& snapshot) {
@@ -130,6 +132,8 @@ class Replay : public ui::ReplaySource {
         shown_.tick = sample.tick;
     }
     void blend(const WorldSnapshot& next, double u) {
+        for (int hand = 0; hand < hand_count; ++hand)
+            shown_.lift[hand] += u * (next.lift[hand] - shown_.lift[hand]);
         for (std::size_t i = 0; i < shown_.nodes.size(); ++i)
             shown_.nodes[i] += u * (next.nodes[i] - shown_.nodes[i]);
         for (std::size_t i = 0; i < shown_.rings.size(); ++i) {
@@ -151,6 +155,7 @@ class Replay : public ui::ReplaySource {
     LoadedTask loaded_;
     std::shared_ptr<const database::Trace> trace_;
     std::uint64_t seed_;
+    ForceDevices devices_;
     InstrumentModel instruments_[hand_count];
     ScopeModel scope_;
     std::mutex mutex_;
@@ -170,8 +175,9 @@ class Replay : public ui::ReplaySource {
 }  // namespace
 
 std::unique_ptr<ui::ReplaySource> make_replay_source(LoadedTask loaded, std::uint64_t seed,
+                                                     const ForceDevices& devices,
                                                      std::shared_ptr<const database::Trace> trace) {
-    return std::make_unique<Replay>(std::move(loaded), seed, std::move(trace));
+    return std::make_unique<Replay>(std::move(loaded), seed, devices, std::move(trace));
 }
 
 }  // namespace fulcrum::app

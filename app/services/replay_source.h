@@ -13,6 +13,7 @@ namespace fulcrum::app {
 /// Simulates on a thread of its own and keeps ten snapshots of the tissue per second; the tissue between two
 /// snapshots is interpolated, instruments and scope come from the record. Owner's thread only.
 std::unique_ptr<ui::ReplaySource> make_replay_source(LoadedTask loaded, std::uint64_t seed,
+                                                     const ForceDevices& devices,
                                                      std::shared_ptr<const database::Trace> trace);
 
 }  // namespace fulcrum::app

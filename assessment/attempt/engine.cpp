@@ -57,6 +57,18 @@ const WorldSnapshot& AttemptEngine::initial_snapshot() const noexcept {
     return parts_->initial;
 }
 
+void AttemptEngine::use_devices(const ForceDevices& devices) {
+    for (std::size_t hand = 0; hand < devices.size(); ++hand)
+        parts_->loop.set_device(static_cast<Hand>(hand), devices[hand]);
+}
+
+ForceDevices devices_of(const Rig& rig) {
+    ForceDevices devices;
+    for (std::size_t hand = 0; hand < devices.size(); ++hand)
+        devices[hand] = rig.force_output(static_cast<Hand>(hand));
+    return devices;
+}
+
 std::vector<TargetSphere> targets_of(const Scene& scene, const TaskDefinition& task, std::uint64_t seed) {
     if (!scene.targets && !scene.camera_targets) return {};
     return AttemptEngine(scene, task, seed).initial_snapshot().targets;
@@ -79,15 +91,41 @@ void AttemptEngine::adopt(const LocalModels& models) noexcept {
     parts_->loop.adopt(models);
 }
 
+namespace {
+
+void report_limits(const TickOutput& output, EventSink& sink) noexcept {
+    for (int hand = 0; hand < hand_count; ++hand) {
+        if (!output.limited[hand].limited) continue;
+        Event event;
+        event.tick = output.sample.tick;
+        event.kind = EventKind::stability_limited;
+        event.hand = static_cast<decltype(event.hand)>(hand);
+        event.value = output.limited[hand].stiffness;
+        sink.on_event(event);
+    }
+}
+
+}  // namespace
+
 StepProducts AttemptEngine::step(const TickOutput* outputs, std::size_t count, AttemptSink& sink) noexcept {
     Parts& parts = *parts_;
     count = std::min(count, Parts::longest_step_ticks);
-    for (std::size_t i = 0; i < count; ++i) parts.consumed[i] = outputs[i].sample;
+    for (std::size_t i = 0; i < count; ++i) {
+        parts.consumed[i] = outputs[i].sample;
+        report_limits(outputs[i], sink);
+    }
     const StepRecord record = parts.world.step(outputs, count);
     if (record.state_hash != 0) parts.hash.add(record.state_hash);
     sink.on_step(record);
     parts.monitor.on_step(parts.consumed.data(), count, parts.world.snapshot(), sink);
     return {&parts.world.local_models(), &parts.world.snapshot(), &parts.monitor.display()};
+}
+
+void write_forces(Rig& rig, const TickOutput& output) {
+    for (int hand = 0; hand < hand_count; ++hand) {
+        rig.write_force(static_cast<Hand>(hand), output.device_force[hand]);
+        rig.write_torque(static_cast<Hand>(hand), output.device_torque[hand]);
+    }
 }
 
 RunOutcome run_headless(AttemptEngine& engine, Rig& rig, AttemptSink& sink,
@@ -98,6 +136,7 @@ RunOutcome run_headless(AttemptEngine& engine, Rig& rig, AttemptSink& sink,
     const auto ticks_per_question = static_cast<std::uint32_t>(engine.scene().tick_rate);
     std::vector<TickOutput> outputs(ticks_per_step);
     if (observer != nullptr) observer->observe(engine.initial_snapshot(), engine.display());
+    engine.use_devices(devices_of(rig));
 
     RunOutcome outcome;
     bool pending = false;  // a step is done and waits for its tick
@@ -106,8 +145,7 @@ RunOutcome run_headless(AttemptEngine& engine, Rig& rig, AttemptSink& sink,
         input.tick = tick;
         rig.read(tick, input);
         const TickOutput& output = engine.tick(input);
-        rig.write_force(Hand::left, output.device_force[0]);
-        rig.write_force(Hand::right, output.device_force[1]);
+        write_forces(rig, output);
         outputs[(tick - 1) % ticks_per_step] = output;
         sink.on_tick(output.input, output.sample);
         outcome.ticks = tick;
@@ -151,6 +189,16 @@ bool same_sample(const TickSample& a, const TickSample& b) {
     return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
+/// A hand whose device renders no force was sent none: what older records hold there was never felt.
+void forget_unfelt(const ForceDevices& devices, TickSample& sample) {
+    for (std::size_t h = 0; h < devices.size(); ++h) {
+        if (devices[h]) continue;
+        HandSample& hand = sample.hand[h];
+        std::fill(std::begin(hand.device_force), std::end(hand.device_force), 0);
+        hand.flags = static_cast<std::uint16_t>(hand.flags & ~static_cast<unsigned>(hand_clamped));
+    }
+}
+
 }  // namespace
 
 ReplayOutcome replay_record(AttemptEngine& engine, const AttemptRecord& record, bool keep_samples,
@@ -159,6 +207,7 @@ ReplayOutcome replay_record(AttemptEngine& engine, const AttemptRecord& record, 
                   std::has_unique_object_representations_v<CameraSample>);
     ReplayOutcome outcome;
     ReplaySink sink(outcome);
+    engine.use_devices(record.devices);
     std::vector<TickOutput> outputs;
     std::size_t next_step = 0;
     bool stopped = false;
@@ -189,7 +238,9 @@ ReplayOutcome replay_record(AttemptEngine& engine, const AttemptRecord& record, 
         }
         TickOutput output = engine.tick(input);
         output.sample.missed = recorded.missed;  // depends on wall time, not on the simulation
-        if (!same_sample(output.sample, recorded)) diverged(recorded.tick);
+        TickSample expected = recorded;
+        forget_unfelt(record.devices, expected);
+        if (!same_sample(output.sample, expected)) diverged(recorded.tick);
         if (keep_samples) outcome.samples.push_back(output.sample);
         outputs.push_back(output);
         // Where no tick waits for a model any more (never one without instruments), steps follow their ticks:

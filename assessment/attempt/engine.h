@@ -40,6 +40,9 @@ struct StepProducts {
     const TaskDisplay* display = nullptr;
 };
 
+/// What the devices of a rig can render.
+ForceDevices devices_of(const Rig& rig);
+
 class AttemptEngine {
   public:
     /// Builds the scene's parts. Throws InputError if scene and task do not fit together. The seed selects
@@ -54,6 +57,8 @@ class AttemptEngine {
     std::uint64_t seed() const noexcept;
     World& world() noexcept;
     HapticLoop& loop() noexcept;
+    /// Before the first tick: what the rig's devices can render. Without it no force is sent.
+    void use_devices(const ForceDevices& devices);
     /// The snapshot before the first tick.
     const WorldSnapshot& initial_snapshot() const noexcept;
 
@@ -79,6 +84,9 @@ class AttemptEngine {
 /// scene has none.
 std::vector<TargetSphere> targets_of(const Scene& scene, const TaskDefinition& task, std::uint64_t seed);
 
+/// Hands a tick's forces to the rig. Haptic thread.
+void write_forces(Rig& rig, const TickOutput& output);
+
 struct RunOutcome {
     EventKind end = EventKind::interrupted;
     std::uint32_t ticks = 0;
@@ -99,6 +107,7 @@ struct AttemptRecord {
     std::vector<TickSample> samples;
     std::vector<StepRecord> steps;
     std::vector<Event> events;
+    ForceDevices devices;  ///< that the attempt was performed with
 };
 
 struct ReplayOutcome {
@@ -110,7 +119,8 @@ struct ReplayOutcome {
 };
 
 /// Runs a new engine over a record, following its schedule, and compares every sample and every step's hash
-/// with it. `after_step` gets the world after every step; returning false stops.
+/// with it, except the force sent to a hand whose device renders none. `after_step` gets the world after
+/// every step; returning false stops.
 ReplayOutcome replay_record(AttemptEngine& engine, const AttemptRecord& record, bool keep_samples = false,
                             const std::function<bool(const WorldSnapshot&)>& after_step = {});
 

@@ -88,7 +88,8 @@ std::string Attempts::reassign(const Session& educator, const std::string& attem
           "operator_name, variant, "
           "seed, fidelity, scene, scene_digest, curriculum, limits, program_version, cpu_features, started, "
           "utc_offset_min, state, "
-          "duration_s, wall_s, missed_ticks, lost_samples, events, state_hash FROM attempt WHERE id = ?")
+          "duration_s, wall_s, missed_ticks, lost_samples, events, state_hash, force_devices FROM attempt "
+          "WHERE id = ?")
         .bind(copy)
         .bind(person_id)
         .bind(attempt_id)

@@ -2,6 +2,7 @@
 #include "database/records/attempt_query.h"
 
 #include "database/rows/enum_column.h"
+#include "database/rows/force_devices.h"
 #include "database/rows/person_kind.h"
 
 namespace fulcrum::database {
@@ -11,7 +12,7 @@ const char* const columns =
     "SELECT a.id, a.person_id, a.task_id, a.task_version, a.mode, a.device_class, a.device, a.operator_name, "
     "a.variant, a.seed, "
     "a.fidelity, a.scene, a.scene_digest, a.curriculum, a.limits, a.program_version, a.cpu_features, "
-    "a.started, a.utc_offset_min, "
+    "a.started, a.utc_offset_min, a.force_devices, "
     "p.login, p.display_name, p.kind, a.state, a.duration_s, a.wall_s, a.missed_ticks, a.lost_samples, "
     "a.events, a.state_hash, "
     "s.passed, s.points, COALESCE(s.not_scored_because, ''), "
@@ -51,6 +52,7 @@ AttemptSummary summary_of_row(const Query& row) {
     meta.cpu_features = text();
     meta.started = integer();
     meta.utc_offset_min = static_cast<int>(integer());
+    meta.force_devices = force_devices_of(text(), place("force devices"));
     attempt.person_login = text();
     attempt.person_name = text();
     attempt.synthetic = person_kind_of(text(), meta.person_id) != PersonKind::real;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "database/rows/crypto.h"
+#include "database/rows/force_devices.h"
 #include "database/rows/json.h"
 #include "database/rows/person_kind.h"
 #include "database/store/audit.h"
@@ -47,8 +48,8 @@ void insert_attempt(const Store& store, const AttemptMeta& attempt) {
           "INSERT INTO attempt (id, person_id, station_id, task_id, task_version, mode, device_class, "
           "device, operator_name, variant, "
           "seed, fidelity, scene, scene_digest, curriculum, limits, program_version, cpu_features, started, "
-          "utc_offset_min, state) "
-          "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 'running')")
+          "utc_offset_min, force_devices, state) "
+          "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 'running')")
         .bind(attempt.id)
         .bind(attempt.person_id)
         .bind(store.station_id())
@@ -69,6 +70,7 @@ void insert_attempt(const Store& store, const AttemptMeta& attempt) {
         .bind(attempt.cpu_features)
         .bind(attempt.started)
         .bind(attempt.utc_offset_min)
+        .bind(force_devices_text(attempt.force_devices))
         .run();
     transaction.commit();
 }

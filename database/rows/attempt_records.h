@@ -11,6 +11,7 @@
 
 #include "assessment/metrics/metric.h"
 #include "assessment/task/attempt_words.h"
+#include "sim_core/instrument/device.h"
 
 namespace fulcrum::database {
 
@@ -22,9 +23,10 @@ struct AttemptMeta {
     int task_version = 1;
     AttemptMode mode = AttemptMode::practice;
     DeviceClass device_class = DeviceClass::mouse_keyboard;
-    std::string device;         ///< what the device calls itself
-    std::string operator_name;  ///< synthetic operator preset, or empty
-    std::string variant;        ///< anatomy variant
+    std::string device;          ///< what the device calls itself
+    std::string operator_name;   ///< synthetic operator preset, or empty
+    std::string variant;         ///< anatomy variant
+    ForceDevices force_devices;  ///< what the hands' devices could render, with the force scale
     std::uint64_t seed = 0;
     std::string fidelity;
     std::string scene;         ///< file name

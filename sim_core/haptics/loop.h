@@ -4,10 +4,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "sim_core/contact/tool_contact.h"
-#include "sim_core/haptics/safety.h"
-#include "sim_core/haptics/stability.h"
 #include "sim_core/instrument/device.h"
 #include "sim_core/instrument/instrument.h"
 #include "sim_core/instrument/tick_output.h"
@@ -25,15 +24,14 @@ class HapticLoop {
     HapticLoop(const HapticLoop&) = delete;
     HapticLoop& operator=(const HapticLoop&) = delete;
 
-    /// Device damping b (N s/m) for Eq. 8; negative: the hand feels no force, Eq. 8 does not apply.
-    void set_device_damping(Hand hand, double damping);
+    /// What the hand's device can render; none (as at the start): it renders no force and 0 is sent. Before
+    /// the first tick, from any thread.
+    void set_device(Hand hand, const std::optional<ForceOutput>& device);
     /// From the next tick on forces come from these models; the one before stays for the bumpless swap.
     /// Copied.
     void adopt(const LocalModels& models) noexcept;
     /// One tick. The result stays valid until the next.
     const TickOutput& tick(const RigSample& input) noexcept;
-    /// Hands for which Eq. 8 had to reduce the model since the last call (bit mask).
-    unsigned take_stability_limited() noexcept;
 
   private:
     struct Parts;

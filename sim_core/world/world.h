@@ -81,6 +81,7 @@ class World {
     void fill_models(const TickOutput& last) noexcept;
     void fill_snapshot(const TickOutput& last) noexcept;
     void show_grasp(std::size_t hand) noexcept;
+    void show_lift(std::size_t hand, TouchList touches) noexcept;
 
     Scene scene_;
     PartList parts_;  ///< in the order of building, publishing and hashing

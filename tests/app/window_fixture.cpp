@@ -161,7 +161,8 @@ void Window::expect_replays(const std::string& attempt_id) {
     EXPECT_FALSE(attempts.scene_text(window.context().session(), attempt_id).empty());
     const LoadedTask loaded = load_recorded(attempts, window.context().session(), summary);
     AttemptEngine engine(loaded.scene, loaded.task, summary.meta.seed);
-    const AttemptRecord record{trace.inputs, trace.samples, trace.steps, trace.events};
+    const AttemptRecord record{trace.inputs, trace.samples, trace.steps, trace.events,
+                               summary.meta.force_devices};
     const ReplayOutcome replay = replay_record(engine, record);
     EXPECT_TRUE(replay.identical) << summary.meta.task_id << " differs from " << replay.first_divergence_s
                                   << " s on";

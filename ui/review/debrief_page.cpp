@@ -343,6 +343,7 @@ void DebriefPage::fill_head() {
                                  attempt.meta.device_class == DeviceClass::controller)) {
         notes << tr("Force was not felt: this device cannot render it. It was shown as bars.");
     }
+    if (const QString felt = felt_text(attempt.meta.force_devices); !felt.isEmpty()) notes << felt;
     if (attempt.lost_samples > 0) notes << tr("%1 samples were lost.").arg(attempt.lost_samples);
     notes_->setText(notes.join(QLatin1Char('\n')));
     notes_->setVisible(!notes.isEmpty());

@@ -118,6 +118,8 @@ struct WorldSnapshot {
     std::uint32_t tick = 0;     ///< last input tick the step consumed
     std::uint32_t outcome = 0;  ///< StepRecord::outcome
     ToolPose tools[hand_count];
+    /// m, from the tips above to where the instruments are drawn: at the surface of what they touch.
+    Vector3 lift[hand_count] = {Vector3::Zero(), Vector3::Zero()};
     CameraPose camera;
     GraspState grasps[hand_count];
     std::vector<TargetSphere> targets;
