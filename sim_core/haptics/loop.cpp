@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim_core/haptics/clutch.h"
+#include "sim_core/numerics/state_archive.h"
 #include "sim_core/world/world.h"
 
 namespace fulcrum {
@@ -239,10 +240,32 @@ void HapticLoop::adopt(const LocalModels& models) noexcept {
     for (const LocalModel& model : models.hand) parts.model_step = std::max(parts.model_step, model.step);
 }
 
+std::uint32_t HapticLoop::model_step() const noexcept {
+    return parts_->model_step;
+}
+
 unsigned HapticLoop::take_stability_limited() noexcept {
     const unsigned limited = parts_->limited;
     parts_->limited = 0;
     return limited;
+}
+
+void HapticLoop::transfer(StateArchive& archive, const World& world) {
+    Parts& parts = *parts_;
+    archive(parts.models, parts.current, parts.swapped, parts.model_step, parts.instrument, parts.tool,
+            parts.state, parts.state_before, parts.pair, parts.camera, parts.tip_before,
+            parts.velocity_before, parts.moved, parts.slope_before, parts.safety, parts.passivity, parts.held,
+            parts.offset, parts.on_hold, parts.result, parts.limited, parts.output);
+    if (!archive.reads()) return;
+    for (LocalModels& models : parts.models) world.point_to_wall(models);
+}
+
+const RigSample& HapticLoop::last_input() const noexcept {
+    return parts_->output.input;
+}
+
+void HapticLoop::clutch_in() noexcept {
+    parts_->on_hold = true;
 }
 
 const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {

@@ -15,6 +15,7 @@
 
 namespace fulcrum {
 
+class StateArchive;
 class World;
 
 class HapticLoop {
@@ -30,10 +31,21 @@ class HapticLoop {
     /// From the next tick on forces come from these models; the one before stays for the bumpless swap.
     /// Copied.
     void adopt(const LocalModels& models) noexcept;
+    /// World step whose model is in use; 0 before the first.
+    std::uint32_t model_step() const noexcept;
     /// One tick. The result stays valid until the next.
     const TickOutput& tick(const RigSample& input) noexcept;
     /// Hands for which Eq. 8 had to reduce the model since the last call (bit mask).
     unsigned take_stability_limited() noexcept;
+
+    /// Writes what changes from tick to tick, or reads it for the same scene in the same build; `world`:
+    /// whose models these are. Throws StateArchiveError. Not on the haptic thread.
+    void transfer(StateArchive& archive, const World& world);
+    /// What the devices said at the last tick.
+    const RigSample& last_input() const noexcept;
+    /// As after a pause: from the next tick on the devices move the instruments from where these are,
+    /// wherever the devices are.
+    void clutch_in() noexcept;
 
   private:
     struct Parts;

@@ -216,6 +216,23 @@ void World::restore(const Saved& saved) {
     next_hash_tick_ = saved.next_hash_tick;
 }
 
+void World::transfer(StateArchive& archive) {
+    for (const std::unique_ptr<Part>& part : parts_) part->transfer(archive);
+    archive(models_, snapshot_, last_holder_, steps_, next_hash_tick_);
+    if (archive.reads()) point_to_wall(models_);
+}
+
+void World::point_to_wall(LocalModels& models) const noexcept {
+    for (LocalModel& model : models.hand) {
+        TissueContact& contact = model.patch.contact;
+        if (contact.wall == nullptr) continue;
+        contact.wall = nullptr;
+        for (const std::unique_ptr<Part>& part : parts_) {
+            if (part->layered_wall() != nullptr) contact.wall = part->layered_wall();
+        }
+    }
+}
+
 void World::measure(bool on) {
     measuring_ = on;
     for (const std::unique_ptr<Part>& part : parts_) part->measure(on);

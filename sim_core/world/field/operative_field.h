@@ -93,6 +93,12 @@ struct FieldHand {
     bool cutting = false;                ///< a blade in the last step
     InstrumentKind kind() const { return kinds[static_cast<std::size_t>(index)]; }
     bool usable() const { return exchange_left <= 0; }
+    /// All that changes: what the hand can hold does not.
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(index, exchange_left, buttons, jaws, active, target, nerve_distance, clips_fired,
+              last_clip_outlet, last_clip_distance, blade, touched, touched_count, last_tip, cutting);
+    }
 };
 
 /// What the power of an activation goes to: the nearest of what is offered within reach.

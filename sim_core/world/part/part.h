@@ -93,6 +93,8 @@ class Part {
     virtual void fill_snapshot(WorldSnapshot& /*snapshot*/) const noexcept {}
     /// Surface that instruments feel as a wall, if the part is one.
     virtual const CavityModel* wall() const noexcept { return nullptr; }
+    /// Layers that local models point to, if the part has them.
+    virtual const LayeredWall* layered_wall() const noexcept { return nullptr; }
     /// Sheet that instruments give energy to, if the part is one.
     virtual const HeatedSheet* heated_sheet() const noexcept { return nullptr; }
 
@@ -120,6 +122,12 @@ class Part {
         StateList list(values);
         list_state(list);
         follow_restore();
+    }
+    /// Writes the state, or reads that of a part made from the same scene and seed. Throws StateArchiveError.
+    void transfer(StateArchive& archive) {
+        StateList list(archive);
+        list_state(list);
+        if (archive.reads()) follow_restore();
     }
     /// Memory that state members own.
     std::size_t state_bytes() const {
