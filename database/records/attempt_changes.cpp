@@ -107,6 +107,12 @@ std::string Attempts::reassign(const Session& educator, const std::string& attem
         .bind(copy)
         .bind(attempt_id)
         .run();
+    Query(connection,
+          "INSERT INTO attempt_origin SELECT ?, source_id, tick, goal, build, checksum, state FROM "
+          "attempt_origin WHERE attempt_id = ?")
+        .bind(copy)
+        .bind(attempt_id)
+        .run();
     std::vector<std::string> ids;
     {
         Query rows(connection,

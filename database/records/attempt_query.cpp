@@ -20,9 +20,11 @@ const char* const columns =
     "COALESCE((SELECT from_id FROM attempt_reassignment WHERE to_id = a.id), ''), "
     "COALESCE((SELECT to_id FROM attempt_reassignment WHERE from_id = a.id), ''), "
     "(SELECT COUNT(*) FROM comment c WHERE c.attempt_id = a.id AND c.sent > 0 AND c.read = 0), "
-    "(SELECT COUNT(*) FROM comment c WHERE c.attempt_id = a.id AND c.sent > 0) "
+    "(SELECT COUNT(*) FROM comment c WHERE c.attempt_id = a.id AND c.sent > 0), "
+    "COALESCE(o.source_id, ''), COALESCE(o.tick, 0), COALESCE(o.goal, 0), COALESCE(o.build, '') "
     "FROM attempt a JOIN person p ON p.id = a.person_id "
     "LEFT JOIN score s ON s.attempt_id = a.id AND s.in_force = 1 "
+    "LEFT JOIN attempt_origin o ON o.attempt_id = a.id "
     "LEFT JOIN attempt_void v ON v.attempt_id = a.id LEFT JOIN person w ON w.id = v.person_id ";
 
 AttemptSummary summary_of_row(const Query& row) {
@@ -72,6 +74,12 @@ AttemptSummary summary_of_row(const Query& row) {
     attempt.reassigned_to = text();
     attempt.unread_comments = static_cast<int>(integer());
     attempt.comments = static_cast<int>(integer());
+    AttemptOrigin origin;
+    origin.source_id = text();
+    origin.tick = static_cast<std::uint32_t>(integer());
+    origin.goal = static_cast<int>(integer());
+    origin.build = text();
+    if (!origin.build.empty()) meta.origin = std::move(origin);
     attempt.state = attempt.voided_at > 0 ? AttemptState::voided : attempt.recorded_state;
     attempt.counting = is_counting(attempt);
     return attempt;

@@ -36,10 +36,11 @@ std::vector<AttemptSummary> Attempts::interrupted_without_score(const Session& s
                  "(SELECT id FROM attempt WHERE state = 'interrupted')");
     std::set<std::string> done;
     while (scored.next()) done.insert(scored.text(0));
-    attempts.erase(
-        std::remove_if(attempts.begin(), attempts.end(),
-                       [&](const AttemptSummary& attempt) { return done.count(attempt.meta.id) > 0; }),
-        attempts.end());
+    attempts.erase(std::remove_if(attempts.begin(), attempts.end(),
+                                  [&](const AttemptSummary& attempt) {
+                                      return attempt.meta.origin || done.count(attempt.meta.id) > 0;
+                                  }),
+                   attempts.end());
     std::reverse(attempts.begin(), attempts.end());
     return attempts;
 }

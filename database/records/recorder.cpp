@@ -33,6 +33,20 @@ StoreOptions for_writing(StoreOptions options) {
     throw StoreError(StoreErrorKind::bad_value, wrong, hint);
 }
 
+void insert_origin(Connection& connection, const std::string& attempt_id, const AttemptOrigin& origin) {
+    Query row(connection,
+              "INSERT INTO attempt_origin (attempt_id, source_id, tick, goal, build, checksum, state) "
+              "VALUES (?, NULLIF(?, ''), ?, ?, ?, ?, ?)");
+    row.bind(attempt_id)
+        .bind(origin.source_id)
+        .bind(std::int64_t{origin.tick})
+        .bind(origin.goal)
+        .bind(origin.build)
+        .bind(blake2b(origin.state, 16))
+        .bind(origin.state)
+        .run();
+}
+
 void insert_attempt(const Store& store, const AttemptMeta& attempt) {
     Connection& connection = store.connection();
     Transaction transaction(connection);
@@ -70,6 +84,7 @@ void insert_attempt(const Store& store, const AttemptMeta& attempt) {
         .bind(attempt.started)
         .bind(attempt.utc_offset_min)
         .run();
+    if (attempt.origin) insert_origin(connection, attempt.id, *attempt.origin);
     transaction.commit();
 }
 
@@ -189,6 +204,8 @@ Recorder::Recorder(const std::string& store_path, const Session& session, Attemp
         throw StoreError(StoreErrorKind::sealed_demo, "the demo takes practice attempts only",
                          "choose practice, or make a programme");
     }
+    if (attempt.origin && attempt.mode != AttemptMode::practice)
+        bad("an attempt that continues another one is practice", "choose practice");
     attempt.scene_digest = attempt.scene_text.empty() ? std::string() : text_digest(attempt.scene_text);
     if (attempt.id.empty()) attempt.id = random_uuid();
     if (attempt.started == 0) {
@@ -321,6 +338,8 @@ void Recorder::finish(const AttemptResult& result) {
         state.session, state.meta.id, "attempt.finish",
         json_object(
             {{"state", state_name}, {"task", state.meta.task_id}, {"state_hash", result.state_hash}}));
+    if (result.score && state.meta.origin)
+        bad("an attempt that continues another one is never scored", "finish it without a score");
     if (result.score) write_score(store, state.session, state.meta.id, *result.score);
     transaction.commit();
     state.committed(pending);

@@ -14,6 +14,16 @@
 
 namespace fulcrum::database {
 
+/// Where practice began that did not begin at the beginning: with a state of another attempt, or of a
+/// demonstration at the beginning of a goal.
+struct AttemptOrigin {
+    std::string source_id;            ///< the attempt that it continues; empty: a demonstration
+    std::uint32_t tick = 0;           ///< last tick of the source; the first of this attempt is the next
+    int goal = 0;                     ///< index of the goal that it begins in
+    std::string build;                ///< that wrote `state`, and can read it
+    std::vector<std::uint8_t> state;  ///< pack_bytes() of the engine's; not read back with the attempt
+};
+
 /// Known before the first tick; written when the recorder opens.
 struct AttemptMeta {
     std::string id;         ///< UUID; empty: the recorder makes one
@@ -33,9 +43,10 @@ struct AttemptMeta {
     std::string curriculum;    ///< id@version or empty
     std::string limits;        ///< benchmark set id@version in force at the start, or empty
     std::string program_version;
-    std::string cpu_features;  ///< feature level, for replay
-    std::int64_t started = 0;  ///< UTC ms; 0: the recorder's clock
-    int utc_offset_min = 0;    ///< local time minus UTC; filled by the recorder if started == 0
+    std::string cpu_features;             ///< feature level, for replay
+    std::int64_t started = 0;             ///< UTC ms; 0: the recorder's clock
+    int utc_offset_min = 0;               ///< local time minus UTC; filled by the recorder if started == 0
+    std::optional<AttemptOrigin> origin;  ///< of practice only; such an attempt is never scored
 };
 
 /// One value, or why it is absent.
