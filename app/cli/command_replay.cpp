@@ -7,6 +7,7 @@
 #include "app/cli/commands.h"
 #include "app/live/performance.h"
 #include "assessment/assets/assets.h"
+#include "assessment/attempt/engine_state.h"
 #include "database/records/attempts.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/numerics/number_text.h"
@@ -29,6 +30,13 @@ bool same_metrics(const std::vector<database::MetricRow>& stored,
     return true;
 }
 
+nlohmann::json origin_json(const std::optional<database::AttemptOrigin>& origin) {
+    if (!origin) return {};
+    return {{"attempt", origin->source_id.empty() ? nlohmann::json() : nlohmann::json(origin->source_id)},
+            {"tick", origin->tick},
+            {"goal", origin->goal}};
+}
+
 int run_replay(const Arguments& arguments) {
     const database::Store store = open_store(arguments, false, false);
     const database::Session session = session_of(arguments, store);
@@ -43,6 +51,14 @@ int run_replay(const Arguments& arguments) {
     if (record.inputs.size() != record.samples.size())
         throw InputError(id, "trace", "the numbers of inputs and samples differ", "run fulcrum db check");
     AttemptEngine engine(loaded.scene, loaded.task, summary.meta.seed);
+    if (summary.meta.origin) {
+        if (summary.meta.origin->build != state_build())
+            throw InputError(id, "",
+                             "began with a state that \"" + summary.meta.origin->build +
+                                 "\" wrote and this build (\"" + state_build() + "\") cannot read",
+                             "replay it with that version of the program");
+        restore_engine(engine, attempts.start_state(session, id));
+    }
     const ReplayOutcome outcome = replay_record(engine, record);
 
     const Limits limits = limits_for(loaded.task, loaded.scene, summary.meta.device_class);
@@ -61,6 +77,7 @@ int run_replay(const Arguments& arguments) {
         {"state_hash", hex(outcome.state_hash)},
         {"recorded_state_hash", summary.state_hash},
         {"metrics_identical", metrics_identical},
+        {"continues", origin_json(summary.meta.origin)},
         {"samples", record.samples.size()},
         {"built_for", cpu_features()},
         {"recorded_on", summary.meta.cpu_features}};
@@ -73,7 +90,8 @@ int run_replay(const Arguments& arguments) {
                   << ", metrics " << (metrics_identical ? "identical" : "differ") << ", state_hash "
                   << hex(outcome.state_hash) << '\n';
     }
-    const bool same = outcome.identical && metrics_identical;
+    // What continues another attempt has no score, so no metrics to compare.
+    const bool same = outcome.identical && (metrics_identical || summary.meta.origin);
     return arguments.has("--verify") && !same ? 1 : 0;
 }
 

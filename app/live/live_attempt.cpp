@@ -7,7 +7,9 @@
 #include "app/live/attempt_recording.h"
 #include "app/live/device_watch.h"
 #include "app/live/real_time.h"
+#include "assessment/attempt/engine_state.h"
 #include "database/records/attempts.h"
+#include "database/rows/packed_bytes.h"
 #include "sim_core/telemetry/ring.h"
 
 namespace fulcrum::app {
@@ -53,6 +55,8 @@ struct LiveAttempt::State : public AttemptSink {
         engine;  // created by the recorder thread; the owner reads it once `built` is set
     std::unique_ptr<AttemptRecording> recording;  // created when the attempt begins; null for a demonstration
     std::vector<TargetSphere> targets;
+    RigSample
+        hands;  // at the start, where that is not the scene's own; the owner reads it once `built` is set
 
     Ring<TickOutput> world_ring{world_ring_ticks};
     Ring<RecordTick> record_ring{record_ring_ticks};
@@ -82,6 +86,15 @@ struct LiveAttempt::State : public AttemptSink {
     bool recorded() const { return !request.store_path.empty(); }
     void build() {
         engine = std::make_unique<AttemptEngine>(request.loaded.scene, request.loaded.task, request.seed);
+        if (request.bring) {
+            if (!request.bring(*engine, stop)) return;
+            engine->begin_here();
+            database::AttemptOrigin& origin = request.meta.origin.value();
+            origin.tick = engine->next_tick() - 1;
+            origin.state = database::pack_bytes(engine_state(*engine));
+            tick_count.store(origin.tick);
+            hands = engine->loop().last_input();
+        }
         targets = engine->initial_snapshot().targets;
         models.fill(engine->world().local_models());
         const View start{engine->initial_snapshot(), engine->display()};
@@ -136,7 +149,7 @@ void LiveAttempt::State::run_haptic() noexcept {
     TickAccount account(period);
     std::int64_t last_duration = 0;
     ThreadUse last_use;
-    for (std::uint32_t tick = 1; !stop.load(std::memory_order_relaxed); ++tick) {
+    for (std::uint32_t tick = engine->next_tick(); !stop.load(std::memory_order_relaxed); ++tick) {
         std::int64_t begin = now_ns();
         if (begin < deadline) {
             sleep_until(deadline);
@@ -309,10 +322,16 @@ void LiveAttempt::State::finish() {
     if (recording->became_practice()) became_practice.store(true);
     ScoredAttempt score = recording->score();
     RunOutcome outcome;
+    const std::uint32_t before = request.meta.origin ? request.meta.origin->tick : 0;
     outcome.state_hash = engine->state_hash();
     const std::uint32_t missed = counters.missed();
-    const database::AttemptResult stored = attempt_result(
-        score, outcome, tick_count.load() * engine->scene().tick_period(), missed, lost, request.meta.limits);
+    database::AttemptResult stored =
+        attempt_result(score, outcome, (tick_count.load() - before) * engine->scene().tick_period(), missed,
+                       lost, request.meta.limits);
+    if (request.meta.origin) {  // practice that continues another attempt is never scored
+        stored.duration_s -= before * engine->scene().tick_period();
+        stored.score.reset();
+    }
     recording->finish(stored);
     const std::lock_guard<std::mutex> lock(end_mutex);
     ui::AttemptOutcome shown;
@@ -361,6 +380,11 @@ ui::AttemptPhase LiveAttempt::phase() const {
     if (state.device_lost.load()) return ui::AttemptPhase::device_lost;
     if (state.paused.load()) return ui::AttemptPhase::paused;
     return ui::AttemptPhase::running;
+}
+
+const RigSample* LiveAttempt::hands_at_start() const {
+    const State& state = *state_;
+    return state.built.load() && state.request.bring ? &state.hands : nullptr;
 }
 
 void LiveAttempt::start() {

@@ -14,6 +14,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -34,6 +35,10 @@ struct LiveRequest {
         session;  ///< set with store_path: the session that performs the attempt and reads the record
     database::AttemptMeta meta;  ///< person, mode, device
     Limits limits;
+    /// Brings the new engine to the state that the attempt begins with (meta.origin says where that is from);
+    /// false where `stop` became true before. Empty: it begins at the beginning. Called on the recorder's
+    /// thread; may throw.
+    std::function<bool(AttemptEngine& engine, const std::atomic<bool>& stop)> bring;
 };
 
 class LiveAttempt : public ui::AttemptSession {
@@ -51,6 +56,7 @@ class LiveAttempt : public ui::AttemptSession {
     bool became_practice() const override;
     ui::AttemptPhase phase() const override;
     ui::Realignment realignment() override;
+    const RigSample* hands_at_start() const override;
     void start() override;
     bool update() override;
     const WorldSnapshot& snapshot() const override;

@@ -8,6 +8,7 @@
 #include "app/live/trace_rig.h"
 #include "assessment/metrics/version.h"
 #include "assessment/operators/device_model.h"
+#include "sim_core/world/physics_version.h"
 
 namespace fulcrum::app {
 
@@ -55,6 +56,11 @@ std::string cpu_features() {
 #else
     return "generic";
 #endif
+}
+
+std::string state_build() {
+    return std::string(program_version) + " physics " + std::to_string(physics_version) + " " +
+           cpu_features();
 }
 
 database::AttemptMeta attempt_meta(const LoadedTask& loaded, std::uint64_t seed, AttemptMode mode,

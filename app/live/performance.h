@@ -64,6 +64,8 @@ database::AttemptResult attempt_result(const ScoredAttempt& scored, const RunOut
                                        std::uint32_t missed, std::uint64_t lost, const std::string& limits);
 /// Name of the CPU feature level that this build uses; replays are bit-identical within one level.
 std::string cpu_features();
+/// Names what reads a state that was written: program, physics and CPU feature level.
+std::string state_build();
 std::string hex(std::uint64_t value);
 
 }  // namespace fulcrum::app

@@ -8,12 +8,14 @@
 #include "app/live/interrupted.h"
 #include "app/live/live_attempt.h"
 #include "app/services/demo.h"
+#include "app/services/replay_moment.h"
 #include "app/services/replay_source.h"
 #include "assessment/assets/assets.h"
 #include "assessment/metrics/version.h"
 #include "assessment/operators/operator.h"
 #include "database/scoring/rescoring.h"
 #include "database/scoring/site_tissues.h"
+#include "sim_core/numerics/input_error.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/window_application.h"
 #include "ui/style/palette.h"
@@ -52,17 +54,13 @@ class Services : public ui::ApplicationServices {
         // The recorder checks again; checked here so that no scene is built for a refused attempt.
         store_->require(request.session, database::Operation::perform_attempt,
                         database::Subject::person(request.session.person_id()));
+        if (request.from != nullptr) return begin_at_moment(request);
+        if (request.goal > 0) return begin_at_goal(request);
         LoadedTask loaded = load_site_task(*store_, request.session, request.task_id);
         if (request.assessed) require_assessable(loaded.task, request.device_class);
         const Limits limits = limits_for(loaded.task, loaded.scene, request.device_class);
-        LiveRequest live{std::move(loaded),
-                         request.seed,
-                         request.assessed,
-                         request.rig,
-                         store_->path(),
-                         request.session,
-                         {},
-                         limits};
+        LiveRequest live{std::move(loaded), request.seed, request.assessed, request.rig, store_->path(),
+                         request.session,   {},           limits,           {}};
         if (live.seed == 0) live.seed = draw_seed();
         live.meta = attempt_meta(live.loaded, live.seed,
                                  request.assessed ? AttemptMode::assessed : AttemptMode::practice,
@@ -104,8 +102,18 @@ class Services : public ui::ApplicationServices {
     std::unique_ptr<ui::ReplaySource> open_replay(const database::Session& session,
                                                   const database::AttemptSummary& attempt,
                                                   std::shared_ptr<const database::Trace> trace) override {
-        return make_replay_source(load_recorded(database::Attempts(*store_), session, attempt),
-                                  attempt.meta.seed, std::move(trace));
+        const database::Attempts attempts(*store_);
+        ReplayRequest replay{load_recorded(attempts, session, attempt),
+                             attempt.meta.seed,
+                             attempt.meta.id,
+                             std::move(trace),
+                             {},
+                             true};
+        if (attempt.meta.origin) {
+            replay.start_is_readable = attempt.meta.origin->build == state_build();
+            replay.start = attempts.start_state(session, attempt.meta.id);
+        }
+        return make_replay_source(std::move(replay));
     }
     SiteTissues site_tissues(const database::Session& session, const std::string& task_id) override {
         return fulcrum::site_tissues(*store_, session, task_id);
@@ -117,6 +125,58 @@ class Services : public ui::ApplicationServices {
     std::string program_version() const override { return version_line(); }
 
   private:
+    /// Practice that begins with the state that `bring` makes.
+    std::unique_ptr<ui::AttemptSession> begin_from(
+        const ui::AttemptRequest& request, LoadedTask loaded, std::uint64_t seed,
+        database::AttemptOrigin origin, std::function<bool(AttemptEngine&, const std::atomic<bool>&)> bring) {
+        if (request.assessed)
+            throw InputError(request.task_id, "", "cannot be assessed from the middle of an attempt",
+                             "choose practice");
+        const Limits limits = limits_for(loaded.task, loaded.scene, request.device_class);
+        LiveRequest live;
+        live.meta =
+            attempt_meta(loaded, seed, AttemptMode::practice, request.device_class, request.device, limits);
+        live.meta.person_id = request.session.person_id();
+        live.meta.origin = std::move(origin);
+        live.meta.origin->build = state_build();
+        live.loaded = std::move(loaded);
+        live.seed = seed;
+        live.assessed = false;
+        live.rig = request.rig;
+        live.store_path = store_->path();
+        live.session = request.session;
+        live.limits = limits;
+        live.bring = std::move(bring);
+        return std::make_unique<LiveAttempt>(std::move(live));
+    }
+    std::unique_ptr<ui::AttemptSession> begin_at_moment(const ui::AttemptRequest& request) {
+        const auto moment = std::dynamic_pointer_cast<const TraceMoment>(request.from);
+        if (moment == nullptr)
+            throw InputError(request.task_id, "", "the moment is not one of a replay of this program",
+                             "open the replay again");
+        database::AttemptOrigin origin;
+        origin.source_id = moment->attempt_id;
+        origin.goal = moment->goal;
+        return begin_from(request, moment->loaded, moment->seed, std::move(origin),
+                          [moment](AttemptEngine& engine, const std::atomic<bool>& stop) {
+                              return moment->bring(engine, stop);
+                          });
+    }
+    std::unique_ptr<ui::AttemptSession> begin_at_goal(const ui::AttemptRequest& request) {
+        LoadedTask loaded = load_site_task(*store_, request.session, request.task_id);
+        if (request.goal >= static_cast<int>(loaded.task.goals.size()))
+            throw InputError(request.task_id, "", "has no goal " + std::to_string(request.goal + 1),
+                             "choose one of its goals");
+        database::AttemptOrigin origin;
+        origin.goal = request.goal;
+        return begin_from(request, std::move(loaded), demonstration_seed, std::move(origin),
+                          [goal = request.goal](AttemptEngine& engine, const std::atomic<bool>& stop) {
+                              const auto expert =
+                                  make_operator("expert", engine.task(), engine.scene(), engine.seed());
+                              return perform_to_goal(engine, *expert, goal, [&stop] { return !stop.load(); });
+                          });
+    }
+
     static constexpr std::uint64_t demonstration_seed = 7;
     /// Outside 1000-1999, which are reserved for benchmarks.
     static std::uint64_t draw_seed() {

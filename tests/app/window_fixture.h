@@ -80,7 +80,8 @@ class Window : public ::testing::Test {
     ui::DebriefPage& wait_for_debrief();
     void home();
     database::AttemptSummary newest_attempt();
-    /// Replays the stored record in a new engine and expects bit-identical results.
+    /// Replays the stored record in a new engine, from the state that it began with, and expects
+    /// bit-identical results.
     void expect_replays(const std::string& attempt_id);
 
     QTemporaryDir folder;

@@ -296,6 +296,7 @@ class FakeReplay : public ReplaySource {
     double shown_s() const override { return time_; }
     double ready() const override { return 1; }
     std::optional<double> differs_from_s() const override { return std::nullopt; }
+    std::shared_ptr<const ReplayMoment> moment(double /*time_s*/) const override { return nullptr; }
 
   private:
     Scene scene_;

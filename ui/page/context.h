@@ -54,8 +54,11 @@ class Context : public QObject {
     void input_seen();
     void home_wanted();
     void briefing_wanted(const QString& task_id);
-    void attempt_wanted(const QString& task_id, bool assessed);
+    /// `goal` > 0 (practice only): from the beginning of that goal on.
+    void attempt_wanted(const QString& task_id, bool assessed, int goal);
     void demonstration_wanted(const QString& task_id);
+    /// A practice run that begins with this moment of an attempt.
+    void take_over_wanted(std::shared_ptr<const fulcrum::ui::ReplayMoment> from);
     void interrupted_scored();
     /// `time_s` < 0: from the start.
     void debrief_wanted(const QString& attempt_id, double time_s);

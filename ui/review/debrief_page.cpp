@@ -138,6 +138,10 @@ void DebriefPage::connect_parts() {
     connect(path_, &PathView::time_chosen, this, &DebriefPage::go_to);
     connect(comments_, &CommentsCard::time_chosen, this, &DebriefPage::go_to);
     connect(replay_, &ReplayPanel::time_changed, this, &DebriefPage::time_changed);
+    connect(replay_, &ReplayPanel::practice_wanted, this,
+            [this](const std::shared_ptr<const ReplayMoment>& from) {
+                emit this->context().take_over_wanted(from);
+            });
     connect(actions_, &ActionsCard::changed, this, [this] {
         open(attempt_id_, moment());
         back_->setFocus();
@@ -289,6 +293,9 @@ void DebriefPage::show_record(std::shared_ptr<const database::Trace> trace) {
             why = tr("No picture: %1").arg(QString::fromUtf8(error.what()));
         }
     }
+    replay_->offer_practice(source != nullptr &&
+                            context().allowed(database::Operation::perform_attempt,
+                                              database::Subject::person(context().session().person_id())));
     replay_->set_record(model_, std::move(source), why);
     emit ready();
 }
@@ -322,7 +329,14 @@ void DebriefPage::fill_head() {
         notes << tr("Performed by a simulated operator, not by a person.");
     else if (attempt.synthetic)
         notes << tr("Performed in the demonstration, on the account of a synthetic person.");
-    if (!passed && !voided) {
+    if (attempt.meta.origin) {
+        const double from_s = attempt.meta.origin->tick * model_->tick;
+        notes
+            << (attempt.meta.origin->source_id.empty()
+                    ? tr("Practice from goal %1 of a demonstration: never scored.")
+                          .arg(attempt.meta.origin->goal + 1)
+                    : tr("Practice taken over from an attempt at %1: never scored.").arg(clock_text(from_s)));
+    } else if (!passed && !voided) {
         const Statement why = model_->score ? model_->score->not_scored_because : attempt.not_scored_because;
         notes << tr("Not scored: %1").arg(why.empty() ? tr("the attempt has no score") : statement_text(why));
     }

@@ -69,6 +69,9 @@ class AttemptSession {
     /// failed the attempt; assessed() is false from then on.
     virtual bool became_practice() const = 0;
     virtual AttemptPhase phase() const = 0;
+    /// Of a ready attempt that begins with a state of another one: what the devices said then, so that the
+    /// hands can begin there. Null: they begin at the scene's start.
+    virtual const RigSample* hands_at_start() const { return nullptr; }
     /// Starts the timer of a ready attempt: input, physics and recording begin.
     virtual void start() = 0;
     /// Takes the newest world and display if there are newer ones; call once a painted frame. True if they
@@ -93,6 +96,8 @@ class AttemptSession {
     virtual const std::optional<AttemptOutcome>& outcome() const = 0;
 };
 
+class ReplayMoment;
+
 /// What the window's attempts are made with.
 inline constexpr DeviceClass window_device = DeviceClass::mouse_keyboard;
 
@@ -106,6 +111,12 @@ struct AttemptRequest {
     std::shared_ptr<Rig> rig;
     DeviceClass device_class = window_device;
     std::string device = "mouse and keyboard";
+    /// Where it begins; null: at the beginning. Then `task_id` and `seed` are the moment's, and it is
+    /// practice.
+    std::shared_ptr<const ReplayMoment> from;
+    /// Goal (index) at whose beginning in a demonstration it begins; 0: at the beginning. Then it is
+    /// practice.
+    int goal = 0;
 };
 
 }  // namespace fulcrum::ui

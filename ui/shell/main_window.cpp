@@ -196,13 +196,18 @@ void MainWindow::connect_context() {
         page<BriefingPage>()->set_task(plain(task_id));
         show_page(page<BriefingPage>());
     });
-    connect(&context_, &Context::attempt_wanted, this, [this](const QString& task_id, bool assessed) {
-        auto* theatre = page<TheatrePage>();
-        if (theatre->begin(plain(task_id), assessed)) show_page(theatre);
-    });
+    connect(&context_, &Context::attempt_wanted, this,
+            [this](const QString& task_id, bool assessed, int goal) {
+                auto* theatre = page<TheatrePage>();
+                if (theatre->begin(plain(task_id), assessed, goal)) show_page(theatre);
+            });
     connect(&context_, &Context::demonstration_wanted, this, [this](const QString& task_id) {
         auto* theatre = page<TheatrePage>();
         if (theatre->demonstrate(plain(task_id))) show_page(theatre);
+    });
+    connect(&context_, &Context::take_over_wanted, this, [this](std::shared_ptr<const ReplayMoment> from) {
+        auto* theatre = page<TheatrePage>();
+        if (theatre->take_over(std::move(from))) show_page(theatre);
     });
     connect(&context_, &Context::interrupted_scored, this, [this] {
         if (typeid(*current_page()) == typeid(HomePage)) current_page()->enter();

@@ -83,14 +83,26 @@ bool TheatrePage::open(const std::function<void()>& work) {
     });
 }
 
-bool TheatrePage::begin(const std::string& task_id, bool assessed) {
+bool TheatrePage::begin(const std::string& task_id, bool assessed, int goal) {
     const TaskDefinition* task = context().task(task_id);
     return task != nullptr && open([&] {
                auto input = std::make_unique<MouseKeyboardInput>(context().services().scene_for(*task));
-               if (!task->goals.empty())
-                   input->take_hand(asked_hand(task->goals.front()).value_or(input->active_hand()));
-               AttemptRequest request{context().session(), task_id, assessed, 0, input->rig(), window_device,
-                                      "mouse and keyboard"};
+               if (!task->goals.empty()) {
+                   const Goal& first = task->goals[static_cast<std::size_t>(goal)];
+                   input->take_hand(asked_hand(first).value_or(input->active_hand()));
+               }
+               AttemptRequest request{context().session(),  task_id, assessed, 0, input->rig(), window_device,
+                                      "mouse and keyboard", nullptr, goal};
+               session_ = context().services().start_attempt(request);
+               input_ = std::move(input);
+           });
+}
+
+bool TheatrePage::take_over(std::shared_ptr<const ReplayMoment> from) {
+    return from != nullptr && open([&] {
+               auto input = std::make_unique<MouseKeyboardInput>(from->scene());
+               AttemptRequest request{context().session(), from->task_id(),      false, 0, input->rig(),
+                                      window_device,       "mouse and keyboard", from};
                session_ = context().services().start_attempt(request);
                input_ = std::move(input);
            });
@@ -140,6 +152,7 @@ void TheatrePage::prepare() {
     } else if (shown_ == Panel::none && isVisible()) {
         mouse_known_ = false;
         since_tick_.restart();
+        if (const RigSample* hands = session_->hands_at_start()) input_->begin_from(*hands);
         session_->start();
     }
 }

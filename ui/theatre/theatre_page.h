@@ -25,7 +25,10 @@ class TheatrePage : public Page {
     explicit TheatrePage(Context& context);
     ~TheatrePage() override;
     /// Prepares an attempt; false (and a message) when it cannot. It begins once its scene has been drawn.
-    bool begin(const std::string& task_id, bool assessed);
+    /// `goal` > 0 (practice only): from the beginning of that goal in a demonstration on.
+    bool begin(const std::string& task_id, bool assessed, int goal = 0);
+    /// Prepares a practice run that begins with a moment of a stored attempt; else as begin().
+    bool take_over(std::shared_ptr<const ReplayMoment> from);
     /// An expert operator performs the task to be watched; afterwards the briefing is wanted.
     bool demonstrate(const std::string& task_id);
     bool is_running() const { return session_ != nullptr; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/trainee/briefing_page.h"
 
+#include <QComboBox>
 #include <QRadioButton>
 #include <cmath>
 
@@ -55,6 +56,20 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
     practice_->setObjectName(QStringLiteral("mode_practice"));
     card_layout(start_card)->addWidget(assessed_);
     card_layout(start_card)->addWidget(practice_);
+    auto* beginning = new QHBoxLayout;
+    begin_words_ = make_label(tr("Begin at"));
+    begin_words_->setWordWrap(false);
+    begin_at_ = new QComboBox;
+    begin_at_->setObjectName(QStringLiteral("begin_at"));
+    begin_at_->setAccessibleName(tr("Begin practice at"));
+    begin_at_->setToolTip(
+        tr("From a later goal on, a simulated expert does what comes before. Such a practice run is "
+           "never scored."));
+    beginning->addWidget(begin_words_);
+    beginning->addWidget(begin_at_);
+    beginning->addStretch();
+    card_layout(start_card)->addLayout(beginning);
+    connect(practice_, &QRadioButton::toggled, begin_at_, &QWidget::setEnabled);
     mode_note_ = make_label({}, "muted");
     card_layout(start_card)->addWidget(mode_note_);
     tissue_note_ = make_label({});
@@ -73,8 +88,11 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
     card_layout(start_card)->addLayout(buttons);
     layout->addWidget(start_card);
     layout->addStretch();
-    connect(start_, &QPushButton::clicked, this,
-            [this] { emit this->context().attempt_wanted(text(task_id_), assessed_->isChecked()); });
+    connect(start_, &QPushButton::clicked, this, [this] {
+        const bool assessed = assessed_->isChecked();
+        emit this->context().attempt_wanted(text(task_id_), assessed,
+                                            assessed ? 0 : begin_at_->currentData().toInt());
+    });
     connect(watch_, &QPushButton::clicked, this,
             [this] { emit this->context().demonstration_wanted(text(task_id_)); });
     auto* outer = new QVBoxLayout(this);
@@ -84,12 +102,26 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
 
 void BriefingPage::set_task(const std::string& task_id) {
     task_id_ = task_id;
+    begin_at_->clear();
     practice_->setChecked(true);
 }
 
 void BriefingPage::enter() {
     fill();
     start_->setFocus();
+}
+
+/// The goals that practice can begin at; the choice made for this task stays.
+void BriefingPage::fill_beginnings(const TaskDefinition& task) {
+    const bool parts = task.goals.size() > 1;
+    begin_words_->setVisible(parts);
+    begin_at_->setVisible(parts);
+    if (begin_at_->count() > 0) return;
+    begin_at_->addItem(tr("the beginning"), 0);
+    for (std::size_t goal = 1; goal < task.goals.size(); ++goal) {
+        begin_at_->addItem(QStringLiteral("%1.  %2").arg(goal + 1).arg(text(task.goals[goal].text)),
+                           static_cast<int>(goal));
+    }
 }
 
 QString BriefingPage::why_locked() {
@@ -124,7 +156,9 @@ void BriefingPage::fill() {
     const QString start = tr("Start as %1").arg(text(context().session().display_name()));
     start_->setText(start);
     start_->setAccessibleName(start);
+    begin_at_->setEnabled(practice_->isChecked());
     if (task == nullptr) return;
+    fill_beginnings(*task);
     briefing_->setText(text(task->briefing));
     steps_->addWidget(make_label(tr("What to do"), "heading"));
     int number = 0;

@@ -4,6 +4,7 @@
 
 #include "ui/page/context.h"
 
+class QComboBox;
 class QLabel;
 class QPushButton;
 class QRadioButton;
@@ -24,10 +25,13 @@ class BriefingPage : public Page {
     QString why_locked();
     void show_notes();
     void show_fidelity_note();
+    void fill_beginnings(const TaskDefinition& task);
     std::string task_id_;
     QLabel *title_, *briefing_, *mode_note_, *tissue_note_, *fidelity_note_;
     QVBoxLayout *steps_, *judged_;
     QRadioButton *assessed_, *practice_;
+    QLabel* begin_words_;
+    QComboBox* begin_at_;  ///< data: goal
     QPushButton *start_, *watch_;
 };
 
