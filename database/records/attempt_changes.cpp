@@ -55,6 +55,11 @@ std::string Attempts::add_score(const Session& session, const std::string& attem
                    Subject::person(person));
     if (state == AttemptState::running)
         throw StoreError(StoreErrorKind::conflict, "the attempt is still running", "wait for its end");
+    Query origin(store_.connection(), "SELECT 1 FROM attempt_origin WHERE attempt_id = ?");
+    origin.bind(attempt_id);
+    if (origin.next())
+        throw StoreError(StoreErrorKind::conflict, "the attempt continues another one and is never scored",
+                         "score an attempt from its beginning");
     std::string id = write_score(store_, session, attempt_id, score);
     transaction.commit();
     return id;

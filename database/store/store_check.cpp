@@ -123,6 +123,13 @@ void check_traces(const Store& store, CheckItem& item, Watch& watch) {
                                     " is damaged");
         }
     }
+    Query origins(store.connection(), "SELECT attempt_id, checksum, state FROM attempt_origin");
+    while (origins.next()) {
+        ++item.count;
+        if (blake2b(origins.bytes(2), 16) != origins.bytes(1))
+            item.problems.push_back("attempt " + origins.text(0) +
+                                    ": the state that it began with is damaged");
+    }
 }
 
 void check_scores(const Store& store, CheckItem& item) {

@@ -266,6 +266,8 @@ const RigSample& HapticLoop::last_input() const noexcept {
 
 void HapticLoop::clutch_in() noexcept {
     parts_->on_hold = true;
+    for (SafetyState& safety : parts_->safety) safety = SafetyState();
+    for (PassivityController& passivity : parts_->passivity) passivity = PassivityController();
 }
 
 const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {

@@ -44,7 +44,7 @@ class HapticLoop {
     /// What the devices said at the last tick.
     const RigSample& last_input() const noexcept;
     /// As after a pause: from the next tick on the devices move the instruments from where these are,
-    /// wherever the devices are.
+    /// wherever the devices are, and the force on the hands grows from 0.
     void clutch_in() noexcept;
 
   private:

@@ -76,6 +76,30 @@ TEST(BegunAtAGoal, InstrumentsStayWhereTheyAreWhereverTheDevicesAre) {
     }
 }
 
+TEST(BegunAtAGoal, TheForceOnTheHandsGrowsFromZero) {
+    const PartTask part;
+    AttemptEngine engine(part.scene, part.task, 7);
+    const auto expert = make_operator("expert", part.task, part.scene, 7);
+    ASSERT_TRUE(perform_to_goal(engine, *expert, 1, [] { return true; }));
+    engine.begin_here();
+    RigSample input = engine.loop().last_input();
+    double first = 0, later = 0, tissue = 0;
+    for (int i = 0; i < 40; ++i) {  // before the model, which no step renews here, is too old
+        input.tick = engine.next_tick();
+        const TickOutput& output = engine.tick(input);
+        const double felt = std::max(output.device_force[0].norm(), output.device_force[1].norm());
+        if (i == 0) first = felt;
+        later = std::max(later, felt);
+        for (const HandSample& hand : output.sample.hand) {
+            const Vector3 force(hand.force[0], hand.force[1], hand.force[2]);
+            tissue = std::max(tissue, force.norm() * sample_force_unit);
+        }
+    }
+    ASSERT_GT(tissue, 0.2) << "the flap is held under traction";
+    EXPECT_LT(first, 0.05);
+    EXPECT_GT(later, first);
+}
+
 TEST(BegunAtAGoal, WhereItIsStoppedOrThereIsNoSuchGoal) {
     const PartTask part;
     AttemptEngine engine(part.scene, part.task, 7);
