@@ -32,7 +32,7 @@ struct Seeks {
 };
 
 /// The expert's inputs until the attempt ends, then the same backwards, forwards, and so on: a long attempt
-/// whose hands go on working on the tissue.
+/// whose hands keep working on the tissue.
 class LongRig : public ObservingRig {
   public:
     LongRig(std::unique_ptr<ObservingRig> expert, const AttemptEngine& engine)
@@ -65,7 +65,7 @@ AttemptRecord long_attempt(const LoadedTask& loaded, double seconds) {
     LongRig rig(make_operator("expert", loaded.task, loaded.scene, seed), engine);
     MemorySink sink;
     run_headless(engine, rig, sink, [seconds](double now) { return now < seconds; });
-    // The monitor has ended the attempt; ticks and steps go on as before.
+    // The monitor has ended the attempt; ticks and steps continue as before.
     const auto ticks = static_cast<std::uint32_t>(seconds * loaded.scene.tick_rate);
     const auto m = static_cast<std::uint32_t>(loaded.scene.ticks_per_step);
     std::vector<TickOutput> outputs;

@@ -55,6 +55,7 @@ struct LiveAttempt::State : public AttemptSink {
         engine;  // created by the recorder thread; the owner reads it once `built` is set
     std::unique_ptr<AttemptRecording> recording;  // created when the attempt begins; null for a demonstration
     std::vector<TargetSphere> targets;
+    std::shared_ptr<const GhostPath> ghost;  // the owner reads it once `built` is set
     RigSample
         hands;  // at the start, where that is not the scene's own; the owner reads it once `built` is set
 
@@ -86,6 +87,8 @@ struct LiveAttempt::State : public AttemptSink {
     bool recorded() const { return !request.store_path.empty(); }
     void build() {
         engine = std::make_unique<AttemptEngine>(request.loaded.scene, request.loaded.task, request.seed);
+        if (request.make_ghost) ghost = request.make_ghost(stop);
+        if (stop.load()) return;
         if (request.bring) {
             if (!request.bring(*engine, stop)) return;
             engine->begin_here();
@@ -385,6 +388,10 @@ ui::AttemptPhase LiveAttempt::phase() const {
 const RigSample* LiveAttempt::hands_at_start() const {
     const State& state = *state_;
     return state.built.load() && state.request.bring ? &state.hands : nullptr;
+}
+
+std::shared_ptr<const GhostPath> LiveAttempt::ghost() const {
+    return state_->built.load() ? state_->ghost : nullptr;
 }
 
 void LiveAttempt::start() {

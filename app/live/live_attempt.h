@@ -20,6 +20,7 @@
 
 #include "app/live/loop_statistics.h"
 #include "app/live/performance.h"
+#include "assessment/attempt/ghost.h"
 #include "database/records/recorder.h"
 #include "ui/services/application_services.h"
 
@@ -38,7 +39,9 @@ struct LiveRequest {
     /// Brings the new engine to the state that the attempt begins with (meta.origin says where that is from);
     /// false where `stop` became true before. Empty: it begins at the beginning. Called on the recorder's
     /// thread; may throw.
-    std::function<bool(AttemptEngine& engine, const std::atomic<bool>& stop)> bring;
+    std::function<bool(AttemptEngine& engine, const std::atomic<bool>& stop)> bring = {};
+    /// Makes the ghost to be shown, null where `stop` became true before. Empty: none. As bring.
+    std::function<std::shared_ptr<const GhostPath>(const std::atomic<bool>& stop)> make_ghost = {};
 };
 
 class LiveAttempt : public ui::AttemptSession {
@@ -57,6 +60,7 @@ class LiveAttempt : public ui::AttemptSession {
     ui::AttemptPhase phase() const override;
     ui::Realignment realignment() override;
     const RigSample* hands_at_start() const override;
+    std::shared_ptr<const GhostPath> ghost() const override;
     void start() override;
     bool update() override;
     const WorldSnapshot& snapshot() const override;

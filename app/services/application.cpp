@@ -3,6 +3,8 @@
 
 #include <QApplication>
 #include <filesystem>
+#include <map>
+#include <mutex>
 #include <random>
 
 #include "app/live/interrupted.h"
@@ -56,12 +58,22 @@ class Services : public ui::ApplicationServices {
                         database::Subject::person(request.session.person_id()));
         if (request.from != nullptr) return begin_at_moment(request);
         if (request.goal > 0) return begin_at_goal(request);
+        if (request.ghost && request.assessed)
+            throw InputError(request.task_id, "", "is not assessed with a ghost", "choose practice");
         LoadedTask loaded = load_site_task(*store_, request.session, request.task_id);
         if (request.assessed) require_assessable(loaded.task, request.device_class);
         const Limits limits = limits_for(loaded.task, loaded.scene, request.device_class);
-        LiveRequest live{std::move(loaded), request.seed, request.assessed, request.rig, store_->path(),
-                         request.session,   {},           limits,           {}};
+        LiveRequest live;
+        live.loaded = std::move(loaded);
+        live.seed = request.seed;
+        live.assessed = request.assessed;
+        live.rig = request.rig;
+        live.store_path = store_->path();
+        live.session = request.session;
+        live.limits = limits;
+        if (request.ghost) live.seed = demonstration_seed;
         if (live.seed == 0) live.seed = draw_seed();
+        if (request.ghost) live.make_ghost = ghost_maker(live.loaded);
         live.meta = attempt_meta(live.loaded, live.seed,
                                  request.assessed ? AttemptMode::assessed : AttemptMode::practice,
                                  request.device_class, request.device, limits);
@@ -125,6 +137,28 @@ class Services : public ui::ApplicationServices {
     std::string program_version() const override { return version_line(); }
 
   private:
+    /// Ghosts that were made, by scene and task; kept while the program runs.
+    struct Ghosts {
+        std::mutex mutex;
+        std::map<std::string, std::shared_ptr<const GhostPath>> made;
+    };
+    std::function<std::shared_ptr<const GhostPath>(const std::atomic<bool>&)> ghost_maker(
+        const LoadedTask& loaded) const {
+        return [loaded, ghosts = ghosts_](const std::atomic<bool>& stop) {
+            const std::string key = loaded.task.id + '\n' + loaded.scene_text;
+            {
+                const std::lock_guard<std::mutex> lock(ghosts->mutex);
+                if (const auto found = ghosts->made.find(key); found != ghosts->made.end())
+                    return found->second;
+            }
+            auto made =
+                make_ghost(loaded.scene, loaded.task, demonstration_seed, [&stop] { return !stop.load(); });
+            const std::lock_guard<std::mutex> lock(ghosts->mutex);
+            if (made != nullptr) ghosts->made[key] = made;
+            return made;
+        };
+    }
+
     /// Practice that begins with the state that `bring` makes.
     std::unique_ptr<ui::AttemptSession> begin_from(
         const ui::AttemptRequest& request, LoadedTask loaded, std::uint64_t seed,
@@ -147,6 +181,7 @@ class Services : public ui::ApplicationServices {
         live.session = request.session;
         live.limits = limits;
         live.bring = std::move(bring);
+        if (request.ghost) live.make_ghost = ghost_maker(live.loaded);
         return std::make_unique<LiveAttempt>(std::move(live));
     }
     std::unique_ptr<ui::AttemptSession> begin_at_moment(const ui::AttemptRequest& request) {
@@ -187,6 +222,7 @@ class Services : public ui::ApplicationServices {
     std::vector<TaskDefinition> tasks_;
     Curriculum curriculum_;
     std::unique_ptr<database::Store> store_;
+    std::shared_ptr<Ghosts> ghosts_ = std::make_shared<Ghosts>();
 };
 
 }  // namespace

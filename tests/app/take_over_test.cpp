@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Practice taken over from a moment of a replay, by the controls of the window: it begins with the scene as
 // it was, is never scored, and replays bit for bit from its own record.
+#include <QCheckBox>
 #include <QComboBox>
 #include <QSlider>
 
@@ -112,6 +113,31 @@ TEST_F(TakeOver, PartTaskPracticeBeginsAtTheGoalThatTheBriefingNames) {
     EXPECT_FALSE(part.points);
     EXPECT_TRUE(shown("debrief_notes").contains("goal 2 of a demonstration"));
     expect_replays(part.meta.id);
+}
+
+TEST_F(TakeOver, AGhostIsDrawnInPracticeAndChangesNothing) {
+    create_programme_and_trainee();
+    click(window, "briefing_A2");
+    expect_page("briefing_page");
+    check(window, "with_ghost");
+    check(window, "mode_assessed");
+    EXPECT_FALSE(find<QCheckBox>(window, "with_ghost")->isEnabled());
+    check(window, "mode_practice");
+    click(window, "start_attempt");
+    expect_page("theatre_page");
+    ASSERT_TRUE(wait_for([&] { return theatre().session()->phase() == AttemptPhase::running; }, 240000));
+    ASSERT_TRUE(theatre().session()->ghost());
+    const QImage with = theatre().view()->grab().toImage();
+    theatre().view()->set_ghost(nullptr);
+    EXPECT_NE(theatre().view()->grab().toImage(), with);
+    move_hands(20);
+    if (const char* pictures = std::getenv("FULCRUM_PICTURES"))
+        window.grab().save(QString::fromUtf8(pictures) + QStringLiteral("/ghost-A2.png"));
+    abandon();
+    const database::AttemptSummary attempt = newest_attempt();
+    EXPECT_FALSE(attempt.meta.origin);
+    EXPECT_EQ(attempt.meta.seed, 7U) << "the scene of the demonstration";
+    expect_replays(attempt.meta.id);
 }
 
 }  // namespace

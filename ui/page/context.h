@@ -54,8 +54,8 @@ class Context : public QObject {
     void input_seen();
     void home_wanted();
     void briefing_wanted(const QString& task_id);
-    /// `goal` > 0 (practice only): from the beginning of that goal on.
-    void attempt_wanted(const QString& task_id, bool assessed, int goal);
+    /// Practice only: `goal` > 0, from the beginning of that goal on; `ghost`, with an expert's instruments.
+    void attempt_wanted(const QString& task_id, bool assessed, int goal, bool ghost);
     void demonstration_wanted(const QString& task_id);
     /// A practice run that begins with this moment of an attempt.
     void take_over_wanted(std::shared_ptr<const fulcrum::ui::ReplayMoment> from);

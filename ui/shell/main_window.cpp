@@ -197,9 +197,9 @@ void MainWindow::connect_context() {
         show_page(page<BriefingPage>());
     });
     connect(&context_, &Context::attempt_wanted, this,
-            [this](const QString& task_id, bool assessed, int goal) {
+            [this](const QString& task_id, bool assessed, int goal, bool ghost) {
                 auto* theatre = page<TheatrePage>();
-                if (theatre->begin(plain(task_id), assessed, goal)) show_page(theatre);
+                if (theatre->begin(plain(task_id), assessed, goal, ghost)) show_page(theatre);
             });
     connect(&context_, &Context::demonstration_wanted, this, [this](const QString& task_id) {
         auto* theatre = page<TheatrePage>();

@@ -83,7 +83,7 @@ bool TheatrePage::open(const std::function<void()>& work) {
     });
 }
 
-bool TheatrePage::begin(const std::string& task_id, bool assessed, int goal) {
+bool TheatrePage::begin(const std::string& task_id, bool assessed, int goal, bool ghost) {
     const TaskDefinition* task = context().task(task_id);
     return task != nullptr && open([&] {
                auto input = std::make_unique<MouseKeyboardInput>(context().services().scene_for(*task));
@@ -91,8 +91,9 @@ bool TheatrePage::begin(const std::string& task_id, bool assessed, int goal) {
                    const Goal& first = task->goals[static_cast<std::size_t>(goal)];
                    input->take_hand(asked_hand(first).value_or(input->active_hand()));
                }
-               AttemptRequest request{context().session(),  task_id, assessed, 0, input->rig(), window_device,
-                                      "mouse and keyboard", nullptr, goal};
+               AttemptRequest request{
+                   context().session(),  task_id, assessed, 0,    input->rig(), window_device,
+                   "mouse and keyboard", nullptr, goal,     ghost};
                session_ = context().services().start_attempt(request);
                input_ = std::move(input);
            });
@@ -153,6 +154,7 @@ void TheatrePage::prepare() {
         mouse_known_ = false;
         since_tick_.restart();
         if (const RigSample* hands = session_->hands_at_start()) input_->begin_from(*hands);
+        if (const auto path = session_->ghost()) ghost_.emplace(path);
         session_->start();
     }
 }
@@ -161,6 +163,7 @@ void TheatrePage::end_session() {
     timer_.stop();
     session_.reset();
     input_.reset();
+    ghost_.reset();
     aligning_ = false;
     view_->unload();
     view_->unsetCursor();
@@ -419,6 +422,8 @@ void TheatrePage::show_world() {
     if (health.missed_ticks > 0 || health.lost_samples > 0) {
         hud.health = tr("%1 of %2 ticks missed").arg(health.missed_ticks).arg(health.ticks);
     }
+    view_->set_ghost(ghost_ ? &ghost_->follow(world.tools, display.goal) : nullptr);
+    if (ghost_) hud.place = tr("the ghost of an expert waits for you");
     view_->set_hud(hud);
     view_->set_targets(done_, display.active_target, display.hold_progress > 0);
     view_->show_world(world);

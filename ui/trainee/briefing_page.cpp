@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/trainee/briefing_page.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QRadioButton>
 #include <cmath>
@@ -67,9 +68,16 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
            "never scored."));
     beginning->addWidget(begin_words_);
     beginning->addWidget(begin_at_);
+    ghost_ = new QCheckBox(tr("With the ghost of an expert"));
+    ghost_->setObjectName(QStringLiteral("with_ghost"));
+    ghost_->setToolTip(
+        tr("Translucent instruments show an expert's next movement and wait for you. The scene is then "
+           "that of the demonstration."));
+    beginning->addWidget(ghost_);
     beginning->addStretch();
     card_layout(start_card)->addLayout(beginning);
     connect(practice_, &QRadioButton::toggled, begin_at_, &QWidget::setEnabled);
+    connect(practice_, &QRadioButton::toggled, ghost_, &QWidget::setEnabled);
     mode_note_ = make_label({}, "muted");
     card_layout(start_card)->addWidget(mode_note_);
     tissue_note_ = make_label({});
@@ -91,7 +99,8 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
     connect(start_, &QPushButton::clicked, this, [this] {
         const bool assessed = assessed_->isChecked();
         emit this->context().attempt_wanted(text(task_id_), assessed,
-                                            assessed ? 0 : begin_at_->currentData().toInt());
+                                            assessed ? 0 : begin_at_->currentData().toInt(),
+                                            !assessed && !ghost_->isHidden() && ghost_->isChecked());
     });
     connect(watch_, &QPushButton::clicked, this,
             [this] { emit this->context().demonstration_wanted(text(task_id_)); });
@@ -103,6 +112,7 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
 void BriefingPage::set_task(const std::string& task_id) {
     task_id_ = task_id;
     begin_at_->clear();
+    ghost_->setChecked(false);
     practice_->setChecked(true);
 }
 
@@ -116,6 +126,9 @@ void BriefingPage::fill_beginnings(const TaskDefinition& task) {
     const bool parts = task.goals.size() > 1;
     begin_words_->setVisible(parts);
     begin_at_->setVisible(parts);
+    const bool scope_alone =
+        !task.goals.empty() && type_of(task.goals.front().kind).site == GoalSite::camera_targets;
+    ghost_->setVisible(!scope_alone);  // a scope has no instrument to show
     if (begin_at_->count() > 0) return;
     begin_at_->addItem(tr("the beginning"), 0);
     for (std::size_t goal = 1; goal < task.goals.size(); ++goal) {
@@ -157,6 +170,7 @@ void BriefingPage::fill() {
     start_->setText(start);
     start_->setAccessibleName(start);
     begin_at_->setEnabled(practice_->isChecked());
+    ghost_->setEnabled(practice_->isChecked());
     if (task == nullptr) return;
     fill_beginnings(*task);
     briefing_->setText(text(task->briefing));

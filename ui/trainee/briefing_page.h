@@ -4,6 +4,7 @@
 
 #include "ui/page/context.h"
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QPushButton;
@@ -32,6 +33,7 @@ class BriefingPage : public Page {
     QRadioButton *assessed_, *practice_;
     QLabel* begin_words_;
     QComboBox* begin_at_;  ///< data: goal
+    QCheckBox* ghost_;
     QPushButton *start_, *watch_;
 };
 
