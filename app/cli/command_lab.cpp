@@ -53,8 +53,8 @@ std::vector<Command> laboratory_commands() {
          "rate, with noise.",
          page},
         {"lab validity", "FOLDER", 1, 1,
-         "Writes what each metric and gate is worth, from the results of lab operators and lab invariance in "
-         "a folder.",
+         "Writes what each metric and gate is worth, from the results (JSON or pages) of lab operators and "
+         "lab invariance in a folder.",
          page},
         {"lab run",
          "STUDY.json",
