@@ -204,7 +204,7 @@ int run_perform(const Arguments& arguments) {
     } else {
         // An unknown name is refused before anything is stored.
         rig = through_device(make_operator(operator_name, loaded.task, loaded.scene, seed), device_class,
-                             loaded.scene);
+                             loaded.scene, seed);
     }
     const database::Store store = open_store(arguments, true);
     const database::Session session = store.station_session();
@@ -212,7 +212,7 @@ int run_perform(const Arguments& arguments) {
     loaded = load_site_task(store, session, loaded.task.id, fidelity);
     if (!operator_name.empty())
         rig = through_device(make_operator(operator_name, loaded.task, loaded.scene, seed), device_class,
-                             loaded.scene);
+                             loaded.scene, seed);
     const database::Person person = subject(arguments, store, session, operator_name, seed);
 
     const Limits limits = limits_for(loaded.task, loaded.scene, device_class);

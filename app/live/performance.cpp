@@ -103,7 +103,7 @@ Performed perform(const PerformRequest& request, database::Recorder* recorder, c
     } else {
         rig = through_device(make_operator(request.operator_name, request.loaded.task, request.loaded.scene,
                                            request.individual.value_or(request.seed), request.seed),
-                             request.device_class, request.loaded.scene);
+                             request.device_class, request.loaded.scene, request.seed);
     }
     std::unique_ptr<MemorySink> sink =
         recorder != nullptr ? std::make_unique<RecordingSink>(*recorder) : std::make_unique<MemorySink>();

@@ -26,7 +26,7 @@ Performed perform(const char* preset, std::uint64_t seed, DeviceClass device = D
     const TaskDefinition task = load_task(test::source_path("assets/tasks/A1.json"));
     const Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
     AttemptEngine engine(scene, task, seed);
-    const auto rig = through_device(make_operator(preset, task, scene, seed), device, scene);
+    const auto rig = through_device(make_operator(preset, task, scene, seed), device, scene, seed);
     MemorySink sink;
     const RunOutcome outcome = run_headless(engine, *rig, sink);
     return {sink.record.events, outcome.ticks * scene.tick_period(), outcome.end == EventKind::completed};
