@@ -246,6 +246,9 @@ bool build_one(const Arguments& arguments, const Setting& setting, DeviceClass d
         print_json(json_of(build, setting.loaded.task.id));
     } else {
         print_summary(build);
+        if (build.set && output && !build.set->provisional)
+            std::cout << "assessed attempts use it once an educator has accepted it: fulcrum assets accept "
+                      << *output << " --reason TEXT --as LOGIN\n";
         if (build.set && !output) std::cout << benchmark_to_json(*build.set).dump(2) << '\n';
     }
     return build.set.has_value();

@@ -53,6 +53,9 @@ int run_replay(const Arguments& arguments) {
     const bool metrics_identical =
         stored && same_metrics(stored->metrics, to_row(again, summary.meta.limits).metrics);
 
+    // An attempt that was interrupted has no hash of its end.
+    const bool hash_identical = summary.state_hash.empty() || summary.state_hash == hex(outcome.state_hash);
+
     const nlohmann::json document = {
         {"attempt", id},
         {"identical", outcome.identical},
@@ -60,6 +63,7 @@ int run_replay(const Arguments& arguments) {
          outcome.first_divergence_s < 0 ? nlohmann::json() : nlohmann::json(outcome.first_divergence_s)},
         {"state_hash", hex(outcome.state_hash)},
         {"recorded_state_hash", summary.state_hash},
+        {"state_hash_identical", hash_identical},
         {"metrics_identical", metrics_identical},
         {"samples", record.samples.size()},
         {"built_for", cpu_features()},
@@ -71,9 +75,10 @@ int run_replay(const Arguments& arguments) {
                           ? "identical"
                           : "differs from " + decimal_text(outcome.first_divergence_s, 3) + " s on")
                   << ", metrics " << (metrics_identical ? "identical" : "differ") << ", state_hash "
-                  << hex(outcome.state_hash) << '\n';
+                  << hex(outcome.state_hash)
+                  << (hash_identical ? "" : ", but the store has " + summary.state_hash) << '\n';
     }
-    const bool same = outcome.identical && metrics_identical;
+    const bool same = outcome.identical && metrics_identical && hash_identical;
     return arguments.has("--verify") && !same ? 1 : 0;
 }
 

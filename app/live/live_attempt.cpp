@@ -17,6 +17,8 @@ constexpr std::size_t world_ring_ticks =
     512;  // half a second: a world that stalls longer loses ticks, counted
 constexpr std::size_t record_ring_ticks = 8192;  // eight seconds of a stalled disk
 constexpr int catch_up_ticks = 20;               // above this delay the deadline is moved instead
+constexpr std::int64_t longest_gap_ns =
+    1'000'000'000;  // stopped for longer, an assessed attempt is practice: there was time to think
 
 struct RecordTick {
     RigSample input;
@@ -67,6 +69,7 @@ struct LiveAttempt::State : public AttemptSink {
     std::atomic<bool> paused{false}, abandon{false}, stop{false}, haptic_stopped{false}, world_stopped{false};
     std::atomic<bool> device_lost{false}, resume_asked{false}, became_practice{false};
     std::atomic<std::uint32_t> tick_count{0};
+    std::atomic<std::int64_t> gap_ns{0};  // longest delay of a tick above longest_gap_ns, not yet recorded
     std::atomic<bool> ended{false}, finished{false}, failed{false};
 
     mutable std::mutex end_mutex;  // guards message and result, which the recorder thread passes to the owner
@@ -145,6 +148,8 @@ void LiveAttempt::State::run_haptic() noexcept {
         const std::int64_t late = begin - deadline;
         const ThreadUse at_begin = use_of_this_thread();
         counters.tick_begins(late, account.begin(late, last_duration, last_use));
+        if (late > longest_gap_ns && late > gap_ns.load(std::memory_order_relaxed))
+            gap_ns.store(late, std::memory_order_relaxed);
         if (late >= catch_up_ticks * period) {
             deadline = begin;
             account.clock_moved();
@@ -243,6 +248,7 @@ void LiveAttempt::State::drain() {
         }
     }
     if (!recording) return;
+    if (const std::int64_t gap = gap_ns.exchange(0)) recording->stood_still(static_cast<double>(gap) * 1e-9);
     recording->keep(tick_count.load());
     if (recording->became_practice()) became_practice.store(true);
 }

@@ -72,6 +72,8 @@ database::AttemptMeta attempt_meta(const LoadedTask& loaded, std::uint64_t seed,
     meta.scene = loaded.task.scene;
     meta.scene_text = loaded.scene_text;
     meta.limits = limits.name();
+    meta.assets = loaded.assets;
+    if (!limits.file.name.empty()) meta.assets.push_back(limits.file);
     meta.program_version = program_version;
     meta.cpu_features = cpu_features();
     return meta;

@@ -12,8 +12,12 @@
 #include "assessment/assets/assets.h"
 #include "assessment/metrics/version.h"
 #include "assessment/operators/operator.h"
+#include "database/rows/crypto.h"
 #include "database/scoring/rescoring.h"
 #include "database/scoring/site_tissues.h"
+#include "database/store/accepted_assets.h"
+#include "sim_core/numerics/input_error.h"
+#include "sim_core/scene/json_document.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/window_application.h"
 #include "ui/style/palette.h"
@@ -26,7 +30,10 @@ class Services : public ui::ApplicationServices {
   public:
     explicit Services(std::string folder) : folder_(std::move(folder)) {
         for (const std::string& id : task_ids()) tasks_.push_back(load_task(task_file(id)));
-        curriculum_ = load_curriculum(asset_path("curricula/rectal.json"), task_ids());
+        const std::string name = "curricula/rectal.json", path = asset_path(name);
+        const std::string text = read_text_file(path, JsonLimits().bytes);
+        curriculum_file_ = {name, database::sha256_hex(text)};
+        curriculum_ = parse_curriculum(text, path, task_ids());
     }
     database::Store* store() override { return store_.get(); }
     std::string store_path(bool demo) const override {
@@ -55,6 +62,11 @@ class Services : public ui::ApplicationServices {
         LoadedTask loaded = load_site_task(*store_, request.session, request.task_id);
         if (request.assessed) require_assessable(loaded.task, request.device_class);
         const Limits limits = limits_for(loaded.task, loaded.scene, request.device_class);
+        const std::vector<database::AssetFile> unknown =
+            database::AcceptedAssets(*store_).unknown(assets_of(loaded, limits));
+        if (request.assessed && !unknown.empty())
+            throw InputError("task " + loaded.task.id, "", database::practice_only_words(unknown),
+                             "perform it as practice until then");
         LiveRequest live{std::move(loaded),
                          request.seed,
                          request.assessed,
@@ -67,6 +79,7 @@ class Services : public ui::ApplicationServices {
         live.meta = attempt_meta(live.loaded, live.seed,
                                  request.assessed ? AttemptMode::assessed : AttemptMode::practice,
                                  request.device_class, request.device, limits);
+        live.meta.assets.push_back(curriculum_file_);
         live.meta.person_id = request.session.person_id();
         return std::make_unique<LiveAttempt>(std::move(live));
     }
@@ -74,6 +87,13 @@ class Services : public ui::ApplicationServices {
                                  DeviceClass device_class) override {
         const LoadedTask loaded = load_site_task(*store_, session, task_id);
         return limits_for(loaded.task, loaded.scene, device_class).not_comparable;
+    }
+    std::vector<database::AssetFile> unknown_assets(const database::Session& session,
+                                                    const std::string& task_id,
+                                                    DeviceClass device_class) override {
+        const LoadedTask loaded = load_site_task(*store_, session, task_id);
+        return database::AcceptedAssets(*store_).unknown(
+            assets_of(loaded, limits_for(loaded.task, loaded.scene, device_class)));
     }
     std::unique_ptr<ui::AttemptSession> start_demonstration(const database::Session& session,
                                                             const std::string& task_id) override {
@@ -125,7 +145,15 @@ class Services : public ui::ApplicationServices {
     }
     std::string folder_;
     std::vector<TaskDefinition> tasks_;
+    /// Everything that decides what an attempt is worth.
+    std::vector<database::AssetFile> assets_of(const LoadedTask& loaded, const Limits& limits) const {
+        std::vector<database::AssetFile> files = loaded.assets;
+        if (!limits.file.name.empty()) files.push_back(limits.file);
+        files.push_back(curriculum_file_);
+        return files;
+    }
     Curriculum curriculum_;
+    database::AssetFile curriculum_file_;
     std::unique_ptr<database::Store> store_;
 };
 

@@ -154,6 +154,15 @@ AttemptSummary query_attempt(const Store& store, const std::string& attempt_id) 
     return summary_of_row(row);
 }
 
+std::vector<AssetFile> assets_of(const Store& store, const std::string& attempt_id) {
+    Query rows(store.connection(),
+               "SELECT file, digest FROM attempt_asset WHERE attempt_id = ? ORDER BY file");
+    rows.bind(attempt_id);
+    std::vector<AssetFile> files;
+    while (rows.next()) files.push_back({rows.text(0), rows.text(1)});
+    return files;
+}
+
 bool is_cut_off(AttemptState state) {
     return state == AttemptState::interrupted || state == AttemptState::failed_simulation;
 }

@@ -85,6 +85,11 @@ std::string Attempts::scene_text(const Session& session, const std::string& atte
     return row.text(1);
 }
 
+std::vector<AssetFile> Attempts::assets(const Session& session, const std::string& attempt_id) const {
+    require_attempt(store_, session, Operation::read_attempt, attempt_id);
+    return assets_of(store_, attempt_id);
+}
+
 std::vector<ProductBlob> Attempts::products(const Session& session, const std::string& attempt_id) const {
     require_attempt(store_, session, Operation::read_trace, attempt_id);
     Query rows(store_.connection(),

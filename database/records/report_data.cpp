@@ -56,12 +56,32 @@ class Provenance {
     template <typename Report>
     void write(Report& report) const {
         report.metric_versions.assign(metrics_.begin(), metrics_.end());
-        report.benchmark_sets.assign(sets_.begin(), sets_.end());
+        report.benchmark_sets = named_sets();
         report.program_versions.assign(programs_.begin(), programs_.end());
         report.audit_head = Audit(store_).head();
     }
 
   private:
+    /// With the beginning of the SHA-256 of each set's file, as assessed attempts used it: a name alone says
+    /// nothing about the limits.
+    std::vector<std::string> named_sets() const {
+        std::map<std::string, std::set<std::string>> digests;
+        Query rows(store_.connection(),
+                   "SELECT DISTINCT a.limits, f.digest FROM attempt_asset f JOIN attempt a ON a.id = "
+                   "f.attempt_id WHERE a.mode = 'assessed' AND substr(f.file, 1, 11) = 'benchmarks/'");
+        while (rows.next()) digests[rows.text(0)].insert(rows.text(1).substr(0, 16));
+        std::vector<std::string> sets;
+        for (const std::string& name : sets_) {
+            const auto known = digests.find(name);
+            if (known == digests.end()) {
+                sets.push_back(name);
+                continue;
+            }
+            for (const std::string& digest : known->second) sets.push_back(name + " sha256:" + digest);
+        }
+        return sets;
+    }
+
     const Store& store_;
     std::set<std::string> metrics_, sets_, programs_;
     std::set<std::array<std::string, 4>> seen_;

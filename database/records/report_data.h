@@ -45,7 +45,7 @@ struct CohortTable {
     int left_out_synthetic = 0;                ///< people of the cohort left out
     std::vector<CohortRow> rows;               ///< by name, then task, then device class
     std::vector<std::string> metric_versions;  ///< "path_len@1", sorted
-    std::vector<std::string> benchmark_sets;   ///< "B1-operators@1", sorted
+    std::vector<std::string> benchmark_sets;   ///< "B1-operators@1 sha256:9f86d081884c7d65", sorted
     std::vector<std::string> program_versions;
     std::string audit_head;  ///< hex, printed on reports
 };

@@ -56,7 +56,8 @@ std::string Standings::decide(const Session& educator, const std::string& person
     row.reason = reason;
     Transaction transaction(connection);
     write_override(connection, row);
-    Audit(store_).append(educator, row.decision.id, "standing.decide", override_payload(row));
+    Audit(store_).append(educator, row.decision.id, "standing.decide", override_payload(row),
+                         {{RecordKind::decision, row.decision.id}});
     transaction.commit();
     return row.decision.id;
 }

@@ -14,6 +14,12 @@
 
 namespace fulcrum::database {
 
+/// A file that decides a result: a scene, a task, a benchmark set, a curriculum.
+struct AssetFile {
+    std::string name;    ///< within the assets folder, "benchmarks/A2.json"
+    std::string digest;  ///< SHA-256 of its bytes, hex, as `sha256sum` prints it
+};
+
 /// Known before the first tick; written when the recorder opens.
 struct AttemptMeta {
     std::string id;         ///< UUID; empty: the recorder makes one
@@ -32,6 +38,7 @@ struct AttemptMeta {
     std::string scene_digest;  ///< BLAKE2b-256 of scene_text, hex, made by the recorder; empty without it
     std::string curriculum;    ///< id@version or empty
     std::string limits;        ///< benchmark set id@version in force at the start, or empty
+    std::vector<AssetFile> assets;  ///< what it is performed with; not read back with the attempt
     std::string program_version;
     std::string cpu_features;  ///< feature level, for replay
     std::int64_t started = 0;  ///< UTC ms; 0: the recorder's clock

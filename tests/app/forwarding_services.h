@@ -30,6 +30,11 @@ class ForwardingServices : public ui::ApplicationServices {
                                  DeviceClass device_class) override {
         return own_->why_not_comparable(session, task_id, device_class);
     }
+    std::vector<database::AssetFile> unknown_assets(const database::Session& session,
+                                                    const std::string& task_id,
+                                                    DeviceClass device_class) override {
+        return own_->unknown_assets(session, task_id, device_class);
+    }
     std::unique_ptr<ui::AttemptSession> start_demonstration(const database::Session& session,
                                                             const std::string& task_id) override {
         return own_->start_demonstration(session, task_id);

@@ -37,6 +37,10 @@ class FakeServices : public ApplicationServices {
     Statement why_not_comparable(const database::Session&, const std::string&, DeviceClass) override {
         return {};
     }
+    std::vector<database::AssetFile> unknown_assets(const database::Session&, const std::string&,
+                                                    DeviceClass) override {
+        return unknown;
+    }
     std::unique_ptr<AttemptSession> start_demonstration(const database::Session& session,
                                                         const std::string& task_id) override;
     std::vector<InterruptedScore> score_interrupted(const database::Session&, const Progress&) override {
@@ -55,6 +59,7 @@ class FakeServices : public ApplicationServices {
                           const database::TissueValues&, const std::string&) override;
     std::string program_version() const override { return "0.1.0-test"; }
 
+    std::vector<database::AssetFile> unknown;  ///< what unknown_assets() answers
     AttemptControl control;
 
   private:

@@ -48,7 +48,7 @@ void require_not_the_store(const std::string& path, const database::Store& store
 
 void save(const std::string& path, const std::string& content) {
     try {
-        write_output_file(path, content);
+        write_output_file(path, content, OutputFile::Existing::replace, OutputFile::Access::owner_only);
     } catch (const std::system_error& error) {
         fail_output(path, error);
     }

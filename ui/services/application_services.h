@@ -72,12 +72,17 @@ class AttemptService {
   public:
     virtual ~AttemptService() = default;
     /// Prepares an attempt; it begins with AttemptSession::start(). Throws InputError (also where the task is
-    /// not assessed with this device), database::StoreError, database::AccessDenied.
+    /// not assessed with this device or with these files), database::StoreError, database::AccessDenied.
     virtual std::unique_ptr<AttemptSession> start_attempt(const AttemptRequest& request) = 0;
     /// Why attempts with this device are not compared with the task's limits; empty where they are, or where
     /// it has none. Throws InputError, database::AccessDenied.
     virtual Statement why_not_comparable(const database::Session& session, const std::string& task_id,
                                          DeviceClass device_class) = 0;
+    /// The files of an attempt with this device that are neither part of the program nor accepted by the
+    /// programme; with any it is practice only. Throws InputError, database::AccessDenied.
+    virtual std::vector<database::AssetFile> unknown_assets(const database::Session& session,
+                                                            const std::string& task_id,
+                                                            DeviceClass device_class) = 0;
     /// An expert operator performs the task to be watched; nothing is stored. Prepares like an attempt; its
     /// outcome stays empty.
     virtual std::unique_ptr<AttemptSession> start_demonstration(const database::Session& session,

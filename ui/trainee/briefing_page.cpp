@@ -109,6 +109,19 @@ QString BriefingPage::why_locked() {
     return {};
 }
 
+QString BriefingPage::why_files() {
+    std::vector<database::AssetFile> unknown;
+    context().guarded(
+        [&] { unknown = context().services().unknown_assets(context().session(), task_id_, window_device); });
+    if (unknown.empty()) return {};
+    QStringList files;
+    for (const database::AssetFile& file : unknown)
+        files << tr("%1 (sha256 %2)").arg(text(file.name), text(file.digest));
+    return tr("Here this task is practice only: it uses files that are neither part of this program nor "
+              "accepted by the programme: %1. An educator can accept them.")
+        .arg(files.join(QStringLiteral(", ")));
+}
+
 void BriefingPage::fill() {
     clear_layout(steps_);
     clear_layout(judged_);
@@ -117,7 +130,8 @@ void BriefingPage::fill() {
     const TaskDefinition* task = context().task(task_id_);
     const bool assessable = task != nullptr && can_be_assessed(*task, window_device);
     const QString locked = why_locked();
-    assessed_->setEnabled(!demo && assessable && locked.isEmpty());
+    const QString own_files = assessable ? why_files() : QString();
+    assessed_->setEnabled(!demo && assessable && locked.isEmpty() && own_files.isEmpty());
     if (!assessed_->isEnabled()) practice_->setChecked(true);
     start_->setEnabled(task != nullptr);
     watch_->setEnabled(task != nullptr);
@@ -168,10 +182,11 @@ void BriefingPage::fill() {
         scope_alone
             ? tr("You hold the scope with mouse and keyboard. F1 shows the keys.")
             : tr("You work with mouse and keyboard: force is shown as bars, not felt. F1 shows the keys.");
-    mode_note_->setText(demo                ? tr("The demonstration accepts practice attempts only.")
-                        : !assessable       ? hands + QStringLiteral(" ") + practice_only(*task)
-                        : !locked.isEmpty() ? hands + QStringLiteral(" ") + locked
-                                            : hands);
+    mode_note_->setText(demo                   ? tr("The demonstration accepts practice attempts only.")
+                        : !assessable          ? hands + QStringLiteral(" ") + practice_only(*task)
+                        : !own_files.isEmpty() ? hands + QStringLiteral(" ") + own_files
+                        : !locked.isEmpty()    ? hands + QStringLiteral(" ") + locked
+                                               : hands);
     show_notes();
     show_fidelity_note();
 }

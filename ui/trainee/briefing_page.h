@@ -22,6 +22,8 @@ class BriefingPage : public Page {
     void fill();
     /// Why the task does not count yet for who is signed in; empty where it does.
     QString why_locked();
+    /// Why the installed files make it practice only; empty where they do not.
+    QString why_files();
     void show_notes();
     void show_fidelity_note();
     std::string task_id_;
