@@ -151,7 +151,7 @@ class Journey : public Window {
         while (row < file.size() && cell_of(file, row, "attempt_id") != attempt.meta.id) ++row;
         ASSERT_LT(row, file.size());
         EXPECT_EQ(cell_of(file, row, "points"), csv_number(attempt.points));
-        click(window, "all_metrics");
+        choose_tab(window, "debrief_tabs", "All metrics");
         auto* table = find<QTableWidget>(window, "metrics_table");
         int values = 0;
         for (int line = 0; line < table->rowCount(); ++line) {
@@ -287,6 +287,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     find_row(*find<QTableWidget>(window, "attempts_table"), {"B1", "abandoned"});
     click(window, "open_attempt");
     wait_for_debrief();
+    choose_tab(window, "debrief_tabs", "Corrections");
     bring(*find<QWidget>(window, "action_reason"));
     type(window, "action_reason", "started by mistake");
     click(window, "void_attempt");

@@ -257,6 +257,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     choose_row(*attempts, abandoned);
     click(window, "open_attempt");
     wait_for_debrief();
+    choose_tab(window, "debrief_tabs", "Corrections");
     click(window, "void_attempt");
     EXPECT_TRUE(shown("message_text").contains("reason"));
     type(window, "action_reason", "started by mistake");

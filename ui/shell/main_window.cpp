@@ -22,6 +22,7 @@
 #include "ui/theatre/theatre_page.h"
 #include "ui/trainee/briefing_page.h"
 #include "ui/trainee/home_page.h"
+#include "ui/trainee/metrics_page.h"
 #include "ui/trainee/progress_page.h"
 
 namespace fulcrum::ui {
@@ -216,6 +217,11 @@ void MainWindow::connect_context() {
             [this](const QString& person_id, const QString& task_id) {
                 page<ProgressPage>()->show_person(plain(person_id), plain(task_id));
                 show_page(page<ProgressPage>());
+            });
+    connect(&context_, &Context::metric_wanted, this,
+            [this](const QString& metric_id, const QString& attempt_id, double time_s) {
+                page<MetricsPage>()->show_metric(plain(metric_id), attempt_id, time_s);
+                show_page(page<MetricsPage>());
             });
     connect(&idle_, &IdleWatch::lock, this, &MainWindow::lock);
     connect(&idle_, &IdleWatch::close_attempt, this, [this] {
