@@ -10,6 +10,7 @@
 #include "app/services/demo.h"
 #include "app/services/replay_source.h"
 #include "assessment/assets/assets.h"
+#include "assessment/attempt/engine.h"
 #include "assessment/metrics/version.h"
 #include "assessment/operators/operator.h"
 #include "database/scoring/rescoring.h"
@@ -47,6 +48,13 @@ class Services : public ui::ApplicationServices {
     Scene scene_for(const TaskDefinition& task) const override {
         return load_scene(asset_path("scenes/" + task.scene));
     }
+    std::string scene_text(const TaskDefinition& task) const override {
+        return load_task_and_scene(task.id).scene_text;
+    }
+    WorldSnapshot world_at_start(const TaskDefinition& task) const override {
+        const LoadedTask loaded = load_task_and_scene(task.id);
+        return AttemptEngine(loaded.scene, loaded.task, demonstration_seed).initial_snapshot();
+    }
 
     std::unique_ptr<ui::AttemptSession> start_attempt(const ui::AttemptRequest& request) override {
         // The recorder checks again; checked here so that no scene is built for a refused attempt.
@@ -74,6 +82,12 @@ class Services : public ui::ApplicationServices {
                                  DeviceClass device_class) override {
         const LoadedTask loaded = load_site_task(*store_, session, task_id);
         return limits_for(loaded.task, loaded.scene, device_class).not_comparable;
+    }
+    std::vector<JudgedLimit> judged_limits(const database::Session& session, const std::string& task_id,
+                                           DeviceClass device_class) override {
+        const LoadedTask loaded = load_site_task(*store_, session, task_id);
+        const Limits limits = limits_for(loaded.task, loaded.scene, device_class);
+        return fulcrum::judged_limits(loaded.task, limits.comparable(), limits.not_comparable);
     }
     std::unique_ptr<ui::AttemptSession> start_demonstration(const database::Session& session,
                                                             const std::string& task_id) override {

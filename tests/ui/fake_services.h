@@ -5,6 +5,7 @@
 #pragma once
 
 #include <QTemporaryDir>
+#include <atomic>
 #include <memory>
 
 #include "database/records/recorder.h"
@@ -33,6 +34,10 @@ class FakeServices : public ApplicationServices {
     const std::vector<TaskDefinition>& tasks() const override { return tasks_; }
     const Curriculum& curriculum() const override { return curriculum_; }
     Scene scene_for(const TaskDefinition& task) const override;
+    std::string scene_text(const TaskDefinition& task) const override;
+    WorldSnapshot world_at_start(const TaskDefinition& task) const override;
+    std::vector<JudgedLimit> judged_limits(const database::Session&, const std::string& task_id,
+                                           DeviceClass) override;
     std::unique_ptr<AttemptSession> start_attempt(const AttemptRequest& request) override;
     Statement why_not_comparable(const database::Session&, const std::string&, DeviceClass) override {
         return {};
@@ -56,6 +61,7 @@ class FakeServices : public ApplicationServices {
     std::string program_version() const override { return "0.1.0-test"; }
 
     AttemptControl control;
+    mutable std::atomic<int> worlds_built{0};  ///< calls of world_at_start()
 
   private:
     QTemporaryDir folder_;

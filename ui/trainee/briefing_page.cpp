@@ -5,12 +5,14 @@
 #include <cmath>
 
 #include "assessment/assets/fidelity_cost.h"
-#include "assessment/metrics/registry.h"
+#include "database/records/report_data.h"
 #include "database/records/standings.h"
 #include "sim_core/scene/fidelity.h"
 #include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
+#include "ui/theatre/scene_picture.h"
+#include "ui/trainee/judged_card.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -39,13 +41,16 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
 
     auto* row = new QHBoxLayout;
     row->setSpacing(14);
+    picture_ = new ScenePicture(context);
+    row->addWidget(picture_, 1);
     QFrame* steps_card = make_card(8);
     steps_ = card_layout(steps_card);
     row->addWidget(steps_card, 1);
-    QFrame* judged_card = make_card(6);
-    judged_ = card_layout(judged_card);
-    row->addWidget(judged_card, 1);
     layout->addLayout(row);
+    judged_ = new JudgedCard;
+    connect(judged_, &JudgedCard::metric_chosen, this,
+            [this](const QString& id) { emit this->context().metric_wanted(id, {}, -1); });
+    layout->addWidget(judged_);
 
     QFrame* start_card = make_card(8);
     card_layout(start_card)->addWidget(make_label(tr("Does it count?"), "heading"));
@@ -66,9 +71,14 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
     start_ = make_button({}, "start_attempt", "primary");
     watch_ = make_button(tr("Watch an expert do it"), "watch_demonstration");
     watch_->setToolTip(tr("A simulated expert performs the task. Nothing is stored. Press Escape to stop."));
+    QPushButton* history = make_button(tr("My attempts and learning curve"), "briefing_progress");
+    connect(history, &QPushButton::clicked, this, [this] {
+        emit this->context().progress_wanted(text(this->context().session().person_id()), text(task_id_));
+    });
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(start_);
     buttons->addWidget(watch_);
+    buttons->addWidget(history);
     buttons->addStretch();
     card_layout(start_card)->addLayout(buttons);
     layout->addWidget(start_card);
@@ -111,7 +121,6 @@ QString BriefingPage::why_locked() {
 
 void BriefingPage::fill() {
     clear_layout(steps_);
-    clear_layout(judged_);
     title_->setText(context().task_title(task_id_));
     const bool demo = context().store().is_demo();
     const TaskDefinition* task = context().task(task_id_);
@@ -134,34 +143,8 @@ void BriefingPage::fill() {
     steps_->addWidget(make_label(
         tr("Time limit %1 · outcome: %2").arg(clock_text(task->time_limit_s), text(task->product)), "muted"));
     steps_->addStretch();
-    judged_->addWidget(make_label(tr("What is assessed"), "heading"));
-    for (const GateSpec& gate : task->gates) {
-        const MetricDescriptor* metric = find_metric(gate.metric);
-        QString line = metric_text(gate.metric);
-        if (!gate.hand.empty()) line += QStringLiteral(", ") + hand_text(gate.hand);
-        if (!gate.tissue.empty()) line += QStringLiteral(", ") + text(gate.tissue);
-        if (gate.kind == GateKind::absolute) {
-            const bool higher = metric != nullptr && metric->direction == Direction::higher;
-            const QString limit =
-                figure_with_unit(gate.limit, metric == nullptr ? std::string() : metric->unit);
-            line += gate.exclusive      ? (higher ? tr(": more than %1") : tr(": less than %1")).arg(limit)
-                    : higher            ? tr(": at least %1").arg(limit)
-                    : gate.limit == 0.0 ? tr(": none")
-                                        : tr(": at most %1").arg(limit);
-        } else {
-            line += tr(": within the experts' range");
-        }
-        QLabel* label = make_label(QStringLiteral("•  ") + line);
-        if (metric != nullptr) label->setToolTip(text(metric->explanation));
-        judged_->addWidget(label);
-    }
-    if (!task->critical_errors.empty()) {
-        QStringList errors;
-        for (const std::string& error : task->critical_errors) errors << text(error).replace('_', ' ');
-        judged_->addWidget(make_label(
-            tr("Critical errors (the attempt fails): %1").arg(errors.join(QStringLiteral(", "))), "bad"));
-    }
-    judged_->addStretch();
+    picture_->show_task(*task);
+    judged_->open(*task, limits(), own_values());
     const bool scope_alone =
         !task->goals.empty() && type_of(task->goals.front().kind).site == GoalSite::camera_targets;
     const QString hands =
@@ -174,6 +157,27 @@ void BriefingPage::fill() {
                                             : hands);
     show_notes();
     show_fidelity_note();
+}
+
+std::vector<JudgedLimit> BriefingPage::limits() {
+    std::vector<JudgedLimit> judged;
+    context().guarded(
+        [&] { judged = context().services().judged_limits(context().session(), task_id_, window_device); });
+    return judged;
+}
+
+std::vector<database::MetricRow> BriefingPage::own_values() {
+    std::vector<database::MetricRow> values;
+    const database::Session& session = context().session();
+    if (!context().allowed(database::Operation::read_progress,
+                           database::Subject::person(session.person_id())))
+        return values;
+    context().guarded([&] {
+        values = last_values(
+            database::Reports(context().store()).person_progress(session, session.person_id(), task_id_),
+            window_device);
+    });
+    return values;
 }
 
 namespace {
