@@ -36,7 +36,8 @@ Frame frame_of(const QRectF& area, const AttemptChartData& data, double unit) {
     Frame frame;
     frame.plot = area.adjusted(64 * unit, 30 * unit, -14 * unit, -44 * unit);
     int last = 1;
-    double high = data.limit.value_or(0), low = std::min(0.0, data.limit.value_or(0));
+    double high = std::max(data.limit.value_or(0), data.band_high.value_or(0));
+    double low = std::min({0.0, data.limit.value_or(0), data.band_low.value_or(0)});
     for (const AttemptSeries& series : data.series) {
         for (const AttemptPoint& point : series.points) {
             last = std::max(last, point.number);
@@ -55,6 +56,25 @@ Frame frame_of(const QRectF& area, const AttemptChartData& data, double unit) {
         frame.y_low = std::floor(low * 1.08 / frame.y_step) * frame.y_step;
     }
     return frame;
+}
+
+/// The experts' range across the plot, between dotted lines.
+void paint_band(QPainter& painter, const Frame& frame, const AttemptChartData& data, const Palette& p,
+                double unit) {
+    if (!data.band_low || !data.band_high) return;
+    const double low = std::clamp(*data.band_low, frame.y_low, frame.y_high);
+    const double high = std::clamp(*data.band_high, frame.y_low, frame.y_high);
+    const QRectF band(frame.at(frame.x_low, high), frame.at(frame.x_high, low));
+    QColor fill = p.good;
+    fill.setAlpha(36);
+    painter.fillRect(band, fill);
+    painter.setPen(QPen(p.good, unit, Qt::DotLine));
+    painter.drawLine(band.topLeft(), band.topRight());
+    painter.drawLine(band.bottomLeft(), band.bottomRight());
+    painter.setPen(p.good);
+    const double line = QFontMetricsF(painter.font(), painter.device()).height();
+    painter.drawText(QRectF(band.left(), band.bottom() + 2 * unit, band.width() - 6 * unit, line),
+                     Qt::AlignRight, data.band_name);
 }
 
 /// The interval of the plateau as a band, the fitted curve as a thick line over it.
@@ -111,6 +131,7 @@ void paint_attempt_chart(QPainter& painter, const QRectF& area, const AttemptCha
         painter.drawLine(frame.at(frame.x_low, *data.limit), frame.at(frame.x_high, *data.limit));
         painter.drawText(frame.at(frame.x_low, *data.limit) + QPointF(6 * unit, -4 * unit), data.limit_name);
     }
+    paint_band(painter, frame, data, p, unit);
     const QColor colours[] = {p.left_hand, p.right_hand, p.good, p.limit, p.neutral, p.text};
     const Qt::PenStyle styles[] = {Qt::SolidLine,   Qt::DashLine,       Qt::DotLine,
                                    Qt::DashDotLine, Qt::DashDotDotLine, Qt::SolidLine};
