@@ -6,7 +6,7 @@ find_package(Threads REQUIRED)
 find_program(FULCRUM_CCACHE ccache)
 if(FULCRUM_CCACHE)
     # Precompiled headers need these two sloppiness settings to be cached.
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime CCACHE_NOHASHDIR=1 CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} ${FULCRUM_CCACHE})
+    set(CMAKE_CXX_COMPILER_LAUNCHER /usr/bin/env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime CCACHE_NOHASHDIR=1 CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} ${FULCRUM_CCACHE})
 endif()
 
 add_library(fulcrum_flags INTERFACE)
@@ -89,6 +89,8 @@ function(fulcrum_room folder)
     if(NOT ARG_PCH STREQUAL "none")
         target_precompile_headers(${name} REUSE_FROM ${ARG_PCH})
     endif()
+    # Every source includes the code that moc makes of its header, so nothing is left in the file that CMake makes of all others.
+    set_source_files_properties(${CMAKE_CURRENT_BINARY_DIR}/${name}_autogen/mocs_compilation.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
     if(FULCRUM_UNITY GREATER 1)
         set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${FULCRUM_UNITY})
         foreach(source ${ARG_APART})

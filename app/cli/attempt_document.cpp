@@ -94,7 +94,7 @@ std::vector<std::string> export_trace(const database::Store& store, const databa
                                      {"events.csv", table.str()},
                                      {"attempt.json", document + "\n"}}) {
         files.push_back((std::filesystem::path(folder) / name).string());
-        write_whole_file(files.back(), text);
+        write_whole_file(files.back(), text, FileAccess::owner_only);
     }
     return files;
 }

@@ -24,19 +24,19 @@ constexpr int individuals = 16, counted = 3, familiarisation = 3;
 constexpr std::uint64_t first_seed = 1000;  // seeds 1000-1999 are reserved for benchmarks
 
 struct Job {
-    std::string preset;
+    OperatorLevel level = OperatorLevel::expert;
     int individual = 0, attempt = 0;
     std::uint64_t seed = 0;
 };
 
 /// Runs the counted attempts of all individuals, one thread per core. Operators do not learn, so they need no
 /// familiarisation; the set records 0.
-std::vector<BenchmarkAttempt> run_operators(const LoadedTask& loaded, const std::string& preset,
+std::vector<BenchmarkAttempt> run_operators(const LoadedTask& loaded, OperatorLevel level,
                                             std::uint64_t seed_base, DeviceClass device_class) {
     std::vector<Job> jobs;
     for (int i = 0; i < individuals; ++i) {
         for (int a = 0; a < counted; ++a)
-            jobs.push_back({preset, i, a, seed_base + static_cast<std::uint64_t>(i * counted + a)});
+            jobs.push_back({level, i, a, seed_base + static_cast<std::uint64_t>(i * counted + a)});
     }
     std::vector<BenchmarkAttempt> attempts(jobs.size());
     std::atomic<std::size_t> next{0};
@@ -47,14 +47,15 @@ std::vector<BenchmarkAttempt> run_operators(const LoadedTask& loaded, const std:
             try {
                 PerformRequest request;
                 request.loaded = loaded;
-                request.operator_name = jobs[k].preset;
+                request.operator_level = jobs[k].level;
                 request.seed = jobs[k].seed;
                 request.device_class = device_class;
                 request.individual =
                     seed_base + static_cast<std::uint64_t>(jobs[k].individual *
                                                            counted);  // one individual, many attempts
                 const Performed performed = perform(request, nullptr, {});
-                attempts[k].person = preset + "-" + std::to_string(jobs[k].individual + 1);
+                attempts[k].person = row_of(operator_levels, level).name + std::string("-") +
+                                     std::to_string(jobs[k].individual + 1);
                 attempts[k].metrics = performed.scored.metrics;
                 attempts[k].state = performed.scored.state;
                 attempts[k].critical_errors = performed.scored.score.critical_errors;
@@ -200,8 +201,9 @@ BenchmarkRequest request_for(const Arguments& arguments, const Setting& setting,
         request.provisional = true;
         request.outliers = false;
         request.familiarisation = request.minimum_familiarisation = 0;
-        request.experts = run_operators(loaded, "expert", first_seed, request.device_class);
-        request.novices = run_operators(loaded, "novice", first_seed + 500, request.device_class);
+        request.experts = run_operators(loaded, OperatorLevel::expert, first_seed, request.device_class);
+        request.novices =
+            run_operators(loaded, OperatorLevel::novice, first_seed + 500, request.device_class);
     } else {
         request.source = "experts of this site";
         request.provisional = false;
@@ -246,6 +248,9 @@ bool build_one(const Arguments& arguments, const Setting& setting, DeviceClass d
         print_json(json_of(build, setting.loaded.task.id));
     } else {
         print_summary(build);
+        if (build.set && output && !build.set->provisional)
+            std::cout << "assessed attempts use it once an educator has accepted it: fulcrum assets accept "
+                      << *output << " --reason TEXT --as LOGIN\n";
         if (build.set && !output) std::cout << benchmark_to_json(*build.set).dump(2) << '\n';
     }
     return build.set.has_value();

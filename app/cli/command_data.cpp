@@ -15,6 +15,7 @@
 #include "assessment/scoring/benchmark.h"
 #include "assessment/scoring/score.h"
 #include "assessment/trace/trace_csv.h"
+#include "assessment/trace/trace_mapping.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/scene/json_document.h"
 
@@ -36,7 +37,16 @@ std::string read_standard_input() {
     return text;
 }
 
-Trace read_trace(const std::string& path) {
+/// The trace named on the command line; `left_out`: samples without a value, of a mapped one.
+Trace read_trace(const Arguments& arguments, std::size_t& left_out) {
+    const std::string& path = arguments.words()[0];
+    if (const auto file = arguments.value("--mapping")) {
+        const TraceMapping mapping = load_trace_mapping(*file);
+        MappedTrace mapped = path == "-" ? read_mapped_trace(std::cin, "standard input", mapping)
+                                         : read_mapped_trace(path, mapping);
+        left_out = mapped.left_out;
+        return std::move(mapped.trace);
+    }
     return path == "-" ? read_trace_csv(std::cin, "standard input") : read_trace_csv(path);
 }
 
@@ -47,6 +57,9 @@ void print_notes(const nlohmann::json& document) {
     for (const auto& gap : document["gaps"])
         std::cerr << "note: no samples from " << gap[0].dump() << " s to " << gap[1].dump()
                   << " s; nothing is measured across this gap\n";
+    if (document["samples_left_out"] != 0)
+        std::cerr << "note: " << document["samples_left_out"].dump()
+                  << " samples have a missing value and were left out\n";
     if (document["replaced_force_samples"] != 0)
         std::cerr << "note: " << document["replaced_force_samples"].dump()
                   << " force samples were spikes and were replaced\n";
@@ -78,6 +91,9 @@ void print_verdict(const nlohmann::json& document) {
 
 int run_metrics(const Arguments& arguments) {
     if (arguments.has("--events")) {
+        if (arguments.has("--mapping"))
+            throw UsageError("--mapping", "cannot be used with --events",
+                             "a verdict needs a trace in the documented format");
         const nlohmann::json document = verdict(arguments);
         if (arguments.has("--json")) {
             print_json(document);
@@ -96,8 +112,10 @@ int run_metrics(const Arguments& arguments) {
         context = make_metric_context(loaded.scene, loaded.task, {});
         context->events_recorded = false;
     }
-    const nlohmann::json document =
-        metrics_of_trace(read_trace(arguments.words()[0]), arguments.words()[0], context);
+    std::size_t left_out = 0;
+    const Trace trace = read_trace(arguments, left_out);
+    nlohmann::json document = metrics_of_trace(trace, arguments.words()[0], context);
+    document["samples_left_out"] = left_out;
     if (arguments.has("--json")) {
         print_json(document);
         return 0;
@@ -134,6 +152,7 @@ std::string check_text(const std::string& text, const std::string& file) {
     if (document.contains("levels") || document.contains("experts"))
         return "benchmark set of task " + parse_benchmark(text, file).task;
     if (document.contains("stages")) return "curriculum " + parse_curriculum(text, file, task_ids()).name();
+    if (document.contains("columns")) return "mapping of traces, " + parse_trace_mapping(text, file).title;
     return "scene " + parse_scene(text, file).id;
 }
 
@@ -154,6 +173,7 @@ std::string check_file(const std::string& path) {
     if (document.contains("levels") || document.contains("experts"))
         return "benchmark set of task " + load_benchmark(path).task;
     if (document.contains("stages")) return "curriculum " + load_curriculum(path, task_ids()).name();
+    if (document.contains("columns")) return "mapping of traces, " + load_trace_mapping(path).title;
     return "scene " + load_scene(path).id;
 }
 
@@ -185,7 +205,11 @@ Command metrics_command() {
         1,
         "Computes the metrics of a trace in the CSV format of docs/FORMATS.md; - reads standard input. With "
         "its events it also gives gates, pathology and verdict.",
-        {{"--task", "TASK",
+        {{"--mapping", "MAPPING.json",
+          "The trace is of another program: which of its columns is which, and in which unit. Examples are "
+          "in "
+          "assets/mappings."},
+         {"--task", "TASK",
           "The task that the trace belongs to; metrics that depend on its targets need it."},
          {"--events", "EVENTS.csv", "The attempt's events."},
          {"--device-class", "CLASS", "The class of the device; its limits are used.", "haptic",
@@ -201,7 +225,7 @@ Command check_command() {
             "FILE...",
             1,
             10000,
-            "Checks scenes, tasks, curricula, benchmark sets and traces; - reads standard input.",
+            "Checks scenes, tasks, curricula, benchmark sets, mappings and traces; - reads standard input.",
             {json_option()},
             run_check};
 }

@@ -10,6 +10,7 @@
 #include "database/records/people.h"
 #include "database/scoring/rescoring.h"
 #include "database/store/audit.h"
+#include "database/store/store_restore.h"
 
 namespace fulcrum::app {
 namespace {
@@ -25,10 +26,37 @@ int create(const Arguments& arguments) {
     return 0;
 }
 
+/// What --against names; empty without it.
+std::string known_head(const Arguments& arguments) {
+    const std::string head = arguments.value_or("--against", "");
+    constexpr std::size_t least = 16, most = 64;
+    if (arguments.has("--against") && (head.size() < least || head.size() > most ||
+                                       head.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos))
+        throw UsageError("--against", "'" + head + "' is not the head of an audit log",
+                         "give its first 16 to 64 hexadecimal digits, as reports and `db audit` print them");
+    return head;
+}
+
+void add_head(const database::Store& store, const std::string& head, database::CheckReport& report) {
+    database::CheckItem item;
+    item.name = "known head";
+    item.count = 1;
+    if (!database::Audit(store).has_head(head))
+        item.problems.push_back("no audit row has the head " + head +
+                                ": the store was rewritten, or an older copy is in its place");
+    item.ok = item.problems.empty();
+    report.ok = report.ok && item.ok;
+    report.items.push_back(std::move(item));
+}
+
 int check(const Arguments& arguments) {
-    const bool signs_in = arguments.has("--as");  // the sign-in is recorded, so the store must be writable
-    const database::Store store = open_store(arguments, false, !signs_in);
-    const database::CheckReport report = store.check(session_of(arguments, store));
+    database::StoreOptions options;
+    options.read_only = !arguments.has("--as");  // a sign-in is recorded, so the store must be writable
+    options.older_schema = options.read_only;
+    const std::string head = known_head(arguments);
+    const database::Store store = database::Store::open(store_path(arguments), options);
+    database::CheckReport report = store.check(session_of(arguments, store));
+    if (!head.empty()) add_head(store, head, report);
     nlohmann::json items = nlohmann::json::array();
     for (const database::CheckItem& item : report.items) {
         items.push_back(
@@ -38,8 +66,17 @@ int check(const Arguments& arguments) {
             for (const std::string& problem : item.problems) std::cout << "  " << problem << '\n';
         }
     }
-    if (arguments.has("--json"))
-        print_json({{"ok", report.ok}, {"store", store_path(arguments)}, {"items", items}});
+    const int schema = store.found_schema(), current = database::Store::schema_version();
+    if (arguments.has("--json")) {
+        print_json({{"ok", report.ok},
+                    {"store", store_path(arguments)},
+                    {"schema", schema},
+                    {"program_schema", current},
+                    {"items", items}});
+    } else if (schema < current) {
+        std::cout << "schema " << schema << " of " << current
+                  << ": what later schemas add was not checked; `fulcrum db migrate` brings it up to date\n";
+    }
     return report.ok ? 0 : 1;
 }
 
@@ -51,6 +88,42 @@ int backup(const Arguments& arguments) {
         print_json({{"store", store_path(arguments)}, {"backup", to}});
     } else {
         std::cout << "backed up " << store_path(arguments) << " to " << to << '\n';
+    }
+    return 0;
+}
+
+int restore(const Arguments& arguments) {
+    const std::string path = store_path(arguments), from = arguments.words()[0];
+    if (!arguments.has("--as"))
+        throw UsageError("--as", "is missing; only an administrator of the backup restores it",
+                         "sign in with --as LOGIN, and --password-file FILE where there is no terminal");
+    const database::Replaced done = database::restore_store(
+        from, path, [&](const database::Store& copy) { return session_of(arguments, copy); });
+    if (arguments.has("--json")) {
+        print_json({{"store", path},
+                    {"restored", from},
+                    {"schema", done.from_schema},
+                    {"head", done.head},
+                    {"kept", or_null(done.kept)},
+                    {"kept_head", or_null(done.before)}});
+    } else {
+        std::cout << "restored " << path << " from " << from << " (checked before and after)\n";
+        if (!done.kept.empty()) std::cout << "what was there before is kept in " << done.kept << '\n';
+    }
+    return 0;
+}
+
+int migrate(const Arguments& arguments) {
+    const std::string path = store_path(arguments);
+    const database::Replaced done = database::migrate_store(path);
+    const int now = database::Store::schema_version();
+    if (arguments.has("--json")) {
+        print_json({{"store", path}, {"from", done.from_schema}, {"to", now}, {"kept", or_null(done.kept)}});
+    } else if (done.kept.empty()) {
+        std::cout << path << " has schema " << now << " already\n";
+    } else {
+        std::cout << "brought " << path << " from schema " << done.from_schema << " to " << now
+                  << "; the old file is kept in " << done.kept << '\n';
     }
     return 0;
 }
@@ -212,8 +285,23 @@ std::vector<Command> store_commands() {
     const Option person{"--person", "LOGIN", "Only entries about this person."};
     return {
         {"db create", "", 0, 0, "Creates an empty store.", {store_option(), json_option()}, create},
-        {"db check", "", 0, 0, "Checks that the store is complete and unchanged.", session_options(), check},
+        {"db check", "", 0, 0, "Checks that the store is complete and unchanged.",
+         joined({{"--against", "HEAD",
+                  "Also check that the audit log contains this head, which a report or `db audit` printed "
+                  "earlier: 16 to 64 hexadecimal digits."}},
+                session_options()),
+         check},
         {"db backup", "TO", 1, 1, "Copies the store to a new file.", session_options(), backup},
+        {"db restore", "FROM", 1, 1,
+         "Puts a backup in the store's place, after checking it; the old store is kept.", session_options(),
+         restore},
+        {"db migrate",
+         "",
+         0,
+         0,
+         "Brings an older store up to this program's schema, after checking it; the old file is kept.",
+         {store_option(), json_option()},
+         migrate},
         {"db audit", "", 0, 0, "Lists the audit log and checks its chain.",
          joined({person,
                  {"--kind", "KIND", "Only entries of this operation, or of the group before its dot."},

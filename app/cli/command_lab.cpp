@@ -52,9 +52,13 @@ std::vector<Command> laboratory_commands() {
          "Measures what metrics make of the same attempts recorded otherwise: turned, later, at half the "
          "rate, with noise.",
          page},
+        {"lab seek", "[TASK]", 0, 1, "Measures seeks to random moments of a replay, and its key frames.",
+         joined({{"--seconds", "S", "Length of the attempt: 1 to 3600.", "600"},
+                 {"--seeks", "N", "Seeks for each task: 1 to 100000.", "200"}},
+                page)},
         {"lab validity", "FOLDER", 1, 1,
-         "Writes what each metric and gate is worth, from the results of lab operators and lab invariance in "
-         "a folder.",
+         "Writes what each metric and gate is worth, from the results (JSON or pages) of lab operators and "
+         "lab invariance in a folder.",
          page},
         {"lab run",
          "STUDY.json",

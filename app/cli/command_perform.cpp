@@ -18,6 +18,7 @@
 #include "assessment/metrics/statement_words.h"
 #include "assessment/operators/device_model.h"
 #include "database/records/recorder.h"
+#include "database/store/accepted_assets.h"
 #include "sim_core/scene/fidelity.h"
 
 namespace fulcrum::app {
@@ -34,32 +35,20 @@ struct Result {
 
 /// The person to whom the attempt belongs: synthetic or external, never real.
 database::Person subject(const Arguments& arguments, const database::Store& store,
-                         const database::Session& session, const std::string& operator_name,
+                         const database::Session& session, std::optional<OperatorLevel> level,
                          std::uint64_t seed) {
     const database::People people(store);
     if (const auto login = arguments.value("--person")) {
-        // The station can see synthetic and external people only, so a refusal means a real person.
-        bool real = false;
-        try {
-            const auto known = people.find_login(store.station_session(), *login);
-            real = known && known->kind == database::PersonKind::real;
-        } catch (const database::AccessDenied&) {
-            real = true;
-        }
-        if (real) {
-            throw UsageError(
-                "--person", *login + " is a real person",
-                "name a synthetic or external person; operators and traces may not perform for others");
-        }
         return people.ensure_synthetic(
             session, *login, *login,
-            operator_name.empty() ? database::PersonKind::external : database::PersonKind::synthetic);
+            level ? database::PersonKind::synthetic : database::PersonKind::external);
     }
-    if (operator_name.empty())
+    if (!level)
         return people.ensure_synthetic(session, "external-trace", "External trace",
                                        database::PersonKind::external);
-    const std::string login = "synthetic-" + operator_name + "-" + std::to_string(seed);
-    return people.ensure_synthetic(session, login, "Synthetic " + operator_name + " " + std::to_string(seed),
+    const std::string name = row_of(operator_levels, *level).name;
+    const std::string login = "synthetic-" + name + "-" + std::to_string(seed);
+    return people.ensure_synthetic(session, login, "Synthetic " + name + " " + std::to_string(seed),
                                    database::PersonKind::synthetic);
 }
 
@@ -135,9 +124,9 @@ std::vector<std::string> device_class_names() {
 namespace {
 
 /// With which device the attempt is made: as named, else an operator without a device or a trace file.
-DeviceClass class_of(const Arguments& arguments, const std::string& operator_name) {
+DeviceClass class_of(const Arguments& arguments, std::optional<OperatorLevel> level) {
     if (const auto name = arguments.value("--device-class")) return find_row(device_classes, *name)->kind;
-    return operator_name.empty() ? DeviceClass::external : DeviceClass::synthetic;
+    return level ? DeviceClass::synthetic : DeviceClass::external;
 }
 
 /// "standard 46.2 ms of processor time for one second; ..."
@@ -192,9 +181,9 @@ int run_perform(const Arguments& arguments) {
     LoadedTask loaded =
         load_task_and_scene(arguments.words()[0], fidelity);  // errors are reported before a store is created
     const auto seed = static_cast<std::uint64_t>(arguments.integer("--seed", 1, 0, 4'000'000'000LL));
-    const std::string operator_name =
-        arguments.has("--input") ? "" : arguments.value_or("--operator", "expert");
-    const DeviceClass device_class = class_of(arguments, operator_name);
+    std::optional<OperatorLevel> level;  // none: a trace
+    if (!arguments.has("--input")) level = operator_level(arguments.value_or("--operator", "expert"));
+    const DeviceClass device_class = class_of(arguments, level);
     if (!arguments.has("--practice")) require_assessable(loaded.task, device_class);
     AttemptRecord input;
     std::shared_ptr<Rig> rig;
@@ -203,24 +192,29 @@ int run_perform(const Arguments& arguments) {
         rig = std::make_shared<TraceRig>(input.inputs);
     } else {
         // An unknown name is refused before anything is stored.
-        rig = through_device(make_operator(operator_name, loaded.task, loaded.scene, seed), device_class,
-                             loaded.scene);
+        rig = through_device(make_operator(*level, loaded.task, loaded.scene, seed), device_class,
+                             loaded.scene, seed);
     }
     const database::Store store = open_store(arguments, true);
     const database::Session session = store.station_session();
     score_interrupted(store.path(), session);  // attempts of a run that was killed
     loaded = load_site_task(store, session, loaded.task.id, fidelity);
-    if (!operator_name.empty())
-        rig = through_device(make_operator(operator_name, loaded.task, loaded.scene, seed), device_class,
-                             loaded.scene);
-    const database::Person person = subject(arguments, store, session, operator_name, seed);
+    if (level)
+        rig = through_device(make_operator(*level, loaded.task, loaded.scene, seed), device_class,
+                             loaded.scene, seed);
+    const database::Person person = subject(arguments, store, session, level, seed);
 
     const Limits limits = limits_for(loaded.task, loaded.scene, device_class);
     database::AttemptMeta meta = attempt_meta(
         loaded, seed, arguments.has("--practice") ? AttemptMode::practice : AttemptMode::assessed,
-        device_class, operator_name.empty() ? "trace file" : "synthetic operator", limits);
+        device_class, level ? "synthetic operator" : "trace file", limits);
+    const std::vector<database::AssetFile> unknown = database::AcceptedAssets(store).unknown(meta.assets);
+    if (meta.mode == AttemptMode::assessed && !unknown.empty()) {
+        meta.mode = AttemptMode::practice;
+        std::cerr << "fulcrum: " << database::practice_only_words(unknown) << '\n';
+    }
     meta.person_id = person.id;
-    meta.operator_name = operator_name;
+    if (level) meta.operator_name = row_of(operator_levels, *level).name;
 
     Result result;
     std::string attempt_id;
@@ -231,8 +225,8 @@ int run_perform(const Arguments& arguments) {
         attempt_id = recorder.attempt_id();
         PerformRequest request;
         request.loaded = loaded;
-        request.operator_name = operator_name;
-        request.input_trace = operator_name.empty() ? &input : nullptr;
+        request.operator_level = level;
+        request.input_trace = level ? nullptr : &input;
         request.seed = seed;
         request.device_class = device_class;
         const Performed performed = perform(request, &recorder, limits);

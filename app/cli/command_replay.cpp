@@ -7,6 +7,7 @@
 #include "app/cli/commands.h"
 #include "app/live/performance.h"
 #include "assessment/assets/assets.h"
+#include "assessment/attempt/engine_state.h"
 #include "database/records/attempts.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/numerics/number_text.h"
@@ -29,6 +30,13 @@ bool same_metrics(const std::vector<database::MetricRow>& stored,
     return true;
 }
 
+nlohmann::json origin_json(const std::optional<database::AttemptOrigin>& origin) {
+    if (!origin) return {};
+    return {{"attempt", origin->source_id.empty() ? nlohmann::json() : nlohmann::json(origin->source_id)},
+            {"tick", origin->tick},
+            {"goal", origin->goal}};
+}
+
 int run_replay(const Arguments& arguments) {
     const database::Store store = open_store(arguments, false, false);
     const database::Session session = session_of(arguments, store);
@@ -39,10 +47,18 @@ int run_replay(const Arguments& arguments) {
     const LoadedTask loaded = load_recorded(attempts, session, summary);
 
     AttemptRecord record{std::move(trace.inputs), std::move(trace.samples), std::move(trace.steps),
-                         std::move(trace.events)};
+                         std::move(trace.events), summary.meta.force_devices};
     if (record.inputs.size() != record.samples.size())
         throw InputError(id, "trace", "the numbers of inputs and samples differ", "run fulcrum db check");
     AttemptEngine engine(loaded.scene, loaded.task, summary.meta.seed);
+    if (summary.meta.origin) {
+        if (summary.meta.origin->build != state_build())
+            throw InputError(id, "",
+                             "began with a state that \"" + summary.meta.origin->build +
+                                 "\" wrote and this build (\"" + state_build() + "\") cannot read",
+                             "replay it with that version of the program");
+        restore_engine(engine, attempts.start_state(session, id));
+    }
     const ReplayOutcome outcome = replay_record(engine, record);
 
     const Limits limits = limits_for(loaded.task, loaded.scene, summary.meta.device_class);
@@ -53,6 +69,9 @@ int run_replay(const Arguments& arguments) {
     const bool metrics_identical =
         stored && same_metrics(stored->metrics, to_row(again, summary.meta.limits).metrics);
 
+    // An attempt that was interrupted has no hash of its end.
+    const bool hash_identical = summary.state_hash.empty() || summary.state_hash == hex(outcome.state_hash);
+
     const nlohmann::json document = {
         {"attempt", id},
         {"identical", outcome.identical},
@@ -60,7 +79,9 @@ int run_replay(const Arguments& arguments) {
          outcome.first_divergence_s < 0 ? nlohmann::json() : nlohmann::json(outcome.first_divergence_s)},
         {"state_hash", hex(outcome.state_hash)},
         {"recorded_state_hash", summary.state_hash},
+        {"state_hash_identical", hash_identical},
         {"metrics_identical", metrics_identical},
+        {"continues", origin_json(summary.meta.origin)},
         {"samples", record.samples.size()},
         {"built_for", cpu_features()},
         {"recorded_on", summary.meta.cpu_features}};
@@ -71,9 +92,11 @@ int run_replay(const Arguments& arguments) {
                           ? "identical"
                           : "differs from " + decimal_text(outcome.first_divergence_s, 3) + " s on")
                   << ", metrics " << (metrics_identical ? "identical" : "differ") << ", state_hash "
-                  << hex(outcome.state_hash) << '\n';
+                  << hex(outcome.state_hash)
+                  << (hash_identical ? "" : ", but the store has " + summary.state_hash) << '\n';
     }
-    const bool same = outcome.identical && metrics_identical;
+    // What continues another attempt has no score, so no metrics to compare.
+    const bool same = outcome.identical && hash_identical && (metrics_identical || summary.meta.origin);
     return arguments.has("--verify") && !same ? 1 : 0;
 }
 

@@ -10,6 +10,7 @@ namespace fulcrum::app {
 std::vector<Command> headless_commands() {
     std::vector<Command> commands = {perform_command(), replay_command(),    metrics_command(),
                                      check_command(),   benchmark_command(), tissues_command()};
+    for (const Command& command : asset_commands()) commands.push_back(command);
     for (const Command& command : statistics_commands()) commands.push_back(command);
     for (const Command& command : store_commands()) commands.push_back(command);
     for (const Command& command : laboratory_commands()) commands.push_back(command);

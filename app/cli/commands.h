@@ -22,6 +22,7 @@ Command metrics_command();
 Command check_command();
 Command benchmark_command();
 Command tissues_command();
+std::vector<Command> asset_commands();       ///< assets ...
 std::vector<Command> statistics_commands();  ///< curriculum ..., benchmark statistics
 std::vector<Command> store_commands();       ///< db ...
 std::vector<Command> laboratory_commands();  ///< lab ...: without code, run by the program fulcrum-lab

@@ -37,7 +37,7 @@ Clocked on_the_clock(const std::string& task, bool cuts) {
         if (scene.septa) scene.septa->fibres.reset();
     }
     request.seed = clock_seed;
-    request.rig = make_operator("expert", request.loaded.task, request.loaded.scene, clock_seed);
+    request.rig = make_operator(OperatorLevel::expert, request.loaded.task, request.loaded.scene, clock_seed);
     request.assessed = false;
     LiveAttempt attempt(std::move(request));
     attempt.start();

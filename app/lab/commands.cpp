@@ -13,7 +13,9 @@
 #include "app/lab/measure.h"
 #include "app/lab/operators.h"
 #include "app/lab/pages.h"
+#include "app/lab/seek.h"
 #include "app/lab/validity.h"
+#include "assessment/assets/assets.h"
 #include "assessment/metrics/version.h"
 #include "sim_core/lab/cut_figures.h"
 #include "sim_core/lab/cut_strokes.h"
@@ -133,6 +135,21 @@ int invariance(const Arguments& arguments) {
     return deliver(arguments, measured.page, measured.document);
 }
 
+int seek(const Arguments& arguments) {
+    const auto seconds = static_cast<double>(arguments.integer("--seconds", 600, 1, 3600));
+    const int seeks = static_cast<int>(arguments.integer("--seeks", 200, 1, 100000));
+    make_output(arguments);
+    std::vector<std::string> tasks;
+    if (arguments.words().empty()) {
+        tasks = task_ids();
+    } else {
+        task_file(arguments.words()[0]);  // throws where it is none
+        tasks = arguments.words();
+    }
+    const Measured measured = measure_seeks(tasks, seconds, seeks);
+    return deliver(arguments, measured.page, measured.document);
+}
+
 int validity(const Arguments& arguments) {
     make_output(arguments);
     const Measured measured = validity_page(arguments.words()[0]);
@@ -158,6 +175,7 @@ const std::map<std::string, std::function<int(const Arguments&)>>& code() {
         {"lab experiment", run_experiments},
         {"lab operators", operators},
         {"lab invariance", invariance},
+        {"lab seek", seek},
         {"lab validity", validity},
         {"lab fidelity", run_fidelity},
         {"lab run", run_study}};

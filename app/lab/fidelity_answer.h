@@ -28,7 +28,7 @@ struct MetricShift {
 };
 enum class Holding : std::uint8_t {
     holds,      ///< no verdict changes, and every interval of a gated metric lies within the allowed range
-    undecided,  ///< no estimate lies beyond it, but an interval reaches beyond it
+    undecided,  ///< no estimate is beyond it, but an interval reaches beyond it
     moves       ///< an estimate lies beyond it, or a verdict changes
 };
 /// Two conditions compared over all seeds.

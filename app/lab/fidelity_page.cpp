@@ -197,8 +197,8 @@ lab::ResultPage fidelity_page(const FidelityStudy& study, const std::vector<Task
         "corrected for the number of metrics. A verdict changes where passed, failed or not scored is not "
         "what it is at fine.");
     page.paragraph(
-        "*Score as at fine*: yes where no verdict changes and the interval of every gated metric lies within "
-        "2 %, performed and replayed; not decided where no estimate lies beyond 2 % but an interval does. "
+        "*Score as at fine*: yes where no verdict changes and the interval of every gated metric is within "
+        "2 %, performed and replayed; not decided where no estimate is beyond 2 % but an interval does. "
         "The answer is the level with the least processor time of those with yes; the finest always is one. "
         "Levels within 5 % of that time, and those with identical attempts, cost the same.");
     add_chance(page, answers);

@@ -19,7 +19,6 @@ namespace fulcrum::app {
 namespace {
 
 constexpr std::uint64_t first_seed = 3000;  // outside the benchmarks' own and those of the operators' pages
-constexpr const char* presets[] = {"expert", "intermediate", "novice"};
 
 /// An operator whose handles are moved by the smallest step that a device reports.
 class DisturbedRig : public ObservingRig {
@@ -97,7 +96,7 @@ Ran run_one(const std::string& task, std::uint64_t seed, Pairing pairing, Fideli
     Ran ran;
     ran.observed.task = task;
     ran.observed.seed = seed;
-    ran.observed.operator_name = presets[(seed - first_seed) % std::size(presets)];
+    ran.observed.operator_level = operator_levels[(seed - first_seed) % std::size(operator_levels)].kind;
     ran.observed.pairing = pairing;
     ran.observed.fidelity = level;
     AttemptEngine engine(loaded.scene, loaded.task, seed);
@@ -106,7 +105,7 @@ Ran run_one(const std::string& task, std::uint64_t seed, Pairing pairing, Fideli
     if (input != nullptr) {
         rig = std::make_unique<PatientRig>(input->inputs, loaded.scene.tick_rate);
     } else {
-        auto performer = make_operator(ran.observed.operator_name, loaded.task, loaded.scene, seed);
+        auto performer = make_operator(ran.observed.operator_level, loaded.task, loaded.scene, seed);
         if (pairing == Pairing::repeated) performer = std::make_unique<DisturbedRig>(std::move(performer));
         rig = std::move(performer);
     }
@@ -170,8 +169,9 @@ class StudyRun {
         ++done_;
         if (request_.on_attempt)
             request_.on_attempt(std::to_string(done_) + " of " + std::to_string(6 * seeds_.size()) + ": " +
-                                one.task + " seed " + std::to_string(one.seed) + " " + one.operator_name +
-                                ", " + row_of(pairings, one.pairing).name + " at " +
+                                one.task + " seed " + std::to_string(one.seed) + " " +
+                                row_of(operator_levels, one.operator_level).name + ", " +
+                                row_of(pairings, one.pairing).name + " at " +
                                 row_of(fidelity_levels, one.fidelity).name + ": " + verdict_of(one.passed) +
                                 ", " + lab::short_number(one.simulated_s, 4) + " s simulated in " +
                                 lab::short_number(one.processor_s, 3) + " s");
@@ -260,7 +260,7 @@ nlohmann::json to_json(const FidelityStudy& study) {
     }
     for (const ObservedAttempt& one : study.attempts)
         attempts.push_back({{"task", one.task},
-                            {"operator", one.operator_name},
+                            {"operator", row_of(operator_levels, one.operator_level).name},
                             {"seed", one.seed},
                             {"pairing", row_of(pairings, one.pairing).name},
                             {"fidelity", row_of(fidelity_levels, one.fidelity).name},
@@ -276,7 +276,7 @@ namespace {
 ObservedAttempt attempt_of(const nlohmann::json& row) {
     ObservedAttempt one;
     one.task = row.at("task").get<std::string>();
-    one.operator_name = row.at("operator").get<std::string>();
+    one.operator_level = operator_level(row.at("operator").get<std::string>());
     one.seed = row.at("seed").get<std::uint64_t>();
     const auto* pairing = find_row(pairings, row.at("pairing").get<std::string>());
     if (pairing == nullptr) throw std::out_of_range("unknown pairing");

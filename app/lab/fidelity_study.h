@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "assessment/operators/operator_level.h"
 #include "sim_core/scene/fidelity.h"
 
 namespace fulcrum::app {
@@ -28,7 +29,8 @@ inline constexpr NameRow<Pairing> pairings[] = {{Pairing::performed, "performed"
 static_assert(in_order(pairings));
 
 struct ObservedAttempt {
-    std::string task, operator_name;
+    std::string task;
+    OperatorLevel operator_level = OperatorLevel::expert;
     std::uint64_t seed = 0;
     Pairing pairing = Pairing::performed;
     FidelityLevel fidelity = FidelityLevel::standard;

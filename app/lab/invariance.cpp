@@ -23,7 +23,7 @@ constexpr double rounding = 1e-9;
 RecordedAttempt record(const std::string& task) {
     PerformRequest request;
     request.loaded = load_task_and_scene(task);
-    request.operator_name = "expert";
+    request.operator_level = OperatorLevel::expert;
     request.seed = expert_seed;
     const Performed performed = perform(request, nullptr, Limits());
     const Scene& scene = request.loaded.scene;

@@ -124,7 +124,7 @@ Measured measure_costs() {
         const LoadedTask loaded = load_task_and_scene(id);
         AttemptEngine engine(loaded.scene, loaded.task, 1);
         engine.world().measure(true);
-        auto rig = make_operator("expert", loaded.task, loaded.scene, 1);
+        auto rig = make_operator(OperatorLevel::expert, loaded.task, loaded.scene, 1);
         NoSink sink;
         std::map<std::string, std::vector<double>> times;
         std::map<std::string, std::size_t> bytes;

@@ -23,9 +23,9 @@ namespace {
 
 using lab::short_number;
 
-constexpr int groups = 3;
-constexpr std::array<const char*, groups> group_names = {"expert", "intermediate", "novice"};
-constexpr int expert = 0, novice = 2;
+constexpr int groups = static_cast<int>(std::size(operator_levels));
+constexpr int expert = static_cast<int>(OperatorLevel::expert),
+              novice = static_cast<int>(OperatorLevel::novice);
 
 /// A metric shown as quality separates experts from novices at least this well, with the interval above
 /// chance.
@@ -40,11 +40,11 @@ struct Outcome {
     std::map<RowName, bool> gates;  ///< judged gates: met or not
 };
 
-Outcome attempt(const LoadedTask& loaded, const Limits& limits, const std::string& preset, std::uint64_t seed,
+Outcome attempt(const LoadedTask& loaded, const Limits& limits, OperatorLevel level, std::uint64_t seed,
                 bool replayed, std::uint64_t individual) {
     PerformRequest request;
     request.loaded = loaded;
-    request.operator_name = preset;
+    request.operator_level = level;
     request.seed = seed;
     request.individual = individual;
     const Performed performed = perform(request, nullptr, limits);
@@ -110,7 +110,7 @@ struct Plan {
 Outcome perform_one(const LoadedTask& loaded, const Limits& limits, const Plan& plan, int k) {
     constexpr std::uint64_t apart = 500000;  // from the seeds of the first attempts
     const auto individual = static_cast<std::uint64_t>(operators_first_seed + plan.number(k));
-    return attempt(loaded, limits, group_names[static_cast<std::size_t>(plan.group(k))],
+    return attempt(loaded, limits, operator_levels[static_cast<std::size_t>(plan.group(k))].kind,
                    individual + (plan.again(k) ? apart : 0), !plan.again(k) && plan.number(k) < plan.replays,
                    individual);
 }
@@ -196,7 +196,7 @@ int add_metric_row(const MetricDescriptor& descriptor, const RowName& name, bool
                           {"retest", retest ? nlohmann::json(*retest) : nlohmann::json()},
                           {"separates", quality ? nlohmann::json(separates) : nlohmann::json()}};
     for (int group = 0; group < groups; ++group)
-        row[group_names[static_cast<std::size_t>(group)]] = summary.of(group, name);
+        row[operator_levels[static_cast<std::size_t>(group)].name] = summary.of(group, name);
     document.push_back(std::move(row));
     return quality && !separates ? 1 : 0;
 }

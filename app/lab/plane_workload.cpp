@@ -38,6 +38,9 @@ struct Plane {
             trocar[h] = make_trocar(spec.trocar);
             last[h] = start_sample(spec.trocar, spec.start_insertion);
             tip[h] = spec.trocar.position + spec.start_insertion * spec.trocar.direction;
+            ForceOutput device;
+            device.damping = 0.5;
+            loop.set_device(static_cast<Hand>(h), device);
         }
         const double s = curve.arc_length(scene.septa->first_angle) + 0.006;
         const Vector3 front = curve.centre_line(s) - curve.rectum_radius * curve.posterior(s);

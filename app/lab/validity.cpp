@@ -5,7 +5,9 @@
 #include <fstream>
 #include <map>
 #include <set>
+#include <sstream>
 
+#include "app/lab/kept_pages.h"
 #include "assessment/assets/assets.h"
 #include "assessment/metrics/registry.h"
 #include "assessment/operators/cheats.h"
@@ -18,13 +20,25 @@ namespace {
 using lab::short_number;
 using nlohmann::json;
 
-json read_result(const std::string& folder, const std::string& name, const std::string& command) {
-    const std::string path = (std::filesystem::path(folder) / name).string();
-    std::ifstream file(path);
-    const json document = file ? json::parse(file, nullptr, false) : json();
+/// A result as JSON, or from the page that is kept of it.
+json read_result(const std::string& folder, const std::string& name, const std::string& command,
+                 json (*read_page)(const std::string&, const std::string&)) {
+    const auto content = [&](const char* ending) {
+        const std::string path = (std::filesystem::path(folder) / (name + ending)).string();
+        std::ifstream file(path);
+        std::stringstream text;
+        if (file) text << file.rdbuf();
+        return std::pair(path, text.str());
+    };
+    const auto [path, text] = content(".json");
+    if (text.empty()) {
+        const auto [page_path, page] = content(".md");
+        if (!page.empty()) return read_page(page, page_path);
+    }
+    const json document = json::parse(text, nullptr, false);
     if (!document.is_object())
-        throw InputError(path, "", file ? "not a JSON object" : "no such file",
-                         "make it with fulcrum " + command + " --output " + folder);
+        throw InputError(path, "", text.empty() ? "no such file, and no page of it" : "not a JSON object",
+                         "make it with fulcrum-lab " + command + " --output " + folder);
     return document;
 }
 
@@ -34,12 +48,13 @@ std::vector<std::string> tasks_in(const std::string& folder) {
     if (std::filesystem::is_directory(folder))
         for (const auto& entry : std::filesystem::directory_iterator(folder)) {
             const std::string stem = entry.path().stem().string(), begin = "operators_";
-            if (entry.path().extension() == ".json" && stem.compare(0, begin.size(), begin) == 0)
+            const std::string ending = entry.path().extension().string();
+            if ((ending == ".json" || ending == ".md") && stem.compare(0, begin.size(), begin) == 0)
                 tasks.insert(stem.substr(begin.size()));
         }
     if (tasks.empty())
-        throw InputError(folder, "", "holds no operators_TASK.json",
-                         "make them with fulcrum lab operators TASK --output " + folder);
+        throw InputError(folder, "", "holds no operators_TASK.json or .md",
+                         "make them with fulcrum-lab operators TASK --output " + folder);
     return {tasks.begin(), tasks.end()};
 }
 
@@ -158,8 +173,8 @@ void add_cheats(lab::ResultPage& page) {
 Measured validity_page(const std::string& folder) {
     std::map<std::string, json> operators;
     for (const std::string& task : tasks_in(folder))
-        operators[task] = read_result(folder, "operators_" + task + ".json", "lab operators " + task);
-    const json invariance = read_result(folder, "lab_invariance.json", "lab invariance");
+        operators[task] = read_result(folder, "operators_" + task, "operators " + task, read_operators_page);
+    const json invariance = read_result(folder, "lab_invariance", "invariance", read_invariance_page);
     Measured measured{lab::ResultPage("VALIDITY", "What each metric and gate is worth",
                                       "fulcrum lab validity FOLDER --output docs"),
                       {}};

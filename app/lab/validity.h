@@ -8,8 +8,9 @@
 
 namespace fulcrum::app {
 
-/// Reads operators_TASK.json of every task and lab_invariance.json from `folder`, as `lab operators` and
-/// `lab invariance` write them. Throws InputError where a file is missing or of another version.
+/// Reads operators_TASK and lab_invariance from `folder`, as `lab operators` and `lab invariance` write them:
+/// the JSON, or where it was not kept the page. Throws InputError where both are missing or of another
+/// version.
 Measured validity_page(const std::string& folder);
 
 }  // namespace fulcrum::app

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "database/records/attempts.h"
+#include "sim_core/numerics/number_text.h"
 
 namespace fulcrum::app {
 namespace {
@@ -43,6 +44,12 @@ void AttemptRecording::append(const Event& event) {
     if (event.kind == EventKind::device_back) came_back_ = true;
 }
 
+void AttemptRecording::stood_still(double seconds) {
+    if (!request_.assessed || practice_) return;
+    why_practice_ = "the program stood still for " + decimal_text(seconds, 1) + " s";
+    keep_now_ = lost_now_ = came_back_ = true;
+}
+
 void AttemptRecording::keep(std::uint32_t tick) {
     if (keep_now_ || tick >= flushed_tick_ + flush_every_ticks) {
         try {
@@ -70,7 +77,7 @@ void AttemptRecording::relabel() {
     if (!came_back_ || practice_ || !failed_before_.valid()) return;
     if (failed_before_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
     if (failed_before_.get()) return;
-    practice_ = recorder_.relabel_as_practice("a device was lost and came back");
+    practice_ = recorder_.relabel_as_practice(why_practice_);
 }
 
 void AttemptRecording::settle() {

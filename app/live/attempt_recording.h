@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <future>
+#include <string>
 #include <vector>
 
 #include "app/live/live_attempt.h"
@@ -21,6 +22,9 @@ class AttemptRecording {
     void append(const TickSample& sample) { recorder_.append(sample); }
     void append(const StepRecord& step) { recorder_.append(step); }
     void append(const Event& event);
+    /// The program stood still for this long while an assessed attempt ran: it becomes practice, as after a
+    /// lost device.
+    void stood_still(double seconds);
     /// After everything up to `tick` was appended: writes it at least once a second, and at once where it can
     /// fail the attempt.
     void keep(std::uint32_t tick);
@@ -28,7 +32,8 @@ class AttemptRecording {
     void settle();
     /// From the store, not from memory, so that the score belongs to what was stored.
     ScoredAttempt score() const;
-    /// A device was lost and came back, and nothing recorded before it fails the attempt.
+    /// A device was lost and came back, or the program stood still, and nothing recorded before it fails the
+    /// attempt.
     bool became_practice() const { return practice_; }
 
     const std::string& attempt_id() const { return recorder_.attempt_id(); }
@@ -42,6 +47,7 @@ class AttemptRecording {
     database::Recorder recorder_;
     std::uint32_t flushed_tick_ = 0;
     bool keep_now_ = false, lost_now_ = false, came_back_ = false, practice_ = false;
+    std::string why_practice_ = "a device was lost and came back";
     /// Whether what was recorded before the first loss is failed; computed on a thread of its own.
     std::shared_future<bool> failed_before_;
 };

@@ -7,12 +7,27 @@
 namespace fulcrum::app {
 namespace {
 
+/// The first score is the one in force: it belongs to the task as it was when the attempt began.
+void require_same_task(const database::AttemptSummary& summary, const LoadedTask& loaded,
+                       const std::vector<database::AssetFile>& assets) {
+    const database::AssetFile& now = loaded.assets.front();
+    for (const database::AssetFile& then : assets) {
+        if (then.name == now.name && then.digest != now.digest)
+            throw InputError(now.name, "",
+                             "is not the file that attempt " + summary.meta.id + " began with (sha256 " +
+                                 then.digest + ")",
+                             "restore that file, then start the program again");
+    }
+}
+
 ScoredAttempt score_one(const database::Attempts& attempts, const database::Session& session,
                         const database::AttemptSummary& summary) {
     const LoadedTask loaded = load_recorded(attempts, session, summary);
+    const std::vector<database::AssetFile> assets = attempts.assets(session, summary.meta.id);
+    require_same_task(summary, loaded, assets);
     return score_stored(
         attempts, session, summary, loaded,
-        limits_at_start(loaded.task, loaded.scene, summary.meta.device_class, summary.meta.limits));
+        limits_at_start(loaded.task, loaded.scene, summary.meta.device_class, summary.meta.limits, assets));
 }
 
 }  // namespace

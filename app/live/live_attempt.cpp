@@ -7,7 +7,9 @@
 #include "app/live/attempt_recording.h"
 #include "app/live/device_watch.h"
 #include "app/live/real_time.h"
+#include "assessment/attempt/engine_state.h"
 #include "database/records/attempts.h"
+#include "database/rows/packed_bytes.h"
 #include "sim_core/telemetry/ring.h"
 
 namespace fulcrum::app {
@@ -17,6 +19,8 @@ constexpr std::size_t world_ring_ticks =
     512;  // half a second: a world that stalls longer loses ticks, counted
 constexpr std::size_t record_ring_ticks = 8192;  // eight seconds of a stalled disk
 constexpr int catch_up_ticks = 20;               // above this delay the deadline is moved instead
+constexpr std::int64_t longest_gap_ns =
+    1'000'000'000;  // stopped for longer, an assessed attempt is practice: there was time to think
 
 struct RecordTick {
     RigSample input;
@@ -53,6 +57,9 @@ struct LiveAttempt::State : public AttemptSink {
         engine;  // created by the recorder thread; the owner reads it once `built` is set
     std::unique_ptr<AttemptRecording> recording;  // created when the attempt begins; null for a demonstration
     std::vector<TargetSphere> targets;
+    std::shared_ptr<const GhostPath> ghost;  // the owner reads it once `built` is set
+    RigSample
+        hands;  // at the start, where that is not the scene's own; the owner reads it once `built` is set
 
     Ring<TickOutput> world_ring{world_ring_ticks};
     Ring<RecordTick> record_ring{record_ring_ticks};
@@ -67,6 +74,7 @@ struct LiveAttempt::State : public AttemptSink {
     std::atomic<bool> paused{false}, abandon{false}, stop{false}, haptic_stopped{false}, world_stopped{false};
     std::atomic<bool> device_lost{false}, resume_asked{false}, became_practice{false};
     std::atomic<std::uint32_t> tick_count{0};
+    std::atomic<std::int64_t> gap_ns{0};  // longest delay of a tick above longest_gap_ns, not yet recorded
     std::atomic<bool> ended{false}, finished{false}, failed{false};
 
     mutable std::mutex end_mutex;  // guards message and result, which the recorder thread passes to the owner
@@ -78,18 +86,29 @@ struct LiveAttempt::State : public AttemptSink {
     LoopCounters counters;
     std::thread haptic_thread, world_thread, recorder_thread;
 
-    explicit State(LiveRequest request_in) : request(std::move(request_in)) {}
+    explicit State(LiveRequest request_in) : request(std::move(request_in)) {
+        request.meta.force_devices = devices_of(*request.rig);
+    }
     bool recorded() const { return !request.store_path.empty(); }
     void build() {
         engine = std::make_unique<AttemptEngine>(request.loaded.scene, request.loaded.task, request.seed);
+        if (request.make_ghost) ghost = request.make_ghost(stop);
+        if (stop.load()) return;
+        if (request.bring) {
+            if (!request.bring(*engine, stop)) return;
+            engine->begin_here();
+            database::AttemptOrigin& origin = request.meta.origin.value();
+            origin.tick = engine->next_tick() - 1;
+            origin.state = database::pack_bytes(engine_state(*engine));
+            tick_count.store(origin.tick);
+            hands = engine->loop().last_input();
+        }
         targets = engine->initial_snapshot().targets;
         models.fill(engine->world().local_models());
         const View start{engine->initial_snapshot(), engine->display()};
         view.fill(start);
         rig_view.fill(start);
-        for (int hand = 0; hand < hand_count; ++hand)
-            engine->loop().set_device_damping(static_cast<Hand>(hand),
-                                              request.rig->damping(static_cast<Hand>(hand)));
+        engine->use_devices(request.meta.force_devices);
         built.store(true);
     }
 
@@ -136,7 +155,7 @@ void LiveAttempt::State::run_haptic() noexcept {
     TickAccount account(period);
     std::int64_t last_duration = 0;
     ThreadUse last_use;
-    for (std::uint32_t tick = 1; !stop.load(std::memory_order_relaxed); ++tick) {
+    for (std::uint32_t tick = engine->next_tick(); !stop.load(std::memory_order_relaxed); ++tick) {
         std::int64_t begin = now_ns();
         if (begin < deadline) {
             sleep_until(deadline);
@@ -145,6 +164,8 @@ void LiveAttempt::State::run_haptic() noexcept {
         const std::int64_t late = begin - deadline;
         const ThreadUse at_begin = use_of_this_thread();
         counters.tick_begins(late, account.begin(late, last_duration, last_use));
+        if (late > longest_gap_ns && late > gap_ns.load(std::memory_order_relaxed))
+            gap_ns.store(late, std::memory_order_relaxed);
         if (late >= catch_up_ticks * period) {
             deadline = begin;
             account.clock_moved();
@@ -165,8 +186,7 @@ void LiveAttempt::State::run_haptic() noexcept {
         input.flags |= device_flags(input);
         TickOutput output = engine->tick(input);
         output.sample.missed = counters.missed();
-        rig.write_force(Hand::left, output.device_force[0]);
-        rig.write_force(Hand::right, output.device_force[1]);
+        write_forces(rig, output);
         world_ring.push(output);
         record_ring.push({output.input, output.sample});
         tick_count.store(tick, std::memory_order_relaxed);
@@ -175,8 +195,7 @@ void LiveAttempt::State::run_haptic() noexcept {
         last_use = use_of_this_thread() - at_begin;
         counters.tick_ends(last_duration, last_use);
     }
-    rig.write_force(Hand::left, Vector3::Zero());
-    rig.write_force(Hand::right, Vector3::Zero());
+    write_forces(rig, TickOutput{});
     haptic_stopped.store(true);
     ticks_ready.post();
 }
@@ -243,6 +262,7 @@ void LiveAttempt::State::drain() {
         }
     }
     if (!recording) return;
+    if (const std::int64_t gap = gap_ns.exchange(0)) recording->stood_still(static_cast<double>(gap) * 1e-9);
     recording->keep(tick_count.load());
     if (recording->became_practice()) became_practice.store(true);
 }
@@ -309,10 +329,16 @@ void LiveAttempt::State::finish() {
     if (recording->became_practice()) became_practice.store(true);
     ScoredAttempt score = recording->score();
     RunOutcome outcome;
+    const std::uint32_t before = request.meta.origin ? request.meta.origin->tick : 0;
     outcome.state_hash = engine->state_hash();
     const std::uint32_t missed = counters.missed();
-    const database::AttemptResult stored = attempt_result(
-        score, outcome, tick_count.load() * engine->scene().tick_period(), missed, lost, request.meta.limits);
+    database::AttemptResult stored =
+        attempt_result(score, outcome, (tick_count.load() - before) * engine->scene().tick_period(), missed,
+                       lost, request.meta.limits);
+    if (request.meta.origin) {  // practice that continues another attempt is never scored
+        stored.duration_s -= before * engine->scene().tick_period();
+        stored.score.reset();
+    }
     recording->finish(stored);
     const std::lock_guard<std::mutex> lock(end_mutex);
     ui::AttemptOutcome shown;
@@ -363,6 +389,15 @@ ui::AttemptPhase LiveAttempt::phase() const {
     return ui::AttemptPhase::running;
 }
 
+const RigSample* LiveAttempt::hands_at_start() const {
+    const State& state = *state_;
+    return state.built.load() && state.request.bring ? &state.hands : nullptr;
+}
+
+std::shared_ptr<const GhostPath> LiveAttempt::ghost() const {
+    return state_->built.load() ? state_->ghost : nullptr;
+}
+
 void LiveAttempt::start() {
     if (!state_->begun.exchange(true)) state_->may_begin.post();
 }
@@ -385,7 +420,8 @@ ui::LoopHealth LiveAttempt::health() const {
     health.late_steps = state.counters.late_steps();
     health.lost_samples = state.world_ring.lost() + state.record_ring.lost() + state.record_world_ring.lost();
     for (int hand = 0; hand < hand_count; ++hand)
-        health.force_felt[hand] = state.request.rig->has_force(static_cast<Hand>(hand));
+        health.force_felt[hand] =
+            state.request.meta.force_devices[static_cast<std::size_t>(hand)].has_value();
     return health;
 }
 

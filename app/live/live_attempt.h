@@ -14,11 +14,13 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <string>
 
 #include "app/live/loop_statistics.h"
 #include "app/live/performance.h"
+#include "assessment/attempt/ghost.h"
 #include "database/records/recorder.h"
 #include "ui/services/application_services.h"
 
@@ -34,6 +36,12 @@ struct LiveRequest {
         session;  ///< set with store_path: the session that performs the attempt and reads the record
     database::AttemptMeta meta;  ///< person, mode, device
     Limits limits;
+    /// Brings the new engine to the state that the attempt begins with (meta.origin says where that is from);
+    /// false where `stop` became true before. Empty: it begins at the beginning. Called on the recorder's
+    /// thread; may throw.
+    std::function<bool(AttemptEngine& engine, const std::atomic<bool>& stop)> bring = {};
+    /// Makes the ghost to be shown, null where `stop` became true before. Empty: none. As bring.
+    std::function<std::shared_ptr<const GhostPath>(const std::atomic<bool>& stop)> make_ghost = {};
 };
 
 class LiveAttempt : public ui::AttemptSession {
@@ -51,6 +59,8 @@ class LiveAttempt : public ui::AttemptSession {
     bool became_practice() const override;
     ui::AttemptPhase phase() const override;
     ui::Realignment realignment() override;
+    const RigSample* hands_at_start() const override;
+    std::shared_ptr<const GhostPath> ghost() const override;
     void start() override;
     bool update() override;
     const WorldSnapshot& snapshot() const override;

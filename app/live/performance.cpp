@@ -8,6 +8,7 @@
 #include "app/live/trace_rig.h"
 #include "assessment/metrics/version.h"
 #include "assessment/operators/device_model.h"
+#include "sim_core/world/physics_version.h"
 
 namespace fulcrum::app {
 
@@ -57,6 +58,11 @@ std::string cpu_features() {
 #endif
 }
 
+std::string state_build() {
+    return std::string(program_version) + " physics " + std::to_string(physics_version) + " " +
+           cpu_features();
+}
+
 database::AttemptMeta attempt_meta(const LoadedTask& loaded, std::uint64_t seed, AttemptMode mode,
                                    DeviceClass device_class, const std::string& device,
                                    const Limits& limits) {
@@ -72,6 +78,8 @@ database::AttemptMeta attempt_meta(const LoadedTask& loaded, std::uint64_t seed,
     meta.scene = loaded.task.scene;
     meta.scene_text = loaded.scene_text;
     meta.limits = limits.name();
+    meta.assets = loaded.assets;
+    if (!limits.file.name.empty()) meta.assets.push_back(limits.file);
     meta.program_version = program_version;
     meta.cpu_features = cpu_features();
     return meta;
@@ -101,9 +109,10 @@ Performed perform(const PerformRequest& request, database::Recorder* recorder, c
     if (request.input_trace != nullptr) {
         rig = std::make_unique<TraceRig>(request.input_trace->inputs);
     } else {
-        rig = through_device(make_operator(request.operator_name, request.loaded.task, request.loaded.scene,
-                                           request.individual.value_or(request.seed), request.seed),
-                             request.device_class, request.loaded.scene);
+        rig = through_device(
+            make_operator(request.operator_level.value(), request.loaded.task, request.loaded.scene,
+                          request.individual.value_or(request.seed), request.seed),
+            request.device_class, request.loaded.scene, request.seed);
     }
     std::unique_ptr<MemorySink> sink =
         recorder != nullptr ? std::make_unique<RecordingSink>(*recorder) : std::make_unique<MemorySink>();

@@ -35,7 +35,7 @@ class RecordingSink : public MemorySink {
 
 struct PerformRequest {
     LoadedTask loaded;
-    std::string operator_name;  ///< empty: input_trace
+    std::optional<OperatorLevel> operator_level;  ///< none: input_trace
     const AttemptRecord* input_trace = nullptr;
     std::uint64_t seed = 1;
     std::optional<std::uint64_t> individual;            ///< of the operator; without it the seed selects one
@@ -64,6 +64,8 @@ database::AttemptResult attempt_result(const ScoredAttempt& scored, const RunOut
                                        std::uint32_t missed, std::uint64_t lost, const std::string& limits);
 /// Name of the CPU feature level that this build uses; replays are bit-identical within one level.
 std::string cpu_features();
+/// Names what reads a state that was written: program, physics and CPU feature level.
+std::string state_build();
 std::string hex(std::uint64_t value);
 
 }  // namespace fulcrum::app

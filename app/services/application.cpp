@@ -3,17 +3,25 @@
 
 #include <QApplication>
 #include <filesystem>
+#include <map>
+#include <mutex>
 #include <random>
 
 #include "app/live/interrupted.h"
 #include "app/live/live_attempt.h"
 #include "app/services/demo.h"
+#include "app/services/replay_moment.h"
 #include "app/services/replay_source.h"
 #include "assessment/assets/assets.h"
+#include "assessment/attempt/engine.h"
 #include "assessment/metrics/version.h"
 #include "assessment/operators/operator.h"
+#include "database/rows/crypto.h"
 #include "database/scoring/rescoring.h"
 #include "database/scoring/site_tissues.h"
+#include "database/store/accepted_assets.h"
+#include "sim_core/numerics/input_error.h"
+#include "sim_core/scene/json_document.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/window_application.h"
 #include "ui/style/palette.h"
@@ -26,7 +34,10 @@ class Services : public ui::ApplicationServices {
   public:
     explicit Services(std::string folder) : folder_(std::move(folder)) {
         for (const std::string& id : task_ids()) tasks_.push_back(load_task(task_file(id)));
-        curriculum_ = load_curriculum(asset_path("curricula/rectal.json"), task_ids());
+        const std::string name = "curricula/rectal.json", path = asset_path(name);
+        const std::string text = read_text_file(path, JsonLimits().bytes);
+        curriculum_file_ = {name, database::sha256_hex(text)};
+        curriculum_ = parse_curriculum(text, path, task_ids());
     }
     database::Store* store() override { return store_.get(); }
     std::string store_path(bool demo) const override {
@@ -47,26 +58,45 @@ class Services : public ui::ApplicationServices {
     Scene scene_for(const TaskDefinition& task) const override {
         return load_scene(asset_path("scenes/" + task.scene));
     }
+    std::string scene_text(const TaskDefinition& task) const override {
+        return load_task_and_scene(task.id).scene_text;
+    }
+    WorldSnapshot world_at_start(const TaskDefinition& task) const override {
+        const LoadedTask loaded = load_task_and_scene(task.id);
+        return AttemptEngine(loaded.scene, loaded.task, demonstration_seed).initial_snapshot();
+    }
 
     std::unique_ptr<ui::AttemptSession> start_attempt(const ui::AttemptRequest& request) override {
         // The recorder checks again; checked here so that no scene is built for a refused attempt.
         store_->require(request.session, database::Operation::perform_attempt,
                         database::Subject::person(request.session.person_id()));
+        if (request.from != nullptr) return begin_at_moment(request);
+        if (request.goal > 0) return begin_at_goal(request);
+        if (request.ghost && request.assessed)
+            throw InputError(request.task_id, "", "is not assessed with a ghost", "choose practice");
         LoadedTask loaded = load_site_task(*store_, request.session, request.task_id);
         if (request.assessed) require_assessable(loaded.task, request.device_class);
         const Limits limits = limits_for(loaded.task, loaded.scene, request.device_class);
-        LiveRequest live{std::move(loaded),
-                         request.seed,
-                         request.assessed,
-                         request.rig,
-                         store_->path(),
-                         request.session,
-                         {},
-                         limits};
+        const std::vector<database::AssetFile> unknown =
+            database::AcceptedAssets(*store_).unknown(assets_of(loaded, limits));
+        if (request.assessed && !unknown.empty())
+            throw InputError("task " + loaded.task.id, "", database::practice_only_words(unknown),
+                             "perform it as practice until then");
+        LiveRequest live;
+        live.loaded = std::move(loaded);
+        live.seed = request.seed;
+        live.assessed = request.assessed;
+        live.rig = request.rig;
+        live.store_path = store_->path();
+        live.session = request.session;
+        live.limits = limits;
+        if (request.ghost) live.seed = demonstration_seed;
         if (live.seed == 0) live.seed = draw_seed();
+        if (request.ghost) live.make_ghost = ghost_maker(live.loaded);
         live.meta = attempt_meta(live.loaded, live.seed,
                                  request.assessed ? AttemptMode::assessed : AttemptMode::practice,
                                  request.device_class, request.device, limits);
+        live.meta.assets.push_back(curriculum_file_);
         live.meta.person_id = request.session.person_id();
         return std::make_unique<LiveAttempt>(std::move(live));
     }
@@ -75,13 +105,27 @@ class Services : public ui::ApplicationServices {
         const LoadedTask loaded = load_site_task(*store_, session, task_id);
         return limits_for(loaded.task, loaded.scene, device_class).not_comparable;
     }
+    std::vector<database::AssetFile> unknown_assets(const database::Session& session,
+                                                    const std::string& task_id,
+                                                    DeviceClass device_class) override {
+        const LoadedTask loaded = load_site_task(*store_, session, task_id);
+        return database::AcceptedAssets(*store_).unknown(
+            assets_of(loaded, limits_for(loaded.task, loaded.scene, device_class)));
+    }
+    std::vector<JudgedLimit> judged_limits(const database::Session& session, const std::string& task_id,
+                                           DeviceClass device_class) override {
+        const LoadedTask loaded = load_site_task(*store_, session, task_id);
+        const Limits limits = limits_for(loaded.task, loaded.scene, device_class);
+        return fulcrum::judged_limits(loaded.task, limits.comparable(), limits.not_comparable);
+    }
     std::unique_ptr<ui::AttemptSession> start_demonstration(const database::Session& session,
                                                             const std::string& task_id) override {
         LiveRequest live;
         live.loaded = load_site_task(*store_, session, task_id);
         live.seed = demonstration_seed;
         live.assessed = false;
-        live.rig = make_operator("expert", live.loaded.task, live.loaded.scene, demonstration_seed);
+        live.rig =
+            make_operator(OperatorLevel::expert, live.loaded.task, live.loaded.scene, demonstration_seed);
         return std::make_unique<LiveAttempt>(std::move(live));
     }
     std::vector<ui::InterruptedScore> score_interrupted(const database::Session& session,
@@ -104,8 +148,19 @@ class Services : public ui::ApplicationServices {
     std::unique_ptr<ui::ReplaySource> open_replay(const database::Session& session,
                                                   const database::AttemptSummary& attempt,
                                                   std::shared_ptr<const database::Trace> trace) override {
-        return make_replay_source(load_recorded(database::Attempts(*store_), session, attempt),
-                                  attempt.meta.seed, std::move(trace));
+        const database::Attempts attempts(*store_);
+        ReplayRequest replay{load_recorded(attempts, session, attempt),
+                             attempt.meta.seed,
+                             attempt.meta.id,
+                             std::move(trace),
+                             attempt.meta.force_devices,
+                             {},
+                             true};
+        if (attempt.meta.origin) {
+            replay.start_is_readable = attempt.meta.origin->build == state_build();
+            replay.start = attempts.start_state(session, attempt.meta.id);
+        }
+        return make_replay_source(std::move(replay));
     }
     SiteTissues site_tissues(const database::Session& session, const std::string& task_id) override {
         return fulcrum::site_tissues(*store_, session, task_id);
@@ -117,6 +172,81 @@ class Services : public ui::ApplicationServices {
     std::string program_version() const override { return version_line(); }
 
   private:
+    /// Ghosts that were made, by scene and task; kept while the program runs.
+    struct Ghosts {
+        std::mutex mutex;
+        std::map<std::string, std::shared_ptr<const GhostPath>> made;
+    };
+    std::function<std::shared_ptr<const GhostPath>(const std::atomic<bool>&)> ghost_maker(
+        const LoadedTask& loaded) const {
+        return [loaded, ghosts = ghosts_](const std::atomic<bool>& stop) {
+            const std::string key = loaded.task.id + '\n' + loaded.scene_text;
+            {
+                const std::lock_guard<std::mutex> lock(ghosts->mutex);
+                if (const auto found = ghosts->made.find(key); found != ghosts->made.end())
+                    return found->second;
+            }
+            auto made =
+                make_ghost(loaded.scene, loaded.task, demonstration_seed, [&stop] { return !stop.load(); });
+            const std::lock_guard<std::mutex> lock(ghosts->mutex);
+            if (made != nullptr) ghosts->made[key] = made;
+            return made;
+        };
+    }
+
+    /// Practice that begins with the state that `bring` makes.
+    std::unique_ptr<ui::AttemptSession> begin_from(
+        const ui::AttemptRequest& request, LoadedTask loaded, std::uint64_t seed,
+        database::AttemptOrigin origin, std::function<bool(AttemptEngine&, const std::atomic<bool>&)> bring) {
+        if (request.assessed)
+            throw InputError(request.task_id, "", "cannot be assessed from the middle of an attempt",
+                             "choose practice");
+        const Limits limits = limits_for(loaded.task, loaded.scene, request.device_class);
+        LiveRequest live;
+        live.meta =
+            attempt_meta(loaded, seed, AttemptMode::practice, request.device_class, request.device, limits);
+        live.meta.person_id = request.session.person_id();
+        live.meta.origin = std::move(origin);
+        live.meta.origin->build = state_build();
+        live.loaded = std::move(loaded);
+        live.seed = seed;
+        live.assessed = false;
+        live.rig = request.rig;
+        live.store_path = store_->path();
+        live.session = request.session;
+        live.limits = limits;
+        live.bring = std::move(bring);
+        if (request.ghost) live.make_ghost = ghost_maker(live.loaded);
+        return std::make_unique<LiveAttempt>(std::move(live));
+    }
+    std::unique_ptr<ui::AttemptSession> begin_at_moment(const ui::AttemptRequest& request) {
+        const auto moment = std::dynamic_pointer_cast<const TraceMoment>(request.from);
+        if (moment == nullptr)
+            throw InputError(request.task_id, "", "the moment is not one of a replay of this program",
+                             "open the replay again");
+        database::AttemptOrigin origin;
+        origin.source_id = moment->attempt_id;
+        origin.goal = moment->goal;
+        return begin_from(request, moment->loaded, moment->seed, std::move(origin),
+                          [moment](AttemptEngine& engine, const std::atomic<bool>& stop) {
+                              return moment->bring(engine, stop);
+                          });
+    }
+    std::unique_ptr<ui::AttemptSession> begin_at_goal(const ui::AttemptRequest& request) {
+        LoadedTask loaded = load_site_task(*store_, request.session, request.task_id);
+        if (request.goal >= static_cast<int>(loaded.task.goals.size()))
+            throw InputError(request.task_id, "", "has no goal " + std::to_string(request.goal + 1),
+                             "choose one of its goals");
+        database::AttemptOrigin origin;
+        origin.goal = request.goal;
+        return begin_from(request, std::move(loaded), demonstration_seed, std::move(origin),
+                          [goal = request.goal](AttemptEngine& engine, const std::atomic<bool>& stop) {
+                              const auto expert = make_operator(OperatorLevel::expert, engine.task(),
+                                                                engine.scene(), engine.seed());
+                              return perform_to_goal(engine, *expert, goal, [&stop] { return !stop.load(); });
+                          });
+    }
+
     static constexpr std::uint64_t demonstration_seed = 7;
     /// Outside 1000-1999, which are reserved for benchmarks.
     static std::uint64_t draw_seed() {
@@ -125,8 +255,17 @@ class Services : public ui::ApplicationServices {
     }
     std::string folder_;
     std::vector<TaskDefinition> tasks_;
+    /// Everything that decides what an attempt is worth.
+    std::vector<database::AssetFile> assets_of(const LoadedTask& loaded, const Limits& limits) const {
+        std::vector<database::AssetFile> files = loaded.assets;
+        if (!limits.file.name.empty()) files.push_back(limits.file);
+        files.push_back(curriculum_file_);
+        return files;
+    }
     Curriculum curriculum_;
+    database::AssetFile curriculum_file_;
     std::unique_ptr<database::Store> store_;
+    std::shared_ptr<Ghosts> ghosts_ = std::make_shared<Ghosts>();
 };
 
 }  // namespace

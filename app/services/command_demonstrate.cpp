@@ -22,10 +22,9 @@ namespace fulcrum::app {
 namespace {
 
 /// The world after `seconds` of the attempt, performed again by the same operator with the same seed.
-WorldSnapshot world_at(const LoadedTask& loaded, const std::string& preset, std::uint64_t seed,
-                       double seconds) {
+WorldSnapshot world_at(const LoadedTask& loaded, OperatorLevel level, std::uint64_t seed, double seconds) {
     AttemptEngine engine(loaded.scene, loaded.task, seed);
-    const auto rig = make_operator(preset, loaded.task, loaded.scene, seed);
+    const auto rig = make_operator(level, loaded.task, loaded.scene, seed);
     MemorySink sink;
     WorldSnapshot snapshot = engine.initial_snapshot();
     run_headless(
@@ -51,11 +50,11 @@ double perform_and_report(const LoadedTask& loaded, std::uint64_t seed, const st
     database::AttemptMeta meta = attempt_meta(loaded, seed, AttemptMode::assessed, DeviceClass::synthetic,
                                               "synthetic operator", limits);
     meta.person_id = performer.id;
-    meta.operator_name = "expert";
+    meta.operator_name = row_of(operator_levels, OperatorLevel::expert).name;
     database::Recorder recorder(store.path(), station, meta);
     PerformRequest request;
     request.loaded = loaded;
-    request.operator_name = "expert";
+    request.operator_level = OperatorLevel::expert;
     request.seed = seed;
     const Performed performed = perform(request, &recorder, limits);
     const double duration = performed.scored.duration_s;
@@ -75,7 +74,7 @@ double perform_and_report(const LoadedTask& loaded, std::uint64_t seed, const st
 
 /// Draws the scene at 40 % of the attempt. Throws InputError if the picture cannot be written.
 void draw_moment(const LoadedTask& loaded, std::uint64_t seed, double duration, const std::string& path) {
-    const WorldSnapshot snapshot = world_at(loaded, "expert", seed, 0.4 * duration);
+    const WorldSnapshot snapshot = world_at(loaded, OperatorLevel::expert, seed, 0.4 * duration);
     ui::RendererOptions options;
     options.multisample = true;
     ui::SceneRenderer renderer(options);

@@ -6,6 +6,7 @@
 #include "app/services/application.h"
 #include "app/services/program.h"
 #include "assessment/assets/assets.h"
+#include "assessment/curriculum/curriculum.h"
 #include "assessment/task/task.h"
 #include "ui/reports/report.h"
 
@@ -59,6 +60,8 @@ int run_report(const Arguments& arguments) {
     }
     std::vector<TaskDefinition> tasks;
     for (const std::string& id : task_ids()) tasks.push_back(load_task(task_file(id)));
+    const Curriculum curriculum = load_curriculum(asset_path("curricula/rectal.json"), task_ids());
+    request.curriculum = &curriculum;
     const std::vector<std::string> files = ui::write_report(store, session, request, tasks, version_line());
     return report_files(arguments, files);
 }

@@ -17,13 +17,14 @@ namespace fulcrum::app {
 namespace {
 
 struct Trainee {
-    const char *login, *name, *preset;
+    const char *login, *name;
+    OperatorLevel level;
 };
 
 constexpr Trainee trainees[] = {
-    {"demo-amara", "Amara (synthetic)", "novice"},
-    {"demo-bjorn", "Björn (synthetic)", "intermediate"},
-    {"demo-chiara", "Chiara (synthetic)", "expert"},
+    {"demo-amara", "Amara (synthetic)", OperatorLevel::novice},
+    {"demo-bjorn", "Björn (synthetic)", OperatorLevel::intermediate},
+    {"demo-chiara", "Chiara (synthetic)", OperatorLevel::expert},
 };
 
 /// Number of attempts of each trainee at a task: each trainee is a little further in the curriculum than the
@@ -65,7 +66,7 @@ void simulate(const Job& job, const std::string& store_path, const database::Ses
               const std::string& person_id, const std::function<bool(double)>& keep_going) {
     PerformRequest request;
     request.loaded = job.loaded;
-    request.operator_name = trainees[job.trainee].preset;
+    request.operator_level = trainees[job.trainee].level;
     request.seed = job.seed;
     request.keep_going = [&](double simulated) {
         return keep_going(simulated / job.loaded.task.time_limit_s);
@@ -73,7 +74,7 @@ void simulate(const Job& job, const std::string& store_path, const database::Ses
     database::AttemptMeta meta = attempt_meta(job.loaded, job.seed, AttemptMode::assessed,
                                               DeviceClass::synthetic, "synthetic operator", job.limits);
     meta.person_id = person_id;
-    meta.operator_name = request.operator_name;
+    meta.operator_name = row_of(operator_levels, *request.operator_level).name;
     database::Recorder recorder(store_path, station, meta);
     perform(request, &recorder, job.limits);
 }

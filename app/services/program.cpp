@@ -9,7 +9,7 @@ const CommandTable& program_commands() {
     static const CommandTable table(
         [] {
             std::vector<Command> commands = headless_commands();
-            for (const Command& command : {report_command(), demonstrate_command()})
+            for (const Command& command : {report_command(), certificate_command(), demonstrate_command()})
                 commands.push_back(command);
             return commands;
         }(),

@@ -11,6 +11,7 @@ const CommandTable& program_commands();
 int run_command(const std::vector<std::string>& words);
 
 Command report_command();
+Command certificate_command();
 Command demonstrate_command();
 
 }  // namespace fulcrum::app

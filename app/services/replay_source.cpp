@@ -3,119 +3,238 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <mutex>
 #include <thread>
 
+#include "app/services/frame_store.h"
+#include "app/services/replay_moment.h"
+#include "assessment/attempt/engine_state.h"
+#include "assessment/attempt/replay_cursor.h"
 #include "sim_core/haptics/loop.h"
 #include "sim_core/instrument/instrument.h"
 
 namespace fulcrum::app {
 namespace {
 
-constexpr std::uint32_t picture_ticks = 100;
+constexpr std::uint32_t slice_ticks = 10;    // of a run between two looks at what is asked for
+constexpr std::uint32_t settled_ticks = 11;  // by which the world follows the tick
+constexpr std::uint32_t ahead_picture_ticks = 100;
+constexpr double longest_without_picture = 0.05;  // s
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// An engine with its cursor.
+struct Player {
+    AttemptEngine engine;
+    ReplayCursor cursor;
+
+    Player(const ReplayRequest& request, const AttemptRecord& record)
+        : engine(begun(request)), cursor(start(engine, request), record) {}
+
+  private:
+    static AttemptEngine begun(const ReplayRequest& request) {
+        return AttemptEngine(request.loaded.scene, request.loaded.task, request.seed);
+    }
+    static AttemptEngine& start(AttemptEngine& engine, const ReplayRequest& request) {
+        if (!request.start.empty()) restore_engine(engine, request.start);
+        return engine;
+    }
+};
 
 class Replay : public ui::ReplaySource {
   public:
-    Replay(LoadedTask loaded, std::uint64_t seed, std::shared_ptr<const database::Trace> trace)
-        : loaded_(std::move(loaded)), trace_(std::move(trace)), seed_(seed) {
-        for (const InstrumentSpec& spec : loaded_.scene.instruments) {
-            instruments_[static_cast<int>(spec.hand)] = make_instrument(spec, loaded_.scene.tick_period());
-        }
-        if (loaded_.scene.camera) scope_ = make_scope(*loaded_.scene.camera);
-        steps_total_ = std::max<std::size_t>(1, trace_->steps.size());
+    explicit Replay(ReplayRequest request) : request_(std::move(request)) {
+        const Scene& scene = request_.loaded.scene;
+        for (const InstrumentSpec& spec : scene.instruments)
+            instruments_[static_cast<int>(spec.hand)] = make_instrument(spec, scene.tick_period());
+        if (scene.camera) scope_ = make_scope(*scene.camera);
+        const database::Trace& trace = *request_.trace;
+        record_ = std::make_shared<const AttemptRecord>(
+            AttemptRecord{trace.inputs, trace.samples, trace.steps, trace.events, request_.devices});
         thread_ = std::thread([this] { run(); });
     }
     ~Replay() override {
         stop_.store(true);
+        { const std::lock_guard<std::mutex> lock(mutex_); }
+        asked_.notify_one();
         thread_.join();
     }
     Replay(const Replay&) = delete;
     Replay& operator=(const Replay&) = delete;
 
-    const Scene& scene() const override { return loaded_.scene; }
+    const Scene& scene() const override { return request_.loaded.scene; }
     double duration_s() const override {
-        return trace_->samples.empty() ? 0.0 : trace_->samples.back().tick * loaded_.scene.tick_period();
+        return record_->samples.empty() ? 0.0 : record_->samples.back().tick * period();
     }
     void seek(double time_s) override {
         wanted_s_ = std::clamp(time_s, 0.0, duration_s());
         moved_ = true;
+        {
+            const std::lock_guard<std::mutex> lock(mutex_);
+            wanted_.store(static_cast<std::uint32_t>(std::lround(wanted_s_ / period())));
+        }
+        asked_.notify_one();
     }
     bool update() override {
-        const std::uint64_t pictures = pictures_made_.load();
-        if (pictures == 0 || (!moved_ && pictures == pictures_seen_)) return false;
-        const bool was_short = short_of_;
-        pictures_seen_ = pictures;
-        if (!moved_ && !was_short) return false;
+        bool changed = moved_;
+        {
+            const std::lock_guard<std::mutex> lock(mutex_);
+            if (made_ == 0 || (!moved_ && made_ == taken_)) return false;
+            if (made_ != taken_) {
+                shown_ = world_;
+                world_tick_ = made_tick_;
+                taken_ = made_;
+                changed = true;
+            }
+        }
         moved_ = false;
-        compose();
-        return true;
+        if (changed) compose();
+        return changed;
     }
     const WorldSnapshot& snapshot() const override { return shown_; }
     double shown_s() const override { return shown_s_; }
     double ready() const override {
-        return static_cast<double>(steps_done_.load()) / static_cast<double>(steps_total_);
+        if (finished_.load() || record_->inputs.empty()) return 1;
+        const std::uint32_t first = record_->inputs.front().tick;
+        const auto done = static_cast<double>(simulated_.load()) - first + 1;
+        return std::clamp(done / static_cast<double>(record_->inputs.size()), 0.0, 1.0);
     }
     std::optional<double> differs_from_s() const override {
         const double at = differs_from_.load();
         return at < 0 ? std::nullopt : std::optional<double>(at);
     }
+    std::shared_ptr<const ui::ReplayMoment> moment(double time_s) const override {
+        const auto tick = static_cast<std::uint32_t>(std::lround(std::max(0.0, time_s) / period()));
+        const std::uint32_t settled = settled_tick(*record_, std::min(tick, simulated_.load()));
+        if (settled == 0 || settled < record_->inputs.front().tick || differs_from_.load() >= 0)
+            return nullptr;
+        auto moment = std::make_shared<TraceMoment>();
+        moment->loaded = request_.loaded;
+        moment->seed = request_.seed;
+        moment->attempt_id = request_.attempt_id;
+        moment->record = record_;
+        moment->start = request_.start;
+        moment->tick = settled;
+        if (const FrameStore::Frame frame = frames_.before(settled); frame.packed)
+            moment->frame = *frame.packed;
+        for (const Event& event : record_->events) {
+            if (event.tick <= settled && event.kind == EventKind::phase_begin) moment->goal = event.detail;
+        }
+        return moment;
+    }
 
   private:
+    double period() const { return request_.loaded.scene.tick_period(); }
+
     void run() {
         try {
-            AttemptEngine engine(loaded_.scene, loaded_.task, seed_);
-            keep(engine.initial_snapshot());
-            AttemptRecord record{trace_->inputs, trace_->samples, trace_->steps, trace_->events};
-            std::uint32_t next = picture_ticks;
-            const ReplayOutcome outcome =
-                replay_record(engine, record, false, [&](const WorldSnapshot& snapshot) {
-                    steps_done_.fetch_add(1);
-                    if (snapshot.tick >= next) {
-                        keep(snapshot);
-                        next = snapshot.tick + picture_ticks;
-                    }
-                    return !stop_.load();
-                });
-            if (!outcome.identical) differs_from_.store(outcome.first_divergence_s);
-            steps_done_.store(steps_total_);
+            if (!request_.start_is_readable) {
+                AttemptEngine poses_only(request_.loaded.scene, request_.loaded.task, request_.seed);
+                publish(poses_only.initial_snapshot(), 0);
+                throw StateArchiveError("another build");
+            }
+            Player ahead(request_, *record_);
+            publish(ahead.engine.initial_snapshot(), ahead.cursor.tick());
+            Player viewer(request_, *record_);
+            simulated_.store(ahead.cursor.tick());
+            frames_.add(ahead.cursor);
+            while (!stop_.load()) {
+                const bool viewed = view(viewer, ahead), simulated = simulate(ahead);
+                if (!viewed && !simulated) wait();
+            }
         } catch (const std::exception&) {
-            differs_from_.store(
-                0.0);  // the tissue cannot be simulated here: only the recorded poses are shown
-            steps_done_.store(steps_total_);
+            // The tissue cannot be simulated here: only the recorded poses are shown.
+            differs_from_.store(record_->inputs.empty() ? 0.0
+                                                        : (record_->inputs.front().tick - 1) * period());
+            finished_.store(true);
         }
     }
-    void keep(const WorldSnapshot& snapshot) {
+
+    /// Makes the world that is asked for; false where that is shown already, or is not simulated yet.
+    bool view(Player& viewer, Player& ahead) {
+        const std::uint32_t wanted = wanted_.load();
+        if (wanted == viewed_) return false;
+        if (wanted > simulated_.load() && !finished_.load()) {
+            // Until the simulation has come to what is asked for, its newest world is shown.
+            if (simulated_.load() >= shown_ahead_ + ahead_picture_ticks) {
+                shown_ahead_ = simulated_.load();
+                publish(ahead.engine.world().snapshot(), shown_ahead_);
+            }
+            return false;
+        }
+        const FrameStore::Frame frame = frames_.before(wanted);
+        if (frame.packed && (viewer.cursor.tick() > wanted || viewer.cursor.tick() < frame.tick))
+            FrameStore::put(frame, viewer.cursor);
+        const Clock::time_point begin = Clock::now();
+        while (viewer.cursor.tick() < wanted && !viewer.cursor.at_end() && !stop_.load()) {
+            viewer.cursor.run_to(std::min(wanted, viewer.cursor.tick() + slice_ticks));
+            const bool changed = wanted_.load() < wanted;
+            if (changed || seconds_since(begin) > longest_without_picture) break;
+        }
+        const bool there = viewer.cursor.tick() >= wanted || viewer.cursor.at_end();
+        viewed_ = there ? wanted : viewer.cursor.tick();
+        shown_ahead_ = 0;
+        publish(viewer.engine.world().snapshot(), viewed_);
+        return true;
+    }
+
+    /// A slice of the pass through the whole record; false at its end.
+    bool simulate(Player& ahead) {
+        if (finished_.load()) return false;
+        const Clock::time_point begin = Clock::now();
+        if (ahead.cursor.at_end()) {
+            ahead.cursor.run_to_end();
+        } else {
+            ahead.cursor.run_to(ahead.cursor.tick() + slice_ticks);
+        }
+        run_since_frame_ += seconds_since(begin);
+        if (!ahead.cursor.outcome().identical && differs_from_.load() < 0)
+            differs_from_.store(ahead.cursor.outcome().first_divergence_s);
+        const bool done = ahead.cursor.at_end();
+        if (!done && frames_.wants(run_since_frame_)) {
+            frames_.add(ahead.cursor);
+            run_since_frame_ = 0;
+        }
+        simulated_.store(ahead.cursor.tick());
+        if (done) finished_.store(true);
+        return true;
+    }
+
+    void wait() {
+        std::unique_lock<std::mutex> lock(mutex_);
+        asked_.wait(lock, [this] { return stop_.load() || wanted_.load() != viewed_; });
+    }
+
+    void publish(const WorldSnapshot& world, std::uint32_t tick) {
         const std::lock_guard<std::mutex> lock(mutex_);
-        pictures_.push_back(snapshot);
-        pictures_made_.store(pictures_.size());
+        world_ = world;
+        made_tick_ = tick;
+        ++made_;
     }
+
+    /// Recorded poses over the newest world.
     void compose() {
-        const double period = loaded_.scene.tick_period();
-        const auto tick = static_cast<std::uint32_t>(std::lround(wanted_s_ / period));
-        {
-            const std::lock_guard<std::mutex> lock(mutex_);
-            const auto after =
-                std::upper_bound(pictures_.begin(), pictures_.end(), tick,
-                                 [](std::uint32_t t, const WorldSnapshot& s) { return t < s.tick; });
-            const WorldSnapshot& before = after == pictures_.begin() ? pictures_.front() : *(after - 1);
-            shown_ = before;
-            short_of_ = after == pictures_.end() && before.tick + picture_ticks < tick;
-            if (after != pictures_.end() && after->tick > before.tick)
-                blend(*after,
-                      std::clamp((static_cast<double>(tick) - before.tick) / (after->tick - before.tick), 0.0,
-                                 1.0));
-        }
-        shown_s_ = wanted_s_;
-        if (trace_->samples.empty() || trace_->inputs.size() != trace_->samples.size()) return;
-        const auto found = std::lower_bound(trace_->samples.begin(), trace_->samples.end(), tick,
+        const auto tick = static_cast<std::uint32_t>(std::lround(wanted_s_ / period()));
+        const bool there =
+            (world_tick_ <= tick && world_tick_ + settled_ticks >= tick) || differs_from_.load() >= 0;
+        shown_s_ = there ? wanted_s_ : world_tick_ * period();
+        const std::vector<TickSample>& samples = record_->samples;
+        if (samples.empty() || record_->inputs.size() != samples.size()) return;
+        const auto found = std::lower_bound(samples.begin(), samples.end(), tick,
                                             [](const TickSample& s, std::uint32_t t) { return s.tick < t; });
-        const auto index = std::min<std::size_t>(static_cast<std::size_t>(found - trace_->samples.begin()),
-                                                 trace_->samples.size() - 1);
-        const TickSample& sample = trace_->samples[index];
-        const RigSample& input = trace_->inputs[index];
+        const auto index =
+            std::min<std::size_t>(static_cast<std::size_t>(found - samples.begin()), samples.size() - 1);
+        const TickSample& sample = samples[index];
+        const RigSample& input = record_->inputs[index];
         for (int hand = 0; hand < hand_count; ++hand) {
-            if (loaded_.scene.instrument(static_cast<Hand>(hand)) == nullptr) continue;
+            if (scene().instrument(static_cast<Hand>(hand)) == nullptr) continue;
             ToolPose pose = tool_pose(instruments_[hand], input.hand[hand]).pose();
             const HandSample& recorded = sample.hand[hand];
             for (int i = 0; i < 3; ++i) {
@@ -126,52 +245,42 @@ class Replay : public ui::ReplaySource {
             pose.jaw_force = recorded.jaw_force * sample_force_unit;
             shown_.tools[hand] = pose;
         }
-        if (loaded_.scene.camera) shown_.camera = scope_pose(scope_, input.camera);
+        if (scene().camera) shown_.camera = scope_pose(scope_, input.camera);
         shown_.tick = sample.tick;
     }
-    void blend(const WorldSnapshot& next, double u) {
-        for (std::size_t i = 0; i < shown_.nodes.size(); ++i)
-            shown_.nodes[i] += u * (next.nodes[i] - shown_.nodes[i]);
-        for (std::size_t i = 0; i < shown_.rings.size(); ++i) {
-            shown_.rings[i].position += u * (next.rings[i].position - shown_.rings[i].position);
-            // Lumen pressure scales the first two directors.
-            const double before = shown_.rings[i].rotation.col(0).norm(),
-                         after = next.rings[i].rotation.col(0).norm();
-            const auto turned = [](Matrix3 directors, double scale) {
-                directors.leftCols<2>() /= scale;
-                return Quaternion(directors);
-            };
-            const Quaternion from = turned(shown_.rings[i].rotation, before),
-                             to = turned(next.rings[i].rotation, after);
-            shown_.rings[i].rotation = from.slerp(u, to).toRotationMatrix();
-            shown_.rings[i].rotation.leftCols<2>() *= before + u * (after - before);
-        }
-    }
 
-    LoadedTask loaded_;
-    std::shared_ptr<const database::Trace> trace_;
-    std::uint64_t seed_;
+    const ReplayRequest request_;
+    std::shared_ptr<const AttemptRecord> record_;
     InstrumentModel instruments_[hand_count];
     ScopeModel scope_;
-    std::mutex mutex_;
-    std::vector<WorldSnapshot> pictures_;
-    std::atomic<std::uint64_t> pictures_made_{0};
-    std::atomic<std::size_t> steps_done_{0};
-    std::size_t steps_total_ = 1;
+    FrameStore frames_;
+
+    std::atomic<std::uint32_t> wanted_{0}, simulated_{0};
     std::atomic<double> differs_from_{-1.0};
-    std::atomic<bool> stop_{false};
+    std::atomic<bool> stop_{false}, finished_{false};
+    // The thread's own.
+    std::uint32_t viewed_ = 0, shown_ahead_ = 0;
+    double run_since_frame_ = 0;
+
+    std::mutex mutex_;  // guards what follows, and what asked_ waits for
+    std::condition_variable asked_;
+    WorldSnapshot world_;
+    std::uint32_t made_tick_ = 0;
+    std::uint64_t made_ = 0;
+
+    // The owner's.
     WorldSnapshot shown_;
+    std::uint32_t world_tick_ = 0;
+    std::uint64_t taken_ = 0;
     double wanted_s_ = 0, shown_s_ = 0;
-    bool moved_ = true, short_of_ = false;
-    std::uint64_t pictures_seen_ = 0;
+    bool moved_ = true;
     std::thread thread_;
 };
 
 }  // namespace
 
-std::unique_ptr<ui::ReplaySource> make_replay_source(LoadedTask loaded, std::uint64_t seed,
-                                                     std::shared_ptr<const database::Trace> trace) {
-    return std::make_unique<Replay>(std::move(loaded), seed, std::move(trace));
+std::unique_ptr<ui::ReplaySource> make_replay_source(ReplayRequest request) {
+    return std::make_unique<Replay>(std::move(request));
 }
 
 }  // namespace fulcrum::app

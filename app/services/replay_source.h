@@ -10,9 +10,19 @@
 
 namespace fulcrum::app {
 
-/// Simulates on a thread of its own and keeps ten snapshots of the tissue per second; the tissue between two
-/// snapshots is interpolated, instruments and scope come from the record. Owner's thread only.
-std::unique_ptr<ui::ReplaySource> make_replay_source(LoadedTask loaded, std::uint64_t seed,
-                                                     std::shared_ptr<const database::Trace> trace);
+struct ReplayRequest {
+    LoadedTask loaded;
+    std::uint64_t seed = 1;
+    std::string attempt_id;
+    std::shared_ptr<const database::Trace> trace;
+    ForceDevices devices;             ///< that rendered force in the attempt
+    std::vector<std::uint8_t> start;  ///< state that it began with (Attempts::start_state); empty: none
+    bool start_is_readable = true;    ///< false: another build wrote `start`; only poses are shown
+};
+
+/// On a thread of its own one engine runs through the record once and leaves key frames (FrameStore); a
+/// second one makes what is asked for from the key frame before it. Instruments and scope come from the
+/// record. Owner's thread only.
+std::unique_ptr<ui::ReplaySource> make_replay_source(ReplayRequest request);
 
 }  // namespace fulcrum::app

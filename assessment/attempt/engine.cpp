@@ -2,8 +2,10 @@
 #include "assessment/attempt/engine.h"
 
 #include <algorithm>
-#include <cstring>
 
+#include "assessment/attempt/replay_cursor.h"
+#include "sim_core/numerics/input_error.h"
+#include "sim_core/numerics/state_archive.h"
 #include "sim_core/numerics/state_hash.h"
 
 namespace fulcrum {
@@ -18,6 +20,7 @@ struct AttemptEngine::Parts {
     WorldSnapshot initial;
     std::vector<TickSample> consumed;  // the step's ticks, for the monitor
     StateHash hash;
+    std::uint32_t last_tick = 0;
 
     Parts(const Scene& scene_in, const TaskDefinition& task_in, std::uint64_t seed_in)
         : scene(scene_in),
@@ -57,6 +60,18 @@ const WorldSnapshot& AttemptEngine::initial_snapshot() const noexcept {
     return parts_->initial;
 }
 
+void AttemptEngine::use_devices(const ForceDevices& devices) {
+    for (std::size_t hand = 0; hand < devices.size(); ++hand)
+        parts_->loop.set_device(static_cast<Hand>(hand), devices[hand]);
+}
+
+ForceDevices devices_of(const Rig& rig) {
+    ForceDevices devices;
+    for (std::size_t hand = 0; hand < devices.size(); ++hand)
+        devices[hand] = rig.force_output(static_cast<Hand>(hand));
+    return devices;
+}
+
 std::vector<TargetSphere> targets_of(const Scene& scene, const TaskDefinition& task, std::uint64_t seed) {
     if (!scene.targets && !scene.camera_targets) return {};
     return AttemptEngine(scene, task, seed).initial_snapshot().targets;
@@ -72,17 +87,61 @@ std::uint64_t AttemptEngine::state_hash() const noexcept {
     return parts_->hash.value();
 }
 
+std::uint32_t AttemptEngine::next_tick() const noexcept {
+    return parts_->last_tick + 1;
+}
+
+void AttemptEngine::transfer(StateArchive& archive) {
+    Parts& parts = *parts_;
+    parts.world.transfer(archive);
+    parts.loop.transfer(archive, parts.world);
+    parts.monitor.transfer(archive);
+    archive(parts.hash, parts.last_tick);
+}
+
+void AttemptEngine::begin_here() noexcept {
+    Parts& parts = *parts_;
+    parts.loop.adopt(parts.world.local_models());
+    parts.loop.clutch_in();
+    parts.monitor.begin_again();
+    show_restored();
+}
+
+void AttemptEngine::show_restored() noexcept {
+    parts_->initial = parts_->world.snapshot();
+}
+
 const TickOutput& AttemptEngine::tick(const RigSample& input) noexcept {
+    parts_->last_tick = input.tick;
     return parts_->loop.tick(input);
 }
 void AttemptEngine::adopt(const LocalModels& models) noexcept {
     parts_->loop.adopt(models);
 }
 
+namespace {
+
+void report_limits(const TickOutput& output, EventSink& sink) noexcept {
+    for (int hand = 0; hand < hand_count; ++hand) {
+        if (!output.limited[hand].limited) continue;
+        Event event;
+        event.tick = output.sample.tick;
+        event.kind = EventKind::stability_limited;
+        event.hand = static_cast<decltype(event.hand)>(hand);
+        event.value = output.limited[hand].stiffness;
+        sink.on_event(event);
+    }
+}
+
+}  // namespace
+
 StepProducts AttemptEngine::step(const TickOutput* outputs, std::size_t count, AttemptSink& sink) noexcept {
     Parts& parts = *parts_;
     count = std::min(count, Parts::longest_step_ticks);
-    for (std::size_t i = 0; i < count; ++i) parts.consumed[i] = outputs[i].sample;
+    for (std::size_t i = 0; i < count; ++i) {
+        parts.consumed[i] = outputs[i].sample;
+        report_limits(outputs[i], sink);
+    }
     const StepRecord record = parts.world.step(outputs, count);
     if (record.state_hash != 0) parts.hash.add(record.state_hash);
     sink.on_step(record);
@@ -90,24 +149,31 @@ StepProducts AttemptEngine::step(const TickOutput* outputs, std::size_t count, A
     return {&parts.world.local_models(), &parts.world.snapshot(), &parts.monitor.display()};
 }
 
+void write_forces(Rig& rig, const TickOutput& output) {
+    for (int hand = 0; hand < hand_count; ++hand) {
+        rig.write_force(static_cast<Hand>(hand), output.device_force[hand]);
+        rig.write_torque(static_cast<Hand>(hand), output.device_torque[hand]);
+    }
+}
+
 RunOutcome run_headless(AttemptEngine& engine, Rig& rig, AttemptSink& sink,
                         const std::function<bool(double)>& keep_going,
-                        const std::function<void()>& after_step) {
+                        const std::function<void()>& after_step, const std::function<bool()>& stop) {
     auto* observer = dynamic_cast<ObservingRig*>(&rig);
     const auto ticks_per_step = static_cast<std::uint32_t>(engine.scene().ticks_per_step);
     const auto ticks_per_question = static_cast<std::uint32_t>(engine.scene().tick_rate);
     std::vector<TickOutput> outputs(ticks_per_step);
     if (observer != nullptr) observer->observe(engine.initial_snapshot(), engine.display());
+    engine.use_devices(devices_of(rig));
 
     RunOutcome outcome;
     bool pending = false;  // a step is done and waits for its tick
-    for (std::uint32_t tick = 1; !engine.ended(); ++tick) {
+    for (std::uint32_t tick = engine.next_tick(); !engine.ended(); ++tick) {
         RigSample input;
         input.tick = tick;
         rig.read(tick, input);
         const TickOutput& output = engine.tick(input);
-        rig.write_force(Hand::left, output.device_force[0]);
-        rig.write_force(Hand::right, output.device_force[1]);
+        write_forces(rig, output);
         outputs[(tick - 1) % ticks_per_step] = output;
         sink.on_tick(output.input, output.sample);
         outcome.ticks = tick;
@@ -119,6 +185,10 @@ RunOutcome run_headless(AttemptEngine& engine, Rig& rig, AttemptSink& sink,
             engine.step(outputs.data(), ticks_per_step, sink);
             pending = true;
             if (after_step) after_step();
+            if (stop && stop()) {
+                outcome.cancelled = true;
+                break;
+            }
         }
         if (keep_going && tick % ticks_per_question == 0 &&
             !keep_going(tick * engine.scene().tick_period())) {
@@ -133,75 +203,34 @@ RunOutcome run_headless(AttemptEngine& engine, Rig& rig, AttemptSink& sink,
 
 namespace {
 
-/// Stores the results of the replay.
-class ReplaySink : public AttemptSink {
+/// Keeps nothing.
+class NoSink : public AttemptSink {
   public:
-    explicit ReplaySink(ReplayOutcome& outcome) : outcome_(outcome) {}
-    void on_event(const Event& event) noexcept override { outcome_.events.push_back(event); }
+    void on_event(const Event& /*event*/) noexcept override {}
     void on_tick(const RigSample& /*input*/, const TickSample& /*sample*/) noexcept override {}
-    void on_step(const StepRecord& step) noexcept override { last_ = step; }
-    const StepRecord& last() const noexcept { return last_; }
-
-  private:
-    ReplayOutcome& outcome_;
-    StepRecord last_;
+    void on_step(const StepRecord& /*step*/) noexcept override {}
 };
-
-bool same_sample(const TickSample& a, const TickSample& b) {
-    return std::memcmp(&a, &b, sizeof a) == 0;
-}
 
 }  // namespace
 
+bool perform_to_goal(AttemptEngine& engine, Rig& rig, int goal, const std::function<bool()>& keep_going) {
+    NoSink sink;
+    bool stopped = false;
+    const auto past = [&] { return engine.display().goal >= goal; };
+    const RunOutcome outcome =
+        run_headless(engine, rig, sink, {}, {}, [&] { return past() || (stopped = !keep_going()); });
+    if (stopped || (past() && outcome.cancelled)) return !stopped;
+    throw InputError(engine.task().id, "/goals/" + std::to_string(goal),
+                     "the expert did not come to this goal", "begin at an earlier goal");
+}
+
 ReplayOutcome replay_record(AttemptEngine& engine, const AttemptRecord& record, bool keep_samples,
                             const std::function<bool(const WorldSnapshot&)>& after_step) {
-    static_assert(std::has_unique_object_representations_v<HandSample> &&
-                  std::has_unique_object_representations_v<CameraSample>);
-    ReplayOutcome outcome;
-    ReplaySink sink(outcome);
-    std::vector<TickOutput> outputs;
-    std::size_t next_step = 0;
-    bool stopped = false;
-    const auto diverged = [&](std::uint32_t tick) {
-        if (outcome.identical) outcome.first_divergence_s = tick * engine.scene().tick_period();
-        outcome.identical = false;
-    };
-    const auto step_once = [&]() {
-        const StepRecord& recorded = record.steps[next_step];
-        std::size_t count = 0;
-        while (count < outputs.size() && outputs[count].sample.tick <= recorded.last_tick) ++count;
-        engine.step(outputs.data(), count, sink);
-        outputs.erase(outputs.begin(), outputs.begin() + static_cast<std::ptrdiff_t>(count));
-        if (sink.last().state_hash != recorded.state_hash || sink.last().outcome != recorded.outcome)
-            diverged(recorded.last_tick);
-        if (after_step && !after_step(engine.world().snapshot())) stopped = true;
-        ++next_step;
-    };
-    std::uint32_t adopted = 0;
-    for (std::size_t i = 0; i < record.inputs.size() && !stopped; ++i) {
-        const RigSample& input = record.inputs[i];
-        const TickSample& recorded = record.samples[i];
-        if (recorded.model_step != adopted) {  // the step whose model was used in this tick, from the record
-            while (next_step < record.steps.size() && record.steps[next_step].step <= recorded.model_step)
-                step_once();
-            engine.adopt(engine.world().local_models());
-            adopted = recorded.model_step;
-        }
-        TickOutput output = engine.tick(input);
-        output.sample.missed = recorded.missed;  // depends on wall time, not on the simulation
-        if (!same_sample(output.sample, recorded)) diverged(recorded.tick);
-        if (keep_samples) outcome.samples.push_back(output.sample);
-        outputs.push_back(output);
-        // Where no tick waits for a model any more (never one without instruments), steps follow their ticks:
-        // what waits would otherwise grow with the attempt.
-        if (record.samples.back().model_step != adopted) continue;
-        while (next_step < record.steps.size() && record.steps[next_step].last_tick <= recorded.tick &&
-               !stopped)
-            step_once();
-    }
-    while (next_step < record.steps.size() && !stopped) step_once();
-    outcome.state_hash = engine.state_hash();
-    return outcome;
+    ReplayCursor cursor(engine, record);
+    cursor.keep_samples(keep_samples);
+    cursor.after_step(after_step);
+    cursor.run_to_end();
+    return cursor.take_outcome();
 }
 
 }  // namespace fulcrum

@@ -24,6 +24,8 @@
 
 namespace fulcrum {
 
+class StateArchive;
+
 /// Receives an attempt's record. Called on the haptic side (on_tick) and the world side (on_event,
 /// on_step); without a window both are one thread.
 class AttemptSink : public EventSink {
@@ -40,6 +42,9 @@ struct StepProducts {
     const TaskDisplay* display = nullptr;
 };
 
+/// What the devices of a rig can render.
+ForceDevices devices_of(const Rig& rig);
+
 class AttemptEngine {
   public:
     /// Builds the scene's parts. Throws InputError if scene and task do not fit together. The seed selects
@@ -54,7 +59,9 @@ class AttemptEngine {
     std::uint64_t seed() const noexcept;
     World& world() noexcept;
     HapticLoop& loop() noexcept;
-    /// The snapshot before the first tick.
+    /// Before the first tick: what the rig's devices can render. Without it no force is sent.
+    void use_devices(const ForceDevices& devices);
+    /// The snapshot before the first tick, or that of the state that the attempt began with.
     const WorldSnapshot& initial_snapshot() const noexcept;
 
     /// Haptic side: one tick with the model adopted last.
@@ -69,6 +76,19 @@ class AttemptEngine {
     const TaskDisplay& display() const noexcept;
     /// Hash over all steps so far.
     std::uint64_t state_hash() const noexcept;
+    /// The tick that comes next: 1 at the beginning.
+    std::uint32_t next_tick() const noexcept;
+
+    /// Writes all that changes while an attempt runs, or reads it into an engine of the same scene, task and
+    /// seed in the same build, which then continues bit for bit. Throws StateArchiveError: the engine's state
+    /// then means nothing. Not for the real-time path.
+    void transfer(StateArchive& archive);
+    /// A new attempt begins with this state: the newest model is adopted, the clock starts again with the
+    /// whole time limit, the devices move the instruments from where these are. Between two ticks, with every
+    /// tick stepped.
+    void begin_here() noexcept;
+    /// After transfer() has read: initial_snapshot() is that of the state read.
+    void show_restored() noexcept;
 
   private:
     struct Parts;
@@ -79,6 +99,9 @@ class AttemptEngine {
 /// scene has none.
 std::vector<TargetSphere> targets_of(const Scene& scene, const TaskDefinition& task, std::uint64_t seed);
 
+/// Hands a tick's forces to the rig. Haptic thread.
+void write_forces(Rig& rig, const TickOutput& output);
+
 struct RunOutcome {
     EventKind end = EventKind::interrupted;
     std::uint32_t ticks = 0;
@@ -88,17 +111,25 @@ struct RunOutcome {
 
 /// Runs an attempt to its end in this thread, as fast as possible. `keep_going` is called about once per
 /// simulated second with the simulated time; returning false interrupts the attempt. `after_step` is called
-/// after every world step. A rig that is also an ObservingRig is shown the world.
+/// after every world step, then `stop`: true ends the run there. A rig that is also an ObservingRig is shown
+/// the world.
 RunOutcome run_headless(AttemptEngine& engine, Rig& rig, AttemptSink& sink,
                         const std::function<bool(double)>& keep_going = {},
-                        const std::function<void()>& after_step = {});
+                        const std::function<void()>& after_step = {}, const std::function<bool()>& stop = {});
 
-/// The record of an attempt as a replay needs it.
+/// An operator performs without a record until a goal (index) has begun and the last step has used every
+/// tick. `keep_going` is asked before every step; false where it said so. Throws InputError where the attempt
+/// ends before.
+bool perform_to_goal(AttemptEngine& engine, Rig& rig, int goal, const std::function<bool()>& keep_going);
+
+/// The record of an attempt as a replay needs it. One that began with the state of another attempt has as its
+/// first tick the one after that state's.
 struct AttemptRecord {
     std::vector<RigSample> inputs;
     std::vector<TickSample> samples;
     std::vector<StepRecord> steps;
     std::vector<Event> events;
+    ForceDevices devices;  ///< that the attempt was performed with
 };
 
 struct ReplayOutcome {
@@ -110,7 +141,8 @@ struct ReplayOutcome {
 };
 
 /// Runs a new engine over a record, following its schedule, and compares every sample and every step's hash
-/// with it. `after_step` gets the world after every step; returning false stops.
+/// with it, except the force sent to a hand whose device renders none. `after_step` gets the world after
+/// every step; returning false stops.
 ReplayOutcome replay_record(AttemptEngine& engine, const AttemptRecord& record, bool keep_samples = false,
                             const std::function<bool(const WorldSnapshot&)>& after_step = {});
 

@@ -312,7 +312,7 @@ std::vector<Metric> cutting_metrics() {
         D::lower, A::mean, line_source,
         {QT_TRANSLATE_NOOP(
              "fulcrum::metrics",
-             "Distance of the cut from the intended plane, whichever side: half of the cut lies nearer."),
+             "Distance of the cut from the intended plane, whichever side: half of the cut is nearer."),
          QT_TRANSLATE_NOOP(
              "fulcrum::metrics",
              "half of the cut lay further than {value} from the plane, above the limit of {limit}"),
@@ -345,7 +345,7 @@ std::vector<Metric> cutting_metrics() {
     add({"plane_deep", QT_TRANSLATE_NOOP("fulcrum::metrics", "Cut too deep"), "%", 1}, D::lower, A::share,
         line_source,
         {QT_TRANSLATE_NOOP("fulcrum::metrics",
-                           "Share of the length of the cut that lies deeper than the tolerance allows: "
+                           "Share of the length of the cut that is deeper than the tolerance allows: "
                            "towards what must be "
                            "spared."),
          QT_TRANSLATE_NOOP("fulcrum::metrics", "{value} of the cut was too deep, above the limit of {limit}"),
@@ -354,7 +354,7 @@ std::vector<Metric> cutting_metrics() {
     add({"plane_shallow", QT_TRANSLATE_NOOP("fulcrum::metrics", "Cut too shallow"), "%", 1}, D::lower,
         A::share, line_source,
         {QT_TRANSLATE_NOOP("fulcrum::metrics",
-                           "Share of the length of the cut that lies shallower than the tolerance allows: "
+                           "Share of the length of the cut that is shallower than the tolerance allows: "
                            "into what is taken "
                            "away."),
          QT_TRANSLATE_NOOP("fulcrum::metrics",

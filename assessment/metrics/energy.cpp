@@ -264,7 +264,7 @@ std::vector<Metric> energy_metrics() {
                            "heat killed {value} of non-target tissue, above the limit of {limit}"),
          QT_TRANSLATE_NOOP(
              "fulcrum::metrics",
-             "keep the hot blade away from what lies behind, and let it cool before touching")});
+             "keep the hot blade away from the tissue behind it, and let it cool before touching")});
     heat.version = 2;  // 2: area at a dose that kills, not the largest dose
     add(std::move(heat), Hands::either, true, {}, lateral_heat);
     add(describe(
@@ -301,7 +301,7 @@ std::vector<Metric> energy_metrics() {
                                  "divide on the side away from the nerve and let the blade cool")},
               counted<EventKind::nerve_injury>);
     add_count({"tear", QT_TRANSLATE_NOOP("fulcrum::metrics", "Tears"), "-", 1},
-              "event: tissue gave way to traction",
+              "event: tissue tore under traction",
               {QT_TRANSLATE_NOOP("fulcrum::metrics", "Number of times tissue tore under traction."),
                QT_TRANSLATE_NOOP("fulcrum::metrics", "tissue tore {value} times, above the limit of {limit}"),
                QT_TRANSLATE_NOOP("fulcrum::metrics", "lift only until the tissue is taut")},

@@ -218,7 +218,7 @@ std::vector<Metric> smoothness_metrics() {
         {"tremor", QT_TRANSLATE_NOOP("fulcrum::metrics", "Tremor share"), "-", 0.01}, D::lower, Scale::raw,
         A::share, E::expert, "6-12 Hz share of the power of tip acceleration, Welch",
         {QT_TRANSLATE_NOOP("fulcrum::metrics",
-                           "Share of the tip's acceleration that lies in the tremor band of 6 to 12 Hz."),
+                           "Share of the tip's acceleration that is in the tremor band of 6 to 12 Hz."),
          QT_TRANSLATE_NOOP("fulcrum::metrics",
                            "tremor made up {value} of the acceleration, above the limit of {limit}"),
          QT_TRANSLATE_NOOP("fulcrum::metrics", "rest the forearms and hold the handles loosely")});

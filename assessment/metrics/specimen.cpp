@@ -181,7 +181,7 @@ std::vector<Metric> specimen_metrics() {
                 "mm", 0.1},
                {QT_TRANSLATE_NOOP("fulcrum::metrics",
                                   "Distance of the cut from the intended plane on the patient's right, "
-                                  "whichever side: half of the cut lies nearer."),
+                                  "whichever side: half of the cut is nearer."),
                 QT_TRANSLATE_NOOP("fulcrum::metrics",
                                   "on the patient's right half of the cut lay further than {value} from the "
                                   "plane, above the limit of {limit}"),
@@ -193,7 +193,7 @@ std::vector<Metric> specimen_metrics() {
          0.1},
         {QT_TRANSLATE_NOOP("fulcrum::metrics",
                            "Distance of the cut from the intended plane in the midline, whichever side: half "
-                           "of the cut lies nearer."),
+                           "of the cut is nearer."),
          QT_TRANSLATE_NOOP("fulcrum::metrics",
                            "in the midline half of the cut lay further than {value} from the plane, above "
                            "the limit of {limit}"),
@@ -203,7 +203,7 @@ std::vector<Metric> specimen_metrics() {
         {"plane_dev_left", QT_TRANSLATE_NOOP("fulcrum::metrics", "Distance from the plane, left"), "mm", 0.1},
         {QT_TRANSLATE_NOOP("fulcrum::metrics",
                            "Distance of the cut from the intended plane on the patient's left, whichever "
-                           "side: half of the cut lies nearer."),
+                           "side: half of the cut is nearer."),
          QT_TRANSLATE_NOOP("fulcrum::metrics",
                            "on the patient's left half of the cut lay further than {value} from the plane, "
                            "above the limit of {limit}"),

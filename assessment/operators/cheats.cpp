@@ -461,8 +461,8 @@ std::vector<const Cheat*> cheats_for(const TaskDefinition& /*task*/, const Scene
 std::unique_ptr<ObservingRig> make_cheat(const Cheat& cheat, const TaskDefinition& task, const Scene& scene,
                                          std::uint64_t seed) {
     Skill skill;
-    draw_individual("expert", seed, skill);
-    draw_form("expert", seed, skill);
+    draw_individual(OperatorLevel::expert, seed, skill);
+    draw_form(OperatorLevel::expert, seed, skill);
     if (cheat.skill != nullptr) cheat.skill(skill);
     return std::make_unique<Cheater>(cheat, make_operator(skill, task, scene, seed), scene);
 }

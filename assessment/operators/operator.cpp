@@ -109,15 +109,20 @@ class SyntheticOperator : public ObservingRig {
 
 }  // namespace
 
-std::unique_ptr<ObservingRig> make_operator(const std::string& preset, const TaskDefinition& task,
+OperatorLevel operator_level(const std::string& name) {
+    const auto* row = find_row(operator_levels, name);
+    if (row == nullptr)
+        throw InputError("operator", name, "no operator of this name",
+                         "give one of: " + names_of(operator_levels));
+    return row->kind;
+}
+
+std::unique_ptr<ObservingRig> make_operator(OperatorLevel level, const TaskDefinition& task,
                                             const Scene& scene, std::uint64_t individual,
                                             std::uint64_t attempt) {
     Skill skill;
-    if (!draw_individual(preset, individual, skill)) {
-        throw InputError("operator", preset, "no operator of this name",
-                         "use novice, intermediate or expert");
-    }
-    draw_form(preset, attempt, skill);
+    draw_individual(level, individual, skill);
+    draw_form(level, attempt, skill);
     return make_operator(skill, task, scene, attempt);
 }
 
@@ -149,9 +154,9 @@ std::unique_ptr<ObservingRig> make_operator(const Skill& skill, const TaskDefini
     return std::make_unique<SyntheticOperator>(skill, task, scene, attempt);
 }
 
-std::unique_ptr<ObservingRig> make_operator(const std::string& preset, const TaskDefinition& task,
+std::unique_ptr<ObservingRig> make_operator(OperatorLevel level, const TaskDefinition& task,
                                             const Scene& scene, std::uint64_t seed) {
-    return make_operator(preset, task, scene, seed, seed);
+    return make_operator(level, task, scene, seed, seed);
 }
 
 }  // namespace fulcrum

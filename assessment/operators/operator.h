@@ -3,9 +3,10 @@
 // after the last step, the task's display) after a reaction delay. Its attempts are marked as synthetic.
 #pragma once
 
+#include <cstdint>
 #include <memory>
-#include <string>
 
+#include "assessment/operators/operator_level.h"
 #include "assessment/task/monitor.h"
 #include "assessment/task/task.h"
 #include "sim_core/instrument/device.h"
@@ -23,18 +24,18 @@ class ObservingRig : public Rig {
     virtual void observe(const WorldSnapshot& world, const TaskDisplay& display) noexcept = 0;
 };
 
-/// `preset`: "novice", "intermediate" or "expert"; the seed draws the individual around it and its noise.
-/// Throws InputError for an unknown preset or a task it cannot perform.
-std::unique_ptr<ObservingRig> make_operator(const std::string& preset, const TaskDefinition& task,
+/// The seed draws the individual of a level and its noise. Throws InputError for a task that it cannot
+/// perform.
+std::unique_ptr<ObservingRig> make_operator(OperatorLevel level, const TaskDefinition& task,
                                             const Scene& scene, std::uint64_t seed);
 
 /// As above with the individual and the attempt apart: one `individual` makes many attempts, each with noise
 /// of its own. The function above takes one seed for both.
-std::unique_ptr<ObservingRig> make_operator(const std::string& preset, const TaskDefinition& task,
+std::unique_ptr<ObservingRig> make_operator(OperatorLevel level, const TaskDefinition& task,
                                             const Scene& scene, std::uint64_t individual,
                                             std::uint64_t attempt);
 
-/// An operator of this skill, which need not be any preset's.
+/// An operator of this skill, which need not be any level's.
 std::unique_ptr<ObservingRig> make_operator(const Skill& skill, const TaskDefinition& task,
                                             const Scene& scene, std::uint64_t attempt);
 

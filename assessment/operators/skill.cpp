@@ -96,9 +96,11 @@ Skill novice() {
     return skill;
 }
 
-double width_of(const std::string& preset) {
-    return preset == "expert" ? 1.0 : preset == "intermediate" ? 1.15 : 1.3;
-}
+struct LevelRow {
+    OperatorLevel kind;
+    Skill (*typical)();
+    double width;  ///< how far individuals are from the typical one, relative to experts
+};
 
 double bounded_normal(Random& random) {
     return std::clamp(random.normal(), -2.0, 2.0);
@@ -160,20 +162,19 @@ Skill intermediate() {
     return skill;
 }
 
+constexpr LevelRow level_rows[] = {
+    {OperatorLevel::expert, expert, 1.0},
+    {OperatorLevel::intermediate, intermediate, 1.15},
+    {OperatorLevel::novice, novice, 1.3},
+};
+static_assert(in_order(level_rows));
+
 }  // namespace
 
-bool draw_individual(const std::string& preset, std::uint64_t seed, Skill& skill) {
-    if (preset == "expert") {
-        skill = expert();
-    } else if (preset == "intermediate") {
-        skill = intermediate();
-    } else if (preset == "novice") {
-        skill = novice();
-    } else {
-        return false;
-    }
+void draw_individual(OperatorLevel level, std::uint64_t seed, Skill& skill) {
+    skill = row_of(level_rows, level).typical();
     Random random(seed, individual_stream);
-    const double width = width_of(preset);
+    const double width = row_of(level_rows, level).width;
     // Limited to two standard deviations, so that every drawn expert performs as an expert.
     const auto deviate = [&] { return bounded_normal(random); };
     const double ability = deviate(), tempo = deviate();
@@ -205,12 +206,11 @@ bool draw_individual(const std::string& preset, std::uint64_t seed, Skill& skill
     Random scope(seed, scope_stream);
     skill.scope.post_error *= math::exp(width * 0.15 * bounded_normal(scope));
     skill.scope.level_error *= math::exp(width * 0.15 * bounded_normal(scope));
-    return true;
 }
 
-void draw_form(const std::string& preset, std::uint64_t attempt, Skill& skill) {
+void draw_form(OperatorLevel level, std::uint64_t attempt, Skill& skill) {
     Random random(attempt, form_stream);
-    change_pace(skill, math::exp(width_of(preset) * form_spread * bounded_normal(random)));
+    change_pace(skill, math::exp(row_of(level_rows, level).width * form_spread * bounded_normal(random)));
 }
 
 }  // namespace fulcrum

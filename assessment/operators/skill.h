@@ -9,7 +9,8 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
+
+#include "assessment/operators/operator_level.h"
 
 namespace fulcrum {
 
@@ -79,9 +80,9 @@ struct Skill {
     ScopeSkill scope;
 };
 
-/// Draws an individual around "novice", "intermediate" or "expert"; false for another name. Pure.
-bool draw_individual(const std::string& preset, std::uint64_t seed, Skill& skill);
+/// Draws an individual of a level. Pure.
+void draw_individual(OperatorLevel level, std::uint64_t seed, Skill& skill);
 /// The same individual on the day of one attempt: a little faster or slower. Pure.
-void draw_form(const std::string& preset, std::uint64_t attempt, Skill& skill);
+void draw_form(OperatorLevel level, std::uint64_t attempt, Skill& skill);
 
 }  // namespace fulcrum

@@ -94,10 +94,10 @@ enum class GradeReason : std::uint8_t {
     undivided,    ///< no grade: less than 95 % of the line is divided
     intact,       ///< 3
     defect,       ///< 2: deeper than 5 mm
-    fat,          ///< 2: more than a fifth of the cut lies more than 2 mm in the fat
+    fat,          ///< 2: more than a fifth of the cut is more than 2 mm in the fat
     coning,       ///< 2: the cut runs towards the rectum from level to level
     muscularis,   ///< 1: a defect down to the wall
-    bulk_loss,    ///< 1: the median of the cut lies more than 8 mm in the fat
+    bulk_loss,    ///< 1: the median of the cut is more than 8 mm in the fat
     deep_coning,  ///< 1
     perforation,  ///< 1: the bowel was perforated
 };

@@ -61,7 +61,9 @@ Advice critical_advice(const ScoreInput& input, const CriticalError& error) {
 double overshoot(const GateResult& gate) {
     const MetricDescriptor& d = *find_metric(gate.metric);
     const double value = gated_value(d, *gate.value), limit = *gate.limit;
-    const double part = d.direction == Direction::higher ? limit / value : value / limit;
+    // Of two values below 0 the lower is the larger share.
+    const bool inverse = (d.direction == Direction::higher) != (value < 0 && limit < 0);
+    const double part = inverse ? limit / value : value / limit;
     return std::isfinite(part) && part > 0 ? part : std::numeric_limits<double>::infinity();
 }
 

@@ -30,6 +30,14 @@ class BandMonitor {
     double lost_ml() const noexcept { return lost_ml_; }
     int clips_left() const noexcept { return clips_left_; }
 
+    /// All that changes.
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(spans_, clips_fired_, tool_index_, band_parted_, pulled_by_, bleeding_, injured_, nerve_heated_,
+              nerve_divided_, outlet_ml_, divided_, torn_, dry_, clips_left_, lost_ml_, told_ml_, dose_,
+              told_dose_, area_, told_area_, told_dose_tick_, told_area_tick_, dose_tissue_);
+    }
+
   private:
     /// An activation under way.
     struct Span {

@@ -43,6 +43,12 @@ class CutMonitor {
     /// Against the band of a goal, widened by `margin` of its limits.
     TractionFault fault(const Goal& goal, double margin) const noexcept;
 
+    /// All that changes.
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(blade_in_, blades_, cells_, cells_divided_, cells_torn_, first_open_, traction_, distance_);
+    }
+
   private:
     bool open_from(std::size_t from) const noexcept;
     struct Blade {

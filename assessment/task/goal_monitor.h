@@ -38,6 +38,15 @@ class GoalMonitor {
         return watch_->height(world, grasp);
     }
 
+    /// The beginning of the goal under way once more; nothing before the first has begun.
+    void report_begun(std::uint32_t tick, EventSink& sink) const noexcept {
+        if (begun_ && !done()) GoalEvents(sink, tick, goal_).phase(EventKind::phase_begin);
+    }
+    void transfer(StateArchive& archive) {
+        archive(*watch_, goal_, begun_, grasped_ever_);
+        for (const std::unique_ptr<GoalTracker>& tracker : trackers_) tracker->transfer(archive);
+    }
+
   private:
     void begin_goal(const WorldSnapshot& world, std::uint32_t tick, EventSink& sink) noexcept;
     void end_goal(const WorldSnapshot& world, std::uint32_t tick, EventSink& sink) noexcept;

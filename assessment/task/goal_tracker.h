@@ -9,6 +9,7 @@
 #include "assessment/task/cut_monitor.h"
 #include "assessment/task/hand_monitor.h"
 #include "assessment/task/monitor.h"
+#include "sim_core/numerics/state_archive.h"
 
 namespace fulcrum {
 
@@ -26,6 +27,12 @@ struct GoalWatch {
 
     /// How far a held place is above its resting height, m.
     double height(const WorldSnapshot& world, const GraspState& grasp) const noexcept;
+
+    /// All that changes.
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(cut, rest_heights, bands_divided, vessels_dry);
+    }
 };
 
 /// A goal's own events: stamped with its index.
@@ -84,6 +91,8 @@ class GoalTracker {
     /// Whether this hand was where the goal requires it in the last tick.
     virtual bool at_target(Hand /*hand*/) const noexcept { return false; }
     virtual void show(TaskDisplay& display) const noexcept = 0;
+    /// Writes or reads all that changes; a tracker with members of its own adds them.
+    virtual void transfer(StateArchive& archive) { archive(hold_ticks_); }
 
   protected:
     /// Counts the time that a condition has held without a break.

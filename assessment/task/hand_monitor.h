@@ -50,6 +50,14 @@ class HandMonitor {
     double force_limit() const noexcept { return limit_shown_; }  ///< N, 0 none
     bool warning() const noexcept { return warning_; }
 
+    /// All that changes.
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(tips_, samples_, speed_, step_force_, limit_shown_, warning_, was_inside_, over_, perforated_,
+              pressed_, on_wall_, held_, faulty_, over_tissue_, away_ticks_, over_peak_, over_limit_,
+              last_grasp_, released_);
+    }
+
   private:
     void emit(EventSink& sink, std::uint32_t tick, EventKind kind, int tissue, std::int32_t detail,
               double value) const noexcept;

@@ -10,6 +10,7 @@
 #include "assessment/task/goal_monitor.h"
 #include "assessment/task/hand_monitor.h"
 #include "sim_core/instrument/device.h"
+#include "sim_core/numerics/state_archive.h"
 #include "sim_core/scene/perforation.h"
 
 namespace fulcrum {
@@ -289,6 +290,21 @@ void TaskMonitor::State::show() noexcept {
     goals.show(display);
 }
 
+void TaskMonitor::transfer(StateArchive& archive) {
+    State& s = *state_;
+    archive(s.hands, s.scope, s.bands, s.display, s.begun, s.paused, s.lost, s.late, s.colliding,
+            s.unpaused_ticks, s.elapsed_ticks, s.lost_ticks, s.late_ticks, s.last_tick, s.run_ticks);
+    s.goals.transfer(archive);
+}
+
+void TaskMonitor::begin_again() noexcept {
+    State& state = *state_;
+    state.begun = state.display.moving_seen = state.paused = state.lost = state.late = false;
+    state.unpaused_ticks = state.elapsed_ticks = state.lost_ticks = state.late_ticks = 0;
+    state.run_ticks = {};
+    state.show();
+}
+
 void TaskMonitor::on_step(const TickSample* ticks, std::size_t count, const WorldSnapshot& world,
                           EventSink& sink) noexcept {
     State& state = *state_;
@@ -297,6 +313,7 @@ void TaskMonitor::on_step(const TickSample* ticks, std::size_t count, const Worl
     if (!state.begun) {
         state.begun = true;
         events.emit(ticks[0].tick, EventKind::attempt_begin);
+        state.goals.report_begun(ticks[0].tick, events);
     }
     for (HandMonitor& hand : state.hands) hand.begin_step();
     std::uint32_t running = 0;

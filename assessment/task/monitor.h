@@ -68,6 +68,8 @@ struct TaskDisplay {
 };
 
 /// One attempt's monitor.
+class StateArchive;
+
 class TaskMonitor {
   public:
     TaskMonitor(const TaskDefinition& task, const Scene& scene, std::uint64_t seed);
@@ -77,6 +79,11 @@ class TaskMonitor {
     void on_step(const TickSample* ticks, std::size_t count, const WorldSnapshot& world,
                  EventSink& sink) noexcept;
     const TaskDisplay& display() const noexcept;
+    /// Writes or reads all that changes from step to step. Throws StateArchiveError.
+    void transfer(StateArchive& archive);
+    /// A new attempt continues this one: it begins with the next step, with the goal under way, and its clock
+    /// starts from 0 with the first movement.
+    void begin_again() noexcept;
 
   private:
     struct State;

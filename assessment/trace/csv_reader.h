@@ -16,7 +16,9 @@ namespace fulcrum {
 /// Splits lines into cells, counts rows, makes the errors.
 class CsvReader {
   public:
-    CsvReader(std::istream& in, const std::string& file) : in_(in), file_(file) {}
+    /// `separator`: between cells; ' ' means one or more spaces or tabs.
+    CsvReader(std::istream& in, const std::string& file, char separator = ',')
+        : in_(in), file_(file), separator_(separator) {}
 
     bool next() {
         if (!read_line()) return false;
@@ -72,12 +74,29 @@ class CsvReader {
     void split() {
         cells_.clear();
         std::string_view rest = line_;
+        if (separator_ == ' ') {
+            split_at_spaces(rest);
+            return;
+        }
         for (;;) {
-            const std::size_t comma = rest.find(',');
+            const std::size_t comma = rest.find(separator_);
             cells_.push_back(trimmed(rest.substr(0, comma)));
             if (comma == std::string_view::npos) break;
             rest.remove_prefix(comma + 1);
         }
+    }
+
+    void split_at_spaces(std::string_view rest) {
+        constexpr std::string_view space = " \t";
+        for (;;) {
+            const std::size_t begin = rest.find_first_not_of(space);
+            if (begin == std::string_view::npos) break;
+            rest.remove_prefix(begin);
+            const std::size_t end = std::min(rest.find_first_of(space), rest.size());
+            cells_.push_back(rest.substr(0, end));
+            rest.remove_prefix(end);
+        }
+        if (cells_.empty()) cells_.emplace_back();
     }
 
     static std::string_view trimmed(std::string_view cell) {
@@ -91,6 +110,7 @@ class CsvReader {
 
     std::istream& in_;
     std::string file_;
+    char separator_;
     std::vector<char> buffer_ = std::vector<char>(1U << 16U);
     std::size_t filled_ = 0, position_ = 0, row_ = 0;
     std::string line_;

@@ -66,7 +66,7 @@ std::int8_t tissue_in(const CsvReader& reader, const std::vector<std::string>& t
     if (cell.empty()) return -1;
     const auto found = std::find(tissues.begin(), tissues.end(), cell);
     if (found == tissues.end())
-        reader.fail("tissue", CsvReader::quoted(cell) + " is no tissue of this task",
+        reader.fail("tissue", CsvReader::quoted(cell) + " is not a tissue of this task",
                     "write a label of the task's scene or of the trace, or nothing");
     return static_cast<std::int8_t>(found - tissues.begin());
 }

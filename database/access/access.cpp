@@ -54,6 +54,7 @@ constexpr std::array<Row, operation_count> table{{
     {Operation::manage_settings,         "manage_settings",            none,      none,      none,      programme, none,      false},
     {Operation::read_tissues,            "read_tissues",               programme, programme, programme, none,      programme, false},
     {Operation::set_tissues,             "set_tissues",                none,      programme, none,      none,      none,      false},
+    {Operation::accept_assets,           "accept_assets",              none,      programme, none,      none,      none,      false},
 }};
 // clang-format on
 

@@ -60,8 +60,9 @@ enum class Operation : std::uint8_t {
     manage_settings,  ///< programme name, sign-in picker on or off
     read_tissues,     ///< what the site says of a task's tissues
     set_tissues,
+    accept_assets,  ///< scenes, tasks, benchmark sets and curricula of the site for assessed attempts
 };
-inline constexpr int operation_count = 32;
+inline constexpr int operation_count = 33;
 const char* operation_name(Operation operation);
 
 /// The relation of an operation's subject to the actor.

@@ -38,6 +38,52 @@ void write_void(const Store& store, const Session& educator, const std::string& 
         .run();
 }
 
+/// Everything but scores and reviews, as an attempt of that person.
+void copy_attempt(Connection& connection, const std::string& attempt_id, const std::string& copy,
+                  const std::string& person_id) {
+    Query(connection,
+          "INSERT INTO attempt SELECT ?, ?, station_id, task_id, task_version, mode, device_class, device, "
+          "operator_name, variant, "
+          "seed, fidelity, scene, scene_digest, curriculum, limits, program_version, cpu_features, started, "
+          "utc_offset_min, 'running', "
+          "duration_s, wall_s, missed_ticks, lost_samples, events, state_hash, force_devices FROM attempt "
+          "WHERE id = ?")
+        .bind(copy)
+        .bind(person_id)
+        .bind(attempt_id)
+        .run();
+    Query(connection,
+          "INSERT INTO attempt_asset SELECT ?, file, digest FROM attempt_asset WHERE attempt_id = ?")
+        .bind(copy)
+        .bind(attempt_id)
+        .run();
+    // The trace is copied, not shared: erasing one person must not damage the other's attempt.
+    Query(connection,
+          "INSERT INTO trace_chunk SELECT ?, stream, number, first_tick, last_tick, records, checksum, data "
+          "FROM trace_chunk "
+          "WHERE attempt_id = ?")
+        .bind(copy)
+        .bind(attempt_id)
+        .run();
+    Query(connection,
+          "INSERT INTO attempt_product SELECT ?, kind, checksum, data FROM attempt_product WHERE attempt_id "
+          "= ?")
+        .bind(copy)
+        .bind(attempt_id)
+        .run();
+    Query(connection,
+          "INSERT INTO attempt_origin SELECT ?, source_id, tick, goal, build, checksum, state FROM "
+          "attempt_origin WHERE attempt_id = ?")
+        .bind(copy)
+        .bind(attempt_id)
+        .run();
+    // Only a running attempt takes a trace.
+    Query(connection, "UPDATE attempt SET state = (SELECT state FROM attempt WHERE id = ?) WHERE id = ?")
+        .bind(attempt_id)
+        .bind(copy)
+        .run();
+}
+
 }  // namespace
 
 std::string Attempts::add_score(const Session& session, const std::string& attempt_id,
@@ -55,6 +101,11 @@ std::string Attempts::add_score(const Session& session, const std::string& attem
                    Subject::person(person));
     if (state == AttemptState::running)
         throw StoreError(StoreErrorKind::conflict, "the attempt is still running", "wait for its end");
+    Query origin(store_.connection(), "SELECT 1 FROM attempt_origin WHERE attempt_id = ?");
+    origin.bind(attempt_id);
+    if (origin.next())
+        throw StoreError(StoreErrorKind::conflict, "the attempt continues another one and is never scored",
+                         "score an attempt from its beginning");
     std::string id = write_score(store_, session, attempt_id, score);
     transaction.commit();
     return id;
@@ -66,7 +117,8 @@ void Attempts::void_attempt(const Session& educator, const std::string& attempt_
     require_reason(reason);
     Transaction transaction(store_.connection());
     write_void(store_, educator, attempt_id, reason);
-    Audit(store_).append(educator, attempt_id, "attempt.void", json_object({{"reason", reason}}));
+    Audit(store_).append(educator, attempt_id, "attempt.void", json_object({{"reason", reason}}),
+                         {{RecordKind::attempt_void, attempt_id}});
     transaction.commit();
 }
 
@@ -83,30 +135,7 @@ std::string Attempts::reassign(const Session& educator, const std::string& attem
     Transaction transaction(connection);
     write_void(store_, educator, attempt_id, reason);
     std::string copy = random_uuid();
-    Query(connection,
-          "INSERT INTO attempt SELECT ?, ?, station_id, task_id, task_version, mode, device_class, device, "
-          "operator_name, variant, "
-          "seed, fidelity, scene, scene_digest, curriculum, limits, program_version, cpu_features, started, "
-          "utc_offset_min, state, "
-          "duration_s, wall_s, missed_ticks, lost_samples, events, state_hash FROM attempt WHERE id = ?")
-        .bind(copy)
-        .bind(person_id)
-        .bind(attempt_id)
-        .run();
-    // The trace is copied, not shared: erasing one person must not damage the other's attempt.
-    Query(connection,
-          "INSERT INTO trace_chunk SELECT ?, stream, number, first_tick, last_tick, records, checksum, data "
-          "FROM trace_chunk "
-          "WHERE attempt_id = ?")
-        .bind(copy)
-        .bind(attempt_id)
-        .run();
-    Query(connection,
-          "INSERT INTO attempt_product SELECT ?, kind, checksum, data FROM attempt_product WHERE attempt_id "
-          "= ?")
-        .bind(copy)
-        .bind(attempt_id)
-        .run();
+    copy_attempt(connection, attempt_id, copy, person_id);
     std::vector<std::string> ids;
     {
         Query rows(connection,
@@ -119,9 +148,12 @@ std::string Attempts::reassign(const Session& educator, const std::string& attem
         .bind(attempt_id)
         .bind(copy)
         .run();
-    Audit(store_).append(
-        educator, attempt_id, "attempt.reassign",
-        json_object({{"from", from}, {"to", person_id}, {"copy", copy}, {"reason", reason}}));
+    Audit(store_).append(educator, attempt_id, "attempt.reassign",
+                         json_object({{"from", from}, {"to", person_id}, {"copy", copy}, {"reason", reason}}),
+                         {{RecordKind::attempt_void, attempt_id},
+                          {RecordKind::attempt, copy},
+                          {RecordKind::trace, copy},
+                          {RecordKind::reassignment, attempt_id}});
     transaction.commit();
     return copy;
 }
@@ -130,16 +162,18 @@ void Attempts::request_correction(const Session& trainee, const std::string& att
                                   const std::string& text) const {
     require_attempt(store_, trainee, Operation::request_correction, attempt_id);
     require_reason(text);
+    const std::string id = random_uuid();
     Transaction transaction(store_.connection());
     Query(store_.connection(),
           "INSERT INTO correction_request (id, attempt_id, person_id, text, asked) VALUES (?, ?, ?, ?, ?)")
-        .bind(random_uuid())
+        .bind(id)
         .bind(attempt_id)
         .bind(trainee.person_id())
         .bind(text)
         .bind(store_.now())
         .run();
-    Audit(store_).append(trainee, attempt_id, "attempt.request_correction", json_object({{"text", text}}));
+    Audit(store_).append(trainee, attempt_id, "attempt.request_correction", json_object({{"text", text}}),
+                         {{RecordKind::correction, id}});
     transaction.commit();
 }
 

@@ -2,6 +2,7 @@
 #include "database/records/attempt_query.h"
 
 #include "database/rows/enum_column.h"
+#include "database/rows/force_devices.h"
 #include "database/rows/person_kind.h"
 
 namespace fulcrum::database {
@@ -11,7 +12,7 @@ const char* const columns =
     "SELECT a.id, a.person_id, a.task_id, a.task_version, a.mode, a.device_class, a.device, a.operator_name, "
     "a.variant, a.seed, "
     "a.fidelity, a.scene, a.scene_digest, a.curriculum, a.limits, a.program_version, a.cpu_features, "
-    "a.started, a.utc_offset_min, "
+    "a.started, a.utc_offset_min, a.force_devices, "
     "p.login, p.display_name, p.kind, a.state, a.duration_s, a.wall_s, a.missed_ticks, a.lost_samples, "
     "a.events, a.state_hash, "
     "s.passed, s.points, COALESCE(s.not_scored_because, ''), "
@@ -20,9 +21,11 @@ const char* const columns =
     "COALESCE((SELECT from_id FROM attempt_reassignment WHERE to_id = a.id), ''), "
     "COALESCE((SELECT to_id FROM attempt_reassignment WHERE from_id = a.id), ''), "
     "(SELECT COUNT(*) FROM comment c WHERE c.attempt_id = a.id AND c.sent > 0 AND c.read = 0), "
-    "(SELECT COUNT(*) FROM comment c WHERE c.attempt_id = a.id AND c.sent > 0) "
+    "(SELECT COUNT(*) FROM comment c WHERE c.attempt_id = a.id AND c.sent > 0), "
+    "COALESCE(o.source_id, ''), COALESCE(o.tick, 0), COALESCE(o.goal, 0), COALESCE(o.build, '') "
     "FROM attempt a JOIN person p ON p.id = a.person_id "
     "LEFT JOIN score s ON s.attempt_id = a.id AND s.in_force = 1 "
+    "LEFT JOIN attempt_origin o ON o.attempt_id = a.id "
     "LEFT JOIN attempt_void v ON v.attempt_id = a.id LEFT JOIN person w ON w.id = v.person_id ";
 
 AttemptSummary summary_of_row(const Query& row) {
@@ -51,6 +54,7 @@ AttemptSummary summary_of_row(const Query& row) {
     meta.cpu_features = text();
     meta.started = integer();
     meta.utc_offset_min = static_cast<int>(integer());
+    meta.force_devices = force_devices_of(text(), place("force devices"));
     attempt.person_login = text();
     attempt.person_name = text();
     attempt.synthetic = person_kind_of(text(), meta.person_id) != PersonKind::real;
@@ -72,6 +76,12 @@ AttemptSummary summary_of_row(const Query& row) {
     attempt.reassigned_to = text();
     attempt.unread_comments = static_cast<int>(integer());
     attempt.comments = static_cast<int>(integer());
+    AttemptOrigin origin;
+    origin.source_id = text();
+    origin.tick = static_cast<std::uint32_t>(integer());
+    origin.goal = static_cast<int>(integer());
+    origin.build = text();
+    if (!origin.build.empty()) meta.origin = std::move(origin);
     attempt.state = attempt.voided_at > 0 ? AttemptState::voided : attempt.recorded_state;
     attempt.counting = is_counting(attempt);
     return attempt;
@@ -152,6 +162,15 @@ AttemptSummary query_attempt(const Store& store, const std::string& attempt_id) 
     row.bind(attempt_id);
     if (!row.next()) unknown_attempt(attempt_id);
     return summary_of_row(row);
+}
+
+std::vector<AssetFile> assets_of(const Store& store, const std::string& attempt_id) {
+    Query rows(store.connection(),
+               "SELECT file, digest FROM attempt_asset WHERE attempt_id = ? ORDER BY file");
+    rows.bind(attempt_id);
+    std::vector<AssetFile> files;
+    while (rows.next()) files.push_back({rows.text(0), rows.text(1)});
+    return files;
 }
 
 bool is_cut_off(AttemptState state) {

@@ -34,6 +34,9 @@ std::string person_of(const Store& store, const std::string& attempt_id);
 std::string require_attempt(const Store& store, const Session& session, Operation operation,
                             const std::string& attempt_id);
 
+/// The files that an attempt was performed with. Access was checked by the caller.
+std::vector<AssetFile> assets_of(const Store& store, const std::string& attempt_id);
+
 /// Interrupted, or ended by a simulator fault: by nobody's will.
 bool is_cut_off(AttemptState state);
 /// Whatever the person: assessed, not voided, and ended by the trainee or the time limit with a score, or cut

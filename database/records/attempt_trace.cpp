@@ -8,6 +8,8 @@
 
 #include "database/records/attempt_query.h"
 #include "database/records/attempts.h"
+#include "database/rows/crypto.h"
+#include "database/rows/packed_bytes.h"
 
 namespace fulcrum::database {
 namespace {
@@ -174,6 +176,21 @@ void Attempts::read_overview(const Session& session, const std::string& attempt_
     } catch (const StoreError& error) {
         throw_damaged(store_, attempt_id, TraceStream::samples, std::to_string(trouble_at), error);
     }
+}
+
+std::vector<std::uint8_t> Attempts::start_state(const Session& session, const std::string& attempt_id) const {
+    require_attempt(store_, session, Operation::read_trace, attempt_id);
+    Query row(store_.connection(), "SELECT checksum, state FROM attempt_origin WHERE attempt_id = ?");
+    row.bind(attempt_id);
+    if (!row.next()) return {};
+    const std::vector<std::uint8_t> packed = row.bytes(1);
+    if (blake2b(packed, 16) != row.bytes(0)) {
+        throw StoreError(StoreErrorKind::corrupt,
+                         store_.path() + ": the state that attempt " + attempt_id +
+                             " began with does not match its checksum",
+                         "restore the newest backup");
+    }
+    return unpack_bytes(packed);
 }
 
 std::vector<Event> Attempts::read_events(const Session& session, const std::string& attempt_id) const {

@@ -36,10 +36,11 @@ std::vector<AttemptSummary> Attempts::interrupted_without_score(const Session& s
                  "(SELECT id FROM attempt WHERE state = 'interrupted')");
     std::set<std::string> done;
     while (scored.next()) done.insert(scored.text(0));
-    attempts.erase(
-        std::remove_if(attempts.begin(), attempts.end(),
-                       [&](const AttemptSummary& attempt) { return done.count(attempt.meta.id) > 0; }),
-        attempts.end());
+    attempts.erase(std::remove_if(attempts.begin(), attempts.end(),
+                                  [&](const AttemptSummary& attempt) {
+                                      return attempt.meta.origin || done.count(attempt.meta.id) > 0;
+                                  }),
+                   attempts.end());
     std::reverse(attempts.begin(), attempts.end());
     return attempts;
 }
@@ -83,6 +84,11 @@ std::string Attempts::scene_text(const Session& session, const std::string& atte
                          store_.path() + ": the scene of attempt " + attempt_id + " is damaged",
                          "restore the newest backup");
     return row.text(1);
+}
+
+std::vector<AssetFile> Attempts::assets(const Session& session, const std::string& attempt_id) const {
+    require_attempt(store_, session, Operation::read_attempt, attempt_id);
+    return assets_of(store_, attempt_id);
 }
 
 std::vector<ProductBlob> Attempts::products(const Session& session, const std::string& attempt_id) const {

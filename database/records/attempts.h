@@ -84,6 +84,12 @@ class Attempts {
     /// The scene as the attempt used it; empty for attempts from before scenes were kept. StoreError corrupt
     /// where the text is gone or does not match its digest. Operation::read_attempt.
     std::string scene_text(const Session& session, const std::string& attempt_id) const;
+    /// The state that an attempt with an origin began with, unpacked; empty for others. StoreError corrupt
+    /// where it does not match its checksum. Operation::read_trace.
+    std::vector<std::uint8_t> start_state(const Session& session, const std::string& attempt_id) const;
+    /// The files that it was performed with, by name; none for attempts from before they were kept.
+    /// Operation::read_attempt.
+    std::vector<AssetFile> assets(const Session& session, const std::string& attempt_id) const;
     std::vector<ProductBlob> products(const Session& session, const std::string& attempt_id) const;
 
     /// The first score of an attempt (one that was interrupted) is in force; any other is kept next to it.

@@ -47,7 +47,7 @@ void write_people(const Store& store, Table table, const std::string& cohort_id,
         const std::vector<Role>& roles = person.roles;
         if (table == Table::educators &&
             std::find(roles.begin(), roles.end(), Role::educator) == roles.end()) {
-            throw StoreError(StoreErrorKind::bad_value, person.display_name + " is no educator",
+            throw StoreError(StoreErrorKind::bad_value, person.display_name + " is not an educator",
                              "have an administrator give them the role first");
         }
         Query(connection, "INSERT INTO " + table_name(table) +
@@ -91,9 +91,9 @@ void replace_people(const Store& store, const Session& director, Table table, co
     require_cohort(store, cohort_id);
     const std::string before = joined(ids_in(store.connection(), table, cohort_id));
     write_people(store, table, cohort_id, person_ids);
-    Audit(store).append(director, cohort_id,
-                        table == Table::members ? "cohort.set_members" : "cohort.set_educators",
-                        json_object({{"before", before}, {"after", joined(person_ids)}}));
+    Audit(store).append(
+        director, cohort_id, table == Table::members ? "cohort.set_members" : "cohort.set_educators",
+        json_object({{"before", before}, {"after", joined(person_ids)}}), {{RecordKind::cohort, cohort_id}});
     transaction.commit();
 }
 
@@ -132,7 +132,8 @@ std::string People::create_cohort(const Session& director, const std::string& na
     require_name(name, "cohort's name");
     Transaction transaction(store_.connection());
     std::string id = insert_cohort(store_, name);
-    Audit(store_).append(director, id, "cohort.create", json_object({{"name", name}}));
+    Audit(store_).append(director, id, "cohort.create", json_object({{"name", name}}),
+                         {{RecordKind::cohort, id}});
     transaction.commit();
     return id;
 }
@@ -145,7 +146,8 @@ void People::rename_cohort(const Session& director, const std::string& cohort_id
     require_cohort(store_, cohort_id);
     require_free_name(store_, name, cohort_id);
     Query(store_.connection(), "UPDATE cohort SET name = ? WHERE id = ?").bind(name).bind(cohort_id).run();
-    Audit(store_).append(director, cohort_id, "cohort.rename", json_object({{"after", name}}));
+    Audit(store_).append(director, cohort_id, "cohort.rename", json_object({{"after", name}}),
+                         {{RecordKind::cohort, cohort_id}});
     transaction.commit();
 }
 
@@ -168,7 +170,8 @@ std::string People::create_demo_cohort(const Session& station, const std::string
     std::string id = insert_cohort(store_, name);
     write_people(store_, Table::members, id, members);
     write_people(store_, Table::educators, id, educators);
-    Audit(store_).append(station, id, "cohort.create", json_object({{"name", name}}));
+    Audit(store_).append(station, id, "cohort.create", json_object({{"name", name}}),
+                         {{RecordKind::cohort, id}});
     transaction.commit();
     return id;
 }

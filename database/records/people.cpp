@@ -49,6 +49,37 @@ std::string login_key(const std::string& login) {
     return key;
 }
 
+bool is_reserved_login(const std::string& login) {
+    const std::string key = login_key(login);
+    return key.rfind("synthetic-", 0) == 0 || key.rfind("external-", 0) == 0;
+}
+
+void require_persons_login(const std::string& login) {
+    require_login(login);
+    if (is_reserved_login(login))
+        throw StoreError(StoreErrorKind::bad_value, "the login \"" + login + "\" cannot be used",
+                         "logins that begin with synthetic- or external- belong to simulated people");
+}
+
+void make_room_for(const Store& store, const Session& actor, const std::string& login) {
+    Connection& connection = store.connection();
+    std::string id;
+    {
+        Query row(connection, "SELECT id FROM person WHERE login_key = ? AND kind <> 'real'");
+        row.bind(login_key(login));
+        if (!row.next()) return;
+        id = row.text(0);
+    }
+    const std::string moved = "synthetic-" + id.substr(0, 8) + "-" + login.substr(0, 40);
+    Query(connection, "UPDATE person SET login = ?, login_key = ?, version = version + 1 WHERE id = ?")
+        .bind(moved)
+        .bind(login_key(moved))
+        .bind(id)
+        .run();
+    Audit(store).append(actor, id, "person.move_login", json_object({{"before", login}, {"after", moved}}),
+                        {{RecordKind::person, id}});
+}
+
 void require_login(const std::string& login) {
     const bool fits =
         !login.empty() && login.size() <= 64 && std::all_of(login.begin(), login.end(), [](char c) {
@@ -61,8 +92,27 @@ void require_login(const std::string& login) {
     }
 }
 
+namespace {
+
+/// Control characters, line and paragraph separators, and those that change the direction of what follows: a
+/// name with them reads as something else on a screen or in a report.
+bool misleads(QChar c) {
+    const ushort code = c.unicode();
+    return c.category() == QChar::Other_Control || code == 0x2028 || code == 0x2029 || code == 0x061c ||
+           code == 0x200e || code == 0x200f || (code >= 0x202a && code <= 0x202e) ||
+           (code >= 0x2066 && code <= 0x2069) || code == 0xfeff;
+}
+
+}  // namespace
+
 void require_name(const std::string& name, const char* what) {
-    const QString text = QString::fromStdString(name).trimmed();
+    const QString whole = QString::fromStdString(name);
+    if (whole.toStdString() != name || std::any_of(whole.begin(), whole.end(), misleads)) {
+        throw StoreError(StoreErrorKind::bad_value,
+                         std::string("the ") + what + " contains control or direction characters",
+                         "type it with letters, digits and punctuation only");
+    }
+    const QString text = whole.trimmed();
     if (text.isEmpty() || text.size() > 120) {
         throw StoreError(StoreErrorKind::bad_value, std::string("the ") + what + " is empty or too long",
                          "use 1 to 120 characters");
@@ -93,7 +143,7 @@ void write_roles(Connection& connection, const std::string& person_id, const std
     Query(connection, "DELETE FROM person_role WHERE person_id = ?").bind(person_id).run();
     for (const Role role : roles) {
         if (role == Role::station) {
-            throw StoreError(StoreErrorKind::bad_value, "station is no person's role",
+            throw StoreError(StoreErrorKind::bad_value, "station is not the role of a person",
                              "choose trainee, educator, director or administrator");
         }
         Query(connection, "INSERT INTO person_role (person_id, role) VALUES (?, ?) ON CONFLICT DO NOTHING")
@@ -158,18 +208,19 @@ People::Created People::create(const Session& administrator, const std::string& 
                                const std::string& display_name, const std::vector<Role>& roles) const {
     store_.require(administrator, Operation::manage_people);
     store_.require(administrator, Operation::manage_roles);
-    require_login(login);
+    require_persons_login(login);
     require_name(display_name, "name");
     Created created;
     created.one_time_password = make_one_time_password();
     const std::string verifier = make_verifier(created.one_time_password);
     Transaction transaction(store_.connection());
+    make_room_for(store_, administrator, login);
     const std::string id = insert_person(store_, login, display_name, PersonKind::real);
     write_roles(store_.connection(), id, roles);
     write_verifier(store_, id, verifier, true);
-    Audit(store_).append(
-        administrator, id, "person.create",
-        json_object({{"login", login}, {"name", display_name}, {"roles", role_list(roles)}}));
+    Audit(store_).append(administrator, id, "person.create",
+                         json_object({{"login", login}, {"name", display_name}, {"roles", role_list(roles)}}),
+                         {{RecordKind::person, id}});
     transaction.commit();
     created.person = read_person(store_, id);
     return created;
@@ -186,7 +237,8 @@ void People::rename(const Session& administrator, const std::string& person_id,
         .bind(person_id)
         .run();
     Audit(store_).append(administrator, person_id, "person.rename",
-                         json_object({{"before", before.display_name}, {"after", display_name}}));
+                         json_object({{"before", before.display_name}, {"after", display_name}}),
+                         {{RecordKind::person, person_id}});
     transaction.commit();
 }
 
@@ -204,7 +256,8 @@ void People::set_active(const Session& administrator, const std::string& person_
         .run();
     Audit(store_).append(
         administrator, person_id, "person.set_active",
-        json_object({{"before", before.active ? "yes" : "no"}, {"after", active ? "yes" : "no"}}));
+        json_object({{"before", before.active ? "yes" : "no"}, {"after", active ? "yes" : "no"}}),
+        {{RecordKind::person, person_id}});
     transaction.commit();
 }
 
@@ -225,7 +278,8 @@ void People::set_roles(const Session& administrator, const std::string& person_i
     write_roles(store_.connection(), person_id, roles);
     Query(store_.connection(), "UPDATE person SET version = version + 1 WHERE id = ?").bind(person_id).run();
     Audit(store_).append(administrator, person_id, "person.set_roles",
-                         json_object({{"before", role_list(before.roles)}, {"after", role_list(roles)}}));
+                         json_object({{"before", role_list(before.roles)}, {"after", role_list(roles)}}),
+                         {{RecordKind::person, person_id}});
     transaction.commit();
 }
 
@@ -242,23 +296,27 @@ Person People::ensure_synthetic(const Session& station, const std::string& login
         Query row(store_.connection(), "SELECT id, kind FROM person WHERE login_key = ?");
         row.bind(login_key(login));
         if (row.next()) {
-            if (person_kind_of(row.text(1), row.text(0)) == PersonKind::real) {
-                throw StoreError(StoreErrorKind::conflict,
-                                 "the login \"" + login + "\" belongs to a person who is not synthetic",
-                                 "name a synthetic person, or leave --person out");
-            }
-            id = row.text(0);
+            if (person_kind_of(row.text(1), row.text(0)) != PersonKind::real) id = row.text(0);
         }
     }
     if (id.empty()) {
         store_.require(station, Operation::create_synthetic);
+        // In a store with a programme the answer is the same whether somebody real has this login or nobody.
+        if (!is_reserved_login(login) && !store_.is_demo() && store_.has_administrator()) {
+            throw StoreError(StoreErrorKind::conflict,
+                             "the login \"" + login + "\" is not one of a simulated person",
+                             "name a synthetic or external person of this store, or a new one whose login "
+                             "begins with synthetic- or external-; operators and traces may not perform for "
+                             "others");
+        }
         require_login(login);
         require_name(display_name, "name");
         id = insert_person(store_, login, display_name, kind);
         Audit(store_).append(station, id, "person.create_synthetic",
                              json_object({{"login", login},
                                           {"name", display_name},
-                                          {"kind", std::string(row_of(person_kinds, kind).name)}}));
+                                          {"kind", std::string(row_of(person_kinds, kind).name)}}),
+                             {{RecordKind::person, id}});
     }
     transaction.commit();
     return read_person(store_, id);
@@ -269,7 +327,8 @@ void People::set_demo_roles(const Session& station, const std::string& person_id
     require_open_demo(store_, station);
     Transaction transaction(store_.connection());
     write_roles(store_.connection(), read_person(store_, person_id).id, roles);
-    Audit(store_).append(station, person_id, "person.set_roles", json_object({{"after", role_list(roles)}}));
+    Audit(store_).append(station, person_id, "person.set_roles", json_object({{"after", role_list(roles)}}),
+                         {{RecordKind::person, person_id}});
     transaction.commit();
 }
 

@@ -90,8 +90,9 @@ class People {
     /// The last administrator keeps the role.
     void set_roles(const Session& administrator, const std::string& person_id,
                    const std::vector<Role>& roles) const;
-    /// Finds or makes a synthetic or external person; StoreError conflict if the login belongs to a real
-    /// person.
+    /// Finds or makes a synthetic or external person. In a store with a programme a new one has a login that
+    /// begins with synthetic- or external-, and StoreError conflict does not say whether another login is
+    /// somebody's.
     Person ensure_synthetic(const Session& station, const std::string& login, const std::string& display_name,
                             PersonKind kind = PersonKind::synthetic) const;
 

@@ -14,6 +14,10 @@ namespace fulcrum::database {
 std::string login_key(const std::string& login);
 /// Each throws StoreError bad_value with what is wrong and what to do.
 void require_login(const std::string& login);
+/// As require_login(), and not in the space that is reserved for simulated people.
+void require_persons_login(const std::string& login);
+/// "synthetic-..." and "external-...": only the station makes these.
+bool is_reserved_login(const std::string& login);
 void require_name(const std::string& name, const char* what);
 void require_password(const std::string& password);
 
@@ -23,6 +27,9 @@ void write_roles(Connection& connection, const std::string& person_id, const std
 /// Returns the new id. StoreError conflict if the login is taken.
 std::string insert_person(const Store& store, const std::string& login, const std::string& display_name,
                           PersonKind kind);
+/// A simulated person who has this login gets one in the reserved space: nobody can keep a login from a
+/// person by performing under it without signing in. Audited; inside the caller's transaction.
+void make_room_for(const Store& store, const Session& actor, const std::string& login);
 void write_verifier(const Store& store, const std::string& person_id, const std::string& verifier,
                     bool one_time);
 /// True if no other active person is administrator.

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "database/rows/crypto.h"
+#include "database/rows/force_devices.h"
 #include "database/rows/json.h"
 #include "database/rows/person_kind.h"
+#include "database/store/accepted_assets.h"
 #include "database/store/audit.h"
 #include "database/store/recording_lock.h"
 #include "database/store/score_rows.h"
@@ -33,7 +35,22 @@ StoreOptions for_writing(StoreOptions options) {
     throw StoreError(StoreErrorKind::bad_value, wrong, hint);
 }
 
-void insert_attempt(const Store& store, const AttemptMeta& attempt) {
+void insert_origin(Connection& connection, const std::string& attempt_id, const AttemptOrigin& origin) {
+    Query row(connection,
+              "INSERT INTO attempt_origin (attempt_id, source_id, tick, goal, build, checksum, state) "
+              "VALUES (?, NULLIF(?, ''), ?, ?, ?, ?, ?)");
+    row.bind(attempt_id)
+        .bind(origin.source_id)
+        .bind(std::int64_t{origin.tick})
+        .bind(origin.goal)
+        .bind(origin.build)
+        .bind(blake2b(origin.state, 16))
+        .bind(origin.state)
+        .run();
+}
+
+void insert_attempt(const Store& store, const Session& session, const AttemptMeta& attempt,
+                    const RecordingLock& lock) {
     Connection& connection = store.connection();
     Transaction transaction(connection);
     if (!attempt.scene_text.empty()) {
@@ -47,8 +64,8 @@ void insert_attempt(const Store& store, const AttemptMeta& attempt) {
           "INSERT INTO attempt (id, person_id, station_id, task_id, task_version, mode, device_class, "
           "device, operator_name, variant, "
           "seed, fidelity, scene, scene_digest, curriculum, limits, program_version, cpu_features, started, "
-          "utc_offset_min, state) "
-          "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 'running')")
+          "utc_offset_min, force_devices, state) "
+          "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 'running')")
         .bind(attempt.id)
         .bind(attempt.person_id)
         .bind(store.station_id())
@@ -69,7 +86,22 @@ void insert_attempt(const Store& store, const AttemptMeta& attempt) {
         .bind(attempt.cpu_features)
         .bind(attempt.started)
         .bind(attempt.utc_offset_min)
+        .bind(force_devices_text(attempt.force_devices))
         .run();
+    if (attempt.origin) insert_origin(connection, attempt.id, *attempt.origin);
+    lock.enter(store, attempt.id);
+    for (const AssetFile& file : attempt.assets) {
+        Query(connection, "INSERT INTO attempt_asset (attempt_id, file, digest) VALUES (?, ?, ?)")
+            .bind(attempt.id)
+            .bind(file.name)
+            .bind(file.digest)
+            .run();
+    }
+    Audit(store).append(session, attempt.id, "attempt.begin",
+                        json_object({{"task", attempt.task_id},
+                                     {"mode", row_of(attempt_modes, attempt.mode).name},
+                                     {"person", attempt.person_id}}),
+                        {{RecordKind::attempt, attempt.id}});
     transaction.commit();
 }
 
@@ -189,6 +221,12 @@ Recorder::Recorder(const std::string& store_path, const Session& session, Attemp
         throw StoreError(StoreErrorKind::sealed_demo, "the demo takes practice attempts only",
                          "choose practice, or make a programme");
     }
+    if (attempt.origin && attempt.mode != AttemptMode::practice)
+        bad("an attempt that continues another one is practice", "choose practice");
+    if (real && attempt.mode == AttemptMode::assessed) {
+        const std::vector<AssetFile> unknown = AcceptedAssets(store).unknown(attempt.assets);
+        if (!unknown.empty()) bad(practice_only_words(unknown), "perform it as practice");
+    }
     attempt.scene_digest = attempt.scene_text.empty() ? std::string() : text_digest(attempt.scene_text);
     if (attempt.id.empty()) attempt.id = random_uuid();
     if (attempt.started == 0) {
@@ -197,7 +235,7 @@ Recorder::Recorder(const std::string& store_path, const Session& session, Attemp
     }
     state.lock.emplace(store_path, attempt.id);
     try {
-        insert_attempt(store, attempt);
+        insert_attempt(store, session, attempt, *state.lock);
     } catch (...) {
         state.lock->release();
         throw;
@@ -273,7 +311,8 @@ bool Recorder::relabel_as_practice(const std::string& reason) {
             .run();
         Audit(store).append(
             state.session, state.meta.id, "attempt.practice",
-            json_object({{"from", row_of(attempt_modes, state.meta.mode).name}, {"reason", reason}}));
+            json_object({{"from", row_of(attempt_modes, state.meta.mode).name}, {"reason", reason}}),
+            {{RecordKind::attempt, state.meta.id}});
         transaction.commit();
     } catch (const StoreError& error) {
         if (error.kind() == StoreErrorKind::locked) return false;
@@ -304,6 +343,7 @@ void Recorder::finish(const AttemptResult& result) {
     if (result.state == AttemptState::running || result.state == AttemptState::voided)
         bad("an attempt ends neither running nor voided", "give the state in which it ended");
     const std::string state_name = row_of(attempt_states, result.state).name;
+    RecordingLock::leave(store, state.meta.id);
     Query ended(connection,
                 "UPDATE attempt SET state = ?, duration_s = ?, wall_s = ?, missed_ticks = ?, lost_samples = "
                 "?, events = ?, "
@@ -319,8 +359,10 @@ void Recorder::finish(const AttemptResult& result) {
         .run();
     Audit(store).append(
         state.session, state.meta.id, "attempt.finish",
-        json_object(
-            {{"state", state_name}, {"task", state.meta.task_id}, {"state_hash", result.state_hash}}));
+        json_object({{"state", state_name}, {"task", state.meta.task_id}, {"state_hash", result.state_hash}}),
+        {{RecordKind::attempt, state.meta.id}, {RecordKind::trace, state.meta.id}});
+    if (result.score && state.meta.origin)
+        bad("an attempt that continues another one is never scored", "finish it without a score");
     if (result.score) write_score(store, state.session, state.meta.id, *result.score);
     transaction.commit();
     state.committed(pending);

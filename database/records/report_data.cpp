@@ -56,12 +56,32 @@ class Provenance {
     template <typename Report>
     void write(Report& report) const {
         report.metric_versions.assign(metrics_.begin(), metrics_.end());
-        report.benchmark_sets.assign(sets_.begin(), sets_.end());
+        report.benchmark_sets = named_sets();
         report.program_versions.assign(programs_.begin(), programs_.end());
         report.audit_head = Audit(store_).head();
     }
 
   private:
+    /// With the beginning of the SHA-256 of each set's file, as assessed attempts used it: a name alone says
+    /// nothing about the limits.
+    std::vector<std::string> named_sets() const {
+        std::map<std::string, std::set<std::string>> digests;
+        Query rows(store_.connection(),
+                   "SELECT DISTINCT a.limits, f.digest FROM attempt_asset f JOIN attempt a ON a.id = "
+                   "f.attempt_id WHERE a.mode = 'assessed' AND substr(f.file, 1, 11) = 'benchmarks/'");
+        while (rows.next()) digests[rows.text(0)].insert(rows.text(1).substr(0, 16));
+        std::vector<std::string> sets;
+        for (const std::string& name : sets_) {
+            const auto known = digests.find(name);
+            if (known == digests.end()) {
+                sets.push_back(name);
+                continue;
+            }
+            for (const std::string& digest : known->second) sets.push_back(name + " sha256:" + digest);
+        }
+        return sets;
+    }
+
     const Store& store_;
     std::set<std::string> metrics_, sets_, programs_;
     std::set<std::array<std::string, 4>> seen_;
@@ -125,6 +145,17 @@ AttemptFilter all_of_person(const std::string& person_id) {
     filter.include_voided = false;
     filter.limit = -1;
     return filter;
+}
+
+PersonStandings standings_of(const Store& store, const PersonName& person,
+                             const std::vector<AttemptSummary>& attempts, const Curriculum& curriculum,
+                             std::int64_t at) {
+    PersonStandings standings =
+        person_standings(attempts, read_overrides(store.connection(), person.id), curriculum, at);
+    standings.person_id = person.id;
+    standings.login = person.login;
+    standings.name = person.name;
+    return standings;
 }
 
 void add_tasks(std::vector<std::string>& tasks, const std::vector<AttemptSummary>& attempts) {
@@ -193,9 +224,22 @@ CohortTable Reports::cohort_table(const Session& session, const std::string& coh
         for (const AttemptSummary& attempt : attempts[i]) {
             if (attempt.counting) provenance.add(attempt);
         }
+        if (options.curriculum != nullptr)
+            table.standings.push_back(
+                standings_of(store_, shown[i], attempts[i], *options.curriculum, table.as_of));
     }
+    if (options.curriculum != nullptr) table.curriculum = options.curriculum->name();
     provenance.write(table);
     return table;
+}
+
+PersonStandings Reports::standings(const Session& session, const std::string& person_id,
+                                   const Curriculum& curriculum, ReportPurpose purpose) const {
+    const Operation operation =
+        purpose == ReportPurpose::exported ? Operation::export_person : Operation::read_progress;
+    store_.require(session, operation, Subject::person(person_id));
+    return standings_of(store_, name_of(store_, person_id),
+                        query_attempts(store_, session, all_of_person(person_id)), curriculum, store_.now());
 }
 
 PersonProgress Reports::person_progress(const Session& session, const std::string& person_id,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "assessment/pathology/pathology.h"
+#include "database/records/cohort_standings.h"
 #include "database/rows/attempt_records.h"
 #include "database/store/store.h"
 
@@ -18,8 +19,9 @@ enum class TaskState { open, attempted, passed };
 const char* task_state_name(TaskState state);
 
 struct CohortTableOptions {
-    std::vector<std::string> tasks;  ///< columns; empty: the tasks that have attempts
-    bool include_synthetic = false;  ///< demo stores: always
+    std::vector<std::string> tasks;          ///< columns; empty: the tasks that have attempts
+    bool include_synthetic = false;          ///< demo stores: always
+    const Curriculum* curriculum = nullptr;  ///< null: no standings
 };
 
 /// One person, one task, one device class. A person who never tried a task has one row
@@ -44,8 +46,10 @@ struct CohortTable {
     int people = 0;                            ///< n
     int left_out_synthetic = 0;                ///< people of the cohort left out
     std::vector<CohortRow> rows;               ///< by name, then task, then device class
+    std::string curriculum;                    ///< "rectal@1"; empty: no standings were asked for
+    std::vector<PersonStandings> standings;    ///< of the same people, in the same order
     std::vector<std::string> metric_versions;  ///< "path_len@1", sorted
-    std::vector<std::string> benchmark_sets;   ///< "B1-operators@1", sorted
+    std::vector<std::string> benchmark_sets;   ///< "B1-operators@1 sha256:9f86d081884c7d65", sorted
     std::vector<std::string> program_versions;
     std::string audit_head;  ///< hex, printed on reports
 };
@@ -107,6 +111,10 @@ class Reports {
                                    ReportPurpose purpose = ReportPurpose::screen) const;
     AttemptReport attempt_report(const Session& session, const std::string& attempt_id,
                                  ReportPurpose purpose = ReportPurpose::screen) const;
+    /// Where a person stands in a curriculum, as in cohort_table.
+    PersonStandings standings(const Session& session, const std::string& person_id,
+                              const Curriculum& curriculum,
+                              ReportPurpose purpose = ReportPurpose::screen) const;
     /// The rows of cohort_table for one person.
     std::vector<CohortRow> person_table(const Session& session, const std::string& person_id,
                                         const std::vector<std::string>& tasks,

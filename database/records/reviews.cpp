@@ -114,7 +114,8 @@ void Reviews::send(const Session& educator, const std::string& comment_id) const
         .bind(comment_id)
         .run();
     // What was said stays out of the chain's payload: the administrator reads the chain, not the reviews.
-    Audit(store_).append(educator, comment_id, "comment.send", json_object({{"attempt", place.attempt_id}}));
+    Audit(store_).append(educator, comment_id, "comment.send", json_object({{"attempt", place.attempt_id}}),
+                         {{RecordKind::comment, comment_id}});
     transaction.commit();
 }
 

@@ -24,40 +24,69 @@ double wait_after(std::int64_t wrong_tries) {
         first_wait_s * std::exp2(static_cast<double>(std::min<std::int64_t>(wrong_tries - 1, 30))));
 }
 
-double remaining_wait_s(const Store& store, const std::string& login) {
-    Query row(store.connection(), "SELECT wrong_tries, last_wrong FROM sign_in_wait WHERE login_key = ?");
+struct Tries {
+    std::int64_t wrong = 0;
+    double since_last_s = 0;
+};
+
+/// Of this login. The time since the last try is that of the machine; after a restart at least the time since
+/// then has passed, whatever the clock says.
+Tries read_tries(const Store& store, const std::string& login) {
+    Query row(store.connection(), "SELECT wrong_tries, boot, boot_ms FROM sign_in_wait WHERE login_key = ?");
     row.bind(login_key(login));
-    if (!row.next()) return 0;
-    // A clock set back must not lock anyone out for longer than the wait itself.
-    const double since = static_cast<double>(std::max<std::int64_t>(0, store.now() - row.integer(1))) * 1e-3;
-    return std::max(0.0, wait_after(row.integer(0)) - since);
+    if (!row.next()) return {};
+    const BootTime now = store.boot_time();
+    const std::int64_t since = row.text(1) == now.boot ? now.ms - row.integer(2) : now.ms;
+    return {row.integer(0), static_cast<double>(std::max<std::int64_t>(0, since)) * 1e-3};
 }
 
-void require_no_wait(const Store& store, const std::string& login) {
-    const double wait = remaining_wait_s(store, login);
+double remaining_wait_s(const Tries& tries) {
+    return std::max(0.0, wait_after(tries.wrong) - tries.since_last_s);
+}
+
+/// Each longest wait without a try takes one off, so that what a colleague typed in the morning does not cost
+/// five minutes in the afternoon; more than lead to the longest wait are not counted.
+std::int64_t remembered(const Tries& tries) {
+    constexpr std::int64_t most = 7;
+    const auto forgotten = static_cast<std::int64_t>(tries.since_last_s / longest_wait_s);
+    return std::clamp<std::int64_t>(tries.wrong - forgotten, 0, most);
+}
+
+/// Counts the try as a wrong one before it is looked at, so that of many at the same time one is looked at.
+/// Throws SignInRefused while the login has to wait; such a try counts for nothing.
+void begin_try(const Store& store, const std::string& login) {
+    Transaction transaction(store.connection());
+    const Tries before = read_tries(store, login);
+    const double wait = remaining_wait_s(before);
     if (wait > 0) {
         const auto seconds = static_cast<long>(std::ceil(wait));
         throw SignInRefused(SignInRefused::Reason::wait, wait,
                             "too many wrong tries with this login; wait " + std::to_string(seconds) + " s");
     }
+    const BootTime now = store.boot_time();
+    Query(store.connection(),
+          "DELETE FROM sign_in_wait WHERE (boot = ? AND boot_ms < ?) OR (boot <> ? AND ? > 0)")
+        .bind(now.boot)
+        .bind(now.ms - wait_forgotten_ms)
+        .bind(now.boot)
+        .bind(now.ms - wait_forgotten_ms)
+        .run();
+    Query(store.connection(),
+          "INSERT INTO sign_in_wait (login_key, wrong_tries, last_try, boot, boot_ms) VALUES (?, ?, ?, ?, ?) "
+          "ON CONFLICT (login_key) DO UPDATE SET wrong_tries = excluded.wrong_tries, last_try = "
+          "excluded.last_try, boot = excluded.boot, boot_ms = excluded.boot_ms")
+        .bind(login_key(login))
+        .bind(remembered(before) + 1)
+        .bind(store.now())
+        .bind(now.boot)
+        .bind(now.ms)
+        .run();
+    transaction.commit();
 }
 
+/// The try that begin_try() counted was wrong.
 [[noreturn]] void refuse_wrong_try(const Store& store, const std::string& login, const char* what) {
-    {
-        Transaction transaction(store.connection());
-        Query(store.connection(), "DELETE FROM sign_in_wait WHERE last_wrong < ?")
-            .bind(store.now() - wait_forgotten_ms)
-            .run();
-        Query(store.connection(),
-              "INSERT INTO sign_in_wait (login_key, wrong_tries, last_wrong) VALUES (?, 1, ?) "
-              "ON CONFLICT (login_key) DO UPDATE SET wrong_tries = wrong_tries + 1, last_wrong = "
-              "excluded.last_wrong")
-            .bind(login_key(login))
-            .bind(store.now())
-            .run();
-        transaction.commit();
-    }
-    const double wait = remaining_wait_s(store, login);
+    const double wait = remaining_wait_s(read_tries(store, login));
     throw SignInRefused(SignInRefused::Reason::wrong, wait,
                         std::string(what) + "; the next try is looked at in " +
                             std::to_string(static_cast<long>(std::ceil(wait))) + " s");
@@ -67,6 +96,8 @@ struct Account {
     std::string id, login, name, verifier;
     bool active = false, one_time = false;
     std::int64_t expires = 0;
+    std::string boot;  ///< machine start at which the password was made
+    std::int64_t boot_ms = 0;
 };
 
 /// Empty id if no account has the login, or the account cannot sign in.
@@ -74,21 +105,13 @@ Account find_account(const Store& store, const std::string& login) {
     Account account;
     Query row(
         store.connection(),
-        "SELECT p.id, p.login, p.display_name, c.verifier, p.active, c.one_time, COALESCE(c.expires, 0) "
+        "SELECT p.id, p.login, p.display_name, c.verifier, p.active, c.one_time, COALESCE(c.expires, 0), "
+        "c.boot, c.boot_ms "
         "FROM person p JOIN credential c ON c.person_id = p.id WHERE p.login_key = ? AND p.active = 1");
     row.bind(login_key(login));
     if (!row.next()) return account;
-    account = {row.text(0), row.text(1), row.text(2), row.text(3), row.flag(4), row.flag(5), row.integer(6)};
-    return account;
-}
-
-/// Throws SignInRefused after counting the try.
-Account require_right_password(const Store& store, const std::string& login, const std::string& password) {
-    require_no_wait(store, login);
-    Account account = find_account(store, login);
-    const bool right =
-        account.id.empty() ? verify_nothing(password) : verify_secret(account.verifier, password);
-    if (!right) refuse_wrong_try(store, login, "login or password wrong");
+    account = {row.text(0), row.text(1),    row.text(2), row.text(3),   row.flag(4),
+               row.flag(5), row.integer(6), row.text(7), row.integer(8)};
     return account;
 }
 
@@ -96,23 +119,58 @@ void forget_wrong_tries(const Store& store, const std::string& login) {
     Query(store.connection(), "DELETE FROM sign_in_wait WHERE login_key = ?").bind(login_key(login)).run();
 }
 
+/// Throws SignInRefused after counting the try; a right password is no wrong try.
+Account require_right_password(const Store& store, const std::string& login, const std::string& password) {
+    begin_try(store, login);
+    Account account = find_account(store, login);
+    const bool right =
+        account.id.empty() ? verify_nothing(password) : verify_secret(account.verifier, password);
+    if (!right) refuse_wrong_try(store, login, "login or password wrong");
+    forget_wrong_tries(store, login);
+    return account;
+}
+
+/// The newest time that the audit log has from after the password was issued: a clock that was set back since
+/// then does not make the password younger.
+UtcMilliseconds newest_time_since_issue(const Store& store, const std::string& person_id) {
+    Query row(store.connection(),
+              "SELECT COALESCE(MAX(time), 0) FROM audit_entry WHERE station_id = ? AND sequence >= (SELECT "
+              "MAX(sequence) FROM audit_entry WHERE station_id = ? AND object_id = ? AND operation IN "
+              "('person.create', 'password.issue_one_time'))");
+    row.bind(store.station_id()).bind(store.station_id()).bind(person_id);
+    return row.next() ? row.integer(0) : 0;
+}
+
+/// Throws SignInRefused for a one-time password that is older than 24 h by the clock, by the time since the
+/// machine was started, or by what the audit log has seen.
+void require_valid(const Store& store, const Account& account) {
+    if (!account.one_time) return;
+    const BootTime now = store.boot_time();
+    const std::int64_t since_boot = account.boot == now.boot ? now.ms - account.boot_ms : now.ms;
+    const UtcMilliseconds newest = std::max(store.now(), newest_time_since_issue(store, account.id));
+    if (newest <= account.expires && since_boot <= one_time_password_valid_ms) return;
+    throw SignInRefused(SignInRefused::Reason::expired, 0,
+                        "this one-time password has expired (24 h); ask an administrator for another");
+}
+
 }  // namespace
 
 void write_verifier(const Store& store, const std::string& person_id, const std::string& verifier,
                     bool one_time) {
-    Query query(store.connection(),
-                "INSERT INTO credential (person_id, verifier, one_time, expires, changed) VALUES (?, ?, ?, "
-                "?, ?) ON CONFLICT (person_id) "
-                "DO UPDATE SET verifier = excluded.verifier, one_time = excluded.one_time, expires = "
-                "excluded.expires, "
-                "changed = excluded.changed");
+    Query query(
+        store.connection(),
+        "INSERT INTO credential (person_id, verifier, one_time, expires, changed, boot, boot_ms) VALUES "
+        "(?, ?, ?, ?, ?, ?, ?) ON CONFLICT (person_id) DO UPDATE SET verifier = excluded.verifier, "
+        "one_time = excluded.one_time, expires = excluded.expires, changed = excluded.changed, boot = "
+        "excluded.boot, boot_ms = excluded.boot_ms");
     query.bind(person_id).bind(verifier).bind(one_time);
     if (one_time) {
         query.bind(store.now() + one_time_password_valid_ms);
     } else {
         query.bind_null();
     }
-    query.bind(store.now()).run();
+    const BootTime since_boot = store.boot_time();
+    query.bind(store.now()).bind(since_boot.boot).bind(since_boot.ms).run();
 }
 
 CreatedProgramme People::create_programme(const std::string& programme, const std::string& login,
@@ -123,7 +181,7 @@ CreatedProgramme People::create_programme(const std::string& programme, const st
                          "make a store of your own");
     }
     require_name(programme, "programme's name");
-    require_login(login);
+    require_persons_login(login);
     require_name(display_name, "name");
     require_password(password);
     const std::string recovery_code = make_recovery_code();
@@ -146,13 +204,15 @@ CreatedProgramme People::create_programme(const std::string& programme, const st
         .bind(store_.now())
         .bind(recovery_verifier)
         .run();
+    make_room_for(store_, store_.station_session(), login);
     const std::string id = insert_person(store_, login, display_name, PersonKind::real);
     write_roles(connection, id, {Role::administrator});
     write_verifier(store_, id, verifier, false);
     Session session = SessionMaker::person(id, login, display_name, {Role::administrator},
                                            Role::administrator, store_.station_id(), false, false);
     Audit(store_).append(session, programme_id, "programme.create",
-                         json_object({{"programme", programme}, {"administrator", id}, {"login", login}}));
+                         json_object({{"programme", programme}, {"administrator", id}, {"login", login}}),
+                         {{RecordKind::programme, programme_id}, {RecordKind::person, id}});
     transaction.commit();
     return {std::move(session), recovery_code};
 }
@@ -160,10 +220,7 @@ CreatedProgramme People::create_programme(const std::string& programme, const st
 Session People::sign_in(const std::string& login, const std::string& password,
                         std::optional<Role> role) const {
     const Account account = require_right_password(store_, login, password);
-    if (account.one_time && store_.now() > account.expires) {
-        throw SignInRefused(SignInRefused::Reason::expired, 0,
-                            "this one-time password has expired (24 h); ask an administrator for another");
-    }
+    require_valid(store_, account);
     const std::vector<Role> roles = roles_of(store_.connection(), account.id);
     if (roles.empty() || (role && std::find(roles.begin(), roles.end(), *role) == roles.end())) {
         throw SignInRefused(SignInRefused::Reason::role_not_held, 0,
@@ -175,7 +232,6 @@ Session People::sign_in(const std::string& login, const std::string& password,
         SessionMaker::person(account.id, account.login, account.name, roles, role.value_or(roles.front()),
                              store_.station_id(), account.one_time, false);
     Transaction transaction(store_.connection());
-    forget_wrong_tries(store_, login);
     Query(store_.connection(),
           "INSERT INTO sign_in (person_id, station_id, last) VALUES (?, ?, ?) "
           "ON CONFLICT (person_id, station_id) DO UPDATE SET last = excluded.last")
@@ -215,7 +271,7 @@ Session People::demo_session(const std::string& login, Role role) const {
 }
 
 double People::sign_in_wait_s(const std::string& login) const {
-    return remaining_wait_s(store_, login);
+    return remaining_wait_s(read_tries(store_, login));
 }
 
 bool People::sign_in_picker() const {
@@ -227,7 +283,8 @@ void People::set_sign_in_picker(const Session& administrator, bool on) const {
     Transaction transaction(store_.connection());
     write_setting(store_.connection(), "sign_in_picker", on ? "1" : "0");
     Audit(store_).append(administrator, store_.station_id(), "setting.sign_in_picker",
-                         json_object({{"after", on ? "on" : "off"}}));
+                         json_object({{"after", on ? "on" : "off"}}),
+                         {{RecordKind::setting, "sign_in_picker"}});
     transaction.commit();
 }
 
@@ -251,18 +308,14 @@ Session People::change_password(const Session& session, const std::string& old_p
     if (account.id != session.person_id()) {
         throw AccessDenied("change_password", role_name(session.role()), "someone else's login");
     }
-    if (account.one_time && store_.now() > account.expires) {
-        throw SignInRefused(SignInRefused::Reason::expired, 0,
-                            "this one-time password has expired (24 h); ask an administrator for another");
-    }
+    require_valid(store_, account);
     if (old_password == new_password) {
         throw StoreError(StoreErrorKind::bad_value, "the new password is the old one", "choose another");
     }
     const std::string verifier = make_verifier(new_password);
     Transaction transaction(store_.connection());
     write_verifier(store_, account.id, verifier, false);
-    forget_wrong_tries(store_, session.login());
-    Audit(store_).append(session, account.id, "password.change", "{}");
+    Audit(store_).append(session, account.id, "password.change", "{}", {{RecordKind::person, account.id}});
     transaction.commit();
     return SessionMaker::person(session.person_id(), session.login(), session.display_name(), session.roles(),
                                 session.role(), session.station_id(), false, false);
@@ -285,7 +338,8 @@ std::string People::issue_one_time_password(const Session& administrator,
     }
     write_verifier(store_, person_id, verifier, true);
     forget_wrong_tries(store_, person.login);
-    Audit(store_).append(administrator, person_id, "password.issue_one_time", "{}");
+    Audit(store_).append(administrator, person_id, "password.issue_one_time", "{}",
+                         {{RecordKind::person, person_id}});
     transaction.commit();
     return password;
 }
@@ -293,12 +347,12 @@ std::string People::issue_one_time_password(const Session& administrator,
 std::string People::recover_administrator(const std::string& login, const std::string& recovery_code,
                                           const std::string& new_password) const {
     require_password(new_password);
-    require_no_wait(store_, login);
+    begin_try(store_, login);
     const Account account = find_account(store_, login);
-    std::string recovery_verifier;
+    std::string recovery_verifier, programme_id;
     {
-        Query row(store_.connection(), "SELECT recovery_verifier FROM programme LIMIT 1");
-        if (row.next()) recovery_verifier = row.text(0);
+        Query row(store_.connection(), "SELECT recovery_verifier, id FROM programme LIMIT 1");
+        if (row.next()) recovery_verifier = row.text(0), programme_id = row.text(1);
     }
     const bool last = !account.id.empty() && is_last_administrator(store_.connection(), account.id);
     const std::string code = normalise_recovery_code(recovery_code);
@@ -319,7 +373,8 @@ std::string People::recover_administrator(const std::string& login, const std::s
     const Session session =
         SessionMaker::person(account.id, account.login, account.name, {Role::administrator},
                              Role::administrator, store_.station_id(), false, false);
-    Audit(store_).append(session, account.id, "password.recover", "{}");
+    Audit(store_).append(session, account.id, "password.recover", "{}",
+                         {{RecordKind::person, account.id}, {RecordKind::programme, programme_id}});
     transaction.commit();
     return next_code;
 }

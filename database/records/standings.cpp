@@ -2,6 +2,7 @@
 #include "database/records/standings.h"
 
 #include "database/records/attempt_query.h"
+#include "database/records/cohort_standings.h"
 #include "database/rows/crypto.h"
 #include "database/store/audit.h"
 #include "database/store/override_rows.h"
@@ -27,9 +28,7 @@ PersonRecord Standings::record(const Session& session, const std::string& person
     filter.limit = -1;
     for (const AttemptSummary& attempt : query_attempts(store_, session, filter)) {
         if (!counted_once(attempt)) continue;
-        record.attempts.push_back({attempt.meta.id, attempt.meta.task_id, attempt.meta.started,
-                                   attempt.meta.utc_offset_min, attempt.meta.device_class, *attempt.passed,
-                                   attempt.provisional, attempt.voided_at});
+        record.attempts.push_back(counted_attempt(attempt));
     }
     for (const OverrideRow& row : overrides(session, person_id)) record.overrides.push_back(row.decision);
     return record;
@@ -56,7 +55,8 @@ std::string Standings::decide(const Session& educator, const std::string& person
     row.reason = reason;
     Transaction transaction(connection);
     write_override(connection, row);
-    Audit(store_).append(educator, row.decision.id, "standing.decide", override_payload(row));
+    Audit(store_).append(educator, row.decision.id, "standing.decide", override_payload(row),
+                         {{RecordKind::decision, row.decision.id}});
     transaction.commit();
     return row.decision.id;
 }

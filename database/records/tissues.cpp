@@ -109,7 +109,8 @@ int Tissues::set(const Session& educator, const std::string& task_id, int seen, 
                               {QStringLiteral("after"), json_of(after)},
                               {QStringLiteral("reason"), QString::fromStdString(reason)}};
     Audit(store_).append(educator, task_id, "tissue.set",
-                         QJsonDocument(payload).toJson(QJsonDocument::Compact).toStdString());
+                         QJsonDocument(payload).toJson(QJsonDocument::Compact).toStdString(),
+                         {{RecordKind::tissues, task_id + " " + std::to_string(after.version)}});
     transaction.commit();
     return after.version;
 }

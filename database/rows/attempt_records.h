@@ -11,8 +11,25 @@
 
 #include "assessment/metrics/metric.h"
 #include "assessment/task/attempt_words.h"
+#include "sim_core/instrument/device.h"
 
 namespace fulcrum::database {
+
+/// Where practice began that did not begin at the beginning: with a state of another attempt, or of a
+/// demonstration at the beginning of a goal.
+struct AttemptOrigin {
+    std::string source_id;            ///< the attempt that it continues; empty: a demonstration
+    std::uint32_t tick = 0;           ///< last tick of the source; the first of this attempt is the next
+    int goal = 0;                     ///< index of the goal that it begins in
+    std::string build;                ///< that wrote `state`, and can read it
+    std::vector<std::uint8_t> state;  ///< pack_bytes() of the engine's; not read back with the attempt
+};
+
+/// A file that decides a result: a scene, a task, a benchmark set, a curriculum.
+struct AssetFile {
+    std::string name;    ///< within the assets folder, "benchmarks/A2.json"
+    std::string digest;  ///< SHA-256 of its bytes, hex, as `sha256sum` prints it
+};
 
 /// Known before the first tick; written when the recorder opens.
 struct AttemptMeta {
@@ -22,9 +39,10 @@ struct AttemptMeta {
     int task_version = 1;
     AttemptMode mode = AttemptMode::practice;
     DeviceClass device_class = DeviceClass::mouse_keyboard;
-    std::string device;         ///< what the device calls itself
-    std::string operator_name;  ///< synthetic operator preset, or empty
-    std::string variant;        ///< anatomy variant
+    std::string device;          ///< what the device calls itself
+    std::string operator_name;   ///< synthetic operator preset, or empty
+    std::string variant;         ///< anatomy variant
+    ForceDevices force_devices;  ///< what the hands' devices could render, with the force scale
     std::uint64_t seed = 0;
     std::string fidelity;
     std::string scene;         ///< file name
@@ -32,10 +50,12 @@ struct AttemptMeta {
     std::string scene_digest;  ///< BLAKE2b-256 of scene_text, hex, made by the recorder; empty without it
     std::string curriculum;    ///< id@version or empty
     std::string limits;        ///< benchmark set id@version in force at the start, or empty
+    std::vector<AssetFile> assets;  ///< what it is performed with; not read back with the attempt
     std::string program_version;
-    std::string cpu_features;  ///< feature level, for replay
-    std::int64_t started = 0;  ///< UTC ms; 0: the recorder's clock
-    int utc_offset_min = 0;    ///< local time minus UTC; filled by the recorder if started == 0
+    std::string cpu_features;             ///< feature level, for replay
+    std::int64_t started = 0;             ///< UTC ms; 0: the recorder's clock
+    int utc_offset_min = 0;               ///< local time minus UTC; filled by the recorder if started == 0
+    std::optional<AttemptOrigin> origin;  ///< of practice only; such an attempt is never scored
 };
 
 /// One value, or why it is absent.

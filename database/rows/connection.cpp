@@ -194,6 +194,12 @@ void Query::run() {
     if (!query_.exec()) connection_.fail(query_.lastError().databaseText());
 }
 
+Query& Query::again() {
+    query_.finish();
+    ran_ = has_ahead_ = false;
+    return *this;
+}
+
 void Query::read_ahead() {
     has_ahead_ = query_.next();
     if (!has_ahead_) {

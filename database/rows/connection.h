@@ -67,6 +67,8 @@ class Query {
     Query& bind(const std::optional<bool>& value);
     Query& bind_null();
     void run();
+    /// Ready to be bound and run once more.
+    Query& again();
     /// Runs at the first call. False after the last row.
     bool next();
     std::string text(int column) const;
@@ -78,6 +80,8 @@ class Query {
     std::optional<bool> optional_flag(int column) const;
     std::vector<std::uint8_t> bytes(int column) const;
     int rows_changed() const;
+    /// All values of the row that next() read.
+    const std::vector<QVariant>& row() const noexcept { return row_; }
 
   private:
     const QVariant& value(int column) const { return row_.at(static_cast<std::size_t>(column)); }

@@ -21,9 +21,16 @@ std::string to_hex(const Bytes& bytes);
 /// BLAKE2b-256 of a text, hex.
 std::string text_digest(const std::string& text);
 
+/// SHA-256 of a text, hex, as `sha256sum` prints it for a file.
+std::string sha256_hex(const std::string& text);
+
 /// Argon2id, interactive limits (64 MiB, about 0.1 s).
 std::string make_verifier(const std::string& secret);
 bool verify_secret(const std::string& verifier, const std::string& secret);
+/// Of a secret that nobody knows, at the cost of make_verifier(): ready from the start, so that a program's
+/// first wrong try with an unknown login takes no longer than with a known one.
+inline constexpr char nobodys_verifier[] =
+    "$argon2id$v=19$m=65536,t=2,p=1$oKnGHLxqEMkp0j3yWp2mZA$2f8q0cB6Hk3vEwXz1mJpQyTnRsUoLaKdGhFiVbNcMeY";
 /// Takes as long as a verification and fails: a login that does not exist answers as slowly as one that does.
 bool verify_nothing(const std::string& secret);
 

@@ -1,17 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/scoring/loaded_task.h"
 
+#include <filesystem>
+
 #include "assessment/assets/assets.h"
 #include "database/records/tissues.h"
+#include "database/rows/crypto.h"
 #include "sim_core/scene/fidelity.h"
 #include "sim_core/scene/json_document.h"
 
 namespace fulcrum {
 namespace {
 
-LoadedTask load(TaskDefinition task, std::string scene_text, const std::string& file,
-                const std::string& fidelity) {
-    LoadedTask loaded{std::move(task), parse_scene(scene_text, file), {}};
+struct TaskFile {
+    TaskDefinition task;
+    database::AssetFile file;
+};
+
+/// Read once, so that the digest is that of what was understood.
+TaskFile read_task(const std::string& task_id) {
+    const std::string path = task_file(task_id);
+    const std::string text = read_text_file(path, JsonLimits().bytes);
+    return {parse_task(text, path),
+            {"tasks/" + std::filesystem::path(path).filename().string(), database::sha256_hex(text)}};
+}
+
+LoadedTask load(TaskFile task, std::string scene_text, const std::string& file, const std::string& fidelity) {
+    LoadedTask loaded{std::move(task.task), parse_scene(scene_text, file), {}, {std::move(task.file)}};
     loaded.scene_text = std::move(scene_text);
     if (!fidelity.empty()) loaded.scene.fidelity = named_fidelity(fidelity);
     return loaded;
@@ -21,11 +36,13 @@ LoadedTask load(TaskDefinition task, std::string scene_text, const std::string& 
 
 LoadedTask load_task_and_scene(const std::string& task_id, const std::string& fidelity,
                                const CuttingValues& cutting, const std::string& source) {
-    TaskDefinition task = load_task(task_file(task_id));
-    const std::string path = asset_path("scenes/" + task.scene);
-    const std::string text = with_cutting_values(read_text_file(path, JsonLimits().bytes),
-                                                 source.empty() ? path : source, cutting);
-    return load(std::move(task), text, path, fidelity);
+    TaskFile task = read_task(task_id);
+    const std::string name = "scenes/" + task.task.scene, path = asset_path(name);
+    const std::string text = read_text_file(path, JsonLimits().bytes);
+    LoadedTask loaded = load(
+        std::move(task), with_cutting_values(text, source.empty() ? path : source, cutting), path, fidelity);
+    loaded.assets.push_back({name, database::sha256_hex(text)});
+    return loaded;
 }
 
 LoadedTask load_site_task(const database::Store& store, const database::Session& session,
@@ -41,8 +58,7 @@ LoadedTask load_recorded(const database::Attempts& attempts, const database::Ses
     const std::string fidelity = summary.meta.fidelity == "standard" ? std::string() : summary.meta.fidelity;
     const std::string text = attempts.scene_text(session, summary.meta.id);
     if (text.empty()) return load_task_and_scene(summary.meta.task_id, fidelity);
-    return load(load_task(task_file(summary.meta.task_id)), text, "scene of attempt " + summary.meta.id,
-                fidelity);
+    return load(read_task(summary.meta.task_id), text, "scene of attempt " + summary.meta.id, fidelity);
 }
 
 }  // namespace fulcrum

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "assessment/task/task.h"
 #include "database/records/attempts.h"
@@ -16,7 +17,8 @@ namespace fulcrum {
 struct LoadedTask {
     TaskDefinition task;
     Scene scene;
-    std::string scene_text;  ///< what `scene` was read from, its fidelity aside
+    std::string scene_text;                   ///< what `scene` was read from, its fidelity aside
+    std::vector<database::AssetFile> assets;  ///< the files of task and scene, as they were read
 };
 /// Throws InputError. `fidelity` empty: the scene's own. `cutting`: values in place of the scene file's own;
 /// errors about them name `source`.

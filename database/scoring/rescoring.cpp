@@ -41,8 +41,7 @@ database::ScoringInForce scoring_in_force() {
         const BenchmarkKey key{attempt.task_id, attempt.variant, limits_class(attempt.device_class),
                                attempt.fidelity};
         const auto [entry, added] = names->try_emplace(benchmark_name(key));
-        const std::optional<BenchmarkSet> set = added ? benchmark_in_force(key) : std::nullopt;
-        if (set) entry->second = Limits(*set).name();
+        if (added) entry->second = benchmark_in_force(key).name();
         return entry->second;
     };
     return now;

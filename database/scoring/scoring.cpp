@@ -8,7 +8,9 @@
 #include "assessment/assets/assets.h"
 #include "assessment/metrics/metrics_json.h"
 #include "assessment/metrics/version.h"
+#include "database/rows/crypto.h"
 #include "sim_core/numerics/input_error.h"
+#include "sim_core/scene/json_document.h"
 
 namespace fulcrum {
 
@@ -55,15 +57,17 @@ std::string Limits::name() const {
            std::to_string(set->version);
 }
 
-std::optional<BenchmarkSet> benchmark_in_force(const BenchmarkKey& key) {
+Limits benchmark_in_force(const BenchmarkKey& key) {
     const std::string path = file_of(key);
-    if (!std::filesystem::exists(path)) return std::nullopt;
-    BenchmarkSet set = load_benchmark(path);
+    if (!std::filesystem::exists(path)) return {};
+    const std::string text = read_text_file(path, JsonLimits().bytes);
+    BenchmarkSet set = parse_benchmark(text, path);
     if (benchmark_name(set.key()) != benchmark_name(key))
         throw InputError(path, "/",
                          "holds the set " + benchmark_name(set.key()) + ", not " + benchmark_name(key),
                          "name the file after its task, variant, device class and fidelity");
-    return set;
+    return Limits(std::move(set),
+                  {"benchmarks/" + benchmark_name(key) + ".json", database::sha256_hex(text)});
 }
 
 Limits limits_for(const TaskDefinition& task, const Scene& scene, DeviceClass device_class) {
@@ -71,18 +75,23 @@ Limits limits_for(const TaskDefinition& task, const Scene& scene, DeviceClass de
                                     [](const GateSpec& gate) { return gate.kind == GateKind::benchmark; });
     if (!needed) return {};
     const BenchmarkKey key{task.id, scene.variant, limits_class(device_class), scene.fidelity.id};
-    Limits limits;
-    limits.set = benchmark_in_force(key);
+    Limits limits = benchmark_in_force(key);
     limits.not_comparable =
         limits.set ? why_other_tissue(*limits.set, scene, task.scene) : why_none(key, device_class);
     return limits;
 }
 
 Limits limits_at_start(const TaskDefinition& task, const Scene& scene, DeviceClass device_class,
-                       const std::string& name) {
+                       const std::string& name, const std::vector<database::AssetFile>& assets) {
     Limits limits = limits_for(task, scene, device_class);
-    if (limits.name() == name) return limits;
+    const auto then = std::find_if(assets.begin(), assets.end(), [&](const database::AssetFile& file) {
+        return file.name == limits.file.name;
+    });
+    const bool same = assets.empty() || limits.file.name.empty() ||
+                      (then != assets.end() && then->digest == limits.file.digest);
+    if (limits.name() == name && same) return limits;
     limits.set.reset();
+    limits.file = {};
     limits.not_comparable = StatementId::limits_replaced;
     return limits;
 }

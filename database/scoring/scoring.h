@@ -29,9 +29,11 @@ struct ScoredAttempt {
 /// What an attempt is held against.
 struct Limits {
     Limits() = default;
-    explicit Limits(BenchmarkSet in_force) : set(std::move(in_force)) {}
+    explicit Limits(BenchmarkSet in_force, database::AssetFile from = {})
+        : set(std::move(in_force)), file(std::move(from)) {}
 
     std::optional<BenchmarkSet> set;  ///< of the attempt's key
+    database::AssetFile file;         ///< what `set` was read from; no name without a set
     /// Why gates based on the experts' range are not judged: the task has limits, but not for this device
     /// class, fidelity, variant or tissue. Without a set and without this the task has none at all.
     Statement not_comparable;
@@ -41,16 +43,17 @@ struct Limits {
     /// The set where attempts are compared with it, else null.
     const BenchmarkSet* comparable() const { return set && not_comparable.empty() ? &*set : nullptr; }
 };
-/// The set of this key in assets/benchmarks (benchmark_name()). Throws InputError where the file holds
-/// another one.
-std::optional<BenchmarkSet> benchmark_in_force(const BenchmarkKey& key);
+/// The set of this key in assets/benchmarks (benchmark_name()); without a set where there is none. Throws
+/// InputError where the file holds another one.
+Limits benchmark_in_force(const BenchmarkKey& key);
 /// The limits in force for attempts at this task in this scene with this device. `scene`: with the fidelity
 /// and the tissue values of the attempt.
 Limits limits_for(const TaskDefinition& task, const Scene& scene, DeviceClass device_class);
-/// Those that were in force when the attempt began, by the name stored with it; once replaced they are not
+/// Those that were in force when the attempt began, by the name and the files stored with it (none: an
+/// attempt from before files were kept); once replaced, or changed under the same name, they are not
 /// comparable.
 Limits limits_at_start(const TaskDefinition& task, const Scene& scene, DeviceClass device_class,
-                       const std::string& name);
+                       const std::string& name, const std::vector<database::AssetFile>& assets = {});
 
 /// Pure. `targets`: centres of the scene's targets for this seed.
 ScoredAttempt score_record(const Scene& scene, const TaskDefinition& task,

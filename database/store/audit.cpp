@@ -3,9 +3,12 @@
 
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <map>
+#include <set>
 
 #include "database/rows/connection.h"
 #include "database/rows/crypto.h"
+#include "database/rows/json.h"
 
 namespace fulcrum::database {
 namespace {
@@ -48,10 +51,29 @@ Bytes payload_digest(const Bytes& salt, const std::string& payload) {
 }
 
 constexpr const char* role_key = "as";
+constexpr const char* erasure = "payload.erase";
+constexpr const char* erased_key = "rows";
 
-std::string with_role(const std::string& payload, Role role) {
+/// The payload as it is stored: role, what the caller says, digests of records.
+std::string stored_payload(Connection& connection, const std::string& payload, Role role,
+                           const std::vector<RecordName>& records) {
     std::string text = std::string("{\"") + role_key + "\": \"" + role_name(role) + "\"";
-    return text + (payload == "{}" ? "}" : ", " + payload.substr(1));
+    text += payload == "{}" ? "}" : ", " + payload.substr(1);
+    if (records.empty()) return text;
+    QJsonObject digests;
+    RecordDigests digest(connection);
+    for (const RecordName& name : records)
+        digests.insert(QString::fromStdString(name.text()), QString::fromStdString(digest.of(name)));
+    text.pop_back();
+    return text + ", \"" + records_key +
+           "\": " + QJsonDocument(digests).toJson(QJsonDocument::Compact).toStdString() + "}";
+}
+
+/// Sequences that a row of this operation says were erased.
+void add_erased(const std::string& payload, std::set<std::int64_t>& erased) {
+    const QJsonObject said = QJsonDocument::fromJson(QByteArray::fromStdString(payload)).object();
+    for (const QString& row : said.value(QLatin1String(erased_key)).toString().split(QLatin1Char(' ')))
+        erased.insert(row.toLongLong());
 }
 
 bool is_about_an_attempt(const std::string& operation) {
@@ -70,6 +92,7 @@ void show_payload(const std::string& payload, AuditEntry& entry) {
     }
     QJsonObject members = document.object();
     entry.role = members.take(QLatin1String(role_key)).toString().toStdString();
+    members.remove(QLatin1String(records_key));
     if (is_about_an_attempt(entry.operation)) {
         for (const char* words : {"reason", "text", "state"}) {
             if (members.contains(QLatin1String(words)))
@@ -82,10 +105,10 @@ void show_payload(const std::string& payload, AuditEntry& entry) {
 }  // namespace
 
 void Audit::append(const Session& actor, const std::string& object_id, const std::string& operation,
-                   const std::string& deed_json) const {
-    const std::string payload_json = with_role(deed_json, actor.role());
+                   const std::string& deed_json, const std::vector<RecordName>& records) const {
     Connection& connection = store_.connection();
     Transaction transaction(connection);
+    const std::string payload_json = stored_payload(connection, deed_json, actor.role(), records);
     Query last(connection,
                "SELECT sequence, hash FROM audit_entry WHERE station_id = ? ORDER BY sequence DESC LIMIT 1");
     last.bind(store_.station_id());
@@ -124,11 +147,34 @@ void Audit::append(const Session& actor, const std::string& object_id, const std
     transaction.commit();
 }
 
+void Audit::erase_payloads(const Session& actor, const std::vector<std::int64_t>& sequences,
+                           const std::string& reason, const std::vector<RecordName>& records) const {
+    Transaction transaction(store_.connection());
+    std::string rows;
+    for (const std::int64_t sequence : sequences) {
+        Query(store_.connection(), "DELETE FROM audit_payload WHERE station_id = ? AND sequence = ?")
+            .bind(store_.station_id())
+            .bind(sequence)
+            .run();
+        rows += (rows.empty() ? "" : " ") + std::to_string(sequence);
+    }
+    append(actor, store_.station_id(), erasure, json_object({{erased_key, rows}, {"reason", reason}}),
+           records);
+    transaction.commit();
+}
+
 std::string Audit::head() const {
     Query last(store_.connection(),
                "SELECT hash FROM audit_entry WHERE station_id = ? ORDER BY sequence DESC LIMIT 1");
     last.bind(store_.station_id());
     return to_hex(last.next() ? last.bytes(0) : Bytes(hash_size, 0));
+}
+
+bool Audit::has_head(const std::string& hex) const {
+    Query row(store_.connection(),
+              "SELECT 1 FROM audit_entry WHERE substr(lower(hex(hash)), 1, ?) = lower(?)");
+    row.bind(static_cast<std::int64_t>(hex.size())).bind(hex);
+    return row.next();
 }
 
 std::int64_t Audit::count() const {
@@ -208,6 +254,7 @@ std::vector<std::string> Audit::verify() const {
     std::string station;
     Bytes previous(hash_size, 0);
     std::int64_t expected = 1;
+    std::map<std::string, std::set<std::int64_t>> erased, missing;  // by station
     while (rows.next()) {
         if (rows.text(0) != station) {
             station = rows.text(0);
@@ -226,12 +273,27 @@ std::vector<std::string> Audit::verify() const {
                      rows.text(5), digest) != hash) {
             problems.push_back(place + ": changed after it was written");
         }
-        if (!rows.is_null(9) && payload_digest(rows.bytes(9), rows.text(10)) != digest) {
+        if (rows.is_null(9)) {
+            missing[station].insert(sequence);
+        } else if (payload_digest(rows.bytes(9), rows.text(10)) != digest) {
             problems.push_back(place + ": its payload was changed");
+        } else if (rows.text(5) == erasure) {
+            add_erased(rows.text(10), erased[station]);
         }
         previous = hash;
         expected = sequence + 1;
     }
+    for (const auto& [at, sequences] : missing) {
+        for (const std::int64_t sequence : sequences) {
+            if (erased[at].count(sequence) == 0)
+                problems.push_back("audit row " + std::to_string(sequence) +
+                                   ": its payload is gone, and no erasure is in the audit log");
+        }
+    }
+    Query loose(store_.connection(),
+                "SELECT p.sequence FROM audit_payload p WHERE NOT EXISTS (SELECT 1 FROM audit_entry e WHERE "
+                "e.station_id = p.station_id AND e.sequence = p.sequence)");
+    while (loose.next()) problems.push_back("audit row " + loose.text(0) + ": only its payload is left");
     return problems;
 }
 

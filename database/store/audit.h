@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "database/store/record_digests.h"
 #include "database/store/store.h"
 
 namespace fulcrum::database {
@@ -42,14 +43,22 @@ class Audit {
     std::vector<std::string> kinds(const Session& administrator) const;
     /// Hash of the newest row, hex; 64 zeros before the first.
     std::string head() const;
-    /// Problems found, by sequence; empty if the chain and all payloads hold.
+    /// Whether a row of any station has this hash; `hex`: at least its first 16 digits, as reports print
+    /// them.
+    bool has_head(const std::string& hex) const;
+    /// Problems found, by sequence; empty if the chain holds and every payload is as it was written, or was
+    /// erased by a deed that the chain holds.
     std::vector<std::string> verify() const;
     std::int64_t count() const;
 
-    /// Adds a row; inside the caller's transaction. The role goes into the payload. For the rooms of this
-    /// floor.
+    /// Adds a row; inside the caller's transaction, after its changes. The role goes into the payload, and so
+    /// do the digests of the records that the deed made, changed or deleted. For the rooms of this floor.
     void append(const Session& actor, const std::string& object_id, const std::string& operation,
-                const std::string& payload_json) const;
+                const std::string& payload_json, const std::vector<RecordName>& records = {}) const;
+    /// Deletes the payloads of these rows; the rows stay. What they held of records that remain must be
+    /// among `records`. For the rooms of this floor.
+    void erase_payloads(const Session& actor, const std::vector<std::int64_t>& sequences,
+                        const std::string& reason, const std::vector<RecordName>& records) const;
 
   private:
     const Store& store_;

@@ -178,7 +178,8 @@ std::string write_score(const Store& store, const Session& session, const std::s
     // The payload holds the digest, not the values: an administrator who reads the audit log sees no
     // scores.
     Audit(store).append(session, score.id, "score.add",
-                        json_object({{"attempt", attempt_id}, {"digest", score_digest(attempt_id, score)}}));
+                        json_object({{"attempt", attempt_id}, {"digest", score_digest(attempt_id, score)}}),
+                        {{RecordKind::score, score.id}});
     transaction.commit();
     return score.id;
 }

@@ -4,7 +4,9 @@
 #include <QDateTime>
 #include <QStandardPaths>
 #include <QSysInfo>
+#include <ctime>
 #include <filesystem>
+#include <fstream>
 
 #include "database/access/session_maker.h"
 #include "database/rows/crypto.h"
@@ -17,8 +19,28 @@
 namespace fulcrum::database {
 namespace {
 
+constexpr const char* baseline_wanted = "baseline_wanted";
+
 UtcMilliseconds system_clock_now() {
     return QDateTime::currentMSecsSinceEpoch();
+}
+
+BootTime system_boot_time() {
+    static const std::string boot = [] {
+        std::ifstream file("/proc/sys/kernel/random/boot_id");
+        std::string id;
+        std::getline(file, id);
+        return id;
+    }();
+    timespec time{};
+    ::clock_gettime(CLOCK_BOOTTIME, &time);
+    return {boot, std::int64_t{time.tv_sec} * 1000 + time.tv_nsec / 1000000};
+}
+
+StoreOptions with_clocks(StoreOptions options) {
+    if (!options.clock) options.clock = system_clock_now;
+    if (!options.boot_time) options.boot_time = system_boot_time;
+    return options;
 }
 
 }  // namespace
@@ -77,10 +99,10 @@ Store Store::create(const std::string& path, bool demo, StoreOptions options) {
     {
         auto state = std::make_unique<State>();
         state->path = file.temporary_path();
-        state->options = options;
-        if (!state->options.clock) state->options.clock = system_clock_now;
+        state->options = with_clocks(options);
         state->demo = demo;
         state->station_id = random_uuid();
+        state->schema = latest_schema_version();
         state->connection =
             std::make_unique<Connection>(state->path, false, true, state->options.busy_timeout_ms);
         Connection& connection = *state->connection;
@@ -98,7 +120,7 @@ Store Store::create(const std::string& path, bool demo, StoreOptions options) {
         write_setting(connection, "demo", demo ? "1" : "0");
         write_setting(connection, "sign_in_picker", "1");
         Audit(store).append(store.station_session(), store.station_id(), "store.create",
-                            json_object({{"demo", demo ? "yes" : "no"}}));
+                            json_object({{"demo", demo ? "yes" : "no"}}), all_records(connection));
         transaction.commit();
         // One file without a log: only then may it be renamed.
         connection.execute("PRAGMA wal_checkpoint(TRUNCATE)");
@@ -126,14 +148,36 @@ void migrate_with_copy(Connection& connection, const std::string& path, int know
     migrate(connection, known);
 }
 
+/// A restore or migration that was killed leaves the store without its write-ahead log.
+void keep_log(Connection& connection) {
+    {
+        Query mode(connection, "PRAGMA journal_mode");
+        if (mode.next() && mode.text(0) == "wal") return;
+    }
+    connection.execute("PRAGMA journal_mode = WAL");
+}
+
+/// Enters the records of a store from before the audit log had digests of them: what they are now is what
+/// later checks compare with. Schema step 8 asks for it.
+void enter_records(const Store& store) {
+    Connection& connection = store.connection();
+    if (read_setting(connection, baseline_wanted).empty()) return;
+    Transaction transaction(connection);
+    Query done(connection, "DELETE FROM setting WHERE key = ?");
+    done.bind(baseline_wanted).run();
+    if (done.rows_changed() == 0) return;  // another program has done it since
+    Audit(store).append(store.station_session(), store.station_id(), baseline_operation, "{}",
+                        all_records(connection));
+    transaction.commit();
+}
+
 }  // namespace
 
 Store Store::open(const std::string& path, StoreOptions options) {
     require_readable_file(path, options.read_only);
     auto state = std::make_unique<State>();
     state->path = path;
-    state->options = std::move(options);
-    if (!state->options.clock) state->options.clock = system_clock_now;
+    state->options = with_clocks(std::move(options));
     state->connection =
         std::make_unique<Connection>(path, state->options.read_only, false, state->options.busy_timeout_ms);
     Connection& connection = *state->connection;
@@ -145,7 +189,8 @@ Store Store::open(const std::string& path, StoreOptions options) {
                              ", this program knows " + std::to_string(known) + ")",
                          "update Fulcrum; nothing was changed");
     }
-    if (found < known) {
+    state->schema = state->options.read_only ? found : known;
+    if (found < known && !(state->options.read_only && state->options.older_schema)) {
         if (state->options.read_only) {
             throw StoreError(StoreErrorKind::older_schema,
                              path + ": schema " + std::to_string(found) + " is older than this program's " +
@@ -154,6 +199,7 @@ Store Store::open(const std::string& path, StoreOptions options) {
         }
         migrate_with_copy(connection, path, known);
     }
+    if (!state->options.read_only) keep_log(connection);
     state->station_id = read_setting(connection, "this_station");
     state->demo = read_setting(connection, "demo") == "1";
     if (state->station_id.empty()) {
@@ -161,6 +207,7 @@ Store Store::open(const std::string& path, StoreOptions options) {
                          "run `fulcrum db check`, or restore the newest backup");
     }
     Store store(std::move(state));
+    if (!store.is_read_only()) enter_records(store);
     if (!store.is_read_only() && store.state_->options.close_interrupted)
         store.state_->interrupted = close_interrupted_attempts(store);
     return store;
@@ -172,6 +219,9 @@ const std::string& Store::path() const noexcept {
 bool Store::is_read_only() const noexcept {
     return state_->options.read_only;
 }
+int Store::found_schema() const noexcept {
+    return state_->schema;
+}
 bool Store::is_demo() const {
     return state_->demo;
 }
@@ -180,6 +230,9 @@ const std::string& Store::station_id() const noexcept {
 }
 UtcMilliseconds Store::now() const {
     return state_->options.clock();
+}
+BootTime Store::boot_time() const {
+    return state_->options.boot_time();
 }
 Connection& Store::connection() const noexcept {
     return *state_->connection;
@@ -223,7 +276,7 @@ void Store::seal_demo(const Session& station) {
         throw AccessDenied("seal_demo", role_name(station.role()), "demo stores only");
     Transaction transaction(connection());
     write_setting(connection(), "demo_sealed", "1");
-    Audit(*this).append(station, station_id(), "demo.seal", "{}");
+    Audit(*this).append(station, station_id(), "demo.seal", "{}", {{RecordKind::setting, "demo_sealed"}});
     transaction.commit();
 }
 

@@ -25,10 +25,18 @@ using UtcMilliseconds = std::int64_t;
 /// "2026-11-21T04:07:37Z" (whole seconds).
 std::string iso_utc(UtcMilliseconds time);
 
+/// Time since this machine was started, standby included; `boot` names the start. Nobody can set it.
+struct BootTime {
+    std::string boot;
+    std::int64_t ms = 0;
+};
+
 struct StoreOptions {
     bool read_only = false;
     int busy_timeout_ms = 5000;                   ///< how long to wait for another connection's write
     std::function<UtcMilliseconds()> clock = {};  ///< default: the system clock
+    std::function<BootTime()> boot_time = {};     ///< default: the system's
+    bool older_schema = false;  ///< with read_only: open an older store too, as it is, to check it
     bool close_interrupted =
         true;  ///< false: leave attempts that lost their program for the next start to list
 };
@@ -76,6 +84,8 @@ class Store {
     static bool exists(const std::string& path);
     /// The schema version this program writes.
     static int schema_version();
+    /// The schema version of this store: lower with StoreOptions::older_schema only.
+    int found_schema() const noexcept;
 
     Store(Store&&) noexcept;
     Store& operator=(Store&&) noexcept;
@@ -86,6 +96,7 @@ class Store {
     bool is_demo() const;
     const std::string& station_id() const noexcept;
     UtcMilliseconds now() const;
+    BootTime boot_time() const;
 
     /// The session of the program itself: synthetic work, db check. No person's data.
     Session station_session() const;

@@ -25,6 +25,7 @@ bool writes(Operation operation) {
         case Operation::request_correction:
         case Operation::manage_settings:
         case Operation::set_tissues:
+        case Operation::accept_assets:
             return true;
         default:
             return false;

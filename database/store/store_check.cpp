@@ -13,51 +13,13 @@
 #include "database/store/override_rows.h"
 #include "database/store/recording_lock.h"
 #include "database/store/score_rows.h"
+#include "database/store/store_check.h"
 #include "database/store/store_state.h"
 
 namespace fulcrum::database {
 namespace {
 
 constexpr std::size_t most_problems = 20;
-
-/// Reports progress and asks whether to continue, between rows and within one long statement.
-class Watch {
-  public:
-    Watch(Connection& connection, const StoreProgress& progress)
-        : connection_(connection), progress_(progress) {
-        constexpr int instructions = 1000000;  // of SQLite's machine: some tens of milliseconds
-        if (progress_) sqlite3_progress_handler(connection_.handle(), instructions, &Watch::ask, this);
-    }
-    ~Watch() {
-        if (progress_) sqlite3_progress_handler(connection_.handle(), 0, nullptr, nullptr);
-    }
-    Watch(const Watch&) = delete;
-    Watch& operator=(const Watch&) = delete;
-    void begin(double from, double to, const char* what) {
-        from_ = from;
-        to_ = to;
-        what_ = what;
-        at(0);
-    }
-    /// False: stop.
-    bool at(double share) {
-        done_ = from_ + share * (to_ - from_);
-        return report();
-    }
-    bool stopped() const { return stopped_; }
-
-  private:
-    static int ask(void* watch) { return static_cast<Watch*>(watch)->report() ? 0 : 1; }
-    bool report() {
-        if (progress_ && !stopped_) stopped_ = !progress_(done_, what_);
-        return !stopped_;
-    }
-    Connection& connection_;
-    const StoreProgress& progress_;
-    double from_ = 0, to_ = 0, done_ = 0;
-    std::string what_;
-    bool stopped_ = false;
-};
 
 void check_integrity(const Store& store, CheckItem& item) {
     Query rows(store.connection(), "PRAGMA integrity_check(100)");
@@ -74,55 +36,6 @@ void check_foreign_keys(const Store& store, CheckItem& item) {
         item.problems.push_back("table " + rows.text(0) + ": a row points to nothing in " + rows.text(2));
     Query tables(store.connection(), "SELECT COUNT(*) FROM sqlite_master WHERE type = 'table'");
     if (tables.next()) item.count = tables.integer(0);
-}
-
-void check_traces(const Store& store, CheckItem& item, Watch& watch) {
-    Query sum(store.connection(), "SELECT COUNT(*) FROM trace_chunk");
-    const double all = sum.next() ? static_cast<double>(std::max<std::int64_t>(1, sum.integer(0))) : 1;
-    Query rows(store.connection(),
-               "SELECT attempt_id, stream, number, checksum, data FROM trace_chunk ORDER BY attempt_id, "
-               "stream, number");
-    std::string stream;
-    std::int64_t expected = 0;
-    while (rows.next()) {
-        constexpr std::int64_t between = 64;
-        if (++item.count % between == 0 && !watch.at(static_cast<double>(item.count) / all)) return;
-        const std::string place = "attempt " + rows.text(0) + ", stream " + rows.text(1);
-        if (place != stream) {
-            stream = place;
-            expected = 0;
-        }
-        if (rows.integer(2) != expected)
-            item.problems.push_back(place + ": chunk " + std::to_string(expected) + " is missing");
-        expected = rows.integer(2) + 1;
-        if (blake2b(rows.bytes(4), 16) != rows.bytes(3))
-            item.problems.push_back(place + ": chunk " + rows.text(2) + " is damaged");
-    }
-    Query ends(store.connection(),
-               "SELECT id, events, COALESCE((SELECT SUM(records) FROM trace_chunk c WHERE c.attempt_id = "
-               "attempt.id AND c.stream = 3), 0) FROM attempt WHERE state <> 'running'");
-    while (ends.next()) {
-        if (ends.integer(1) != ends.integer(2))
-            item.problems.push_back("attempt " + ends.text(0) + ": " + ends.text(2) + " of its " +
-                                    ends.text(1) + " events are there, a part of the record is missing");
-    }
-    Query pairs(
-        store.connection(),
-        "SELECT attempt_id, SUM(records * (stream = 0)), SUM(records * (stream = 1)) FROM trace_chunk "
-        "WHERE stream IN (0, 1) GROUP BY attempt_id");
-    while (pairs.next()) {
-        if (pairs.integer(1) != pairs.integer(2))
-            item.problems.push_back("attempt " + pairs.text(0) + ": " + pairs.text(1) + " samples for " +
-                                    pairs.text(2) + " inputs are there, a part of the record is missing");
-    }
-    Query products(store.connection(), "SELECT attempt_id, kind, checksum, data FROM attempt_product");
-    while (products.next()) {
-        ++item.count;
-        if (blake2b(products.bytes(3), 16) != products.bytes(2)) {
-            item.problems.push_back("attempt " + products.text(0) + ": product " + products.text(1) +
-                                    " is damaged");
-        }
-    }
 }
 
 void check_scores(const Store& store, CheckItem& item) {
@@ -184,9 +97,40 @@ void check_permissions(const Store& store, CheckItem& item) {
 
 }  // namespace
 
+CheckWatch::CheckWatch(Connection& connection, const StoreProgress& progress)
+    : connection_(connection), progress_(progress) {
+    constexpr int instructions = 1000000;  // of SQLite's machine: some tens of milliseconds
+    if (progress_) sqlite3_progress_handler(connection_.handle(), instructions, &CheckWatch::ask, this);
+}
+
+CheckWatch::~CheckWatch() {
+    if (progress_) sqlite3_progress_handler(connection_.handle(), 0, nullptr, nullptr);
+}
+
+void CheckWatch::begin(double from, double to, const char* what) {
+    from_ = from;
+    to_ = to;
+    what_ = what;
+    at(0);
+}
+
+bool CheckWatch::at(double share) {
+    done_ = from_ + share * (to_ - from_);
+    return report();
+}
+
+int CheckWatch::ask(void* watch) {
+    return static_cast<CheckWatch*>(watch)->report() ? 0 : 1;
+}
+
+bool CheckWatch::report() {
+    if (progress_ && !stopped_) stopped_ = !progress_(done_, what_);
+    return !stopped_;
+}
+
 CheckReport check_store(const Store& store, const StoreProgress& progress) {
     CheckReport report;
-    Watch watch(store.connection(), progress);
+    CheckWatch watch(store.connection(), progress);
     const auto look = [&](double from, double to, const char* name,
                           const std::function<void(CheckItem&)>& checker) {
         if (!report.complete) return;
@@ -217,10 +161,19 @@ CheckReport check_store(const Store& store, const StoreProgress& progress) {
         item.count = audit.count();
         item.problems = audit.verify();
     });
-    look(0.4, 0.85, "trace checksums", [&](CheckItem& item) { check_traces(store, item, watch); });
-    look(0.85, 1, "score digests", [&](CheckItem& item) { check_scores(store, item); });
-    look(1, 1, "scenes", [&](CheckItem& item) { check_scenes(store, item); });
-    look(1, 1, "decisions", [&](CheckItem& item) { check_overrides(store, item); });
+    // An older store has not got all of it; opening it for writing brings it up to date.
+    constexpr int with_attempts = 2, with_pathology = 5, with_scenes = 6, with_decisions = 7,
+                  with_records = 13;
+    const int schema = store.found_schema();
+    if (schema >= with_attempts)
+        look(0.4, 0.8, "trace checksums", [&](CheckItem& item) { check_traces(store, item, watch); });
+    if (schema >= with_records)
+        look(0.8, 0.9, "records", [&](CheckItem& item) { check_records(store, item, watch); });
+    if (schema >= with_pathology)
+        look(0.9, 1, "score digests", [&](CheckItem& item) { check_scores(store, item); });
+    if (schema >= with_scenes) look(1, 1, "scenes", [&](CheckItem& item) { check_scenes(store, item); });
+    if (schema >= with_decisions)
+        look(1, 1, "decisions", [&](CheckItem& item) { check_overrides(store, item); });
     look(1, 1, "permissions", [&](CheckItem& item) { check_permissions(store, item); });
     return report;
 }
@@ -242,7 +195,7 @@ std::vector<InterruptedAttempt> close_interrupted_attempts(const Store& store) {
                    "a.station_id = ?");
         rows.bind(store.station_id());
         while (rows.next()) {
-            if (RecordingLock::is_held(store.path(), rows.text(0))) continue;
+            if (RecordingLock::is_held(store, rows.text(0))) continue;
             InterruptedAttempt attempt;
             attempt.attempt_id = rows.text(0);
             attempt.person_id = rows.text(1);
@@ -262,8 +215,10 @@ std::vector<InterruptedAttempt> close_interrupted_attempts(const Store& store) {
             .run();
         Audit(store).append(
             store.station_session(), attempt.attempt_id, "attempt.interrupted",
-            json_object({{"task", attempt.task_id}, {"cause", "the program ended while it ran"}}));
-        RecordingLock::clean(store.path(), attempt.attempt_id);
+            json_object({{"task", attempt.task_id}, {"cause", "the program ended while it ran"}}),
+            {{RecordKind::attempt, attempt.attempt_id}, {RecordKind::trace, attempt.attempt_id}});
+        RecordingLock::clean(store, attempt.attempt_id);
+        RecordingLock::leave(store, attempt.attempt_id);
     }
     transaction.commit();
     return found;

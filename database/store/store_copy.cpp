@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <sqlite3.h>
 
+#include <cerrno>
 #include <system_error>
 
 #include "database/store/store_file.h"
@@ -38,6 +39,7 @@ int copy_pages(sqlite3_backup* copy, const StoreProgress& progress) {
 int copy_into(const std::string& path, sqlite3* source, const StoreProgress& progress) {
     sqlite3* target = nullptr;
     int code = sqlite3_open_v2(path.c_str(), &target, SQLITE_OPEN_READWRITE, nullptr);
+    if (code == SQLITE_OK) sqlite3_extended_result_codes(target, 1);
     // The file has no name of its own yet and is written through as a whole before it gets one.
     if (code == SQLITE_OK)
         code = sqlite3_exec(target, "PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF", nullptr, nullptr,
@@ -51,6 +53,22 @@ int copy_into(const std::string& path, sqlite3* source, const StoreProgress& pro
     return code;
 }
 
+/// The error of the file system if it was the new file that could not be written; else 0.
+int error_of_target(int code) {
+    switch (code) {
+        case SQLITE_FULL:
+            return ENOSPC;
+        case SQLITE_READONLY:
+            return EROFS;
+        case SQLITE_IOERR_WRITE:
+        case SQLITE_IOERR_FSYNC:
+        case SQLITE_IOERR_TRUNCATE:
+            return EIO;
+        default:
+            return 0;
+    }
+}
+
 }  // namespace
 
 bool copy_database(Connection& connection, const std::string& to_path, const StoreProgress& progress) {
@@ -58,6 +76,7 @@ bool copy_database(Connection& connection, const std::string& to_path, const Sto
         OutputFile file(to_path, OutputFile::Existing::keep, OutputFile::Access::owner_only);
         const int code = copy_into(file.temporary_path(), connection.handle(), progress);
         if (code == SQLITE_INTERRUPT) return false;
+        if (const int error = error_of_target(code)) fail_file(to_path, error);
         if (code != SQLITE_OK) connection.fail(QString::fromUtf8(sqlite3_errstr(code)), code);
         file.commit();
     } catch (const std::system_error& error) {

@@ -17,6 +17,7 @@ struct Store::State {
     std::unique_ptr<Connection> connection;
     std::string station_id;
     bool demo = false;
+    int schema = 0;
     std::vector<InterruptedAttempt> interrupted;
 };
 

@@ -46,6 +46,11 @@ class CutSkin {
         std::vector<std::uint8_t> loose_of;  ///< per vertex: 0 attached, else 1 + index in loose
         std::int32_t fallen = 0;             ///< number of pieces detached so far
         std::uint64_t history = 0;
+
+        template <typename Visit>
+        void fields(Visit&& visit) {
+            visit(surface, loose, loose_of, fallen, history);
+        }
     };
     /// Result of one blade step.
     struct Report {

@@ -30,6 +30,11 @@ class LuminalVolume {
     /// Volume of the tube over its volume at rest under scale() of every ring.
     double volume_ratio(const double* stretch) const;
     double pressure() const { return pressure_; }
+    /// All that changes.
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(pressure_);
+    }
 
   private:
     double scale_at(std::size_t ring, double pressure) const;

@@ -67,6 +67,12 @@ struct SphereContacts {
                                   ///< hierarchy (exact but slow)
     bool plane_overflow = false;  ///< planes_per_sphere too small: the shallowest were dropped
     bool pair_overflow = false;   ///< pair_capacity or near_row_capacity too small: pairs were dropped
+
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(cavity, pairs, cavity_count, pair_count, deepest_cavity, deepest_pair, residual_cavity,
+              residual_pair, relisted, list_overflow, plane_overflow, pair_overflow);
+    }
 };
 
 /// Signed closest point of one sphere; triangle -1 if the wall is further away than rho + contact_margin.
@@ -110,6 +116,12 @@ class SphereCollision {
         std::vector<std::uint8_t> moved;  ///< per sphere: 1 if the last projection moved it
         std::vector<double> depth;        ///< m, penetration of each sphere in the wall
         std::int32_t turn = 0;            ///< sphere whose early listing is next
+
+        template <typename Visit>
+        void fields(Visit&& visit) {
+            visit(packets, band_ends, band, direct, counts, listed_at, last_at, free_motion, pairs,
+                  counts_so_far, projected, moved, depth, turn);
+        }
     };
     Lists make_lists() const;
 

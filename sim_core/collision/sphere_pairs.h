@@ -46,6 +46,11 @@ class SpherePairs {
         std::int32_t count = -1;                    ///< rows listed; -1: never
         bool overflow = false;                      ///< row_capacity too small: pairs were dropped
         std::uint64_t rows_seen = 0, listings = 0;  ///< so far, for operation counts
+
+        template <typename Visit>
+        void fields(Visit&& visit) {
+            visit(x, y, z, low, high, listed_at, rows, count, overflow, rows_seen, listings);
+        }
     };
     Lists make_lists() const;
     std::size_t bytes() const;

@@ -28,6 +28,10 @@ struct ContactResponse {
         if (size > most) drag *= most / size;
         return drag - normal_force * n;
     }
+    /// The part of it that would be left without damping, N.
+    Vector3 spring_force(double depth, const Vector3& n) const {
+        return depth > 0 ? Vector3(-stiffness * depth * n) : Vector3(Vector3::Zero());
+    }
 };
 
 }  // namespace fulcrum

@@ -66,8 +66,13 @@ void touch_targets(const ToolContactModel& model, const LocalModel& local, const
         response.onset_depth = model.onset_depth;
         const Vector3 force = response.force_on_tissue(found.depth, found.normal, tool.tip_velocity);
         result.target_force += force;
-        result.torque += (target.centre + target.radius * found.normal - tool.trocar).cross(force);
-        result.stiffness += target.stiffness * found.normal * found.normal.transpose();
+        const Vector3 arm = target.centre + target.radius * found.normal - tool.trocar;
+        const Matrix3 stiffness = target.stiffness * found.normal * found.normal.transpose();
+        result.touches.add(found.normal, found.depth);
+        result.torque += arm.cross(force);
+        result.tissue_load.add(arm, force, response.spring_force(found.depth, found.normal), stiffness,
+                               target.damping * Matrix3::Identity());
+        result.stiffness += stiffness;
         result.damping = std::max(result.damping, target.damping);
     }
     result.target_distance = nearest;
@@ -132,9 +137,14 @@ void touch_wall(const ToolContactModel& model, const LocalModel& local, const To
     response.friction = model.wall.friction;
     response.onset_depth = model.onset_depth;
     result.wall_force = response.force_on_tissue(depth, walk.normal, tool.tip_velocity);
-    result.torque += (tool.tip - walk.distance * walk.normal - tool.trocar).cross(result.wall_force);
+    const Vector3 arm = tool.tip - walk.distance * walk.normal - tool.trocar;
+    const Matrix3 slope = stiffness * walk.normal * walk.normal.transpose();
+    result.torque += arm.cross(result.wall_force);
+    result.tissue_load.add(arm, result.wall_force, response.spring_force(depth, walk.normal), slope,
+                           response.damping * Matrix3::Identity());
+    result.touches.add(walk.normal, solid * depth);
     result.touching_wall = true;
-    result.stiffness += stiffness * walk.normal * walk.normal.transpose();
+    result.stiffness += slope;
     result.damping = std::max(result.damping, response.damping);
 }
 
@@ -185,8 +195,14 @@ double collide_tools(const ToolContactModel& left, const ToolKinematics& left_to
     state.normal = normal;
     state.depth = depth;
     const Matrix3 stiffness = shaft_stiffness * normal * normal.transpose();
+    left_result.touches.add(normal, 0.5 * depth, pair.s);
+    right_result.touches.add(-normal, 0.5 * depth, pair.t);
     left_result.tool_force = force;
     right_result.tool_force = -force;
+    const Vector3 without_damping = response.spring_force(depth, normal);
+    const Matrix3 damping = shaft_damping * Matrix3::Identity();
+    left_result.tool_load.add(solid.point - left_tool.trocar, force, without_damping, stiffness, damping);
+    right_result.tool_load.add(solid.point - right_tool.trocar, -force, -without_damping, stiffness, damping);
     for (ToolContactResult* result : {&left_result, &right_result}) {
         result->force += result->tool_force;
         result->touching_tool = true;

@@ -27,7 +27,7 @@ bool can_touch(const ToolKinematics& tool) {
 
 bool all_finite(const ToolContactResult& result) {
     return result.force.allFinite() && result.torque.allFinite() && result.stiffness.allFinite() &&
-           result.point.allFinite() && result.normal.allFinite() &&
+           result.point.allFinite() && result.normal.allFinite() && result.tissue_load.all_finite() &&
            std::isfinite(result.damping + result.distance + result.area + result.slip_ratio +
                          result.target_distance);
 }
@@ -234,6 +234,11 @@ void touch_surface(const ToolContactModel& model, const LocalModel& local, const
     response.onset_depth = model.onset_depth;
     result.surface_force = response.force_on_tissue(pressed, walk.normal, tool_velocity - tissue_velocity);
     result.torque += (walk.position - tool.trocar).cross(result.surface_force);
+    result.tissue_load.add(walk.position - tool.trocar, result.surface_force,
+                           response.spring_force(pressed, walk.normal),
+                           std::max(state.stiffness, wall.tangent) * walk.normal * walk.normal.transpose(),
+                           response.damping * Matrix3::Identity());
+    result.touches.add(walk.normal, pressed, walk.shaft, result.vertex);
     result.touching_surface = true;
     result.stiffness += std::max(state.stiffness, wall.tangent) * walk.normal * walk.normal.transpose();
     result.damping = std::max(result.damping, patch.contact.damping);
@@ -246,16 +251,20 @@ void hold_tissue(const ToolContactModel& model, const LocalModel& local, const T
     const Vector3 held = grasp.point + seconds * grasp.velocity;
     const Vector3 velocity =
         tool.tip_velocity + tool.angular_velocity.cross(tool.rotation * grasp.hold_offset);
-    Vector3 force =
-        grasp.reaction + grasp.stiffness * (hold - held) + grasp.damping * (velocity - grasp.velocity);
+    Vector3 without_damping = grasp.reaction + grasp.stiffness * (hold - held);
+    Vector3 force = without_damping + grasp.damping * (velocity - grasp.velocity);
     result.slip_ratio = slip_ratio(force, tool.grip, grasp.friction);
     if (result.slip_ratio > 1) {
         // The faces hold no more than the friction cone allows: the rest slides through.
         force /= result.slip_ratio;
         result.slipping = true;
     }
+    const double spring_slip = slip_ratio(without_damping, tool.grip, grasp.friction);
+    if (spring_slip > 1) without_damping /= spring_slip;
     result.grasp_force = force;
     result.torque += (hold - tool.trocar).cross(force);
+    result.tissue_load.add(hold - tool.trocar, force, without_damping, grasp.stiffness,
+                           grasp.damping * Matrix3::Identity());
     result.grasping = true;
     result.jaw_area = grasp.area;
     result.point = hold;
@@ -280,6 +289,7 @@ void press_jaws(const JawPushModel& jaws, const ToolKinematics& tool, ToolContac
     result.jaw_force = force;
     result.force += force;
     result.torque += (jaws.point - tool.trocar).cross(force);
+    result.tissue_load.add(jaws.point - tool.trocar, force, force, jaws.stiffness, Matrix3::Zero());
     result.stiffness += jaws.stiffness;
 }
 

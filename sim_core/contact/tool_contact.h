@@ -14,6 +14,8 @@
 #include "sim_core/contact/local_model.h"
 #include "sim_core/contact/surface_walk.h"
 #include "sim_core/instrument/instrument.h"
+#include "sim_core/instrument/lever.h"
+#include "sim_core/instrument/proxy_pose.h"
 
 namespace fulcrum {
 
@@ -62,6 +64,34 @@ struct ToolContactScratch {
     std::uint32_t stamp = 0;
 };
 
+/// A load split into what springs give and what dampers add, and what gives them.
+struct SplitLoad {
+    ToolLoad spring, damper;
+    ToolMatrix stiffness, damping;  ///< N/m, N s/m
+
+    /// A contact at `arm` (m, point minus trocar): its whole force, the part without damping, and its K and
+    /// B.
+    void add(const Vector3& arm, const Vector3& force, const Vector3& without_damping, const Matrix3& k,
+             const Matrix3& b) {
+        spring.add(arm, without_damping);
+        damper.add(arm, force - without_damping);
+        stiffness.add(k, arm);
+        damping.add(b, arm);
+    }
+    void add(const SplitLoad& other) {
+        spring.force += other.spring.force;
+        spring.moment += other.spring.moment;
+        damper.force += other.damper.force;
+        damper.moment += other.damper.moment;
+        stiffness.add(other.stiffness);
+        damping.add(other.damping);
+    }
+    bool all_finite() const {
+        return spring.force.allFinite() && spring.moment.allFinite() && damper.force.allFinite() &&
+               damper.moment.allFinite() && stiffness.all_finite() && damping.all_finite();
+    }
+};
+
 /// All forces are those of the instrument on what it touches, N, patient frame; zero without contact.
 struct ToolContactResult {
     Vector3 force = Vector3::Zero();          ///< sum
@@ -91,6 +121,9 @@ struct ToolContactResult {
     double area = 0;         ///< m2, Eq. 4
     int grade = 0;           ///< Eq. 3
 
+    TouchList touches;      ///< for the picture: how deep in the bowel, rigid bodies and the other instrument
+    SplitLoad tissue_load;  ///< force and torque again, for the hand (lever.h)
+    SplitLoad tool_load;    ///< tool_force with its moment about this instrument's trocar
     Matrix3 stiffness = Matrix3::Zero();  ///< N/m, -dF_on_tool/dx of all contacts
     double damping = 0;                   ///< N s/m, largest
     double jaw_area = 0;                  ///< m2, GraspModel::area while grasping

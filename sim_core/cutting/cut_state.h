@@ -27,6 +27,10 @@ class CutTable {
     const Row& operator[](std::int32_t i) const { return rows_[static_cast<std::size_t>(i)]; }
     std::int32_t size() const { return static_cast<std::int32_t>(rows_.size()); }
     std::uint64_t bytes() const { return rows_.size() * sizeof(Row); }
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(rows_);
+    }
 
   private:
     std::vector<Row> rows_;
@@ -54,6 +58,10 @@ class CutList {
     const Entry* begin() const { return entries_.size() > 0 ? &entries_[0] : nullptr; }
     const Entry* end() const { return begin() + count_; }
     std::uint64_t bytes() const { return entries_.bytes(); }
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(entries_, count_);
+    }
 
   private:
     CutTable<Entry> entries_;
@@ -135,6 +143,13 @@ struct CutState {
     std::uint64_t version = 0;                  ///< transactions committed
     std::uint64_t rolled_back = 0;              ///< transactions played back
     double area_visible = 0, area_removed = 0;  ///< m2 at rest
+
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(triangles, vertices, roots, fragments, free_triangles, free_vertices, stroke_triangles,
+              stroke_place, vertex_count, triangle_count, fragment_count, visible_count, stroke, stroke_step,
+              stroke_unnamed, attempt, version, rolled_back, area_visible, area_removed);
+    }
 };
 
 }  // namespace fulcrum

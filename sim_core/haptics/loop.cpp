@@ -5,12 +5,14 @@
 #include <cmath>
 
 #include "sim_core/haptics/clutch.h"
+#include "sim_core/haptics/hand_output.h"
+#include "sim_core/numerics/state_archive.h"
 #include "sim_core/world/world.h"
 
 namespace fulcrum {
 namespace {
 
-constexpr double unexplained = 0.02;  // N in a tick that tissue's own motion and a surface's bends may add
+constexpr double limited_again = 1.0;  // s without a reduction after which the next one is an event again
 
 std::int32_t counts(double value, double unit) {
     const double scaled = value / unit;
@@ -30,8 +32,6 @@ struct HapticLoop::Parts {
     ScopeModel scope;
     bool has_camera = false;
     bool has_hand[hand_count] = {false, false};
-    double device_damping[hand_count] = {-1, -1};
-    SafetyLimits limits;
 
     LocalModels models[2];
     int current = 0;
@@ -44,27 +44,23 @@ struct HapticLoop::Parts {
     ToolContactState state_before[hand_count];  // at the tick before
     ToolPairState pair;
     CameraPose camera;
-    Vector3 tip_before[hand_count] = {Vector3::Zero(), Vector3::Zero()},
-            velocity_before[hand_count] = {Vector3::Zero(), Vector3::Zero()};
-    double moved[hand_count] = {0, 0};         // m, displacement of a tip since the tick before
-    double slope_before[hand_count] = {0, 0};  // N/m, of what a hand touched
-    SafetyState safety[hand_count];
-    PassivityController passivity[hand_count];
+    Vector3 tip_before[hand_count] = {Vector3::Zero(), Vector3::Zero()};
+    double moved[hand_count] = {0, 0};  // m, displacement of a tip since the tick before
+    HandOutput sends[hand_count];
+    std::uint32_t free_ticks[hand_count] = {0, 0};  // since Eq. 8 last reduced the model
     DeviceSample held[hand_count];    // what the instruments follow: the devices except in pauses and losses
     DeviceSample offset[hand_count];  // clutch: added to the device after a resume
     bool on_hold = false;             // in a pause or while a device is lost
     ToolContactScratch scratch[hand_count];
     ToolContactResult result[hand_count], old_result;
-    unsigned limited = 0;
     TickOutput output;
 
     void follow_device(int hand, const DeviceSample& device, bool was_on_hold) noexcept;
     void move_instruments(const RigSample& input) noexcept;
     void find_contacts(std::uint32_t tick) noexcept;
-    double explained(int hand) noexcept;
-    SafetyInput safety_input(int hand, std::uint32_t tick) noexcept;
-    void limit_stiffness(int hand, SafetyInput& safety) noexcept;
-    void record_hand(int hand, const RigSample& input, const SafetyOutput& sent, HandSample& record) noexcept;
+    HandForce force_for_hand(int hand, const RigSample& input) noexcept;
+    void report_limit(int hand, const HandForce& sent) noexcept;
+    void record_hand(int hand, const RigSample& input, const HandForce& sent, HandSample& record) noexcept;
     void record_grasp(int hand, HandSample& record) noexcept;
     void record_camera(CameraSample& record) const noexcept;
 };
@@ -108,52 +104,41 @@ void HapticLoop::Parts::find_contacts(std::uint32_t tick) noexcept {
         collide_tools(contact[0], tool[0], contact[1], tool[1], pair, result[0], result[1]);
 }
 
-/// N, by which a hand's force can have changed by the hands' motion since the last tick: what it touches
-/// gives at most its slope, with that of dampers that come in with the depth.
-double HapticLoop::Parts::explained(int hand) noexcept {
-    const double stiffness = result[hand].stiffness.trace(), damping = result[hand].damping;
-    const Vector3& velocity = tool[hand].tip_velocity;
-    const double slope = stiffness + damping * velocity.norm() / contact[hand].onset_depth;
-    const double other = result[hand].touching_tool ? moved[1 - hand] : 0.0;
-    const double by_motion = std::max(slope, slope_before[hand]) * moved[hand] + shaft_stiffness * other +
-                             damping * (velocity - velocity_before[hand]).norm();
-    slope_before[hand] = slope;
-    velocity_before[hand] = velocity;
-    return by_motion + unexplained;
-}
-
-SafetyInput HapticLoop::Parts::safety_input(int hand, std::uint32_t tick) noexcept {
-    SafetyInput safety_of_hand;
-    safety_of_hand.force = -result[hand].force;
-    safety_of_hand.model_changed = swapped;
+HandForce HapticLoop::Parts::force_for_hand(int hand, const RigSample& input) noexcept {
+    if (!sends[hand].has_device()) return {};
+    const ToolKinematics& pose = tool[hand];
+    const InstrumentModel& held_tool = contact[hand].instrument;
+    HandTick now;
+    now.handle = handle_of(held_tool, pose);
+    const std::int32_t* device = input.hand[hand].handle;
+    now.device = held_tool.trocar.rotation * (device_length_unit * Vector3(device[0], device[1], device[2]));
+    now.load = result[hand].tissue_load;
+    now.load.add(result[hand].tool_load);
+    now.model_changed = swapped;
     if (swapped) {
         // What the old model gives at this pose, from its own state: the current state is the new model's.
         ToolContactState old_state = state_before[hand];
-        step_tool_contact(contact[hand], models[1 - current].hand[hand], tool[hand], tick, old_state,
+        step_tool_contact(contact[hand], models[1 - current].hand[hand], pose, input.tick, old_state,
                           scratch[hand], old_result);
-        safety_of_hand.old_force = -(old_result.force + result[hand].tool_force);
+        now.old_load = old_result.tissue_load;
+        now.old_load.add(result[hand].tool_load);
     }
-    safety_of_hand.model_age = result[hand].age;
-    safety_of_hand.connected = !on_hold && tool[hand].present;
-    safety_of_hand.explained = explained(hand);
-    limit_stiffness(hand, safety_of_hand);
-    return safety_of_hand;
+    now.model_age = result[hand].age;
+    now.connected = !on_hold && pose.present;
+    if (result[hand].touching_tool) now.carried = moved[1 - hand];
+    return sends[hand].step(now);
 }
 
-/// Eq. 8: where the model is stiffer than the device can render stably, the device gets a reduced model's
-/// force: the same direction, the size that the bound allows.
-void HapticLoop::Parts::limit_stiffness(int hand, SafetyInput& of_hand) noexcept {
-    const double b = device_damping[hand];
-    if (!(b >= 0) || !(result[hand].stiffness.trace() > 0)) return;
-    const double stiffest = result[hand].stiffness.diagonal().maxCoeff();
-    const PassivityCheck check = check_passivity(stiffest, result[hand].damping, b, limits.tick_period);
-    if (!check.limited) return;
-    of_hand.force *= check.stiffness / std::max(1e-9, stiffest);
-    of_hand.old_force *= check.stiffness / std::max(1e-9, stiffest);
-    limited |= 1U << static_cast<unsigned>(hand);
+/// The first tick of a reduction by Eq. 8 is reported, so that one contact makes one event.
+void HapticLoop::Parts::report_limit(int hand, const HandForce& sent) noexcept {
+    const auto pause = static_cast<std::uint32_t>(limited_again / scene.tick_period());
+    StabilityLimit& report = output.limited[hand];
+    report.limited = sent.limited && free_ticks[hand] >= pause;
+    report.stiffness = static_cast<float>(sent.stiffness);
+    free_ticks[hand] = sent.limited ? 0 : std::min(free_ticks[hand] + 1, pause);
 }
 
-void HapticLoop::Parts::record_hand(int hand, const RigSample& input, const SafetyOutput& sent,
+void HapticLoop::Parts::record_hand(int hand, const RigSample& input, const HandForce& sent,
                                     HandSample& record) noexcept {
     const ToolContactResult& touched = result[hand];
     const ToolKinematics& pose = tool[hand];
@@ -201,9 +186,13 @@ void HapticLoop::Parts::record_camera(CameraSample& record) const noexcept {
 HapticLoop::HapticLoop(const Scene& scene, const World& world) : parts_(std::make_unique<Parts>()) {
     Parts& parts = *parts_;
     parts.scene = scene;
-    parts.limits.force = scene.force_limit;
-    parts.limits.slew = scene.slew_limit;
-    parts.limits.tick_period = scene.tick_period();
+    SafetyLimits limits;
+    limits.force = scene.force_limit;
+    limits.slew = scene.slew_limit;
+    limits.tick_period = scene.tick_period();
+    for (HandOutput& sends : parts.sends) sends = HandOutput(limits, scene.passivity_control);
+    for (std::uint32_t& ticks : parts.free_ticks)
+        ticks = static_cast<std::uint32_t>(limited_again / scene.tick_period());
     for (const InstrumentSpec& spec : scene.instruments) {
         const int hand = static_cast<int>(spec.hand);
         ToolContactModel& contact = parts.contact[hand];
@@ -227,8 +216,8 @@ HapticLoop::HapticLoop(const Scene& scene, const World& world) : parts_(std::mak
 
 HapticLoop::~HapticLoop() = default;
 
-void HapticLoop::set_device_damping(Hand hand, double damping) {
-    parts_->device_damping[static_cast<int>(hand)] = damping;
+void HapticLoop::set_device(Hand hand, const std::optional<ForceOutput>& device) {
+    parts_->sends[static_cast<int>(hand)].set_device(device);
 }
 
 void HapticLoop::adopt(const LocalModels& models) noexcept {
@@ -239,10 +228,27 @@ void HapticLoop::adopt(const LocalModels& models) noexcept {
     for (const LocalModel& model : models.hand) parts.model_step = std::max(parts.model_step, model.step);
 }
 
-unsigned HapticLoop::take_stability_limited() noexcept {
-    const unsigned limited = parts_->limited;
-    parts_->limited = 0;
-    return limited;
+std::uint32_t HapticLoop::model_step() const noexcept {
+    return parts_->model_step;
+}
+
+void HapticLoop::transfer(StateArchive& archive, const World& world) {
+    Parts& parts = *parts_;
+    archive(parts.models, parts.current, parts.swapped, parts.model_step, parts.instrument, parts.tool,
+            parts.state, parts.state_before, parts.pair, parts.camera, parts.tip_before, parts.moved,
+            parts.sends, parts.free_ticks, parts.held, parts.offset, parts.on_hold, parts.result,
+            parts.output);
+    if (!archive.reads()) return;
+    for (LocalModels& models : parts.models) world.point_to_wall(models);
+}
+
+const RigSample& HapticLoop::last_input() const noexcept {
+    return parts_->output.input;
+}
+
+void HapticLoop::clutch_in() noexcept {
+    parts_->on_hold = true;
+    for (HandOutput& sends : parts_->sends) sends.restart();
 }
 
 const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {
@@ -259,17 +265,16 @@ const TickOutput& HapticLoop::tick(const RigSample& input) noexcept {
     parts.find_contacts(input.tick);
     for (int hand = 0; hand < hand_count; ++hand) {
         if (!parts.has_hand[hand]) continue;
-        const SafetyOutput sent =
-            step_safety(parts.limits, parts.safety_input(hand, input.tick), parts.safety[hand]);
+        const HandForce sent = parts.force_for_hand(hand, input);
         output.device_force[hand] = sent.force;
-        if (parts.scene.passivity_control)
-            output.device_force[hand] = parts.passivity[hand].step(sent.force, parts.tool[hand].tip_velocity,
-                                                                   parts.limits.tick_period);
+        output.device_torque[hand] = sent.torque;
+        parts.report_limit(hand, sent);
 
         ContactReport& contact = output.contact[hand];
         contact.tool = parts.tool[hand];
         contact.vertex = parts.result[hand].vertex;
         contact.slipping = parts.result[hand].slipping;
+        contact.touches = parts.result[hand].touches;
         parts.record_hand(hand, input, sent, sample.hand[hand]);
     }
     if (parts.has_camera) parts.record_camera(sample.camera);

@@ -4,10 +4,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "sim_core/contact/tool_contact.h"
-#include "sim_core/haptics/safety.h"
-#include "sim_core/haptics/stability.h"
 #include "sim_core/instrument/device.h"
 #include "sim_core/instrument/instrument.h"
 #include "sim_core/instrument/tick_output.h"
@@ -15,6 +14,7 @@
 
 namespace fulcrum {
 
+class StateArchive;
 class World;
 
 class HapticLoop {
@@ -25,15 +25,25 @@ class HapticLoop {
     HapticLoop(const HapticLoop&) = delete;
     HapticLoop& operator=(const HapticLoop&) = delete;
 
-    /// Device damping b (N s/m) for Eq. 8; negative: the hand feels no force, Eq. 8 does not apply.
-    void set_device_damping(Hand hand, double damping);
+    /// What the hand's device can render; none (as at the start): it renders no force and 0 is sent. Before
+    /// the first tick, from any thread.
+    void set_device(Hand hand, const std::optional<ForceOutput>& device);
     /// From the next tick on forces come from these models; the one before stays for the bumpless swap.
     /// Copied.
     void adopt(const LocalModels& models) noexcept;
+    /// World step whose model is in use; 0 before the first.
+    std::uint32_t model_step() const noexcept;
     /// One tick. The result stays valid until the next.
     const TickOutput& tick(const RigSample& input) noexcept;
-    /// Hands for which Eq. 8 had to reduce the model since the last call (bit mask).
-    unsigned take_stability_limited() noexcept;
+
+    /// Writes what changes from tick to tick, or reads it for the same scene in the same build; `world`:
+    /// whose models these are. Throws StateArchiveError. Not on the haptic thread.
+    void transfer(StateArchive& archive, const World& world);
+    /// What the devices said at the last tick.
+    const RigSample& last_input() const noexcept;
+    /// As after a pause: from the next tick on the devices move the instruments from where these are,
+    /// wherever the devices are, and the force on the hands grows from 0.
+    void clutch_in() noexcept;
 
   private:
     struct Parts;

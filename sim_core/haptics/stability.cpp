@@ -23,16 +23,15 @@ Vector3 PassivityController::step(const Vector3& force, const Vector3& hand_velo
     if (!force.allFinite() || !hand_velocity.allFinite()) return Vector3::Zero();
     const double returned = force.dot(hand_velocity) * period;
     if (!std::isfinite(returned)) return Vector3::Zero();
-    if (returned <= stored) {
+    if (returned <= std::max(0.0, stored)) {
         stored -= returned;
         return force;
     }
-    // returned > stored >= 0, so the hand moves and the force pushes it along: reduce the part along the
-    // motion.
-    const double keep = stored / returned;
+    // The hand moves and the force pushes it along: reduce the part along the motion.
+    const double keep = std::max(0.0, stored) / returned;
     const Vector3 direction = hand_velocity.normalized();
     Vector3 cut = force - (1.0 - keep) * force.dot(direction) * direction;
-    stored = 0;
+    stored = std::min(0.0, stored);
     if (acted != nullptr) *acted = true;
     return cut;
 }

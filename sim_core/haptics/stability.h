@@ -42,12 +42,17 @@ struct PassivityObserver {
 /// with the dissipation taken from the returned power itself, so that it never increases a force). One per
 /// hand; copyable.
 struct PassivityController {
-    double stored = 0;  ///< J put in by the hand and not yet returned; never below 0
+    double stored = 0;  ///< J put in by the hand and not yet returned; below 0 only by correct()
 
     /// Force (N) on the hand at this tick, with the hand moving at `hand_velocity` (m/s): the part along the
     /// motion is reduced so that its power over the period returns no more than the stored energy. `acted`:
     /// it was reduced. Non-finite values give zero.
     Vector3 step(const Vector3& force, const Vector3& hand_velocity, double period, bool* acted = nullptr);
+    /// What step() foresaw (J to the hand) against what the held force gave in the motion that was made
+    /// since.
+    void correct(double foreseen, double given) {
+        if (const double after = stored + foreseen - given; after - after == 0) stored = after;
+    }
 };
 
 }  // namespace fulcrum

@@ -18,6 +18,22 @@ std::int32_t to_counts(double value, double unit) {
 
 }  // namespace
 
+bool is_usable(const ForceOutput& output) {
+    const double values[] = {output.damping,   output.peak,   output.continuous,
+                             output.stiffness, output.torque, output.scale};
+    for (const double value : values) {
+        if (!std::isfinite(value) || value < 0) return false;
+    }
+    return output.continuous <= output.peak && output.scale > 0;
+}
+
+std::optional<ForceOutput> Rig::force_output(Hand hand) const {
+    if (!has_force(hand) || !(damping(hand) >= 0)) return std::nullopt;
+    ForceOutput output;
+    output.damping = damping(hand);
+    return output;
+}
+
 DeviceSample quantise(const DeviceReading& reading, const DeviceSample& previous) {
     DeviceSample sample = previous;
     sample.faulty = 0;

@@ -6,7 +6,9 @@
 // record.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "sim_core/numerics/types.h"
@@ -72,6 +74,23 @@ struct DeviceReading {
 /// keeps the previous pose and is marked faulty. Never throws; any thread.
 DeviceSample quantise(const DeviceReading& reading, const DeviceSample& previous);
 
+/// What a hand's device can render, and how much of the model's force the person wants. The values are stored
+/// with the attempt: with them a replay sends the same forces.
+struct ForceOutput {
+    double damping = 0;      ///< N s/m, b of the device, for Eq. 8; >= 0
+    double peak = 10;        ///< N, largest force
+    double continuous = 10;  ///< N, force that the motors hold for any time, <= peak
+    double stiffness = 1e9;  ///< N/m, largest that the maker states; 1e9: none stated
+    double torque = 0;       ///< N m, largest about the shaft; 0: no motor there
+    double scale = 1;        ///< force sent over force of the model at the hand, > 0
+};
+
+/// Every value finite and in its range.
+bool is_usable(const ForceOutput& output);
+
+/// Of both hands; none where a device renders no force.
+using ForceDevices = std::array<std::optional<ForceOutput>, hand_count>;
+
 /// A rig of two hands and a camera. Called only by the haptic thread, once per tick; must not block, allocate
 /// or throw.
 class Rig {
@@ -80,13 +99,19 @@ class Rig {
     /// Sets hands, camera and the flags that this rig is responsible for. `tick` is the haptic tick that
     /// starts.
     virtual void read(std::uint32_t tick, RigSample& sample) = 0;
-    /// The force to render on a hand's device (N, patient frame), after safety. Devices without force ignore
-    /// it.
+    /// The force to render on a hand's device (N on the hand at the handle, patient frame), after safety.
+    /// Devices without force ignore it.
     virtual void write_force(Hand hand, const Vector3& force) = 0;
+    /// The torque to render about the shaft (N m on the hand, positive about the direction trocar to tip),
+    /// after safety. Devices without a motor there ignore it.
+    virtual void write_torque(Hand /*hand*/, double /*torque*/) {}
     /// True if the hand can feel force.
     virtual bool has_force(Hand hand) const = 0;
     /// Device damping b in N s/m for Eq. 8; negative if unknown or not applicable.
     virtual double damping(Hand hand) const = 0;
+    /// What the hand's device can render; none: it renders no force, and 0 is sent. Constant during an
+    /// attempt.
+    virtual std::optional<ForceOutput> force_output(Hand hand) const;
 };
 
 }  // namespace fulcrum

@@ -146,6 +146,10 @@ ToolKinematics tool_pose(const InstrumentModel& model, const DeviceSample& sampl
     return tool;
 }
 
+Vector3 handle_of(const InstrumentModel& model, const ToolKinematics& tool) {
+    return -(model.trocar.shaft_length - tool.insertion) * tool.axis;
+}
+
 ToolKinematics step_instrument(const InstrumentModel& model, const DeviceSample& sample,
                                InstrumentState& state) {
     ToolKinematics tool = tool_pose(model, sample);

@@ -83,6 +83,10 @@ DeviceSample start_sample(const TrocarSpec& trocar, double insertion);
 /// Pose of a single sample, velocities zero.
 ToolKinematics tool_pose(const InstrumentModel& model, const DeviceSample& sample);
 
+/// The handle from the trocar, m, patient frame, as the instrument follows it: never nearer than
+/// handle_clearance, and within the reach of the trocar.
+Vector3 handle_of(const InstrumentModel& model, const ToolKinematics& tool);
+
 /// One tick: pose, and velocities from the difference to the last quantised sample (zero in the first tick
 /// and in the tick after an absence, so that a device that comes back causes no jump).
 ToolKinematics step_instrument(const InstrumentModel& model, const DeviceSample& sample,

@@ -4,6 +4,7 @@
 
 #include "sim_core/instrument/device.h"
 #include "sim_core/instrument/instrument.h"
+#include "sim_core/instrument/proxy_pose.h"
 #include "sim_core/telemetry/sample.h"
 
 namespace fulcrum {
@@ -12,7 +13,14 @@ namespace fulcrum {
 struct ContactReport {
     ToolKinematics tool;
     std::int32_t vertex = -1;  ///< surface vertex of the contact
+    TouchList touches;         ///< how deep the instrument is in what it touches
     bool slipping = false;     ///< the traction exceeds what the jaws can hold
+};
+
+/// Eq. 8 began to reduce what a hand feels in this tick (event stability_limited).
+struct StabilityLimit {
+    bool limited = false;
+    float stiffness = 0;  ///< N/m, rendered at the hand afterwards
 };
 
 struct TickOutput {
@@ -20,6 +28,8 @@ struct TickOutput {
     TickSample sample;
     ContactReport contact[hand_count];
     Vector3 device_force[hand_count] = {Vector3::Zero(), Vector3::Zero()};  ///< N, on the hand, after safety
+    double device_torque[hand_count] = {0, 0};  ///< N m about the shaft, on the hand, after safety
+    StabilityLimit limited[hand_count];
 };
 
 }  // namespace fulcrum

@@ -25,7 +25,8 @@ const char* name_of(StabilityOutcome outcome) {
 
 std::vector<StabilityMap> stability_maps() {
     std::vector<StabilityMap> maps;
-    for (const auto room : {rod_stability, skin_stability, membrane_stability, haptic_stability_maps}) {
+    for (const auto room :
+         {rod_stability, skin_stability, membrane_stability, haptic_stability_maps, lever_stability}) {
         std::vector<StabilityMap> more = room();
         maps.insert(maps.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
     }

@@ -12,5 +12,8 @@ namespace fulcrum::lab {
 std::vector<StabilityMap> rod_stability();
 /// Surface on its cage: slivers and bend.
 std::vector<StabilityMap> skin_stability();
+/// Force at the hand through the lever: insertion from 5 to 95 % and stiffness; the wall as the model is, and
+/// each tissue as it is sent.
+std::vector<StabilityMap> lever_stability();
 
 }  // namespace fulcrum::lab

@@ -7,6 +7,7 @@
 
 #include "sim_core/lab/cut_study.h"
 #include "sim_core/lab/filter_study.h"
+#include "sim_core/lab/hand_study.h"
 #include "sim_core/lab/membrane_study.h"
 #include "sim_core/lab/rod_study.h"
 #include "sim_core/lab/skin_study.h"
@@ -26,6 +27,7 @@ const std::vector<Study>& studies() {
         {"filter",
          run_filter_study,
          {"mesh", "vertex", "force_n", "sigma_m", "grade", "tip_box_m", "tip_rotation"}},
+        {"hand", run_hand_study, {"trocar", "cases"}},
         {"membrane",
          run_membrane_study,
          {"mesh", "fixed", "stiffness_n_m", "shear_stiffness_n_m", "bend_stiffness_n_m", "damping", "mass_kg",

@@ -60,13 +60,18 @@ std::vector<double> numbers_of(const JsonDocument& study, const std::string& key
         if (fallback.empty()) fail_missing(study, key);
         return fallback;
     }
-    if (!value->is_array() || value->size() != count) {
-        study.fail("/" + key, "the value is not an array of " + std::to_string(count) + " numbers",
+    return numbers_at(study, *value, "/" + key, count, most);
+}
+
+std::vector<double> numbers_at(const JsonDocument& study, const nlohmann::json& value,
+                               const std::string& pointer, std::size_t count, double most) {
+    if (!value.is_array() || value.size() != count) {
+        study.fail(pointer, "the value is not an array of " + std::to_string(count) + " numbers",
                    "give " + std::to_string(count) + " numbers in brackets");
     }
     std::vector<double> numbers;
     for (std::size_t i = 0; i < count; ++i) {
-        numbers.push_back(checked(study, "/" + key + "/" + std::to_string(i), (*value)[i], -most, most));
+        numbers.push_back(checked(study, pointer + "/" + std::to_string(i), value[i], -most, most));
     }
     return numbers;
 }

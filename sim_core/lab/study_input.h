@@ -21,6 +21,9 @@ double number_of(const JsonDocument& study, const std::string& key, double least
 /// (empty: the key is required).
 std::vector<double> numbers_of(const JsonDocument& study, const std::string& key, std::size_t count,
                                const std::vector<double>& fallback, double most);
+/// Array of `count` finite numbers, each of at most `most` in magnitude; `pointer` is its place in the study.
+std::vector<double> numbers_at(const JsonDocument& study, const nlohmann::json& value,
+                               const std::string& pointer, std::size_t count, double most);
 /// List of vertex numbers, each below `vertices`; none if the key is missing.
 std::vector<std::int32_t> vertex_list_of(const JsonDocument& study, const std::string& key,
                                          std::size_t vertices);

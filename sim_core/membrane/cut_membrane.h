@@ -91,7 +91,14 @@ struct CutMembraneState {
     double removed_mass = 0;      ///< kg
     std::int32_t node_end = 0;    ///< nodes from this one on were never used
     std::int32_t bend_count = 0;  ///< bend springs in use
-    std::size_t bytes() const;    ///< that its tables own
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(positions, velocities, masses, vertex, held, isolated, pieces, first_piece, contacts,
+              first_contact, first, second, next_spring, stiffness, rest, first_spring, spring_end,
+              free_nodes, free_contacts, free_springs, free_node_count, free_contact_count, free_spring_count,
+              topology, removed_mass, node_end, bend_count);
+    }
+    std::size_t bytes() const;  ///< that its tables own
 };
 
 /// A spring between a point on a piece and an external object: jaws, the tip of a tool, a blade.

@@ -28,6 +28,8 @@
 
 namespace fulcrum {
 
+class StateArchive;
+
 /// Outcome of a step. From `refused` on the state is not the result of a step.
 enum class MembraneFault : std::uint8_t {
     none,
@@ -45,6 +47,11 @@ struct MembraneState {
     std::vector<Vector3> velocities;  ///< m/s
     std::vector<std::uint8_t> cut;    ///< one per spring, in Membrane::springs() order: 1 if it is cut
     std::uint32_t topology = 0;       ///< increment it with every change of `cut`
+
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(positions, velocities, cut, topology);
+    }
 };
 
 /// A vertex held by jaws: a zero-length spring to a target, solved implicitly with the others.
@@ -66,6 +73,11 @@ struct MembraneInputs {
     /// Together with the forces they change the momentum of the whole membrane, attached vertices included.
     std::vector<Vector3> reactions;
     std::vector<MembraneHold> holds;  ///< at most Membrane::most_holds; a vertex may be held twice
+
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(gravity, forces, attachments, reactions, holds);
+    }
 };
 
 struct MembraneSolve {
@@ -118,6 +130,7 @@ class MembraneScratch {
     struct Data;
     Data& data() { return *data_; }
     std::size_t bytes() const;
+    void fields(StateArchive& archive);
     /// Number of matrix builds, and of changed edges or diagonal entries since the last one.
     int builds() const, updates() const;
     /// Multiplications: for building the levels; for one cycle (each of four lanes); and springs. For the

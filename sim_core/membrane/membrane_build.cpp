@@ -6,6 +6,7 @@
 #include "sim_core/membrane/membrane.h"
 #include "sim_core/membrane/membrane_system.h"
 #include "sim_core/numerics/input_error.h"
+#include "sim_core/numerics/state_archive.h"
 
 namespace fulcrum {
 
@@ -139,6 +140,9 @@ MembraneScratch::MembraneScratch(const MembraneScratch& other)
 MembraneScratch& MembraneScratch::operator=(const MembraneScratch& other) {
     if (this != &other) data_ = other.data_ ? std::make_unique<Data>(*other.data_) : nullptr;
     return *this;
+}
+void MembraneScratch::fields(StateArchive& archive) {
+    archive(*data_);
 }
 int MembraneScratch::builds() const {
     return data_->builds;

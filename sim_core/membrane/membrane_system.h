@@ -72,6 +72,15 @@ struct MembraneScratch::Data {
     // Last good state.
     MembraneState good;
     double dt = 0;
+
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(start, start_velocity, position, trial, target, gradient, trial_gradient, direction, load,
+              product, residual, preconditioned, search, inertia, stiffness, rest, across, along, multigrid,
+              built_dt, built_cut, built_topology, cuts_behind, updates_since, held, built_held, held_count,
+              built_held_count, edge_weight, inner_weight, diagonal, builds, updates, moved, turned, products,
+              remembered, newest, good, dt);
+    }
 };
 
 namespace membrane_detail {

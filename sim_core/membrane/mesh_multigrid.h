@@ -46,6 +46,12 @@ class MeshMultigrid {
     std::int64_t solve_operations() const;
     std::int64_t build_operations() const { return build_operations_; }
 
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(levels_, used_, edge_slots_, dense_, coarsest_behind_, coarsest_, aggregate_, mark_,
+              row_offsets_, rows_, row_values_, sum_, build_operations_);
+    }
+
   private:
     /// One level. Rows have a lower and an upper half, each padded to a multiple of four with entries of
     /// value 0 in the column after the last: loops without remainders are faster.
@@ -59,6 +65,12 @@ class MeshMultigrid {
         std::vector<double> gather_values;
         std::vector<Lanes> solution, right, kept, first;
         void size(std::size_t nodes, std::size_t entries);
+
+        template <typename Visit>
+        void fields(Visit&& visit) {
+            visit(nodes, offsets, middle, columns, values, diagonal, inverse_diagonal, gather_columns,
+                  gather_values, solution, right, kept, first);
+        }
     };
     static constexpr std::int32_t widest = 3;
     std::int32_t aggregate(const Level& level) noexcept;

@@ -27,6 +27,11 @@ class BlockBand {
     std::vector<Block4> diagonal;  ///< block (i, i), both triangles
     std::vector<Block4> first;     ///< block (i + 1, i)
     std::vector<Block4> second;    ///< block (i + 2, i)
+
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(diagonal, first, second);
+    }
 };
 
 /// Factor of a BlockBand. Stored separately, so that the matrix itself stays available for products and
@@ -44,6 +49,10 @@ class BlockBandFactor {
     void solve(double* x) const;
     std::size_t blocks() const { return lower_.size(); }
     std::size_t bytes() const;
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(lower_, first_, second_, inverse_pivot_);
+    }
 
   private:
     std::vector<Block4> lower_;           // unit lower triangle of each diagonal block

@@ -45,10 +45,12 @@ void require_writable_file(const std::string& path) {
     }
 }
 
-void write_whole_file(const std::string& path, const std::string& bytes) {
+void write_whole_file(const std::string& path, const std::string& bytes, FileAccess access) {
     require_writable_file(path);
     try {
-        write_output_file(path, bytes);
+        write_output_file(
+            path, bytes, OutputFile::Existing::replace,
+            access == FileAccess::owner_only ? OutputFile::Access::owner_only : OutputFile::Access::as_usual);
     } catch (const std::system_error& error) {
         throw unwritable(path, error);
     }

@@ -17,8 +17,9 @@ namespace {
 
 namespace files = std::filesystem;
 
-constexpr const char* mark = ".part-";
-constexpr std::size_t random_letters = 6;
+// Nobody else names a file like this: what is removed as abandoned is ours.
+constexpr const char* mark = ".part-fulcrum-";
+constexpr std::size_t random_letters = 12;
 
 [[noreturn]] void fail(const std::string& path, int error) {
     throw std::system_error(error, std::generic_category(), path);
@@ -53,7 +54,10 @@ void remove_abandoned(const std::string& path) {
     for (const files::path& file : found) {
         const int descriptor = ::open(file.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
         if (descriptor < 0) continue;
-        if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) ::unlink(file.c_str());
+        struct stat status {};
+        const bool ours =
+            ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == ::geteuid();
+        if (ours && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0) ::unlink(file.c_str());
         ::close(descriptor);
     }
 }
@@ -131,8 +135,9 @@ void OutputFile::commit() {
     descriptor_ = -1;
 }
 
-void write_output_file(const std::string& path, std::string_view content, OutputFile::Existing existing) {
-    OutputFile file(path, existing);
+void write_output_file(const std::string& path, std::string_view content, OutputFile::Existing existing,
+                       OutputFile::Access access) {
+    OutputFile file(path, existing, access);
     file.write(content);
     file.commit();
 }

@@ -45,7 +45,8 @@ class OutputFile {
 
 /// One call for content that is in memory. Throws std::system_error.
 void write_output_file(const std::string& path, std::string_view content,
-                       OutputFile::Existing existing = OutputFile::Existing::replace);
+                       OutputFile::Existing existing = OutputFile::Existing::replace,
+                       OutputFile::Access access = OutputFile::Access::as_usual);
 
 /// Renames within one folder and makes it last. False if `to` exists, which is left alone. Throws
 /// std::system_error.

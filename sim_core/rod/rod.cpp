@@ -5,6 +5,7 @@
 #include <string>
 
 #include "sim_core/numerics/functions.h"
+#include "sim_core/numerics/state_archive.h"
 #include "sim_core/rod/rod_system.h"
 
 namespace fulcrum {
@@ -129,6 +130,10 @@ RodScratch& RodScratch::operator=(const RodScratch& other) {
         data_ = other.data_ ? std::make_unique<Data>(*other.data_) : nullptr;
     }
     return *this;
+}
+
+void RodScratch::fields(StateArchive& archive) {
+    archive(*data_);
 }
 
 std::size_t RodScratch::bytes() const {

@@ -27,6 +27,8 @@
 
 namespace fulcrum {
 
+class StateArchive;
+
 enum class RodEnd : std::uint8_t {
     free,     ///< nothing prescribed
     pinned,   ///< position prescribed, direction and twist free
@@ -87,6 +89,11 @@ struct RodState {
     std::vector<Vector3> velocities;  ///< n + 1, m/s
     std::vector<double> spins;        ///< n, rad/s about the tangent
     RodFrame ends[2];                 ///< frames of the prescribed ends at the end of the last step
+
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(nodes, directors, joint_twist, velocities, spins, ends);
+    }
 };
 
 /// Dead load at arc length s: force through the centre line and moment (spatial). Applied with the directions
@@ -163,6 +170,11 @@ struct RodInputs {
     std::vector<RodGrasp> grasps;
     std::vector<RodContact> contacts;
     std::vector<RodSelfContact> self_contacts;
+
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(gravity, ends, loads, nodal_forces, tethers, grasps, contacts, self_contacts);
+    }
 };
 
 /// Solver settings. Defaults: level `newton` of docs/THEORY.md, section 8 to the residual of docs/QUALITY.md.
@@ -217,6 +229,7 @@ class RodScratch {
     Data& data() { return *data_; }
     const Data& data() const { return *data_; }
     std::size_t bytes() const;
+    void fields(StateArchive& archive);
 
   private:
     friend class Rod;

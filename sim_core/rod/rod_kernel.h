@@ -30,6 +30,10 @@ struct RodShape {
     std::vector<double> length;      ///< m
     std::vector<double> twist;       ///< per joint, rad, unwrapped
 
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(position, tx, ty, tz, dx, dy, dz, inverse, length, twist);
+    }
     void resize(int segments);
     std::size_t bytes() const;
 };
@@ -41,6 +45,11 @@ struct RodJointTerms {
     std::vector<Block4> aa, bb, ab;              ///< ab: rows a, columns b
     std::vector<double> energy;                  ///< by joint, J; filled by unit_joint_terms only
     double bend = 0, twist = 0;                  ///< J
+
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(gradient_a, gradient_b, aa, bb, ab, energy, bend, twist);
+    }
 
     void resize(int segments);
     std::size_t bytes() const;

@@ -24,6 +24,11 @@ struct RodSectionTerms {
     std::vector<double> tangent;            ///< per segment, N/m
     double stretch = 0;                     ///< J
 
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(unit, response, bend, force, tangent, stretch);
+    }
+
     void resize(int segments);
     std::size_t bytes() const;
 };

@@ -49,6 +49,18 @@ struct RodScratch::Data {
     RodState saved;
     std::vector<RodGrasp> saved_grasps;
     std::vector<double> saved_lambda, saved_self_lambda;
+
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(shape, trial, start, joints, section, matrix, reduced, factor, gradient, step, inertia,
+              predicted, dead, shift_weight, column, damping_force, damping, fixed, target, tether_points,
+              grasp_points, contact_points, self_points, grasp_lambda, grasp_force, grasp_target,
+              tether_start, contact_start, turn_lambda, turn_force, turn_target, contact_lambda,
+              contact_force, contact_start_lambda, self_lambda, self_force, contact_active, active_changes,
+              anchor, dt, shift, dead_norm, joint_evaluations, block_factors, energy, energy_noise,
+              gradient_noise, bend, twist, stretch, constraint_residual, penetration, multiplier_change,
+              reaction_squared, saved, saved_grasps, saved_lambda, saved_self_lambda);
+    }
 };
 
 /// Copies a state into a shape, including the end frames.

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "sim_core/scene/bands_reader.h"
+#include "sim_core/scene/bowel_reader.h"
 #include "sim_core/scene/camera_targets_reader.h"
 #include "sim_core/scene/cutting_values.h"
 #include "sim_core/scene/json_document.h"
@@ -45,7 +46,10 @@ class SceneReader {
         if (root.contains("camera")) scene_.camera = read_camera(root.at("camera"));
         if (root.contains("targets")) scene_.targets = read_targets(root.at("targets"));
         if (root.contains("cavity")) scene_.cavity = read_cavity(root.at("cavity"));
-        if (root.contains("bowel")) scene_.bowel = read_bowel(root.at("bowel"));
+        if (root.contains("bowel")) {
+            scene_.bowel = read_bowel_spec(document_, root.at("bowel"));
+            check_tissue("/bowel", scene_.bowel->tissue);
+        }
         if (root.contains("tethers")) scene_.tethers = read_tethers(root.at("tethers"));
         if (root.contains("membranes")) read_membranes(root.at("membranes"));
         if (root.contains("sheet")) scene_.sheet = read_sheet(root.at("sheet"));
@@ -226,79 +230,6 @@ class SceneReader {
         return cavity;
     }
 
-    // Thickness and stiffness of the whole wall follow from its layers.
-    void read_layers(const json& node, BowelSpec& bowel) {
-        bowel.wall_thickness = 0;
-        for (const json& entry : node) {
-            WallLayer layer;
-            copy(entry, "thickness", layer.thickness);
-            copy(entry, "young_modulus", layer.young);
-            copy(entry, "exponent", layer.exponent);
-            bowel.wall_thickness += layer.thickness;
-            bowel.layers.push_back(layer);
-        }
-        if (bowel.wall_thickness >= bowel.outer_radius) {
-            document_.fail("/bowel/layers", "the layers together are thicker than the bowel's radius",
-                           "give layers whose thicknesses add up to less than outer_radius");
-        }
-        const double one_pascal =
-            tube_stiffness({{bowel.wall_thickness, 1.0, 1.0}}, bowel.outer_radius, 0).axial;
-        bowel.young_modulus = tube_stiffness(bowel.layers, bowel.outer_radius, 0).axial / one_pascal;
-    }
-
-    NoduleSpec read_nodule(const json& node, const BowelSpec& bowel) {
-        if (bowel.layers.empty()) {
-            document_.fail("/bowel/nodule", "a nodule needs a wall with layers", "give the bowel \"layers\"");
-        }
-        NoduleSpec nodule;
-        copy(node, "at", nodule.at);
-        double degrees = 0;
-        copy(node, "angle_deg", degrees);
-        nodule.angle = degrees * 3.14159265358979323846 / 180;
-        copy(node, "height", nodule.shape.height);
-        copy(node, "radius", nodule.shape.radius);
-        copy(node, "young_modulus", nodule.shape.young);
-        if (nodule.shape.height > bowel.layers.front().thickness) {
-            document_.fail("/bowel/nodule/height", "the nodule is thicker than the layer that it replaces",
-                           "give a height of at most the first layer's thickness");
-        }
-        return nodule;
-    }
-
-    BowelSpec read_bowel(const json& node) {
-        BowelSpec bowel;
-        copy(node, "length", bowel.length);
-        copy(node, "outer_radius", bowel.outer_radius);
-        copy(node, "wall_thickness", bowel.wall_thickness);
-        copy(node, "young_modulus", bowel.young_modulus);
-        copy(node, "poisson_ratio", bowel.poisson_ratio);
-        if (node.contains("layers")) read_layers(node.at("layers"), bowel);
-        if (node.contains("nodule")) bowel.nodule = read_nodule(node.at("nodule"), bowel);
-        copy(node, "luminal_bulk_modulus", bowel.luminal_bulk_modulus);
-        copy(node, "linear_density", bowel.linear_density);
-        copy(node, "damping", bowel.damping);
-        copy(node, "segments", bowel.segments);
-        copy(node, "sphere_spacing", bowel.sphere_spacing);
-        copy(node, "surface_vertices", bowel.surface_vertices);
-        copy(node, "seed", bowel.seed);
-        copy(node, "tissue", bowel.tissue);
-        copy(node, "floor_friction", bowel.floor_friction);
-        copy(node, "layout", bowel.layout);
-        copy(node, "weight", bowel.weight);
-        copy(node, "blade_width", bowel.blade_width);
-        check_tissue("/bowel", bowel.tissue);
-        if (bowel.wall_thickness >= bowel.outer_radius) {
-            document_.fail("/bowel/wall_thickness", "the wall is thicker than the bowel's radius",
-                           "give a wall thinner than outer_radius");
-        }
-        if (bowel.sphere_spacing > 4 * bowel.outer_radius || bowel.sphere_spacing < bowel.length / 1000) {
-            document_.fail("/bowel/sphere_spacing",
-                           "the spheres would leave gaps, or there would be more than 1000",
-                           "give a spacing near outer_radius, below four times it");
-        }
-        return bowel;
-    }
-
     TetherSpec read_tethers(const json& node) {
         TetherSpec tethers;
         copy(node, "count", tethers.count);
@@ -399,7 +330,7 @@ class SceneReader {
     }
 
     void read_sacral_hollow(const json& root) {
-        const bool rectum = scene_.bowel && scene_.bowel->layout == "rectum";
+        const bool rectum = scene_.bowel && scene_.bowel->layout == BowelLayout::rectum;
         if (root.contains("presacral")) {
             if (!scene_.bowel)
                 document_.fail("/presacral", "a presacral wall needs a rectum",

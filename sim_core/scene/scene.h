@@ -104,6 +104,12 @@ struct NoduleSpec {
     WallNodule shape;
 };
 
+/// Where a bowel lies.
+enum class BowelLayout : std::uint8_t {
+    colon,   ///< the rectosigmoid in a cavity
+    rectum,  ///< along the sacral hollow; needs presacral
+};
+
 struct BowelSpec {
     double length = 0.9;            ///< m
     double outer_radius = 0.016;    ///< m, mean
@@ -122,11 +128,10 @@ struct BowelSpec {
     std::uint64_t seed = 1;
     std::string tissue = "bowel";
     double floor_friction = 0.3;
-    std::string layout = "colon";  ///< "colon": the rectosigmoid in a cavity; "rectum": along the sacral
-                                   ///< hollow, needs presacral
-    double weight = 1;             ///< fraction of its weight not carried by the tissue beneath
-    double blade_width = 0.0006;   ///< m, of the band that a blade removes; its surface can be cut if its
-                                   ///< tissue has `cutting`
+    BowelLayout layout = BowelLayout::colon;
+    double weight = 1;            ///< fraction of its weight not carried by the tissue beneath
+    double blade_width = 0.0006;  ///< m, of the band that a blade removes; its surface can be cut if its
+                                  ///< tissue has `cutting`
 };
 
 /// The mesentery of B1: tension-only springs from the rod to a line on the wall, through the rod's attachment

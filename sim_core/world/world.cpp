@@ -92,7 +92,7 @@ void World::begin_input(const TickOutput* outputs, std::size_t count) noexcept {
         held.instrument = scene_.instrument(static_cast<Hand>(hand));
         held.tool = input_.last().contact[hand].tool;
         for (const std::unique_ptr<Part>& part : parts_) {
-            part->exchange(hand, held);
+            part->exchange(hand, input_, held);
             if (part->holds(hand)) input_.holder[hand] = part.get();
         }
     }
@@ -157,7 +157,24 @@ void World::fill_snapshot(const TickOutput& last) noexcept {
     }
     if (scope_) snapshot_.camera = scope_pose(*scope_, last.input.camera);
     for (const std::unique_ptr<Part>& part : parts_) part->fill_snapshot(snapshot_);
-    for (std::size_t hand = 0; hand < hand_count; ++hand) show_grasp(hand);
+    for (std::size_t hand = 0; hand < hand_count; ++hand) {
+        show_grasp(hand);
+        show_lift(hand, last.contact[hand].touches);
+    }
+}
+
+/// The bowel is drawn with its dents: an instrument is lifted out only as far as it is deeper than the dent.
+void World::show_lift(std::size_t hand, TouchList touches) noexcept {
+    for (std::int32_t i = 0; i < touches.count; ++i) {
+        Touch& touch = touches.touch[static_cast<std::size_t>(i)];
+        if (touch.vertex < 0) continue;
+        for (std::int32_t d = 0; d < snapshot_.dent_count; ++d) {
+            const DentVertex& dent = snapshot_.dents[static_cast<std::size_t>(d)];
+            if (dent.vertex == touch.vertex)
+                touch.depth = std::max(0.0, touch.depth + touch.normal.dot(dent.displacement));
+        }
+    }
+    snapshot_.lift[hand] = lift_out(touches);
 }
 
 void World::show_grasp(std::size_t hand) noexcept {
@@ -214,6 +231,23 @@ void World::restore(const Saved& saved) {
     std::copy_n(saved.last_holder, hand_count, last_holder_);
     steps_ = saved.steps;
     next_hash_tick_ = saved.next_hash_tick;
+}
+
+void World::transfer(StateArchive& archive) {
+    for (const std::unique_ptr<Part>& part : parts_) part->transfer(archive);
+    archive(models_, snapshot_, last_holder_, steps_, next_hash_tick_);
+    if (archive.reads()) point_to_wall(models_);
+}
+
+void World::point_to_wall(LocalModels& models) const noexcept {
+    for (LocalModel& model : models.hand) {
+        TissueContact& contact = model.patch.contact;
+        if (contact.wall == nullptr) continue;
+        contact.wall = nullptr;
+        for (const std::unique_ptr<Part>& part : parts_) {
+            if (part->layered_wall() != nullptr) contact.wall = part->layered_wall();
+        }
+    }
 }
 
 void World::measure(bool on) {

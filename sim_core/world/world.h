@@ -61,8 +61,14 @@ class World {
     struct Saved;
     std::shared_ptr<const Saved> save() const;
     void restore(const Saved& saved);
+    /// The same as bytes (key frames): for a world of the same scene and seed in the same build. Reading
+    /// throws StateArchiveError; what was read until then stays.
+    void transfer(StateArchive& archive);
     /// Hash of all parts now.
     std::uint64_t hash() const noexcept;
+
+    /// Models that were read from bytes: their pointer to a layered wall is this world's.
+    void point_to_wall(LocalModels& models) const noexcept;
 
     void measure(bool on);
     std::vector<PartCost> costs() const;
@@ -81,6 +87,7 @@ class World {
     void fill_models(const TickOutput& last) noexcept;
     void fill_snapshot(const TickOutput& last) noexcept;
     void show_grasp(std::size_t hand) noexcept;
+    void show_lift(std::size_t hand, TouchList touches) noexcept;
 
     Scene scene_;
     PartList parts_;  ///< in the order of building, publishing and hashing

@@ -23,7 +23,7 @@ struct Target {
 };
 
 /// "educator" teaches "Year 1" with Ann and Ben and is a trainee there too; "other_educator" teaches
-/// "Elsewhere" with Eve; "robot" is synthetic and in no cohort.
+/// "Elsewhere" with Eve; "synthetic-robot" is synthetic and in no cohort.
 class AccessProgramme : public Programme {
   public:
     AccessProgramme() {
@@ -35,12 +35,12 @@ class AccessProgramme : public Programme {
         people().set_educators(director, elsewhere, {id("other_educator")});
         educator = people().act_as(session("educator"), Role::educator);
         teacher = people().act_as(*educator, Role::trainee);
-        const Person robot = people().ensure_synthetic(session("station"), "robot", "Robot");
+        const Person robot = people().ensure_synthetic(session("station"), "synthetic-robot", "Robot");
         ann = make_target("ann", session("ann"), id("ann"), cohort, "Year 1", &*educator);
         eve =
             make_target("eve", session("eve"), id("eve"), elsewhere, "Elsewhere", &session("other_educator"));
         own = make_target("educator", *teacher, id("educator"), cohort, "Year 1", nullptr);
-        synthetic = make_target("robot", session("station"), robot.id, "", "", nullptr);
+        synthetic = make_target("synthetic-robot", session("station"), robot.id, "", "", nullptr);
     }
 
     /// The person of that role who makes the request.
@@ -78,7 +78,7 @@ class AccessProgramme : public Programme {
         Relation relation;
         relation.own = role != Role::station && target.login == login_of(role);
         relation.in_cohort = role == Role::educator && target.cohort == "Year 1";
-        relation.synthetic = target.login == "robot";
+        relation.synthetic = target.login == "synthetic-robot";
         return relation;
     }
     /// Relation of a cohort to the person who asks: trainees are in it, educators teach it.
@@ -96,7 +96,7 @@ class AccessProgramme : public Programme {
     Target make_target(const std::string& login, const Session& performer, const std::string& person,
                        const std::string& cohort_id, const std::string& cohort_name, const Session* author) {
         AttemptMeta meta = example_meta(person);
-        if (login == "robot") meta.device_class = DeviceClass::synthetic;
+        if (login == "synthetic-robot") meta.device_class = DeviceClass::synthetic;
         Recorder recorder(path, performer, meta, clock.options());
         append_second(recorder);
         recorder.finish(example_result(true, 60));

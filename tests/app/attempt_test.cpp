@@ -63,7 +63,7 @@ TEST_F(Window, FaultyDeviceRampsForceToZeroPausesAndResumesAsPracticeFromTheSame
         ASSERT_TRUE(hand.work_until(
             [&] {
                 const HandTargets& wanted = theatre().input()->targets();
-                return rig.sent(Hand::left) > 0.6 && rig.behind(Hand::left, wanted) < 2e-3 &&
+                return rig.sent(Hand::left) > 0.2 && rig.behind(Hand::left, wanted) < 2e-3 &&
                        rig.behind(Hand::right, wanted) < 2e-3;
             },
             150000));
@@ -158,7 +158,7 @@ TEST_F(Window, InterruptedAttemptIsScoredAtTheNextSignInAndShownOnHome) {
         meta.person_id = window.context().session().person_id();
         database::Recorder recorder(services.store_path(false), window.context().session(), meta);
         (breaks ? broken : whole) = recorder.attempt_id();
-        const auto rig = make_operator("novice", loaded.task, loaded.scene, 31);
+        const auto rig = make_operator(OperatorLevel::novice, loaded.task, loaded.scene, 31);
         AttemptEngine engine(loaded.scene, loaded.task, 31);
         RecordingSink sink(recorder);
         run_headless(engine, *rig, sink, [](double simulated) { return simulated < 8; });

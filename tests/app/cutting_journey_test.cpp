@@ -50,8 +50,8 @@ class CuttingJourney : public Window {
     std::vector<Event> perform(const char* task, int milliseconds, const std::vector<Moment>& moments) {
         brief(task);
         start(task, false);
-        const auto mind =
-            make_operator("expert", theatre().session()->task(), theatre().session()->scene(), 7);
+        const auto mind = make_operator(OperatorLevel::expert, theatre().session()->task(),
+                                        theatre().session()->scene(), 7);
         MouseHand hand(theatre(), *mind);
         QElapsedTimer timer;
         timer.start();

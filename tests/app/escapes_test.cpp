@@ -10,6 +10,7 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <cstdlib>
 #include <string>
 #include <thread>
 
@@ -18,6 +19,7 @@
 #include "assessment/operators/cheats.h"
 #include "database/records/attempts.h"
 #include "database/records/people.h"
+#include "database/rows/connection.h"
 #include "tests/app/counters.h"
 
 namespace fulcrum::app::test {
@@ -73,8 +75,9 @@ struct Attempt {
         const Cheat* cheat = nullptr;
         for (const Cheat& one : cheats())
             if (std::string(one.name) == "heavy") cheat = &one;
-        hands = std::make_shared<Hands>(heavy ? make_cheat(*cheat, loaded.task, loaded.scene, 2001)
-                                              : make_operator("expert", loaded.task, loaded.scene, 2001));
+        hands = std::make_shared<Hands>(
+            heavy ? make_cheat(*cheat, loaded.task, loaded.scene, 2001)
+                  : make_operator(OperatorLevel::expert, loaded.task, loaded.scene, 2001));
         const Limits limits = limits_for(loaded.task, loaded.scene, DeviceClass::synthetic);
         LiveRequest request;
         request.loaded = loaded;
@@ -279,6 +282,46 @@ TEST_F(Escapes, UnpluggingWithoutABrokenLimitMakesPracticeOfIt) {
     const database::AttemptSummary attempt = only_attempt(store_path);
     EXPECT_EQ(attempt.meta.mode, AttemptMode::practice);
     EXPECT_FALSE(attempt.counting);
+}
+
+/// The whole program stands still for longer than the second that an assessed attempt allows.
+void stop_this_program() {
+    const std::string wake = "(sleep 1.4; kill -CONT " + std::to_string(::getpid()) + ") &";
+    ASSERT_EQ(std::system(wake.c_str()), 0);
+    ASSERT_EQ(::kill(::getpid(), SIGSTOP), 0);
+}
+
+TEST_F(Escapes, StoppingTheProgramMakesPracticeOfItAndIsInTheAuditLog) {
+    {
+        Attempt attempt(store_path, false);
+        ASSERT_TRUE(attempt.moves());
+        stop_this_program();
+        EXPECT_TRUE(wait_for([&] { return attempt.live->became_practice(); }));
+        attempt.live->abandon();
+        attempt.live->wait();
+        attempt.live->rethrow();
+    }
+    EXPECT_EQ(only_attempt(store_path).meta.mode, AttemptMode::practice);
+    const database::Store store = database::Store::open(store_path);
+    database::Query row(store.connection(),
+                        "SELECT p.payload FROM audit_payload p JOIN audit_entry e ON e.sequence = p.sequence "
+                        "WHERE e.operation = 'attempt.practice'");
+    ASSERT_TRUE(row.next());
+    EXPECT_NE(row.text(0).find("the program stood still for 1."), std::string::npos) << row.text(0);
+    EXPECT_TRUE(store.check(store.station_session()).ok);
+}
+
+TEST_F(Escapes, StoppingTheProgramAfterALimitWasBrokenDoesNotTakeItBack) {
+    {
+        Attempt attempt(store_path, true);
+        ASSERT_TRUE(attempt.breaks_the_limit());
+        stop_this_program();
+        attempt.live->abandon();
+        attempt.live->wait();
+        attempt.live->rethrow();
+        EXPECT_FALSE(attempt.live->became_practice());
+    }
+    expect_failed(only_attempt(store_path));
 }
 
 }  // namespace

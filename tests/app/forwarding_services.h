@@ -21,6 +21,14 @@ class ForwardingServices : public ui::ApplicationServices {
     const std::vector<TaskDefinition>& tasks() const override { return own_->tasks(); }
     const Curriculum& curriculum() const override { return own_->curriculum(); }
     Scene scene_for(const TaskDefinition& task) const override { return own_->scene_for(task); }
+    std::string scene_text(const TaskDefinition& task) const override { return own_->scene_text(task); }
+    WorldSnapshot world_at_start(const TaskDefinition& task) const override {
+        return own_->world_at_start(task);
+    }
+    std::vector<JudgedLimit> judged_limits(const database::Session& session, const std::string& task_id,
+                                           DeviceClass device_class) override {
+        return own_->judged_limits(session, task_id, device_class);
+    }
     std::unique_ptr<ui::AttemptSession> start_attempt(const ui::AttemptRequest& request) override {
         ui::AttemptRequest asked = request;
         if (between) asked.rig = between(request.rig);
@@ -29,6 +37,11 @@ class ForwardingServices : public ui::ApplicationServices {
     Statement why_not_comparable(const database::Session& session, const std::string& task_id,
                                  DeviceClass device_class) override {
         return own_->why_not_comparable(session, task_id, device_class);
+    }
+    std::vector<database::AssetFile> unknown_assets(const database::Session& session,
+                                                    const std::string& task_id,
+                                                    DeviceClass device_class) override {
+        return own_->unknown_assets(session, task_id, device_class);
     }
     std::unique_ptr<ui::AttemptSession> start_demonstration(const database::Session& session,
                                                             const std::string& task_id) override {

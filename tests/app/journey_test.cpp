@@ -8,6 +8,7 @@
 #include <QPlainTextEdit>
 #include <QRadioButton>
 #include <QSlider>
+#include <QTabWidget>
 #include <nlohmann/json.hpp>
 
 #include "assessment/metrics/statement_words.h"
@@ -151,7 +152,7 @@ class Journey : public Window {
         while (row < file.size() && cell_of(file, row, "attempt_id") != attempt.meta.id) ++row;
         ASSERT_LT(row, file.size());
         EXPECT_EQ(cell_of(file, row, "points"), csv_number(attempt.points));
-        click(window, "all_metrics");
+        choose_tab(window, "debrief_tabs", "All metrics");
         auto* table = find<QTableWidget>(window, "metrics_table");
         int values = 0;
         for (int line = 0; line < table->rowCount(); ++line) {
@@ -269,6 +270,8 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
 
     // The educator comments on the first and voids the abandoned B1.
     first_sign_in("ed", ed_once, "eduard's word");
+    expect_page("cohort_page");
+    click(window, "rail_attempts");
     expect_page("attempts_page");
     attempts = find<QTableWidget>(window, "attempts_table");
     EXPECT_EQ(attempts->rowCount(), 3);
@@ -287,6 +290,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     find_row(*find<QTableWidget>(window, "attempts_table"), {"B1", "abandoned"});
     click(window, "open_attempt");
     wait_for_debrief();
+    choose_tab(window, "debrief_tabs", "Corrections");
     bring(*find<QWidget>(window, "action_reason"));
     type(window, "action_reason", "started by mistake");
     click(window, "void_attempt");
@@ -316,6 +320,8 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     // The director's files contain the values of the trainee's debrief.
     sign_in("dora", "dora's password");
     expect_page("cohort_page");
+    page.step("director-grid", "The director's cohort: where each person stands, with the latest attempts");
+    find<QTabWidget>(window, "cohort_views")->setCurrentIndex(4);
     auto* table = find<QTableWidget>(window, "cohort_table");
     ASSERT_EQ(table->rowCount(), 1);
     int a2 = 1;
@@ -324,6 +330,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
     EXPECT_EQ(shown_cell.contains("best " + first_points), first.points.has_value());
     for (const char* name : {"cohort.pdf", "cohort.csv", "cohort.json"})
         save_report("export_cohort", folder.filePath(name));
+    QCoreApplication::processEvents();
     expect_whole(*table);
     page.step("director", "The director's cohort table, saved as PDF, CSV and JSON");
     const std::vector<Cells> csv = csv_rows(read_text(folder.filePath("cohort.csv")));

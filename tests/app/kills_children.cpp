@@ -51,7 +51,7 @@ int perform_until_killed(const char* folder, const char* counters_path, unsigned
         request.loaded = loaded;
         request.seed = 5000 + seed * 100 + number;
         request.rig = std::make_shared<CountingOperator>(
-            make_operator("expert", loaded.task, loaded.scene, request.seed), *counters);
+            make_operator(OperatorLevel::expert, loaded.task, loaded.scene, request.seed), *counters);
         request.store_path = store_path;
         request.session = station;
         request.meta = attempt_meta(loaded, request.seed, AttemptMode::assessed, DeviceClass::synthetic,

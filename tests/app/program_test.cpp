@@ -121,6 +121,8 @@ TEST_F(Program, RefusesBadCommandLinesWithTwo) {
         {"lab", "run"},
         {"db", "dance"},
         {"report", "--person", "x", "--as", "x"},
+        {"certificate", "--as", "x"},
+        {"certificate", "--verify", "x", "--person", "x", "--as", "x"},
         {"benchmark", "build", "A2"},
         {"check", path("none.json")},
     };

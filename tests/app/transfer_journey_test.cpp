@@ -28,7 +28,8 @@ TEST_F(TransferJourney, MouseAndKeysHandARingOver) {
     constexpr int patience = 180000;  // ms; long enough for a slow machine
     create_programme_and_trainee();
     start("A3", false);
-    const auto mind = make_operator("expert", theatre().session()->task(), theatre().session()->scene(), 7);
+    const auto mind =
+        make_operator(OperatorLevel::expert, theatre().session()->task(), theatre().session()->scene(), 7);
     MouseHand hand(theatre(), *mind);
     EXPECT_TRUE(hand.work_until([&] { return display().rings_placed != 0; }, patience));
     ASSERT_TRUE(in_theatre());

@@ -29,7 +29,13 @@ class SpoiltRig : public Rig {
     void read(std::uint32_t tick, RigSample& sample) override;
     void write_force(Hand hand, const Vector3& force) override;
     bool has_force(Hand) const override { return true; }
-    double damping(Hand) const override { return -1; }
+    double damping(Hand) const override { return 0.5; }
+    std::optional<ForceOutput> force_output(Hand) const override {
+        ForceOutput output;
+        output.damping = 0.5;
+        output.scale = 0.4;
+        return output;
+    }
     double sent(Hand hand) const { return sent_[static_cast<int>(hand)].load(); }
     /// m between a hand's handle and its target.
     double behind(Hand hand, const ui::HandTargets& wanted) const;
@@ -80,7 +86,8 @@ class Window : public ::testing::Test {
     ui::DebriefPage& wait_for_debrief();
     void home();
     database::AttemptSummary newest_attempt();
-    /// Replays the stored record in a new engine and expects bit-identical results.
+    /// Replays the stored record in a new engine, from the state that it began with, and expects
+    /// bit-identical results.
     void expect_replays(const std::string& attempt_id);
 
     QTemporaryDir folder;

@@ -109,7 +109,7 @@ std::unique_ptr<LiveAttempt> start_attempt(const database::Store& store, const L
     LiveRequest request;
     request.loaded = loaded;
     request.assessed = false;
-    request.rig = make_operator("expert", loaded.task, loaded.scene, 1);
+    request.rig = make_operator(OperatorLevel::expert, loaded.task, loaded.scene, 1);
     request.store_path = store.path();
     request.session = session;
     request.meta =
@@ -182,7 +182,7 @@ void window(benchmark::State& state, const char* task) {
 /// One snapshot per second of the world in the first 40 s of an expert's attempt.
 std::vector<WorldSnapshot> recorded_worlds(const LoadedTask& loaded) {
     AttemptEngine engine(loaded.scene, loaded.task, 1);
-    const auto rig = make_operator("expert", loaded.task, loaded.scene, 1);
+    const auto rig = make_operator(OperatorLevel::expert, loaded.task, loaded.scene, 1);
     MemorySink sink;
     std::vector<WorldSnapshot> worlds = {engine.initial_snapshot()};
     int step = 0;

@@ -49,6 +49,7 @@ inline const Expected expected_table[] = {
     {Operation::manage_settings, "---p-"},
     {Operation::read_tissues, "ppp-p"},
     {Operation::set_tissues, "-p---"},
+    {Operation::accept_assets, "-p---"},
 };
 
 inline Scope scope_of_letter(char letter) {

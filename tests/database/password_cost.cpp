@@ -6,11 +6,14 @@
 #include <atomic>
 
 namespace {
-std::atomic<unsigned long long> operations{0};
+std::atomic<unsigned long long> operations{0}, hashes{0};
 std::atomic<std::size_t> memory{0};
 }  // namespace
 
 namespace fulcrum::database::test {
+unsigned long long password_hashes_made() {
+    return hashes;
+}
 PasswordCost asked_password_cost() {
     return {operations, memory};
 }
@@ -22,6 +25,7 @@ extern "C" int crypto_pwhash_str_alg(char out[crypto_pwhash_STRBYTES], const cha
                                      unsigned long long length, unsigned long long asked_operations,
                                      std::size_t asked_memory, int algorithm) {
     operations = asked_operations;
+    ++hashes;
     memory = asked_memory;
     if (algorithm != crypto_pwhash_ALG_ARGON2ID13) return -1;
     return crypto_pwhash_argon2id_str(out, password, length, crypto_pwhash_argon2id_OPSLIMIT_MIN,

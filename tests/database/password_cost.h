@@ -14,5 +14,7 @@ struct PasswordCost {
     std::size_t memory = 0;  ///< bytes
 };
 PasswordCost asked_password_cost();
+/// How many hashes were made so far.
+unsigned long long password_hashes_made();
 
 }  // namespace fulcrum::database::test

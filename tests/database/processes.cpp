@@ -102,7 +102,7 @@ int window(const std::string& folder, int) {
     const std::string path = store_in(folder);
     const Store store = Store::open(path);
     const Session station = store.station_session();
-    const std::string person = People(store).ensure_synthetic(station, "synthetic", "Synthetic").id;
+    const std::string person = People(store).ensure_synthetic(station, "synthetic-1", "Synthetic").id;
     Recorder running(path, station, synthetic_meta(person));
     counters.begun.fetch_add(1);
     StoreOptions reading;
@@ -144,7 +144,7 @@ int rounds(const std::string& folder, int count) {
         counted(counters, [&] {
             const Store store = Store::open(path);
             const Session station = store.station_session();
-            const std::string person = People(store).ensure_synthetic(station, "synthetic", "Synthetic").id;
+            const std::string person = People(store).ensure_synthetic(station, "synthetic-1", "Synthetic").id;
             AttemptFilter newest;
             newest.limit = 5;
             Attempts(store).list(station, newest);
@@ -166,7 +166,7 @@ int backup(const std::string& folder, int) {
     return copy_database(store.connection(), folder + "/copy.db") ? 0 : 3;
 }
 
-int migrate_store(const std::string& folder, int) {
+int open_older(const std::string& folder, int) {
     counters_in(folder).begun.fetch_add(1);
     const Store store = Store::open(store_in(folder));
     return 0;
@@ -177,7 +177,7 @@ int migrate_store(const std::string& folder, int) {
 int run_child(const std::string& name, const std::string& folder, int number) {
     const std::map<std::string, int (*)(const std::string&, int)> children = {
         {"window", window}, {"command", command}, {"foreign", foreign_program}, {"rounds", rounds},
-        {"create", create}, {"backup", backup},   {"migrate", migrate_store}};
+        {"create", create}, {"backup", backup},   {"migrate", open_older}};
     try {
         return children.at(name)(folder, number);
     } catch (const std::exception& error) {

@@ -22,16 +22,24 @@ namespace fulcrum::database::test {
 inline constexpr UtcMilliseconds noon = 1795780800000;  // a day in 2026
 inline const char* const password = "correct horse battery";
 
-/// A clock that tests turn by hand.
+/// Clocks that tests turn by hand: the one that people can set, and the time since the machine was started.
 struct ManualClock {
     std::shared_ptr<UtcMilliseconds> time = std::make_shared<UtcMilliseconds>(noon);
+    std::shared_ptr<BootTime> since_boot = std::make_shared<BootTime>(BootTime{"first start", 3600 * 1000});
     StoreOptions options() const {
         StoreOptions result;
         result.busy_timeout_ms = 200;
         result.clock = [time = time] { return *time; };
+        result.boot_time = [since_boot = since_boot] { return *since_boot; };
         return result;
     }
-    void pass_s(double seconds) const { *time += static_cast<UtcMilliseconds>(seconds * 1000.0); }
+    void pass_s(double seconds) const {
+        set_forward_s(seconds);
+        since_boot->ms += static_cast<std::int64_t>(seconds * 1000.0);
+    }
+    /// Somebody sets the clock.
+    void set_forward_s(double seconds) const { *time += static_cast<UtcMilliseconds>(seconds * 1000.0); }
+    void restart() const { *since_boot = {since_boot->boot + " and another", 0}; }
 };
 
 inline ScoreRow example_score(bool passed, double points) {

@@ -2,11 +2,13 @@
 #include "tests/ui/fake_services.h"
 
 #include <cmath>
+#include <filesystem>
 
 #include "assessment/assets/assets.h"
 #include "database/records/people.h"
 #include "sim_core/instrument/instrument.h"
 #include "sim_core/numerics/input_error.h"
+#include "sim_core/scene/json_document.h"
 #include "tests/support/support.h"
 
 namespace fulcrum::ui::test {
@@ -296,6 +298,7 @@ class FakeReplay : public ReplaySource {
     double shown_s() const override { return time_; }
     double ready() const override { return 1; }
     std::optional<double> differs_from_s() const override { return std::nullopt; }
+    std::shared_ptr<const ReplayMoment> moment(double /*time_s*/) const override { return nullptr; }
 
   private:
     Scene scene_;
@@ -346,6 +349,27 @@ bool FakeServices::build_demo(const Progress& progress) {
 
 Scene FakeServices::scene_for(const TaskDefinition& task) const {
     return load_scene(fulcrum::test::source_path("assets/scenes/" + task.scene));
+}
+
+std::string FakeServices::scene_text(const TaskDefinition& task) const {
+    return read_text_file(fulcrum::test::source_path("assets/scenes/" + task.scene), JsonLimits().bytes);
+}
+
+WorldSnapshot FakeServices::world_at_start(const TaskDefinition& task) const {
+    ++worlds_built;
+    return first_world(scene_for(task));
+}
+
+std::vector<JudgedLimit> FakeServices::judged_limits(const database::Session&, const std::string& task_id,
+                                                     DeviceClass) {
+    for (const TaskDefinition& task : tasks_) {
+        if (task.id != task_id) continue;
+        const std::string path = fulcrum::test::source_path("assets/benchmarks/" + task_id + ".json");
+        if (!std::filesystem::exists(path)) return fulcrum::judged_limits(task, nullptr);
+        const BenchmarkSet set = load_benchmark(path);
+        return fulcrum::judged_limits(task, &set);
+    }
+    throw InputError("limits", task_id, "unknown task", "choose one of the tasks");
 }
 
 std::unique_ptr<AttemptSession> FakeServices::start_attempt(const AttemptRequest& request) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <QTemporaryDir>
+#include <atomic>
 #include <memory>
 
 #include "database/records/recorder.h"
@@ -33,9 +34,17 @@ class FakeServices : public ApplicationServices {
     const std::vector<TaskDefinition>& tasks() const override { return tasks_; }
     const Curriculum& curriculum() const override { return curriculum_; }
     Scene scene_for(const TaskDefinition& task) const override;
+    std::string scene_text(const TaskDefinition& task) const override;
+    WorldSnapshot world_at_start(const TaskDefinition& task) const override;
+    std::vector<JudgedLimit> judged_limits(const database::Session&, const std::string& task_id,
+                                           DeviceClass) override;
     std::unique_ptr<AttemptSession> start_attempt(const AttemptRequest& request) override;
     Statement why_not_comparable(const database::Session&, const std::string&, DeviceClass) override {
         return {};
+    }
+    std::vector<database::AssetFile> unknown_assets(const database::Session&, const std::string&,
+                                                    DeviceClass) override {
+        return unknown;
     }
     std::unique_ptr<AttemptSession> start_demonstration(const database::Session& session,
                                                         const std::string& task_id) override;
@@ -55,7 +64,9 @@ class FakeServices : public ApplicationServices {
                           const database::TissueValues&, const std::string&) override;
     std::string program_version() const override { return "0.1.0-test"; }
 
+    std::vector<database::AssetFile> unknown;  ///< what unknown_assets() answers
     AttemptControl control;
+    mutable std::atomic<int> worlds_built{0};  ///< calls of world_at_start()
 
   private:
     QTemporaryDir folder_;

@@ -12,6 +12,8 @@
 #include <QListWidget>
 #include <QScreen>
 #include <QScrollArea>
+#include <QTabBar>
+#include <QTabWidget>
 #include <QTableWidget>
 #include <QtTest>
 #include <functional>
@@ -57,6 +59,19 @@ inline void click(QWidget& window, const char* name) {
     ASSERT_NE(button, nullptr);
     ASSERT_TRUE(button->isEnabled()) << name;
     QTest::mouseClick(button, Qt::LeftButton);
+}
+
+/// Clicks a tab by its title.
+inline void choose_tab(QWidget& window, const char* tabs, const QString& title) {
+    auto* widget = find<QTabWidget>(window, tabs);
+    ASSERT_NE(widget, nullptr);
+    for (int i = 0; i < widget->count(); ++i) {
+        if (widget->tabText(i) != title) continue;
+        QTest::mouseClick(widget->tabBar(), Qt::LeftButton, {}, widget->tabBar()->tabRect(i).center());
+        EXPECT_EQ(widget->currentIndex(), i) << title.toStdString();
+        return;
+    }
+    FAIL() << "no tab " << title.toStdString();
 }
 
 inline void type(QWidget& window, const char* name, const QString& words) {

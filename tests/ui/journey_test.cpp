@@ -9,6 +9,7 @@
 #include <QPlainTextEdit>
 #include <QRadioButton>
 #include <QRegularExpression>
+#include <QTabWidget>
 #include <QTableWidget>
 #include <nlohmann/json.hpp>
 
@@ -233,6 +234,8 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
 
     // The educator comments at a moment and voids the abandoned attempt.
     first_sign_in("ed", ed_once, "eduard's word");
+    expect_page("cohort_page");
+    click(window, "rail_attempts");
     expect_page("attempts_page");
     auto* attempts = find<QTableWidget>(window, "attempts_table");
     ASSERT_EQ(attempts->rowCount(), 3);
@@ -257,6 +260,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     choose_row(*attempts, abandoned);
     click(window, "open_attempt");
     wait_for_debrief();
+    choose_tab(window, "debrief_tabs", "Corrections");
     click(window, "void_attempt");
     EXPECT_TRUE(shown("message_text").contains("reason"));
     type(window, "action_reason", "started by mistake");
@@ -280,6 +284,8 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     // The director's table, and the same values in every export.
     sign_in("dora", "dora's password");
     expect_page("cohort_page");
+    keep_picture(window, "14-cohort-grid");
+    find<QTabWidget>(window, "cohort_views")->setCurrentIndex(4);
     auto* table = find<QTableWidget>(window, "cohort_table");
     ASSERT_EQ(table->rowCount(), 1);
     keep_picture(window, "14-cohort");
@@ -390,7 +396,7 @@ TEST(Lock, HidesTheContentPausesTheAttemptAndClosesItLater) {
     const database::Session session = people.change_password(once, tara.one_time_password, "tara's password");
     window.start();
     window.context().set_session(session);
-    emit window.context().attempt_wanted("A2", true);
+    emit window.context().attempt_wanted("A2", true, 0, false);
     auto* theatre = static_cast<TheatrePage*>(window.current_page());
     ASSERT_EQ(theatre->objectName(), "theatre_page");
     services.control.ticks_per_update = 10;

@@ -148,7 +148,7 @@ class Screens : public ::testing::Test {
     /// The trainee's attempt A2, by mouse, with too much force; its id.
     std::string perform() {
         sign_in(Role::trainee);
-        emit window->context().attempt_wanted("A2", true);
+        emit window->context().attempt_wanted("A2", true, 0, false);
         auto* theatre = static_cast<TheatrePage*>(window->current_page());
         services.control.ticks_per_update = 40;
         EXPECT_TRUE(wait_for([&] {
@@ -227,7 +227,7 @@ class Screens : public ::testing::Test {
     }
     template <typename F>
     void theatre(F look) {
-        emit window->context().attempt_wanted("A2", false);
+        emit window->context().attempt_wanted("A2", false, 0, false);
         auto* page = static_cast<TheatrePage*>(window->current_page());
         services.control.ticks_per_update = 1;
         EXPECT_TRUE(wait_for([&] { return page->view()->pictures() > 2; }));
@@ -282,7 +282,7 @@ TEST_F(Screens, EducatorWithoutACohortIsToldSoWithoutMarksOfMarkdown) {
 TEST_F(Screens, AttemptBeginsWithTheHandThatTheFirstGoalAsksFor) {
     open({1012, 726});
     sign_in(Role::trainee);
-    emit window->context().attempt_wanted("A2", false);
+    emit window->context().attempt_wanted("A2", false, 0, false);
     const auto* page = static_cast<TheatrePage*>(window->current_page());
     ASSERT_NE(page->input(), nullptr);
     EXPECT_EQ(page->input()->active_hand(), Hand::left);
@@ -501,7 +501,7 @@ TEST_F(Demonstration, NoPageOfAnyRoleReportsAnError) {
 TEST_F(Demonstration, AttemptByMouseIsNotCalledSimulatedAndNamesAreMarkedOnce) {
     pick("Nova");
     ASSERT_TRUE(wait_for([&] { return sees(window, "briefing_A2"); }));
-    emit window.context().attempt_wanted("A2", false);
+    emit window.context().attempt_wanted("A2", false, 0, false);
     auto* theatre = static_cast<TheatrePage*>(window.current_page());
     ASSERT_TRUE(wait_for([&] {
         return theatre->session() != nullptr && theatre->session()->phase() == AttemptPhase::running;

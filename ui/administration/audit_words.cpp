@@ -7,6 +7,8 @@ namespace fulcrum::ui {
 namespace {
 
 constexpr WordsOf operations[] = {
+    {"asset.accept", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "File accepted for assessed attempts")},
+    {"attempt.begin", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Attempt begun")},
     {"attempt.finish", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Attempt finished")},
     {"attempt.interrupted", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Attempt interrupted")},
     {"attempt.practice", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Attempt became practice")},
@@ -19,11 +21,13 @@ constexpr WordsOf operations[] = {
     {"cohort.set_members", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Members of a cohort set")},
     {"comment.send", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Comment sent")},
     {"demo.seal", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Demonstration closed")},
+    {"payload.erase", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Contents of audit rows erased")},
     {"password.change", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Password changed")},
     {"password.issue_one_time", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "One-time password issued")},
     {"password.recover", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Password recovered")},
     {"person.create", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Person added")},
     {"person.create_synthetic", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Synthetic person added")},
+    {"person.move_login", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Login of a simulated person changed")},
     {"person.rename", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Person renamed")},
     {"person.set_active", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Account activated or deactivated")},
     {"person.set_roles", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Roles changed")},
@@ -32,17 +36,21 @@ constexpr WordsOf operations[] = {
     {"setting.sign_in_picker", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Sign-in list shown or hidden")},
     {"sign_in", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Signed in")},
     {"standing.decide", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Standing decided by an educator")},
+    {"store.baseline", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Records entered in the audit log")},
     {"store.backup", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Store backed up")},
+    {"store.restore", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Store restored from a backup")},
     {"store.create", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Store created")},
     {"tissue.set", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Tissue values set")},
 };
 
 constexpr WordsOf groups[] = {
+    {"asset", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Accepted files: all")},
     {"attempt", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Attempts: all")},
     {"cohort", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Cohorts: all")},
     {"comment", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Comments: all")},
     {"demo", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Demonstration: all")},
     {"password", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Passwords: all")},
+    {"payload", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Erased contents: all")},
     {"person", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "People: all")},
     {"programme", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Programme: all")},
     {"score", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Scores: all")},

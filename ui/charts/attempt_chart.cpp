@@ -36,7 +36,8 @@ Frame frame_of(const QRectF& area, const AttemptChartData& data, double unit) {
     Frame frame;
     frame.plot = area.adjusted(64 * unit, 30 * unit, -14 * unit, -44 * unit);
     int last = 1;
-    double high = data.limit.value_or(0), low = std::min(0.0, data.limit.value_or(0));
+    double high = std::max(data.limit.value_or(0), data.band_high.value_or(0));
+    double low = std::min({0.0, data.limit.value_or(0), data.band_low.value_or(0)});
     for (const AttemptSeries& series : data.series) {
         for (const AttemptPoint& point : series.points) {
             last = std::max(last, point.number);
@@ -57,6 +58,25 @@ Frame frame_of(const QRectF& area, const AttemptChartData& data, double unit) {
     return frame;
 }
 
+/// The experts' range across the plot, between dotted lines.
+void paint_band(QPainter& painter, const Frame& frame, const AttemptChartData& data, const Palette& p,
+                double unit) {
+    if (!data.band_low || !data.band_high) return;
+    const double low = std::clamp(*data.band_low, frame.y_low, frame.y_high);
+    const double high = std::clamp(*data.band_high, frame.y_low, frame.y_high);
+    const QRectF band(frame.at(frame.x_low, high), frame.at(frame.x_high, low));
+    QColor fill = p.good;
+    fill.setAlpha(36);
+    painter.fillRect(band, fill);
+    painter.setPen(QPen(p.good, unit, Qt::DotLine));
+    painter.drawLine(band.topLeft(), band.topRight());
+    painter.drawLine(band.bottomLeft(), band.bottomRight());
+    painter.setPen(p.good);
+    const double line = QFontMetricsF(painter.font(), painter.device()).height();
+    painter.drawText(QRectF(band.left(), band.bottom() + 2 * unit, band.width() - 6 * unit, line),
+                     Qt::AlignRight, data.band_name);
+}
+
 /// The interval of the plateau as a band, the fitted curve as a thick line over it.
 void paint_curve(QPainter& painter, const Frame& frame, const AttemptSeries& series, QColor colour,
                  double unit) {
@@ -74,6 +94,27 @@ void paint_curve(QPainter& painter, const Frame& frame, const AttemptSeries& ser
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(colour, 4 * unit, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPolyline(curve);
+}
+
+/// A disc where it passed, a cross where it failed, a ring where it was not scored; larger where it counts.
+void paint_point(QPainter& painter, const QPointF& at, const AttemptPoint& point, const QColor& colour,
+                 const Palette& p, double unit, bool selected) {
+    const double r = (point.counting ? 5.5 : 3.5) * unit;
+    painter.setPen(QPen(colour, 2 * unit));
+    if (!point.passed) {
+        painter.setBrush(p.card);
+        painter.drawEllipse(at, r, r);
+    } else if (*point.passed) {
+        painter.setBrush(colour);
+        painter.drawEllipse(at, r, r);
+    } else {
+        painter.drawLine(at + QPointF(-r, -r), at + QPointF(r, r));
+        painter.drawLine(at + QPointF(-r, r), at + QPointF(r, -r));
+    }
+    if (!selected) return;
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(p.text, 1.5 * unit));
+    painter.drawEllipse(at, r + 5 * unit, r + 5 * unit);
 }
 
 }  // namespace
@@ -111,6 +152,7 @@ void paint_attempt_chart(QPainter& painter, const QRectF& area, const AttemptCha
         painter.drawLine(frame.at(frame.x_low, *data.limit), frame.at(frame.x_high, *data.limit));
         painter.drawText(frame.at(frame.x_low, *data.limit) + QPointF(6 * unit, -4 * unit), data.limit_name);
     }
+    paint_band(painter, frame, data, p, unit);
     const QColor colours[] = {p.left_hand, p.right_hand, p.good, p.limit, p.neutral, p.text};
     const Qt::PenStyle styles[] = {Qt::SolidLine,   Qt::DashLine,       Qt::DotLine,
                                    Qt::DashDotLine, Qt::DashDotDotLine, Qt::SolidLine};
@@ -129,23 +171,8 @@ void paint_attempt_chart(QPainter& painter, const QRectF& area, const AttemptCha
         for (const AttemptPoint& point : series.points) {
             if (!point.value) continue;
             const QPointF at = frame.at(point.number, std::min(*point.value, frame.y_high));
-            const double r = (point.counting ? 5.5 : 3.5) * unit;
-            painter.setPen(QPen(colour, 2 * unit));
-            if (!point.passed) {
-                painter.setBrush(p.card);
-                painter.drawEllipse(at, r, r);
-            } else if (*point.passed) {
-                painter.setBrush(colour);
-                painter.drawEllipse(at, r, r);
-            } else {
-                painter.drawLine(at + QPointF(-r, -r), at + QPointF(r, r));
-                painter.drawLine(at + QPointF(-r, r), at + QPointF(r, -r));
-            }
-            if (!selected.empty() && point.attempt_id == selected) {
-                painter.setBrush(Qt::NoBrush);
-                painter.setPen(QPen(p.text, 1.5 * unit));
-                painter.drawEllipse(at, r + 5 * unit, r + 5 * unit);
-            }
+            paint_point(painter, at, point, colour, p, unit,
+                        !selected.empty() && point.attempt_id == selected);
         }
         const double width = QFontMetricsF(painter.font(), painter.device()).horizontalAdvance(series.name);
         legend_x -= width + 34 * unit;

@@ -35,6 +35,8 @@ struct AttemptChartData {
     std::vector<AttemptSeries> series;
     std::optional<double> limit;
     QString limit_name;
+    std::optional<double> band_low, band_high;  ///< the experts' range, drawn as a band
+    QString band_name;
     std::optional<double> y_maximum;  ///< fixed top, for points (100)
 };
 
@@ -48,6 +50,7 @@ class AttemptChart : public QWidget {
   public:
     explicit AttemptChart(QWidget* parent = nullptr);
     void set_data(AttemptChartData shown);
+    const AttemptChartData& shown() const { return data_; }
     QSize sizeHint() const override { return {640, 300}; }
     QSize minimumSizeHint() const override { return {320, 200}; }
 

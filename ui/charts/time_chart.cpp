@@ -74,6 +74,7 @@ void TimeChart::clear() {
     limits_.clear();
     marks_.clear();
     cursor_ = -1;
+    length_ = 0;
 }
 
 void TimeChart::add_series(const QString& name, QColor Palette::*colour, Qt::PenStyle pen,
@@ -103,7 +104,7 @@ void TimeChart::set_cursor(double time) {
 
 void TimeChart::show_all() {
     first_ = 0;
-    last_ = 0;
+    last_ = length_;
     double low = 0, high = 0;
     for (const Series& series : series_) {
         last_ = std::max(last_, series.data->last_x());
@@ -226,7 +227,33 @@ void TimeChart::drawForeground(QPainter* painter, const QRectF& rect) {
 
 void TimeChart::zoom(double factor, double around) {
     const double from = x_axis_->min(), to = x_axis_->max();
-    show_range(around - (around - from) * factor, around + (to - around) * factor);
+    choose_range(around - (around - from) * factor, around + (to - around) * factor);
+}
+
+void TimeChart::choose_range(double from, double to) {
+    show_range(from, to);
+    emit range_changed(first_shown(), last_shown());
+}
+
+void TimeChart::choose_all() {
+    show_all();
+    emit range_changed(first_shown(), last_shown());
+}
+
+void TimeChart::show_names(bool shown) {
+    chart()->legend()->setVisible(shown);
+}
+
+void TimeChart::show_time_title(bool shown) {
+    x_axis_->setTitleVisible(shown);
+}
+
+double TimeChart::first_shown() const {
+    return x_axis_->min();
+}
+
+double TimeChart::last_shown() const {
+    return x_axis_->max();
 }
 
 void TimeChart::wheelEvent(QWheelEvent* event) {
@@ -249,7 +276,7 @@ void TimeChart::mouseMoveEvent(QMouseEvent* event) {
         dragged_ = true;
         const double per_pixel = (pressed_to_ - pressed_from_) / std::max(chart()->plotArea().width(), 1.0);
         const double shift = (pressed_at_.x() - event->pos().x()) * per_pixel;
-        show_range(pressed_from_ + shift, pressed_to_ + shift);
+        choose_range(pressed_from_ + shift, pressed_to_ + shift);
     }
 }
 
@@ -276,7 +303,7 @@ void TimeChart::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void TimeChart::mouseDoubleClickEvent(QMouseEvent* event) {
-    show_all();
+    choose_all();
     event->accept();
 }
 
@@ -298,7 +325,7 @@ void TimeChart::keyPressEvent(QKeyEvent* event) {
             zoom(1.25, now);
             break;
         case Qt::Key_0:
-            show_all();
+            choose_all();
             break;
         default:
             QChartView::keyPressEvent(event);

@@ -37,14 +37,25 @@ class TimeChart : public QtCharts::QChartView {
                     std::shared_ptr<const MinMaxPyramid> samples);
     void add_limit(const QString& name, double value);
     void set_marks(std::vector<ChartMark> marks);
+    /// s: all data is at least so long, whatever the series hold.
+    void set_length(double length) { length_ = length; }
     void set_cursor(double time);
+    double cursor() const { return cursor_; }  ///< s; negative: none
     /// Shows all data, y from 0 (or the lowest value below it) to the highest.
     void show_all();
     void show_range(double from, double to);
     void clear();
+    /// The names of the series above the plot; the title of the time axis below it.
+    void show_names(bool shown);
+    void show_time_title(bool shown);
+    /// s, of the time axis.
+    double first_shown() const;
+    double last_shown() const;
 
   signals:
     void time_chosen(double time);
+    /// The view was zoomed or moved here, by mouse or keys.
+    void range_changed(double from, double to);
 
   protected:
     void drawForeground(QPainter* painter, const QRectF& rect) override;
@@ -72,13 +83,15 @@ class TimeChart : public QtCharts::QChartView {
     double time_at(const QPoint& position) const;
     double x_of(double time) const;
     void zoom(double factor, double around);
+    void choose_range(double from, double to);
+    void choose_all();
     const ChartMark* mark_near(const QPoint& position) const;
 
     QtCharts::QValueAxis *x_axis_, *y_axis_;
     std::vector<Series> series_;
     std::vector<ChartMark> marks_;
     std::vector<std::pair<QString, double>> limits_;
-    double first_ = 0, last_ = 1, cursor_ = -1;
+    double first_ = 0, last_ = 1, cursor_ = -1, length_ = 0;
     QPoint pressed_at_;
     double pressed_from_ = 0, pressed_to_ = 1;
     bool pressed_ = false, dragged_ = false;

@@ -3,11 +3,16 @@
 
 #include <QComboBox>
 #include <QHeaderView>
+#include <QTabWidget>
 #include <QTableWidget>
 #include <QTimer>
 #include <algorithm>
 
 #include "database/records/people.h"
+#include "ui/dashboards/cohort_grid.h"
+#include "ui/dashboards/concern_words.h"
+#include "ui/dashboards/overview_view.h"
+#include "ui/dashboards/practice_view.h"
 #include "ui/page/background_job.h"
 #include "ui/reports/export_row.h"
 #include "ui/reports/report_export.h"
@@ -15,6 +20,11 @@
 #include "ui/style/widgets.h"
 
 namespace fulcrum::ui {
+namespace {
+
+constexpr int attention_tab = 3;
+
+}  // namespace
 
 QString cohort_cell_text(const database::CohortRow& row) {
     QString state;
@@ -54,6 +64,37 @@ CohortPage::CohortPage(Context& context) : Page(context, "cohort_page") {
     layout->addWidget(job_);
     summary_ = make_label({}, "muted");
     layout->addWidget(summary_);
+    layout->addWidget(make_views(), 1);
+    foot_ = make_label({}, "muted");
+    layout->addWidget(foot_);
+    connect(cohort_, QOverload<int>::of(&QComboBox::activated), this, &CohortPage::load);
+    connect(export_, &ExportRow::save_wanted, this,
+            [this](const QString& path) { export_to(path, report_format_of(path)); });
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(scrolled(body, 1240));
+}
+
+QWidget* CohortPage::make_views() {
+    views_ = new QTabWidget;
+    views_->setObjectName(QStringLiteral("cohort_views"));
+    views_->setAccessibleName(tr("Views of the cohort"));
+    grid_ = new CohortGrid;
+    overview_ = new OverviewView;
+    practice_ = new PracticeView;
+    const auto open_progress = [this](const QString& person, const QString& task) {
+        emit context().progress_wanted(person, task);
+    };
+    connect(grid_, &CohortGrid::person_wanted, this, open_progress);
+    connect(practice_, &PracticeView::person_wanted, this, open_progress);
+    concerns_ = make_table({tr("Person"), tr("Reason")}, "cohort_concerns");
+    concerns_->setWordWrap(true);
+    concerns_->setMinimumHeight(300);
+    connect(concerns_, &QTableWidget::itemActivated, this, [this, open_progress](QTableWidgetItem* item) {
+        const QTableWidgetItem* name = concerns_->item(item->row(), 0);
+        const QTableWidgetItem* reason = concerns_->item(item->row(), 1);
+        open_progress(name->data(Qt::UserRole).toString(), reason->data(Qt::UserRole).toString());
+    });
     table_ = make_table({}, "cohort_table");
     table_->setSelectionBehavior(QAbstractItemView::SelectItems);
     table_->setMinimumHeight(380);
@@ -66,20 +107,19 @@ CohortPage::CohortPage(Context& context) : Page(context, "cohort_page") {
     resized->setSingleShot(true);
     connect(heads, &QHeaderView::sectionResized, resized, [resized] { resized->start(0); });
     connect(resized, &QTimer::timeout, this, &CohortPage::fit);
-    layout->addWidget(table_, 1);
-    foot_ = make_label({}, "muted");
-    layout->addWidget(foot_);
-    connect(cohort_, QOverload<int>::of(&QComboBox::activated), this, &CohortPage::load);
-    connect(export_, &ExportRow::save_wanted, this,
-            [this](const QString& path) { export_to(path, report_format_of(path)); });
     connect(table_, &QTableWidget::itemActivated, this, [this](QTableWidgetItem* item) {
         const QString person = table_->item(item->row(), 0)->data(Qt::UserRole).toString();
         const QString task = item->column() == 0 ? QString() : item->data(Qt::UserRole).toString();
-        emit this->context().progress_wanted(person, task);
+        emit context().progress_wanted(person, task);
     });
-    auto* outer = new QVBoxLayout(this);
-    outer->setContentsMargins(0, 0, 0, 0);
-    outer->addWidget(scrolled(body, 1240));
+    views_->addTab(grid_, tr("Grid"));
+    views_->addTab(overview_, tr("Tasks"));
+    views_->addTab(practice_, tr("Days of practice"));
+    views_->addTab(concerns_, QString());
+    views_->addTab(table_, tr("Table"));
+    // A tab's widget may be narrower or of another font when it is first shown.
+    connect(views_, &QTabWidget::currentChanged, this, &CohortPage::fit);
+    return views_;
 }
 
 void CohortPage::enter() {
@@ -93,13 +133,18 @@ void CohortPage::enter() {
     });
     cohort_->setCurrentIndex(std::max(0, cohort_->findData(before)));
     load();
-    (cohort_->count() > 1 ? static_cast<QWidget*>(cohort_) : table_)->setFocus();
+    (cohort_->count() > 1 ? static_cast<QWidget*>(cohort_) : views_->currentWidget())->setFocus();
 }
 
 void CohortPage::load() {
     data_.reset();
     table_->setRowCount(0);
     table_->setColumnCount(0);
+    concerns_->setRowCount(0);
+    views_->setTabText(attention_tab, tr("Needs attention"));
+    grid_->show_table({}, {});
+    overview_->show_table({}, {});
+    practice_->show_table({});
     const std::string id = plain(cohort_->currentData().toString());
     export_->setVisible(!id.empty() &&
                         context().allowed(database::Operation::export_cohort, database::Subject::cohort(id)));
@@ -111,12 +156,34 @@ void CohortPage::load() {
     }
     database::CohortTableOptions options;
     for (const TaskDefinition& task : context().services().tasks()) options.tasks.push_back(task.id);
+    options.curriculum = &context().services().curriculum();
     if (!context().guarded([&] {
             data_ = database::Reports(context().store()).cohort_table(context().session(), id, options);
         })) {
         return;
     }
     export_->propose(text(data_->cohort_name));
+    QStringList titles;
+    for (const CurriculumTask& task : options.curriculum->tasks) titles << context().task_title(task.task);
+    grid_->show_table(*data_, titles);
+    overview_->show_table(*data_, titles);
+    practice_->show_table(*data_);
+    show_concerns();
+    show_rows();
+    QString line_text = tr("people: n = %1").arg(data_->people);
+    if (data_->left_out_synthetic > 0) {
+        line_text += tr(" · synthetic left out: %1").arg(data_->left_out_synthetic);
+    }
+    line_text += tr(" · counting attempts only; device classes are never pooled");
+    summary_->setText(line_text);
+    QStringList sets;
+    for (const std::string& set : data_->benchmark_sets) sets << text(set);
+    foot_->setText(tr("Benchmark sets: %1\nMetrics: %2")
+                       .arg(sets.isEmpty() ? QStringLiteral("–") : sets.join(QStringLiteral(", ")),
+                            versions_in_short(data_->metric_versions)));
+}
+
+void CohortPage::show_rows() {
     QStringList titles{tr("Person")};
     for (const std::string& task : data_->tasks) titles << context().task_title(task);
     table_->setColumnCount(titles.size());
@@ -157,23 +224,32 @@ void CohortPage::load() {
     table_->horizontalHeader()->setMinimumSectionSize(longest + 26);
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     fit();
-    QString line_text = tr("people: n = %1").arg(data_->people);
-    if (data_->left_out_synthetic > 0) {
-        line_text += tr(" · synthetic left out: %1").arg(data_->left_out_synthetic);
+}
+
+void CohortPage::show_concerns() {
+    for (const database::PersonStandings& person : data_->standings) {
+        for (const Concern& concern : person.concerns) {
+            const int line = concerns_->rowCount();
+            concerns_->insertRow(line);
+            QTableWidgetItem* name = make_cell(text(person.name));
+            name->setData(Qt::UserRole, text(person.person_id));
+            concerns_->setItem(line, 0, name);
+            const QString title = concern.task.empty() ? QString() : context().task_title(concern.task);
+            QTableWidgetItem* reason = make_cell(concern_text(concern, title, data_->as_of));
+            reason->setData(Qt::UserRole, text(concern.task));
+            concerns_->setItem(line, 1, reason);
+        }
     }
-    line_text += tr(" · counting attempts only; device classes are never pooled");
-    summary_->setText(line_text);
-    QStringList sets;
-    for (const std::string& set : data_->benchmark_sets) sets << text(set);
-    foot_->setText(tr("Benchmark sets: %1\nMetrics: %2")
-                       .arg(sets.isEmpty() ? QStringLiteral("–") : sets.join(QStringLiteral(", ")),
-                            versions_in_short(data_->metric_versions)));
+    views_->setTabText(attention_tab, tr("Needs attention (%1)").arg(concerns_->rowCount()));
+    concerns_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    concerns_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
 }
 
 // Five tasks or more leave a column narrower than its words.
 void CohortPage::fit() {
     fit_heads(table_);
     fit_rows(table_);
+    fit_rows(concerns_);
 }
 
 void CohortPage::export_to(const QString& path, ReportFormat format) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cohort table: people by tasks, each with state, attempts and best points a device class; exported as
-// PDF, CSV and JSON.
+// A cohort: as a grid of people by tasks, as days of practice, as a list of those who need an educator now,
+// and as a table with state, attempts and best points by device class. All of one query; exported as PDF, CSV
+// and JSON.
 #pragma once
 
 #include <optional>
@@ -12,11 +13,15 @@
 class QComboBox;
 class QLabel;
 class QTableWidget;
+class QTabWidget;
 
 namespace fulcrum::ui {
 
+class CohortGrid;
 class ExportRow;
 class JobBar;
+class OverviewView;
+class PracticeView;
 
 class CohortPage : public Page {
     Q_OBJECT
@@ -30,13 +35,20 @@ class CohortPage : public Page {
     void exported(const QString& path);
 
   private:
+    QWidget* make_views();
     void load();
+    void show_rows();
+    void show_concerns();
     void fit();
 
     std::optional<database::CohortTable> data_;
     QComboBox* cohort_;
     QLabel *summary_, *foot_;
-    QTableWidget* table_;
+    QTabWidget* views_;
+    CohortGrid* grid_;
+    OverviewView* overview_;
+    PracticeView* practice_;
+    QTableWidget *concerns_, *table_;
     ExportRow* export_;
     JobBar* job_;
 };

@@ -54,12 +54,17 @@ class Context : public QObject {
     void input_seen();
     void home_wanted();
     void briefing_wanted(const QString& task_id);
-    void attempt_wanted(const QString& task_id, bool assessed);
+    /// Practice only: `goal` > 0, from the beginning of that goal on; `ghost`, with an expert's instruments.
+    void attempt_wanted(const QString& task_id, bool assessed, int goal, bool ghost);
     void demonstration_wanted(const QString& task_id);
+    /// A practice run that begins with this moment of an attempt.
+    void take_over_wanted(std::shared_ptr<const fulcrum::ui::ReplayMoment> from);
     void interrupted_scored();
     /// `time_s` < 0: from the start.
     void debrief_wanted(const QString& attempt_id, double time_s);
     void progress_wanted(const QString& person_id, const QString& task_id);
+    /// The page that explains the metrics, at this one; from there back to a moment of an attempt ("": none).
+    void metric_wanted(const QString& metric_id, const QString& attempt_id, double time_s);
     void switch_user_wanted();
 
   private:

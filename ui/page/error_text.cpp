@@ -32,6 +32,7 @@ constexpr WordsOf operations[] = {
     {"read_comment", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "read the comments on this attempt")},
     {"mark_comment_read", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "mark comments as read")},
     {"decide_standing", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "decide on someone's standing")},
+    {"accept_assets", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "accept files for assessed attempts")},
     {"void_attempt", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "void this attempt")},
     {"reassign_attempt", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "reassign this attempt")},
     {"request_correction", QT_TRANSLATE_NOOP("fulcrum::ui::errors", "ask for a correction of this attempt")},

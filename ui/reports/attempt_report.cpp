@@ -9,6 +9,7 @@
 #include "ui/reports/paper.h"
 #include "ui/reports/pathology_words.h"
 #include "ui/reports/report_rows.h"
+#include "ui/reports/specimen_map.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
@@ -100,6 +101,12 @@ void pathology(Sheet& sheet, const PathologyReport& report) {
     sheet.font(12, true);
     sheet.paragraph(tr("Pathology report (simulated)"));
     sheet.skip(1);
+    sheet.font(7.5);
+    const double unit = dots_per_inch / 96.0;
+    const QFontMetricsF metrics(sheet.painter().font(), sheet.painter().device());
+    paint_specimen_map(sheet.painter(), QPointF(0, sheet.y()), sheet.width(), report, paper_palette(), unit);
+    sheet.to(sheet.y() + specimen_map_layout(report, sheet.width(), metrics, unit).height);
+    sheet.skip(3);
     for (const PathologyLine& line : pathology_lines(report)) {
         sheet.font(8.5, true, paper_palette().muted);
         const double top = sheet.y();

@@ -22,7 +22,8 @@ QString joined(const std::vector<std::string>& parts) {
 }  // namespace
 
 Sheet::Sheet(const std::string& path, bool landscape, const QString& title) try
-    : file_(path), writer_(text(file_.temporary_path())) {
+    : file_(path, OutputFile::Existing::replace, OutputFile::Access::owner_only),
+      writer_(text(file_.temporary_path())) {
     writer_.setResolution(dots_per_inch);
     writer_.setPageSize(QPageSize(QPageSize::A4));
     writer_.setPageOrientation(landscape ? QPageLayout::Landscape : QPageLayout::Portrait);

@@ -45,14 +45,14 @@ QString reason_text(const PathologyReport& report, GradeReason reason) {
             return tr("a defect of %1 mm, deeper than 5 mm")
                 .arg(near_limit(report.deepest_defect, deep_defect));
         case GradeReason::fat:
-            return tr("%1 % of the cut lies more than 2 mm in the fat (limit %2 %)")
+            return tr("%1 % of the cut is more than 2 mm in the fat (limit %2 %)")
                 .arg(QString::number(100 * report.fat_share, 'f', 1), percent(fat_share_limit));
         case GradeReason::coning:
             return tr("coning of %1 mm").arg(near_limit(report.coning.value_or(0), coning_limit));
         case GradeReason::muscularis:
             return tr("a defect down to the muscularis");
         case GradeReason::bulk_loss:
-            return tr("half of the cut lies more than %1 mm in the fat")
+            return tr("half of the cut is more than %1 mm in the fat")
                 .arg(near_limit(report.median_fat_depth, bulk_loss_depth));
         case GradeReason::deep_coning:
             return tr("coning of %1 mm, more than %2 mm")
@@ -63,16 +63,22 @@ QString reason_text(const PathologyReport& report, GradeReason reason) {
     return {};
 }
 
-PathologyLine grade_line(const PathologyReport& report) {
-    PathologyLine line{tr("Mesorectum"), {}, report.grade.value_or(0) < 3, -1};
+QString grade_text(const PathologyReport& report) {
+    return !report.grade        ? tr("Not gradable")
+           : *report.grade == 3 ? tr("Grade 3, complete")
+           : *report.grade == 2 ? tr("Grade 2, nearly complete")
+                                : tr("Grade 1, incomplete");
+}
+
+QString reasons_text(const PathologyReport& report) {
     QStringList reasons;
     for (const GradeReason reason : report.reasons) reasons << reason_text(report, reason);
-    const QString grade = !report.grade        ? tr("Not gradable")
-                          : *report.grade == 3 ? tr("Grade 3, complete")
-                          : *report.grade == 2 ? tr("Grade 2, nearly complete")
-                                               : tr("Grade 1, incomplete");
-    line.words = tr("%1: %2.").arg(grade, reasons.join(tr("; ")));
-    return line;
+    return reasons.join(tr("; "));
+}
+
+PathologyLine grade_line(const PathologyReport& report) {
+    return {tr("Mesorectum"), tr("%1: %2.").arg(grade_text(report), reasons_text(report)),
+            report.grade.value_or(0) < 3, -1};
 }
 
 PathologyLine coning_line(const PathologyReport& report) {
@@ -201,6 +207,49 @@ std::vector<PathologyLine> pathology_lines(const PathologyReport& report) {
     lines.push_back(circumferential_line(report));
     lines.push_back(distal_line(report));
     return lines;
+}
+
+std::vector<PathologyLabel> pathology_labels(const PathologyReport& report) {
+    std::vector<PathologyLabel> labels;
+    labels.push_back(
+        {tr("Mesorectum"), grade_text(report), reasons_text(report), report.grade.value_or(0) < 3});
+    labels.push_back({tr("Plane divided"),
+                      tr("%1 %").arg(percent(report.divided)),
+                      {},
+                      report.divided < fully_divided_share - 1e-9});
+    const Margin& round = report.circumferential;
+    PathologyLabel around{tr("Circumferential margin"), {}, {}, false};
+    PathologyLabel below{tr("Distal margin"), {}, {}, false};
+    if (round.absence == MarginAbsence::no_tumour) {
+        around.value = below.value = tr("no tumour");
+    } else {
+        around.value = round.distance ? tr("%1 mm, %2")
+                                            .arg(near_limit(*round.distance, positive_margin),
+                                                 margin_is_positive(round) ? tr("positive") : tr("negative"))
+                                      : tr("not given");
+        if (!round.distance) around.why = tr("the plane next to the tumour was not divided");
+        around.bad = !round.distance || margin_is_positive(round);
+        below.value = report.distal.distance ? tr("%1 mm").arg(mm(*report.distal.distance)) : tr("not given");
+        if (!report.distal.distance) below.why = tr("the dissection did not reach below the tumour");
+        below.bad = !report.distal.distance;
+    }
+    labels.push_back(std::move(around));
+    labels.push_back(std::move(below));
+    return labels;
+}
+
+QString sector_words(const PathologyReport& report, const SectorFinding& finding) {
+    const QString place = place_text(finding.level, finding.sector);
+    if (!finding.plane.p95) return tr("%1: not divided.").arg(place.left(1).toUpper() + place.mid(1));
+    const PlaneDeviation& plane = finding.plane;
+    QString words = tr("%1: %2 % divided. Distance from the plane: median %3 mm, 95th percentile %4 mm; "
+                       "%5 % of the cut within %6 mm of the plane, %7 % too deep (towards the sacrum), %8 % "
+                       "too shallow (into the mesorectum).")
+                        .arg(place.left(1).toUpper() + place.mid(1), percent(finding.divided),
+                             mm(plane.median), mm(plane.p95), percent(plane.in_plane),
+                             mm(report.plan.tolerance), percent(plane.too_deep), percent(plane.too_shallow));
+    if (finding.defect > least_defect) words += tr(" Deepest defect %1 mm.").arg(mm(finding.defect));
+    return words;
 }
 
 QStringList pathology_columns() {

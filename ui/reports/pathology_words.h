@@ -22,6 +22,16 @@ QString sector_text(Sector sector);
 QString place_text(int level, Sector sector);
 /// Specimen, grade, coning, defects, margins, in the order a pathologist gives them.
 std::vector<PathologyLine> pathology_lines(const PathologyReport& report);
+/// A short label next to the map: "Mesorectum", "Grade 2, nearly complete", why.
+struct PathologyLabel {
+    QString title, value, why;  ///< `why` may be empty
+    bool bad = false;
+};
+/// Grade, plane divided, circumferential margin, distal margin.
+std::vector<PathologyLabel> pathology_labels(const PathologyReport& report);
+/// One sector in words: how far from the plane, divided, deepest defect. For assistive technology and for the
+/// line below the map.
+QString sector_words(const PathologyReport& report, const SectorFinding& finding);
 /// Heads of the table of sectors.
 QStringList pathology_columns();
 /// Its rows: every level's sectors, then the sectors over all levels, then everything.

@@ -48,7 +48,7 @@ void require_not_the_store(const std::string& path, const database::Store& store
 
 void save(const std::string& path, const std::string& content) {
     try {
-        write_output_file(path, content);
+        write_output_file(path, content, OutputFile::Existing::replace, OutputFile::Access::owner_only);
     } catch (const std::system_error& error) {
         fail_output(path, error);
     }
@@ -74,6 +74,16 @@ ReportProvenance provenance_of(const database::Store& store, const database::Ses
     return provenance;
 }
 
+const TaskStanding* standing_in(const database::CohortTable& table, const std::string& person_id,
+                                const std::string& task_id) {
+    for (const database::PersonStandings& person : table.standings) {
+        if (person.person_id != person_id) continue;
+        for (const database::PersonTask& task : person.tasks)
+            if (task.standing.task == task_id) return &task.standing;
+    }
+    return nullptr;
+}
+
 ReportFormat parse_report_format(const std::string& name) {
     if (name == "pdf") return ReportFormat::pdf;
     if (name == "csv") return ReportFormat::csv;
@@ -84,9 +94,12 @@ ReportFormat parse_report_format(const std::string& name) {
 
 PersonReport gather_person(const database::Store& store, const database::Session& session,
                            const std::string& person_id, const std::vector<TaskDefinition>& tasks,
-                           const std::string& program_version) {
+                           const std::string& program_version, const Curriculum* curriculum) {
     const database::Reports reports(store);
     PersonReport report;
+    if (curriculum != nullptr)
+        report.standings =
+            reports.standings(session, person_id, *curriculum, database::ReportPurpose::exported);
     report.provenance = provenance_of(store, session, program_version);
     report.person_id = person_id;
     report.tasks = titles_of(ids_of(tasks), tasks);
@@ -110,11 +123,12 @@ std::optional<CohortReport> gather_cohort(const database::Store& store, const da
                                           const std::string& cohort_id,
                                           const std::vector<TaskDefinition>& tasks,
                                           const std::string& program_version, bool with_people,
-                                          const Progress& progress) {
+                                          const Progress& progress, const Curriculum* curriculum) {
     CohortReport report;
     report.provenance = provenance_of(store, session, program_version);
     database::CohortTableOptions options;
     options.tasks = ids_of(tasks);
+    options.curriculum = curriculum;
     report.table =
         database::Reports(store).cohort_table(session, cohort_id, options, database::ReportPurpose::exported);
     report.tasks = titles_of(report.table.tasks, tasks);
@@ -131,7 +145,7 @@ std::optional<CohortReport> gather_cohort(const database::Store& store, const da
     for (std::size_t i = 0; i < people.size(); ++i) {
         const double done = static_cast<double>(i) / static_cast<double>(people.size());
         if (progress && !progress(0.5 * done, {})) return std::nullopt;
-        report.people.push_back(gather_person(store, session, people[i], tasks, program_version));
+        report.people.push_back(gather_person(store, session, people[i], tasks, program_version, curriculum));
         report.people.back().provenance.as_of = report.provenance.as_of;
     }
     return report;
@@ -157,7 +171,8 @@ std::vector<std::string> write_report(const database::Store& store, const databa
     }
     if (!request.person_id.empty()) {
         if (stopped(0.1)) return {};
-        const PersonReport report = gather_person(store, session, request.person_id, tasks, program_version);
+        const PersonReport report =
+            gather_person(store, session, request.person_id, tasks, program_version, request.curriculum);
         if (stopped(0.6)) return {};
         switch (request.format) {
             case ReportFormat::pdf:
@@ -176,7 +191,7 @@ std::vector<std::string> write_report(const database::Store& store, const databa
     }
     const std::optional<CohortReport> report =
         gather_cohort(store, session, request.cohort_id, tasks, program_version,
-                      request.format == ReportFormat::pdf, progress);
+                      request.format == ReportFormat::pdf, progress, request.curriculum);
     if (!report) return {};
     switch (request.format) {
         case ReportFormat::pdf:

@@ -33,8 +33,9 @@ struct PersonReport {
     std::string person_id, login, name;
     bool synthetic = false;
     std::vector<ReportTask> tasks;
-    std::vector<database::CohortRow> rows;           ///< by task, then device class
-    std::vector<database::PersonProgress> progress;  ///< one a task
+    std::vector<database::CohortRow> rows;               ///< by task, then device class
+    std::vector<database::PersonProgress> progress;      ///< one a task
+    std::optional<database::PersonStandings> standings;  ///< in the curriculum, where one was given
 };
 
 struct CohortReport {
@@ -58,7 +59,7 @@ ReportFormat parse_report_format(const std::string& name);
 /// Throw AccessDenied, StoreError. `exported`: checked as exports.
 PersonReport gather_person(const database::Store& store, const database::Session& session,
                            const std::string& person_id, const std::vector<TaskDefinition>& tasks,
-                           const std::string& program_version);
+                           const std::string& program_version, const Curriculum* curriculum = nullptr);
 AttemptPaper gather_attempt(const database::Store& store, const database::Session& session,
                             const std::string& attempt_id, const std::vector<TaskDefinition>& tasks,
                             const std::string& program_version);
@@ -68,7 +69,8 @@ std::optional<CohortReport> gather_cohort(const database::Store& store, const da
                                           const std::string& cohort_id,
                                           const std::vector<TaskDefinition>& tasks,
                                           const std::string& program_version, bool with_people,
-                                          const Progress& progress = {});
+                                          const Progress& progress = {},
+                                          const Curriculum* curriculum = nullptr);
 
 std::string person_csv(const PersonReport& report);
 std::string cohort_csv(const CohortReport& report);
@@ -89,6 +91,7 @@ struct ReportRequest {
     std::string person_id, cohort_id, attempt_id;  ///< exactly one
     ReportFormat format = ReportFormat::pdf;
     std::string path;
+    const Curriculum* curriculum = nullptr;  ///< null: the report has no standings
 };
 /// Gathers and writes; a CSV of a person or cohort gets its dictionary beside it
 /// (FILE.dictionary.csv). Returns the files, none

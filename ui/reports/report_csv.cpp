@@ -7,7 +7,7 @@
 
 #include "assessment/metrics/registry.h"
 #include "assessment/metrics/statement_words.h"
-#include "ui/reports/report.h"
+#include "ui/reports/report_rows.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -26,7 +26,7 @@ const std::vector<Column>& cohort_columns() {
         {"task_title", "-", "title of the task"},
         {"device_class", "-", "device class; classes are never pooled; empty where the task was not tried"},
         {"state", "-", "open (no counting attempt), attempted (none passed), passed"},
-        {"provisional", "1", "1: every pass rests on provisional limits"},
+        {"provisional", "1", "1: every pass depends on provisional limits"},
         {"attempts", "1",
          "counting attempts: assessed, scored, ended by the trainee or the clock, not voided"},
         {"passes", "1", "of these, passed"},
@@ -35,8 +35,13 @@ const std::vector<Column>& cohort_columns() {
         {"best_points_scaled", "1", "best_points / 100"},
         {"best_attempt_id", "-", "UUID of the attempt with the best points"},
         {"last_attempt_utc", "-", "start of the latest attempt of any kind, ISO 8601 UTC"},
-        {"metric_versions", "-", "metric@version of every metric behind the figures"},
-        {"benchmark_sets", "-", "benchmark sets behind the figures"},
+        {"standing", "-",
+         "standing in the curriculum over the device classes that count there: locked, open, attempted, "
+         "passed, proficient, maintained, due, relapsed; empty: the task does not belong to it"},
+        {"proficient_since_utc", "-", "when proficiency was declared, ISO 8601 UTC; empty: it was not"},
+        {"next_check_utc", "-", "when the next retention check is due, ISO 8601 UTC"},
+        {"metric_versions", "-", "metric@version of every metric behind the values"},
+        {"benchmark_sets", "-", "benchmark sets behind the values"},
         {"n_people", "1", "people in the table"},
         {"synthetic", "1", "1: the store is the demonstration, every person is synthetic"},
     };
@@ -62,7 +67,7 @@ const std::vector<Column>& attempt_columns() {
         {"limits", "-", "benchmark set in force at the start"},
         {"counting", "1", "1: the attempt counts"},
         {"passed", "1", "1 passed, 0 failed, empty not scored"},
-        {"provisional", "1", "1: a gate rests on a provisional limit"},
+        {"provisional", "1", "1: a gate depends on a provisional limit"},
         {"not_scored_because", "-", "why there is no score"},
         {"duration", "s", "length of the record, with pauses and the time before the first movement"},
         {"points", "points", "0 to 100; empty: none"},
@@ -135,15 +140,38 @@ std::optional<double> scaled(const std::optional<double>& points) {
     return points ? std::optional<double>(*points / 100.0) : std::nullopt;
 }
 
+std::string time_text(std::int64_t utc_ms) {
+    return utc_ms == 0 ? std::string() : database::iso_utc(utc_ms);
+}
+
+/// Whether a spreadsheet takes a cell that begins here for a formula: also after blanks, and with the
+/// full-width forms that some of them read as the plain ones.
+bool begins_formula(const std::string& cell, std::size_t at) {
+    at = cell.find_first_not_of(' ', at);
+    if (at == std::string::npos) return false;
+    if (std::string("=+-@\t\r\n|%").find(cell[at]) != std::string::npos) return true;
+    for (const char* wide : {"\xEF\xBC\x9D", "\xEF\xBC\x8B", "\xEF\xBC\x8D", "\xEF\xBC\xA0", "\xE2\x88\x92"})
+        if (cell.compare(at, 3, wide) == 0) return true;
+    return false;
+}
+
+/// An apostrophe before every place where a formula could begin: the cell itself, and what follows a
+/// character at which a spreadsheet of another country splits the row.
+std::string guarded_text(const std::string& cell) {
+    std::string guarded = begins_formula(cell, 0) ? "'" : "";
+    for (std::size_t i = 0; i < cell.size(); ++i) {
+        guarded += cell[i];
+        const bool splits = std::string(";\t\r\n|").find(cell[i]) != std::string::npos;
+        if (splits && begins_formula(cell, i + 1)) guarded += '\'';
+    }
+    return guarded;
+}
+
 }  // namespace
 
 std::string csv_text(const std::string& cell) {
-    std::string guarded = cell;
-    if (!cell.empty() && std::string("=+-@\t\r\n|%").find(cell.front()) != std::string::npos && cell != "-" &&
-        cell != "%") {
-        guarded = "'" + cell;
-    }
-    if (guarded.find_first_of(",\"\r\n") == std::string::npos) return guarded;
+    const std::string guarded = cell == "-" || cell == "%" ? cell : guarded_text(cell);
+    if (guarded.find_first_of(",;\"\r\n") == std::string::npos) return guarded;
     std::string quoted = "\"";
     for (const char c : guarded) {
         if (c == '"') quoted += '"';
@@ -174,6 +202,7 @@ std::string cohort_csv(const CohortReport& report) {
         for (const ReportTask& task : report.tasks) {
             if (task.id == row.task_id) title = task.title;
         }
+        const TaskStanding* standing = standing_in(report.table, row.person_id, row.task_id);
         Row(csv)
             .words(report.table.cohort_name)
             .words(row.person_id)
@@ -190,7 +219,10 @@ std::string cohort_csv(const CohortReport& report) {
             .number(row.best_points)
             .number(scaled(row.best_points))
             .words(row.best_attempt_id)
-            .words(row.last_attempt == 0 ? std::string() : database::iso_utc(row.last_attempt))
+            .words(time_text(row.last_attempt))
+            .words(standing == nullptr ? "" : row_of(standing_names, standing->standing).name)
+            .words(time_text(standing == nullptr ? 0 : standing->declared_at))
+            .words(time_text(standing == nullptr ? 0 : standing->next_check))
             .words(joined(report.table.metric_versions))
             .words(joined(report.table.benchmark_sets))
             .count(report.table.people)

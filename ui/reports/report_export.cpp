@@ -29,12 +29,14 @@ void export_report(Context& context, QWidget* page, JobBar* bar, const ReportReq
     BackgroundJob* job = BackgroundJob::run(
         page,
         [files, request, session = context.session(), store_path = context.store().path(),
-         tasks = context.services().tasks(),
+         tasks = context.services().tasks(), curriculum = context.services().curriculum(),
          version = context.services().program_version()](const Progress& progress) {
             database::StoreOptions options;
             options.read_only = true;
             const database::Store store = database::Store::open(store_path, options);
-            *files = write_report(store, session, request, tasks, version, progress);
+            ReportRequest whole = request;
+            whole.curriculum = &curriculum;
+            *files = write_report(store, session, whole, tasks, version, progress);
         },
         [&context, files, done = std::move(done)] {
             if (files->empty()) return;

@@ -92,6 +92,64 @@ Json metric_json(const database::MetricRow& metric) {
             {"evidence", std::move(evidence)}};
 }
 
+Json standings_json(const database::PersonStandings& person) {
+    Json tasks = Json::array(), concerns = Json::array();
+    for (const database::PersonTask& task : person.tasks) {
+        const TaskStanding& standing = task.standing;
+        tasks.push_back({{"task", standing.task},
+                         {"standing", row_of(standing_names, standing.standing).name},
+                         {"provisional", standing.provisional},
+                         {"by_decision", standing.by_override},
+                         {"attempts", standing.attempts},
+                         {"passes", standing.passes},
+                         {"towards_proficiency", standing.progress},
+                         {"waits_for", standing.waits_for},
+                         {"proficient_since", time_or_null(standing.declared_at)},
+                         {"next_check", time_or_null(standing.next_check)}});
+    }
+    for (const Concern& concern : person.concerns) {
+        Json one = {{"kind", row_of(concern_names, concern.kind).name},
+                    {"task", or_null(concern.task)},
+                    {"since", time_or_null(concern.since)},
+                    {"attempts", concern.attempts}};
+        if (concern.kind == ConcernKind::plateau)
+            one["plateau"] = {{"points", concern.plateau}, {"low", concern.low}, {"high", concern.high}};
+        concerns.push_back(std::move(one));
+    }
+    return {{"person_id", person.person_id}, {"login", person.login},
+            {"name", person.name},           {"last_attempt", time_or_null(person.last_attempt)},
+            {"tasks", std::move(tasks)},     {"concerns", std::move(concerns)}};
+}
+
+namespace {
+
+Json median_json(const SurvivalMedian& days) {
+    return {{"median", or_null(days.median)}, {"low", or_null(days.low)}, {"high", or_null(days.high)}};
+}
+
+Json overview_json(const database::CohortTable& table) {
+    Json tasks = Json::array();
+    for (const database::TaskOverview& one : database::overview_of(table.standings, table.as_of)) {
+        Json people;
+        for (const auto& row : standing_names) {
+            const auto found = one.people.find(row.kind);
+            people[row.name] = found == one.people.end() ? 0 : found->second;
+        }
+        tasks.push_back(
+            {{"task", one.task},
+             {"people", std::move(people)},
+             {"passed_provisionally", one.provisional},
+             {"attempted", one.attempted},
+             {"passed", one.passed},
+             {"pass_share", {{"share", one.share.share}, {"low", one.share.low}, {"high", one.share.high}}},
+             {"days_to_first_pass", median_json(one.days_to_pass)},
+             {"days_to_proficiency", median_json(one.days_to_proficiency)}});
+    }
+    return tasks;
+}
+
+}  // namespace
+
 std::string person_json(const PersonReport& report) {
     Json document = {{"report", "person"},
                      {"person", {{"id", report.person_id}, {"login", report.login}, {"name", report.name}}},
@@ -99,6 +157,7 @@ std::string person_json(const PersonReport& report) {
                      {"provenance", provenance_json(report.provenance)}};
     document["rows"] = Json::array();
     for (const database::CohortRow& row : report.rows) document["rows"].push_back(row_json(row));
+    document["standings"] = report.standings ? standings_json(*report.standings) : Json(nullptr);
     document["tasks"] = Json::array();
     for (const database::PersonProgress& progress : report.progress) {
         Json series = Json::array();
@@ -127,6 +186,11 @@ std::string cohort_json(const CohortReport& report) {
     }
     document["rows"] = Json::array();
     for (const database::CohortRow& row : report.table.rows) document["rows"].push_back(row_json(row));
+    document["curriculum"] = or_null(report.table.curriculum);
+    document["overview"] = overview_json(report.table);
+    document["standings"] = Json::array();
+    for (const database::PersonStandings& person : report.table.standings)
+        document["standings"].push_back(standings_json(person));
     return document.dump(2) + "\n";
 }
 

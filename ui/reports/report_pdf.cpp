@@ -8,8 +8,9 @@
 
 #include "ui/charts/attempt_chart.h"
 #include "ui/reports/paper.h"
-#include "ui/reports/report.h"
+#include "ui/reports/report_rows.h"
 #include "ui/style/palette.h"
+#include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
@@ -206,17 +207,21 @@ void person_pages(Sheet& sheet, const PersonReport& report) {
     footer(sheet, report.provenance, n);
 }
 
-QString cohort_cell(const std::vector<database::CohortRow>& rows, const std::string& person,
-                    const std::string& task) {
+// The standing in the curriculum first; without one, the state with each device class.
+QString cohort_cell(const database::CohortTable& table, const std::string& person, const std::string& task) {
     QStringList lines;
-    for (const database::CohortRow& row : rows) {
+    const TaskStanding* standing = standing_in(table, person, task);
+    if (standing != nullptr) lines << standing_name(*standing);
+    for (const database::CohortRow& row : table.rows) {
         if (row.person_id != person || row.task_id != task) continue;
         if (!row.device_class) {
-            lines << QStringLiteral("%1  %2").arg(state_text(row)).arg(row.attempts);
+            if (standing == nullptr) lines << state_text(row);
             continue;
         }
         const QString best = figure(row.best_points) + (row.best_points ? QStringLiteral("/100") : QString());
-        lines << tr("%1 · attempts %2 · best %3").arg(state_text(row)).arg(row.attempts).arg(best);
+        lines << (standing != nullptr
+                      ? tr("attempts %1 · best %2").arg(row.attempts).arg(best)
+                      : tr("%1 · attempts %2 · best %3").arg(state_text(row)).arg(row.attempts).arg(best));
         lines << device_class_text(*row.device_class);
     }
     return lines.join(QLatin1Char('\n'));
@@ -260,8 +265,7 @@ void cohort_pages(Sheet& sheet, const CohortReport& report) {
         sheet.font(8.5);
         for (const ReportTask& task : report.tasks) {
             QStringList cell;
-            for (const QString& part :
-                 cohort_cell(report.table.rows, person, task.id).split(QLatin1Char('\n'))) {
+            for (const QString& part : cohort_cell(report.table, person, task.id).split(QLatin1Char('\n'))) {
                 for (const QString& piece :
                      wrapped(sheet, part, QStringLiteral(" · "), task_width - Sheet::mm(3)))
                     cell << wrapped(sheet, piece, QStringLiteral(" "), task_width - Sheet::mm(3));

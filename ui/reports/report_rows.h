@@ -12,5 +12,10 @@ ReportProvenance provenance_of(const database::Store& store, const database::Ses
                                const std::string& program_version);
 nlohmann::ordered_json provenance_json(const ReportProvenance& provenance);
 nlohmann::ordered_json metric_json(const database::MetricRow& metric);
+/// Null where the table has no standing of this person in this task.
+const TaskStanding* standing_in(const database::CohortTable& table, const std::string& person_id,
+                                const std::string& task_id);
+/// Of one person, for JSON: standing of each task and what an educator should look at.
+nlohmann::ordered_json standings_json(const database::PersonStandings& person);
 
 }  // namespace fulcrum::ui

@@ -2,7 +2,9 @@
 #include "ui/review/attempt_model.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <thread>
 #include <utility>
 
@@ -35,6 +37,22 @@ std::vector<PathPoint> thin_path(std::vector<PathPoint> points, double spacing, 
     }
 }
 
+std::vector<float> tip_speed(const std::vector<double>& time, const std::vector<Vector3>& tip,
+                             const std::vector<bool>& inside) {
+    constexpr std::size_t half = speed_window / speed_raster / 2;
+    constexpr double to_mm = 1e3, longest = 2;  // of a gap, in windows without a lost sample
+    std::vector<float> speed(time.size(), std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        const std::size_t first = i < half ? 0 : i - half, last = std::min(i + half, time.size() - 1);
+        const double span = time[last] - time[first];
+        const double usual = time.size() < 2 ? 0 : time[1] - time[0];
+        if (!(span > 0) || span > longest * 2 * half * usual) continue;
+        if (!inside[first] || !inside[i] || !inside[last]) continue;
+        speed[i] = static_cast<float>(to_mm * (tip[last] - tip[first]).norm() / span);
+    }
+    return speed;
+}
+
 namespace {
 
 /// One chunk's part of the charts.
@@ -42,6 +60,9 @@ struct ChunkPart {
     std::vector<double> time;
     std::array<std::vector<float>, hand_count> force;
     std::array<std::vector<PathPoint>, hand_count> path;
+    std::vector<double> raster;  ///< s, of every speed_raster-th sample
+    std::array<std::vector<Vector3>, hand_count> tip;
+    std::array<std::vector<bool>, hand_count> inside;
 };
 
 double signed_count(std::uint32_t column) {
@@ -53,6 +74,7 @@ ChunkPart part_of(const database::TraceOverview& overview, double tick) {
     const std::size_t count = overview.tick.size();
     part.time.resize(count);
     for (std::size_t i = 0; i < count; ++i) part.time[i] = overview.tick[i] * tick;
+    for (std::size_t i = 0; i < count; i += speed_raster) part.raster.push_back(part.time[i]);
     for (std::size_t h = 0; h < hand_count; ++h) {
         const database::TraceOverview::Hand& hand = overview.hand[h];
         part.force[h].resize(count);
@@ -63,10 +85,16 @@ ChunkPart part_of(const database::TraceOverview& overview, double tick) {
         }
         std::vector<PathPoint>& path = part.path[h];
         for (std::size_t i = 0; i < count; ++i) {
-            if ((hand.flags[i] & hand_inside) == 0) continue;
+            const bool inside = (hand.flags[i] & hand_inside) != 0, on_raster = i % speed_raster == 0;
+            if (!inside && !on_raster) continue;
             const Vector3 tip = Vector3(signed_count(hand.tip[0][i]), signed_count(hand.tip[1][i]),
                                         signed_count(hand.tip[2][i])) *
                                 sample_length_unit;
+            if (on_raster) {
+                part.tip[h].push_back(tip);
+                part.inside[h].push_back(inside);
+            }
+            if (!inside) continue;
             // A tenth of a millimetre is finer than any screen shows.
             if (path.empty() || (tip - path.back().position).squaredNorm() > 1e-8)
                 path.push_back({part.time[i], tip});
@@ -90,6 +118,16 @@ void join(const std::vector<ChunkPart>& parts, AttemptModel& model) {
             force.insert(force.end(), part.force[h].begin(), part.force[h].end());
             path.insert(path.end(), part.path[h].begin(), part.path[h].end());
         }
+        std::vector<double> raster;
+        std::vector<Vector3> tip;
+        std::vector<bool> inside;
+        for (const ChunkPart& part : parts) {
+            raster.insert(raster.end(), part.raster.begin(), part.raster.end());
+            tip.insert(tip.end(), part.tip[h].begin(), part.tip[h].end());
+            inside.insert(inside.end(), part.inside[h].begin(), part.inside[h].end());
+        }
+        std::vector<float> speed = tip_speed(raster, tip, inside);
+        model.speed[h] = std::make_shared<const MinMaxPyramid>(std::move(raster), std::move(speed));
         model.force[h] = std::make_shared<const MinMaxPyramid>(std::move(time), std::move(force));
         model.path[h] = thin_path(std::move(path), 2e-4, chart_point_limit);
     };
@@ -130,6 +168,7 @@ std::optional<AttemptModel> load_attempt(const database::Store& store, const dat
     join(parts, model);
     double parted = -fibres_line_s;
     for (const Event& event : attempts.read_events(session, attempt_id)) {
+        if (event.kind == EventKind::phase_end) model.goals_done.push_back(event.detail);
         if (event.kind == EventKind::fibres_parted) {
             // They part bit by bit, many times a second: one line until they have held for a while.
             const double last = std::exchange(parted, event.tick * model.tick);
@@ -158,7 +197,7 @@ std::array<Headline, 4> scope_headlines(const AttemptModel& model) {
     const char* const ids[] = {"time", "scope_path", "horizon_err", "lens_contact"};
     std::array<Headline, 4> shown;
     for (std::size_t i = 0; i < shown.size(); ++i) {
-        shown[i] = {metric_text(ids[i]), QStringLiteral("–"), tr("no score")};
+        shown[i] = {metric_text(ids[i]), QStringLiteral("–"), tr("no score"), ids[i]};
         if (!model.score) continue;
         const database::MetricRow* row = find_metric_row(*model.score, ids[i], "");
         shown[i].why = row == nullptr ? tr("not measured") : QString();
@@ -174,12 +213,28 @@ std::array<Headline, 4> scope_headlines(const AttemptModel& model) {
 
 }  // namespace
 
+QString product_text(const AttemptModel& model, const TaskDefinition& task) {
+    if (task.goals.empty()) return {};
+    QStringList left;
+    for (std::size_t i = 0; i < task.goals.size(); ++i) {
+        const auto& done = model.goals_done;
+        if (std::find(done.begin(), done.end(), static_cast<int>(i)) == done.end())
+            left << text(task.goals[i].text);
+    }
+    if (left.isEmpty() || model.summary.state == AttemptState::completed)
+        return tr("All %1 steps done.").arg(task.goals.size());
+    return tr("%1 of %2 steps done. Left: %3.")
+        .arg(static_cast<int>(task.goals.size()) - left.size())
+        .arg(task.goals.size())
+        .arg(left.join(QStringLiteral("; ")));
+}
+
 std::array<Headline, 4> headlines(const AttemptModel& model) {
     if (model.scope_alone) return scope_headlines(model);
-    std::array<Headline, 4> shown{Headline{tr("Time"), QStringLiteral("–"), {}},
-                                  Headline{tr("Left hand path"), QStringLiteral("–"), {}},
-                                  Headline{tr("Right hand path"), QStringLiteral("–"), {}},
-                                  Headline{tr("Damage"), QStringLiteral("–"), {}}};
+    std::array<Headline, 4> shown{Headline{tr("Time"), QStringLiteral("–"), {}, "time"},
+                                  Headline{tr("Left hand path"), QStringLiteral("–"), {}, "path_len"},
+                                  Headline{tr("Right hand path"), QStringLiteral("–"), {}, "path_len"},
+                                  Headline{tr("Damage"), QStringLiteral("–"), {}, "over_impulse"}};
     const QString no_score = tr("no score");
     for (Headline& headline : shown) headline.why = no_score;
     if (!model.score) return shown;

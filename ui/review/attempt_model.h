@@ -19,6 +19,8 @@
 
 namespace fulcrum::ui {
 
+inline constexpr std::size_t speed_raster = 10, speed_window = 40;  // samples
+
 struct PathPoint {
     double time = 0;                     ///< s
     Vector3 position = Vector3::Zero();  ///< m, patient frame
@@ -42,9 +44,12 @@ struct AttemptModel {
     std::size_t samples = 0;                       ///< recorded
     double duration = 0;                           ///< s, of the record
     std::array<std::shared_ptr<const MinMaxPyramid>, hand_count> force;  ///< N over s
-    std::array<std::vector<PathPoint>, hand_count> path;                 ///< at most 4,000 points each
-    std::vector<EventLine> events;                                       ///< those worth a line, by time
-    std::vector<std::pair<std::string, double>> force_limits;            ///< tissue label, N
+    /// mm/s over s, every 10 samples; the mean over speed_window samples.
+    std::array<std::shared_ptr<const MinMaxPyramid>, hand_count> speed;
+    std::array<std::vector<PathPoint>, hand_count> path;       ///< at most 4,000 points each
+    std::vector<EventLine> events;                             ///< those worth a line, by time
+    std::vector<int> goals_done;                               ///< indices of the task's goals, as they ended
+    std::vector<std::pair<std::string, double>> force_limits;  ///< tissue label, N
     std::vector<std::string> tissues;
     double tick = 1e-3;        ///< s
     bool scope_alone = false;  ///< the scope was the only instrument
@@ -60,9 +65,18 @@ std::optional<AttemptModel> load_attempt(const database::Store& store, const dat
 /// are left.
 std::vector<PathPoint> thin_path(std::vector<PathPoint> points, double spacing, std::size_t limit);
 
+/// What the attempt produced, in a sentence: the steps done, and those left. Empty for a task without steps.
+QString product_text(const AttemptModel& model, const TaskDefinition& task);
+
+/// The speed of a tip that was sampled at `time` (s, rising); where it was not inside the body, or samples
+/// are missing, there is no value (NaN). mm/s.
+std::vector<float> tip_speed(const std::vector<double>& time, const std::vector<Vector3>& tip,
+                             const std::vector<bool>& inside);
+
 /// The four numbers of the debrief. Values as in the score; absent ones say why in `why`.
 struct Headline {
     QString title, value, why;
+    std::string metric;  ///< id of the metric that explains it
 };
 std::array<Headline, 4> headlines(const AttemptModel& model);
 

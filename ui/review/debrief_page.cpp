@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/debrief_page.h"
 
-#include <QCheckBox>
-#include <QGridLayout>
-#include <QHeaderView>
-#include <QListWidget>
-#include <QTableWidget>
-#include <map>
+#include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QTabWidget>
 
-#include "assessment/metrics/registry.h"
-#include "ui/charts/time_chart.h"
 #include "ui/page/background_job.h"
 #include "ui/reports/report_export.h"
 #include "ui/review/actions_card.h"
 #include "ui/review/comments_card.h"
 #include "ui/review/gates_card.h"
+#include "ui/review/metrics_table.h"
 #include "ui/review/path_view.h"
 #include "ui/review/pathology_card.h"
 #include "ui/review/replay_panel.h"
-#include "ui/style/palette.h"
+#include "ui/review/trace_panel.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -40,25 +37,11 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
     content->setSpacing(14);
     content->addWidget(build_head());
 
-    gates_ = new GatesCard;
-    content->addWidget(gates_);
-    pathology_ = new PathologyCard;
-    content->addWidget(pathology_);
-
-    content->addLayout(build_replay());
-    content->addLayout(build_charts());
+    replay_block_ = build_replay();
+    content->addWidget(replay_block_);
     comments_ = new CommentsCard(context);
     content->addWidget(comments_);
-    all_metrics_ = make_button(tr("All metrics"), "all_metrics");
-    content->addWidget(all_metrics_, 0, Qt::AlignLeft);
-    metrics_ =
-        make_table({tr("Metric"), tr("Hand"), tr("Tissue"), tr("Value"), tr("Better"), tr("Why absent")},
-                   "metrics_table");
-    metrics_->setMinimumHeight(320);
-    metrics_->hide();
-    content->addWidget(metrics_);
-    actions_ = new ActionsCard(context);
-    content->addWidget(actions_);
+    content->addWidget(build_tabs());
     layout->addWidget(content_);
     layout->addStretch();
     content_->hide();
@@ -69,79 +52,79 @@ DebriefPage::DebriefPage(Context& context) : Page(context, "debrief_page") {
     connect_parts();
 }
 
-QLayout* DebriefPage::build_replay() {
-    auto* middle = new QHBoxLayout;
+QWidget* DebriefPage::build_replay() {
+    auto* block = new QWidget;
+    block->setObjectName(QStringLiteral("replay_block"));
+    auto* middle = new QHBoxLayout(block);
+    middle->setContentsMargins(0, 0, 0, 0);
     middle->setSpacing(14);
     QFrame* replay_card = make_card(8);
     replay_ = new ReplayPanel;
     card_layout(replay_card)->addWidget(replay_);
-    middle->addWidget(replay_card, 3);
-    QFrame* events_card = make_card(8);
-    card_layout(events_card)->addWidget(make_label(tr("What happened"), "heading"));
-    penalties_only_ = new QCheckBox(tr("penalties only"));
-    penalties_only_->setObjectName(QStringLiteral("penalties_only"));
-    card_layout(events_card)->addWidget(penalties_only_);
-    events_ = new QListWidget;
-    events_->setObjectName(QStringLiteral("event_list"));
-    events_->setAccessibleName(tr("What happened"));
-    events_->setMinimumHeight(260);
-    events_->setItemDelegate(new TintDelegate(events_));
-    events_->setWordWrap(true);
-    events_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    card_layout(events_card)->addWidget(events_, 1);
-    middle->addWidget(events_card, 2);
-    return middle;
+    middle->addWidget(replay_card, 1);
+    QFrame* traces_card = make_card(4);
+    traces_ = new TracePanel;
+    card_layout(traces_card)->addWidget(traces_);
+    middle->addWidget(traces_card, 1);
+    return block;
 }
 
-QLayout* DebriefPage::build_charts() {
-    auto* charts = new QHBoxLayout;
-    charts->setSpacing(14);
-    QFrame* force_card = make_card(4);
-    card_layout(force_card)->addWidget(make_label(tr("Force of both hands on tissue"), "heading"));
-    force_ = new TimeChart(tr("force (N)"));
-    force_->setObjectName(QStringLiteral("force_chart"));
-    force_->setMinimumHeight(290);
-    card_layout(force_card)->addWidget(force_);
-    card_layout(force_card)
-        ->addWidget(make_label(
-            tr("Scroll to zoom, drag to move, click to jump to a moment, double-click to show everything."),
-            "muted"));
-    charts->addWidget(force_card, 3);
-    QFrame* path_card = make_card(4);
-    card_layout(path_card)->addWidget(make_label(tr("Path of both tips"), "heading"));
+QWidget* DebriefPage::build_tabs() {
+    tabs_ = new QTabWidget;
+    tabs_->setObjectName(QStringLiteral("debrief_tabs"));
+    gates_ = new GatesCard;
+    metrics_ = new MetricsTable;
     path_ = new PathView;
-    card_layout(path_card)->addWidget(path_, 1);
-    charts->addWidget(path_card, 2);
-    return charts;
+    path_->setMinimumHeight(340);
+    actions_ = new ActionsCard(context());
+    const auto add = [this](QWidget* shown, const QString& title, int stretch) {
+        auto* page = new QWidget;  // a card may hide itself; the tab stays
+        auto* layout = new QVBoxLayout(page);
+        layout->addWidget(shown, stretch);
+        if (stretch == 0) layout->addStretch();
+        tabs_->addTab(page, title);
+    };
+    add(gates_, tr("Gates"), 0);
+    add(metrics_, tr("All metrics"), 1);
+    add(path_, tr("Path of both tips"), 1);
+    add(actions_, tr("Corrections"), 0);
+    return tabs_;
 }
 
 void DebriefPage::connect_parts() {
-    connect(all_metrics_, &QPushButton::clicked, this, [this] {
-        metrics_->setVisible(metrics_->isHidden());
-        all_metrics_->setText(metrics_->isHidden() ? tr("All metrics") : tr("Hide the metrics"));
-    });
-    connect(penalties_only_, &QCheckBox::toggled, this, &DebriefPage::fill_events);
-    connect(events_, &QListWidget::itemActivated, this,
-            [this](QListWidgetItem* item) { go_to(item->data(Qt::UserRole).toDouble()); });
-    connect(events_, &QListWidget::itemClicked, this,
-            [this](QListWidgetItem* item) { go_to(item->data(Qt::UserRole).toDouble()); });
-    const auto jump = [this](QTableWidgetItem* item) {
-        const QVariant time = metrics_->item(item->row(), 0)->data(Qt::UserRole);
-        if (time.isValid()) go_to(time.toDouble());
-    };
-    connect(metrics_, &QTableWidget::itemActivated, this, jump);
-    connect(metrics_, &QTableWidget::itemClicked, this, jump);
-    connect(gates_, &GatesCard::time_chosen, this, &DebriefPage::go_to);
-    connect(pathology_, &PathologyCard::time_chosen, this, &DebriefPage::go_to);
+    connect(gates_, &GatesCard::time_chosen, this, &DebriefPage::show_moment);
+    connect(gates_, &GatesCard::metric_chosen, this, &DebriefPage::explain);
+    connect(metrics_, &MetricsTable::time_chosen, this, &DebriefPage::show_moment);
+    connect(metrics_, &MetricsTable::metric_chosen, this, &DebriefPage::explain);
+    connect(pathology_, &PathologyCard::time_chosen, this, &DebriefPage::show_moment);
     connect(pathology_, &PathologyCard::save_wanted, this, &DebriefPage::save_report);
-    connect(force_, &TimeChart::time_chosen, this, &DebriefPage::go_to);
-    connect(path_, &PathView::time_chosen, this, &DebriefPage::go_to);
-    connect(comments_, &CommentsCard::time_chosen, this, &DebriefPage::go_to);
+    connect(traces_, &TracePanel::time_chosen, this, &DebriefPage::go_to);
+    connect(path_, &PathView::time_chosen, this, &DebriefPage::show_moment);
+    connect(comments_, &CommentsCard::time_chosen, this, &DebriefPage::show_moment);
     connect(replay_, &ReplayPanel::time_changed, this, &DebriefPage::time_changed);
+    connect(replay_, &ReplayPanel::practice_wanted, this,
+            [this](const std::shared_ptr<const ReplayMoment>& from) {
+                emit this->context().take_over_wanted(from);
+            });
     connect(actions_, &ActionsCard::changed, this, [this] {
         open(attempt_id_, moment());
         back_->setFocus();
     });
+}
+
+void DebriefPage::resizeEvent(QResizeEvent* event) {
+    Page::resizeEvent(event);
+    fit_replay();
+}
+
+void DebriefPage::fit_replay() {
+    constexpr int margin = 28, highest = 860;
+    const int needed = replay_block_->layout()->minimumSize().height();
+    replay_block_->setFixedHeight(std::max(needed, std::min(height() - margin, highest)));
+}
+
+void DebriefPage::explain(const QString& metric_id) {
+    emit context().metric_wanted(metric_id, text(attempt_id_), moment());
 }
 
 QWidget* DebriefPage::build_head() {
@@ -163,6 +146,21 @@ QWidget* DebriefPage::build_head() {
     notes_ = make_label({});
     notes_->setObjectName(QStringLiteral("debrief_notes"));
     layout->addWidget(notes_);
+    QFrame* advice_card = make_card(4);
+    advice_ = make_label({}, "heading");
+    advice_->setObjectName(QStringLiteral("advice"));
+    card_layout(advice_card)->addWidget(advice_);
+    layout->addWidget(advice_card);
+    layout->addLayout(build_numbers());
+    product_ = make_label({});
+    product_->setObjectName(QStringLiteral("product"));
+    layout->addWidget(product_);
+    pathology_ = new PathologyCard;
+    layout->addWidget(pathology_);
+    return head;
+}
+
+QLayout* DebriefPage::build_numbers() {
     auto* numbers = new QHBoxLayout;
     numbers->setSpacing(14);
     for (int i = 0; i < 4; ++i) {
@@ -171,18 +169,19 @@ QWidget* DebriefPage::build_head() {
         number_[i] = make_label({}, "number");
         number_[i]->setObjectName(QStringLiteral("headline_%1").arg(i));
         number_why_[i] = make_label({}, "muted");
-        for (QLabel* label : {number_title_[i], number_[i], number_why_[i]})
-            card_layout(card)->addWidget(label);
+        number_explain_[i] = make_button(tr("Explain"), "explain_headline", "link");
+        connect(number_explain_[i], &QPushButton::clicked, this, [this, i] {
+            if (model_) explain(text(headlines(*model_)[static_cast<std::size_t>(i)].metric));
+        });
+        auto* top = new QHBoxLayout;
+        top->addWidget(number_title_[i], 1);
+        top->addWidget(number_explain_[i], 0, Qt::AlignTop);
+        card_layout(card)->addLayout(top);
+        for (QLabel* label : {number_[i], number_why_[i]}) card_layout(card)->addWidget(label);
         card_layout(card)->addStretch();
         numbers->addWidget(card, 1);
     }
-    layout->addLayout(numbers);
-    QFrame* advice_card = make_card(4);
-    advice_ = make_label({}, "heading");
-    advice_->setObjectName(QStringLiteral("advice"));
-    card_layout(advice_card)->addWidget(advice_);
-    layout->addWidget(advice_card);
-    return head;
+    return numbers;
 }
 
 void DebriefPage::open(const std::string& attempt_id, double time_s) {
@@ -239,12 +238,13 @@ double DebriefPage::moment() const {
 
 void DebriefPage::show_model() {
     content_->show();
+    fit_replay();
     fill_head();
     gates_->open(*model_);
     show_pathology();
-    fill_events();
-    fill_metrics();
-    fill_charts();
+    metrics_->open(*model_);
+    traces_->open(model_);
+    path_->set_attempt(*model_);
     actions_->open(model_->summary);
     comments_->open(attempt_id_, model_->summary.meta.person_id);
     replay_->open(model_, context().task(model_->summary.meta.task_id));
@@ -289,6 +289,9 @@ void DebriefPage::show_record(std::shared_ptr<const database::Trace> trace) {
             why = tr("No picture: %1").arg(QString::fromUtf8(error.what()));
         }
     }
+    replay_->offer_practice(source != nullptr &&
+                            context().allowed(database::Operation::perform_attempt,
+                                              database::Subject::person(context().session().person_id())));
     replay_->set_record(model_, std::move(source), why);
     emit ready();
 }
@@ -309,6 +312,24 @@ void DebriefPage::fill_head() {
                             mode_text(attempt.meta.mode), device_class_text(attempt.meta.device_class),
                             attempt_state(voided ? attempt.recorded_state : attempt.state),
                             points && passed ? points_text(*points) : QString()}));
+    const QStringList shown = notes();
+    notes_->setText(shown.join(QLatin1Char('\n')));
+    notes_->setVisible(!shown.isEmpty());
+    fill_numbers();
+    const Statement advice = model_->score ? model_->score->advice : Statement();
+    advice_->setText(statement_text(advice));
+    advice_->parentWidget()->setVisible(!advice.empty());
+    const TaskDefinition* task = context().task(attempt.meta.task_id);
+    const QString product = task == nullptr ? QString() : product_text(*model_, *task);
+    product_->setText(product);
+    product_->setVisible(!product.isEmpty());
+    tabs_->setTabEnabled(tabs_->indexOf(path_->parentWidget()), !model_->scope_alone);  // it is of the hands
+}
+
+QStringList DebriefPage::notes() const {
+    const database::AttemptSummary& attempt = model_->summary;
+    const bool voided = attempt.state == AttemptState::voided;
+    const std::optional<bool> passed = model_->score ? model_->score->passed : attempt.passed;
     QStringList notes;
     if (voided) {
         notes << tr("Voided by %1 on %2: %3. It does not count.")
@@ -322,7 +343,14 @@ void DebriefPage::fill_head() {
         notes << tr("Performed by a simulated operator, not by a person.");
     else if (attempt.synthetic)
         notes << tr("Performed in the demonstration, on the account of a synthetic person.");
-    if (!passed && !voided) {
+    if (attempt.meta.origin) {
+        const double from_s = attempt.meta.origin->tick * model_->tick;
+        notes
+            << (attempt.meta.origin->source_id.empty()
+                    ? tr("Practice from goal %1 of a demonstration: never scored.")
+                          .arg(attempt.meta.origin->goal + 1)
+                    : tr("Practice taken over from an attempt at %1: never scored.").arg(clock_text(from_s)));
+    } else if (!passed && !voided) {
         const Statement why = model_->score ? model_->score->not_scored_because : attempt.not_scored_because;
         notes << tr("Not scored: %1").arg(why.empty() ? tr("the attempt has no score") : statement_text(why));
     }
@@ -343,21 +371,20 @@ void DebriefPage::fill_head() {
                                  attempt.meta.device_class == DeviceClass::controller)) {
         notes << tr("Force was not felt: this device cannot render it. It was shown as bars.");
     }
+    if (const QString felt = felt_text(attempt.meta.force_devices); !felt.isEmpty()) notes << felt;
     if (attempt.lost_samples > 0) notes << tr("%1 samples were lost.").arg(attempt.lost_samples);
-    notes_->setText(notes.join(QLatin1Char('\n')));
-    notes_->setVisible(!notes.isEmpty());
+    return notes;
+}
+
+void DebriefPage::fill_numbers() {
     const std::array<Headline, 4> shown = headlines(*model_);
     for (std::size_t i = 0; i < 4; ++i) {
         number_title_[i]->setText(shown[i].title);
         number_[i]->setText(shown[i].value);
         number_why_[i]->setText(shown[i].why);
         number_why_[i]->setVisible(!shown[i].why.isEmpty());
+        number_explain_[i]->setAccessibleName(tr("Explain: %1").arg(shown[i].title));
     }
-    for (QWidget* chart : {static_cast<QWidget*>(force_), static_cast<QWidget*>(path_)})  // of the hands
-        chart->parentWidget()->setVisible(!model_->scope_alone);
-    const Statement advice = model_->score ? model_->score->advice : Statement();
-    advice_->setText(statement_text(advice));
-    advice_->parentWidget()->setVisible(!advice.empty());
 }
 
 void DebriefPage::show_pathology() {
@@ -376,85 +403,22 @@ void DebriefPage::save_report(const QString& path) {
     export_report(context(), this, job_bar_, request, [this](const QString&) { show_pathology(); });
 }
 
-void DebriefPage::fill_events() {
-    events_->clear();
-    if (!model_) return;
-    for (const EventLine& line : model_->events) {
-        if (penalties_only_->isChecked() && !line.severe) continue;
-        QString words = QStringLiteral("%1   %2%3")
-                            .arg(clock_text(line.time),
-                                 line.critical ? QStringLiteral("✕ ")
-                                 : line.severe ? QStringLiteral("▲ ")
-                                               : QString(),
-                                 line.words);
-        auto* item = new QListWidgetItem(words, events_);
-        item->setData(Qt::UserRole, line.time);
-        if (line.severe) set_tint(item, Tint::bad);
-    }
-    if (events_->count() == 0) {
-        auto* none = new QListWidgetItem(tr("nothing"), events_);
-        none->setFlags(Qt::NoItemFlags);
-    }
-}
-
-void DebriefPage::fill_metrics() {
-    metrics_->setRowCount(0);
-    all_metrics_->setVisible(model_->score.has_value());
-    if (!model_->score) return;
-    for (const database::MetricRow& value : model_->score->metrics) {
-        const MetricDescriptor* metric = find_metric(value.id);
-        const int row = metrics_->rowCount();
-        metrics_->insertRow(row);
-        auto* first = make_cell(metric_text(value.id));
-        first->setToolTip(
-            (metric == nullptr ? QString() : metric_words(metric->explanation) + QLatin1Char('\n')) +
-            tr("%1, version %2").arg(text(value.id)).arg(value.version));
-        if (!value.evidence.empty()) first->setData(Qt::UserRole, value.evidence.front().first);
-        metrics_->setItem(row, 0, first);
-        metrics_->setItem(row, 1,
-                          make_cell(value.hand == "left"    ? tr("left")
-                                    : value.hand == "right" ? tr("right")
-                                                            : QString()));
-        metrics_->setItem(row, 2, make_cell(text(value.tissue)));
-        metrics_->setItem(
-            row, 3, make_cell(figure_with_unit(value.value, value.unit), Qt::AlignRight | Qt::AlignVCenter));
-        metrics_->setItem(row, 4,
-                          make_cell(value.direction == Direction::lower    ? tr("↓ lower")
-                                    : value.direction == Direction::higher ? tr("↑ higher")
-                                                                           : tr("context")));
-        metrics_->setItem(row, 5, make_cell(statement_text(value.absent_because)));
-    }
-    fit_columns(metrics_);
-}
-
-void DebriefPage::fill_charts() {
-    force_->clear();
-    force_->add_series(tr("left hand"), &Palette::left_hand, Qt::SolidLine, model_->force[0]);
-    force_->add_series(tr("right hand"), &Palette::right_hand, Qt::DashLine, model_->force[1]);
-    // Tissues that bear the same share a line, and its name.
-    std::map<double, QStringList> limits;
-    for (const auto& [tissue, limit] : model_->force_limits) limits[limit] << text(tissue);
-    for (const auto& [limit, tissues] : limits)
-        force_->add_limit(tr("limit, %1").arg(tissues.join(QStringLiteral(", "))), limit);
-    std::vector<ChartMark> marks;
-    for (const EventLine& line : model_->events) {
-        marks.push_back({line.time, line.words,
-                         line.critical ? &Palette::bad
-                         : line.severe ? &Palette::warning
-                                       : &Palette::neutral,
-                         line.severe});
-    }
-    force_->set_marks(std::move(marks));
-    force_->show_all();
-    path_->set_attempt(*model_);
-}
-
 void DebriefPage::go_to(double time) {
     if (model_) replay_->seek(time);
 }
 
+void DebriefPage::show_moment(double time) {
+    go_to(time);
+    for (QWidget* above = replay_block_->parentWidget(); above != nullptr; above = above->parentWidget()) {
+        auto* area = qobject_cast<QScrollArea*>(above);
+        if (area == nullptr) continue;
+        const int top = replay_block_->mapTo(area->widget(), QPoint(0, 0)).y();
+        area->verticalScrollBar()->setValue(top - 8);
+    }
+}
+
 void DebriefPage::time_changed(double time) {
-    force_->set_cursor(time);
+    traces_->set_time(time);
     path_->set_cursor(time);
     comments_->set_moment(time);
 }

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// After an attempt, for the trainee, the educator and the director alike: four numbers, the verdict and one
-// sentence first; then gates, replay, what happened, force, path, comments; every penalty leads to its
-// moment.
+// After an attempt, for the trainee, the educator and the director alike: verdict, one sentence of advice,
+// four numbers and the product first; then, on one screen, the replay next to force, speed and events, which
+// move together; comments; everything else in tabs. Every penalty leads to its moment.
 #pragma once
 
+#include <QStringList>
 #include <memory>
 #include <string>
 
 #include "ui/page/context.h"
 #include "ui/review/attempt_model.h"
 
-class QCheckBox;
 class QLabel;
-class QLayout;
-class QListWidget;
 class QPushButton;
-class QTableWidget;
+class QTabWidget;
 
 namespace fulcrum::ui {
 
@@ -24,10 +22,11 @@ class BackgroundJob;
 class CommentsCard;
 class GatesCard;
 class JobBar;
+class MetricsTable;
 class PathView;
 class PathologyCard;
 class ReplayPanel;
-class TimeChart;
+class TracePanel;
 
 class DebriefPage : public Page {
     Q_OBJECT
@@ -49,8 +48,17 @@ class DebriefPage : public Page {
 
   private:
     QWidget* build_head();
-    QLayout* build_replay();  ///< next to what happened
-    QLayout* build_charts();
+    QLayout* build_numbers();
+    QWidget* build_replay();  ///< next to the traces
+    QWidget* build_tabs();
+    void resizeEvent(QResizeEvent* event) override;
+    /// The replay and the traces fill the page's height, so that they are seen together.
+    void fit_replay();
+    /// Scrolls to the replay, for a choice that was made further down.
+    void show_moment(double time);
+    void explain(const QString& metric_id);
+    void fill_numbers();
+    QStringList notes() const;
     void connect_parts();
     void show_model();
     void read_record();
@@ -58,9 +66,6 @@ class DebriefPage : public Page {
     void fill_head();
     void show_pathology();
     void save_report(const QString& path);
-    void fill_events();
-    void fill_metrics();
-    void fill_charts();
     void go_to(double time);
     void time_changed(double time);
 
@@ -70,19 +75,19 @@ class DebriefPage : public Page {
     BackgroundJob* job_ = nullptr;
     JobBar* job_bar_;
     QWidget* content_;
-    QLabel *title_, *verdict_, *about_, *notes_, *advice_;
+    QLabel *title_, *verdict_, *about_, *notes_, *advice_, *product_;
     QLabel *number_[4], *number_title_[4], *number_why_[4];
+    QPushButton* number_explain_[4];
     QPushButton* back_;
+    QWidget* replay_block_;
+    QTabWidget* tabs_;
     GatesCard* gates_;
     PathologyCard* pathology_;
-    QTableWidget* metrics_;
+    MetricsTable* metrics_;
     ReplayPanel* replay_;
-    QListWidget* events_;
-    QCheckBox* penalties_only_;
-    TimeChart* force_;
+    TracePanel* traces_;
     PathView* path_;
     CommentsCard* comments_;
-    QPushButton* all_metrics_;
     ActionsCard* actions_;
 };
 

@@ -9,6 +9,7 @@
 
 #include "assessment/metrics/registry.h"
 #include "ui/review/attempt_model.h"
+#include "ui/review/metrics_table.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 
@@ -44,9 +45,9 @@ GatesCard::GatesCard(QWidget* parent) : QFrame(parent) {
     layout->setContentsMargins(18, 16, 18, 16);
     layout->setSpacing(8);
     layout->addWidget(make_label(tr("Gates"), "heading"));
-    table_ = make_table(
-        {tr("Gate"), tr("Hand"), tr("Value"), tr("Limit"), tr("z"), tr("Result"), tr("Source of the limit")},
-        "gates_table");
+    table_ = make_table({tr("Gate"), tr("Hand"), tr("Value"), tr("Limit"), tr("z"), tr("Result"),
+                         tr("Meaning"), tr("Source of the limit")},
+                        "gates_table");
     // As high as its rows and as wide as the page: the last column's words take the lines they need.
     table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -54,9 +55,13 @@ GatesCard::GatesCard(QWidget* parent) : QFrame(parent) {
     table_->setItemDelegateForColumn(table_->columnCount() - 1, new WrappedCell(table_));
     table_->viewport()->installEventFilter(this);
     layout->addWidget(table_);
-    layout->addWidget(make_label(
-        tr("Every gate must be met. Select a row to jump to the moment that decided it."), "muted"));
+    layout->addWidget(make_label(tr("Every gate must be met. Select a row to jump to the moment that decided "
+                                    "it, Explain to read what is "
+                                    "measured."),
+                                 "muted"));
     const auto jump = [this](QTableWidgetItem* item) {
+        const QString metric = explained_metric(table_, item->row(), item->column());
+        if (!metric.isEmpty()) return emit metric_chosen(metric);
         const QVariant time = table_->item(item->row(), 0)->data(Qt::UserRole);
         if (time.isValid()) emit time_chosen(time.toDouble());
     };
@@ -104,12 +109,12 @@ void GatesCard::open(const AttemptModel& model) {
         table_->setItem(row, 5, verdict_cell);
         const bool judged = gate.value && gate.limit;
         QString source = judged ? text(gate.limit_source) : statement_text(gate.not_passed_because);
-        // A source may say it of itself.
-        if (gate.provisional && !source.contains(QLatin1String("provisional")))
+        if (gate.provisional)
             source = judged ? tr("provisional: %1").arg(source) : tr("%1 (limit provisional)").arg(source);
         auto* source_cell = make_cell(source);
         source_cell->setToolTip(source);
-        table_->setItem(row, 6, source_cell);
+        set_explain_cell(table_, row, 6, gate.metric);
+        table_->setItem(row, 7, source_cell);
     }
     size_columns(table_, 2);  // words need the room more than figures
     fit();

@@ -20,6 +20,7 @@ class GatesCard : public QFrame {
   signals:
     /// The moment that decided a gate.
     void time_chosen(double time);
+    void metric_chosen(const QString& metric_id);
 
   private:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -7,6 +7,7 @@
 
 #include "ui/reports/export_row.h"
 #include "ui/reports/pathology_words.h"
+#include "ui/review/specimen_view.h"
 #include "ui/style/widgets.h"
 
 namespace fulcrum::ui {
@@ -18,12 +19,29 @@ PathologyCard::PathologyCard(QWidget* parent) : QFrame(parent) {
     layout->setContentsMargins(18, 16, 18, 16);
     layout->setSpacing(8);
     layout->addWidget(make_label(tr("Pathology report (simulated)"), "heading"));
+    map_ = new SpecimenView;
+    layout->addWidget(map_);
+    auto* row = new QHBoxLayout;
+    sector_ = make_label({});
+    sector_->setObjectName(QStringLiteral("specimen_sector"));
+    sector_show_ = make_button(tr("Show the deepest defect"), "specimen_show", "link");
+    row->addWidget(sector_, 1);
+    row->addWidget(sector_show_, 0, Qt::AlignTop);
+    layout->addLayout(row);
+    numbers_button_ = make_button({}, "pathology_numbers");
+    layout->addWidget(numbers_button_, 0, Qt::AlignLeft);
+    numbers_ = new QWidget;
+    numbers_->hide();
+    auto* numbers = new QVBoxLayout(numbers_);
+    numbers->setContentsMargins(0, 0, 0, 0);
+    numbers->setSpacing(8);
+    layout->addWidget(numbers_);
     lines_ = new QGridLayout;
     lines_->setHorizontalSpacing(16);
     lines_->setVerticalSpacing(4);
     lines_->setColumnStretch(1, 1);
-    layout->addLayout(lines_);
-    // Ten columns beside each other: the unit stands below the name.
+    numbers->addLayout(lines_);
+    // Ten columns in a row: the unit is below the name.
     QStringList heads = pathology_columns();
     for (QString& head : heads) {
         const int gap = head.lastIndexOf(QLatin1Char(' '));
@@ -33,22 +51,61 @@ PathologyCard::PathologyCard(QWidget* parent) : QFrame(parent) {
     table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     table_->setWordWrap(false);
-    layout->addWidget(table_);
+    numbers->addWidget(table_);
     legend_ = make_label({}, "muted");
     legend_->setWordWrap(true);
-    layout->addWidget(legend_);
+    numbers->addWidget(legend_);
     export_ = new ExportRow("export_attempt");
     layout->addWidget(export_);
     connect(export_, &ExportRow::save_wanted, this, &PathologyCard::save_wanted);
+    connect(map_, &SpecimenView::sector_chosen, this, &PathologyCard::show_sector);
+    connect(sector_show_, &QPushButton::clicked, this, [this] { emit time_chosen(shown_time_); });
+    connect(numbers_button_, &QPushButton::clicked, this, [this] {
+        numbers_->setVisible(numbers_->isHidden());
+        numbers_button_->setText(numbers_->isHidden() ? tr("All numbers") : tr("Hide the numbers"));
+    });
 }
 
 void PathologyCard::open(const std::optional<PathologyReport>& report, const std::optional<QString>& file) {
-    clear_layout(lines_);
-    table_->setRowCount(0);
+    report_ = report;
     setVisible(report.has_value());
     if (!report) return;
+    map_->open(*report);
+    sector_->setText(tr("Select a sector to see its numbers."));
+    set_tint(sector_, Tint::muted);
+    sector_show_->hide();
+    numbers_->hide();
+    numbers_button_->setText(tr("All numbers"));
+    fill_numbers();
+    export_->setVisible(file.has_value());
+    if (file) export_->propose(*file);
+}
+
+std::optional<double> PathologyCard::defect_time(const SectorFinding& finding) const {
+    const double third = report_->plan.line / sector_count;
+    for (const Defect& defect : report_->defects) {  // deepest first
+        const int sector =
+            std::min(sector_count - 1, static_cast<int>(0.5 * (defect.from + defect.to) / third));
+        if (defect.level == finding.level && sector == static_cast<int>(finding.sector))
+            return defect.when.begin;
+    }
+    return std::nullopt;
+}
+
+void PathologyCard::show_sector(int finding) {
+    const SectorFinding& chosen = report_->findings[static_cast<std::size_t>(finding)];
+    sector_->setText(sector_words(*report_, chosen));
+    set_tint(sector_, Tint::none);
+    const std::optional<double> time = defect_time(chosen);
+    shown_time_ = time.value_or(-1);
+    sector_show_->setVisible(time.has_value());
+}
+
+void PathologyCard::fill_numbers() {
+    clear_layout(lines_);
+    table_->setRowCount(0);
     int row = 0;
-    for (const PathologyLine& line : pathology_lines(*report)) {
+    for (const PathologyLine& line : pathology_lines(*report_)) {
         lines_->addWidget(make_label(line.title, "muted"), row, 0, Qt::AlignTop);
         QLabel* words = make_label(line.words);
         words->setWordWrap(true);
@@ -62,7 +119,7 @@ void PathologyCard::open(const std::optional<PathologyReport>& report, const std
         }
         ++row;
     }
-    for (const QStringList& cells : pathology_rows(*report)) {
+    for (const QStringList& cells : pathology_rows(*report_)) {
         const int at = table_->rowCount();
         table_->insertRow(at);
         for (int column = 0; column < cells.size(); ++column)
@@ -78,9 +135,7 @@ void PathologyCard::open(const std::optional<PathologyReport>& report, const std
     table_->setCurrentItem(nullptr);
     table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() +
                            table_->verticalHeader()->length() + 2 * table_->frameWidth());
-    legend_->setText(pathology_legend(*report));
-    export_->setVisible(file.has_value());
-    if (file) export_->propose(*file);
+    legend_->setText(pathology_legend(*report_));
 }
 
 }  // namespace fulcrum::ui

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The simulated pathology report of an attempt that leaves a specimen, and where to save it.
+// The simulated pathology report of an attempt that leaves a specimen: the map first; a sector's numbers, and
+// the whole report in words and as a table, one click behind it; and where to save it.
 #pragma once
 
 #include <QFrame>
@@ -9,11 +10,14 @@
 
 class QGridLayout;
 class QLabel;
+class QPushButton;
 class QTableWidget;
 
 namespace fulcrum::ui {
 
 class ExportRow;
+
+class SpecimenView;
 
 class PathologyCard : public QFrame {
     Q_OBJECT
@@ -28,6 +32,17 @@ class PathologyCard : public QFrame {
     void save_wanted(const QString& path);
 
   private:
+    void fill_numbers();
+    void show_sector(int finding);
+    /// s of the attempt where the deepest defect of a sector was cut; none: it has no listed defect.
+    std::optional<double> defect_time(const SectorFinding& finding) const;
+
+    std::optional<PathologyReport> report_;
+    double shown_time_ = -1;
+    SpecimenView* map_;
+    QLabel* sector_;
+    QPushButton *sector_show_, *numbers_button_;
+    QWidget* numbers_;
     QGridLayout* lines_;
     QTableWidget* table_;
     QLabel* legend_;

@@ -60,12 +60,22 @@ ReplayPanel::ReplayPanel(QWidget* parent) : QWidget(parent), view_(new TheatreVi
     row->addWidget(back_);
     row->addWidget(forward_);
     row->addWidget(speed_);
-    row->addWidget(clock_);
-    row->addWidget(state_, 1);
+    row->addStretch();
     layout->addLayout(row);
+    // Two rows: next to the traces one would leave these no width.
+    auto* below = new QHBoxLayout;
+    below->addWidget(clock_);
+    below->addWidget(state_, 1);
+    practise_ = make_button(tr("Practise from here"), "replay_take_over");
+    practise_->setToolTip(
+        tr("A practice run that begins with the scene as it is at this moment. It is never scored."));
+    practise_->hide();
+    below->addWidget(practise_);
+    layout->addLayout(below);
     connect(play_, &QPushButton::clicked, this, [this] { play(!playing_); });
     connect(back_, &QPushButton::clicked, this, [this] { step(-1); });
     connect(forward_, &QPushButton::clicked, this, [this] { step(1); });
+    connect(practise_, &QPushButton::clicked, this, &ReplayPanel::practise);
     connect(speed_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
             [this] { factor_ = speed_->currentData().toDouble(); });
     connect(slider_, &QSlider::valueChanged, this, [this](int value) { seek(value * 1e-2); });
@@ -127,6 +137,22 @@ void ReplayPanel::play(bool on) {
 void ReplayPanel::set_speed(double factor) {
     for (int i = 0; i < speed_->count(); ++i) {
         if (std::abs(speed_->itemData(i).toDouble() - factor) < 1e-9) speed_->setCurrentIndex(i);
+    }
+}
+
+void ReplayPanel::offer_practice(bool offered) {
+    practise_->setVisible(offered);
+}
+
+void ReplayPanel::practise() {
+    play(false);
+    const std::shared_ptr<const ReplayMoment> from = source_ ? source_->moment(time_) : nullptr;
+    if (from != nullptr) {
+        emit practice_wanted(from);
+    } else {
+        state_->setText(
+            tr("Practice cannot begin at this moment yet: wait until it is prepared, or choose a "
+               "later one."));
     }
 }
 

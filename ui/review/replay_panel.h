@@ -41,13 +41,18 @@ class ReplayPanel : public QWidget {
     void set_speed(double factor);
     void step(int steps);
 
+    /// Offers practice from the moment shown.
+    void offer_practice(bool offered);
+
   signals:
     void time_changed(double time);
+    void practice_wanted(std::shared_ptr<const fulcrum::ui::ReplayMoment> from);
 
   private:
     void tick();
     void show_time();
     void fill_hud();
+    void practise();
 
     std::shared_ptr<const AttemptModel> model_;
     std::unique_ptr<ReplaySource> source_;
@@ -55,7 +60,7 @@ class ReplayPanel : public QWidget {
     TheatreView* view_;
     QSlider* slider_;
     QLabel *clock_, *state_;
-    QPushButton *play_, *back_, *forward_;
+    QPushButton *play_, *back_, *forward_, *practise_;
     QComboBox* speed_;
     QTimer timer_;
     QElapsedTimer since_;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "assessment/curriculum/curriculum.h"
+#include "assessment/scoring/judged_limits.h"
 #include "database/records/tissues.h"
 #include "database/rows/attempt_records.h"
 #include "database/scoring/rescoring.h"
@@ -63,8 +64,13 @@ class TaskService {
     virtual const std::vector<TaskDefinition>& tasks() const = 0;
     /// The curriculum that trainees follow.
     virtual const Curriculum& curriculum() const = 0;
-    /// Throws InputError.
+    /// Throws InputError. Any thread.
     virtual Scene scene_for(const TaskDefinition& task) const = 0;
+    /// The text of that scene's file. Throws InputError.
+    virtual std::string scene_text(const TaskDefinition& task) const = 0;
+    /// The world when an attempt begins, with a fixed seed. Builds it, which takes up to seconds: any thread.
+    /// Throws InputError.
+    virtual WorldSnapshot world_at_start(const TaskDefinition& task) const = 0;
 };
 
 /// Attempts and demonstrations that run.
@@ -72,12 +78,21 @@ class AttemptService {
   public:
     virtual ~AttemptService() = default;
     /// Prepares an attempt; it begins with AttemptSession::start(). Throws InputError (also where the task is
-    /// not assessed with this device), database::StoreError, database::AccessDenied.
+    /// not assessed with this device or with these files), database::StoreError, database::AccessDenied.
     virtual std::unique_ptr<AttemptSession> start_attempt(const AttemptRequest& request) = 0;
     /// Why attempts with this device are not compared with the task's limits; empty where they are, or where
     /// it has none. Throws InputError, database::AccessDenied.
     virtual Statement why_not_comparable(const database::Session& session, const std::string& task_id,
                                          DeviceClass device_class) = 0;
+    /// The files of an attempt with this device that are neither part of the program nor accepted by the
+    /// programme; with any it is practice only. Throws InputError, database::AccessDenied.
+    virtual std::vector<database::AssetFile> unknown_assets(const database::Session& session,
+                                                            const std::string& task_id,
+                                                            DeviceClass device_class) = 0;
+    /// What an attempt with this device would be held against, in the order of the task's gates. Throws
+    /// InputError, database::AccessDenied.
+    virtual std::vector<JudgedLimit> judged_limits(const database::Session& session,
+                                                   const std::string& task_id, DeviceClass device_class) = 0;
     /// An expert operator performs the task to be watched; nothing is stored. Prepares like an attempt; its
     /// outcome stays empty.
     virtual std::unique_ptr<AttemptSession> start_demonstration(const database::Session& session,

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "assessment/attempt/ghost.h"
 #include "assessment/task/monitor.h"
 #include "assessment/task/task.h"
 #include "database/access/access.h"
@@ -69,6 +70,11 @@ class AttemptSession {
     /// failed the attempt; assessed() is false from then on.
     virtual bool became_practice() const = 0;
     virtual AttemptPhase phase() const = 0;
+    /// Of a ready attempt that begins with a state of another one: what the devices said then, so that the
+    /// hands can begin there. Null: they begin at the scene's start.
+    virtual const RigSample* hands_at_start() const { return nullptr; }
+    /// Of a ready attempt: the expert's path to be shown; null: none.
+    virtual std::shared_ptr<const GhostPath> ghost() const { return nullptr; }
     /// Starts the timer of a ready attempt: input, physics and recording begin.
     virtual void start() = 0;
     /// Takes the newest world and display if there are newer ones; call once a painted frame. True if they
@@ -93,6 +99,8 @@ class AttemptSession {
     virtual const std::optional<AttemptOutcome>& outcome() const = 0;
 };
 
+class ReplayMoment;
+
 /// What the window's attempts are made with.
 inline constexpr DeviceClass window_device = DeviceClass::mouse_keyboard;
 
@@ -106,6 +114,14 @@ struct AttemptRequest {
     std::shared_ptr<Rig> rig;
     DeviceClass device_class = window_device;
     std::string device = "mouse and keyboard";
+    /// Where it begins; null: at the beginning. Then `task_id` and `seed` are the moment's, and it is
+    /// practice.
+    std::shared_ptr<const ReplayMoment> from;
+    /// Goal (index) at whose beginning in a demonstration it begins; 0: at the beginning. Then it is
+    /// practice.
+    int goal = 0;
+    /// With the instruments of an expert as a ghost; practice only. The variant is then the demonstration's.
+    bool ghost = false;
 };
 
 }  // namespace fulcrum::ui

@@ -22,6 +22,7 @@
 #include "ui/theatre/theatre_page.h"
 #include "ui/trainee/briefing_page.h"
 #include "ui/trainee/home_page.h"
+#include "ui/trainee/metrics_page.h"
 #include "ui/trainee/progress_page.h"
 
 namespace fulcrum::ui {
@@ -196,13 +197,18 @@ void MainWindow::connect_context() {
         page<BriefingPage>()->set_task(plain(task_id));
         show_page(page<BriefingPage>());
     });
-    connect(&context_, &Context::attempt_wanted, this, [this](const QString& task_id, bool assessed) {
-        auto* theatre = page<TheatrePage>();
-        if (theatre->begin(plain(task_id), assessed)) show_page(theatre);
-    });
+    connect(&context_, &Context::attempt_wanted, this,
+            [this](const QString& task_id, bool assessed, int goal, bool ghost) {
+                auto* theatre = page<TheatrePage>();
+                if (theatre->begin(plain(task_id), assessed, goal, ghost)) show_page(theatre);
+            });
     connect(&context_, &Context::demonstration_wanted, this, [this](const QString& task_id) {
         auto* theatre = page<TheatrePage>();
         if (theatre->demonstrate(plain(task_id))) show_page(theatre);
+    });
+    connect(&context_, &Context::take_over_wanted, this, [this](std::shared_ptr<const ReplayMoment> from) {
+        auto* theatre = page<TheatrePage>();
+        if (theatre->take_over(std::move(from))) show_page(theatre);
     });
     connect(&context_, &Context::interrupted_scored, this, [this] {
         if (typeid(*current_page()) == typeid(HomePage)) current_page()->enter();
@@ -216,6 +222,11 @@ void MainWindow::connect_context() {
             [this](const QString& person_id, const QString& task_id) {
                 page<ProgressPage>()->show_person(plain(person_id), plain(task_id));
                 show_page(page<ProgressPage>());
+            });
+    connect(&context_, &Context::metric_wanted, this,
+            [this](const QString& metric_id, const QString& attempt_id, double time_s) {
+                page<MetricsPage>()->show_metric(plain(metric_id), attempt_id, time_s);
+                show_page(page<MetricsPage>());
             });
     connect(&idle_, &IdleWatch::lock, this, &MainWindow::lock);
     connect(&idle_, &IdleWatch::close_attempt, this, [this] {

@@ -114,6 +114,14 @@ QString date_text(std::int64_t utc_ms) {
     return QLocale().toString(QDateTime::fromMSecsSinceEpoch(utc_ms).date(), QStringLiteral("d MMM yyyy"));
 }
 
+QString standing_name(const TaskStanding& standing) {
+    if (standing.standing == Standing::passed && standing.provisional)
+        return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "passed (provisional)"));
+    if (standing.standing == Standing::due && standing.overdue)
+        return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "check overdue"));
+    return QCoreApplication::translate("fulcrum::standings", row_of(standing_names, standing.standing).title);
+}
+
 QString standing_text(const TaskStanding& standing) {
     switch (standing.standing) {
         case Standing::locked: {

@@ -15,6 +15,8 @@ namespace fulcrum::ui {
 /// clock; relapsed: a triangle. Colours of the theme in force.
 void paint_standing(QPainter& painter, const QRectF& box, const TaskStanding& standing);
 
+/// One or two words: "locked", "passed (provisional)", "check overdue".
+QString standing_name(const TaskStanding& standing);
 /// "passed (provisional)", "locked until you are proficient in B1, B2", in the second person.
 QString standing_text(const TaskStanding& standing);
 /// What is missing or comes next, one sentence; empty where there is nothing to say.

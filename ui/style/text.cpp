@@ -139,6 +139,24 @@ QString hand_text(const std::string& hand) {
     return {};
 }
 
+QString felt_text(const ForceDevices& devices) {
+    const auto percent = [](const ForceOutput& device) { return std::round(100 * device.scale); };
+    const auto &left = devices[0], &right = devices[1];
+    if (!left && !right) return {};
+    if (left && right && percent(*left) != percent(*right))
+        return words(QT_TRANSLATE_NOOP("fulcrum::ui::text",
+                                       "Force was felt at %1 % by the left hand and at %2 % by the right."))
+            .arg(percent(*left))
+            .arg(percent(*right));
+    if (left && right)
+        return words(QT_TRANSLATE_NOOP("fulcrum::ui::text", "Force was felt at %1 %.")).arg(percent(*left));
+    return (left ? words(QT_TRANSLATE_NOOP("fulcrum::ui::text",
+                                           "Force was felt at %1 %, by the left hand only."))
+                 : words(QT_TRANSLATE_NOOP("fulcrum::ui::text",
+                                           "Force was felt at %1 %, by the right hand only.")))
+        .arg(percent(left ? *left : *right));
+}
+
 QString device_class_text(DeviceClass device_class) {
     return QCoreApplication::translate("fulcrum::devices", row_of(device_classes, device_class).title);
 }

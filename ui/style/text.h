@@ -12,6 +12,7 @@
 
 #include "assessment/metrics/statement.h"
 #include "assessment/task/attempt_words.h"
+#include "sim_core/instrument/device.h"
 
 namespace fulcrum::ui {
 
@@ -23,6 +24,10 @@ inline std::string plain(const QString& shown) {
 }
 /// One line of text of several parts, "Surgery · attempt report", without the empty ones.
 QString beside(QStringList parts);
+
+/// What a device with force gave of the model's force: "Force was felt at 40 %."; empty where no device
+/// rendered force.
+QString felt_text(const ForceDevices& devices);
 
 /// The words for one name that is stored or used inside the program.
 struct WordsOf {

@@ -275,7 +275,7 @@ void paint_mode(QPainter& painter, const QRectF& area, const HudState& state, co
                      tr("%1 left").arg(clock_text(state.display.remaining_s)));
     painter.setPen(p.text);
     const QString mode = !state.place.isEmpty()  ? state.place
-                         : state.became_practice ? tr("practice: a device was lost")
+                         : state.became_practice ? tr("practice: it was interrupted")
                          : state.assessed        ? tr("assessed")
                                                  : tr("practice");
     painter.drawText(QRectF(area.left() + margin, area.top() + 76, column, 48),

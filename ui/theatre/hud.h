@@ -23,7 +23,8 @@ struct HudState {
     const TaskDefinition* task = nullptr;
     TaskDisplay display;
     bool assessed = false;
-    bool became_practice = false;  ///< a device was lost: it does not count any more
+    bool became_practice =
+        false;  ///< a device was lost, or the program stood still: it does not count any more
     Hand active_hand = Hand::right;
     bool shows_active_hand = false;  ///< mouse: which hand it moves
     bool force_felt = true;

@@ -10,6 +10,8 @@ namespace {
 
 constexpr double radians_per_pixel = 0.008;
 
+constexpr double closed_share = 0.3;  // of the opening: jaws below it were holding
+
 constexpr int longest_ramp = 400;  // ticks from one target to the next
 
 constexpr int pedal_key = Qt::Key_B, exchange_key = Qt::Key_T;
@@ -34,6 +36,10 @@ constexpr KeyMove key_moves[] = {
 }  // namespace
 
 MouseKeyboardRig::MouseKeyboardRig(const HandTargets& start) {
+    restart(start);
+}
+
+void MouseKeyboardRig::restart(const HandTargets& start) {
     targets_.fill(start);
     for (int h = 0; h < hand_count; ++h) hand_[h] = HandleFollower(start.hand[h]);
     camera_ = HandleFollower(start.camera);
@@ -188,6 +194,22 @@ void MouseKeyboardInput::advance(double dt) {
 void MouseKeyboardInput::publish() {
     rig_->targets().write_slot() = targets_;
     rig_->targets().publish();
+}
+
+void MouseKeyboardInput::begin_from(const RigSample& sample) {
+    const auto put = [](const DeviceSample& from, DeviceReading& reading) {
+        for (int axis = 0; axis < 3; ++axis) reading.handle[axis] = from.handle[axis] * device_length_unit;
+        reading.roll = from.roll * device_angle_unit;
+        reading.jaw = from.jaw * device_angle_unit;
+    };
+    for (int h = 0; h < hand_count; ++h) {
+        if (!hand_[h].exists) continue;
+        put(sample.hand[h], targets_.hand[h]);
+        hand_[h].latched = targets_.hand[h].jaw < closed_share * hand_[h].opening;
+    }
+    if (has_camera_) put(sample.camera, targets_.camera);
+    advance(0);
+    rig_->restart(targets_);
 }
 
 void MouseKeyboardInput::set_connected(bool connected) {

@@ -34,6 +34,8 @@ class MouseKeyboardRig : public Rig {
     void write_force(Hand, const Vector3&) override {}
     bool has_force(Hand) const override { return false; }
     double damping(Hand) const override { return -1; }
+    /// Before it is read: as if made with these.
+    void restart(const HandTargets& start);
     /// UI thread.
     TripleBuffer<HandTargets>& targets() { return targets_; }
 
@@ -69,6 +71,9 @@ class MouseKeyboardInput {
     void release_key(int key);
     /// The window lost the keyboard: nothing is held down any more; latched jaws stay.
     void release_all();
+    /// Hands and scope are where a device's sample has them; jaws that were closed stay closed. Before the
+    /// rig is read.
+    void begin_from(const RigSample& sample);
     /// Whether the devices answer at all; a station whose mouse or keyboard was unplugged says no.
     void set_connected(bool connected);
     /// Integrates held keys over `dt` seconds and hands the targets to the haptic thread.

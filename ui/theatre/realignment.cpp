@@ -27,17 +27,34 @@ QString line_of(int hand, const Realignment::OneHand& one) {
 
 }  // namespace
 
+namespace {
+
+DrawnTool drawn(const InstrumentSpec& spec, const ToolPose& pose) {
+    DrawnTool tool;
+    tool.pose = pose;
+    tool.kind = spec.kind;
+    tool.jaw_length = spec.jaw_length;
+    tool.shaft_radius = spec.shaft_radius;
+    return tool;
+}
+
+}  // namespace
+
+void add_ghost(SceneFrame& frame, const Scene& scene, const GhostPoint& ghost) {
+    for (int hand = 0; hand < hand_count; ++hand) {
+        const InstrumentSpec* spec = scene.instrument(static_cast<Hand>(hand));
+        if (spec == nullptr || !ghost.tools[hand].inside) continue;
+        frame.tools.push_back(drawn(*spec, ghost.tools[hand]));
+        frame.tools.back().ghost = true;
+    }
+}
+
 void add_ghosts(SceneFrame& frame, const Scene& scene, const Realignment& realignment) {
     for (DrawnTool& tool : frame.tools) tool.ghost = true;
     for (int hand = 0; hand < hand_count; ++hand) {
         const InstrumentSpec* spec = scene.instrument(static_cast<Hand>(hand));
         if (spec == nullptr || !realignment.hand[hand].exists) continue;
-        DrawnTool tool;
-        tool.pose = realignment.hand[hand].device;
-        tool.kind = spec->kind;
-        tool.jaw_length = spec->jaw_length;
-        tool.shaft_radius = spec->shaft_radius;
-        frame.tools.push_back(tool);
+        frame.tools.push_back(drawn(*spec, realignment.hand[hand].device));
     }
 }
 

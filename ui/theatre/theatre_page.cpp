@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/theatre/theatre_page.h"
 
-#include <QCursor>
-#include <QKeyEvent>
-#include <QMouseEvent>
-#include <QWheelEvent>
-
 #include "assessment/task/asked_hand.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
@@ -83,14 +78,27 @@ bool TheatrePage::open(const std::function<void()>& work) {
     });
 }
 
-bool TheatrePage::begin(const std::string& task_id, bool assessed) {
+bool TheatrePage::begin(const std::string& task_id, bool assessed, int goal, bool ghost) {
     const TaskDefinition* task = context().task(task_id);
     return task != nullptr && open([&] {
                auto input = std::make_unique<MouseKeyboardInput>(context().services().scene_for(*task));
-               if (!task->goals.empty())
-                   input->take_hand(asked_hand(task->goals.front()).value_or(input->active_hand()));
-               AttemptRequest request{context().session(), task_id, assessed, 0, input->rig(), window_device,
-                                      "mouse and keyboard"};
+               if (!task->goals.empty()) {
+                   const Goal& first = task->goals[static_cast<std::size_t>(goal)];
+                   input->take_hand(asked_hand(first).value_or(input->active_hand()));
+               }
+               AttemptRequest request{
+                   context().session(),  task_id, assessed, 0,    input->rig(), window_device,
+                   "mouse and keyboard", nullptr, goal,     ghost};
+               session_ = context().services().start_attempt(request);
+               input_ = std::move(input);
+           });
+}
+
+bool TheatrePage::take_over(std::shared_ptr<const ReplayMoment> from) {
+    return from != nullptr && open([&] {
+               auto input = std::make_unique<MouseKeyboardInput>(from->scene());
+               AttemptRequest request{context().session(), from->task_id(),      false, 0, input->rig(),
+                                      window_device,       "mouse and keyboard", from};
                session_ = context().services().start_attempt(request);
                input_ = std::move(input);
            });
@@ -140,6 +148,8 @@ void TheatrePage::prepare() {
     } else if (shown_ == Panel::none && isVisible()) {
         mouse_known_ = false;
         since_tick_.restart();
+        if (const RigSample* hands = session_->hands_at_start()) input_->begin_from(*hands);
+        if (const auto path = session_->ghost()) ghost_.emplace(path);
         session_->start();
     }
 }
@@ -148,6 +158,7 @@ void TheatrePage::end_session() {
     timer_.stop();
     session_.reset();
     input_.reset();
+    ghost_.reset();
     aligning_ = false;
     view_->unload();
     view_->unsetCursor();
@@ -406,107 +417,11 @@ void TheatrePage::show_world() {
     if (health.missed_ticks > 0 || health.lost_samples > 0) {
         hud.health = tr("%1 of %2 ticks missed").arg(health.missed_ticks).arg(health.ticks);
     }
+    view_->set_ghost(ghost_ ? &ghost_->follow(world.tools, display.goal) : nullptr);
+    if (ghost_) hud.place = tr("the ghost of an expert waits for you");
     view_->set_hud(hud);
     view_->set_targets(done_, display.active_target, display.hold_progress > 0);
     view_->show_world(world);
-}
-
-bool TheatrePage::eventFilter(QObject* watched, QEvent* event) {
-    if (watched != view_ || session_ == nullptr || input_ == nullptr)
-        return Page::eventFilter(watched, event);
-    const bool live = takes_hands();
-    switch (event->type()) {
-        case QEvent::ShortcutOverride:
-            event->accept();
-            return true;
-        case QEvent::KeyPress:
-            return key(static_cast<QKeyEvent*>(event), true);
-        case QEvent::KeyRelease:
-            return key(static_cast<QKeyEvent*>(event), false);
-        case QEvent::MouseButtonPress:
-        case QEvent::MouseButtonDblClick: {
-            if (!live) return false;
-            const auto* press = static_cast<QMouseEvent*>(event);
-            if (press->button() == Qt::LeftButton) input_->set_primary_button(true);
-            if (press->button() == Qt::RightButton) input_->switch_hand();
-            view_->setFocus();
-            return true;
-        }
-        case QEvent::MouseButtonRelease:
-            if (static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton)
-                input_->set_primary_button(false);
-            return true;
-        case QEvent::MouseMove:
-            mouse_move(static_cast<QMouseEvent*>(event));
-            return true;
-        case QEvent::Wheel:
-            if (live) input_->turn_wheel(static_cast<QWheelEvent*>(event)->angleDelta().y() / 120.0);
-            return true;
-        case QEvent::Leave:
-            mouse_known_ = false;
-            return false;
-        case QEvent::FocusOut:
-            input_->release_all();
-            return false;
-        default:
-            return Page::eventFilter(watched, event);
-    }
-}
-
-bool TheatrePage::takes_hands() const {
-    return session_ != nullptr && shown_ == Panel::none && demonstrated_.isEmpty() &&
-           (session_->phase() == AttemptPhase::running || aligning_);
-}
-
-bool TheatrePage::key(QKeyEvent* event, bool pressed) {
-    if (event->isAutoRepeat()) return true;
-    if (!pressed) {
-        input_->release_key(event->key());
-        return true;
-    }
-    if (event->key() == Qt::Key_Escape) {
-        if (help_shown_) {
-            toggle_help();
-        } else if (!has_begun() || aligning_ || !demonstrated_.isEmpty()) {
-            ask_before_leaving();
-        } else {
-            pause();
-        }
-        return true;
-    }
-    if (event->key() == Qt::Key_F1) {
-        toggle_help();
-        return true;
-    }
-    if (aligning_ && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)) {
-        session_->resume();
-        return true;
-    }
-    return takes_hands() && input_->press_key(event->key());
-}
-
-void TheatrePage::mouse_move(QMouseEvent* event) {
-    if (!takes_hands()) {
-        mouse_known_ = false;
-        return;
-    }
-    const QPoint now = event->pos();
-    if (mouse_known_) {
-        const QPoint moved = now - last_mouse_;
-        using Use = MouseKeyboardInput::MouseUse;
-        const Qt::KeyboardModifiers with = event->modifiers();
-        input_->move_mouse(moved, with.testFlag(Qt::ShiftModifier)     ? Use::turn
-                                  : with.testFlag(Qt::ControlModifier) ? Use::turn_head
-                                                                       : Use::move);
-    }
-    mouse_known_ = true;
-    last_mouse_ = now;
-    // The hand's reach must not end at the window's border: from there the pointer is put back into the
-    // middle.
-    if (!view_->rect().adjusted(40, 40, -40, -40).contains(now) && view_->isActiveWindow()) {
-        last_mouse_ = view_->rect().center();
-        QCursor::setPos(view_->mapToGlobal(last_mouse_));
-    }
 }
 
 }  // namespace fulcrum::ui

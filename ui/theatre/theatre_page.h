@@ -25,7 +25,11 @@ class TheatrePage : public Page {
     explicit TheatrePage(Context& context);
     ~TheatrePage() override;
     /// Prepares an attempt; false (and a message) when it cannot. It begins once its scene has been drawn.
-    bool begin(const std::string& task_id, bool assessed);
+    /// Practice only: `goal` > 0, from the beginning of that goal in a demonstration on; `ghost`, with an
+    /// expert's instruments.
+    bool begin(const std::string& task_id, bool assessed, int goal = 0, bool ghost = false);
+    /// Prepares a practice run that begins with a moment of a stored attempt; else as begin().
+    bool take_over(std::shared_ptr<const ReplayMoment> from);
     /// An expert operator performs the task to be watched; afterwards the briefing is wanted.
     bool demonstrate(const std::string& task_id);
     bool is_running() const { return session_ != nullptr; }
@@ -70,6 +74,7 @@ class TheatrePage : public Page {
 
     std::unique_ptr<AttemptSession> session_;
     std::unique_ptr<MouseKeyboardInput> input_;
+    std::optional<GhostPace> ghost_;
     TheatreView* view_;
     QFrame *panel_, *bar_;
     QLabel *panel_heading_, *panel_text_;

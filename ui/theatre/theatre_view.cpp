@@ -66,6 +66,7 @@ void TheatreView::unload() {
     pictures_ = 0;
     pace_.restart();
     realignment_.reset();
+    ghost_.reset();
     done_.clear();
     active_ = -1;
     notice_.clear();
@@ -102,6 +103,10 @@ void TheatreView::set_realignment(const std::optional<Realignment>& realignment)
     update();
 }
 
+void TheatreView::set_ghost(const GhostPoint* ghost) {
+    ghost_ = ghost != nullptr ? std::optional<GhostPoint>(*ghost) : std::nullopt;
+}
+
 void TheatreView::set_cover(const QString& heading, const QStringList& lines) {
     cover_heading_ = heading;
     cover_lines_ = lines;
@@ -129,6 +134,7 @@ SceneFrame& TheatreView::assemble() {
         const double limit = hud_.display.force_limit[h];
         frame.tools[h].strain = limit > 0 ? std::clamp(hud_.display.force[h] / limit, 0.0, 1.0) : 0;
     }
+    if (ghost_) add_ghost(frame, scene_, *ghost_);
     if (realignment_) add_ghosts(frame, scene_, *realignment_);
     return frame;
 }

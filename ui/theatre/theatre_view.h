@@ -45,6 +45,8 @@ class TheatreView : public QWidget {
     /// and a line says how far they are. Empty: not so.
     void set_realignment(const std::optional<Realignment>& realignment);
     const std::optional<Realignment>& realignment() const { return realignment_; }
+    /// Instruments of an expert to be drawn translucent; null: none. Copied.
+    void set_ghost(const GhostPoint* ghost);
     /// Lines over the dimmed picture; none hides them.
     void set_cover(const QString& heading, const QStringList& lines);
     /// Why nothing can be drawn here, "" if it can.
@@ -82,6 +84,7 @@ class TheatreView : public QWidget {
     QString notice_, cover_heading_, error_;
     QStringList cover_lines_;
     std::optional<Realignment> realignment_;
+    std::optional<GhostPoint> ghost_;
     double frame_ms_ = 0, resolution_ = 0;
     DrawingPace pace_;
     bool paced_ = false;

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/trainee/briefing_page.h"
 
+#include <QCheckBox>
+#include <QComboBox>
 #include <QRadioButton>
 #include <cmath>
 
 #include "assessment/assets/fidelity_cost.h"
-#include "assessment/metrics/registry.h"
+#include "database/records/report_data.h"
 #include "database/records/standings.h"
 #include "sim_core/scene/fidelity.h"
 #include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
+#include "ui/theatre/scene_picture.h"
+#include "ui/trainee/judged_card.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -39,13 +43,16 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
 
     auto* row = new QHBoxLayout;
     row->setSpacing(14);
+    picture_ = new ScenePicture(context);
+    row->addWidget(picture_, 1);
     QFrame* steps_card = make_card(8);
     steps_ = card_layout(steps_card);
     row->addWidget(steps_card, 1);
-    QFrame* judged_card = make_card(6);
-    judged_ = card_layout(judged_card);
-    row->addWidget(judged_card, 1);
     layout->addLayout(row);
+    judged_ = new JudgedCard;
+    connect(judged_, &JudgedCard::metric_chosen, this,
+            [this](const QString& id) { emit this->context().metric_wanted(id, {}, -1); });
+    layout->addWidget(judged_);
 
     QFrame* start_card = make_card(8);
     card_layout(start_card)->addWidget(make_label(tr("Does it count?"), "heading"));
@@ -55,6 +62,7 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
     practice_->setObjectName(QStringLiteral("mode_practice"));
     card_layout(start_card)->addWidget(assessed_);
     card_layout(start_card)->addWidget(practice_);
+    card_layout(start_card)->addLayout(make_beginning());
     mode_note_ = make_label({}, "muted");
     card_layout(start_card)->addWidget(mode_note_);
     tissue_note_ = make_label({});
@@ -66,15 +74,24 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
     start_ = make_button({}, "start_attempt", "primary");
     watch_ = make_button(tr("Watch an expert do it"), "watch_demonstration");
     watch_->setToolTip(tr("A simulated expert performs the task. Nothing is stored. Press Escape to stop."));
+    QPushButton* history = make_button(tr("My attempts and learning curve"), "briefing_progress");
+    connect(history, &QPushButton::clicked, this, [this] {
+        emit this->context().progress_wanted(text(this->context().session().person_id()), text(task_id_));
+    });
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(start_);
     buttons->addWidget(watch_);
+    buttons->addWidget(history);
     buttons->addStretch();
     card_layout(start_card)->addLayout(buttons);
     layout->addWidget(start_card);
     layout->addStretch();
-    connect(start_, &QPushButton::clicked, this,
-            [this] { emit this->context().attempt_wanted(text(task_id_), assessed_->isChecked()); });
+    connect(start_, &QPushButton::clicked, this, [this] {
+        const bool assessed = assessed_->isChecked();
+        emit this->context().attempt_wanted(text(task_id_), assessed,
+                                            assessed ? 0 : begin_at_->currentData().toInt(),
+                                            !assessed && !ghost_->isHidden() && ghost_->isChecked());
+    });
     connect(watch_, &QPushButton::clicked, this,
             [this] { emit this->context().demonstration_wanted(text(task_id_)); });
     auto* outer = new QVBoxLayout(this);
@@ -82,14 +99,57 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
     outer->addWidget(scrolled(body, 1000));
 }
 
+/// Where practice begins, and with a ghost or without.
+QLayout* BriefingPage::make_beginning() {
+    auto* beginning = new QHBoxLayout;
+    begin_words_ = make_label(tr("Begin at"));
+    begin_words_->setWordWrap(false);
+    begin_at_ = new QComboBox;
+    begin_at_->setObjectName(QStringLiteral("begin_at"));
+    begin_at_->setAccessibleName(tr("Begin practice at"));
+    begin_at_->setToolTip(
+        tr("From a later goal on, a simulated expert does what comes before. Such a practice run is "
+           "never scored."));
+    beginning->addWidget(begin_words_);
+    beginning->addWidget(begin_at_);
+    ghost_ = new QCheckBox(tr("With the ghost of an expert"));
+    ghost_->setObjectName(QStringLiteral("with_ghost"));
+    ghost_->setToolTip(
+        tr("Translucent instruments show an expert's next movement and wait for you. The scene is then "
+           "that of the demonstration."));
+    beginning->addWidget(ghost_);
+    beginning->addStretch();
+    connect(practice_, &QRadioButton::toggled, begin_at_, &QWidget::setEnabled);
+    connect(practice_, &QRadioButton::toggled, ghost_, &QWidget::setEnabled);
+    return beginning;
+}
+
 void BriefingPage::set_task(const std::string& task_id) {
     task_id_ = task_id;
+    begin_at_->clear();
+    ghost_->setChecked(false);
     practice_->setChecked(true);
 }
 
 void BriefingPage::enter() {
     fill();
     start_->setFocus();
+}
+
+/// The goals that practice can begin at; the choice made for this task stays.
+void BriefingPage::fill_beginnings(const TaskDefinition& task) {
+    const bool parts = task.goals.size() > 1;
+    begin_words_->setVisible(parts);
+    begin_at_->setVisible(parts);
+    const bool scope_alone =
+        !task.goals.empty() && type_of(task.goals.front().kind).site == GoalSite::camera_targets;
+    ghost_->setVisible(!scope_alone);  // a scope has no instrument to show
+    if (begin_at_->count() > 0) return;
+    begin_at_->addItem(tr("the beginning"), 0);
+    for (std::size_t goal = 1; goal < task.goals.size(); ++goal) {
+        begin_at_->addItem(QStringLiteral("%1.  %2").arg(goal + 1).arg(text(task.goals[goal].text)),
+                           static_cast<int>(goal));
+    }
 }
 
 QString BriefingPage::why_locked() {
@@ -109,22 +169,38 @@ QString BriefingPage::why_locked() {
     return {};
 }
 
+QString BriefingPage::why_files() {
+    std::vector<database::AssetFile> unknown;
+    context().guarded(
+        [&] { unknown = context().services().unknown_assets(context().session(), task_id_, window_device); });
+    if (unknown.empty()) return {};
+    QStringList files;
+    for (const database::AssetFile& file : unknown)
+        files << tr("%1 (sha256 %2)").arg(text(file.name), text(file.digest));
+    return tr("Here this task is practice only: it uses files that are neither part of this program nor "
+              "accepted by the programme: %1. An educator can accept them.")
+        .arg(files.join(QStringLiteral(", ")));
+}
+
 void BriefingPage::fill() {
     clear_layout(steps_);
-    clear_layout(judged_);
     title_->setText(context().task_title(task_id_));
     const bool demo = context().store().is_demo();
     const TaskDefinition* task = context().task(task_id_);
     const bool assessable = task != nullptr && can_be_assessed(*task, window_device);
     const QString locked = why_locked();
-    assessed_->setEnabled(!demo && assessable && locked.isEmpty());
+    const QString own_files = assessable ? why_files() : QString();
+    assessed_->setEnabled(!demo && assessable && locked.isEmpty() && own_files.isEmpty());
     if (!assessed_->isEnabled()) practice_->setChecked(true);
     start_->setEnabled(task != nullptr);
     watch_->setEnabled(task != nullptr);
     const QString start = tr("Start as %1").arg(text(context().session().display_name()));
     start_->setText(start);
     start_->setAccessibleName(start);
+    begin_at_->setEnabled(practice_->isChecked());
+    ghost_->setEnabled(practice_->isChecked());
     if (task == nullptr) return;
+    fill_beginnings(*task);
     briefing_->setText(text(task->briefing));
     steps_->addWidget(make_label(tr("What to do"), "heading"));
     int number = 0;
@@ -134,46 +210,42 @@ void BriefingPage::fill() {
     steps_->addWidget(make_label(
         tr("Time limit %1 · outcome: %2").arg(clock_text(task->time_limit_s), text(task->product)), "muted"));
     steps_->addStretch();
-    judged_->addWidget(make_label(tr("What is assessed"), "heading"));
-    for (const GateSpec& gate : task->gates) {
-        const MetricDescriptor* metric = find_metric(gate.metric);
-        QString line = metric_text(gate.metric);
-        if (!gate.hand.empty()) line += QStringLiteral(", ") + hand_text(gate.hand);
-        if (!gate.tissue.empty()) line += QStringLiteral(", ") + text(gate.tissue);
-        if (gate.kind == GateKind::absolute) {
-            const bool higher = metric != nullptr && metric->direction == Direction::higher;
-            const QString limit =
-                figure_with_unit(gate.limit, metric == nullptr ? std::string() : metric->unit);
-            line += gate.exclusive      ? (higher ? tr(": more than %1") : tr(": less than %1")).arg(limit)
-                    : higher            ? tr(": at least %1").arg(limit)
-                    : gate.limit == 0.0 ? tr(": none")
-                                        : tr(": at most %1").arg(limit);
-        } else {
-            line += tr(": within the experts' range");
-        }
-        QLabel* label = make_label(QStringLiteral("•  ") + line);
-        if (metric != nullptr) label->setToolTip(text(metric->explanation));
-        judged_->addWidget(label);
-    }
-    if (!task->critical_errors.empty()) {
-        QStringList errors;
-        for (const std::string& error : task->critical_errors) errors << text(error).replace('_', ' ');
-        judged_->addWidget(make_label(
-            tr("Critical errors (the attempt fails): %1").arg(errors.join(QStringLiteral(", "))), "bad"));
-    }
-    judged_->addStretch();
+    picture_->show_task(*task);
+    judged_->open(*task, limits(), own_values());
     const bool scope_alone =
         !task->goals.empty() && type_of(task->goals.front().kind).site == GoalSite::camera_targets;
     const QString hands =
         scope_alone
             ? tr("You hold the scope with mouse and keyboard. F1 shows the keys.")
             : tr("You work with mouse and keyboard: force is shown as bars, not felt. F1 shows the keys.");
-    mode_note_->setText(demo                ? tr("The demonstration accepts practice attempts only.")
-                        : !assessable       ? hands + QStringLiteral(" ") + practice_only(*task)
-                        : !locked.isEmpty() ? hands + QStringLiteral(" ") + locked
-                                            : hands);
+    mode_note_->setText(demo                   ? tr("The demonstration accepts practice attempts only.")
+                        : !assessable          ? hands + QStringLiteral(" ") + practice_only(*task)
+                        : !own_files.isEmpty() ? hands + QStringLiteral(" ") + own_files
+                        : !locked.isEmpty()    ? hands + QStringLiteral(" ") + locked
+                                               : hands);
     show_notes();
     show_fidelity_note();
+}
+
+std::vector<JudgedLimit> BriefingPage::limits() {
+    std::vector<JudgedLimit> judged;
+    context().guarded(
+        [&] { judged = context().services().judged_limits(context().session(), task_id_, window_device); });
+    return judged;
+}
+
+std::vector<database::MetricRow> BriefingPage::own_values() {
+    std::vector<database::MetricRow> values;
+    const database::Session& session = context().session();
+    if (!context().allowed(database::Operation::read_progress,
+                           database::Subject::person(session.person_id())))
+        return values;
+    context().guarded([&] {
+        values = last_values(
+            database::Reports(context().store()).person_progress(session, session.person_id(), task_id_),
+            window_device);
+    });
+    return values;
 }
 
 namespace {

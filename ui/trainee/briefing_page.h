@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One screen before an attempt: what to do, what is judged, with what; assessed or practice; *Start as NAME*.
+// Before an attempt: the picture of the scene, what to do, what is judged as bars; assessed or practice;
+// *Start as NAME*.
 #pragma once
 
 #include "ui/page/context.h"
 
+class QCheckBox;
+class QComboBox;
 class QLabel;
+class QLayout;
 class QPushButton;
 class QRadioButton;
 class QVBoxLayout;
 
 namespace fulcrum::ui {
+
+class JudgedCard;
+class ScenePicture;
 
 class BriefingPage : public Page {
     Q_OBJECT
@@ -19,15 +26,27 @@ class BriefingPage : public Page {
     void enter() override;
 
   private:
+    QLayout* make_beginning();
     void fill();
     /// Why the task does not count yet for who is signed in; empty where it does.
     QString why_locked();
+    /// Why the installed files make it practice only; empty where they do not.
+    QString why_files();
+    std::vector<JudgedLimit> limits();
+    /// Of the last attempt of who is signed in.
+    std::vector<database::MetricRow> own_values();
     void show_notes();
     void show_fidelity_note();
+    void fill_beginnings(const TaskDefinition& task);
     std::string task_id_;
     QLabel *title_, *briefing_, *mode_note_, *tissue_note_, *fidelity_note_;
-    QVBoxLayout *steps_, *judged_;
+    QVBoxLayout* steps_;
+    ScenePicture* picture_;
+    JudgedCard* judged_;
     QRadioButton *assessed_, *practice_;
+    QLabel* begin_words_;
+    QComboBox* begin_at_;  ///< data: goal
+    QCheckBox* ghost_;
     QPushButton *start_, *watch_;
 };
 

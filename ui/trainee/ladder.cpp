@@ -22,7 +22,7 @@ constexpr int step_gap = 14;
 
 Ladder::Ladder(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("ladder"));
-    setAccessibleName(tr("Your way through the curriculum"));
+    setAccessibleName(tr("Your progress through the curriculum"));
     layout_ = new QBoxLayout(QBoxLayout::LeftToRight, this);
     layout_->setContentsMargins(0, 0, 0, 0);
 }

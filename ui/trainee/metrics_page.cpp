@@ -43,6 +43,11 @@ MetricsPage::MetricsPage(Context& context) : Page(context, "metrics_page") {
     auto* body = new QWidget;
     auto* layout = new QVBoxLayout(body);
     layout->setSpacing(12);
+    back_ = make_button(tr("← Back to the attempt"), "metrics_back", "link");
+    back_->hide();
+    connect(back_, &QPushButton::clicked, this,
+            [this] { emit this->context().debrief_wanted(attempt_, time_); });
+    layout->addWidget(back_, 0, Qt::AlignLeft);
     layout->addWidget(make_label(tr("Metrics"), "title"));
     layout->addWidget(make_label(
         tr("What the simulator measures. A gate is a pass criterion of a task: every gate must be met."),
@@ -74,6 +79,27 @@ MetricsPage::MetricsPage(Context& context) : Page(context, "metrics_page") {
 void MetricsPage::enter() {
     if (table_->rowCount() == 0) fill();
     search_->setFocus();
+    if (wanted_.empty()) return;
+    const std::vector<Metric>& metrics = metric_registry();
+    for (std::size_t i = 0; i < metrics.size(); ++i) {
+        if (metrics[i].descriptor.id != wanted_) continue;
+        table_->setCurrentCell(static_cast<int>(i), 0);
+        table_->scrollToItem(table_->item(static_cast<int>(i), 0));
+        table_->setFocus();
+    }
+    wanted_.clear();
+}
+
+void MetricsPage::leave() {
+    back_->hide();
+}
+
+void MetricsPage::show_metric(const std::string& id, const QString& attempt_id, double time_s) {
+    search_->clear();
+    wanted_ = id;
+    attempt_ = attempt_id;
+    time_ = time_s;
+    back_->setVisible(!attempt_.isEmpty());
 }
 
 QString MetricsPage::gate_of(const std::string& metric) const {

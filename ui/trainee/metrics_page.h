@@ -7,6 +7,7 @@
 
 class QLabel;
 class QLineEdit;
+class QPushButton;
 class QTableWidget;
 
 namespace fulcrum::ui {
@@ -16,6 +17,10 @@ class MetricsPage : public Page {
   public:
     explicit MetricsPage(Context& context);
     void enter() override;
+    void leave() override;
+    /// Selects a metric (an unknown id leaves the page as it is) and offers the way back to an attempt ("":
+    /// none).
+    void show_metric(const std::string& id, const QString& attempt_id, double time_s);
 
   private:
     void fill();
@@ -24,6 +29,10 @@ class MetricsPage : public Page {
     /// Tasks whose gates use the metric, with their hands and tissues left out: "A2, B1".
     QString gate_of(const std::string& metric) const;
 
+    std::string wanted_;
+    QString attempt_;
+    double time_ = 0;
+    QPushButton* back_;
     QLineEdit* search_;
     QTableWidget* table_;
     QLabel *name_, *explanation_, *details_;

@@ -2,6 +2,7 @@
 #include "ui/trainee/progress_page.h"
 
 #include <QComboBox>
+#include <QFileInfo>
 #include <QHeaderView>
 #include <set>
 
@@ -14,8 +15,10 @@
 #include "ui/reports/report_export.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
+#include "ui/trainee/certificate_card.h"
 #include "ui/trainee/curve_words.h"
 #include "ui/trainee/standing_card.h"
+#include "ui/trainee/task_header.h"
 
 namespace fulcrum::ui {
 namespace {
@@ -54,6 +57,12 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     person_ = combo(tr("Person"), "progress_person");
     task_ = combo(tr("Task"), "progress_task");
     metric_ = combo(tr("Metric"), "progress_metric");
+    explain_ = make_button(tr("Explain"), "explain_progress", "link");
+    row->addWidget(explain_);
+    connect(explain_, &QPushButton::clicked, this, [this] {
+        const QString id = metric_->currentData().toString().section(QLatin1Char('/'), 0, 0);
+        emit this->context().metric_wanted(id, {}, -1);
+    });
     row->addStretch();
     layout->addLayout(row);
     export_ = new ExportRow("export_person");
@@ -62,8 +71,12 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     layout->addWidget(export_);
     job_ = new JobBar;
     layout->addWidget(job_);
+    header_ = new TaskHeader(context);
+    layout->addWidget(header_);
+    certificates_ = new CertificateCard(context);
     standing_ = new StandingCard(context);
     layout->addWidget(standing_);
+    layout->addWidget(certificates_);
     QFrame* card = make_card(8);
     summary_ = make_label({}, "muted");
     card_layout(card)->addWidget(summary_);
@@ -73,10 +86,11 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     chart_ = new AttemptChart;
     chart_->setMinimumHeight(280);
     card_layout(card)->addWidget(chart_);
-    card_layout(card)->addWidget(
-        make_label(tr("● passed   ✕ failed   ○ not scored   small: does not count. Device classes are shown "
-                      "separately. Select a point to open the attempt."),
-                   "muted"));
+    card_layout(card)->addWidget(make_label(
+        tr("● passed   ✕ failed   ○ not scored   small: does not count. Device classes are shown "
+           "separately. Thick line: the fitted curve; its band: where it levels off (95 % interval). "
+           "Select a point to open the attempt."),
+        "muted"));
     layout->addWidget(card);
     table_ = make_table({tr("No."), tr("Started"), tr("Device"), tr("Mode"), tr("Ended"), tr("Time"),
                          tr("Result"), tr("Points")},
@@ -164,6 +178,8 @@ void ProgressPage::load() {
     export_->setVisible(
         context().allowed(database::Operation::export_person, database::Subject::person(person_id_)));
     export_->propose(person_->currentText());
+    certificates_->show_person(person_id_, QFileInfo(export_->path()).absolutePath());
+    header_->show_task(person_id_, task_id_, progress_ ? &*progress_ : nullptr);
     standing_->show_task(person_id_, task_id_);
     title_->setText(person_id_ == context().session().person_id()
                         ? tr("My progress")
@@ -231,10 +247,28 @@ void ProgressPage::draw() {
     }
     summary_->setText(
         tr("%1 · counting attempts: %2 · passed: %3").arg(task_->currentText()).arg(counting).arg(passed));
+    add_experts(drawn, key);
+    explain_->setVisible(key != QLatin1String("points"));
     if (drawn.limit) drawn.limit_name = tr("limit");
     curve_->setText(said.join(QStringLiteral("\n")));
     curve_->setVisible(!said.isEmpty());
     chart_->set_data(std::move(drawn));
+}
+
+void ProgressPage::add_experts(AttemptChartData& drawn, const QString& key) {
+    if (!progress_ || progress_->series.size() != 1 || context().task(task_id_) == nullptr) return;
+    std::vector<JudgedLimit> limits;
+    context().guarded([&] {
+        limits = context().services().judged_limits(context().session(), task_id_,
+                                                    progress_->series.front().device_class);
+    });
+    for (const JudgedLimit& one : limits) {
+        if (text(one.metric + "/" + one.hand + "/" + one.tissue) != key) continue;
+        drawn.band_low = one.experts_low;
+        drawn.band_high = one.experts_high;
+        drawn.band_name = tr("experts (mean ± one standard deviation)");
+        if (!drawn.limit) drawn.limit = one.limit;
+    }
 }
 
 QString ProgressPage::add_curve(const database::ProgressSeries& series, AttemptSeries& shown,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One person's attempts of one task over time: a chart of points, time or any metric, and the table beneath
-// it. Trainees see their own; educators and directors choose the person.
+// The page of one task and one person: the task with its picture, the standing, the learning curve of points
+// or any metric with its fit, the plateau's interval, the limit and the experts' range, and every attempt.
+// Trainees see their own; educators and directors choose the person.
 #pragma once
 
 #include <optional>
@@ -11,15 +12,19 @@
 
 class QComboBox;
 class QLabel;
+class QPushButton;
 class QTableWidget;
 
 namespace fulcrum::ui {
 
 class AttemptChart;
+class CertificateCard;
+struct AttemptChartData;
 struct AttemptSeries;
 class ExportRow;
 class JobBar;
 class StandingCard;
+class TaskHeader;
 
 class ProgressPage : public Page {
     Q_OBJECT
@@ -40,6 +45,8 @@ class ProgressPage : public Page {
     void load();
     void draw();
     void fill_table();
+    /// The experts' range of the shown metric, where the chart shows one device class.
+    void add_experts(AttemptChartData& drawn, const QString& key);
     /// Adds the fitted curve of a series to the chart; returns what it says.
     QString add_curve(const database::ProgressSeries& series, AttemptSeries& shown, const QString& key,
                       std::optional<double>& limit) const;
@@ -50,6 +57,9 @@ class ProgressPage : public Page {
     QComboBox *person_, *task_, *metric_;
     ExportRow* export_;
     JobBar* job_;
+    CertificateCard* certificates_;
+    TaskHeader* header_;
+    QPushButton* explain_;
     StandingCard* standing_;
     AttemptChart* chart_;
     QTableWidget* table_;

@@ -21,6 +21,11 @@ class BandTracker : public GoalTracker {
         display.goal_progress = std::min(1.0, static_cast<double>(watch_.bands_divided) / goal_.count);
     }
 
+    void transfer(StateArchive& archive) override {
+        GoalTracker::transfer(archive);
+        archive(reported_);
+    }
+
   private:
     int reported_ = 0;
 };
@@ -38,6 +43,11 @@ class BleedingTracker : public GoalTracker {
     void show(TaskDisplay& display) const noexcept override {
         display.goal_progress = std::min(1.0, static_cast<double>(watch_.vessels_dry) / goal_.count);
         display.hold_progress = held_share();
+    }
+
+    void transfer(StateArchive& archive) override {
+        GoalTracker::transfer(archive);
+        archive(reported_);
     }
 
   private:

@@ -32,6 +32,11 @@ class FramingTracker : public GoalTracker {
 
     bool at_target(Hand /*hand*/) const noexcept override { return hold_ticks_ > 0; }
 
+    void transfer(StateArchive& archive) override {
+        GoalTracker::transfer(archive);
+        archive(framing_, faults_);
+    }
+
   protected:
     /// Looks at a point and notes what keeps it from being framed; true where nothing does.
     bool look(const CameraPose& camera, const Vector3& point, double distance, bool hidden) noexcept {
@@ -84,6 +89,11 @@ class TargetFraming : public FramingTracker {
         show_framing(display);
     }
 
+    void transfer(StateArchive& archive) override {
+        FramingTracker::transfer(archive);
+        archive(framed_);
+    }
+
   private:
     int framed_ = 0;
 };
@@ -121,6 +131,11 @@ class TipFollowing : public FramingTracker {
         display.active_target = tip_;
         display.goal_progress = held_share();
         show_framing(display);
+    }
+
+    void transfer(StateArchive& archive) override {
+        FramingTracker::transfer(archive);
+        archive(tip_, lost_ticks_, shown_s_, framed_);
     }
 
   private:

@@ -32,6 +32,11 @@ class LiftTracker : public GoalTracker {
         display.lift_height_m = height_;
     }
 
+    void transfer(StateArchive& archive) override {
+        GoalTracker::transfer(archive);
+        archive(height_);
+    }
+
   private:
     int whole_seconds() const noexcept { return static_cast<int>(held_s() + 1e-9); }
 

@@ -32,6 +32,11 @@ class PalpationTracker : public GoalTracker {
         display.goal_progress = display.hold_progress = held_share();
     }
 
+    void transfer(StateArchive& archive) override {
+        GoalTracker::transfer(archive);
+        archive(away_ticks_, contact_);
+    }
+
   private:
     int whole_seconds() const noexcept { return static_cast<int>(held_s() + 1e-9); }
 

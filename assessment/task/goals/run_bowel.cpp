@@ -51,6 +51,11 @@ class RunTracker : public GoalTracker {
         display.run_next_m = goal_.from_m + direction_ * next_;
     }
 
+    void transfer(StateArchive& archive) override {
+        GoalTracker::transfer(archive);
+        archive(covered_, next_);
+    }
+
   private:
     double place_of(const GraspState& grasp) const noexcept {
         return direction_ * (grasp.arc_length - goal_.from_m);

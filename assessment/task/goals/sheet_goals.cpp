@@ -55,6 +55,11 @@ class LineTracker : public GoalTracker {
             cut.cutting() && std::abs(cut.distance()) > goal_.tolerance_m * (1 + margin);
     }
 
+    void transfer(StateArchive& archive) override {
+        GoalTracker::transfer(archive);
+        archive(millimetres_);
+    }
+
   private:
     int millimetres_ = 0;  // of the line, as last reported
 };

@@ -42,6 +42,11 @@ class TargetTracker : public GoalTracker {
         display.hold_progress = held_share();
     }
 
+    void transfer(StateArchive& archive) override {
+        GoalTracker::transfer(archive);
+        archive(reached_, target_);
+    }
+
   private:
     void show_target(const WorldSnapshot& world, GoalEvents& events) noexcept {
         hold_ticks_ = 0;

@@ -49,6 +49,11 @@ class TransferTracker : public GoalTracker {
         display.hold_progress = shared_ ? held_share_ : 0;
     }
 
+    void transfer(StateArchive& archive) override {
+        GoalTracker::transfer(archive);
+        archive(rings_, placed_, most_, placed_rings_, shared_, held_share_);
+    }
+
   private:
     struct Ring {
         Stage stage = Stage::begin;

@@ -82,6 +82,11 @@ OperativeField::OperativeField(const Scene& scene, const FieldSpec& spec, FieldM
             std::clamp(static_cast<int>(instrument.exchange.size()), 1, static_cast<int>(hand.kinds.size()));
         for (std::size_t i = 0; i < instrument.exchange.size() && i < hand.kinds.size(); ++i)
             hand.kinds[i] = instrument.exchange[i];
+        for (std::size_t i = 0; i < hand.kinds.size(); ++i) {
+            InstrumentSpec& one = instruments_[static_cast<std::size_t>(instrument.hand)][i];
+            one = instrument;
+            one.kind = hand.kinds[i];
+        }
     }
 }
 

@@ -93,6 +93,12 @@ struct FieldHand {
     bool cutting = false;                ///< a blade in the last step
     InstrumentKind kind() const { return kinds[static_cast<std::size_t>(index)]; }
     bool usable() const { return exchange_left <= 0; }
+    /// All that changes: what the hand can hold does not.
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(index, exchange_left, buttons, jaws, active, target, nerve_distance, clips_fired,
+              last_clip_outlet, last_clip_distance, blade, touched, touched_count, last_tip, cutting);
+    }
 };
 
 /// What the power of an activation goes to: the nearest of what is offered within reach.
@@ -126,6 +132,11 @@ class OperativeField {
     bool divided(std::size_t nerve) const { return nerve_divided_[nerve] != 0; }
     FieldHand& hand(int number) { return hands_[static_cast<std::size_t>(number)]; }
     const FieldHand& hand(int number) const { return hands_[static_cast<std::size_t>(number)]; }
+    /// The scene's instrument of a hand, of the kind that the hand has now; the hand has one.
+    const InstrumentSpec& instrument(int number) const {
+        const auto h = static_cast<std::size_t>(number);
+        return instruments_[h][static_cast<std::size_t>(hands_[h].index)];
+    }
     std::vector<FieldOutlet>& outlets() { return outlets_; }
     const std::vector<FieldOutlet>& outlets() const { return outlets_; }
     const EnergyToolModel& tool_model(const FieldHand& hand) const {
@@ -194,6 +205,8 @@ class OperativeField {
     std::vector<FieldOutlet> outlets_;
     std::vector<std::uint8_t> nerve_divided_;
     std::array<FieldHand, hand_count> hands_;
+    std::array<std::array<InstrumentSpec, 6>, hand_count>
+        instruments_;  ///< the scene's, of each kind in turn
     bool suction_ = false;
     std::int32_t clips_left_ = 0;
 };

@@ -35,6 +35,11 @@ struct NerveView {
     std::vector<Vector3> line;  ///< m
     std::vector<float> dose;    ///< min (CEM43), a point each
     bool divided = false;       ///< by a blade
+
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(line, dose, divided);
+    }
 };
 
 /// A vein beneath a wall.
@@ -42,6 +47,11 @@ struct VeinView {
     std::vector<Vector3> line;  ///< m, above it on the wall
     double radius = 0;          ///< m
     double depth = 0;           ///< m, wall to vein
+
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(line, radius, depth);
+    }
 };
 
 /// Most openings that veins of a wall have at a time.
@@ -100,6 +110,13 @@ struct BandsView {
     double lost = 0, removed = 0;                ///< m3 of blood since the start
     double smoke = 0;                            ///< share of light that does not come through
     double heat_given = 0;                       ///< J since the start
+
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(bands, outlets, tools, nerves, veins, nerve_radius, lateral_dose, lateral_area,
+              worst_nerve_dose, worst_bed_dose, sheet_char, sheet_dose, columns, rows, cell, corner, ground,
+              blood, bed_dose, lost, removed, smoke, heat_given);
+    }
 };
 
 }  // namespace fulcrum

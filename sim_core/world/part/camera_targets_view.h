@@ -25,6 +25,11 @@ struct CameraTargetsView {
     Vector3 tip = Vector3::Zero();  ///< m
     Vector3 tip_velocity = Vector3::Zero();  ///< m/s
 
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(targets, ball_radius, cup_radius, wall, cup_depth, distance, tip, tip_velocity);
+    }
+
     /// Whether the ball's middle is seen from `eye` through the cup's mouth.
     bool looks_into(const CameraTarget& target, const Vector3& eye) const noexcept {
         const Vector3 line = eye - target.ball;

@@ -32,6 +32,11 @@ struct ObjectsView {
     double peg_radius = 0;             ///< m
     Vector3 centre = Vector3::Zero();  ///< m, middle of the tray
     double half_length = 0, half_width = 0;  ///< m, along x and y
+
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(objects, pegs, corners, tube_radius, peg_radius, centre, half_length, half_width);
+    }
 };
 
 }  // namespace fulcrum

@@ -74,8 +74,9 @@ class Part {
     virtual ~Part() = default;
 
     virtual void begin_step() noexcept {}
-    /// Replaces what a hand holds, where its instruments are exchanged in the field.
-    virtual void exchange(int /*hand*/, HeldTool& /*held*/) const noexcept {}
+    /// Replaces what a hand holds, where its instruments are exchanged in the field. Called once a step and
+    /// hand, before any offer.
+    virtual void exchange(int /*hand*/, const StepInput& /*input*/, HeldTool& /*held*/) noexcept {}
     /// m, from the jaws of a hand that close in this step to the nearest tissue that they can take.
     virtual double offer(int /*hand*/, const HeldTool& /*held*/) const noexcept { return no_offer; }
     /// Whether a hand's jaws hold its tissue.
@@ -93,6 +94,8 @@ class Part {
     virtual void fill_snapshot(WorldSnapshot& /*snapshot*/) const noexcept {}
     /// Surface that instruments feel as a wall, if the part is one.
     virtual const CavityModel* wall() const noexcept { return nullptr; }
+    /// Layers that local models point to, if the part has them.
+    virtual const LayeredWall* layered_wall() const noexcept { return nullptr; }
     /// Sheet that instruments give energy to, if the part is one.
     virtual const HeatedSheet* heated_sheet() const noexcept { return nullptr; }
 
@@ -120,6 +123,12 @@ class Part {
         StateList list(values);
         list_state(list);
         follow_restore();
+    }
+    /// Writes the state, or reads that of a part made from the same scene and seed. Throws StateArchiveError.
+    void transfer(StateArchive& archive) {
+        StateList list(archive);
+        list_state(list);
+        if (archive.reads()) follow_restore();
     }
     /// Memory that state members own.
     std::size_t state_bytes() const {

@@ -56,6 +56,11 @@ class UsedVector : public std::vector<T> {
         std::copy_n(other.begin(), std::min(used, other.size()), this->begin());
         return *this;
     }
+    /// A replay's key frame keeps it whole.
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(static_cast<std::vector<T>&>(*this), used);
+    }
     std::size_t used = 0;
 };
 
@@ -64,6 +69,11 @@ struct MembraneView {
     std::vector<Vector3> positions;   ///< m, patient frame
     std::vector<Triangle> triangles;  ///< change with `topology` only
     std::uint32_t topology = 0;
+
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(positions, triangles, topology);
+    }
 };
 
 /// A sheet that is divided along a marked line.
@@ -92,6 +102,13 @@ struct SheetView {
                                     ///< patient's right first; where the tissue is gone its last place
     std::int32_t envelope_columns = 0;
     double visible_area = 0, removed_area = 0;  ///< m2 at rest
+
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(line, line_positions, line_traction, line_divided, flap, positions, rest, triangles, roots,
+              vertex_count, triangle_count, topology, thickness, septum_length, fat_from, envelope,
+              envelope_columns, visible_area, removed_area);
+    }
 };
 
 /// The bowel's surface where it has been cut: what is drawn in place of some of the skin's triangles. Fixed
@@ -111,6 +128,13 @@ struct BowelCutView {
     std::uint32_t topology = 0;
     double thickness = 0;                       ///< m, of the wall
     double visible_area = 0, removed_area = 0;  ///< m2 at rest
+
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(first_vertex, vertex_count, triangle_count, vertex_roots, barycentric, triangles,
+              triangle_roots, triangle_loose, hidden, fallen, topology, thickness, visible_area,
+              removed_area);
+    }
 };
 
 struct WorldSnapshot {
@@ -118,6 +142,8 @@ struct WorldSnapshot {
     std::uint32_t tick = 0;     ///< last input tick the step consumed
     std::uint32_t outcome = 0;  ///< StepRecord::outcome
     ToolPose tools[hand_count];
+    /// m, from the tips above to where the instruments are drawn: at the surface of what they touch.
+    Vector3 lift[hand_count] = {Vector3::Zero(), Vector3::Zero()};
     CameraPose camera;
     GraspState grasps[hand_count];
     std::vector<TargetSphere> targets;
@@ -143,6 +169,14 @@ struct WorldSnapshot {
     double solve_residual = 0;        ///< of the bowel's last solve: share of the largest force that was left
     double residual_penetration = 0;  ///< m, deepest sphere in the cavity after the step
     double floor_load = 0;            ///< N, sum of contact forces on the cavity
+
+    template <typename Visit>
+    void fields(Visit&& visit) {
+        visit(step, tick, outcome, tools, camera, grasps, targets, nodes, node_arc_lengths, rings,
+              ring_arc_lengths, dents, dent_count, tether_anchors, tether_arc_lengths, membranes, sheet,
+              bowel_cut, events, event_count, bands, objects, camera_targets, patch_damage, solve_residual,
+              residual_penetration, floor_load);
+    }
 };
 
 }  // namespace fulcrum

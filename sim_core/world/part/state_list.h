@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The list of a part's state members. Each part names its members once, in Part::list_state(); hash, save,
-// restore and memory use all walk that list, so that none of them can forget a member.
+// restore, bytes of a key frame and memory use all walk that list, so that none of them can forget a member.
 //
 // The order of the hashed members is the order in which they enter the hash that a replay is compared by.
 // Changing it changes every state hash.
@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim_core/numerics/state_archive.h"
 #include "sim_core/numerics/state_hash.h"
 
 namespace fulcrum {
@@ -29,6 +30,8 @@ class StateList {
     explicit StateList(Values& values) : save_(&values) {}
     /// Assigns to every member its copy. Throws std::bad_any_cast where they come from another list.
     explicit StateList(const Values& values) : restore_(&values) {}
+    /// Writes or reads every member. Reading throws StateArchiveError.
+    explicit StateList(StateArchive& archive) : archive_(&archive) {}
     /// Sums the memory that members own.
     explicit StateList(std::size_t& bytes) : bytes_(&bytes) {}
 
@@ -54,6 +57,11 @@ class StateList {
         if (hash_ != nullptr) enter(*hash_);
         if (save_ != nullptr) save_->emplace_back(std::in_place_type<Value>, get());
         if (restore_ != nullptr) set(std::any_cast<const Value&>(restore_->at(next_++)));
+        if (archive_ != nullptr) {
+            Value value = get();
+            (*archive_)(value);
+            if (archive_->reads()) set(value);
+        }
         if (bytes_ != nullptr) *bytes_ += static_cast<std::size_t>(bytes());
         return *this;
     }
@@ -79,6 +87,7 @@ class StateList {
     void move(Member& member) {
         if (save_ != nullptr) save_->emplace_back(member);
         if (restore_ != nullptr) member = std::any_cast<const Member&>(restore_->at(next_++));
+        if (archive_ != nullptr) (*archive_)(member);
         if (bytes_ != nullptr) *bytes_ += owned(member, 0);
     }
     template <typename Entry>
@@ -115,6 +124,7 @@ class StateList {
     StateHash* hash_ = nullptr;
     Values* save_ = nullptr;
     const Values* restore_ = nullptr;
+    StateArchive* archive_ = nullptr;
     std::size_t* bytes_ = nullptr;
     std::size_t next_ = 0;
 };

@@ -38,7 +38,7 @@ FidelityStudy study_with(const Difference& difference, int seeds = 30) {
             for (const FidelityLevel level : all_levels) {
                 ObservedAttempt one;
                 one.task = "B1";
-                one.operator_name = "expert";
+                one.operator_level = OperatorLevel::expert;
                 one.seed = static_cast<std::uint64_t>(seed);
                 one.pairing = pairing;
                 one.fidelity = level;

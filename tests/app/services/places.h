@@ -44,7 +44,7 @@ inline std::vector<const char*> window_places(Operation operation) {
         case Operation::read_progress:
             return {"progress_table"};
         case Operation::read_cohort_table:
-            return {"cohort_table"};
+            return {"cohort_grid"};
         case Operation::score_interrupted:
             return {"interrupted_attempt"};
         case Operation::recompute_score:
@@ -81,6 +81,8 @@ inline std::vector<const char*> window_places(Operation operation) {
             return {"tissue_table"};
         case Operation::set_tissues:
             return {"save_tissues"};
+        case Operation::accept_assets:
+            return {};
     }
     return {};
 }
@@ -97,6 +99,8 @@ inline const char* window_leaves_out(Operation operation, Role role) {
         return "a trainee's briefing states that the site has its own values, without the values";
     if (role == Role::educator && operation == Operation::score_interrupted)
         return "scored in the background at the educator's sign-in; it is shown on the trainee's home page";
+    if (role == Role::educator && operation == Operation::accept_assets)
+        return "benchmark sets of the site are built on the command line, and accepted there";
     return nullptr;
 }
 
@@ -128,6 +132,8 @@ inline std::vector<std::string> commands_of(Operation operation) {
             return {"tissues"};
         case Operation::set_tissues:
             return {"tissues --set"};
+        case Operation::accept_assets:
+            return {"assets accept"};
         case Operation::read_sign_in_list:
         case Operation::list_people:
         case Operation::manage_people:

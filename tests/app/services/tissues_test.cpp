@@ -59,7 +59,7 @@ TEST_F(SiteTissue, AnAttemptIsPerformedAndReplayedInTheTissueItBeganIn) {
     PerformRequest request;
     request.loaded = load_site_task(store, station, "B2");
     EXPECT_EQ(request.loaded.scene.tissues[0].cutting->penetrate, 0.11);
-    request.operator_name = "expert";
+    request.operator_level = OperatorLevel::expert;
     request.seed = 7;
     request.keep_going = [](double time) { return time < 14; };
     AttemptMeta meta = attempt_meta(request.loaded, request.seed, AttemptMode::practice,

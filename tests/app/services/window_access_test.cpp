@@ -5,6 +5,7 @@
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QTabWidget>
 #include <QTableWidget>
 #include <algorithm>
 
@@ -37,6 +38,7 @@ void WindowAccess::expect_debrief(const Target& target, const std::string& cell)
               allowed(Operation::read_comment, target) && !target.comment.empty())
         << cell;
     EXPECT_EQ(sees(*window, "comment_text"), allowed(Operation::comment, target)) << cell;
+    choose_tab(*window, "debrief_tabs", "Corrections");
     EXPECT_EQ(sees(*window, "void_attempt"), allowed(Operation::void_attempt, target)) << cell;
     EXPECT_EQ(sees(*window, "reassign_attempt"), allowed(Operation::reassign_attempt, target)) << cell;
     EXPECT_EQ(sees(*window, "request_correction"), allowed(Operation::request_correction, target)) << cell;
@@ -74,12 +76,14 @@ TEST_F(WindowAccess, DebriefsOpenAndOfferWhatTheTableSays) {
 TEST_F(WindowAccess, VoidReassignAndRequestWorkWhereTheyAreOffered) {
     act_as(programme.asker(Role::trainee));
     emit window->context().debrief_wanted(QString::fromStdString(programme.ann.attempt), -1);
+    choose_tab(*window, "debrief_tabs", "Corrections");
     ASSERT_TRUE(wait_for([&] { return sees(*window, "request_correction"); }));
     type(*window, "action_reason", "mine, but wrong");
     click(*window, "request_correction");
     EXPECT_EQ(Attempts(*services->store()).correction_requests(window->context().session()).size(), 2U);
     act_as(programme.asker(Role::educator));
     emit window->context().debrief_wanted(QString::fromStdString(programme.ann.attempt), -1);
+    choose_tab(*window, "debrief_tabs", "Corrections");
     ASSERT_TRUE(wait_for([&] { return sees(*window, "reassign_attempt"); }));
     type(*window, "action_reason", "Ben did it");
     click(*window, "reassign_attempt");
@@ -146,6 +150,7 @@ TEST_F(WindowAccess, ListsShowThePeopleAndCohortsThatTheTableAllows) {
                 if (!readable) continue;
                 choice->setCurrentIndex(choice->findData(QString::fromStdString(target->cohort_id)));
                 emit choice->activated(choice->currentIndex());
+                find<QTabWidget>(*window, "cohort_views")->setCurrentIndex(4);
                 EXPECT_GT(find<QTableWidget>(*window, "cohort_table")->rowCount(), 0) << cell;
                 const bool exports = cohort_allowed(Operation::export_cohort, *target);
                 EXPECT_EQ(sees(*window, "export_cohort"), exports) << cell;
@@ -253,6 +258,10 @@ void WindowAccess::look_everywhere(std::set<std::string>& seen) {
         EXPECT_TRUE(wait_for([&] { return debrief->is_ready(); }, 60000));
     }
     look();
+    if (sees(*window, "debrief_tabs")) {
+        choose_tab(*window, "debrief_tabs", "Corrections");
+        look();
+    }
     window->context().sign_out();
     look();
 }

@@ -9,10 +9,8 @@
 #include <map>
 #include <sstream>
 
-#include "assessment/attempt/memory_sink.h"
-#include "assessment/operators/operator.h"
 #include "sim_core/world/physics_version.h"
-#include "tests/support/support.h"
+#include "tests/assessment/attempt/expert_record.h"
 
 namespace fulcrum {
 namespace {
@@ -25,14 +23,8 @@ const std::map<std::string, std::string> golden = {{"A1", "b54d11a511c0bd9f"}, {
 static_assert(physics_version == 2, "the table belongs to one version of physics: change both or neither");
 
 void expect_golden(const std::string& id) {
-    const TaskDefinition task = load_task(test::source_path("assets/tasks/" + id + ".json"));
-    const Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
-    AttemptEngine engine(scene, task, 2001);
-    const auto rig = make_operator("expert", task, scene, 2001);
-    MemorySink sink;
-    const RunOutcome outcome = run_headless(engine, *rig, sink);
     std::ostringstream hash;
-    hash << std::hex << std::setw(16) << std::setfill('0') << outcome.state_hash;
+    hash << std::hex << std::setw(16) << std::setfill('0') << test::expert_record(id).outcome.state_hash;
     const auto found = golden.find(id);
     EXPECT_EQ(hash.str(), found == golden.end() ? "no value in the table" : found->second) << id;
 }

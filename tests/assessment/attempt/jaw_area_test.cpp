@@ -5,26 +5,19 @@
 
 #include <algorithm>
 
-#include "assessment/attempt/memory_sink.h"
-#include "assessment/operators/operator.h"
 #include "sim_core/scene/perforation.h"
-#include "tests/support/support.h"
+#include "tests/assessment/attempt/expert_record.h"
 
 namespace fulcrum {
 namespace {
 
 TEST(JawArea, IsOneValueInEachHoldOfAnAttempt) {
-    const TaskDefinition task = load_task(test::source_path("assets/tasks/C4.json"));
-    const Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
-    AttemptEngine engine(scene, task, 2001);
-    const auto rig = make_operator("expert", task, scene, 2001);
-    MemorySink sink;
-    run_headless(engine, *rig, sink);
+    const std::vector<TickSample>& samples = test::expert_record("C4").record.samples;
     int holds = 0;
     double largest_pressure = 0, largest_force = 0;  // Pa, N
     for (int h = 0; h < hand_count; ++h) {
         std::int32_t area = -1;  // of this hold
-        for (const TickSample& sample : sink.record.samples) {
+        for (const TickSample& sample : samples) {
             const HandSample& hand = sample.hand[h];
             if ((hand.flags & hand_grasping) == 0) {
                 area = -1;

@@ -28,7 +28,7 @@ Scene bands() {
     return load_scene(test::source_path("assets/scenes/b3_bands.json"));
 }
 
-void perform(const char* preset, std::uint64_t seed, Performed& performed) {
+void perform(OperatorLevel preset, std::uint64_t seed, Performed& performed) {
     const TaskDefinition task = b3();
     const Scene scene = bands();
     AttemptEngine engine(scene, task, seed);
@@ -46,7 +46,7 @@ void perform(const char* preset, std::uint64_t seed, Performed& performed) {
 
 TEST(BandOperators, AnExpertCompletesB3AndItsRecordReplaysBitForBit) {
     Performed expert;
-    perform("expert", 3, expert);
+    perform(OperatorLevel::expert, 3, expert);
     EXPECT_EQ(expert.outcome.end, EventKind::completed);
     int divided = 0, bled = 0, stopped = 0;
     for (const Event& event : expert.sink.record.events) {
@@ -76,10 +76,10 @@ TEST(BandOperators, AnExpertCompletesB3AndItsRecordReplaysBitForBit) {
 TEST(BandOperators, NeedBothHandsAndOneKindOfGoal) {
     Scene scene = bands();
     scene.instruments.pop_back();
-    EXPECT_THROW(make_operator("expert", b3(), scene, 1), InputError);
+    EXPECT_THROW(make_operator(OperatorLevel::expert, b3(), scene, 1), InputError);
     TaskDefinition task = b3();
     task.goals.push_back(Goal());
-    EXPECT_THROW(make_operator("expert", task, bands(), 1), InputError);
+    EXPECT_THROW(make_operator(OperatorLevel::expert, task, bands(), 1), InputError);
 }
 
 }  // namespace

@@ -3,8 +3,11 @@
 #pragma once
 
 #include <algorithm>
+#include <cstring>
 #include <memory>
+#include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "assessment/attempt/memory_sink.h"
@@ -58,7 +61,10 @@ inline Score score_so_far(const CheatStage& stage, const AttemptRecord& record,
                          &stage.benchmark);
 }
 
-inline constexpr double longest_rest_s = 30;
+// s after which an attempt is not followed further: before its first movement (what cheats do begins within
+// 20 s), and while hands, pedals and camera stay exactly as they are (a hand that an operator holds still
+// trembles). Both would last to the end of the time limit.
+inline constexpr double longest_rest_s = 21, longest_stillness_s = 12;
 
 /// No continuation can pass: what an interruption cannot take back is broken (Score,
 /// WhatIsBrokenForGoodStaysFailed), or a limit on time or path, which only grow, has been passed.
@@ -70,38 +76,64 @@ inline bool fails_whatever_follows(const Score& score) {
            });
 }
 
-/// Of the benchmark set, s; the task's own limit where it has none.
-inline double limit_on_time(const CheatStage& stage) {
-    const BenchmarkLevel* level = stage.benchmark.find("time", "", "");
-    return level == nullptr ? stage.task.time_limit_s
-                            : limit_of(*find_metric("time"), *level, stage.benchmark.k);
+/// s that the task's timer may still run before its limit is passed; nothing without that limit or a value.
+inline std::optional<double> time_left(const Score& score) {
+    for (const GateResult& gate : score.gates)
+        if (gate.metric == "time" && gate.value && gate.limit) return *gate.limit - *gate.value;
+    return std::nullopt;
 }
 
-/// Stops as soon as the attempt fails whatever follows; its verdict is then failed. It stops too after half a
-/// minute in which no hand moved: what cheats do begins within 20 s, so the rest of the time limit would be
-/// the same. `whole` runs to the end all the same.
+inline bool same_input(const RigSample& a, const RigSample& b) {
+    static_assert(std::has_unique_object_representations_v<DeviceSample>);
+    return a.flags == b.flags && std::memcmp(&a.hand, &b.hand, sizeof a.hand) == 0 &&
+           std::memcmp(&a.camera, &b.camera, sizeof a.camera) == 0;
+}
+
+/// When an attempt need not be followed further.
+class Verdict {
+  public:
+    Verdict(const CheatStage& stage, const AttemptRecord& record, const std::vector<TargetSphere>& targets)
+        : stage_(stage), record_(record), targets_(targets) {}
+
+    /// Called once a simulated second.
+    bool is_open(double seconds) {
+        const std::vector<RigSample>& inputs = record_.inputs;
+        for (; seen_ < inputs.size(); ++seen_)
+            if (!same_input(inputs[seen_], inputs[seen_ - 1])) still_since_ = seconds;
+        if (seconds - still_since_ >= longest_stillness_s) return false;
+        if (seconds >= longest_rest_s &&
+            std::none_of(record_.events.begin(), record_.events.end(),
+                         [](const Event& event) { return event.kind == EventKind::first_movement; }))
+            return false;
+        if (seconds < next_look_) return true;
+        const Score score = score_so_far(stage_, record_, targets_);
+        if (fails_whatever_follows(score)) return false;
+        // Each look reads the record from its beginning: with a constant interval the looks would cost more
+        // than the attempt. One look comes as soon as the limit on time can have been passed.
+        next_look_ = std::max(seconds + 3, 1.25 * seconds);
+        if (const std::optional<double> left = time_left(score))
+            next_look_ = std::min(next_look_, seconds + std::max(0.0, *left) + 0.01);
+        return true;
+    }
+
+  private:
+    const CheatStage& stage_;
+    const AttemptRecord& record_;
+    const std::vector<TargetSphere>& targets_;
+    std::size_t seen_ = 1;
+    double still_since_ = 0, next_look_ = 4;
+};
+
+/// Stops as soon as the attempt fails whatever follows; its verdict is then failed. `whole` runs to the end
+/// all the same.
 inline CheatVerdict judge(const CheatStage& stage, Rig& rig, std::uint64_t seed, bool whole = false) {
     AttemptEngine engine(stage.scene, stage.task, seed);
     const std::vector<TargetSphere>& targets = engine.initial_snapshot().targets;
     MemorySink sink;
+    Verdict open(stage, sink.record, targets);
+    const RunOutcome outcome =
+        run_headless(engine, rig, sink, [&](double seconds) { return whole || open.is_open(seconds); });
     CheatVerdict verdict;
-    double next = 10;
-    const double after_limit = limit_on_time(stage) + 2;
-    const auto undecided = [&](double seconds) {
-        verdict.seconds = seconds;
-        if (whole || seconds < next) return true;
-        const std::vector<Event>& events = sink.record.events;
-        if (seconds > longest_rest_s && std::none_of(events.begin(), events.end(), [](const Event& event) {
-                return event.kind == EventKind::first_movement;
-            }))
-            return false;
-        // Each look reads the record from its beginning: with a constant interval the looks would cost more
-        // than the attempt. One look is soon after the limit on time.
-        next = std::max(seconds + 10, 1.5 * seconds);
-        if (seconds < after_limit) next = std::min(next, after_limit);
-        return !fails_whatever_follows(score_so_far(stage, sink.record, targets));
-    };
-    const RunOutcome outcome = run_headless(engine, rig, sink, undecided);
     verdict.seconds = outcome.ticks * stage.scene.tick_period();
     verdict.score = score_so_far(stage, sink.record, targets);
     verdict.state = attempt_state(sink.record.events);

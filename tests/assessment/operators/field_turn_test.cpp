@@ -21,8 +21,8 @@ constexpr std::array<InstrumentKind, 4> kinds = {InstrumentKind::hook, Instrumen
 /// A right hand before one place that bleeds or not.
 class FieldStage {
   public:
-    explicit FieldStage(const char* preset, double flow, double smoke) {
-        EXPECT_TRUE(draw_individual(preset, 7, skill));
+    explicit FieldStage(OperatorLevel preset, double flow, double smoke) {
+        draw_individual(preset, 7, skill);
         scene = load_scene(test::source_path("assets/scenes/c4_posterior.json"));
         limb = std::make_unique<Limb>(skill, *scene.instrument(Hand::right), 1e-3, Random(3, 5));
         body.limb[1] = limb.get();
@@ -77,7 +77,7 @@ class FieldStage {
 };
 
 TEST(FieldTurn, SmokeIsRemovedAtThePositionOfTheHand) {
-    FieldStage stage("expert", 0, 0.5);
+    FieldStage stage(OperatorLevel::expert, 0, 0.5);
     const Vector3 before = stage.limb->destination();
     const std::vector<InstrumentKind> held = stage.turn(30);
     ASSERT_GE(held.size(), 5U);
@@ -89,25 +89,25 @@ TEST(FieldTurn, SmokeIsRemovedAtThePositionOfTheHand) {
 }
 
 TEST(FieldTurn, BleedingIsSuctionedAndClippedAtItsSource) {
-    for (const char* preset : {"expert", "intermediate", "novice"}) {
+    for (const auto& [preset, name, title] : operator_levels) {
         FieldStage stage(preset, 2e-7, 0);
         const std::vector<InstrumentKind> held = stage.turn(60);
-        EXPECT_EQ(held.back(), InstrumentKind::hook) << preset;
-        EXPECT_TRUE(stage.sucked_there) << preset;
-        EXPECT_LT(stage.clipped_within, 0.006) << preset;
-        EXPECT_EQ(stage.seen.outlets[0].flow, 0.0) << preset;
+        EXPECT_EQ(held.back(), InstrumentKind::hook) << name;
+        EXPECT_TRUE(stage.sucked_there) << name;
+        EXPECT_LT(stage.clipped_within, 0.006) << name;
+        EXPECT_EQ(stage.seen.outlets[0].flow, 0.0) << name;
     }
 }
 
 TEST(FieldTurn, WithoutClipsTheWorkContinues) {
-    FieldStage stage("expert", 2e-7, 0);
+    FieldStage stage(OperatorLevel::expert, 2e-7, 0);
     stage.seen.tools[1].clips_left = 0;
     EXPECT_EQ(stage.turn(30).back(), InstrumentKind::hook);
     EXPECT_EQ(stage.clipped_within, 1.0);
 }
 
 TEST(FieldTurn, AClearFieldNeedsNoAction) {
-    const FieldStage stage("novice", 0, 0.1);
+    const FieldStage stage(OperatorLevel::novice, 0, 0.1);
     EXPECT_FALSE(FieldTurn(stage.skill).wanted(stage.seen, *stage.limb));
 }
 
@@ -135,7 +135,7 @@ std::array<double, 3> powered(FieldStage& stage, double foresight, bool beside_n
 }
 
 TEST(BladePedal, OperatorWithForesightActivatesOnlyInTissueAndBriefly) {
-    FieldStage stage("expert", 0, 0);
+    FieldStage stage(OperatorLevel::expert, 0, 0);
     const auto seconds = powered(stage, 1, false);
     EXPECT_EQ(seconds[0], 0);
     EXPECT_GT(seconds[1], 1.5);
@@ -145,7 +145,7 @@ TEST(BladePedal, OperatorWithForesightActivatesOnlyInTissueAndBriefly) {
 }
 
 TEST(BladePedal, OperatorWithoutForesightHeatsAirAndNerve) {
-    FieldStage stage("novice", 0, 0);
+    FieldStage stage(OperatorLevel::novice, 0, 0);
     const auto seconds = powered(stage, 0, true);
     EXPECT_NEAR(seconds[0], 1, 0.011);
     EXPECT_NEAR(seconds[1], 3, 0.011);

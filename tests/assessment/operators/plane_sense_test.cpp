@@ -10,7 +10,7 @@ namespace {
 
 constexpr int plane_levels = 4, strokes_on_plane = 5, plane_attempts = 400;
 
-PlaneSkill plane_skill(const char* preset) {
+PlaneSkill plane_skill(OperatorLevel preset) {
     Skill skill;
     draw_individual(preset, 1, skill);
     return skill.plane;
@@ -33,32 +33,35 @@ double mean_off_plane(const PlaneSkill& skill, double opened, int last_level) {
 
 TEST(PlaneSense, ExpertsKnowThePlaneUnderAnyTraction) {
     for (const double opened : {0.0, 0.3, 1.0, 2.0})
-        EXPECT_EQ(mean_off_plane(plane_skill("expert"), opened, plane_levels - 1), 0.0) << opened;
+        EXPECT_EQ(mean_off_plane(plane_skill(OperatorLevel::expert), opened, plane_levels - 1), 0.0)
+            << opened;
 }
 
 TEST(PlaneSense, NovicesAreFurtherOffThanIntermediates) {
     for (const double opened : {0.2, 1.0}) {
-        const double novice = mean_off_plane(plane_skill("novice"), opened, plane_levels - 1);
-        const double intermediate = mean_off_plane(plane_skill("intermediate"), opened, plane_levels - 1);
+        const double novice = mean_off_plane(plane_skill(OperatorLevel::novice), opened, plane_levels - 1);
+        const double intermediate =
+            mean_off_plane(plane_skill(OperatorLevel::intermediate), opened, plane_levels - 1);
         EXPECT_GT(intermediate, 0.0) << opened;
         EXPECT_GT(novice, 1.5 * intermediate) << opened;
     }
     // Under good traction an intermediate sees the plane; under weak traction it is guessed.
-    EXPECT_GT(mean_off_plane(plane_skill("intermediate"), 0.2, plane_levels - 1), 0.0002);
+    EXPECT_GT(mean_off_plane(plane_skill(OperatorLevel::intermediate), 0.2, plane_levels - 1), 0.0002);
 }
 
 TEST(PlaneSense, WeakTractionHidesThePlane) {
-    const PlaneSkill skill = plane_skill("intermediate");
+    const PlaneSkill skill = plane_skill(OperatorLevel::intermediate);
     EXPECT_GT(mean_off_plane(skill, 0.2, plane_levels - 1), 1.2 * mean_off_plane(skill, 1, plane_levels - 1));
 }
 
 TEST(PlaneSense, AWrongPlaneIsFollowedFromLevelToLevel) {
-    const PlaneSkill skill = plane_skill("novice");
+    const PlaneSkill skill = plane_skill(OperatorLevel::novice);
     EXPECT_GT(mean_off_plane(skill, 1, plane_levels - 1), 1.2 * mean_off_plane(skill, 1, 0));
 }
 
 TEST(PlaneSense, SameAttemptGivesTheSameDistancesAndAnotherDoesNot) {
-    PlaneSense a(plane_skill("novice"), 7), b(plane_skill("novice"), 7), c(plane_skill("novice"), 8);
+    PlaneSense a(plane_skill(OperatorLevel::novice), 7), b(plane_skill(OperatorLevel::novice), 7),
+        c(plane_skill(OperatorLevel::novice), 8);
     for (PlaneSense* sense : {&a, &b, &c}) sense->next_level(1);
     const double first = a.stroke(1);
     EXPECT_EQ(first, b.stroke(1));

@@ -33,7 +33,7 @@ class EventList : public AttemptSink {
     std::uint32_t worst_ = 0;
 };
 
-RunOutcome perform(const std::string& id, const char* preset, std::uint64_t seed, EventList& events,
+RunOutcome perform(const std::string& id, OperatorLevel preset, std::uint64_t seed, EventList& events,
                    const char* fidelity = nullptr) {
     const TaskDefinition task = load_task(test::source_path("assets/tasks/" + id + ".json"));
     Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
@@ -44,13 +44,13 @@ RunOutcome perform(const std::string& id, const char* preset, std::uint64_t seed
 }
 
 TEST(OperatorOnTheWorld, EveryPresetTouchesAllTargetsAndRepeatsItself) {
-    for (const char* preset : {"expert", "intermediate", "novice"}) {
+    for (const auto& [preset, name, title] : operator_levels) {
         EventList first, second;
         const RunOutcome a = perform("A2", preset, 2500, first), b = perform("A2", preset, 2500, second);
-        EXPECT_EQ(a.end, EventKind::completed) << preset;
-        EXPECT_EQ(first.count(EventKind::target_reached), 20) << preset;
-        EXPECT_EQ(a.state_hash, b.state_hash) << preset;
-        EXPECT_EQ(a.ticks, b.ticks) << preset;
+        EXPECT_EQ(a.end, EventKind::completed) << name;
+        EXPECT_EQ(first.count(EventKind::target_reached), 20) << name;
+        EXPECT_EQ(a.state_hash, b.state_hash) << name;
+        EXPECT_EQ(a.ticks, b.ticks) << name;
     }
 }
 
@@ -74,7 +74,7 @@ TEST(OperatorOnTheWorld, ExpertsAndNovicesVaryAndAreSeparated) {
     MetricContext context = make_metric_context(scene, task, {});
     context.metrics = {"time", "path_len", "f_max", "sparc", "ldlj"};
     std::map<std::string, std::vector<double>> values[2];
-    const char* presets[] = {"expert", "novice"};
+    constexpr OperatorLevel presets[] = {OperatorLevel::expert, OperatorLevel::novice};
     for (int p = 0; p < 2; ++p) {
         for (std::uint64_t seed = 2000; seed < 2006; ++seed) {
             AttemptEngine engine(scene, task, seed);
@@ -107,7 +107,7 @@ TEST(OperatorOnTheWorld, ExpertsAndNovicesVaryAndAreSeparated) {
 
 TEST(OperatorOnTheWorld, ExpertRunsAndLiftsTheBowelWithoutHarm) {
     EventList events;
-    const RunOutcome run = perform("B1", "expert", 2500, events);
+    const RunOutcome run = perform("B1", OperatorLevel::expert, 2500, events);
     EXPECT_EQ(run.end, EventKind::completed);
     EXPECT_EQ(events.count(EventKind::phase_end), 2);
     EXPECT_GE(events.count(EventKind::grasp), 9) << "60 cm in steps of at most 8 cm, then the lift";
@@ -119,7 +119,7 @@ TEST(OperatorOnTheWorld, ExpertRunsAndLiftsTheBowelWithoutHarm) {
 // One linear solve and one projection per step: grasped tissue stays in the jaws.
 TEST(OperatorOnTheWorld, ExpertRunsTheBowelAtTheFastFidelity) {
     EventList events;
-    EXPECT_EQ(perform("B1", "expert", 2500, events, "fast").end, EventKind::completed);
+    EXPECT_EQ(perform("B1", OperatorLevel::expert, 2500, events, "fast").end, EventKind::completed);
     EXPECT_GE(events.count(EventKind::grasp), 9);
     EXPECT_EQ(events.count(EventKind::perforation), 0);
     EXPECT_EQ(events.count(EventKind::drop), 0);
@@ -130,7 +130,7 @@ TEST(OperatorOnTheWorld, ExpertPullsAndCutsTheSheetAndTheCutReplaysBitForBit) {
     const TaskDefinition task = load_task(test::source_path("assets/tasks/B2.json"));
     const Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
     AttemptEngine engine(scene, task, 2500);
-    const auto rig = make_operator("expert", task, scene, 2500);
+    const auto rig = make_operator(OperatorLevel::expert, task, scene, 2500);
     MemorySink sink;
     const RunOutcome run = run_headless(engine, *rig, sink, [](double t) { return t < 12; });
     const auto count = [&](EventKind kind) {
@@ -158,7 +158,7 @@ TEST(OperatorOnTheWorld, ExpertLiftsTheRectumAndDividesInThePlane) {
     const TaskDefinition task = load_task(test::source_path("assets/tasks/C4.json"));
     const Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
     AttemptEngine engine(scene, task, 2500);
-    const auto rig = make_operator("expert", task, scene, 2500);
+    const auto rig = make_operator(OperatorLevel::expert, task, scene, 2500);
     MemorySink sink;
     run_headless(engine, *rig, sink,
                  [&](double t) { return t < 20 && engine.display().cut_divided_m < 0.02; });

@@ -22,11 +22,11 @@ struct Performed {
     }
 };
 
-Performed perform(const char* preset, std::uint64_t seed, DeviceClass device = DeviceClass::synthetic) {
+Performed perform(OperatorLevel preset, std::uint64_t seed, DeviceClass device = DeviceClass::synthetic) {
     const TaskDefinition task = load_task(test::source_path("assets/tasks/A1.json"));
     const Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
     AttemptEngine engine(scene, task, seed);
-    const auto rig = through_device(make_operator(preset, task, scene, seed), device, scene);
+    const auto rig = through_device(make_operator(preset, task, scene, seed), device, scene, seed);
     MemorySink sink;
     const RunOutcome outcome = run_headless(engine, *rig, sink);
     return {sink.record.events, outcome.ticks * scene.tick_period(), outcome.end == EventKind::completed};
@@ -35,7 +35,7 @@ Performed perform(const char* preset, std::uint64_t seed, DeviceClass device = D
 TEST(ScopeHandling, ExpertsFrameEveryTargetAndSeldomTouchOne) {
     int contacts = 0;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-        const Performed one = perform("expert", seed);
+        const Performed one = perform(OperatorLevel::expert, seed);
         EXPECT_TRUE(one.completed) << seed;
         EXPECT_EQ(one.count(EventKind::target_reached), 13) << seed;
         EXPECT_LE(one.count(EventKind::lens_contact), 2) << seed;
@@ -46,7 +46,8 @@ TEST(ScopeHandling, ExpertsFrameEveryTargetAndSeldomTouchOne) {
 
 TEST(ScopeHandling, NovicesTakeLongerAndLoseTheTip) {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-        const Performed novice = perform("novice", seed), expert = perform("expert", seed);
+        const Performed novice = perform(OperatorLevel::novice, seed),
+                        expert = perform(OperatorLevel::expert, seed);
         EXPECT_TRUE(novice.completed) << seed;
         EXPECT_GT(novice.seconds, 1.3 * expert.seconds) << seed;
         const auto lost = [](const Performed& one) {
@@ -65,7 +66,7 @@ TEST(ScopeHandling, ReplayMakesEachStepWithItsTicks) {
     const TaskDefinition task = load_task(test::source_path("assets/tasks/A1.json"));
     const Scene scene = load_scene(test::source_path("assets/scenes/" + task.scene));
     AttemptEngine engine(scene, task, 3);
-    const auto rig = make_operator("expert", task, scene, 3);
+    const auto rig = make_operator(OperatorLevel::expert, task, scene, 3);
     MemorySink sink;
     const RunOutcome outcome = run_headless(engine, *rig, sink);
     AttemptEngine whole(scene, task, 3);
@@ -80,7 +81,7 @@ TEST(ScopeHandling, ReplayMakesEachStepWithItsTicks) {
 
 TEST(ScopeHandling, MouseAloneIsEnough) {
     for (std::uint64_t seed = 1; seed <= 6; ++seed)
-        EXPECT_TRUE(perform("expert", seed, DeviceClass::mouse_keyboard).completed) << seed;
+        EXPECT_TRUE(perform(OperatorLevel::expert, seed, DeviceClass::mouse_keyboard).completed) << seed;
 }
 
 }  // namespace

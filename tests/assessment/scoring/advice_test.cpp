@@ -42,6 +42,20 @@ TEST(Advice, ThenTheAbsoluteGateFurthestBeyondItsLimit) {
               "the object rests.");
 }
 
+TEST(Advice, NamesTheWorseOfTwoValuesBelowZero) {
+    TaskDefinition task = small_task();
+    task.metrics.push_back("ldlj");
+    std::vector<MetricResult> metrics = figures(50, -1.5, 1, 0);
+    for (const auto& [hand, value] : {std::pair("left", -7.0), std::pair("right", -9.0)}) {
+        task.gates.push_back({"ldlj", hand, "", GateKind::absolute, -6.4, "training limit", true});
+        metrics.push_back(test::figure("ldlj", hand, value));
+    }
+    const BenchmarkSet set = small_set();
+    const ScoreInput input{task, metrics, &set, AttemptState::completed};
+    const std::string words = words_of(score_attempt(input).advice);
+    EXPECT_EQ(words.rfind("Right hand", 0), 0U) << words;
+}
+
 TEST(Advice, ThenTheBenchmarkGateFurthestFromTheExperts) {
     EXPECT_EQ(advice_of(figures(std::exp(4.6), -1.9, 1, 0)),
               "Right hand, in 'Run the bowel': movements were made of many corrections: smoothness -1.90, "

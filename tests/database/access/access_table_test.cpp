@@ -6,6 +6,7 @@
 #include "database/records/standings.h"
 #include "database/records/tissues.h"
 #include "database/rows/connection.h"
+#include "database/store/accepted_assets.h"
 #include "tests/database/access_expectation.h"
 #include "tests/database/programme_fixture.h"
 
@@ -70,7 +71,7 @@ class EveryCell : public ::testing::Test {
         const Session teacher_as_trainee =
             programme.people().act_as(programme.session("educator"), Role::trainee);
         const Person robot =
-            programme.people().ensure_synthetic(programme.session("station"), "robot", "Robot");
+            programme.people().ensure_synthetic(programme.session("station"), "synthetic-robot", "Robot");
 
         targets.push_back(
             make_target("ann", programme.session("ann"), programme.id("ann"), programme.cohort, "educator"));
@@ -139,7 +140,7 @@ class EveryCell : public ::testing::Test {
                 };
             case Operation::create_synthetic:
                 return target.name != "robot" ? F() : [=] {
-                    people.ensure_synthetic(session, "robot-2", "Robot 2");
+                    people.ensure_synthetic(session, "synthetic-robot-2", "Robot 2");
                 };
             case Operation::list_cohorts:
                 return target.cohort.empty() ? F() : [=] {
@@ -215,6 +216,11 @@ class EveryCell : public ::testing::Test {
                 return [=] {
                     tissues.set(session, "B2", 0, {{"areolar", {{"penetrate_n", 0.1}}}}, "measured here");
                 };
+            case Operation::accept_assets:
+                return [=] {
+                    AcceptedAssets(*programme.store)
+                        .accept(session, {"benchmarks/A2.json", std::to_string(++backups)}, "our experts");
+                };
         }
         return F();
     }
@@ -225,7 +231,7 @@ class EveryCell : public ::testing::Test {
                operation == Operation::view_audit || operation == Operation::check_store ||
                operation == Operation::backup || operation == Operation::manage_settings ||
                operation == Operation::create_synthetic || operation == Operation::read_tissues ||
-               operation == Operation::set_tissues;
+               operation == Operation::set_tissues || operation == Operation::accept_assets;
     }
 
     Programme programme;

@@ -315,6 +315,32 @@ TEST(Reassign, VoidsAndCopiesEverythingToTheRightPerson) {
     EXPECT_TRUE(programme.store->check(programme.session("station")).ok);
 }
 
+// The force scale is shown in the debrief, and a replay needs all the values.
+TEST(Attempt, KeepsTheDevicesThatRenderedForceAlsoForAnotherPerson) {
+    Programme programme;
+    AttemptMeta meta = example_meta(programme.id("ann"));
+    ForceOutput device;
+    device.damping = 0.1 + 0.2;
+    device.peak = 3.3;
+    device.continuous = 0.88;
+    device.scale = 0.4;
+    meta.force_devices[1] = device;
+    Recorder recorder(programme.path, programme.session("ann"), meta, programme.clock.options());
+    Programme::append_second(recorder);
+    recorder.finish(example_result(true, 80));
+    const std::string copy = programme.attempts().reassign(
+        programme.session("educator"), recorder.attempt_id(), programme.id("ben"), "Ben sat at the table");
+    for (const std::string& id : {recorder.attempt_id(), copy}) {
+        const ForceDevices& kept =
+            programme.attempts().read(programme.session("educator"), id).meta.force_devices;
+        EXPECT_FALSE(kept[0].has_value());
+        ASSERT_TRUE(kept[1].has_value());
+        EXPECT_EQ(kept[1]->damping, device.damping);
+        EXPECT_EQ(kept[1]->continuous, 0.88);
+        EXPECT_EQ(kept[1]->scale, 0.4);
+    }
+}
+
 TEST(Correction, ATraineeAsksAndTheEducatorSeesIt) {
     Programme programme;
     const std::string attempt = programme.record("ann");

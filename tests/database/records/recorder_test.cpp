@@ -12,6 +12,7 @@
 #include <atomic>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <random>
 #include <thread>
 
@@ -54,6 +55,40 @@ TEST(Recorder, AnAttemptInProgressIsNotTakenForInterrupted) {
               AttemptState::running);
     recorder.finish(example_result(true, 42));
     EXPECT_FALSE(std::filesystem::exists(programme.path + ".recording-" + recorder.attempt_id()));
+}
+
+TEST(Recorder, NobodyClosesARunningAttemptThroughAnotherNameOfTheStore) {
+    namespace files = std::filesystem;
+    Programme programme;
+    const QTemporaryDir elsewhere;
+    const std::string link = elsewhere.filePath("link.db").toStdString();
+    Recorder recorder(programme.path, programme.session("ann"), example_meta(programme.id("ann")),
+                      programme.clock.options());
+    files::create_symlink(programme.path, link);
+    EXPECT_TRUE(Store::open(link, programme.clock.options()).interrupted_at_open().empty());
+    programme.store.reset();
+    files::remove(link);
+    // A second name of the same file in another folder, without the lock's file next to it.
+    files::create_hard_link(programme.path, link);
+    EXPECT_TRUE(Store::open(link, programme.clock.options()).interrupted_at_open().empty());
+    // A lock that cannot be asked counts as held.
+    const std::string lock = programme.path + ".recording-" + recorder.attempt_id();
+    ASSERT_TRUE(files::exists(lock));
+    files::rename(lock, lock + "-away");
+    files::create_directory(lock);
+    programme.open();
+    EXPECT_TRUE(programme.store->interrupted_at_open().empty());
+    files::remove(lock);
+    std::ofstream(lock) << "another file of that name";
+    programme.open();
+    EXPECT_TRUE(programme.store->interrupted_at_open().empty());
+    // After a restart of the machine nobody holds it any more.
+    programme.clock.restart();
+    programme.open();
+    EXPECT_EQ(programme.store->interrupted_at_open().size(), 1U);
+    // What the recorder still has is not added to an attempt that has ended.
+    EXPECT_EQ(error_kind([&] { Programme::append_second(recorder); }), StoreErrorKind::conflict);
+    EXPECT_TRUE(programme.store->check(programme.session("station")).ok);
 }
 
 TEST(Recorder, OneThatNeverFinishedIsListedWithWhatItHolds) {

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Create programme, sign-in and its waiting, one-time passwords, recovery, the picker.
+#include <sodium.h>
+
+#include <atomic>
+#include <thread>
+
 #include "database/rows/connection.h"
+#include "database/rows/crypto.h"
 #include "tests/database/password_cost.h"
 #include "tests/database/programme_fixture.h"
 
@@ -108,8 +114,79 @@ TEST(SignIn, UnknownLoginsAnswerLikeKnownOnes) {
 TEST(SignIn, AClockSetBackDoesNotLengthenTheWait) {
     Programme programme;
     refusal([&] { programme.people().sign_in("ann", "wrong password"); });
-    programme.clock.pass_s(-100000);
+    programme.clock.set_forward_s(-100000);
     EXPECT_LE(programme.people().sign_in_wait_s("ann"), 5);
+}
+
+TEST(SignIn, AClockSetForwardDoesNotSkipTheWaitNorDoesARestart) {
+    Programme programme;
+    refusal([&] { programme.people().sign_in("ann", "wrong password"); });
+    programme.clock.set_forward_s(48 * 3600);
+    refusal([&] { programme.people().sign_in("ben", "wrong password"); });  // tidies away what is old
+    EXPECT_EQ(refusal([&] { programme.people().sign_in("ann", password); }), SignInRefused::Reason::wait);
+    programme.clock.restart();
+    programme.clock.set_forward_s(3600);
+    EXPECT_EQ(refusal([&] { programme.people().sign_in("ann", password); }), SignInRefused::Reason::wait);
+    programme.clock.pass_s(5);
+    EXPECT_NO_THROW(programme.people().sign_in("ann", password));
+}
+
+TEST(SignIn, OfManyGuessesAtTheSameTimeOneIsLookedAt) {
+    Programme programme;
+    constexpr int guesses = 40;
+    StoreOptions options = programme.clock.options();
+    options.busy_timeout_ms = 60000;
+    std::atomic<int> looked_at{0}, had_to_wait{0}, ready{0};
+    std::vector<std::thread> threads;
+    for (int i = 0; i < guesses; ++i) {
+        threads.emplace_back([&, i] {
+            const Store store = Store::open(programme.path, options);
+            for (++ready; ready < guesses;) std::this_thread::yield();
+            try {
+                People(store).sign_in("ann", i % 2 == 0 ? "wrong password" : "another guess");
+            } catch (const SignInRefused& refused) {
+                ++(refused.reason() == SignInRefused::Reason::wait ? had_to_wait : looked_at);
+            }
+        });
+    }
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(looked_at, 1);
+    EXPECT_EQ(had_to_wait, guesses - 1);
+}
+
+TEST(SignIn, WrongTriesOfAColleagueKeepTheRightPasswordOutForFiveMinutesAtMost) {
+    Programme programme;
+    for (int wrong = 0; wrong < 40; ++wrong) {
+        refusal([&] { programme.people().sign_in("ann", "a colleague's guess"); });
+        programme.clock.pass_s(longest_wait_s - 1);
+        double wait = 0;  // a try while it has to wait makes the wait no longer
+        if (programme.people().sign_in_wait_s("ann") > 0) {
+            refusal([&] { programme.people().sign_in("ann", "too early"); }, &wait);
+        }
+        EXPECT_LE(wait, 1);
+        programme.clock.pass_s(1);
+    }
+    EXPECT_NO_THROW(programme.people().sign_in("ann", password));
+    for (int wrong = 0; wrong < 10; ++wrong) {
+        refusal([&] { programme.people().sign_in("ann", "a colleague's guess"); });
+        programme.clock.pass_s(programme.people().sign_in_wait_s("ann"));
+    }
+    programme.clock.pass_s(3600);  // what was typed in the morning is forgotten
+    double wait = 0;
+    refusal([&] { programme.people().sign_in("ann", "a slip"); }, &wait);
+    EXPECT_DOUBLE_EQ(wait, first_wait_s);
+}
+
+TEST(SignIn, AnUnknownLoginCostsTheSameWorkFromTheFirstTryOn) {
+    EXPECT_EQ(crypto_pwhash_str_needs_rehash(nobodys_verifier, crypto_pwhash_OPSLIMIT_INTERACTIVE,
+                                             crypto_pwhash_MEMLIMIT_INTERACTIVE),
+              0)
+        << "it can be read, and has the cost of a real one";
+    Programme programme;
+    programme.people().sign_in("ann", password);
+    const auto made = password_hashes_made();
+    refusal([&] { programme.people().sign_in("nobody", "wrong password"); });
+    EXPECT_EQ(password_hashes_made(), made) << "no hash is made where a known login has one to compare with";
 }
 
 TEST(OneTimePassword, ServesADayAndForcesAChange) {
@@ -132,6 +209,22 @@ TEST(OneTimePassword, ServesADayAndForcesAChange) {
     const std::string late = programme.people().issue_one_time_password(administrator, programme.id("ben"));
     programme.clock.pass_s(24 * 3600 + 1);
     EXPECT_EQ(refusal([&] { programme.people().sign_in("ben", late); }), SignInRefused::Reason::expired);
+    programme.clock.set_forward_s(-24 * 3600);
+    EXPECT_EQ(refusal([&] { programme.people().sign_in("ben", late); }), SignInRefused::Reason::expired)
+        << "a clock that is set back does not revive it";
+}
+
+TEST(OneTimePassword, IsNotRevivedByAClockSetBackAfterARestart) {
+    Programme programme;
+    const Session& administrator = programme.session("administrator");
+    const std::string code = programme.people().issue_one_time_password(administrator, programme.id("ann"));
+    programme.clock.pass_s(25 * 3600);
+    programme.people().sign_in("ben", password);  // the audit log has seen the day after
+    programme.clock.restart();
+    programme.clock.set_forward_s(-24 * 3600);
+    EXPECT_EQ(refusal([&] { programme.people().sign_in("ann", code); }), SignInRefused::Reason::expired);
+    const std::string next = programme.people().issue_one_time_password(administrator, programme.id("ann"));
+    EXPECT_NO_THROW(programme.people().sign_in("ann", next)) << "issued by the clock as it is now";
 }
 
 TEST(Recovery, ServesTheLastAdministratorOnce) {
@@ -188,8 +281,8 @@ TEST(Accounts, LoginsAreUniqueAndSyntheticOnesAreNotPeople) {
     const Session& station = programme.session("station");
     EXPECT_EQ(error_kind([&] { programme.people().ensure_synthetic(station, "ann", "Fake"); }),
               StoreErrorKind::conflict);
-    const Person robot = programme.people().ensure_synthetic(station, "operator-expert-1", "Expert 1");
-    EXPECT_EQ(programme.people().ensure_synthetic(station, "operator-expert-1", "Expert 1").id, robot.id);
+    const Person robot = programme.people().ensure_synthetic(station, "synthetic-expert-1", "Expert 1");
+    EXPECT_EQ(programme.people().ensure_synthetic(station, "synthetic-expert-1", "Expert 1").id, robot.id);
     EXPECT_EQ(robot.kind, PersonKind::synthetic);
     EXPECT_EQ(error_kind([&] { programme.people().set_roles(administrator, robot.id, {Role::director}); }),
               StoreErrorKind::bad_value);
@@ -202,6 +295,58 @@ TEST(Accounts, LoginsAreUniqueAndSyntheticOnesAreNotPeople) {
                                                    {programme.id("ann")});
               }),
               StoreErrorKind::bad_value);
+}
+
+TEST(Accounts, NamesHoldNoControlNorDirectionCharacters) {
+    Programme programme;
+    const Session& administrator = programme.session("administrator");
+    for (const char* name : {"Ann\nAdmin", "Ann\x07",
+                             "Ann \xE2\x80\xAE"
+                             "nimda",
+                             "\xE2\x81\xA6"
+                             "Ann",
+                             "Ann\xE2\x80\xA8", "Ann\xFF"}) {
+        EXPECT_EQ(error_kind([&] { programme.people().rename(administrator, programme.id("ann"), name); }),
+                  StoreErrorKind::bad_value)
+            << name;
+    }
+    EXPECT_EQ(error_kind([&] { programme.people().create_cohort(programme.session("director"), "Year\t1"); }),
+              StoreErrorKind::bad_value);
+    // Joiners are letters' business in several scripts.
+    EXPECT_NO_THROW(
+        programme.people().rename(administrator, programme.id("ann"), "Zo\xC3\xAB \xE2\x80\x8C M"));
+}
+
+TEST(Accounts, NobodyCanKeepALoginFromAPersonWithoutSigningIn) {
+    Programme programme;
+    const Session& administrator = programme.session("administrator");
+    const Session& station = programme.session("station");
+    const auto refused = [&](const char* login) {
+        try {
+            programme.people().ensure_synthetic(station, login, "Fake");
+        } catch (const StoreError& error) {
+            std::string words = error.what();
+            return words.replace(words.find(login), std::string(login).size(), "LOGIN");
+        }
+        return std::string("made");
+    };
+    EXPECT_EQ(refused("ann"), refused("nobody")) << "the answer does not say whether a login is somebody's";
+    EXPECT_NE(refused("ann"), "made");
+    for (const char* reserved : {"synthetic-ann", "External-Ann"}) {
+        EXPECT_EQ(
+            error_kind([&] { programme.people().create(administrator, reserved, "Ann", {Role::trainee}); }),
+            StoreErrorKind::bad_value);
+    }
+
+    // Before there is a programme the station may use any login, but a person takes precedence.
+    const QTemporaryDir folder;
+    const Store store = Store::create(folder.filePath("new.db").toStdString());
+    const People people(store);
+    const Person taken = people.ensure_synthetic(store.station_session(), "ada", "Not Ada");
+    const CreatedProgramme made = people.create_programme("P", "ada", "Ada", password);
+    EXPECT_EQ(made.administrator.login(), "ada");
+    EXPECT_EQ(people.find(store.station_session(), taken.id)->login.rfind("synthetic-", 0), 0U);
+    EXPECT_TRUE(store.check(store.station_session()).ok);
 }
 
 TEST(Picker, ListsThirtyDaysAndCanBeTurnedOff) {

@@ -107,5 +107,65 @@ TEST(Standings, CheckFindsADecisionThatNobodyMade) {
     EXPECT_EQ(decisions().problems.size(), 1U);
 }
 
+TEST(Standings, TheCohortTableCarriesThemWithTheLatestAttempts) {
+    const Programme programme;
+    const Curriculum curriculum = rectal();
+    for (int i = 0; i < 15; ++i) {
+        programme.record("ann", i > 12, 30 + 3 * i);
+        programme.clock.pass_s(0.25 * 86'400);
+    }
+    const std::string voided = programme.record("ann", true, 99);
+    programme.attempts().void_attempt(programme.session("educator"), voided, "wrong person");
+    programme.clock.pass_s(30 * 86'400);
+    CohortTableOptions options;
+    options.tasks = {"A2", "B1"};
+    options.curriculum = &curriculum;
+    const CohortTable table =
+        Reports(*programme.store).cohort_table(programme.session("director"), programme.cohort, options);
+    EXPECT_EQ(table.curriculum, curriculum.name());
+    ASSERT_EQ(table.standings.size(), static_cast<std::size_t>(table.people));
+    const auto ann = std::find_if(table.standings.begin(), table.standings.end(),
+                                  [](const PersonStandings& one) { return one.login == "ann"; });
+    ASSERT_NE(ann, table.standings.end());
+    const std::vector<TaskStanding> asked = standing_of(
+        Standings(*programme.store).record(programme.session("educator"), programme.id("ann"), curriculum),
+        programme.store->now());
+    ASSERT_EQ(ann->tasks.size(), asked.size());
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        EXPECT_EQ(ann->tasks[i].standing.task, asked[i].task);
+        EXPECT_EQ(ann->tasks[i].standing.standing, asked[i].standing) << asked[i].task;
+        EXPECT_EQ(ann->tasks[i].standing.attempts, asked[i].attempts) << asked[i].task;
+        EXPECT_EQ(ann->tasks[i].standing.progress, asked[i].progress) << asked[i].task;
+    }
+    const auto a2 = std::find_if(ann->tasks.begin(), ann->tasks.end(),
+                                 [](const PersonTask& one) { return one.standing.task == "A2"; });
+    ASSERT_EQ(a2->recent.size(), most_recent) << "the newest of 15, without the voided one";
+    EXPECT_EQ(a2->recent.front().points, 30 + 3 * 3);
+    EXPECT_EQ(a2->recent.back().points, 30 + 3 * 14);
+    EXPECT_TRUE(a2->recent.back().passed);
+    EXPECT_EQ(a2->device_class, DeviceClass::mouse_keyboard);
+    int attempts = 0;
+    for (const PracticeDay& day : ann->days) attempts += day.attempts;
+    EXPECT_EQ(attempts, 15);
+    EXPECT_GE(ann->days.size(), 4U);
+    ASSERT_EQ(ann->concerns.size(), 1U);
+    EXPECT_EQ(ann->concerns[0].kind, ConcernKind::stopped);
+    const std::vector<TaskOverview> overview = overview_of(table.standings, table.as_of);
+    const auto of_a2 = std::find_if(overview.begin(), overview.end(),
+                                    [](const TaskOverview& one) { return one.task == "A2"; });
+    ASSERT_NE(of_a2, overview.end());
+    EXPECT_EQ(of_a2->attempted, 1);
+    EXPECT_EQ(of_a2->passed, 1);
+    EXPECT_EQ(of_a2->people.at(Standing::passed), 1);
+    EXPECT_EQ(of_a2->provisional, 1);
+    ASSERT_TRUE(of_a2->days_to_pass.median);
+    EXPECT_NEAR(*of_a2->days_to_pass.median, 13 * 0.25, 1e-9) << "the 14th attempt, four a day";
+    EXPECT_FALSE(of_a2->days_to_proficiency.median) << "by provisional limits nobody is proficient";
+    options.curriculum = nullptr;
+    EXPECT_TRUE(Reports(*programme.store)
+                    .cohort_table(programme.session("director"), programme.cohort, options)
+                    .standings.empty());
+}
+
 }  // namespace
 }  // namespace fulcrum::database

@@ -83,11 +83,22 @@ TEST_F(AuditChain, SwappedRowsAreNoticed) {
 }
 
 TEST_F(AuditChain, AnErasedPayloadReadsErasedAndTheChainHolds) {
-    tamper("DELETE FROM audit_payload WHERE sequence = 3");
+    const Session& administrator = programme.session("administrator");
+    Audit(*programme.store)
+        .erase_payloads(administrator, {3}, "the person left",
+                        {{RecordKind::person, programme.id("director")}});
     EXPECT_TRUE(problems().empty());
     for (const AuditEntry& entry : Audit(*programme.store).entries(programme.session("administrator"))) {
         EXPECT_EQ(entry.payload == "payload erased", entry.sequence == 3) << entry.sequence;
     }
+}
+
+TEST_F(AuditChain, APayloadThatIsGoneWithoutAnErasureIsNamed) {
+    tamper("DELETE FROM audit_payload WHERE sequence IN (3, 5)");
+    Audit(*programme.store).erase_payloads(programme.session("administrator"), {5}, "the person left", {});
+    ASSERT_EQ(problems().size(), 1U);
+    EXPECT_NE(problems()[0].find("audit row 3: its payload is gone"), std::string::npos);
+    EXPECT_FALSE(programme.store->check(programme.session("station")).ok);
 }
 
 TEST_F(AuditChain, TellsNoScores) {
@@ -114,7 +125,8 @@ TEST_F(AuditChain, FindsByPersonKindAndPeriodAPageAtATime) {
     AuditFilter of_ann;
     of_ann.person_id = programme.id("ann");
     of_ann.kind = "attempt";
-    const std::vector<std::string> about = {"attempt.void", "attempt.request_correction", "attempt.finish"};
+    const std::vector<std::string> about = {"attempt.void", "attempt.request_correction", "attempt.finish",
+                                            "attempt.begin"};
     EXPECT_EQ(operations(of_ann), about) << "done by her, and to what is hers";
     of_ann.kind = "attempt.void";
     EXPECT_EQ(operations(of_ann), std::vector<std::string>{"attempt.void"});

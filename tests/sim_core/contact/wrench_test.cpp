@@ -28,6 +28,9 @@ TEST(Wrench, EqualsForceTimesLeverArm) {
         ++touched;
         const Vector3 arm = result.point - tool.trocar;
         EXPECT_LT((result.torque - arm.cross(result.force)).norm(), 1e-12);
+        const SplitLoad& load = result.tissue_load;
+        EXPECT_LT((load.spring.force + load.damper.force - result.force).norm(), 1e-12);
+        EXPECT_LT((load.spring.moment + load.damper.moment - result.torque).norm(), 1e-12);
         EXPECT_GT(
             result.torque.norm() + arm.normalized().dot(result.force.normalized()) * result.force.norm(), 0);
     }

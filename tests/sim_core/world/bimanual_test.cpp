@@ -3,6 +3,7 @@
 // do, jaws exert no more than their faces hold, every value stays finite and the tissue gains no energy.
 //
 // FULCRUM_BIMANUAL_SCRIPTS: how many scripts in all (default 27; 2,000 is the full test).
+// FULCRUM_BIMANUAL_PAGE: a folder for the page bimanual.md; the command that it names makes it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,6 +15,8 @@
 #include <vector>
 
 #include "sim_core/contact/jaws.h"
+#include "sim_core/lab/chart.h"
+#include "sim_core/lab/result_page.h"
 #include "sim_core/numerics/random.h"
 #include "sim_core/world/parts/membranes/membranes_part.h"
 #include "tests/sim_core/world/hands_on_tissue.h"
@@ -33,9 +36,13 @@ std::vector<std::string> all_scenes() {
     return names;
 }
 
-int scripts_of(std::size_t scene, std::size_t scenes) {
+int scripts_in_all() {
     const char* asked = std::getenv("FULCRUM_BIMANUAL_SCRIPTS");
-    const int all = asked != nullptr ? std::atoi(asked) : 27;
+    return asked != nullptr ? std::max(1, std::atoi(asked)) : 27;
+}
+
+int scripts_of(std::size_t scene, std::size_t scenes) {
+    const int all = scripts_in_all();
     return all / static_cast<int>(scenes) + (scene < static_cast<std::size_t>(all) % scenes ? 1 : 0);
 }
 
@@ -170,15 +177,63 @@ struct Script {
     }
 };
 
-class Bimanual : public testing::TestWithParam<std::string> {};
+/// What the scripts of one scene came to.
+struct ScriptFigures {
+    std::string scene;
+    int scripts = 0, held_steps = 0, both_held = 0;
+    double largest = 0, excess = 0;              // N
+    double bowel_speed = 0, membrane_speed = 0;  // m/s, while the hands act
+    double bowel_left = 0, membrane_left = 0;    // m/s, when they have been away for 1.5 s
+    std::uint32_t outcome = 0;
+};
+
+class Bimanual : public testing::TestWithParam<std::string> {
+  protected:
+    static std::vector<ScriptFigures>& figures() {
+        static std::vector<ScriptFigures> all;
+        return all;
+    }
+    static void TearDownTestSuite() {
+        const char* folder = std::getenv("FULCRUM_BIMANUAL_PAGE");
+        if (folder == nullptr || testing::UnitTest::GetInstance()->failed_test_count() > 0) return;
+        const std::string count = std::to_string(scripts_in_all());
+        lab::ResultPage page("bimanual", count + " random scripts of two hands",
+                             "FULCRUM_BIMANUAL_SCRIPTS=" + count + " FULCRUM_BIMANUAL_PAGE=" + folder +
+                                 " test_sim_core --gtest_filter=Scenes/Bimanual.*");
+        page.paragraph(
+            "Two graspers do eight random actions in every scene that has hands: grasp, pull slowly or with "
+            "a "
+            "jerk, pull apart, cross, hand over, let go. Every value is checked for being finite in every "
+            "step. Excess: reaction of a hold over what the faces of its jaws can hold by friction. Speeds "
+            "bound the energy: the largest while the hands act, and what is left when both have let go and "
+            "been away for 1.5 s (at most 0.02 m/s for bowel, 0.05 m/s for membranes). Worst outcome of a "
+            "step: "
+            "0 normal, 1 made in smaller steps, 2 a part kept still, 3 restored, 4 a fault of the "
+            "simulator.");
+        lab::ResultTable table;
+        table.name = "bimanual";
+        table.columns = {"scene",       "scripts",        "steps with a hold", "of these with both hands",
+                         "largest, N",  "excess, N",      "bowel, m/s",        "membrane, m/s",
+                         "bowel after", "membrane after", "worst outcome"};
+        for (const ScriptFigures& one : figures())
+            table.rows.push_back({one.scene, std::to_string(one.scripts), std::to_string(one.held_steps),
+                                  std::to_string(one.both_held), lab::short_number(one.largest),
+                                  lab::short_number(std::max(0.0, one.excess)),
+                                  lab::short_number(one.bowel_speed), lab::short_number(one.membrane_speed),
+                                  lab::short_number(one.bowel_left), lab::short_number(one.membrane_left),
+                                  std::to_string(one.outcome)});
+        page.table(table);
+        page.write(folder, lab::this_machine(lab::build_info()));
+    }
+};
 
 TEST_P(Bimanual, RandomScriptsStayWithinWhatJawsHold) {
     const std::vector<std::string> scenes = all_scenes();
     const auto number =
         static_cast<std::size_t>(std::find(scenes.begin(), scenes.end(), GetParam()) - scenes.begin());
     const Scene scene = test::two_graspers(GetParam());
-    int held_steps = 0, both_held = 0;
-    double largest = 0;
+    ScriptFigures sum;
+    sum.scene = GetParam();
     for (int script = 0; script < scripts_of(number, scenes.size()); ++script) {
         test::SheetRig rig(scene);
         Script run(rig, 1000 * number + static_cast<std::uint64_t>(script));
@@ -189,9 +244,14 @@ TEST_P(Bimanual, RandomScriptsStayWithinWhatJawsHold) {
                 return;
             }
         }
-        held_steps += run.held_steps;
-        both_held += run.both_held;
-        largest = std::max(largest, run.largest);
+        ++sum.scripts;
+        sum.held_steps += run.held_steps;
+        sum.both_held += run.both_held;
+        sum.largest = std::max(sum.largest, run.largest);
+        sum.excess = std::max(sum.excess, run.most_excess);
+        sum.bowel_speed = std::max(sum.bowel_speed, run.bowel_speed);
+        sum.membrane_speed = std::max(sum.membrane_speed, run.membrane_speed);
+        sum.outcome = std::max(sum.outcome, run.worst_outcome);
         EXPECT_LE(run.most_excess, 1e-6) << "script " << script;
         EXPECT_LT(run.bowel_speed, 5) << "script " << script;
         EXPECT_LT(run.membrane_speed, 20) << "script " << script << ": 0.1 g snap back from a pull";
@@ -208,16 +268,19 @@ TEST_P(Bimanual, RandomScriptsStayWithinWhatJawsHold) {
         rig.steps(300);
         run.bowel_speed = run.membrane_speed = 0;
         run.check();
+        sum.bowel_left = std::max(sum.bowel_left, run.bowel_speed);
+        sum.membrane_left = std::max(sum.membrane_left, run.membrane_speed);
         EXPECT_LT(run.bowel_speed, 0.02) << "script " << script << ": it does not come to rest";
         EXPECT_LT(run.membrane_speed, 0.05) << "script " << script << ": it does not come to rest";
     }
-    const std::string counts = std::to_string(held_steps) + " steps of a hand that holds, " +
-                               std::to_string(both_held) + " of both, largest force " +
-                               std::to_string(largest) + " N";
+    figures().push_back(sum);
+    const std::string counts = std::to_string(sum.held_steps) + " steps of a hand that holds, " +
+                               std::to_string(sum.both_held) + " of both, largest force " +
+                               std::to_string(sum.largest) + " N";
     RecordProperty("holds", counts);
     std::cout << GetParam() << ": " << counts << "\n";
     if (scene.bowel || scene.sheet) {
-        EXPECT_GT(held_steps, 0) << "the scripts grasp something";
+        EXPECT_GT(sum.held_steps, 0) << "the scripts grasp something";
     }
 }
 

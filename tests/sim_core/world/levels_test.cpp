@@ -10,6 +10,7 @@
 #include "sim_core/world/parts/bowel/bowel_part.h"
 #include "sim_core/world/world.h"
 #include "tests/support/allocation_count.h"
+#include "tests/support/force_device.h"
 #include "tests/support/support.h"
 
 namespace fulcrum {
@@ -38,6 +39,7 @@ Press press(const Scene& scene) {
     std::vector<TickOutput> outputs(5);
     const InstrumentSpec& spec = scene.instruments[0];
     const int hand = static_cast<int>(spec.hand);
+    loop.set_device(spec.hand, test::desk_device());
     const Trocar pivot = make_trocar(spec.trocar);
     const std::vector<Vector3>& nodes = world.find<BowelPart>()->state().nodes;
     const Vector3 centre = nodes[nodes.size() / 2],

@@ -12,6 +12,7 @@
 #include "sim_core/numerics/random.h"
 #include "sim_core/world/parts/bowel/bowel_part.h"
 #include "sim_core/world/world.h"
+#include "tests/support/force_device.h"
 #include "tests/support/support.h"
 
 namespace fulcrum {
@@ -44,7 +45,10 @@ class Hands {
           world_(scene_, 1),
           loop_(scene_, world_),
           outputs_(5),
-          pending_(world_.local_models()) {}
+          pending_(world_.local_models()) {
+        for (const InstrumentSpec& spec : scene_.instruments)
+            loop_.set_device(spec.hand, test::ideal_device());
+    }
 
     const Scene& scene() const { return scene_; }
     const std::vector<Vector3>& line() const { return world_.find<BowelPart>()->state().nodes; }

@@ -90,6 +90,15 @@ TEST(ReportCsv, GuardsAgainstFormulas) {
     EXPECT_EQ(csv_text("@sum"), "'@sum");
     EXPECT_EQ(csv_text("\tx"), "'\tx");
     EXPECT_EQ(csv_text("-Bob"), "'-Bob");
+    EXPECT_EQ(csv_text("Bob;=1+1"), "\"Bob;'=1+1\"");
+    EXPECT_EQ(csv_text("Bob\t=1+1"), "Bob\t'=1+1");
+    EXPECT_EQ(csv_text("  =1+1"), "'  =1+1");
+    EXPECT_EQ(csv_text("\xEF\xBC\x9D"
+                       "1+1"),
+              "'\xEF\xBC\x9D"
+              "1+1");  // full-width equals sign
+    EXPECT_EQ(csv_text("\xEF\xBC\xA0sum"), "'\xEF\xBC\xA0sum");
+    EXPECT_EQ(csv_text("a; b"), "\"a; b\"");
     EXPECT_EQ(csv_text("-"), "-");
     EXPECT_EQ(csv_text("a,b"), "\"a,b\"");
     EXPECT_EQ(csv_text("say \"a\""), "\"say \"\"a\"\"\"");

@@ -108,6 +108,7 @@ TEST_F(Corrections, TraineeRequestsAndEducatorReassignsToTheRightPerson) {
     const std::string id = record(*tara);
     act_as(*tara);
     open_debrief(id);
+    choose_tab(*window, "debrief_tabs", "Corrections");
     EXPECT_FALSE(sees(*window, "void_attempt"));
     EXPECT_FALSE(sees(*window, "reassign_attempt"));
     type(*window, "action_reason", "Theo did this one");
@@ -117,6 +118,7 @@ TEST_F(Corrections, TraineeRequestsAndEducatorReassignsToTheRightPerson) {
     click(*window, "rail_attempts");
     click(*window, "correction_request");
     ready_debrief();
+    choose_tab(*window, "debrief_tabs", "Corrections");
     EXPECT_FALSE(sees(*window, "request_correction"));
     EXPECT_FALSE(sees(*window, "reassign_person"));
     click(*window, "reassign_attempt");

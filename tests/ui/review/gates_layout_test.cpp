@@ -54,5 +54,30 @@ TEST(GatesLayout, ShowsTheFullSourceOfALimit) {
     }
 }
 
+// The field decides, not a word of the source.
+TEST(GatesLayout, MarksALimitAsProvisionalByItsField) {
+    AttemptModel model;
+    model.score.emplace();
+    for (const bool provisional : {true, false}) {
+        database::GateRow gate;
+        gate.metric = "time";
+        gate.value = 60;
+        gate.unit = "s";
+        gate.limit = 90;
+        gate.limit_source = "Confirmed, no longer provisional";
+        gate.passed = true;
+        gate.provisional = provisional;
+        model.score->gates.push_back(gate);
+    }
+    GatesCard card;
+    card.open(model);
+    const auto* table = card.findChild<QTableWidget*>(QStringLiteral("gates_table"));
+    ASSERT_NE(table, nullptr);
+    const int column = table->columnCount() - 1;
+    EXPECT_EQ(table->item(0, column)->text(),
+              QStringLiteral("provisional: Confirmed, no longer provisional"));
+    EXPECT_EQ(table->item(1, column)->text(), QStringLiteral("Confirmed, no longer provisional"));
+}
+
 }  // namespace
 }  // namespace fulcrum::ui::test

@@ -9,12 +9,19 @@
 #include <QLabel>
 #include <cmath>
 
+#include "assessment/scoring/benchmark.h"
+
+#include "database/records/certificates.h"
 #include "database/records/people.h"
 #include "database/records/recorder.h"
 #include "database/records/standings.h"
+#include "tests/support/support.h"
 #include "tests/ui/fake_services.h"
+#include "tests/ui/files.h"
 #include "tests/ui/hands.h"
+#include "ui/charts/attempt_chart.h"
 #include "ui/shell/main_window.h"
+#include "ui/theatre/scene_picture.h"
 
 namespace fulcrum::ui::test {
 namespace {
@@ -115,6 +122,82 @@ TEST_F(ProgressWithHistory, ShowsTheCurveItsPlateauAndTheLimit) {
     keep("progress-curve");
     window->set_theme(Theme::dark);
     keep("progress-curve-dark");
+}
+
+TEST_F(ProgressWithHistory, IsThePageOfTheTask) {
+    for (int i = 0; i < 14; ++i) record(700 + 800 * std::exp(-0.35 * i) + (i % 2 == 0 ? 25 : -25));
+    open(Role::trainee);
+    EXPECT_TRUE(sees(*window, "task_header"));
+    auto* picture = find<ScenePicture>(*window, "scene_picture");
+    EXPECT_TRUE(wait_for([&] { return !picture->picture().isNull(); })) << picture->trouble().toStdString();
+    EXPECT_FALSE(sees(*window, "explain_progress")) << "points are no metric";
+    auto* metric = find<QComboBox>(*window, "progress_metric");
+    const int index = metric->findData("path_len/left/");
+    ASSERT_GE(index, 0);
+    metric->setCurrentIndex(index);
+    emit metric->activated(index);
+    const AttemptChartData& chart = find<AttemptChart>(*window, "attempt_chart")->shown();
+    const BenchmarkSet set = load_benchmark(fulcrum::test::source_path("assets/benchmarks/A2.json"));
+    const BenchmarkLevel& level = *set.find("path_len", "left", "");
+    ASSERT_TRUE(chart.band_low && chart.band_high);
+    EXPECT_NEAR(*chart.band_low, std::exp(level.mean - level.deviation), 1e-6);
+    EXPECT_NEAR(*chart.band_high, std::exp(level.mean + level.deviation), 1e-6);
+    EXPECT_EQ(chart.limit, 900.0) << "the limit that scored the attempts";
+    EXPECT_TRUE(chart.series.at(0).plateau_low && !chart.series.at(0).curve.empty());
+    for (const Theme theme : {Theme::light, Theme::dark}) {
+        window->set_theme(theme);
+        for (const QSize size : {QSize(1012, 726), QSize(1268, 758), QSize(1908, 1038)}) {
+            window->resize(size);
+            QCoreApplication::processEvents();
+            keep_body(
+                *window, *window->current_page(),
+                QStringLiteral("task-%1-%2").arg(size.width()).arg(theme == Theme::light ? "light" : "dark"));
+        }
+    }
+    click(*window, "explain_progress");
+    EXPECT_EQ(window->current_page()->objectName(), "metrics_page");
+    click(*window, "rail_progress");
+    click(*window, "task_briefing");
+    EXPECT_EQ(window->current_page()->objectName(), "briefing_page");
+    click(*window, "briefing_progress");
+    EXPECT_EQ(window->current_page()->objectName(), "progress_page");
+    EXPECT_EQ(find<QComboBox>(*window, "progress_task")->currentData().toString(), "A2");
+    // Whoever looks at another person's progress performs nothing from there.
+    open(Role::educator);
+    EXPECT_TRUE(sees(*window, "task_header"));
+    EXPECT_FALSE(sees(*window, "task_briefing"));
+}
+
+TEST_F(ProgressWithHistory, ACompletedStageHasACertificateWithACheckCode) {
+    record(1200);
+    open(Role::trainee);
+    EXPECT_FALSE(sees(*window, "save_certificate"));
+    for (const char* task : {"A1", "A2", "A3"})
+        database::Standings(*services.store())
+            .decide(sessions.at(Role::educator), sessions.at(Role::trainee).person_id(), task,
+                    StandingOverride::Kind::proficient, "examined in theatre");
+    open(Role::trainee);
+    QTemporaryDir folder;
+    type(*window, "export_path", folder.filePath("progress.pdf"));
+    click(*window, "rail_home");
+    click(*window, "rail_progress");
+    const QString words = find<QLabel>(*window, "certificate_words")->text();
+    const QString code = words.section("Check code ", 1).left(19);
+    click(*window, "save_certificate");
+    const QString message = find<QLabel>(*window, "message_text")->text();
+    ASSERT_TRUE(message.startsWith("Wrote ")) << message.toStdString();
+    const QString path = message.mid(6);
+    const std::string paper = pdf_text(path);
+    for (const std::string& part : {std::string("Tara Trainee"), std::string("stage A, Instruments"),
+                                    code.toStdString(), std::string("by decision of an educator")})
+        EXPECT_NE(paper.find(part), std::string::npos) << part << paper;
+    EXPECT_TRUE(database::find_certificate(*services.store(), sessions.at(Role::director), code.toStdString(),
+                                           services.curriculum()));
+    // A second one does not replace the first.
+    click(*window, "save_certificate");
+    EXPECT_NE(find<QLabel>(*window, "message_text")->text().mid(6), path);
+    QFile::remove(find<QLabel>(*window, "message_text")->text().mid(6));
+    QFile::remove(path);
 }
 
 TEST_F(ProgressWithHistory, AnEducatorUnlocksATaskWithAReason) {

@@ -5,6 +5,7 @@
 
 #include "sim_core/anatomy/scene_anatomy.h"
 #include "sim_core/bowel/display_skin.h"
+#include "sim_core/instrument/proxy_pose.h"
 #include "ui/theatre/renderer/bands_drawing.h"
 #include "ui/theatre/renderer/bowel_cut_drawing.h"
 #include "ui/theatre/renderer/cups_drawing.h"
@@ -14,6 +15,8 @@
 namespace fulcrum::ui {
 
 namespace {
+
+constexpr double parted = 0.002;  // m from which on the device's own pose is shown
 
 // One mesentery after the other.
 void append(MesenteryShape& all, const MesenteryShape& more) {
@@ -75,7 +78,7 @@ SceneAssembler::SceneAssembler(const Scene& scene, const WorldSnapshot& first)
     if (scene.cavity) i.cavity = std::make_unique<CavityShape>(make_cavity(pelvis_parameters(*scene.cavity)));
     if (i.cavity)
         i.wall = std::make_shared<TissueTexture>(make_wall_texture(*i.cavity, i.textures.peritoneum));
-    const bool rectum = scene.bowel && scene.bowel->layout == "rectum" && scene.presacral;
+    const bool rectum = scene.bowel && scene.bowel->layout == BowelLayout::rectum && scene.presacral;
     if (rectum) i.hollow = std::make_unique<HollowDrawing>(scene, first);
     if (scene.sheet || scene.septa) i.areolar = std::make_shared<TissueTexture>(make_areolar_texture(1, 512));
     if (!scene.bowel || !(i.cavity || rectum) || first.rings.size() < 3) return;
@@ -132,16 +135,23 @@ SceneFrame& SceneAssembler::assemble(const WorldSnapshot& snapshot) {
         i.frame.targets[k] = {sphere.centre, sphere.radius, TargetLook::waiting, sphere.hand};
     }
     i.frame.tools.clear();
+    DrawnTool devices[hand_count];  // as ghosts, where their instruments stay behind at a surface
+    int parted_count = 0;
     for (int hand = 0; hand < hand_count; ++hand) {
         const InstrumentSpec* spec = i.scene.instrument(static_cast<Hand>(hand));
         if (spec == nullptr) continue;
         DrawnTool tool;
-        tool.pose = snapshot.tools[hand];
+        tool.pose = lifted(snapshot.tools[hand], snapshot.lift[hand]);
         tool.kind = snapshot.bands.empty() ? spec->kind : snapshot.bands[0].tools[hand].kind;
         tool.jaw_length = spec->jaw_length;
         tool.shaft_radius = spec->shaft_radius;
         i.frame.tools.push_back(tool);
+        if ((tool.pose.tip - snapshot.tools[hand].tip).norm() < parted) continue;
+        tool.pose = snapshot.tools[hand];
+        tool.ghost = tool.through = true;
+        devices[parted_count++] = tool;
     }
+    i.frame.tools.insert(i.frame.tools.end(), devices, devices + parted_count);
     i.frame.sheets.clear();
     if (const SheetView& view = snapshot.sheet; view.triangle_count > 0) {
         DrawnSheet sheet;

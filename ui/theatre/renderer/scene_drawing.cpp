@@ -9,6 +9,8 @@
 namespace fulcrum::ui {
 namespace {
 
+const QVector4D ghost_tint(0.55F, 0.80F, 1.0F, 0.55F);  // sRGB and opacity at the rim
+
 // m that the mucosa's folds stand off the wall: they hide where the mesentery reaches into it.
 constexpr double folds = 0.0015;
 constexpr float areolar_tile = 0.040F, peritoneum_tile = 0.120F, fat_tile = 0.060F;  // m
@@ -61,16 +63,19 @@ void SceneRenderer::Impl::start(QOpenGLShaderProgram& program, const SceneFrame&
     program.setUniformValue("strain", shadows.strain);
 }
 
-void SceneRenderer::Impl::draw_tools(QOpenGLExtraFunctions& gl, const SceneFrame& frame, bool ghosts) {
+void SceneRenderer::Impl::draw_tools(QOpenGLExtraFunctions& gl, const SceneFrame& frame, Tools which) {
     tool_parts.clear();
     for (const DrawnTool& tool : frame.tools) {
-        if (tool.ghost == ghosts) add_tool_parts(tool, tool_parts);
+        const Tools own = !tool.ghost ? Tools::solid : tool.through ? Tools::seen_through : Tools::ghosts;
+        if (own == which) add_tool_parts(tool, tool_parts);
     }
     if (tool_parts.empty()) return;
+    if (which == Tools::seen_through) gl.glDisable(GL_DEPTH_TEST);
     gl.glEnable(GL_CULL_FACE);
     gl.glCullFace(GL_BACK);
     const auto draw_with = [&](QOpenGLShaderProgram& program, const auto& chosen) {
         start(program, frame);
+        if (&program == ghost.get()) program.setUniformValue("tint", ghost_tint);
         for (const ToolPart& part : tool_parts) {
             if (!chosen(part)) continue;
             program.setUniformValue("to_camera", to_camera * part.pose);
@@ -78,13 +83,14 @@ void SceneRenderer::Impl::draw_tools(QOpenGLExtraFunctions& gl, const SceneFrame
             shapes[static_cast<std::size_t>(part.shape)]->draw(gl);
         }
     };
-    if (ghosts) {
+    if (which != Tools::solid) {
         draw_with(*ghost, [](const ToolPart&) { return true; });
     } else {
         draw_with(*insulated, [](const ToolPart& part) { return part.insulated; });
         metal.bind();
         draw_with(*steel, [](const ToolPart& part) { return !part.insulated; });
     }
+    gl.glEnable(GL_DEPTH_TEST);
     gl.glDisable(GL_CULL_FACE);
 }
 
@@ -293,7 +299,7 @@ void SceneRenderer::Impl::draw_scene(QOpenGLExtraFunctions& gl, const SceneFrame
     }
     gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 
-    draw_tools(gl, frame, false);
+    draw_tools(gl, frame, Tools::solid);
     draw_targets(gl, frame, false);
     draw_tubes(gl, frame);
     draw_studies(gl, frame, sight);
@@ -356,7 +362,8 @@ void SceneRenderer::Impl::draw_translucent(QOpenGLExtraFunctions& gl, const Scen
         gl_mesentery_rim->draw(gl, sight);
     }
     draw_targets(gl, frame, true);
-    draw_tools(gl, frame, true);
+    draw_tools(gl, frame, Tools::ghosts);
+    draw_tools(gl, frame, Tools::seen_through);
     gl.glDisable(GL_BLEND);
 }
 

@@ -45,7 +45,8 @@ struct DrawnTool {
     double jaw_length = 0.020;     ///< m
     double shaft_radius = 0.0025;  ///< m
     double strain = 0;             ///< 0 .. 1: share of the force limit; colours the tip's contact
-    bool ghost = false;            ///< demonstration: translucent, casts no shadow
+    bool ghost = false;            ///< translucent, casts no shadow
+    bool through = false;          ///< a ghost that is seen through what is in front of it
 };
 
 /// A mesh outside of any scene, as studies leave it: an even, slightly wet surface.

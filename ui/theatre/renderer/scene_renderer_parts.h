@@ -74,7 +74,8 @@ struct SceneRenderer::Impl {
 
     void start(QOpenGLShaderProgram& program, const SceneFrame& frame) const;
 
-    void draw_tools(QOpenGLExtraFunctions& gl, const SceneFrame& frame, bool ghosts);
+    enum class Tools { solid, ghosts, seen_through };
+    void draw_tools(QOpenGLExtraFunctions& gl, const SceneFrame& frame, Tools which);
 
     void draw_tubes(QOpenGLExtraFunctions& gl, const SceneFrame& frame) const;
     void draw_targets(QOpenGLExtraFunctions& gl, const SceneFrame& frame, bool translucent) const;

@@ -42,8 +42,7 @@ BandsPart::BandsPart(const Scene& scene, std::uint64_t seed)
 void BandsPart::apply(const StepInput& input) noexcept {
     field_.begin_step();
     for (int number = 0; number < hand_count; ++number) {
-        if (field_.hand(number).instrument != nullptr)
-            step_tool(number, input.outputs, input.count, input.dt);
+        if (field_.hand(number).instrument != nullptr) step_tool(number, input);
     }
 }
 

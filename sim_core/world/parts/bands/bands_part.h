@@ -2,8 +2,8 @@
 // Bands, vessels, nerve and the instruments that divide, stop and suck, as a part of the world (task B3).
 // World thread. Nothing allocates after construction.
 //
-// A step: instruments (exchange, jaws, pedal), strands, tearing, heat, parting and sealing, bleeding, the
-// pool, smoke, what is seen.
+// A step: instruments are exchanged; bands are offered to jaws that close; jaws, clips and pedals; strands,
+// tearing, heat, parting and sealing, bleeding, the pool, smoke; what is seen.
 #pragma once
 
 #include <array>
@@ -27,6 +27,8 @@ class BandsPart : public Part {
     /// The scene lists bands.
     BandsPart(const Scene& scene, std::uint64_t seed);
 
+    void exchange(int hand, const StepInput& input, HeldTool& held) noexcept override;
+    double offer(int hand, const HeldTool& held) const noexcept override;
     bool holds(int hand) const noexcept override { return grips_[static_cast<std::size_t>(hand)].band >= 0; }
     GraspState grasp(int hand) const noexcept override;
     bool slipped(int hand) const noexcept override { return field_.hand(hand).jaws.slipped(); }
@@ -51,8 +53,16 @@ class BandsPart : public Part {
         StrandHold hold;
     };
 
-    void step_tool(int number, const TickOutput* outputs, std::size_t count, double dt) noexcept;
-    void step_jaws(int number, const ToolKinematics& tool, double dt) noexcept;
+    /// The band nearest to a place within Jaws::reach of it.
+    struct Reach {
+        std::int32_t band = -1, node = -1;  ///< -1: none is within reach
+        double distance = no_offer;         ///< m
+    };
+    Reach nearest(const Vector3& place) const noexcept;
+
+    void step_tool(int number, const StepInput& input) noexcept;
+    /// takes: closing jaws take a band, and no tissue of another part.
+    void step_jaws(int number, const ToolKinematics& tool, bool takes, double dt) noexcept;
     void take_band(int number, const ToolKinematics& tool) noexcept;
     void fire_clip(int number, const ToolKinematics& tool) noexcept;
     void apply_energy(int number, const ToolKinematics& tool, double duty) noexcept;

@@ -12,19 +12,44 @@ constexpr double band_in_jaws = 0.004;  // m along the jaws that a band lies acr
 
 }  // namespace
 
-void BandsPart::step_tool(int number, const TickOutput* outputs, std::size_t count, double dt) noexcept {
+void BandsPart::exchange(int number, const StepInput& input, HeldTool& held) noexcept {
+    field_.exchange(number, input.outputs, input.count, holds(number), input.dt);
+    held.instrument = &field_.instrument(number);
+    held.tool.inside = held.tool.inside && field_.hand(number).usable();
+}
+
+BandsPart::Reach BandsPart::nearest(const Vector3& place) const noexcept {
+    Reach reach;
+    double least = Jaws::reach;
+    for (std::size_t b = 0; b < strands_.size(); ++b) {
+        double distance = 0;
+        const int node = nearest_node(strands_[b], place, distance);
+        if (node < 0 || !(distance < least)) continue;
+        least = distance;
+        reach = {static_cast<std::int32_t>(b), std::clamp(node, 1, strand_nodes - 2), distance};
+    }
+    return reach;
+}
+
+double BandsPart::offer(int number, const HeldTool& held) const noexcept {
+    if (!type_of(held.instrument->kind).grasps_strands ||
+        !field_.hand(number).jaws.closing(held.tool, held.instrument->jaw_opening))
+        return no_offer;
+    return nearest(held.tool.tip - 0.5 * held.instrument->jaw_length * held.tool.axis).distance;
+}
+
+void BandsPart::step_tool(int number, const StepInput& input) noexcept {
     FieldHand& hand = field_.hand(number);
     Grip& grip = grips_[static_cast<std::size_t>(number)];
-    const ToolKinematics& tool = outputs[count - 1].contact[number].tool;
-    field_.exchange(number, outputs, count, grip.band >= 0, dt);
+    const ToolKinematics& tool = input.last().contact[number].tool;
     field_.clear(hand);
     grip.touched = -1;
     if (!tool.present || !tool.tip.allFinite()) {
         hand.cutting = false;
         return;
     }
-    step_jaws(number, tool, dt);
-    const double pedal = OperativeField::pedal(number, outputs, count);
+    step_jaws(number, tool, input.taker[number] == this, input.dt);
+    const double pedal = OperativeField::pedal(number, input.outputs, input.count);
     field_.divide_nerves(number, tool, pedal > 0);
     if (!tool.inside || !hand.usable()) return;
     if (gives_energy(hand.kind())) {
@@ -33,11 +58,11 @@ void BandsPart::step_tool(int number, const TickOutput* outputs, std::size_t cou
         if (pedal > 0) apply_energy(number, tool, pedal);
     } else if (type_of(hand.kind()).suction && pedal > 0) {
         hand.active = true;
-        field_.suck(tool, dt);
+        field_.suck(tool, input.dt);
     }
 }
 
-void BandsPart::step_jaws(int number, const ToolKinematics& tool, double dt) noexcept {
+void BandsPart::step_jaws(int number, const ToolKinematics& tool, bool takes, double dt) noexcept {
     FieldHand& hand = field_.hand(number);
     Grip& grip = grips_[static_cast<std::size_t>(number)];
     switch (OperativeField::step_jaws(hand, tool)) {
@@ -50,7 +75,7 @@ void BandsPart::step_jaws(int number, const ToolKinematics& tool, double dt) noe
         case JawAction::close:
             if (type_of(hand.kind()).clips)
                 fire_clip(number, tool);
-            else if (type_of(hand.kind()).grasps_strands)
+            else if (takes)
                 take_band(number, tool);
             if (grip.band < 0) return;
             break;  // it follows the jaws from this step on
@@ -69,16 +94,10 @@ void BandsPart::take_band(int number, const ToolKinematics& tool) noexcept {
     FieldHand& hand = field_.hand(number);
     Grip& grip = grips_[static_cast<std::size_t>(number)];
     const Vector3 jaws = tool.tip - 0.5 * hand.instrument->jaw_length * tool.axis;
-    double least = Jaws::reach;
-    for (std::size_t b = 0; b < strands_.size(); ++b) {
-        double distance = 0;
-        const int node = nearest_node(strands_[b], jaws, distance);
-        if (node < 0 || !(distance < least)) continue;
-        least = distance;
-        grip.band = static_cast<std::int32_t>(b);
-        grip.hold.node = std::clamp(node, 1, strand_nodes - 2);
-    }
-    if (grip.band < 0) return;
+    const Reach reach = nearest(jaws);
+    if (reach.band < 0) return;
+    grip.band = reach.band;
+    grip.hold.node = reach.node;
     const Vector3 point =
         strands_[static_cast<std::size_t>(grip.band)].position[static_cast<std::size_t>(grip.hold.node)];
     hand.jaws.clear_points();

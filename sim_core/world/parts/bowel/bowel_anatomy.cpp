@@ -30,7 +30,7 @@ std::vector<RodTether> cranial_holds(const PresacralSpec& presacral, const Sacra
 }  // namespace
 
 BowelAnatomy bowel_anatomy(const Scene& scene) {
-    if (scene.bowel && scene.bowel->layout == "rectum" && scene.presacral) {
+    if (scene.bowel && scene.bowel->layout == BowelLayout::rectum && scene.presacral) {
         const RectumParameters parameters = rectum_parameters(scene);
         BowelShape shape = make_rectum(parameters);
         BowelAnatomy anatomy;

@@ -63,6 +63,7 @@ class BowelPart : public Part {
     void publish_model(int hand, const TickOutput& last, LocalModel& model) noexcept override;
     void size_snapshot(WorldSnapshot& snapshot) const override;
     void fill_snapshot(WorldSnapshot& snapshot) const noexcept override;
+    const LayeredWall* layered_wall() const noexcept override { return wall_.get(); }
     void list_state(StateList& list) override;
     void measure(bool on) override { measuring_ = on; }
     void add_costs(double us, std::vector<PartCost>& costs) const override;

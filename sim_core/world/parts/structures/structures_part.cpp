@@ -117,15 +117,6 @@ StructuresPart::StructuresPart(const Scene& scene, const FieldWall& wall, const 
     const TissueSpec& fascia = scene.tissues[at(scene.tissue_index(spec_.bed_tissue))];
     wall_stiffness_ = fascia.stiffness;
     if (fascia.cutting) energy_factor_ = fascia.cutting->energy_factor;
-    for (int number = 0; number < hand_count; ++number) {
-        const FieldHand& hand = field_.hand(number);
-        if (hand.instrument == nullptr) continue;
-        for (std::size_t k = 0; k < hand.kinds.size(); ++k) {
-            InstrumentSpec& spec = kinds_[static_cast<std::size_t>(number)][k];
-            spec = *hand.instrument;
-            spec.kind = hand.kinds[k];
-        }
-    }
 }
 
 HeldTool StructuresPart::held(int number, const ToolKinematics& tool) const noexcept {
@@ -133,7 +124,7 @@ HeldTool StructuresPart::held(int number, const ToolKinematics& tool) const noex
     HeldTool held;
     held.tool = tool;
     if (hand.instrument == nullptr) return held;
-    held.instrument = &kinds_[static_cast<std::size_t>(number)][static_cast<std::size_t>(hand.index)];
+    held.instrument = &field_.instrument(number);
     held.energised = hand.usable() && gives_energy(hand.kind()) && (tool.buttons & button_energy) != 0;
     held.tool.inside = tool.inside && hand.usable();
     if (held.energised) {

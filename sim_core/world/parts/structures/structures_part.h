@@ -43,7 +43,9 @@ class StructuresPart : public Part {
     HeldTool held(int hand, const ToolKinematics& tool) const noexcept;
     /// One step of dt over the outputs of `count` ticks (at least one), oldest first, after the sheet's.
     void step(const TickOutput* outputs, std::size_t count, double dt) noexcept;
-    void exchange(int hand, HeldTool& now) const noexcept override { now = held(hand, now.tool); }
+    void exchange(int hand, const StepInput& /*input*/, HeldTool& now) noexcept override {
+        now = held(hand, now.tool);
+    }
     /// The whole step: what the hands do here depends on where the sheet is at its end.
     std::uint32_t solve(const StepInput& input) noexcept override {
         step(input.outputs, input.count, input.dt);
@@ -88,7 +90,6 @@ class StructuresPart : public Part {
     std::vector<std::uint8_t> root_is_target_;  ///< what energy on the sheet is for
     std::vector<std::int32_t> outlet_vein_;
     double wall_stiffness_ = 0, energy_factor_ = 1;
-    std::array<std::array<InstrumentSpec, 6>, hand_count> kinds_;  ///< the scene's, with each kind in turn
 };
 
 std::unique_ptr<Part> build_structures_part(const Scene& scene, std::uint64_t seed, const PartList& parts);

@@ -7,6 +7,7 @@
 #include <QImage>
 
 #include "sim_core/anatomy/scene_anatomy.h"
+#include "sim_core/haptics/loop.h"
 #include "sim_core/world/parts/bowel/bowel_anatomy.h"
 #include "sim_core/world/parts/membranes/membrane_layout.h"
 #include "sim_core/world/world.h"
@@ -63,6 +64,79 @@ TEST(SceneAssembler, DrawsTheMesenteryAtThePositionOfTheMembrane) {
         const Eigen::Map<const Eigen::Vector3f> normal(frame.mesentery_normals + 3 * v);
         EXPECT_NEAR(normal.norm(), 1.0F, 1e-5F);
     }
+}
+
+// A push of about 20 N: the device is 25 mm behind the wall, the instrument is drawn at it.
+TEST(SceneAssembler, DrawsAnInstrumentAtTheWallThatItsDeviceIsBehind) {
+    const Scene scene = load_scene(scenes + "b1_bowel.json");
+    World world(scene, 1);
+    HapticLoop loop(scene, world);
+    const InstrumentSpec& spec = *scene.instrument(Hand::left);
+    const Trocar trocar = make_trocar(spec.trocar);
+    const Vector3 start = trocar.position + spec.start_insertion * trocar.rotation.col(2);
+    const CavityPoint wall = world.wall()->closest(start, 0.2);
+    ASSERT_GE(wall.triangle, 0);
+    std::vector<TickOutput> outputs(static_cast<std::size_t>(scene.ticks_per_step));
+    DeviceSample left = start_sample(spec.trocar, spec.start_insertion);
+    for (std::uint32_t tick = 1; tick <= 1000; ++tick) {
+        RigSample input;
+        input.tick = tick;
+        for (const InstrumentSpec& other : scene.instruments)
+            input.hand[static_cast<int>(other.hand)] = start_sample(other.trocar, other.start_insertion);
+        input.camera = start_sample(scene.camera->trocar, scene.camera->start_insertion);
+        const double share = std::min(1.0, tick / 800.0);
+        DeviceReading reading;
+        reading.handle =
+            handle_for_tip(trocar, start + share * (wall.position - 0.025 * wall.normal - start));
+        input.hand[0] = left = quantise(reading, left);
+        outputs[(tick - 1) % outputs.size()] = loop.tick(input);
+        if (tick % outputs.size() != 0) continue;
+        world.step(outputs.data(), outputs.size());
+        loop.adopt(world.local_models());
+    }
+    const std::int32_t* force = outputs.back().sample.hand[0].force;
+    EXPECT_GT(sample_force_unit * Vector3(force[0], force[1], force[2]).norm(), 5);
+    const WorldSnapshot& snapshot = world.snapshot();
+    const auto inside_wall = [&](const Vector3& tip) {
+        return spec.tip_radius - world.wall()->closest(tip, 0.1).distance;
+    };
+    EXPECT_GT(inside_wall(snapshot.tools[0].tip), 0.015) << "the device is behind the wall";
+    SceneAssembler assembler(scene, snapshot);
+    const SceneFrame& frame = assembler.assemble(snapshot);
+    ASSERT_EQ(frame.tools.size(), 3U);
+    EXPECT_FALSE(frame.tools[0].ghost);
+    EXPECT_LT(inside_wall(frame.tools[0].pose.tip), 0.0015) << "what is seen stops at the wall";
+    EXPECT_TRUE(frame.tools[2].ghost) << "the device's own pose";
+    EXPECT_EQ(frame.tools[2].pose.tip, snapshot.tools[0].tip);
+    EXPECT_EQ(frame.tools[1].pose.tip, snapshot.tools[1].tip) << "the other touches nothing";
+
+    // The ghost is seen although it is behind the wall.
+    SceneFrame seen = frame;
+    const Vector3 tip = frame.tools[0].pose.tip;
+    const Vector3 eye = tip + 0.06 * wall.normal + 0.03 * frame.tools[0].pose.axis.unitOrthogonal();
+    Matrix3 view;
+    view.col(2) = (eye - tip).normalized();
+    view.col(0) = view.col(2).unitOrthogonal();
+    view.col(1) = view.col(2).cross(view.col(0));
+    seen.camera.position = eye;
+    seen.camera.orientation = Quaternion(view);
+    RendererOptions options;
+    options.texture_size = 128;
+    SceneRenderer renderer(options);
+    assembler.install(renderer);
+    const QImage with = render_offscreen(renderer, seen, QSize(320, 320));
+    seen.tools.pop_back();
+    const QImage without = render_offscreen(renderer, seen, QSize(320, 320));
+    int changed = 0;
+    for (int y = 0; y < with.height(); ++y) {
+        for (int x = 0; x < with.width(); ++x) {
+            const QRgb a = with.pixel(x, y), b = without.pixel(x, y);
+            const int apart =
+                std::abs(qRed(a) - qRed(b)) + std::abs(qGreen(a) - qGreen(b)) + std::abs(qBlue(a) - qBlue(b));
+            changed += apart > 12 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(changed, 100);
 }
 
 TEST(SceneAssembler, DrawsASceneWithTargetsOnly) {

@@ -107,17 +107,72 @@ TEST(BandsPart, InconsistentScenesAreRefusedWithPlaceAndHint) {
     EXPECT_THROW(parse_scene(text, "scene.json"), InputError);
 }
 
+TEST(BandsPart, IsOfferedToClosingJawsAndTakenWhereTheWorldDecidesSo) {
+    const Scene scene = bands_scene();
+    BandsPart part(scene, 5);
+    const InstrumentSpec& grasper = *scene.instrument(Hand::left);
+    TickOutput output;
+    ToolKinematics& tool = output.contact[0].tool;
+    tool.present = tool.inside = true;
+    tool.axis = -Vector3::UnitZ();
+    tool.rotation = Vector3(1, -1, -1).asDiagonal();
+    const auto above = [&](double height) {  // of the middle of the jaws
+        tool.tip = part.strand(2).position[strand_segments / 2] + Vector3(0, 0, height) +
+                   0.5 * grasper.jaw_length * tool.axis;
+    };
+    const auto step = [&](const Part* taker) {
+        StepInput input;
+        input.outputs = &output;
+        input.count = 1;
+        input.dt = scene.step_period();
+        input.held[0].instrument = &grasper;
+        input.held[0].tool = tool;
+        part.exchange(0, input, input.held[0]);
+        const double offer = part.offer(0, input.held[0]);
+        input.taker[0] = taker;
+        part.apply(input);
+        part.solve(input);
+        return offer;
+    };
+    const auto open = [&] { tool.jaw_angle = grasper.jaw_opening, tool.grip = 0; };
+    const auto close = [&] { tool.jaw_angle = 0.02, tool.grip = 4; };
+    above(0.002);
+    open();
+    EXPECT_EQ(step(nullptr), Part::no_offer) << "open jaws take nothing";
+    close();
+    EXPECT_NEAR(step(nullptr), 0.002, 1e-4);
+    EXPECT_FALSE(part.holds(0)) << "tissue of another part is nearer";
+    open();
+    step(nullptr);
+    above(Jaws::reach + 0.001);
+    close();
+    EXPECT_EQ(step(nullptr), Part::no_offer) << "out of reach";
+    open();
+    step(nullptr);
+    above(0.002);
+    close();
+    EXPECT_NEAR(step(&part), 0.002, 1e-4);
+    EXPECT_TRUE(part.holds(0));
+    EXPECT_EQ(part.grasp(0).patch, 2);
+}
+
 TEST(BandsPart, GraspedBandPullsOnTheHandUntilReleased) {
     BandsStage stage;
     stage.take(Hand::left, 2, 0.5);
     ASSERT_TRUE(stage.world.snapshot().grasps[0].held);
     EXPECT_EQ(stage.world.snapshot().grasps[0].patch, 2);
     EXPECT_NE(stage.outputs.back().sample.hand[0].flags & hand_grasping, 0);
+    // The handle is on the other side of the trocar.
+    const auto lever = [&] {
+        const InstrumentSpec& spec = *stage.scene.instrument(Hand::left);
+        const Vector3 arm = stage.tip[0] - stage.trocar[0].position;
+        return Vector3(-(spec.trocar.shaft_length - arm.norm()) * arm.normalized());
+    };
     double last = stage.felt(Hand::left).norm();
     for (int i = 0; i < 3; ++i) {
         stage.go(Hand::left, stage.tip[0] + Vector3(0, 0, 0.003));
         stage.run(0.1);
-        const double now = -stage.felt(Hand::left).z();
+        const double now = stage.felt(Hand::left).norm();
         EXPECT_GT(now, last + 0.02);
         last = now;
     }
@@ -125,7 +180,10 @@ TEST(BandsPart, GraspedBandPullsOnTheHandUntilReleased) {
     EXPECT_LT(last, 3.0);
     // The hand feels the force on the strand: two tensions.
     const Vector3 reaction = stage.world.snapshot().grasps[0].reaction;
-    EXPECT_NEAR((stage.felt(Hand::left) + reaction).norm(), 0, 0.02 * reaction.norm());
+    ToolLoad load;
+    load.add(stage.world.snapshot().grasps[0].point - stage.trocar[0].position, -reaction);
+    const Vector3 expected = load_at_hand(lever(), load).force;
+    EXPECT_NEAR((stage.felt(Hand::left) - expected).norm(), 0, 0.03 * expected.norm());
     stage.open(Hand::left);
     stage.run(0.2);
     EXPECT_FALSE(stage.world.snapshot().grasps[0].held);

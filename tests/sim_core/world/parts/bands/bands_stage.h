@@ -9,6 +9,7 @@
 #include "sim_core/haptics/loop.h"
 #include "sim_core/world/parts/bands/bands_part.h"
 #include "sim_core/world/world.h"
+#include "tests/support/force_device.h"
 #include "tests/support/support.h"
 
 namespace fulcrum::test {
@@ -29,6 +30,7 @@ class BandsStage {
             trocar[hand] = make_trocar(spec.trocar);
             tip[hand] = trocar[hand].position + spec.start_insertion * trocar[hand].rotation.col(2);
             jaw[hand] = 0.8 * spec.jaw_opening;
+            loop.set_device(spec.hand, test::ideal_device());
         }
     }
 

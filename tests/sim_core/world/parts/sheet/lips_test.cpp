@@ -160,9 +160,18 @@ TEST(SheetLips, TipKeepsItsSideAtAnySpeed) {
         if (speed < 0.1) {
             EXPECT_LE(rig.worst_change, 0.3 * (1 + 1e-9)) << "at a hand's speed";
         }
-        const Vector3 felt = rig.sent[1];
-        EXPECT_GT(felt.z(), 0.05) << "the sheet must push the hand";
-        EXPECT_LT((felt + rig.hand(1).reaction).norm(), 0.2 * felt.norm());
+        const TickOutput& last = rig.outputs.back();
+        const std::int32_t* counts = last.sample.hand[1].force;
+        const Vector3 on_tip = -sample_force_unit * Vector3(counts[0], counts[1], counts[2]);
+        EXPECT_GT(on_tip.z(), 0.05) << "the sheet must push the tip";
+        EXPECT_LT((on_tip + rig.hand(1).reaction).norm(), 0.2 * on_tip.norm());
+        // And the hand through the trocar.
+        const ToolKinematics& tool = last.contact[1].tool;
+        ToolLoad load;
+        load.add(tool.tip - tool.trocar, on_tip);
+        const double outside = rig.scene.instruments[1].trocar.shaft_length - tool.insertion;
+        const Vector3 expected = load_at_hand(-outside * tool.axis, load).force;
+        EXPECT_GT(rig.sent[1].normalized().dot(expected.normalized()), 0.95);
         rig.go(1, over(rig.scene, 0.0, 0, 0.02), 0.2);
         rig.steps(40);
         EXPECT_EQ(rig.sent[1].norm(), 0);

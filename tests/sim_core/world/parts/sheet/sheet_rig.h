@@ -10,6 +10,7 @@
 #include "sim_core/haptics/loop.h"
 #include "sim_core/world/parts/sheet/sheet_part.h"
 #include "sim_core/world/world.h"
+#include "tests/support/force_device.h"
 #include "tests/support/support.h"
 
 namespace fulcrum::test {
@@ -48,6 +49,7 @@ struct SheetRig {
             trocar[h] = make_trocar(scene.instruments[static_cast<std::size_t>(h)].trocar);
             last[h] = start_sample(scene.instruments[static_cast<std::size_t>(h)].trocar, 0.10);
             const Vector3 middle = scene.sheet ? scene.sheet->centre : Vector3(0, 0.04, -0.01);
+            loop.set_device(static_cast<Hand>(h), test::desk_device());
             wish[h].tip = asked[h] = middle + Vector3(h == 0 ? 0.04 : -0.04, 0, 0.05);
         }
     }

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fulcrum assets: which scenes, tasks, benchmark sets and curricula assessed attempts accept, and adding one.
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+#include "app/cli/commands.h"
+#include "assessment/assets/assets.h"
+#include "database/rows/crypto.h"
+#include "database/store/accepted_assets.h"
+#include "sim_core/numerics/input_error.h"
+#include "sim_core/scene/json_document.h"
+
+namespace fulcrum::app {
+namespace {
+
+namespace files = std::filesystem;
+using database::AcceptedAsset;
+using database::AcceptedAssets;
+using database::AssetFile;
+
+AssetFile asset_at(const files::path& path) {
+    return {path.parent_path().filename().string() + "/" + path.filename().string(),
+            database::sha256_hex(read_text_file(path.string(), JsonLimits().bytes))};
+}
+
+/// The files of the assets folder that decide a result, by name.
+std::vector<AssetFile> installed_assets() {
+    std::vector<AssetFile> found;
+    for (const char* folder : {"benchmarks", "curricula", "scenes", "tasks"}) {
+        const files::path path = asset_path(folder);
+        if (!files::is_directory(path)) continue;
+        for (const auto& entry : files::directory_iterator(path))
+            if (entry.path().extension() == ".json") found.push_back(asset_at(entry.path()));
+    }
+    std::sort(found.begin(), found.end(),
+              [](const AssetFile& a, const AssetFile& b) { return a.name < b.name; });
+    return found;
+}
+
+enum class Standing { delivered, accepted, unknown };
+constexpr const char* standing_names[] = {"delivered", "accepted", "unknown"};
+
+Standing standing_of(const AssetFile& file, const AcceptedAssets& assets,
+                     const std::vector<AcceptedAsset>& accepted) {
+    if (!assets.unknown({file}).empty()) return Standing::unknown;
+    const bool named = std::any_of(accepted.begin(), accepted.end(),
+                                   [&](const AcceptedAsset& one) { return one.file.digest == file.digest; });
+    return named ? Standing::accepted : Standing::delivered;
+}
+
+int list(const Arguments& arguments) {
+    const database::Store store = open_store(arguments, false, true);
+    const AcceptedAssets assets(store);
+    const std::vector<AcceptedAsset> accepted = assets.list();
+    nlohmann::json rows = nlohmann::json::array(), deeds = nlohmann::json::array();
+    for (const AssetFile& file : installed_assets()) {
+        const char* standing = standing_names[static_cast<int>(standing_of(file, assets, accepted))];
+        rows.push_back({{"file", file.name}, {"sha256", file.digest}, {"standing", standing}});
+        if (!arguments.has("--json"))
+            std::cout << file.digest << "  " << file.name << "  " << standing << '\n';
+    }
+    for (const AcceptedAsset& one : accepted) {
+        deeds.push_back({{"file", one.file.name},
+                         {"sha256", one.file.digest},
+                         {"by", one.person_name},
+                         {"time", database::iso_utc(one.time)},
+                         {"reason", one.reason}});
+        if (!arguments.has("--json"))
+            std::cout << "accepted " << database::iso_utc(one.time) << " by " << one.person_name << ": "
+                      << one.file.name << " (" << one.reason << ")\n";
+    }
+    if (arguments.has("--json"))
+        print_json({{"folder", assets_folder()}, {"files", rows}, {"accepted", deeds}});
+    return 0;
+}
+
+int accept(const Arguments& arguments) {
+    const database::Store store = open_store(arguments, false);
+    const database::Session session = person_session(arguments, store);
+    store.require(session, database::Operation::accept_assets);
+    const AssetFile file = asset_at(files::absolute(arguments.words()[0]));
+    AcceptedAssets(store).accept(session, file, arguments.value_or("--reason", ""));
+    if (arguments.has("--json")) {
+        print_json({{"file", file.name}, {"sha256", file.digest}});
+    } else {
+        std::cout << "accepted " << file.name << " (sha256 " << file.digest << ")\n";
+    }
+    return 0;
+}
+
+}  // namespace
+
+std::vector<Command> asset_commands() {
+    return {{"assets list",
+             "",
+             0,
+             0,
+             "Lists the installed scenes, tasks, benchmark sets and curricula, and which of them assessed "
+             "attempts accept.",
+             {store_option(), json_option()},
+             list},
+            {"assets accept", "FILE", 1, 1,
+             "Accepts a file of the site, such as a benchmark set from its experts, for assessed attempts.",
+             joined({{"--reason", "TEXT", "The reason; recorded in the audit log."}}, session_options()),
+             accept}};
+}
+
+}  // namespace fulcrum::app

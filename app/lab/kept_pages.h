@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The results of the laboratory are kept as pages; this reads their tables again.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace fulcrum::app {
+
+/// The page that `lab operators` wrote, in the form of its JSON: metrics (metric, hand, auc, retest,
+/// separates), gates (metric, hand, failed, safety), seeds, passed. Values are as exact as the page prints
+/// them. `path` is for messages. Throws InputError for a page of another form.
+nlohmann::json read_operators_page(const std::string& text, const std::string& path);
+/// The page that `lab invariance` wrote: metrics by name with half_rate and noise, relative changes.
+nlohmann::json read_invariance_page(const std::string& text, const std::string& path);
+
+}  // namespace fulcrum::app

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fulcrum certificate: writes the certificate of a completed stage, or verifies a check code.
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/attempt_document.h"
+#include "app/services/application.h"
+#include "app/services/program.h"
+#include "assessment/assets/assets.h"
+#include "database/records/certificates.h"
+#include "database/rows/attempt_records.h"
+#include "ui/reports/certificate.h"
+
+namespace fulcrum::app {
+namespace {
+
+Curriculum curriculum() {
+    return load_curriculum(asset_path("curricula/rectal.json"), task_ids());
+}
+
+int verify(const Arguments& arguments, const database::Store& store, const database::Session& session) {
+    const auto found = database::find_certificate(store, session, *arguments.value("--verify"), curriculum());
+    if (arguments.has("--json")) {
+        nlohmann::json document = {{"valid", found.has_value()}};
+        if (found)
+            document.update({{"code", found->code},
+                             {"person", found->person_name},
+                             {"curriculum", found->curriculum},
+                             {"stage", found->stage},
+                             {"completed", database::iso_utc(found->completed_at)}});
+        print_json(document);
+    } else if (found) {
+        std::cout << "valid: " << found->person_name << ", stage " << found->stage << " ("
+                  << found->stage_title << ") of " << found->curriculum << ", completed "
+                  << database::iso_utc(found->completed_at) << '\n';
+    } else {
+        std::cout << "not valid: no certificate with this code is in force among the people whose progress "
+                     "you may read\n";
+    }
+    return found ? 0 : 1;
+}
+
+int write(const Arguments& arguments, const database::Store& store, const database::Session& session) {
+    if (!arguments.has("--stage")) throw UsageError("--stage", "is missing", "name the stage: --stage A");
+    if (!arguments.has("--output"))
+        throw UsageError("--output", "is missing", "name the file to write: -o FILE");
+    const std::string person = person_named(arguments, store, session);
+    const std::string stage = *arguments.value("--stage"), path = *arguments.value("--output");
+    for (const database::Certificate& one : database::certificates(store, session, person, curriculum())) {
+        if (one.stage != stage) continue;
+        std::vector<TaskDefinition> tasks;
+        for (const std::string& id : task_ids()) tasks.push_back(load_task(task_file(id)));
+        ui::write_certificate(store, session, one, tasks, version_line(), path);
+        if (arguments.has("--json")) {
+            print_json({{"files", {path}}, {"code", one.code}});
+        } else {
+            std::cout << "wrote " << path << ", check code " << one.code << '\n';
+        }
+        return 0;
+    }
+    throw InputError(
+        "--stage", stage, "this person has not completed the stage",
+        "a certificate needs proficiency in every task of the stage; provisional limits give none");
+}
+
+int run_certificate(const Arguments& arguments) {
+    if (arguments.has("--verify") + arguments.has("--person") != 1)
+        throw UsageError("certificate", "needs exactly one of --verify and --person", "give one of them");
+    const database::Store store = open_store(arguments, false);
+    const database::Session session = person_session(arguments, store);
+    return arguments.has("--verify") ? verify(arguments, store, session) : write(arguments, store, session);
+}
+
+}  // namespace
+
+Command certificate_command() {
+    return {"certificate",
+            "",
+            0,
+            0,
+            "Writes the certificate of a completed stage, or verifies its check code; needs --as.",
+            joined({{"--verify", "CODE", "Says whether a certificate with this code is in force."},
+                    {"--person", "LOGIN", "The certificate of this person."},
+                    {"--stage", "ID", "The completed stage, for example A."},
+                    {"--output", "FILE", "The PDF to write.", "", {}, "-o"}},
+                   session_options()),
+            run_certificate,
+            true};
+}
+
+}  // namespace fulcrum::app

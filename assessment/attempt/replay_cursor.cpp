@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/attempt/replay_cursor.h"
+
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+
+#include "sim_core/numerics/state_archive.h"
+
+namespace fulcrum {
+
+/// Stores the results of the replay.
+class ReplayCursor::Sink : public AttemptSink {
+  public:
+    explicit Sink(ReplayOutcome& outcome) : outcome_(outcome) {}
+    void on_event(const Event& event) noexcept override { outcome_.events.push_back(event); }
+    void on_tick(const RigSample& /*input*/, const TickSample& /*sample*/) noexcept override {}
+    void on_step(const StepRecord& step) noexcept override { last_ = step; }
+    const StepRecord& last() const noexcept { return last_; }
+
+  private:
+    ReplayOutcome& outcome_;
+    StepRecord last_;
+};
+
+namespace {
+
+/// A hand whose device renders no force was sent none: what older records hold there was never felt.
+void forget_unfelt(const ForceDevices& devices, TickSample& sample) {
+    for (std::size_t h = 0; h < devices.size(); ++h) {
+        if (devices[h]) continue;
+        HandSample& hand = sample.hand[h];
+        std::fill(std::begin(hand.device_force), std::end(hand.device_force), 0);
+        hand.flags = static_cast<std::uint16_t>(hand.flags & ~static_cast<unsigned>(hand_clamped));
+    }
+}
+
+}  // namespace
+
+ReplayCursor::ReplayCursor(AttemptEngine& engine, const AttemptRecord& record)
+    : engine_(engine), record_(record), adopted_(engine.loop().model_step()) {
+    static_assert(std::has_unique_object_representations_v<HandSample> &&
+                  std::has_unique_object_representations_v<CameraSample>);
+    engine_.use_devices(record.devices);
+}
+
+std::uint32_t ReplayCursor::tick() const {
+    return engine_.next_tick() - 1;
+}
+
+void ReplayCursor::diverged(std::uint32_t tick) {
+    if (outcome_.identical) outcome_.first_divergence_s = tick * engine_.scene().tick_period();
+    outcome_.identical = false;
+}
+
+void ReplayCursor::step_once() {
+    const StepRecord& recorded = record_.steps[next_step_];
+    std::size_t count = 0;
+    while (count < outputs_.size() && outputs_[count].sample.tick <= recorded.last_tick) ++count;
+    Sink sink(outcome_);
+    engine_.step(outputs_.data(), count, sink);
+    outputs_.erase(outputs_.begin(), outputs_.begin() + static_cast<std::ptrdiff_t>(count));
+    if (sink.last().state_hash != recorded.state_hash || sink.last().outcome != recorded.outcome)
+        diverged(recorded.last_tick);
+    if (after_step_ && !after_step_(engine_.world().snapshot())) stopped_ = true;
+    ++next_step_;
+}
+
+void ReplayCursor::run_tick() {
+    const RigSample& input = record_.inputs[next_input_];
+    const TickSample& recorded = record_.samples[next_input_];
+    if (recorded.model_step != adopted_) {  // the step whose model was used in this tick, from the record
+        while (next_step_ < record_.steps.size() && record_.steps[next_step_].step <= recorded.model_step)
+            step_once();
+        engine_.adopt(engine_.world().local_models());
+        adopted_ = recorded.model_step;
+    }
+    TickOutput output = engine_.tick(input);
+    output.sample.missed = recorded.missed;  // depends on wall time, not on the simulation
+    TickSample expected = recorded;
+    forget_unfelt(record_.devices, expected);
+    if (std::memcmp(&output.sample, &expected, sizeof expected) != 0) diverged(recorded.tick);
+    if (keep_samples_) outcome_.samples.push_back(output.sample);
+    outputs_.push_back(output);
+    ++next_input_;
+    // Where no tick waits for a model any more (never one without instruments), steps follow their ticks:
+    // what waits would otherwise grow with the attempt.
+    if (record_.samples.back().model_step != adopted_) return;
+    while (next_step_ < record_.steps.size() && record_.steps[next_step_].last_tick <= recorded.tick &&
+           !stopped_)
+        step_once();
+}
+
+void ReplayCursor::run_to(std::uint32_t tick) {
+    while (!at_end() && !stopped_ && record_.inputs[next_input_].tick <= tick) run_tick();
+}
+
+void ReplayCursor::run_to_end() {
+    while (!at_end() && !stopped_) run_tick();
+    while (next_step_ < record_.steps.size() && !stopped_) step_once();
+}
+
+bool ReplayCursor::settle() {
+    while (next_step_ < record_.steps.size() && record_.steps[next_step_].last_tick <= tick()) step_once();
+    return outputs_.empty();
+}
+
+void ReplayCursor::transfer(StateArchive& archive) {
+    engine_.transfer(archive);
+    archive(outputs_, next_input_, next_step_, adopted_);
+    archive.finish();
+    if (!archive.reads()) return;
+    if (next_input_ > record_.inputs.size() || next_step_ > record_.steps.size())
+        throw StateArchiveError("the state belongs to another record");
+    outcome_ = ReplayOutcome();
+    stopped_ = false;
+}
+
+ReplayOutcome ReplayCursor::take_outcome() {
+    outcome_.state_hash = engine_.state_hash();
+    return std::move(outcome_);
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/records/cohort_standings.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "assessment/scoring/score.h"
+
+namespace fulcrum::database {
+namespace {
+
+constexpr std::int64_t minute_ms = 60'000, day_ms = 86'400'000;
+
+std::int64_t local_day(const AttemptMeta& meta) {
+    const std::int64_t local = meta.started + minute_ms * meta.utc_offset_min;
+    return local >= 0 ? local / day_ms : -((-local + day_ms - 1) / day_ms);
+}
+
+/// The attempts that count for one task with the device class used last, oldest first.
+std::vector<const AttemptSummary*> of_task(const std::vector<const AttemptSummary*>& by_time,
+                                           const CurriculumTask& task) {
+    std::vector<const AttemptSummary*> found;
+    for (const AttemptSummary* attempt : by_time)
+        if (attempt->counting && attempt->meta.task_id == task.task &&
+            counts(task, attempt->meta.device_class))
+            found.push_back(attempt);
+    if (found.empty()) return found;
+    const DeviceClass last = found.back()->meta.device_class;
+    found.erase(std::remove_if(found.begin(), found.end(),
+                               [&](const AttemptSummary* one) { return one->meta.device_class != last; }),
+                found.end());
+    return found;
+}
+
+}  // namespace
+
+CountedAttempt counted_attempt(const AttemptSummary& attempt) {
+    return {
+        attempt.meta.id,           attempt.meta.task_id, attempt.meta.started, attempt.meta.utc_offset_min,
+        attempt.meta.device_class, *attempt.passed,      attempt.provisional,  attempt.voided_at};
+}
+
+PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
+                                 const std::vector<OverrideRow>& overrides, const Curriculum& curriculum,
+                                 std::int64_t at) {
+    PersonStandings person;
+    std::vector<const AttemptSummary*> by_time;
+    for (const AttemptSummary& attempt : attempts)
+        if (attempt.recorded_state != AttemptState::running) by_time.push_back(&attempt);
+    std::sort(by_time.begin(), by_time.end(), [](const AttemptSummary* a, const AttemptSummary* b) {
+        return std::tie(a->meta.started, a->meta.id) < std::tie(b->meta.started, b->meta.id);
+    });
+    PersonRecord record;
+    record.assignments.push_back({0, &curriculum});
+    std::map<std::int64_t, int> days;
+    for (const AttemptSummary* attempt : by_time) {
+        if (attempt->counting) record.attempts.push_back(counted_attempt(*attempt));
+        ++days[local_day(attempt->meta)];
+        person.last_attempt = attempt->meta.started;
+    }
+    for (const auto& [day, count] : days) person.days.push_back({day, count});
+    for (const OverrideRow& row : overrides) record.overrides.push_back(row.decision);
+    const std::vector<TaskStanding> standings = standing_of(record, at);
+    PointsByTask points;
+    for (const TaskStanding& standing : standings) {
+        PersonTask task;
+        task.standing = standing;
+        for (const AttemptSummary* attempt : by_time) {
+            if (!attempt->counting || attempt->meta.task_id != standing.task ||
+                !counts(*curriculum.find(standing.task), attempt->meta.device_class))
+                continue;
+            if (task.first_attempt == 0) task.first_attempt = attempt->meta.started;
+            if (task.first_pass == 0 && *attempt->passed) task.first_pass = attempt->meta.started;
+        }
+        for (const AttemptSummary* attempt : of_task(by_time, *curriculum.find(standing.task))) {
+            task.device_class = attempt->meta.device_class;
+            if (attempt->points) points[standing.task].push_back(*attempt->points);
+            task.recent.push_back({attempt->meta.id, attempt->meta.started, *attempt->passed,
+                                   attempt->provisional, attempt->points});
+        }
+        if (task.recent.size() > most_recent)
+            task.recent.erase(task.recent.begin(),
+                              task.recent.end() - static_cast<std::ptrdiff_t>(most_recent));
+        person.tasks.push_back(std::move(task));
+    }
+    person.concerns = concerns_of(standings, points, person.last_attempt, pass_mark, at);
+    return person;
+}
+
+std::vector<TaskOverview> overview_of(const std::vector<PersonStandings>& people, std::int64_t at) {
+    std::vector<TaskOverview> overview;
+    const std::size_t tasks = people.empty() ? 0 : people.front().tasks.size();
+    for (std::size_t t = 0; t < tasks; ++t) {
+        TaskOverview one;
+        one.task = people.front().tasks[t].standing.task;
+        std::vector<Observation> to_pass, to_proficiency;
+        const auto observe = [at](std::vector<Observation>& to, const PersonTask& task, std::int64_t event) {
+            const std::int64_t end = event > 0 ? event : at;
+            to.push_back({static_cast<double>(std::max<std::int64_t>(0, end - task.first_attempt)) /
+                              static_cast<double>(day_ms),
+                          event > 0});
+        };
+        for (const PersonStandings& person : people) {
+            const PersonTask& task = person.tasks[t];
+            ++one.people[task.standing.standing];
+            if (task.standing.provisional) ++one.provisional;
+            if (task.first_attempt == 0) continue;
+            ++one.attempted;
+            if (task.first_pass > 0) ++one.passed;
+            observe(to_pass, task, task.first_pass);
+            observe(to_proficiency, task, task.standing.declared_at);
+        }
+        one.share = wilson(one.passed, one.attempted);
+        one.days_to_pass = survival_median(survival_curve(to_pass));
+        one.days_to_proficiency = survival_median(survival_curve(to_proficiency));
+        overview.push_back(std::move(one));
+    }
+    return overview;
+}
+
+}  // namespace fulcrum::database

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the people of a cohort stand in a curriculum: the standing of each task with its latest attempts,
+// days of practice, and why an educator should look at them now. Screens and exports read it from the cohort
+// table (database/records/report_data.h), so that their values agree.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assessment/curriculum/concern.h"
+#include "assessment/learning/survival.h"
+#include "database/rows/attempt_records.h"
+#include "database/store/override_rows.h"
+
+namespace fulcrum::database {
+
+/// An attempt that counts for the curriculum.
+struct RecentAttempt {
+    std::string attempt_id;
+    std::int64_t started = 0;  ///< UTC ms
+    bool passed = false, provisional = false;
+    std::optional<double> points;  ///< 0..100
+};
+
+struct PersonTask {
+    TaskStanding standing;
+    /// Of the device class used last: classes are never pooled. Empty without attempts.
+    std::optional<DeviceClass> device_class;
+    std::vector<RecentAttempt> recent;  ///< oldest first, at most most_recent
+    std::int64_t first_attempt = 0;     ///< UTC ms of the first that counts, of any device class; 0: none
+    std::int64_t first_pass = 0;        ///< UTC ms; 0: none
+};
+inline constexpr std::size_t most_recent = 12;
+
+/// Attempts of any kind on one local date.
+struct PracticeDay {
+    std::int64_t day = 0;  ///< days since 1 January 1970, on the calendar of the place where it was
+    int attempts = 0;
+};
+
+struct PersonStandings {
+    std::string person_id, login, name;
+    std::vector<PersonTask> tasks;  ///< of the curriculum, in its order
+    std::vector<PracticeDay> days;  ///< oldest first
+    std::vector<Concern> concerns;  ///< in the order of ConcernKind
+    std::int64_t last_attempt = 0;  ///< UTC ms, of any kind; 0: none
+};
+
+/// What a person's attempts and decisions of educators give in `curriculum` at `at`. `attempts`: of any kind,
+/// not voided, in any order. Pure.
+PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
+                                 const std::vector<OverrideRow>& overrides, const Curriculum& curriculum,
+                                 std::int64_t at);
+
+/// One task over the people of a cohort.
+struct TaskOverview {
+    std::string task;
+    std::map<Standing, int> people;  ///< in each standing, provisional passes among the passed
+    int provisional = 0;             ///< people whose every pass is by provisional limits
+    int attempted = 0, passed = 0;   ///< people with an attempt that counts, with a pass
+    Share share;                     ///< passed of attempted
+    /// Days from the first attempt that counts; who is not there yet is censored at `at`.
+    SurvivalMedian days_to_pass, days_to_proficiency;
+};
+/// In the order of the curriculum; empty without people. `at`: UTC ms. Pure.
+std::vector<TaskOverview> overview_of(const std::vector<PersonStandings>& people, std::int64_t at);
+
+/// The attempt as the curriculum counts it.
+CountedAttempt counted_attempt(const AttemptSummary& attempt);
+
+}  // namespace fulcrum::database

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Compressed bytes (zstd), for states of the simulation. Any thread.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace fulcrum::database {
+
+/// One zstd frame that names its size.
+std::vector<std::uint8_t> pack_bytes(const std::vector<std::uint8_t>& bytes);
+/// Throws StoreError corrupt where it is not such a frame, or has more than packed_maximum_bytes.
+std::vector<std::uint8_t> unpack_bytes(const std::vector<std::uint8_t>& packed);
+inline constexpr std::size_t packed_maximum_bytes = 256U << 20U;
+
+}  // namespace fulcrum::database

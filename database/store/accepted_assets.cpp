@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/store/accepted_assets.h"
+
+#include <algorithm>
+
+#include "database/rows/json.h"
+#include "database/store/audit.h"
+
+namespace fulcrum::database {
+namespace {
+
+bool is_delivered(const std::string& digest) {
+    const std::vector<AssetFile>& files = delivered_assets();
+    return std::any_of(files.begin(), files.end(),
+                       [&](const AssetFile& file) { return file.digest == digest; });
+}
+
+bool is_accepted(const Store& store, const std::string& digest) {
+    Query row(store.connection(), "SELECT 1 FROM asset_acceptance WHERE digest = ?");
+    row.bind(digest);
+    return row.next();
+}
+
+}  // namespace
+
+std::vector<AssetFile> AcceptedAssets::unknown(const std::vector<AssetFile>& files) const {
+    std::vector<AssetFile> found;
+    for (const AssetFile& file : files)
+        if (!is_delivered(file.digest) && !is_accepted(store_, file.digest)) found.push_back(file);
+    return found;
+}
+
+std::vector<AcceptedAsset> AcceptedAssets::list() const {
+    Query rows(
+        store_.connection(),
+        "SELECT a.file, a.digest, p.display_name, a.reason, a.time FROM asset_acceptance a JOIN person "
+        "p ON p.id = a.person_id ORDER BY a.time DESC, a.file");
+    std::vector<AcceptedAsset> list;
+    while (rows.next())
+        list.push_back({{rows.text(0), rows.text(1)}, rows.text(2), rows.text(3), rows.integer(4)});
+    return list;
+}
+
+void AcceptedAssets::accept(const Session& educator, const AssetFile& file, const std::string& reason) const {
+    store_.require(educator, Operation::accept_assets);
+    if (reason.find_first_not_of(" \t\r\n") == std::string::npos || reason.size() > 4000)
+        throw StoreError(StoreErrorKind::bad_value, "a reason is needed (1 to 4,000 characters)", "say why");
+    Transaction transaction(store_.connection());
+    if (unknown({file}).empty())
+        throw StoreError(StoreErrorKind::conflict,
+                         file.name + ": this file can be used in assessed attempts already",
+                         "nothing is left to do");
+    Query(store_.connection(),
+          "INSERT INTO asset_acceptance (digest, file, person_id, time, reason) VALUES (?, ?, ?, ?, ?)")
+        .bind(file.digest)
+        .bind(file.name)
+        .bind(educator.person_id())
+        .bind(store_.now())
+        .bind(reason)
+        .run();
+    Audit(store_).append(educator, store_.station_id(), "asset.accept",
+                         json_object({{"file", file.name}, {"sha256", file.digest}, {"reason", reason}}),
+                         {{RecordKind::asset, file.digest}});
+    transaction.commit();
+}
+
+std::string practice_only_words(const std::vector<AssetFile>& unknown) {
+    std::string words;
+    for (const AssetFile& file : unknown)
+        words += (words.empty() ? "" : ", ") + file.name + " (sha256 " + file.digest + ")";
+    return "practice only: " + words + (unknown.size() == 1 ? " is" : " are") +
+           " neither part of this program nor accepted by the programme; an educator accepts a file with "
+           "`fulcrum assets accept FILE --reason TEXT`";
+}
+
+}  // namespace fulcrum::database

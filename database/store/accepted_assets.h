@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which scenes, tasks, benchmark sets and curricula an assessed attempt may be performed with: those whose
+// digest is compiled into the program, and those that an educator of the programme has accepted, which is
+// audited. Where the files lie is the environment's business (FULCRUM_ASSETS); what they say is not.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "database/rows/attempt_records.h"
+#include "database/store/store.h"
+
+namespace fulcrum::database {
+
+/// Files as they were when the program was built (cmake/asset_digests.cmake), by name.
+const std::vector<AssetFile>& delivered_assets();
+
+struct AcceptedAsset {
+    AssetFile file;
+    std::string person_name, reason;
+    UtcMilliseconds time = 0;
+};
+
+class AcceptedAssets {
+  public:
+    explicit AcceptedAssets(const Store& store) : store_(store) {}
+    /// Those of `files` that are neither delivered nor accepted.
+    std::vector<AssetFile> unknown(const std::vector<AssetFile>& files) const;
+    /// Newest first. Operation::read_tissues' readers may know: it names no trainee.
+    std::vector<AcceptedAsset> list() const;
+    /// From now on attempts with this file can be assessed. Throws StoreError bad_value without a reason,
+    /// conflict where it is delivered or accepted already. Operation::accept_assets.
+    void accept(const Session& educator, const AssetFile& file, const std::string& reason) const;
+
+  private:
+    const Store& store_;
+};
+
+/// Why attempts with these files are practice only, a sentence with each file, its digest and what to do.
+std::string practice_only_words(const std::vector<AssetFile>& unknown);
+
+}  // namespace fulcrum::database

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every deed has its rows and every row its deed: the digests in the audit payloads against the tables.
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <map>
+
+#include "database/store/record_digests.h"
+#include "database/store/store_check.h"
+#include "database/store/store_state.h"
+
+namespace fulcrum::database {
+namespace {
+
+struct KnownRecord {
+    std::string digest;    ///< "": it is gone
+    std::string sequence;  ///< of the newest audit row about it
+    std::string about;     ///< " of attempt 4f2a...", where the row says so
+    bool seen = false;
+};
+
+/// A baseline enters the records of a store from before there were digests: once, before all others. A later
+/// one would make any edit good.
+void require_one_baseline(bool any_before, const std::string& sequence, CheckItem& item) {
+    if (any_before)
+        item.problems.push_back("audit row " + sequence +
+                                ": enters all records again, although earlier rows have their digests");
+}
+
+std::map<std::string, KnownRecord> read_known(const Store& store, CheckItem& item) {
+    std::map<std::string, KnownRecord> known;
+    Query rows(store.connection(),
+               "SELECT e.sequence, p.payload, e.operation FROM audit_entry e JOIN audit_payload p ON "
+               "p.station_id = e.station_id AND p.sequence = e.sequence ORDER BY e.station_id, e.sequence");
+    while (rows.next()) {
+        const std::string payload = rows.text(1);
+        if (payload.find(records_key) == std::string::npos) continue;
+        const QJsonObject said = QJsonDocument::fromJson(QByteArray::fromStdString(payload)).object();
+        const QJsonObject digests = said.value(QLatin1String(records_key)).toObject();
+        if (rows.text(2) == baseline_operation) require_one_baseline(!known.empty(), rows.text(0), item);
+        const std::string attempt = said.value(QLatin1String("attempt")).toString().toStdString();
+        for (auto digest = digests.begin(); digest != digests.end(); ++digest) {
+            known[digest.key().toStdString()] = {digest.value().toString().toStdString(), rows.text(0),
+                                                 attempt.empty() ? "" : " of attempt " + attempt, false};
+        }
+    }
+    return known;
+}
+
+}  // namespace
+
+void check_records(const Store& store, CheckItem& item, CheckWatch& watch) {
+    std::map<std::string, KnownRecord> known = read_known(store, item);
+    if (known.empty()) {
+        item.problems.push_back(
+            "the audit log has no digests of the records: open the store once for writing, or restore the "
+            "newest backup");
+        return;
+    }
+    RecordDigests digests(store.connection());
+    const double all = static_cast<double>(known.size());
+    for (const RecordName& name : all_records(store.connection())) {
+        constexpr std::int64_t between = 64;
+        if (++item.count % between == 0 && !watch.at(static_cast<double>(item.count) / all)) return;
+        const std::string digest = digests.of(name);
+        const auto found = known.find(name.text());
+        if (found == known.end() || found->second.digest.empty()) {
+            item.problems.push_back(name.text() + ": there without a row of the audit log");
+        } else if (found->second.digest != digest) {
+            item.problems.push_back(name.text() + found->second.about + ": " +
+                                    (digest.empty() ? "gone" : "changed") + " since audit row " +
+                                    found->second.sequence);
+        }
+        if (found != known.end()) found->second.seen = true;
+    }
+    for (const auto& [name, record] : known) {
+        if (!record.seen && !record.digest.empty())
+            item.problems.push_back(name + record.about + ": gone since audit row " + record.sequence);
+    }
+}
+
+}  // namespace fulcrum::database

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/store/store_restore.h"
+
+#include <unistd.h>
+
+#include <QDateTime>
+#include <cerrno>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+#include "database/rows/crypto.h"
+#include "database/rows/json.h"
+#include "database/schema/migration.h"
+#include "database/store/audit.h"
+#include "database/store/store_file.h"
+#include "database/store/store_state.h"
+#include "sim_core/numerics/output_file.h"
+
+namespace fulcrum::database {
+namespace {
+
+namespace files = std::filesystem;
+
+/// A file next to the store under a name of its own, removed unless it became the store.
+class CopyFile {
+  public:
+    explicit CopyFile(const std::string& store_path)
+        : path_(store_path + ".restoring-" + random_uuid().substr(0, 8)) {}
+    ~CopyFile() {
+        for (const char* suffix : {"-wal", "-shm", "-journal", ""}) ::unlink((path_ + suffix).c_str());
+    }
+    CopyFile(const CopyFile&) = delete;
+    CopyFile& operator=(const CopyFile&) = delete;
+    const std::string& path() const { return path_; }
+
+  private:
+    std::string path_;
+};
+
+/// Keeps every other program out of the store until it ends.
+class Alone {
+  public:
+    Alone(const std::string& path, int patience_ms) {
+        try {
+            connection_ = std::make_unique<Connection>(path, false, false, patience_ms);
+            connection_->execute("PRAGMA locking_mode = EXCLUSIVE; BEGIN EXCLUSIVE; COMMIT");
+            // Without a log nothing of the old store is left next to the new one, and nothing deletes the new
+            // one's log when this connection is closed.
+            connection_->execute("PRAGMA journal_mode = DELETE");
+            read_schema_version(*connection_);
+        } catch (const StoreError& error) {
+            if (error.kind() == StoreErrorKind::locked)
+                throw StoreError(StoreErrorKind::locked,
+                                 path + ": a program has the store open, or writes to it",
+                                 "end every Fulcrum on this store, then try again; nothing was changed");
+            if (error.kind() == StoreErrorKind::not_a_store)
+                throw StoreError(StoreErrorKind::not_a_store, path + ": not a Fulcrum store",
+                                 "name the right file with --db, or move this one away first");
+            // So damaged that it cannot be read: in nobody's use, and moved away.
+            if (error.kind() != StoreErrorKind::corrupt) throw;
+            connection_.reset();
+        }
+    }
+    ~Alone() {
+        if (!connection_ || replaced_) return;
+        try {
+            connection_->execute("PRAGMA journal_mode = WAL");
+        } catch (const StoreError&) {
+            // Store::open() asks for it again.
+        }
+    }
+    Alone(const Alone&) = delete;
+    Alone& operator=(const Alone&) = delete;
+    /// Null where the store cannot be read.
+    Connection* connection() const { return connection_.get(); }
+    void replaced() { replaced_ = true; }
+    /// The audit head of the store; empty where it cannot be read.
+    std::string head() const {
+        if (!connection_) return {};
+        try {
+            Query last(
+                *connection_,
+                "SELECT hash FROM audit_entry WHERE station_id = (SELECT value FROM setting WHERE key = "
+                "'this_station') ORDER BY sequence DESC LIMIT 1");
+            return last.next() ? to_hex(last.bytes(0)) : std::string();
+        } catch (const StoreError&) {
+            return {};
+        }
+    }
+
+  private:
+    std::unique_ptr<Connection> connection_;
+    bool replaced_ = false;
+};
+
+/// Throws StoreError newer_schema.
+void require_known_schema(Connection& connection) {
+    const int found = read_schema_version(connection), known = latest_schema_version();
+    if (found > known)
+        throw StoreError(StoreErrorKind::newer_schema,
+                         connection.path() + ": written by a newer program (schema " + std::to_string(found) +
+                             ", this program knows " + std::to_string(known) + ")",
+                         "update Fulcrum; nothing was changed");
+}
+
+/// Throws StoreError corrupt with the first finding.
+void require_sound(const Store& store, const std::string& what) {
+    const CheckReport report = store.check(store.station_session());
+    for (const CheckItem& item : report.items) {
+        if (item.ok || item.name == "permissions") continue;
+        throw StoreError(StoreErrorKind::corrupt, what + ": " + item.name + ": " + item.problems.front(),
+                         "use another backup; nothing was changed (`fulcrum db check --db FILE` lists all)");
+    }
+}
+
+/// Copies `source` to a new file, checks it as it is, brings it up to this program's schema, and checks it
+/// again. `finish` is called with the open copy. Returns the schema that the source has.
+int make_copy(Connection& source, const CopyFile& copy, const StoreOptions& options,
+              const std::function<void(const Store&)>& finish) {
+    const int schema = read_schema_version(source);
+    require_known_schema(source);
+    copy_database(source, copy.path());
+    {
+        StoreOptions reading = options;
+        reading.read_only = reading.older_schema = true;
+        require_sound(Store::open(copy.path(), reading), source.path());
+    }
+    {
+        Connection connection(copy.path(), false, false, options.busy_timeout_ms);
+        connection.execute("PRAGMA journal_mode = WAL");
+        migrate(connection, latest_schema_version());
+    }
+    StoreOptions writing = options;
+    writing.read_only = false;
+    const Store store = Store::open(copy.path(), writing);
+    finish(store);
+    require_sound(store, source.path());
+    // One file without a log: only then may it be renamed.
+    store.connection().execute("PRAGMA wal_checkpoint(TRUNCATE)");
+    return schema;
+}
+
+/// A second name for the file, so that replacing it loses nothing.
+std::string keep(const std::string& path, const std::string& suffix) {
+    std::string kept = path + suffix;
+    for (int number = 2; files::exists(kept); ++number) kept = path + suffix + "-" + std::to_string(number);
+    if (::link(path.c_str(), kept.c_str()) != 0) {
+        if (errno != EPERM && errno != EOPNOTSUPP && errno != ENOSYS) fail_file(kept, errno);
+        std::error_code failed;  // a file system without second names
+        files::copy_file(path, kept, failed);
+        if (failed) fail_file(kept, failed.value());
+    }
+    return kept;
+}
+
+/// What is left of a damaged store's log goes with it.
+void move_logs(const std::string& path, const std::string& kept) {
+    for (const char* suffix : {"-wal", "-shm", "-journal"}) {
+        if (::rename((path + suffix).c_str(), (kept + suffix).c_str()) != 0 && errno != ENOENT)
+            fail_file(kept + suffix, errno);
+    }
+}
+
+void take_place(const std::string& copy, const std::string& path) {
+    if (files::exists(copy + "-wal"))
+        throw StoreError(StoreErrorKind::failed, copy + ": the copy could not be completed",
+                         "check the disk's space and health and try again; nothing was changed");
+    try {
+        rename_replacing(copy, path);
+    } catch (const std::system_error& error) {
+        fail_file(path, error.code().value());
+    }
+}
+
+}  // namespace
+
+Replaced restore_store(const std::string& from, const std::string& path, const SignInToCopy& sign_in,
+                       StoreOptions options) {
+    require_readable_file(from, true);
+    std::error_code ignored;
+    if (files::exists(path) && files::equivalent(from, path, ignored))
+        throw StoreError(StoreErrorKind::bad_value, from + ": this is the store itself",
+                         "name the backup, and the store with --db");
+    Replaced done;
+    std::unique_ptr<Alone> alone;
+    if (files::exists(path)) {
+        require_readable_file(path, false);
+        alone = std::make_unique<Alone>(path, options.busy_timeout_ms);
+        done.before = alone->head();
+    } else if (files::exists(path + "-wal")) {
+        throw StoreError(StoreErrorKind::locked, path + "-wal: the log of a store that is not there",
+                         "put the store back next to it, or move the log away, then try again");
+    }
+    const CopyFile copy(path);
+    {
+        Connection source(from, true, false, options.busy_timeout_ms);
+        require_finished(source);
+        done.from_schema = make_copy(source, copy, options, [&](const Store& store) {
+            done.head = Audit(store).head();
+            const Session session = sign_in(store);
+            store.require(session, Operation::backup);
+            Transaction transaction(store.connection());
+            Audit(store).append(session, store.station_id(), "store.restore",
+                                json_object({{"from", files::path(from).filename().string()},
+                                             {"head", done.head},
+                                             {"replaced", done.before}}));
+            transaction.commit();
+        });
+    }
+    if (alone) {
+        const UtcMilliseconds now = options.clock ? options.clock() : QDateTime::currentMSecsSinceEpoch();
+        const QString day =
+            QDateTime::fromMSecsSinceEpoch(now, Qt::UTC).toString(QStringLiteral("yyyyMMdd'T'HHmmss'Z'"));
+        done.kept = keep(path, ".before-restore-" + day.toStdString());
+        move_logs(path, done.kept);
+    }
+    take_place(copy.path(), path);
+    if (alone) alone->replaced();
+    return done;
+}
+
+Replaced migrate_store(const std::string& path, StoreOptions options) {
+    require_readable_file(path, false);
+    Replaced done;
+    Alone alone(path, options.busy_timeout_ms);
+    if (alone.connection() == nullptr)
+        throw StoreError(StoreErrorKind::corrupt, path + ": the store is damaged",
+                         "restore the newest backup (`fulcrum db restore`)");
+    require_finished(*alone.connection());
+    done.before = done.head = alone.head();
+    done.from_schema = read_schema_version(*alone.connection());
+    if (done.from_schema == latest_schema_version()) return done;
+    const CopyFile copy(path);
+    make_copy(*alone.connection(), copy, options, [](const Store&) {});
+    done.kept = keep(path, ".before-v" + std::to_string(latest_schema_version()));
+    take_place(copy.path(), path);
+    alone.replaced();
+    return done;
+}
+
+}  // namespace fulcrum::database

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// A simulated hand at the handle of an instrument that presses tissue beyond its trocar (docs/THEORY.md,
+// section 6).
+//
+// Hand and device are one mass with the device's damping; an arm adds a spring and a damper to a place inside
+// the tissue, without one the hand pushes with a constant force along a straight line. Between two ticks the
+// motion is integrated in short steps under the force that the tick sent. The tick is the product's:
+// step_tool_contact on a local model, then HandOutput. The world's part does not move.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "sim_core/haptics/hand_output.h"
+
+namespace fulcrum::lab {
+
+enum class LeverTissue : std::uint8_t { wall, bowel, sheet, band };
+inline constexpr LeverTissue lever_tissues[] = {LeverTissue::wall, LeverTissue::bowel, LeverTissue::sheet,
+                                                LeverTissue::band};
+const char* name_of(LeverTissue tissue);
+
+struct LeverHand {
+    double mass = 0.1;     ///< kg, of hand and device
+    double damping = 0.5;  ///< N s/m, what the device itself loses
+    bool arm = false;
+    double arm_stiffness = 300, arm_damping = 3;  ///< N/m, N s/m
+    ForceOutput device = {0.5, 3.3, 0.88};
+    double period = 1e-3;  ///< s
+    /// The tissue's force on the tip is sent as it is, as before the lever was known. Kept as a test of the
+    /// test.
+    bool tip_force = false;
+};
+
+struct LeverCase {
+    LeverTissue tissue = LeverTissue::wall;
+    double insertion = 0.5;  ///< share of the shaft beyond the trocar
+    double tilt = 0;  ///< rad, of the tissue's normal from across the shaft (0) to against the tip (pi/2)
+    double stiffness = 800, damping = 0.4;  ///< N/m, N s/m, of the tissue
+};
+
+struct LeverRun {
+    bool finite = true;
+    bool bounded = true;   ///< the hand stayed within 2 cm of where it began
+    bool settles = false;  ///< the motion has become smaller by the end
+    double returned = 0;   ///< J, most that the hand got back beyond what it put in and the device lost
+    double put_in = 0;     ///< J, most that the hand had put in
+    double depth = 0;      ///< m, of the tip in the tissue at the end, along the normal
+    double force = 0;      ///< N, largest sent
+    bool limited = false;  ///< Eq. 8 reduced the model
+    bool passive() const { return returned <= 1e-6 + 1e-3 * put_in; }
+    bool sound() const { return finite && bounded && settles && passive(); }
+};
+
+/// Builds the tissues once.
+class HandAtLever {
+  public:
+    HandAtLever();
+    ~HandAtLever();
+    HandAtLever(const HandAtLever&) = delete;
+    HandAtLever& operator=(const HandAtLever&) = delete;
+
+    LeverRun run(const LeverCase& at, const LeverHand& hand, double seconds = 3);
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace fulcrum::lab

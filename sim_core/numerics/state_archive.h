@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// State as bytes, and back: key frames of a replay are made of it.
+//
+// The bytes are those of the machine's memory, so only the same build reads them: Eigen's and the compiler's
+// layout are part of them. They say their own layout (a hash over the sizes of all that was written, in
+// order), and reading checks it.
+//
+// What can be written: types that own nothing (trivially destructible, no virtual functions), vectors,
+// arrays and optionals of what can be written, and types with a member template
+// `void fields(Visit&& visit)` that calls visit(a, b, ...) once with every member that is state. A pointer in
+// a type that owns nothing is written as an address: the owner puts its own pointer there after reading.
+//
+// Any thread, one at a time. Not for the real-time path: writing allocates.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace fulcrum {
+
+/// Bytes that are not a state of this scene in this build.
+class StateArchiveError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+class StateArchive {
+  public:
+    /// Appends to `bytes`.
+    explicit StateArchive(std::vector<std::uint8_t>& bytes) : out_(&bytes) {}
+    /// Reads `size` bytes at `bytes`, which must outlive it.
+    StateArchive(const std::uint8_t* bytes, std::size_t size) : in_(bytes), left_(size) {}
+
+    bool reads() const { return out_ == nullptr; }
+
+    /// Writes or reads each member. Reading throws StateArchiveError where the bytes end too early.
+    template <typename... Members>
+    void operator()(Members&... members) {
+        (transfer(members), ...);
+    }
+    /// The end: writes the layout, or checks it and that nothing is left. Throws StateArchiveError.
+    void finish() {
+        std::uint64_t layout = layout_;
+        raw(&layout, sizeof layout);
+        if (reads() && (layout != layout_ || left_ != 0))
+            throw StateArchiveError("the state was written by another build, or for another scene");
+    }
+
+  private:
+    template <typename Type, typename = void>
+    struct has_fields : std::false_type {};
+    template <typename Type>
+    struct has_fields<Type,
+                      std::void_t<decltype(std::declval<Type&>().fields(std::declval<StateArchive&>()))>>
+        : std::true_type {};
+    template <typename Type>
+    static constexpr bool owns_nothing =
+        std::is_trivially_destructible_v<Type> && !std::is_polymorphic_v<Type> && !std::is_pointer_v<Type>;
+
+    template <typename Member>
+    void transfer(Member& member) {
+        static_assert(!std::is_const_v<Member>);
+        if constexpr (has_fields<Member>::value) {
+            member.fields(*this);
+        } else {
+            static_assert(owns_nothing<Member>, "give this type a member template fields()");
+            note(sizeof member);
+            raw(static_cast<void*>(&member), sizeof member);
+        }
+    }
+    template <typename Entry, std::size_t Count>
+    void transfer(std::array<Entry, Count>& member) {
+        entries(member.data(), Count);
+    }
+    template <typename Entry, std::size_t Count>
+    void transfer(Entry (&member)[Count]) {
+        entries(&member[0], Count);
+    }
+    template <typename Entry>
+    void transfer(std::vector<Entry>& member) {
+        member.resize(room(member.size(), owns_nothing<Entry> ? sizeof(Entry) : 1));
+        entries(member.data(), member.size());
+    }
+    template <typename Value>
+    void transfer(std::optional<Value>& member) {
+        bool has = member.has_value();
+        raw(&has, sizeof has);
+        if (reads() && has != member.has_value()) {
+            if (has) {
+                member.emplace();
+            } else {
+                member.reset();
+            }
+        }
+        if (has) transfer(*member);
+    }
+    template <typename Entry>
+    void entries(Entry* first, std::size_t count) {
+        if constexpr (owns_nothing<Entry> && !has_fields<Entry>::value) {
+            note(sizeof(Entry));
+            if (count > 0) raw(static_cast<void*>(first), count * sizeof(Entry));
+        } else {
+            for (std::size_t i = 0; i < count; ++i) transfer(first[i]);
+        }
+    }
+    /// Number of entries: writes `size`; or reads one for which the bytes suffice.
+    std::size_t room(std::size_t size, std::size_t least_bytes) {
+        std::uint64_t count = size;
+        raw(&count, sizeof count);
+        if (reads() && count > left_ / least_bytes) throw too_short();
+        return static_cast<std::size_t>(count);
+    }
+    void raw(void* data, std::size_t size) {
+        if (!reads()) {
+            const auto* bytes = static_cast<const std::uint8_t*>(data);
+            out_->insert(out_->end(), bytes, bytes + size);
+            return;
+        }
+        if (size > left_) throw too_short();
+        std::memcpy(data, in_, size);
+        in_ += size;
+        left_ -= size;
+    }
+    void note(std::size_t size) { layout_ = (layout_ ^ size) * 0x100000001B3ULL; }
+    static StateArchiveError too_short() {
+        return StateArchiveError("the state ends too early: it is not one of this scene in this build");
+    }
+
+    std::vector<std::uint8_t>* out_ = nullptr;
+    const std::uint8_t* in_ = nullptr;
+    std::size_t left_ = 0;
+    std::uint64_t layout_ = 0xCBF29CE484222325ULL;
+};
+
+}  // namespace fulcrum

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Devices with force as a text of the store.
+#include "database/rows/force_devices.h"
+
+#include <gtest/gtest.h>
+
+#include "database/rows/errors.h"
+
+namespace fulcrum::database {
+namespace {
+
+TEST(ForceDevices, AreReadBackAsTheyWereWritten) {
+    ForceDevices devices;
+    EXPECT_EQ(force_devices_text(devices), "");
+    ForceOutput output;
+    output.damping = 1.0 / 3;
+    output.peak = 3.3;
+    output.continuous = 0.88;
+    output.stiffness = 1260;
+    output.torque = 0.029;
+    output.scale = 0.4;
+    devices[1] = output;
+    const std::string text = force_devices_text(devices);
+    const ForceDevices again = force_devices_of(text, "here");
+    EXPECT_FALSE(again[0].has_value());
+    ASSERT_TRUE(again[1].has_value());
+    EXPECT_EQ(again[1]->damping, output.damping) << "to the last bit: a replay sends the same forces";
+    EXPECT_EQ(again[1]->peak, output.peak);
+    EXPECT_EQ(again[1]->continuous, output.continuous);
+    EXPECT_EQ(again[1]->stiffness, output.stiffness);
+    EXPECT_EQ(again[1]->torque, output.torque);
+    EXPECT_EQ(again[1]->scale, output.scale);
+    EXPECT_EQ(force_devices_text(again), text);
+}
+
+TEST(ForceDevices, RefuseATextThatIsDamaged) {
+    const std::string whole = R"({"left":{"continuous_n":1,"damping_n_s_m":1,"peak_n":3,"scale":1,)"
+                              R"("stiffness_n_m":1000,"torque_n_m":0}})";
+    EXPECT_TRUE(force_devices_of(whole, "here")[0].has_value());
+    const auto changed = [&](const std::string& from, const std::string& to) {
+        std::string text = whole;
+        return text.replace(text.find(from), from.size(), to);
+    };
+    for (const std::string& text :
+         {std::string("[]"), std::string("{"), changed("left", "foot"),
+          changed("\"scale\":1", "\"scale\":\"1\""), changed("\"scale\":1", "\"scale\":0"),
+          changed("\"peak_n\":3", "\"peak_n\":0.5"), changed("\"damping_n_s_m\":1", "\"damping_n_s_m\":-1")})
+        EXPECT_THROW(force_devices_of(text, "here"), StoreError) << text;
+}
+
+}  // namespace
+}  // namespace fulcrum::database

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The cohort page with many people: grid, days of practice, those who need attention, table; found, filtered,
+// ordered and opened by keyboard. With FULCRUM_PICTURES=FOLDER the views are stored there.
+#include "ui/dashboards/cohort_page.h"
+
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QLineEdit>
+#include <QTabWidget>
+#include <QTableView>
+#include <QTableWidget>
+#include <nlohmann/json.hpp>
+
+#include "tests/database/large_programme.h"
+#include "tests/ui/fake_services.h"
+#include "tests/ui/files.h"
+#include "tests/ui/hands.h"
+#include "ui/dashboards/concern_words.h"
+#include "ui/dashboards/overview_view.h"
+#include "ui/reports/report.h"
+#include "ui/shell/main_window.h"
+
+namespace fulcrum::ui::test {
+namespace {
+
+constexpr int people = 40, attempts_each = 18;
+
+class CohortViews : public ::testing::Test {
+  protected:
+    CohortViews() {
+        apply_theme(*qApp, Theme::light);
+        services.open_store(false);
+        director =
+            database::test::make_large_programme(*services.store(), people, attempts_each, 2, 7).director;
+    }
+    ~CohortViews() override { apply_theme(*qApp, Theme::light); }
+
+    void open(QSize size = {1024, 740}) {
+        window = std::make_unique<MainWindow>(services);
+        window->resize(size);
+        window->show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+        window->start();
+        window->context().set_session(*director);
+        click(*window, "rail_cohort");
+        views = find<QTabWidget>(*window, "cohort_views");
+        grid = find<QTableView>(*window, "cohort_grid");
+    }
+    void keep(const QString& name) {
+        QCoreApplication::processEvents();
+        if (!qEnvironmentVariableIsSet("FULCRUM_PICTURES")) return;
+        window->grab().save(QString::fromLocal8Bit(qgetenv("FULCRUM_PICTURES")) + "/" + name + ".png");
+    }
+    void choose(const char* name, int index) {
+        auto* box = find<QComboBox>(*window, name);
+        box->setCurrentIndex(index);
+        emit box->activated(index);
+    }
+    QString name_in(int row) { return grid->model()->index(row, 0).data().toString(); }
+
+    FakeServices services;
+    std::optional<database::Session> director;
+    std::unique_ptr<MainWindow> window;
+    QTabWidget* views = nullptr;
+    QTableView* grid = nullptr;
+};
+
+TEST_F(CohortViews, TheGridShowsEveryoneIsFilteredOrderedAndOpenedByKeys) {
+    open();
+    EXPECT_EQ(views->currentIndex(), 0) << "a picture first";
+    ASSERT_EQ(grid->model()->rowCount(), people);
+    const auto& tasks = services.curriculum().tasks;
+    ASSERT_EQ(grid->model()->columnCount(), static_cast<int>(tasks.size()) + 2);
+    int a2 = 1;
+    while (grid->model()->headerData(a2, Qt::Horizontal).toString() != "A2") ++a2;
+    const QString spoken = grid->model()->index(0, a2).data(Qt::AccessibleTextRole).toString();
+    EXPECT_TRUE(spoken.startsWith("Trainee 1000, A2")) << spoken.toStdString();
+    EXPECT_TRUE(spoken.contains("Latest attempts with haptic device: ")) << spoken.toStdString();
+    keep("cohort-grid-light");
+    window->set_theme(Theme::dark);
+    keep("cohort-grid-dark");
+    window->set_theme(Theme::light);
+
+    QTest::keyClicks(find<QLineEdit>(*window, "grid_name"), "trainee 101");
+    EXPECT_EQ(grid->model()->rowCount(), 10);
+    find<QLineEdit>(*window, "grid_name")->clear();
+    EXPECT_EQ(grid->model()->rowCount(), people);
+    choose("grid_order", 2);
+    EXPECT_EQ(grid->model()->rowCount(), people);
+    choose("grid_order", 0);
+    EXPECT_EQ(name_in(0), "Trainee 1000");
+    // Nobody has relapsed; everyone has a task that is locked.
+    choose("grid_standing", 1 + static_cast<int>(Standing::relapsed));
+    EXPECT_EQ(grid->model()->rowCount(), 0);
+    choose("grid_standing", 1 + static_cast<int>(Standing::locked));
+    EXPECT_EQ(grid->model()->rowCount(), people);
+
+    grid->setFocus();
+    grid->setCurrentIndex(grid->model()->index(2, a2));
+    QTest::keyClick(grid, Qt::Key_Return);
+    ASSERT_EQ(window->current_page()->objectName(), "progress_page");
+    EXPECT_EQ(find<QComboBox>(*window, "progress_task")->currentData().toString(), "A2");
+}
+
+TEST_F(CohortViews, DaysReasonsAndTableComeFromTheSameQuery) {
+    open();
+    views->setCurrentIndex(1);
+    auto* overview = find<QTableWidget>(*window, "cohort_overview");
+    ASSERT_EQ(overview->rowCount(), static_cast<int>(services.curriculum().tasks.size()));
+    keep("cohort-tasks-light");
+    window->set_theme(Theme::dark);
+    keep("cohort-tasks-dark");
+    window->set_theme(Theme::light);
+
+    views->setCurrentIndex(2);
+    auto* days = find<QTableView>(*window, "practice_days");
+    ASSERT_EQ(days->model()->rowCount(), people);
+    EXPECT_EQ(days->model()->columnCount(), 13) << "twelve weeks";
+    int attempts = 0;
+    for (int week = 1; week <= 12; ++week) {
+        const QString spoken = days->model()->index(0, week).data(Qt::AccessibleTextRole).toString();
+        attempts += spoken.section(": ", 1, 1).section(' ', 0, 0).toInt();
+    }
+    EXPECT_EQ(attempts, attempts_each);
+    keep("cohort-days-light");
+    window->set_theme(Theme::dark);
+    keep("cohort-days-dark");
+    window->set_theme(Theme::light);
+
+    views->setCurrentIndex(3);
+    auto* reasons = find<QTableWidget>(*window, "cohort_concerns");
+    EXPECT_EQ(views->tabText(3), QString("Needs attention (%1)").arg(reasons->rowCount()));
+    keep("cohort-attention-light");
+
+    views->setCurrentIndex(4);
+    ASSERT_EQ(find<QTableWidget>(*window, "cohort_table")->rowCount(), people);
+    keep("cohort-table-light");
+
+    QTemporaryDir folder;
+    const QString path = folder.filePath("cohort.json");
+    auto* page = static_cast<CohortPage*>(window->current_page());
+    QSignalSpy done(page, &CohortPage::exported);
+    page->export_to(path, ReportFormat::json);
+    ASSERT_TRUE(wait_for([&] { return done.count() == 1; }));
+    const nlohmann::json json = nlohmann::json::parse(read_text(path));
+    ASSERT_EQ(json["standings"].size(), static_cast<std::size_t>(people));
+    std::size_t concerns = 0;
+    for (const nlohmann::json& person : json["standings"]) concerns += person["concerns"].size();
+    EXPECT_EQ(concerns, static_cast<std::size_t>(reasons->rowCount()));
+    ASSERT_EQ(json["overview"].size(), static_cast<std::size_t>(overview->rowCount()));
+    for (int row = 0; row < overview->rowCount(); ++row) {
+        const nlohmann::json& task = json["overview"][static_cast<std::size_t>(row)];
+        if (task["attempted"] == 0) continue;
+        const QString shown =
+            QString("%1 of %2 (").arg(task["passed"].get<int>()).arg(task["attempted"].get<int>());
+        EXPECT_TRUE(overview->item(row, 1)->text().startsWith(shown)) << task.dump();
+    }
+    const nlohmann::json& first = json["standings"][0]["tasks"];
+    for (std::size_t t = 0; t < first.size(); ++t) {
+        const QString spoken =
+            grid->model()->index(0, static_cast<int>(t) + 1).data(Qt::AccessibleTextRole).toString();
+        const std::string standing = first[t]["standing"];
+        EXPECT_TRUE(spoken.contains(QString::fromStdString(": " + standing))) << spoken.toStdString();
+    }
+}
+
+TEST(OverviewWords, NameTheShareAndTheDaysWithTheirIntervals) {
+    database::TaskOverview task;
+    EXPECT_EQ(share_text(task), "–");
+    task.attempted = 18;
+    task.passed = 12;
+    task.share = wilson(12, 18);
+    EXPECT_EQ(share_text(task), "12 of 18 (67 %, 44 to 84 %)");
+    EXPECT_EQ(days_text({}, 0), "–");
+    EXPECT_EQ(days_text({}, 18), "not yet by half");
+    EXPECT_EQ(days_text({23, 15, 40}, 18), "23 days (15 to 40)");
+    EXPECT_EQ(days_text({23, 15, {}}, 18), "23 days (15 or more)");
+}
+
+TEST(ConcernWords, SayWhatSinceWhenAndHowMuch) {
+    Concern concern;
+    concern.kind = ConcernKind::plateau;
+    concern.attempts = 16;
+    concern.plateau = 48.2;
+    concern.low = 46.1;
+    concern.high = 51.4;
+    EXPECT_EQ(
+        concern_text(concern, "B1 · Bowel", 0),
+        "B1 · Bowel: after 16 attempts the curve levels off at 48.2 points (95 % interval 46.1 to 51.4), "
+        "below the pass mark of 60.");
+    concern.kind = ConcernKind::stopped;
+    concern.since = std::int64_t{86'400'000} * 20'000;
+    EXPECT_TRUE(concern_text(concern, "", concern.since + std::int64_t{86'400'000} * 30)
+                    .startsWith("No practice for 30 days, since "));
+}
+
+}  // namespace
+}  // namespace fulcrum::ui::test

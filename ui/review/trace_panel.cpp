@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/review/trace_panel.h"
+
+#include <QCheckBox>
+#include <QListWidget>
+#include <QPainter>
+#include <map>
+
+#include "ui/charts/time_chart.h"
+#include "ui/review/attempt_model.h"
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+
+namespace fulcrum::ui {
+namespace {
+
+/// The lines of the two hands and their names; follows the theme.
+class HandsLegend : public QWidget {
+  public:
+    HandsLegend() { setFixedHeight(fontMetrics().height() + 4); }
+
+  protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        const Palette& p = colours();
+        const double middle = height() / 2.0;
+        double x = 4;
+        for (const bool left : {true, false}) {
+            painter.setPen(QPen(left ? p.left_hand : p.right_hand, 2, left ? Qt::SolidLine : Qt::DashLine));
+            painter.drawLine(QPointF(x, middle), QPointF(x + 22, middle));
+            const QString words = left ? TracePanel::tr("left hand") : TracePanel::tr("right hand");
+            painter.setPen(p.text);
+            painter.drawText(QRectF(x + 28, 0, width() - x - 28, height()), Qt::AlignLeft | Qt::AlignVCenter,
+                             words);
+            x += 28 + fontMetrics().horizontalAdvance(words) + 16;
+        }
+    }
+};
+
+}  // namespace
+
+TracePanel::TracePanel(QWidget* parent) : QWidget(parent) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(6);
+    charts_ = new QWidget;
+    auto* charts = new QVBoxLayout(charts_);
+    charts->setContentsMargins(0, 0, 0, 0);
+    charts->setSpacing(2);
+    force_ = new TimeChart(tr("force (N)"));
+    force_->setObjectName(QStringLiteral("force_chart"));
+    speed_ = new TimeChart(tr("mm/s"));
+    speed_->setAccessibleName(tr("speed (mm/s)"));
+    speed_->setObjectName(QStringLiteral("speed_chart"));
+    force_->show_time_title(false);
+    charts->addWidget(new HandsLegend);
+    for (TimeChart* chart : {force_, speed_}) {
+        chart->show_names(false);
+        chart->setMinimumHeight(7 * fontMetrics().height());
+        chart->setToolTip(
+            tr("Scroll to zoom, drag to move, click to jump to a moment, double-click to show everything."));
+        charts->addWidget(chart, 1);
+    }
+    layout->addWidget(charts_, 3);
+    layout->addWidget(make_label(tr("What happened"), "heading"));
+    penalties_only_ = new QCheckBox(tr("penalties only"));
+    penalties_only_->setObjectName(QStringLiteral("penalties_only"));
+    layout->addWidget(penalties_only_);
+    events_ = new QListWidget;
+    events_->setObjectName(QStringLiteral("event_list"));
+    events_->setAccessibleName(tr("What happened"));
+    events_->setMinimumHeight(7 * fontMetrics().height());
+    events_->setItemDelegate(new TintDelegate(events_));
+    events_->setWordWrap(true);
+    events_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    layout->addWidget(events_, 2);
+    connect_parts();
+}
+
+void TracePanel::connect_parts() {
+    connect(penalties_only_, &QCheckBox::toggled, this, &TracePanel::fill_events);
+    const auto jump = [this](QListWidgetItem* item) {
+        const QVariant time = item->data(Qt::UserRole);
+        if (time.isValid()) emit time_chosen(time.toDouble());
+    };
+    connect(events_, &QListWidget::itemActivated, this, jump);
+    connect(events_, &QListWidget::itemClicked, this, jump);
+    for (TimeChart* chart : {force_, speed_})
+        connect(chart, &TimeChart::time_chosen, this, &TracePanel::time_chosen);
+    connect(force_, &TimeChart::range_changed, speed_, &TimeChart::show_range);
+    connect(speed_, &TimeChart::range_changed, force_, &TimeChart::show_range);
+}
+
+void TracePanel::open(std::shared_ptr<const AttemptModel> model) {
+    model_ = std::move(model);
+    time_ = 0;
+    charts_->setVisible(!model_->scope_alone);  // they are of the hands
+    fill_charts();
+    fill_events();
+}
+
+void TracePanel::set_time(double time) {
+    time_ = time;
+    force_->set_cursor(time);
+    speed_->set_cursor(time);
+    mark_event(time);
+}
+
+void TracePanel::mark_event(double time) {
+    int latest = -1;
+    for (int row = 0; row < events_->count(); ++row) {
+        const QVariant at = events_->item(row)->data(Qt::UserRole);
+        if (at.isValid() && at.toDouble() <= time + 1e-9) latest = row;
+    }
+    // Of several events at one time the one that a person chose stays.
+    const int chosen = events_->currentRow();
+    if (latest >= 0 && chosen >= 0 && chosen < latest &&
+        events_->item(chosen)->data(Qt::UserRole) == events_->item(latest)->data(Qt::UserRole))
+        return;
+    const QSignalBlocker quiet(events_);
+    events_->setCurrentRow(latest);
+    if (latest >= 0) events_->scrollToItem(events_->item(latest));
+}
+
+void TracePanel::fill_events() {
+    events_->clear();
+    if (!model_) return;
+    for (const EventLine& line : model_->events) {
+        if (penalties_only_->isChecked() && !line.severe) continue;
+        QString words = QStringLiteral("%1   %2%3")
+                            .arg(clock_text(line.time),
+                                 line.critical ? QStringLiteral("✕ ")
+                                 : line.severe ? QStringLiteral("▲ ")
+                                               : QString(),
+                                 line.words);
+        auto* item = new QListWidgetItem(words, events_);
+        item->setData(Qt::UserRole, line.time);
+        if (line.severe) set_tint(item, Tint::bad);
+    }
+    if (events_->count() == 0) {
+        auto* none = new QListWidgetItem(tr("nothing"), events_);
+        none->setFlags(Qt::NoItemFlags);
+    }
+    mark_event(time_);
+}
+
+void TracePanel::fill_charts() {
+    std::vector<ChartMark> marks;
+    for (const EventLine& line : model_->events) {
+        marks.push_back({line.time, line.words,
+                         line.critical ? &Palette::bad
+                         : line.severe ? &Palette::warning
+                                       : &Palette::neutral,
+                         line.severe});
+    }
+    for (TimeChart* chart : {force_, speed_}) {
+        const auto& hands = chart == force_ ? model_->force : model_->speed;
+        chart->clear();
+        chart->add_series(tr("left hand"), &Palette::left_hand, Qt::SolidLine, hands[0]);
+        chart->add_series(tr("right hand"), &Palette::right_hand, Qt::DashLine, hands[1]);
+        chart->set_marks(marks);
+        chart->set_length(model_->duration);
+    }
+    // Tissues that bear the same share a line, and its name.
+    std::map<double, QStringList> limits;
+    for (const auto& [tissue, limit] : model_->force_limits) limits[limit] << text(tissue);
+    for (const auto& [limit, tissues] : limits)
+        force_->add_limit(tr("limit, %1").arg(tissues.join(QStringLiteral(", "))), limit);
+    speed_->show_all();
+    force_->show_all();
+}
+
+}  // namespace fulcrum::ui
+
+#include "moc_trace_panel.cpp"

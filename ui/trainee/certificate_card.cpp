@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/trainee/certificate_card.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+#include "database/records/certificates.h"
+#include "ui/reports/certificate.h"
+#include "ui/style/standing_badge.h"
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+
+namespace fulcrum::ui {
+namespace {
+
+/// A file that is not there yet.
+QString free_path(const QString& folder, const QString& name) {
+    QString path = QDir(folder).filePath(name + QStringLiteral(".pdf"));
+    for (int number = 2; QFileInfo::exists(path); ++number)
+        path = QDir(folder).filePath(QStringLiteral("%1 (%2).pdf").arg(name).arg(number));
+    return path;
+}
+
+}  // namespace
+
+CertificateCard::CertificateCard(Context& context) : context_(context) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    QFrame* card = make_card(6);
+    lines_ = card_layout(card);
+    layout->addWidget(card);
+    hide();
+}
+
+void CertificateCard::show_person(const std::string& person_id, const QString& folder) {
+    folder_ = folder;
+    clear_layout(lines_);
+    const database::Subject subject = database::Subject::person(person_id);
+    std::vector<database::Certificate> made;
+    if (!person_id.empty() && context_.allowed(database::Operation::read_progress, subject) &&
+        context_.allowed(database::Operation::export_person, subject))
+        context_.guarded([&] {
+            made = database::certificates(context_.store(), context_.session(), person_id,
+                                          context_.services().curriculum());
+        });
+    setVisible(!made.empty());
+    for (const database::Certificate& one : made) {
+        auto* row = new QHBoxLayout;
+        QLabel* words = make_label(
+            tr("Stage %1, %2, completed on %3. Check code %4.")
+                .arg(text(one.stage), text(one.stage_title), date_text(one.completed_at), text(one.code)));
+        words->setObjectName(QStringLiteral("certificate_words"));
+        words->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+        row->addWidget(words, 1);
+        QPushButton* button = make_button(tr("Save the certificate (PDF)"), "save_certificate");
+        connect(button, &QPushButton::clicked, this,
+                [this, person_id, stage = one.stage] { save(person_id, stage); });
+        row->addWidget(button);
+        lines_->addLayout(row);
+    }
+}
+
+void CertificateCard::save(const std::string& person_id, const std::string& stage) {
+    QString path;
+    const bool saved = context_.guarded([&] {
+        // The record may have changed since the page was filled.
+        for (const database::Certificate& one : database::certificates(
+                 context_.store(), context_.session(), person_id, context_.services().curriculum())) {
+            if (one.stage != stage) continue;
+            path = free_path(folder_, tr("Certificate %1 %2").arg(text(stage), text(one.person_name)));
+            write_certificate(context_.store(), context_.session(), one, context_.services().tasks(),
+                              context_.services().program_version(), plain(path));
+        }
+    });
+    if (!saved) return;
+    if (path.isEmpty()) {
+        context_.complain(tr("The stage is no longer completed."));
+    } else {
+        context_.say(tr("Wrote %1").arg(path));
+    }
+}
+
+}  // namespace fulcrum::ui
+
+#include "moc_certificate_card.cpp"
