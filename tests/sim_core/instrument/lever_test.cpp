@@ -116,10 +116,10 @@ TEST(Lever, MirrorsWhatActsAcrossTheTipAndKeepsWhatActsAlongIt) {
     const HandLoad felt = load_at_hand(handle, load);
     EXPECT_NEAR((felt.force - Vector3(-6, 0, 5)).norm(), 0, 1e-12);
     EXPECT_NEAR(felt.torque, 0, 1e-15);
-    // A push at a jaw beside the shaft turns it.
-    ToolLoad beside;
-    beside.add(Vector3(0.01, 0, -0.24), Vector3(0, 3, 0));
-    EXPECT_NEAR(load_at_hand(handle, beside).torque, -0.03, 1e-15);
+    // A push at a jaw next to the shaft turns it.
+    ToolLoad at_jaw;
+    at_jaw.add(Vector3(0.01, 0, -0.24), Vector3(0, 3, 0));
+    EXPECT_NEAR(load_at_hand(handle, at_jaw).torque, -0.03, 1e-15);
     ToolMatrix wall;
     wall.add(800 * Vector3::UnitX() * Vector3::UnitX().transpose(), Vector3(0, 0, -0.24));
     EXPECT_NEAR(wall.at_hand(handle)(0, 0), 800 * 9, 1e-9);
