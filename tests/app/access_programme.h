@@ -8,7 +8,7 @@
 #include "tests/database/access_expectation.h"
 #include "tests/database/programme_fixture.h"
 
-namespace fulcrum::app::test {
+namespace fulcrum::app::program_test {
 
 using namespace fulcrum::database;
 using fulcrum::database::test::example_meta;
@@ -109,4 +109,4 @@ class AccessProgramme : public Programme {
     }
 };
 
-}  // namespace fulcrum::app::test
+}  // namespace fulcrum::app::program_test

@@ -5,11 +5,11 @@
 #include "tests/app/mouse_hand.h"
 #include "tests/app/window_fixture.h"
 
-namespace fulcrum::app::test {
+namespace fulcrum::app::program_test {
 namespace {
 
 using namespace fulcrum::ui;
-using namespace fulcrum::ui::test;
+using namespace fulcrum::ui::window_test;
 
 // No time counts while the scene is prepared: the first tick follows the first picture, and movements before
 // it do not count. If the trainee leaves during preparation, no attempt is stored.
@@ -217,4 +217,4 @@ TEST_F(Window, DemonstrationByAnExpertIsNotStored) {
 }
 
 }  // namespace
-}  // namespace fulcrum::app::test
+}  // namespace fulcrum::app::program_test

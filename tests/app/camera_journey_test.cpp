@@ -5,11 +5,11 @@
 #include "tests/app/mouse_hand.h"
 #include "tests/app/window_fixture.h"
 
-namespace fulcrum::app::test {
+namespace fulcrum::app::program_test {
 namespace {
 
 using namespace fulcrum::ui;
-using namespace fulcrum::ui::test;
+using namespace fulcrum::ui::window_test;
 
 class CameraJourney : public Window {
   protected:
@@ -55,4 +55,4 @@ TEST_F(CameraJourney, MouseAndKeysFrameTargets) {
 }
 
 }  // namespace
-}  // namespace fulcrum::app::test
+}  // namespace fulcrum::app::program_test

@@ -8,7 +8,7 @@
 
 #include "sim_core/instrument/device.h"
 
-namespace fulcrum::app::test {
+namespace fulcrum::app::program_test {
 
 struct Counters {
     std::atomic<std::uint32_t> ticks{0};     ///< of the running attempt
@@ -54,4 +54,4 @@ int break_limit_until_killed(const char* folder, const char* counters, int momen
 inline constexpr const char* trainee_login = "tara";
 inline constexpr const char* trainee_password = "tara's password";
 
-}  // namespace fulcrum::app::test
+}  // namespace fulcrum::app::program_test

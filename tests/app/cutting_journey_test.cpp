@@ -15,11 +15,11 @@
 #include "ui/reports/report.h"
 #include "ui/style/text.h"
 
-namespace fulcrum::app::test {
+namespace fulcrum::app::program_test {
 namespace {
 
 using namespace fulcrum::ui;
-using namespace fulcrum::ui::test;
+using namespace fulcrum::ui::window_test;
 
 class CuttingJourney : public Window {
   protected:
@@ -194,4 +194,4 @@ TEST_F(CuttingJourney, KeysOperatePedalAndExchange) {
 }
 
 }  // namespace
-}  // namespace fulcrum::app::test
+}  // namespace fulcrum::app::program_test

@@ -22,7 +22,7 @@
 #include "database/rows/connection.h"
 #include "tests/app/counters.h"
 
-namespace fulcrum::app::test {
+namespace fulcrum::app::program_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -336,4 +336,4 @@ int break_limit_until_killed(const char* folder, const char* counters_path, int 
     for (;;) ::pause();
 }
 
-}  // namespace fulcrum::app::test
+}  // namespace fulcrum::app::program_test

@@ -8,7 +8,7 @@
 
 #include "app/services/application.h"
 
-namespace fulcrum::app::test {
+namespace fulcrum::app::program_test {
 
 class ForwardingServices : public ui::ApplicationServices {
   public:
@@ -82,4 +82,4 @@ class ForwardingServices : public ui::ApplicationServices {
     std::unique_ptr<ui::ApplicationServices> own_;
 };
 
-}  // namespace fulcrum::app::test
+}  // namespace fulcrum::app::program_test

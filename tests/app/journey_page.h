@@ -10,7 +10,7 @@
 #include "tests/ui/hands.h"
 #include "ui/style/text.h"
 
-namespace fulcrum::app::test {
+namespace fulcrum::app::program_test {
 
 class JourneyPage {
   public:
@@ -20,7 +20,7 @@ class JourneyPage {
     /// Adds a picture of the current screen; stored in the folder FULCRUM_PICTURES.
     void step(const std::string& picture, const std::string& what) {
         const QString name = next_name(picture);
-        ui::test::keep_picture(window_, name);
+        ui::window_test::keep_picture(window_, name);
         list(name, what);
     }
     /// Adds a picture that is made elsewhere.
@@ -60,4 +60,4 @@ class JourneyPage {
     std::vector<std::vector<std::string>> figures_;
 };
 
-}  // namespace fulcrum::app::test
+}  // namespace fulcrum::app::program_test

@@ -20,11 +20,11 @@
 #include "ui/review/replay_panel.h"
 #include "ui/style/text.h"
 
-namespace fulcrum::app::test {
+namespace fulcrum::app::program_test {
 namespace {
 
 using namespace fulcrum::ui;
-using namespace fulcrum::ui::test;
+using namespace fulcrum::ui::window_test;
 
 using Cells = std::vector<std::string>;
 
@@ -365,4 +365,4 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsFiles) {
 }
 
 }  // namespace
-}  // namespace fulcrum::app::test
+}  // namespace fulcrum::app::program_test

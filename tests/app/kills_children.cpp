@@ -15,7 +15,7 @@
 #include "ui/theatre/theatre_page.h"
 #include "ui/theatre/theatre_view.h"
 
-namespace fulcrum::app::test {
+namespace fulcrum::app::program_test {
 namespace {
 
 class CountingOperator : public CountingRig<ObservingRig> {
@@ -71,7 +71,7 @@ int perform_until_killed(const char* folder, const char* counters_path, unsigned
 
 int use_window_until_killed(const char* folder, const char* counters_path, unsigned long seed) {
     using namespace ui;
-    using namespace ui::test;
+    using namespace ui::window_test;
     Counters* counters = map_counters(counters_path);
     if (counters == nullptr) return 1;
     std::mt19937_64 random(seed);
@@ -117,4 +117,4 @@ int use_window_until_killed(const char* folder, const char* counters_path, unsig
     }
 }
 
-}  // namespace fulcrum::app::test
+}  // namespace fulcrum::app::program_test

@@ -23,8 +23,9 @@
 #include "database/records/people.h"
 #include "sim_core/lab/result_page.h"
 #include "tests/app/counters.h"
+#include "tests/app/program_path.h"
 
-namespace fulcrum::app::test {
+namespace fulcrum::app::program_test {
 
 Counters* map_counters(const char* path) {
     const int file = ::open(path, O_RDWR | O_CREAT, 0600);
@@ -103,7 +104,7 @@ void Kills::open_from_outside(int times) {
         ASSERT_GE(program, 0);
         if (program == 0) {
             ::dup2(::open("/dev/null", O_WRONLY), STDOUT_FILENO);
-            ::execl(FULCRUM_PROGRAM, "fulcrum", "tissues", "B2", "--db", store_path.c_str(),
+            ::execl(program_path(), "fulcrum", "tissues", "B2", "--db", store_path.c_str(),
                     static_cast<char*>(nullptr));
             ::_exit(127);
         }
@@ -263,4 +264,4 @@ TEST_F(Kills, OfTheWholeWindowLoseNoScoreAndListEveryAttempt) {
 }
 
 }  // namespace
-}  // namespace fulcrum::app::test
+}  // namespace fulcrum::app::program_test

@@ -13,16 +13,17 @@ int main(int argc, char** argv) {
     if (asked("--use-window-until-killed")) {
         QApplication application(argc, argv);
         fulcrum::ui::apply_theme(application, fulcrum::ui::Theme::light);
-        return fulcrum::app::test::use_window_until_killed(argv[2], argv[3],
-                                                           std::strtoul(argv[4], nullptr, 10));
+        return fulcrum::app::program_test::use_window_until_killed(argv[2], argv[3],
+                                                                   std::strtoul(argv[4], nullptr, 10));
     }
     if (asked("--perform-until-killed")) {
         QCoreApplication application(argc, argv);
-        return fulcrum::app::test::perform_until_killed(argv[2], argv[3], std::strtoul(argv[4], nullptr, 10));
+        return fulcrum::app::program_test::perform_until_killed(argv[2], argv[3],
+                                                                std::strtoul(argv[4], nullptr, 10));
     }
     if (asked("--break-limit")) {
         QCoreApplication application(argc, argv);
-        return fulcrum::app::test::break_limit_until_killed(argv[2], argv[3], std::atoi(argv[4]));
+        return fulcrum::app::program_test::break_limit_until_killed(argv[2], argv[3], std::atoi(argv[4]));
     }
     testing::InitGoogleTest(&argc, argv);
     QStandardPaths::setTestModeEnabled(true);

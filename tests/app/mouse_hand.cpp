@@ -11,7 +11,7 @@
 #include "ui/theatre/mouse_keyboard_input.h"
 #include "ui/theatre/theatre_view.h"
 
-namespace fulcrum::app::test {
+namespace fulcrum::app::program_test {
 namespace {
 
 constexpr double metres_per_pixel = 0.35e-3,
@@ -260,4 +260,4 @@ void MouseHand::bring(const DeviceReading& handle, const Vector3& wish, const Tr
     ++events_;
 }
 
-}  // namespace fulcrum::app::test
+}  // namespace fulcrum::app::program_test

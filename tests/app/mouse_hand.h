@@ -11,7 +11,7 @@
 #include "ui/theatre/theatre_page.h"
 #include "ui/theatre/theatre_view.h"
 
-namespace fulcrum::app::test {
+namespace fulcrum::app::program_test {
 
 /// Approaches the lit sphere from the trocar's side and stays on it, using what the screen shows. `depth`: m
 /// pressed in beyond contact.
@@ -50,4 +50,4 @@ class MouseHand {
     bool pedal_ = false, asks_exchange_[hand_count] = {false, false};
 };
 
-}  // namespace fulcrum::app::test
+}  // namespace fulcrum::app::program_test

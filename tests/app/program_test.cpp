@@ -15,6 +15,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "tests/app/program_path.h"
 #include "tests/support/german_locale.h"
 #include "tests/support/support.h"
 
@@ -34,7 +35,7 @@ class Program : public ::testing::Test {
         QProcess process;
         process.setProcessEnvironment(environment);
         process.setWorkingDirectory(folder.path());
-        process.start(QStringLiteral(FULCRUM_PROGRAM), words);
+        process.start(program_path(), words);
         EXPECT_TRUE(process.waitForFinished(240000));
         return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
                 process.readAllStandardOutput().toStdString(), process.readAllStandardError().toStdString()};
@@ -57,7 +58,7 @@ TEST_F(Program, EndsWithOneLineOnAProcessorWithoutItsInstructions) {
         environment.insert(QStringLiteral("GLIBC_TUNABLES"),
                            QStringLiteral("glibc.cpu.hwcaps=-%1").arg(QLatin1String(missing)));
         process.setProcessEnvironment(environment);
-        process.start(QStringLiteral(FULCRUM_PROGRAM), {"tissues", "--json"});
+        process.start(program_path(), {"tissues", "--json"});
         ASSERT_TRUE(process.waitForFinished());
         EXPECT_EQ(process.exitStatus(), QProcess::NormalExit);
         EXPECT_EQ(process.exitCode(), 2);
@@ -153,7 +154,7 @@ TEST_F(Program, LeavesNoFolderForAWrongCommand) {
 
 TEST_F(Program, SaysHowToBuildTheLaboratoryWhereItIsMissing) {
     const QString copy = path("fulcrum");
-    ASSERT_TRUE(QFile::copy(QStringLiteral(FULCRUM_PROGRAM), copy));
+    ASSERT_TRUE(QFile::copy(program_path(), copy));
     QProcess process;
     process.start(copy, {"lab", "validate"});
     ASSERT_TRUE(process.waitForFinished());
@@ -231,7 +232,7 @@ TEST_F(Program, ReadsStandardInputForADash) {
     write("trace.csv", "t\ns\n0\n0.1\n");
     QProcess process;
     process.setStandardInputFile(path("trace.csv"));
-    process.start(QStringLiteral(FULCRUM_PROGRAM), {"check", "-"});
+    process.start(program_path(), {"check", "-"});
     ASSERT_TRUE(process.waitForFinished());
     EXPECT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
     EXPECT_NE(process.readAllStandardOutput().indexOf("trace, 2 samples"), -1);
@@ -257,7 +258,7 @@ TEST_F(Program, PrintsTheSameNumbersInAGermanLocale) {
 }
 
 TEST_F(Program, ReportsOutputThatCannotBeWritten) {
-    const std::string program = FULCRUM_PROGRAM;
+    const std::string program = program_path();
     for (const char* target : {">/dev/full", ">&-", "| true"}) {
         QProcess process;
         process.start("bash",

@@ -4,11 +4,11 @@
 #include "database/records/recorder.h"
 #include "tests/app/window_fixture.h"
 
-namespace fulcrum::app::test {
+namespace fulcrum::app::program_test {
 namespace {
 
 using namespace fulcrum::ui;
-using namespace fulcrum::ui::test;
+using namespace fulcrum::ui::window_test;
 
 class Roles : public Window {
   protected:
@@ -85,4 +85,4 @@ TEST_F(Roles, OnlyTraineesAreOfferedAttemptsAndOnlyTheirAttemptsAreAccepted) {
 }
 
 }  // namespace
-}  // namespace fulcrum::app::test
+}  // namespace fulcrum::app::program_test

@@ -14,11 +14,11 @@
 #include "tests/app/mouse_hand.h"
 #include "tests/app/window_fixture.h"
 
-namespace fulcrum::app::test {
+namespace fulcrum::app::program_test {
 namespace {
 
 using namespace fulcrum::ui;
-using namespace fulcrum::ui::test;
+using namespace fulcrum::ui::window_test;
 
 /// Grasps the bowel at one place after another, drags it and releases it, without end.
 class DraggingMind : public ObservingRig {
@@ -238,4 +238,4 @@ TEST_F(Window, KeepsItsClockAndLosesNothingWhileItDrawsAndTheHandsDragBowel) {
 }
 
 }  // namespace
-}  // namespace fulcrum::app::test
+}  // namespace fulcrum::app::program_test

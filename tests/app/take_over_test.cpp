@@ -9,11 +9,11 @@
 #include "tests/app/window_fixture.h"
 #include "ui/review/replay_panel.h"
 
-namespace fulcrum::app::test {
+namespace fulcrum::app::program_test {
 namespace {
 
 using namespace fulcrum::ui;
-using namespace fulcrum::ui::test;
+using namespace fulcrum::ui::window_test;
 
 class TakeOver : public Window {
   protected:
@@ -144,4 +144,4 @@ TEST_F(TakeOver, AGhostIsDrawnInPracticeAndChangesNothing) {
 }
 
 }  // namespace
-}  // namespace fulcrum::app::test
+}  // namespace fulcrum::app::program_test

@@ -6,10 +6,10 @@
 #include "app/live/performance.h"
 #include "assessment/attempt/engine_state.h"
 
-namespace fulcrum::app::test {
+namespace fulcrum::app::program_test {
 
 using namespace fulcrum::ui;
-using namespace fulcrum::ui::test;
+using namespace fulcrum::ui::window_test;
 
 void SpoiltRig::read(std::uint32_t tick, RigSample& sample) {
     rig_->read(tick, sample);
@@ -172,4 +172,4 @@ void Window::expect_replays(const std::string& attempt_id) {
                                   << " s on";
 }
 
-}  // namespace fulcrum::app::test
+}  // namespace fulcrum::app::program_test

@@ -16,7 +16,7 @@
 #include "ui/theatre/theatre_page.h"
 #include "ui/theatre/theatre_view.h"
 
-namespace fulcrum::app::test {
+namespace fulcrum::app::program_test {
 
 /// Passes on the readings of the hands' device and simulates its faults.
 class SpoiltRig : public Rig {
@@ -66,7 +66,7 @@ class Window : public ::testing::Test {
   protected:
     Window();
     void expect_page(const char* name);
-    QString shown(const char* name) { return ui::test::find<QLabel>(window, name)->text(); }
+    QString shown(const char* name) { return ui::window_test::find<QLabel>(window, name)->text(); }
     void create_programme();
     /// Returns the one-time password.
     QString add_person(const QString& name, const QString& login, const char* role);
@@ -95,4 +95,4 @@ class Window : public ::testing::Test {
     ui::MainWindow window;
 };
 
-}  // namespace fulcrum::app::test
+}  // namespace fulcrum::app::program_test

@@ -11,7 +11,7 @@
 #include "sim_core/scene/json_document.h"
 #include "tests/support/support.h"
 
-namespace fulcrum::ui::test {
+namespace fulcrum::ui::window_test {
 namespace {
 
 WorldSnapshot first_world(const Scene& scene) {
@@ -407,4 +407,4 @@ void FakeServices::set_site_tissues(const database::Session&, const std::string&
     throw InputError("tissues", task_id, "nothing is cut here", "use the program's own services");
 }
 
-}  // namespace fulcrum::ui::test
+}  // namespace fulcrum::ui::window_test

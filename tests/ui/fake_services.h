@@ -12,7 +12,7 @@
 #include "database/rows/trace_codec.h"
 #include "ui/services/application_services.h"
 
-namespace fulcrum::ui::test {
+namespace fulcrum::ui::window_test {
 
 /// Actions of the test on the running attempt.
 struct AttemptControl {
@@ -75,4 +75,4 @@ class FakeServices : public ApplicationServices {
     std::unique_ptr<database::Store> store_;
 };
 
-}  // namespace fulcrum::ui::test
+}  // namespace fulcrum::ui::window_test

@@ -8,7 +8,7 @@
 #include <QProcess>
 #include <string>
 
-namespace fulcrum::ui::test {
+namespace fulcrum::ui::window_test {
 
 inline std::string read_text(const QString& path) {
     QFile file(path);
@@ -23,4 +23,4 @@ inline std::string pdf_text(const QString& path) {
     return process.readAllStandardOutput().toStdString();
 }
 
-}  // namespace fulcrum::ui::test
+}  // namespace fulcrum::ui::window_test

@@ -18,7 +18,7 @@
 #include <QtTest>
 #include <functional>
 
-namespace fulcrum::ui::test {
+namespace fulcrum::ui::window_test {
 
 template <typename T>
 T* find(QWidget& window, const char* name) {
@@ -139,4 +139,4 @@ inline void keep_body(QWidget& window, QWidget& page, const QString& name) {
     window.raise();
 }
 
-}  // namespace fulcrum::ui::test
+}  // namespace fulcrum::ui::window_test

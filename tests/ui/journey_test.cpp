@@ -29,7 +29,7 @@
 #include "ui/theatre/theatre_page.h"
 #include "ui/theatre/theatre_view.h"
 
-namespace fulcrum::ui::test {
+namespace fulcrum::ui::window_test {
 namespace {
 
 class Journey : public ::testing::Test {
@@ -418,4 +418,4 @@ TEST(Lock, HidesTheContentPausesTheAttemptAndClosesItLater) {
 }
 
 }  // namespace
-}  // namespace fulcrum::ui::test
+}  // namespace fulcrum::ui::window_test

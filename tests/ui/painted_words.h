@@ -9,7 +9,7 @@
 #include <QString>
 #include <vector>
 
-namespace fulcrum::ui::test {
+namespace fulcrum::ui::window_test {
 
 struct PaintedWords {
     QString words;
@@ -96,4 +96,4 @@ class WordsDevice : public QPaintDevice {
     mutable WordsEngine engine_;
 };
 
-}  // namespace fulcrum::ui::test
+}  // namespace fulcrum::ui::window_test

@@ -34,7 +34,7 @@
 #include "ui/theatre/theatre_page.h"
 #include "ui/theatre/theatre_view.h"
 
-namespace fulcrum::ui::test {
+namespace fulcrum::ui::window_test {
 namespace {
 
 using database::Role;
@@ -522,4 +522,4 @@ TEST_F(Demonstration, AttemptByMouseIsNotCalledSimulatedAndNamesAreMarkedOnce) {
 }
 
 }  // namespace
-}  // namespace fulcrum::ui::test
+}  // namespace fulcrum::ui::window_test

@@ -7,7 +7,7 @@
 
 #include "assessment/pathology/pathology.h"
 
-namespace fulcrum::ui::test {
+namespace fulcrum::ui::window_test {
 
 /// Four levels of 60 mm with a tumour at the second level; tolerance 2 mm.
 inline SpecimenPlan specimen_plan() {
@@ -49,4 +49,4 @@ inline PathologyReport varied_specimen(int length = 240) {
         length);
 }
 
-}  // namespace fulcrum::ui::test
+}  // namespace fulcrum::ui::window_test

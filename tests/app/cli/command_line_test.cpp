@@ -15,7 +15,7 @@
 #include "sim_core/numerics/input_error.h"
 #include "tests/app/access_programme.h"
 
-namespace fulcrum::app::test {
+namespace fulcrum::app::program_test {
 namespace {
 
 constexpr Role people_roles[] = {Role::trainee, Role::educator, Role::director, Role::administrator};
@@ -350,4 +350,4 @@ TEST_F(CommandLine, PerformsForSyntheticPeopleOnly) {
 }
 
 }  // namespace
-}  // namespace fulcrum::app::test
+}  // namespace fulcrum::app::program_test

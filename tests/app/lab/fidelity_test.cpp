@@ -11,6 +11,7 @@
 #include "app/lab/fidelity_page.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/numerics/random.h"
+#include "tests/app/program_path.h"
 #include "tests/support/own_folder.h"
 
 namespace fulcrum::app {
@@ -176,7 +177,7 @@ class FidelityCommand : public ::testing::Test {
     void expect_success(QStringList words) const {
         QProcess process;
         process.setWorkingDirectory(QString::fromStdString(folder_.path().string()));
-        process.start(QStringLiteral(FULCRUM_PROGRAM), QStringList{"lab", "fidelity"} + words);
+        process.start(program_path(), QStringList{"lab", "fidelity"} + words);
         ASSERT_TRUE(process.waitForFinished(300000));
         EXPECT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
     }

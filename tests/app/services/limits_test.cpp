@@ -22,7 +22,7 @@
 #include "tests/support/own_folder.h"
 #include "tests/support/support.h"
 
-namespace fulcrum::app::test {
+namespace fulcrum::app::program_test {
 namespace {
 
 using nlohmann::json;
@@ -206,4 +206,4 @@ TEST_F(OwnLimits, OfTheNamedDeviceAndFidelityJudgeATraceFile) {
 }
 
 }  // namespace
-}  // namespace fulcrum::app::test
+}  // namespace fulcrum::app::program_test

@@ -8,7 +8,7 @@
 
 #include "database/access/access.h"
 
-namespace fulcrum::app::test {
+namespace fulcrum::app::program_test {
 
 using fulcrum::database::Operation;
 using fulcrum::database::Role;
@@ -158,4 +158,4 @@ inline std::vector<std::string> commands_of(Operation operation) {
     return {};
 }
 
-}  // namespace fulcrum::app::test
+}  // namespace fulcrum::app::program_test

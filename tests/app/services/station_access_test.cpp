@@ -9,7 +9,7 @@
 #include "tests/app/services/window_access.h"
 #include "ui/administration/station_page.h"
 
-namespace fulcrum::app::test {
+namespace fulcrum::app::program_test {
 namespace {
 
 TEST_F(WindowAccess, AdministratorsCheckAndBackUpInTheBackground) {
@@ -120,4 +120,4 @@ TEST_F(WindowAccess, TheStationSeesWhoSignedInAndNothingElse) {
 }
 
 }  // namespace
-}  // namespace fulcrum::app::test
+}  // namespace fulcrum::app::program_test

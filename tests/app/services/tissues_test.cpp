@@ -25,13 +25,13 @@
 #include "tests/ui/hands.h"
 #include "ui/shell/main_window.h"
 
-namespace fulcrum::app::test {
+namespace fulcrum::app::program_test {
 namespace {
 
 using namespace fulcrum::ui;
-using namespace fulcrum::ui::test;
+using namespace fulcrum::ui::window_test;
 
-constexpr Role people_roles[] = {Role::trainee, Role::educator, Role::director, Role::administrator};
+constexpr Role asking_roles[] = {Role::trainee, Role::educator, Role::director, Role::administrator};
 /// The table is not cut off at its right edge.
 bool shown_whole(const QTableWidget& table) {
     const QAbstractItemView& view = table;
@@ -243,4 +243,4 @@ TEST_F(SiteTissue, TheCommandLineReadsAndSetsAsTheTableSays) {
 }
 
 }  // namespace
-}  // namespace fulcrum::app::test
+}  // namespace fulcrum::app::program_test

@@ -14,10 +14,10 @@
 #include "tests/ui/hands.h"
 #include "ui/shell/main_window.h"
 
-namespace fulcrum::app::test {
+namespace fulcrum::app::program_test {
 
 using namespace fulcrum::ui;
-using namespace fulcrum::ui::test;
+using namespace fulcrum::ui::window_test;
 
 inline constexpr Role people_roles[] = {Role::trainee, Role::educator, Role::director, Role::administrator};
 
@@ -84,4 +84,4 @@ class WindowAccess : public ::testing::Test {
     std::unique_ptr<MainWindow> window;
 };
 
-}  // namespace fulcrum::app::test
+}  // namespace fulcrum::app::program_test

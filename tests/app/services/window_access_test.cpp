@@ -17,7 +17,7 @@
 #include "ui/theatre/theatre_page.h"
 #include "ui/trainee/progress_page.h"
 
-namespace fulcrum::app::test {
+namespace fulcrum::app::program_test {
 
 void WindowAccess::expect_debrief(const Target& target, const std::string& cell) {
     if (sees(*window, "close_message")) click(*window, "close_message");
@@ -334,4 +334,4 @@ TEST_F(WindowAccess, EducatorsRecomputeTheScoresOfTheirCohorts) {
     EXPECT_TRUE(find<QLabel>(*window, "debrief_notes")->text().contains("Recomputed"));
 }
 
-}  // namespace fulcrum::app::test
+}  // namespace fulcrum::app::program_test

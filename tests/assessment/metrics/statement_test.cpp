@@ -14,6 +14,7 @@
 #include "assessment/metrics/registry.h"
 #include "assessment/metrics/statement_words.h"
 #include "sim_core/telemetry/event_names.h"
+#include "tests/support/support.h"
 
 namespace fulcrum {
 namespace {
@@ -143,8 +144,7 @@ std::set<std::string> marked_texts(const std::string& folder, const std::string&
                           literal + ")*)\\s*\\)");
     const std::regex one(R"re("((?:[^"\\]|\\.)*)")re");
     std::set<std::string> texts;
-    for (const auto& entry :
-         std::filesystem::recursive_directory_iterator(std::string(FULCRUM_SOURCE_DIR) + "/" + folder)) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(test::source_path(folder))) {
         const std::string extension = entry.path().extension().string();
         if (extension != ".cpp" && extension != ".h") continue;
         std::ifstream file(entry.path());

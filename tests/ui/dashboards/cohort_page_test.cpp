@@ -21,7 +21,7 @@
 #include "ui/reports/report.h"
 #include "ui/shell/main_window.h"
 
-namespace fulcrum::ui::test {
+namespace fulcrum::ui::window_test {
 namespace {
 
 constexpr int people = 40, attempts_each = 18;
@@ -196,4 +196,4 @@ TEST(ConcernWords, SayWhatSinceWhenAndHowMuch) {
 }
 
 }  // namespace
-}  // namespace fulcrum::ui::test
+}  // namespace fulcrum::ui::window_test

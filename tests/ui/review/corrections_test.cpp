@@ -17,7 +17,7 @@
 #include "ui/shell/main_window.h"
 #include "ui/trainee/progress_page.h"
 
-namespace fulcrum::ui::test {
+namespace fulcrum::ui::window_test {
 namespace {
 
 using database::Role;
@@ -186,4 +186,4 @@ TEST_F(Corrections, APersonsReportIsWrittenInTheBackgroundAndCanBeStopped) {
 }
 
 }  // namespace
-}  // namespace fulcrum::ui::test
+}  // namespace fulcrum::ui::window_test

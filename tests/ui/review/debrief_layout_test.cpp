@@ -22,7 +22,7 @@
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
 
-namespace fulcrum::ui::test {
+namespace fulcrum::ui::window_test {
 namespace {
 
 using database::Role;
@@ -287,4 +287,4 @@ TEST_F(DebriefLayout, ADefectOnTheMapMovesTheReplay) {
 }
 
 }  // namespace
-}  // namespace fulcrum::ui::test
+}  // namespace fulcrum::ui::window_test

@@ -10,7 +10,7 @@
 #include "ui/review/gates_card.h"
 #include "ui/style/palette.h"
 
-namespace fulcrum::ui::test {
+namespace fulcrum::ui::window_test {
 namespace {
 
 TEST(GatesLayout, ShowsTheFullSourceOfALimit) {
@@ -80,4 +80,4 @@ TEST(GatesLayout, MarksALimitAsProvisionalByItsField) {
 }
 
 }  // namespace
-}  // namespace fulcrum::ui::test
+}  // namespace fulcrum::ui::window_test

@@ -17,7 +17,7 @@
 #include "ui/review/pathology_card.h"
 #include "ui/review/specimen_view.h"
 
-namespace fulcrum::ui::test {
+namespace fulcrum::ui::window_test {
 namespace {
 
 class SpecimenMap : public ::testing::Test {
@@ -230,4 +230,4 @@ TEST_F(SpecimenMap, FitsItsCardAtEveryWidthAndFontSize) {
 }
 
 }  // namespace
-}  // namespace fulcrum::ui::test
+}  // namespace fulcrum::ui::window_test

@@ -9,7 +9,7 @@
 
 #include "database/rows/errors.h"
 
-namespace fulcrum::ui::test {
+namespace fulcrum::ui::window_test {
 namespace {
 
 [[noreturn]] void damaged() {
@@ -38,4 +38,4 @@ TEST(WindowApplication, StoreErrorInAnEventBecomesAMessageAndTheNextEventIsHandl
 }
 
 }  // namespace
-}  // namespace fulcrum::ui::test
+}  // namespace fulcrum::ui::window_test

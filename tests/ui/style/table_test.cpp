@@ -8,7 +8,7 @@
 
 #include "ui/style/widgets.h"
 
-namespace fulcrum::ui::test {
+namespace fulcrum::ui::window_test {
 namespace {
 
 class TableColumns : public ::testing::Test {
@@ -87,4 +87,4 @@ TEST_F(TableColumns, InAnotherOrderAreFittedToo) {
 }
 
 }  // namespace
-}  // namespace fulcrum::ui::test
+}  // namespace fulcrum::ui::window_test

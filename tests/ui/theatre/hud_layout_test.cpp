@@ -10,7 +10,7 @@
 #include "tests/ui/painted_words.h"
 #include "ui/theatre/hud.h"
 
-namespace fulcrum::ui::test {
+namespace fulcrum::ui::window_test {
 namespace {
 
 /// All texts that a goal of this kind can show at the same time.
@@ -189,4 +189,4 @@ TEST(HudLayout, ForcesKeepTheirPlaceWhenAWarningAppears) {
 }
 
 }  // namespace
-}  // namespace fulcrum::ui::test
+}  // namespace fulcrum::ui::window_test

@@ -19,7 +19,7 @@
 #include "ui/theatre/mouse_keyboard_input.h"
 #include "ui/theatre/scene_picture.h"
 
-namespace fulcrum::ui::test {
+namespace fulcrum::ui::window_test {
 namespace {
 
 using database::Role;
@@ -220,4 +220,4 @@ TEST_F(Briefing, FitsAndIsPicturedInBothThemes) {
 }
 
 }  // namespace
-}  // namespace fulcrum::ui::test
+}  // namespace fulcrum::ui::window_test

@@ -23,7 +23,7 @@
 #include "ui/shell/main_window.h"
 #include "ui/theatre/scene_picture.h"
 
-namespace fulcrum::ui::test {
+namespace fulcrum::ui::window_test {
 namespace {
 
 using database::Role;
@@ -234,4 +234,4 @@ TEST_F(ProgressWithHistory, AnEducatorUnlocksATaskWithAReason) {
 }
 
 }  // namespace
-}  // namespace fulcrum::ui::test
+}  // namespace fulcrum::ui::window_test

@@ -11,12 +11,13 @@
 #include "sim_core/world/parts/bowel/bowel_anatomy.h"
 #include "sim_core/world/parts/membranes/membrane_layout.h"
 #include "sim_core/world/world.h"
+#include "tests/support/support.h"
 #include "ui/theatre/renderer/offscreen.h"
 
 namespace fulcrum::ui {
 namespace {
 
-const std::string scenes = std::string(FULCRUM_SOURCE_DIR) + "/assets/scenes/";
+const std::string scenes = test::source_path("assets/scenes/");
 
 TEST(SceneAssembler, DrawsTheBowelAtItsPositionInTheWorld) {
     const Scene scene = load_scene(scenes + "b1_bowel.json");
