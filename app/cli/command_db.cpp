@@ -49,14 +49,40 @@ void add_head(const database::Store& store, const std::string& head, database::C
     report.items.push_back(std::move(item));
 }
 
+/// What --key names; empty without it.
+std::string known_key(const Arguments& arguments) {
+    const std::string key = arguments.value_or("--key", "");
+    constexpr std::size_t least = 16, most = 32;
+    if (arguments.has("--key") && (key.size() < least || key.size() > most ||
+                                   key.find_first_not_of("0123456789abcdef") != std::string::npos))
+        throw UsageError("--key", "'" + key + "' is not the fingerprint of a station's key",
+                         "give its first 16 to 32 hexadecimal digits, as reports and `db audit` print them");
+    return key;
+}
+
+void add_key(const database::Store& store, const std::string& key, database::CheckReport& report) {
+    database::CheckItem item;
+    item.name = "known key";
+    item.count = 1;
+    const std::string found = database::Audit(store).signing_key();
+    if (found.compare(0, key.size(), key) != 0)
+        item.problems.push_back("the newest audit row is " +
+                                (found.empty() ? "not signed" : "signed by the key " + found) + ", not by " +
+                                key + ": the log was written by somebody else, or the station has a new key");
+    item.ok = item.problems.empty();
+    report.ok = report.ok && item.ok;
+    report.items.push_back(std::move(item));
+}
+
 int check(const Arguments& arguments) {
     database::StoreOptions options;
     options.read_only = !arguments.has("--as");  // a sign-in is recorded, so the store must be writable
     options.older_schema = options.read_only;
-    const std::string head = known_head(arguments);
+    const std::string head = known_head(arguments), key = known_key(arguments);
     const database::Store store = database::Store::open(store_path(arguments), options);
     database::CheckReport report = store.check(session_of(arguments, store));
     if (!head.empty()) add_head(store, head, report);
+    if (!key.empty()) add_key(store, key, report);
     nlohmann::json items = nlohmann::json::array();
     for (const database::CheckItem& item : report.items) {
         items.push_back(
@@ -199,6 +225,7 @@ int audit(const Arguments& arguments) {
                      {{"ok", problems.empty()},
                       {"rows", log.count()},
                       {"head", log.head()},
+                      {"key", log.signing_key()},
                       {"problems", problems}}},
                     {"entries", rows}});
     } else {
@@ -209,7 +236,8 @@ int audit(const Arguments& arguments) {
                       << entry.payload << '\n';
         }
         std::cout << "chain: " << (problems.empty() ? "intact" : "BROKEN") << ", " << log.count()
-                  << " rows, head " << log.head() << '\n';
+                  << " rows, head " << log.head()
+                  << (log.signing_key().empty() ? "" : ", signed by key " + log.signing_key()) << '\n';
         for (const std::string& problem : problems) std::cout << "  " << problem << '\n';
     }
     return problems.empty() ? 0 : 1;
@@ -286,10 +314,14 @@ std::vector<Command> store_commands() {
     return {
         {"db create", "", 0, 0, "Creates an empty store.", {store_option(), json_option()}, create},
         {"db check", "", 0, 0, "Checks that the store is complete and unchanged.",
-         joined({{"--against", "HEAD",
-                  "Also check that the audit log contains this head, which a report or `db audit` printed "
-                  "earlier: 16 to 64 hexadecimal digits."}},
-                session_options()),
+         joined(
+             {{"--against", "HEAD",
+               "Also check that the audit log contains this head, which a report or `db audit` printed "
+               "earlier: 16 to 64 hexadecimal digits."},
+              {"--key", "FINGERPRINT",
+               "Also check that the newest audit row is signed by this key: 16 to 32 hexadecimal digits, as "
+               "reports and `db audit` print them."}},
+             session_options()),
          check},
         {"db backup", "TO", 1, 1, "Copies the store to a new file.", session_options(), backup},
         {"db restore", "FROM", 1, 1,

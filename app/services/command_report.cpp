@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fulcrum report: progress reports as PDF, CSV or JSON, from the same query as the screens.
+// fulcrum report: progress reports as PDF, CSV, XLSX, JSON or xAPI statements, from the same query as the
+// screens.
 #include <iostream>
 
 #include "app/cli/attempt_document.h"
@@ -9,6 +10,7 @@
 #include "assessment/curriculum/curriculum.h"
 #include "assessment/task/task.h"
 #include "ui/reports/report.h"
+#include "ui/reports/report_xapi.h"
 
 namespace fulcrum::app {
 
@@ -43,6 +45,8 @@ int run_report(const Arguments& arguments) {
     ui::ReportRequest request;
     request.format = ui::parse_report_format(arguments.value_or("--format", "pdf"));
     request.path = *arguments.value("--output");
+    request.home_page = arguments.value_or("--home-page", "");
+    if (request.format == ui::ReportFormat::xapi) ui::require_home_page(request.home_page);
 
     const database::Store store = open_store(arguments, false);
     const database::Session session = person_session(arguments, store);
@@ -77,7 +81,13 @@ Command report_command() {
             joined({{"--person", "LOGIN", "A report of this person."},
                     {"--cohort", "NAME", "A report of this cohort."},
                     {"--attempt", "ID", "A report of this attempt."},
-                    {"--format", "FORMAT", "The kind of file.", "pdf", {"pdf", "csv", "json", "trace"}},
+                    {"--format",
+                     "FORMAT",
+                     "The kind of file.",
+                     "pdf",
+                     {"pdf", "csv", "xlsx", "json", "xapi", "trace"}},
+                    {"--home-page", "ADDRESS",
+                     "With --format xapi: the web address that the ids of your people belong to."},
                     {"--output", "FILE", "The file to write; with --format trace the folder.", "", {}, "-o"}},
                    session_options()),
             run_report,

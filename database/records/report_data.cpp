@@ -256,6 +256,7 @@ PersonProgress Reports::person_progress(const Session& session, const std::strin
     progress.task_id = task_id;
     AttemptFilter filter = all_of_person(person_id);
     filter.task_id = task_id;
+    filter.include_voided = true;
     std::vector<AttemptSummary> attempts = query_attempts(store_, session, filter);
     std::sort(attempts.begin(), attempts.end(), [](const AttemptSummary& a, const AttemptSummary& b) {
         return std::tie(a.meta.started, a.meta.id) < std::tie(b.meta.started, b.meta.id);
@@ -265,6 +266,10 @@ PersonProgress Reports::person_progress(const Session& session, const std::strin
     CohortRow overall;
     for (const AttemptSummary& attempt : attempts) {
         if (attempt.recorded_state == AttemptState::running) continue;
+        if (attempt.voided_at > 0) {
+            progress.voided.push_back({attempt.meta.id, attempt.meta.started, attempt.voided_at});
+            continue;
+        }
         count(overall, attempt);
         provenance.add(attempt);
         ProgressSeries& series = by_class[attempt.meta.device_class];

@@ -76,11 +76,17 @@ struct ProgressSeries {
     DeviceClass device_class = DeviceClass::mouse_keyboard;
     std::vector<ProgressPoint> points;  ///< by start
 };
+/// An attempt that an educator took out, for those who have already received it.
+struct VoidedAttempt {
+    std::string attempt_id;
+    std::int64_t started = 0, at = 0;  ///< UTC ms
+};
 struct PersonProgress {
     std::string person_id, login, name, task_id;
     bool synthetic = false;
     TaskState state = TaskState::open;   ///< over all device classes shown
     std::vector<ProgressSeries> series;  ///< by device class
+    std::vector<VoidedAttempt> voided;   ///< by start; in no other figure
     std::vector<std::string> metric_versions, benchmark_sets, program_versions;
     std::string audit_head;
 };

@@ -3,6 +3,7 @@
 
 #include <sodium.h>
 
+#include <array>
 #include <cctype>
 #include <stdexcept>
 
@@ -31,6 +32,42 @@ Bytes random_bytes(std::size_t count) {
     Bytes bytes(count);
     randombytes_buf(bytes.data(), count);
     return bytes;
+}
+
+namespace {
+
+struct KeyPair {
+    std::array<unsigned char, crypto_sign_PUBLICKEYBYTES> open{};
+    std::array<unsigned char, crypto_sign_SECRETKEYBYTES> secret{};
+    explicit KeyPair(const Bytes& seed) {
+        ready();
+        if (seed.size() != crypto_sign_SEEDBYTES) throw std::invalid_argument("a seed has 32 bytes");
+        crypto_sign_seed_keypair(open.data(), secret.data(), seed.data());
+    }
+    KeyPair(const KeyPair&) = delete;
+    KeyPair& operator=(const KeyPair&) = delete;
+    ~KeyPair() { sodium_memzero(secret.data(), secret.size()); }
+};
+
+}  // namespace
+
+Bytes public_half_of(const Bytes& seed) {
+    const KeyPair pair(seed);
+    return {pair.open.begin(), pair.open.end()};
+}
+
+Bytes sign(const Bytes& seed, const Bytes& message) {
+    const KeyPair pair(seed);
+    Bytes signature(crypto_sign_BYTES);
+    crypto_sign_detached(signature.data(), nullptr, message.data(), message.size(), pair.secret.data());
+    return signature;
+}
+
+bool signature_holds(const Bytes& public_half, const Bytes& message, const Bytes& signature) {
+    ready();
+    return public_half.size() == crypto_sign_PUBLICKEYBYTES && signature.size() == crypto_sign_BYTES &&
+           crypto_sign_verify_detached(signature.data(), message.data(), message.size(),
+                                       public_half.data()) == 0;
 }
 
 std::string random_uuid() {

@@ -24,6 +24,11 @@ std::string text_digest(const std::string& text);
 /// SHA-256 of a text, hex, as `sha256sum` prints it for a file.
 std::string sha256_hex(const std::string& text);
 
+/// Ed25519. The seed (32 bytes) is the secret half; a signature has 64 bytes.
+Bytes public_half_of(const Bytes& seed);
+Bytes sign(const Bytes& seed, const Bytes& message);
+bool signature_holds(const Bytes& public_half, const Bytes& message, const Bytes& signature);
+
 /// Argon2id, interactive limits (64 MiB, about 0.1 s).
 std::string make_verifier(const std::string& secret);
 bool verify_secret(const std::string& verifier, const std::string& secret);

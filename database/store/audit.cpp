@@ -9,6 +9,7 @@
 #include "database/rows/connection.h"
 #include "database/rows/crypto.h"
 #include "database/rows/json.h"
+#include "database/store/station_key.h"
 
 namespace fulcrum::database {
 namespace {
@@ -102,6 +103,24 @@ void show_payload(const std::string& payload, AuditEntry& entry) {
     entry.payload = QJsonDocument(members).toJson(QJsonDocument::Compact).toStdString();
 }
 
+constexpr int with_signatures = 14;
+
+void sign_row(const Store& store, std::int64_t sequence, const Bytes& hash) {
+    if (store.found_schema() < with_signatures) return;
+    const StationKey& key = store.key(sequence);
+    Query(store.connection(), "INSERT OR IGNORE INTO station_key (station_id, public_half) VALUES (?, ?)")
+        .bind(store.station_id())
+        .bind(key.public_half())
+        .run();
+    Query(store.connection(),
+          "INSERT INTO audit_signature (station_id, sequence, public_half, signature) VALUES (?, ?, ?, ?)")
+        .bind(store.station_id())
+        .bind(sequence)
+        .bind(key.public_half())
+        .bind(key.sign(hash))
+        .run();
+}
+
 }  // namespace
 
 void Audit::append(const Session& actor, const std::string& object_id, const std::string& operation,
@@ -138,6 +157,7 @@ void Audit::append(const Session& actor, const std::string& object_id, const std
         .bind(previous)
         .bind(hash)
         .run();
+    sign_row(store_, sequence, hash);
     Query(connection, "INSERT INTO audit_payload (station_id, sequence, salt, payload) VALUES (?, ?, ?, ?)")
         .bind(store_.station_id())
         .bind(sequence)
@@ -161,6 +181,47 @@ void Audit::erase_payloads(const Session& actor, const std::vector<std::int64_t>
     append(actor, store_.station_id(), erasure, json_object({{erased_key, rows}, {"reason", reason}}),
            records);
     transaction.commit();
+}
+
+std::string Audit::signing_key() const {
+    if (store_.found_schema() < with_signatures) return {};
+    Query last(store_.connection(),
+               "SELECT s.public_half FROM audit_entry e LEFT JOIN audit_signature s ON s.station_id = "
+               "e.station_id AND "
+               "s.sequence = e.sequence WHERE e.station_id = ? ORDER BY e.sequence DESC LIMIT 1");
+    last.bind(store_.station_id());
+    return last.next() && !last.is_null(0) ? key_fingerprint(last.bytes(0)) : std::string();
+}
+
+std::vector<std::string> Audit::verify_signatures(std::int64_t& count) const {
+    const std::optional<StationKey> own = StationKey::existing(store_.station_id());
+    Query rows(
+        store_.connection(),
+        "SELECT e.station_id, e.sequence, e.hash, s.public_half, s.signature FROM audit_entry e LEFT JOIN "
+        "audit_signature s ON s.station_id = e.station_id AND s.sequence = e.sequence ORDER BY e.station_id, "
+        "e.sequence");
+    std::vector<std::string> problems;
+    std::string station;
+    bool begun = false;  // the rows before the first signature are from before there were keys
+    while (rows.next()) {
+        if (rows.text(0) != station) begun = false;
+        station = rows.text(0);
+        const std::int64_t sequence = rows.integer(1);
+        const std::string place = "audit row " + std::to_string(sequence);
+        const bool is_ours = own && station == store_.station_id() && sequence >= own->first_row();
+        if (rows.is_null(3)) {
+            if (begun || is_ours) problems.push_back(place + ": not signed");
+            continue;
+        }
+        begun = true;
+        ++count;
+        if (!row_signature_holds(rows.bytes(3), rows.bytes(2), rows.bytes(4)))
+            problems.push_back(place + ": its signature does not fit");
+        else if (is_ours && rows.bytes(3) != own->public_half())
+            problems.push_back(place + ": signed by the key " + key_fingerprint(rows.bytes(3)) +
+                               ", not by this station's, " + key_fingerprint(own->public_half()));
+    }
+    return problems;
 }
 
 std::string Audit::head() const {

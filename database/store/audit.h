@@ -41,6 +41,12 @@ class Audit {
     std::vector<AuditEntry> entries(const Session& administrator, const AuditFilter& filter = {}) const;
     /// The operations that the chain holds, by name. Operation::view_audit.
     std::vector<std::string> kinds(const Session& administrator) const;
+    /// Fingerprint of the key that signed the newest row of this station; empty where it is not signed.
+    std::string signing_key() const;
+    /// Problems found: from the first signed row of a station on, each row has to have a signature that fits,
+    /// and where this machine holds the station's key, the newest row has to be signed by it. `count`:
+    /// signatures looked at.
+    std::vector<std::string> verify_signatures(std::int64_t& count) const;
     /// Hash of the newest row, hex; 64 zeros before the first.
     std::string head() const;
     /// Whether a row of any station has this hash; `hex`: at least its first 16 digits, as reports print

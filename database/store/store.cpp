@@ -219,6 +219,11 @@ const std::string& Store::path() const noexcept {
 bool Store::is_read_only() const noexcept {
     return state_->options.read_only;
 }
+const StationKey& Store::key(std::int64_t next_row) const {
+    if (!state_->key) state_->key = StationKey::of(state_->station_id, next_row);
+    return *state_->key;
+}
+
 int Store::found_schema() const noexcept {
     return state_->schema;
 }

@@ -43,8 +43,8 @@ struct StoreOptions {
 
 /// A finding of check(): ok == false names what is wrong and what to do.
 struct CheckItem {
-    std::string name;  ///< "integrity", "foreign keys", "audit chain", "trace checksums", "score digests",
-                       ///< "scenes", "permissions"
+    std::string name;  ///< "integrity", "foreign keys", "audit chain", "signatures", "trace checksums",
+                       ///< "score digests", "scenes", "permissions"
     bool ok = true;
     std::int64_t count = 0;             ///< things looked at
     std::vector<std::string> problems;  ///< empty if ok; at most 20, then a line that says how many more
@@ -64,6 +64,8 @@ struct InterruptedAttempt {
     UtcMilliseconds started = 0;
     double recorded_s = 0;  ///< how much of the trace is there
 };
+
+class StationKey;
 
 class Store {
   public:
@@ -124,6 +126,9 @@ class Store {
     void seal_demo(const Session& station);
 
     Connection& connection() const noexcept;  ///< for the rooms of this floor
+    /// Signs what this station writes; read, or made to sign from that row of its audit log on, when it is
+    /// first asked for. For the rooms of this floor. Throws StoreError (failed).
+    const StationKey& key(std::int64_t next_row) const;
 
   private:
     struct State;

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "database/rows/connection.h"
+#include "database/store/station_key.h"
 #include "database/store/store.h"
 
 namespace fulcrum::database {
@@ -19,6 +21,7 @@ struct Store::State {
     bool demo = false;
     int schema = 0;
     std::vector<InterruptedAttempt> interrupted;
+    std::optional<StationKey> key;  ///< read when the first row is signed
 };
 
 /// A row of table setting, or "".

@@ -6,9 +6,11 @@
 #include <cstring>
 
 #include "tests/app/counters.h"
+#include "tests/database/station_keys.h"
 #include "ui/style/palette.h"
 
 int main(int argc, char** argv) {
+    const fulcrum::database::test::OwnStationKeys keys;
     const auto asked = [&](const char* child) { return argc == 5 && std::strcmp(argv[1], child) == 0; };
     if (asked("--use-window-until-killed")) {
         QApplication application(argc, argv);

@@ -273,6 +273,32 @@ TEST_F(Program, ReportsOutputThatCannotBeWritten) {
     }
 }
 
+TEST_F(Program, WritesStatementsOnlyWithAnAddress) {
+    for (const QStringList& address : {QStringList(), QStringList{"--home-page", "training"}}) {
+        const Outcome refused =
+            run(QStringList{"report", "--person", "x", "--format", "xapi", "-o", path("x.json")} + address);
+        EXPECT_EQ(refused.status, 2);
+        EXPECT_NE(refused.errors.find("--home-page"), std::string::npos) << refused.errors;
+        EXPECT_FALSE(QFile::exists(path("x.json")));
+    }
+}
+
+TEST_F(Program, ChecksWhetherAKnownKeySignedTheNewestRow) {
+    ASSERT_EQ(run({"perform", "A2", "--operator", "expert", "--seed", "5", "--db", path("a.db")}).status, 0);
+    const auto checked = [&](const std::string& known) {
+        return run({"db", "check", "--db", path("a.db"), "--key", QString::fromStdString(known)});
+    };
+    const Outcome other = checked("0123456789abcdef");
+    EXPECT_EQ(other.status, 1);
+    const std::string words = "signed by the key ";
+    const std::size_t at = other.output.find(words);
+    ASSERT_NE(at, std::string::npos) << other.output;
+    const std::string key = other.output.substr(at + words.size(), 32);
+    EXPECT_EQ(checked(key).status, 0);
+    EXPECT_EQ(checked(key.substr(0, 16)).status, 0);
+    EXPECT_EQ(checked("key").status, 2);
+}
+
 TEST_F(Program, RefusesToWriteForARealPersonWithoutOne) {
     EXPECT_EQ(run({"report", "--person", "x", "-o", path("x.pdf")}).status, 2);
 }

@@ -295,7 +295,7 @@ TEST_F(Journey, FromTheFirstStartToTheDirectorsReport) {
     EXPECT_TRUE(cell.contains("attempted · attempts 1")) << cell.toStdString();
     auto* cohort_page = static_cast<CohortPage*>(window.current_page());
     QTemporaryDir folder;
-    for (const char* name : {"cohort.pdf", "cohort.csv", "cohort.json"}) {
+    for (const char* name : {"cohort.pdf", "cohort.csv", "cohort.xlsx", "cohort.json"}) {
         QSignalSpy done(cohort_page, &CohortPage::exported);
         cohort_page->export_to(folder.filePath(name), report_format_of(name));
         ASSERT_TRUE(wait_for([&] { return done.count() == 1; })) << name;

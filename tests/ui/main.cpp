@@ -3,6 +3,7 @@
 
 #include <QStandardPaths>
 
+#include "tests/database/station_keys.h"
 #include "ui/shell/window_application.h"
 #include "ui/style/palette.h"
 
@@ -10,6 +11,7 @@ int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);
     QStandardPaths::setTestModeEnabled(true);
     fulcrum::ui::WindowApplication application(argc, argv);
+    const fulcrum::database::test::OwnStationKeys keys;
     QCoreApplication::setOrganizationName(QStringLiteral("fulcrum-test"));
     fulcrum::ui::apply_theme(application, fulcrum::ui::Theme::light);
     return RUN_ALL_TESTS();

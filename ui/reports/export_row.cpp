@@ -14,7 +14,18 @@
 namespace fulcrum::ui {
 namespace {
 
-constexpr const char* endings[] = {".pdf", ".csv", ".json"};  // in the order of ReportFormat
+/// The formats to choose from, in the order of ReportFormat: those whose files have an ending of their own.
+std::vector<const char*> endings_of_formats() {
+    std::vector<const char*> found;
+    for (const ReportFormatRow& row : report_formats)
+        if (row.ending != nullptr) found.push_back(row.ending);
+    return found;
+}
+const std::vector<const char*> endings = endings_of_formats();
+
+QLatin1String ending_of(int index) {
+    return QLatin1String(endings[static_cast<std::size_t>(index)]);
+}
 
 /// Characters that no file system minds.
 QString file_name(const QString& name) {
@@ -43,7 +54,7 @@ ExportRow::ExportRow(const char* save_name, QWidget* parent)
     row->addWidget(label);
     format_->setObjectName(QStringLiteral("export_format"));
     format_->setAccessibleName(tr("Format of the report"));
-    format_->addItems({QStringLiteral("PDF"), QStringLiteral("CSV"), QStringLiteral("JSON")});
+    for (const char* ending : endings) format_->addItem(QString::fromLatin1(ending + 1).toUpper());
     row->addWidget(format_);
     path_->setObjectName(QStringLiteral("export_path"));
     path_->setAccessibleName(tr("File of the report"));
@@ -68,14 +79,14 @@ void ExportRow::propose(const QString& name) {
         if (!QFileInfo(folder).isDir()) folder = QDir::homePath();
     }
     path_->setText(QDir::toNativeSeparators(
-        QDir(folder).filePath(file_name(name) + QLatin1String(endings[format_->currentIndex()]))));
+        QDir(folder).filePath(file_name(name) + ending_of(format_->currentIndex()))));
     look();
 }
 
 QString ExportRow::path() const {
     const QString typed = QDir::fromNativeSeparators(path_->text().trimmed());
     if (typed.isEmpty() || has_ending(typed)) return typed;
-    return typed + QLatin1String(endings[format_->currentIndex()]);
+    return typed + ending_of(format_->currentIndex());
 }
 
 void ExportRow::look() {
@@ -93,7 +104,7 @@ void ExportRow::format_chosen() {
         if (file.endsWith(QLatin1String(ending), Qt::CaseInsensitive))
             file.chop(static_cast<int>(qstrlen(ending)));
     }
-    path_->setText(QDir::toNativeSeparators(file + QLatin1String(endings[format_->currentIndex()])));
+    path_->setText(QDir::toNativeSeparators(file + ending_of(format_->currentIndex())));
 }
 
 void ExportRow::choose() {
@@ -101,7 +112,7 @@ void ExportRow::choose() {
     auto* dialog = new QFileDialog(this, tr("File of the report"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilters({tr("Reports (*.pdf *.csv *.json)")});
+    dialog->setNameFilters({tr("Reports (*.pdf *.csv *.xlsx *.json)")});
     // What is there already is said by the button that would replace it.
     dialog->setOption(QFileDialog::DontConfirmOverwrite);
     dialog->setDirectory(QFileInfo(path()).path());

@@ -6,9 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "database/records/people.h"
+#include "database/store/audit.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/numerics/output_file.h"
 #include "ui/reports/report_rows.h"
+#include "ui/reports/report_sheet.h"
+#include "ui/reports/report_xapi.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
@@ -71,6 +74,7 @@ ReportProvenance provenance_of(const database::Store& store, const database::Ses
     provenance.made_by = session.display_name().empty() ? session.login() : session.display_name();
     provenance.made_as = database::role_name(session.role());
     provenance.demo = store.is_demo();
+    provenance.station_key = database::Audit(store).signing_key();
     return provenance;
 }
 
@@ -85,11 +89,9 @@ const TaskStanding* standing_in(const database::CohortTable& table, const std::s
 }
 
 ReportFormat parse_report_format(const std::string& name) {
-    if (name == "pdf") return ReportFormat::pdf;
-    if (name == "csv") return ReportFormat::csv;
-    if (name == "json") return ReportFormat::json;
+    if (const ReportFormatRow* row = find_row(report_formats, name)) return row->kind;
     throw InputError("command line", "--format", "unknown report format \"" + name + "\"",
-                     "use pdf, csv or json");
+                     "use one of " + names_of(report_formats));
 }
 
 PersonReport gather_person(const database::Store& store, const database::Session& session,
@@ -151,62 +153,100 @@ std::optional<CohortReport> gather_cohort(const database::Store& store, const da
     return report;
 }
 
+namespace {
+
+/// The table of a report in the formats that hold a table; returns the files.
+std::vector<std::string> write_sheet(const DataSheet& sheet, const ReportProvenance& provenance,
+                                     const ReportRequest& request) {
+    if (request.format == ReportFormat::xlsx) {
+        save(request.path, workbook(sheet, provenance));
+        return {request.path};
+    }
+    const std::string dictionary = request.path + ".dictionary.csv";
+    save(request.path, sheet_csv(sheet));
+    save(dictionary, dictionary_csv(sheet));
+    return {request.path, dictionary};
+}
+
+void write_attempt(const AttemptPaper& paper, const ReportRequest& request) {
+    switch (request.format) {
+        case ReportFormat::pdf:
+            return write_attempt_pdf(paper, request.path);
+        case ReportFormat::csv:
+            return save(request.path, attempt_csv(paper));
+        case ReportFormat::json:
+            return save(request.path, attempt_json(paper));
+        case ReportFormat::xlsx:
+        case ReportFormat::xapi:
+            throw InputError("command line", "--format",
+                             std::string("one attempt has no report in the format ") +
+                                 row_of(report_formats, request.format).name,
+                             "use pdf, csv or json, or name a person or a cohort");
+    }
+}
+
+std::vector<std::string> write_person(const PersonReport& report, const ReportRequest& request) {
+    switch (request.format) {
+        case ReportFormat::pdf:
+            write_person_pdf(report, request.path);
+            break;
+        case ReportFormat::csv:
+        case ReportFormat::xlsx:
+            return write_sheet(person_sheet(report), report.provenance, request);
+        case ReportFormat::json:
+            save(request.path, person_json(report));
+            break;
+        case ReportFormat::xapi:
+            save(request.path, xapi_statements({report}, request.home_page));
+            break;
+    }
+    return {request.path};
+}
+
+std::vector<std::string> write_cohort(const CohortReport& report, const ReportRequest& request,
+                                      const Progress& progress) {
+    switch (request.format) {
+        case ReportFormat::pdf:
+            if (!write_cohort_pdf(report, request.path, progress)) return {};
+            break;
+        case ReportFormat::csv:
+        case ReportFormat::xlsx:
+            return write_sheet(cohort_sheet(report), report.provenance, request);
+        case ReportFormat::json:
+            save(request.path, cohort_json(report));
+            break;
+        case ReportFormat::xapi:
+            save(request.path, xapi_statements(report.people, request.home_page));
+            break;
+    }
+    return {request.path};
+}
+
+}  // namespace
+
 std::vector<std::string> write_report(const database::Store& store, const database::Session& session,
                                       const ReportRequest& request, const std::vector<TaskDefinition>& tasks,
                                       const std::string& program_version, const Progress& progress) {
     require_not_the_store(request.path, store);
-    std::vector<std::string> files{request.path};
-    const std::string dictionary = request.path + ".dictionary.csv";
+    if (request.format == ReportFormat::xapi) require_home_page(request.home_page);
     const auto stopped = [&](double done) { return progress && !progress(done, {}); };
     if (!request.attempt_id.empty()) {
         const AttemptPaper paper = gather_attempt(store, session, request.attempt_id, tasks, program_version);
         if (stopped(0.5)) return {};
-        if (request.format == ReportFormat::pdf) {
-            write_attempt_pdf(paper, request.path);
-        } else {
-            save(request.path,
-                 request.format == ReportFormat::csv ? attempt_csv(paper) : attempt_json(paper));
-        }
-        return files;
+        write_attempt(paper, request);
+        return {request.path};
     }
     if (!request.person_id.empty()) {
         if (stopped(0.1)) return {};
         const PersonReport report =
             gather_person(store, session, request.person_id, tasks, program_version, request.curriculum);
         if (stopped(0.6)) return {};
-        switch (request.format) {
-            case ReportFormat::pdf:
-                write_person_pdf(report, request.path);
-                break;
-            case ReportFormat::csv:
-                save(request.path, person_csv(report));
-                save(dictionary, csv_dictionary(false, &report));
-                files.push_back(dictionary);
-                break;
-            case ReportFormat::json:
-                save(request.path, person_json(report));
-                break;
-        }
-        return files;
+        return write_person(report, request);
     }
-    const std::optional<CohortReport> report =
-        gather_cohort(store, session, request.cohort_id, tasks, program_version,
-                      request.format == ReportFormat::pdf, progress, request.curriculum);
-    if (!report) return {};
-    switch (request.format) {
-        case ReportFormat::pdf:
-            if (!write_cohort_pdf(*report, request.path, progress)) return {};
-            break;
-        case ReportFormat::csv:
-            save(request.path, cohort_csv(*report));
-            save(dictionary, csv_dictionary(true));
-            files.push_back(dictionary);
-            break;
-        case ReportFormat::json:
-            save(request.path, cohort_json(*report));
-            break;
-    }
-    return files;
+    const bool with_people = request.format == ReportFormat::pdf || request.format == ReportFormat::xapi;
+    const std::optional<CohortReport> report = gather_cohort(
+        store, session, request.cohort_id, tasks, program_version, with_people, progress, request.curriculum);
+    return report ? write_cohort(*report, request, progress) : std::vector<std::string>();
 }
 
 }  // namespace fulcrum::ui

@@ -11,6 +11,7 @@
 
 #include "assessment/task/task.h"
 #include "database/records/report_data.h"
+#include "sim_core/numerics/name_table.h"
 #include "ui/services/application_services.h"
 
 namespace fulcrum::ui {
@@ -18,6 +19,7 @@ namespace fulcrum::ui {
 /// What is printed at the foot of every report.
 struct ReportProvenance {
     std::string programme, program_version, audit_head;
+    std::string station_key;  ///< fingerprint of the key that signed the audit head; empty: not signed
     std::vector<std::string> metric_versions, benchmark_sets, program_versions;
     std::int64_t as_of = 0;        ///< UTC ms
     std::string made_by, made_as;  ///< who asked for it, in which role
@@ -52,7 +54,20 @@ struct AttemptPaper {
     database::AttemptReport report;
 };
 
-enum class ReportFormat { pdf, csv, json };
+enum class ReportFormat { pdf, csv, xlsx, json, xapi };
+/// `name` is the option's word; `ending` of a file tells the format on screens. Statements for a record store
+/// (xapi) need an address, so they are written by the command alone and have no ending of their own.
+struct ReportFormatRow {
+    ReportFormat kind;
+    const char* name;
+    const char* ending;
+};
+inline constexpr ReportFormatRow report_formats[] = {{ReportFormat::pdf, "pdf", ".pdf"},
+                                                     {ReportFormat::csv, "csv", ".csv"},
+                                                     {ReportFormat::xlsx, "xlsx", ".xlsx"},
+                                                     {ReportFormat::json, "json", ".json"},
+                                                     {ReportFormat::xapi, "xapi", nullptr}};
+static_assert(in_order(report_formats));
 /// Throws InputError for an unknown name.
 ReportFormat parse_report_format(const std::string& name);
 
@@ -72,10 +87,6 @@ std::optional<CohortReport> gather_cohort(const database::Store& store, const da
                                           const Progress& progress = {},
                                           const Curriculum* curriculum = nullptr);
 
-std::string person_csv(const PersonReport& report);
-std::string cohort_csv(const CohortReport& report);
-/// One line a column of the CSV above it stands beside: name, unit, meaning.
-std::string csv_dictionary(bool cohort, const PersonReport* person = nullptr);
 std::string person_json(const PersonReport& report);
 std::string cohort_json(const CohortReport& report);
 /// One line a figure: metrics, then the pathology report by level and sector.
@@ -91,6 +102,7 @@ struct ReportRequest {
     std::string person_id, cohort_id, attempt_id;  ///< exactly one
     ReportFormat format = ReportFormat::pdf;
     std::string path;
+    std::string home_page;                   ///< for xapi: the address that the ids of people belong to
     const Curriculum* curriculum = nullptr;  ///< null: the report has no standings
 };
 /// Gathers and writes; a CSV of a person or cohort gets its dictionary beside it

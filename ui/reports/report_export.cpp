@@ -18,8 +18,9 @@ QString words(const char* source) {
 }  // namespace
 
 ReportFormat report_format_of(const QString& path) {
-    if (path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) return ReportFormat::csv;
-    if (path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive)) return ReportFormat::json;
+    for (const ReportFormatRow& row : report_formats)
+        if (row.ending != nullptr && path.endsWith(QLatin1String(row.ending), Qt::CaseInsensitive))
+            return row.kind;
     return ReportFormat::pdf;
 }
 

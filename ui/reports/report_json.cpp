@@ -74,6 +74,7 @@ Json provenance_json(const ReportProvenance& provenance) {
             {"metric_versions", provenance.metric_versions},
             {"benchmark_sets", provenance.benchmark_sets},
             {"audit_head", provenance.audit_head},
+            {"station_key", or_null(provenance.station_key)},
             {"demo", provenance.demo}};
 }
 

@@ -12,6 +12,8 @@ ReportProvenance provenance_of(const database::Store& store, const database::Ses
                                const std::string& program_version);
 nlohmann::ordered_json provenance_json(const ReportProvenance& provenance);
 nlohmann::ordered_json metric_json(const database::MetricRow& metric);
+/// With a blank between them.
+std::string joined(const std::vector<std::string>& parts);
 /// Null where the table has no standing of this person in this task.
 const TaskStanding* standing_in(const database::CohortTable& table, const std::string& person_id,
                                 const std::string& task_id);

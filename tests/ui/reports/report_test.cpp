@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "tests/ui/reports/pdf_pages.h"
+#include "ui/reports/report_sheet.h"
 #include "ui/style/text.h"
 
 namespace fulcrum::ui {
@@ -102,14 +103,14 @@ TEST(ReportCsv, GuardsAgainstFormulas) {
     EXPECT_EQ(csv_text("-"), "-");
     EXPECT_EQ(csv_text("a,b"), "\"a,b\"");
     EXPECT_EQ(csv_text("say \"a\""), "\"say \"\"a\"\"\"");
-    const auto rows = read_csv(cohort_csv(cohort()));
+    const auto rows = read_csv(sheet_csv(cohort_sheet(cohort())));
     EXPECT_EQ(cell(rows, 2, "cohort").substr(0, 2), "'=");
     EXPECT_EQ(cell(rows, 3, "name"), "'-Bob");
 }
 
 TEST(ReportCsv, HasUnitsRawAndScaledColumnsAndADictionaryLineEach) {
     const CohortReport report = cohort();
-    const auto rows = read_csv(cohort_csv(report));
+    const auto rows = read_csv(sheet_csv(cohort_sheet(report)));
     ASSERT_EQ(rows.size(), 4U);
     for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size());
     EXPECT_EQ(cell(rows, 1, "best_points"), "points");
@@ -122,14 +123,14 @@ TEST(ReportCsv, HasUnitsRawAndScaledColumnsAndADictionaryLineEach) {
     std::from_chars(part.data(), part.data() + part.size(), scaled);
     EXPECT_EQ(points, *report.table.rows[0].best_points);
     EXPECT_DOUBLE_EQ(scaled, points / 100);
-    const auto dictionary = read_csv(csv_dictionary(true));
+    const auto dictionary = read_csv(dictionary_csv(cohort_sheet(report)));
     ASSERT_EQ(dictionary.size(), rows[0].size() + 1);
     for (std::size_t i = 0; i < rows[0].size(); ++i) EXPECT_EQ(dictionary[i + 1][0], rows[0][i]);
 }
 
 TEST(Report, CsvAndJsonContainTheSameValues) {
     const CohortReport report = cohort();
-    const auto rows = read_csv(cohort_csv(report));
+    const auto rows = read_csv(sheet_csv(cohort_sheet(report)));
     const nlohmann::json json = nlohmann::json::parse(cohort_json(report));
     ASSERT_EQ(json["rows"].size(), 2U);
     for (std::size_t i = 0; i < 2; ++i) {
@@ -167,7 +168,7 @@ TEST(ReportCsv, HasOneColumnPerMetricHandAndTissue) {
     point.metrics = {left, absent};
     progress.series.push_back({DeviceClass::haptic, {point}});
     report.progress.push_back(progress);
-    const auto rows = read_csv(person_csv(report));
+    const auto rows = read_csv(sheet_csv(person_sheet(report)));
     ASSERT_EQ(rows.size(), 3U);
     EXPECT_EQ(cell(rows, 1, "path_len.left"), "mm");
     EXPECT_EQ(cell(rows, 2, "path_len.left"), "1234.5");

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/reports/report_sheet.h"
+
+#include <cmath>
+#include <map>
+
+#include "assessment/metrics/registry.h"
+#include "assessment/metrics/statement_words.h"
+#include "ui/reports/report_rows.h"
+
+namespace fulcrum::ui {
+namespace {
+
+const std::vector<SheetColumn>& cohort_columns() {
+    static const std::vector<SheetColumn> columns{
+        {"cohort", "-", "name of the cohort"},
+        {"person_id", "-", "UUID of the person"},
+        {"login", "-", "login of the person"},
+        {"name", "-", "name of the person"},
+        {"task", "-", "task id"},
+        {"task_title", "-", "title of the task"},
+        {"device_class", "-", "device class; classes are never pooled; empty where the task was not tried"},
+        {"state", "-", "open (no counting attempt), attempted (none passed), passed"},
+        {"provisional", "1", "1: every pass depends on provisional limits"},
+        {"attempts", "1",
+         "counting attempts: assessed, scored, ended by the trainee or the clock, not voided"},
+        {"passes", "1", "of these, passed"},
+        {"not_counting", "1", "practice, interrupted or not scored attempts"},
+        {"best_points", "points", "best points of a counting attempt, 0 to 100; empty: none"},
+        {"best_points_scaled", "1", "best_points / 100"},
+        {"best_attempt_id", "-", "UUID of the attempt with the best points"},
+        {"last_attempt_utc", "-", "start of the latest attempt of any kind, ISO 8601 UTC"},
+        {"standing", "-",
+         "standing in the curriculum over the device classes that count there: locked, open, attempted, "
+         "passed, proficient, maintained, due, relapsed; empty: the task does not belong to it"},
+        {"proficient_since_utc", "-", "when proficiency was declared, ISO 8601 UTC; empty: it was not"},
+        {"next_check_utc", "-", "when the next retention check is due, ISO 8601 UTC"},
+        {"metric_versions", "-", "metric@version of every metric behind the values"},
+        {"benchmark_sets", "-", "benchmark sets behind the values"},
+        {"n_people", "1", "people in the table"},
+        {"synthetic", "1", "1: the store is the demonstration, every person is synthetic"},
+    };
+    return columns;
+}
+
+const std::vector<SheetColumn>& attempt_columns() {
+    static const std::vector<SheetColumn> columns{
+        {"person_id", "-", "UUID of the person"},
+        {"login", "-", "login of the person"},
+        {"name", "-", "name of the person"},
+        {"synthetic", "1", "1: the person is synthetic or external"},
+        {"task", "-", "task id"},
+        {"attempt_id", "-", "UUID of the attempt"},
+        {"number", "1", "running number within task and device class"},
+        {"started_utc", "-", "start, ISO 8601 UTC"},
+        {"utc_offset_min", "min", "local time minus UTC at the start"},
+        {"device_class", "-", "device class"},
+        {"mode", "-", "assessed or practice"},
+        {"state", "-", "completed, timed_out, abandoned, interrupted, failed_simulation"},
+        {"variant", "-", "anatomy variant"},
+        {"fidelity", "-", "fidelity of the simulation"},
+        {"limits", "-", "benchmark set in force at the start"},
+        {"counting", "1", "1: the attempt counts"},
+        {"passed", "1", "1 passed, 0 failed, empty not scored"},
+        {"provisional", "1", "1: a gate depends on a provisional limit"},
+        {"not_scored_because", "-", "why there is no score"},
+        {"duration", "s", "length of the record, with pauses and the time before the first movement"},
+        {"points", "points", "0 to 100; empty: none"},
+        {"points_scaled", "1", "points / 100"},
+    };
+    return columns;
+}
+
+std::string metric_column(const database::MetricRow& metric) {
+    std::string name = metric.id;
+    if (!metric.hand.empty()) name += "." + metric.hand;
+    if (!metric.tissue.empty()) name += "." + metric.tissue;
+    return name;
+}
+
+/// Column of every metric value that occurs, by name; unit and id with it.
+std::map<std::string, database::MetricRow> metric_columns(const PersonReport& report) {
+    std::map<std::string, database::MetricRow> columns;
+    for (const database::PersonProgress& progress : report.progress) {
+        for (const database::ProgressSeries& series : progress.series) {
+            for (const database::ProgressPoint& point : series.points) {
+                for (const database::MetricRow& metric : point.metrics) {
+                    columns.emplace(metric_column(metric), metric);
+                }
+            }
+        }
+    }
+    return columns;
+}
+
+SheetCell number_cell(const std::optional<double>& value) {
+    return value && std::isfinite(*value) ? SheetCell(*value) : SheetCell();
+}
+SheetCell scaled_cell(const std::optional<double>& points) {
+    return points ? number_cell(*points / 100.0) : SheetCell();
+}
+SheetCell flag_cell(const std::optional<bool>& value) {
+    return value ? SheetCell(*value) : SheetCell();
+}
+SheetCell count_cell(long long value) {
+    return SheetCell(value);
+}
+SheetCell word_cell(std::string text) {
+    return text.empty() ? SheetCell() : SheetCell(std::move(text));
+}
+SheetCell time_cell(std::int64_t utc_ms) {
+    return utc_ms == 0 ? SheetCell() : word_cell(database::iso_utc(utc_ms));
+}
+
+std::string unit_of(const database::MetricRow& metric) {
+    return metric.unit.empty() ? "-" : metric.unit;
+}
+
+std::vector<SheetCell> attempt_cells(const PersonReport& report, const std::string& task_id,
+                                     DeviceClass device_class, const database::ProgressPoint& point) {
+    return {word_cell(report.person_id),
+            word_cell(report.login),
+            word_cell(report.name),
+            flag_cell(report.synthetic),
+            word_cell(task_id),
+            word_cell(point.attempt_id),
+            count_cell(point.number),
+            word_cell(database::iso_utc(point.started)),
+            count_cell(point.utc_offset_min),
+            word_cell(row_of(device_classes, device_class).name),
+            word_cell(row_of(attempt_modes, point.mode).name),
+            word_cell(row_of(attempt_states, point.state).name),
+            word_cell(point.variant),
+            word_cell(point.fidelity),
+            word_cell(point.limits),
+            flag_cell(point.counting),
+            flag_cell(point.passed),
+            flag_cell(point.provisional),
+            word_cell(words_of(point.not_scored_because)),
+            number_cell(point.duration_s),
+            number_cell(point.points),
+            scaled_cell(point.points)};
+}
+
+}  // namespace
+
+std::string joined(const std::vector<std::string>& parts) {
+    std::string all;
+    for (const std::string& part : parts) all += (all.empty() ? "" : " ") + part;
+    return all;
+}
+
+DataSheet cohort_sheet(const CohortReport& report) {
+    DataSheet sheet{"Progress", cohort_columns(), {}};
+    for (const database::CohortRow& row : report.table.rows) {
+        std::string title;
+        for (const ReportTask& task : report.tasks) {
+            if (task.id == row.task_id) title = task.title;
+        }
+        const TaskStanding* standing = standing_in(report.table, row.person_id, row.task_id);
+        sheet.rows.push_back(
+            {word_cell(report.table.cohort_name),
+             word_cell(row.person_id),
+             word_cell(row.login),
+             word_cell(row.name),
+             word_cell(row.task_id),
+             word_cell(title),
+             word_cell(row.device_class ? row_of(device_classes, *row.device_class).name : ""),
+             word_cell(database::task_state_name(row.state)),
+             flag_cell(row.provisional),
+             count_cell(row.attempts),
+             count_cell(row.passes),
+             count_cell(row.not_counting),
+             number_cell(row.best_points),
+             scaled_cell(row.best_points),
+             word_cell(row.best_attempt_id),
+             time_cell(row.last_attempt),
+             word_cell(standing == nullptr ? "" : row_of(standing_names, standing->standing).name),
+             time_cell(standing == nullptr ? 0 : standing->declared_at),
+             time_cell(standing == nullptr ? 0 : standing->next_check),
+             word_cell(joined(report.table.metric_versions)),
+             word_cell(joined(report.table.benchmark_sets)),
+             count_cell(report.table.people),
+             flag_cell(report.provenance.demo)});
+    }
+    return sheet;
+}
+
+DataSheet person_sheet(const PersonReport& report) {
+    DataSheet sheet{"Attempts", attempt_columns(), {}};
+    const std::map<std::string, database::MetricRow> metrics = metric_columns(report);
+    for (const auto& [name, metric] : metrics) {
+        const MetricDescriptor* descriptor = find_metric(metric.id);
+        sheet.columns.push_back({name, unit_of(metric),
+                                 metric.id + "@" + std::to_string(metric.version) +
+                                     (descriptor == nullptr ? "" : ": " + descriptor->explanation)});
+    }
+    for (const database::PersonProgress& progress : report.progress) {
+        for (const database::ProgressSeries& series : progress.series) {
+            for (const database::ProgressPoint& point : series.points) {
+                std::map<std::string, std::optional<double>> values;
+                for (const database::MetricRow& metric : point.metrics)
+                    values[metric_column(metric)] = metric.value;
+                std::vector<SheetCell> row =
+                    attempt_cells(report, progress.task_id, series.device_class, point);
+                for (const auto& [name, metric] : metrics) {
+                    const auto found = values.find(name);
+                    row.push_back(number_cell(found == values.end() ? std::nullopt : found->second));
+                }
+                sheet.rows.push_back(std::move(row));
+            }
+        }
+    }
+    return sheet;
+}
+
+}  // namespace fulcrum::ui

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Statements of the Experience API 1.0.3 (IEEE 9274.1.1 is its successor) for a learning record store: one
+// for each attempt, and one that voids each attempt that was taken out. A person is an account, named by the
+// UUID, never by name or mail. The id of a statement follows from the address and the attempt's UUID, so a
+// statement that is sent twice is known by the store.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ui/reports/report.h"
+
+namespace fulcrum::ui {
+
+/// Throws InputError unless it is an http or https address.
+void require_home_page(const std::string& home_page);
+/// A JSON array, by person, task and start.
+std::string xapi_statements(const std::vector<PersonReport>& people, const std::string& home_page);
+
+}  // namespace fulcrum::ui
