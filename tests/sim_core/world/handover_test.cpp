@@ -18,7 +18,8 @@
 namespace fulcrum {
 namespace {
 
-constexpr const char* orders_of_hands[] = {"left, then right", "right, then left"};
+enum class TakenBy : std::uint8_t { left_first, right_first, both_at_once };
+constexpr const char* taken_by_words[] = {"left, then right", "right, then left", "both at once"};
 
 /// What the holds of one tissue came to at rest.
 struct HoldFigures {
@@ -42,9 +43,10 @@ class HandOver : public testing::TestWithParam<const char*> {
                              std::string("FULCRUM_HANDOVER_PAGE=") + folder +
                                  " test_sim_core --gtest_filter=Tissues/HandOver.*");
         page.paragraph(
-            "Jaws take hold 0, 1, 2, 4, 6, 8, 12 and 15 mm apart, one hand after the other; then the first "
-            "lets go, then the other. Largest force at rest: of the reaction of a hold and of the recorded "
-            "force of its hand, over 50 ms that begin "
+            "Jaws take hold 0, 1, 2, 4, 6, 8, 12 and 15 mm apart, one hand after the other or both at once; "
+            "then the first hand lets go, then the other (in turn where both took hold at once). Largest "
+            "force "
+            "at rest: of the reaction of a hold and of the recorded force of its hand, over 50 ms that begin "
             "300 ms after the last movement. At most 3 N are allowed, and no hold may be lost.");
         lab::ResultTable table;
         table.name = "handover";
@@ -91,6 +93,24 @@ class HandOver : public testing::TestWithParam<const char*> {
         rig_.steps(30);
         expect_held(h, when);
     }
+    void both_take_hold(double apart, const std::string& when) {
+        const double place[hand_count] = {-0.5 * apart, 0.5 * apart};
+        for (int h = 0; h < hand_count; ++h) rig_.go(h, above(h, place[h], 0.02), 0.2);
+        Vector3 from[hand_count], to[hand_count];
+        for (int h = 0; h < hand_count; ++h) {
+            from[h] = rig_.wish[h].tip;
+            to[h] = above(h, place[h], 0.002);
+        }
+        constexpr int steps = 36;  // 18 mm at 0.1 m/s
+        for (int i = 1; i <= steps; ++i) {
+            for (int h = 0; h < hand_count; ++h)
+                rig_.wish[h].tip = from[h] + (static_cast<double>(i) / steps) * (to[h] - from[h]);
+            rig_.step();
+        }
+        for (int h = 0; h < hand_count; ++h) rig_.wish[h].closed = true;
+        rig_.steps(30);
+        for (int h = 0; h < hand_count; ++h) expect_held(h, when);
+    }
     void let_go(int h, const std::string& when) {
         rig_.wish[h].closed = false;
         rig_.steps(20);
@@ -116,15 +136,19 @@ class HandOver : public testing::TestWithParam<const char*> {
 constexpr double distances_apart[] = {0.0, 0.001, 0.002, 0.004, 0.006, 0.008, 0.012, 0.015};
 
 TEST_P(HandOver, AtAnyDistanceLosesNothingAndLoadsNoHand) {
-    for (const int first : {0, 1}) {
-        sum_ = HoldFigures();
-        sum_.tissue = GetParam();
-        sum_.order = orders_of_hands[first];
+    for (const TakenBy order : {TakenBy::left_first, TakenBy::right_first, TakenBy::both_at_once}) {
+        sum_ = {GetParam(), taken_by_words[static_cast<int>(order)]};
+        int first = order == TakenBy::right_first ? 1 : 0;
         for (const double apart : distances_apart) {
             const std::string when = std::to_string(1e3 * apart) + " mm apart, " + sum_.order;
-            take_hold(first, -0.5 * apart, when);
-            rests(first, when + ", before", false);
-            take_hold(1 - first, 0.5 * apart, when);
+            if (order == TakenBy::both_at_once) {
+                both_take_hold(apart, when);
+                first = 1 - first;
+            } else {
+                take_hold(first, -0.5 * apart, when);
+                rests(first, when + ", before", false);
+                take_hold(1 - first, 0.5 * apart, when);
+            }
             hand_over_from(first, when);
         }
         figures().push_back(sum_);
