@@ -20,7 +20,8 @@
 namespace fulcrum::app {
 namespace {
 
-constexpr int individuals = 16, counted = 3, familiarisation = 3;
+// Of experts many, because the share of their attempts that pass decides k; of novices only the mean counts.
+constexpr int expert_individuals = 32, novice_individuals = 8, counted = 3, familiarisation = 3;
 constexpr std::uint64_t first_seed = 1000;  // seeds 1000-1999 are reserved for benchmarks
 
 struct Job {
@@ -33,6 +34,7 @@ struct Job {
 /// familiarisation; the set records 0.
 std::vector<BenchmarkAttempt> run_operators(const LoadedTask& loaded, OperatorLevel level,
                                             std::uint64_t seed_base, DeviceClass device_class) {
+    const int individuals = level == OperatorLevel::expert ? expert_individuals : novice_individuals;
     std::vector<Job> jobs;
     for (int i = 0; i < individuals; ++i) {
         for (int a = 0; a < counted; ++a)

@@ -90,7 +90,8 @@ TEST(ShippedTasks, CanBeGatedAndFitTheirSets) {
         const BenchmarkSet set = load_benchmark(path);
         EXPECT_EQ(set.task, task.id);
         EXPECT_EQ(set.task_version, task.version);
-        EXPECT_GE(set.expert_pass_share, 1.0 - set.p0 - 1e-12);
+        EXPECT_GE(set.expert_pass_share, 0.8) << path;
+        EXPECT_LE(set.expert_pass_share, 0.96) << path;
         for (const GateSpec& gate : task.gates) {
             if (gate.kind != GateKind::benchmark) continue;
             EXPECT_NE(set.find(gate.metric, gate.hand, gate.tissue), nullptr)
@@ -132,10 +133,9 @@ TEST(BenchmarkBuilder, MakesASetThatItsExpertsPass) {
     const BenchmarkBuild build = build_benchmark(task, request);
     ASSERT_TRUE(build.set) << build.refusal;
     const BenchmarkSet& set = *build.set;
-    EXPECT_GE(set.expert_pass_share, 0.9);
-    EXPECT_GE(set.k, 2.0);
+    EXPECT_NEAR(set.expert_pass_share, 0.875, 0.05);
+    EXPECT_GE(set.k, 1.0);
     EXPECT_LE(set.k, 3.0);
-    EXPECT_EQ(build.trials.back().k, set.k);
     EXPECT_EQ(set.experts.size(), 8U);
     EXPECT_EQ(set.experts[0].attempts, 3);
     ASSERT_EQ(set.levels.size(), 2U);
@@ -149,7 +149,7 @@ TEST(BenchmarkBuilder, MakesASetThatItsExpertsPass) {
         experts += score_attempt(ScoreInput{task, attempt.metrics, &set}).passed == true ? 1 : 0;
     for (const BenchmarkAttempt& attempt : request.novices)
         novices += score_attempt(ScoreInput{task, attempt.metrics, &set}).passed == true ? 1 : 0;
-    EXPECT_GE(experts, 22);
+    EXPECT_GE(experts, 20);
     EXPECT_LE(novices, 2);
     EXPECT_EQ(benchmark_to_json(parse_benchmark(benchmark_to_json(set).dump(), "set.json")),
               benchmark_to_json(set));
@@ -208,20 +208,44 @@ TEST(BenchmarkBuilder, GivesBothHandsOneLimitWhereTheyDoTheSame) {
     EXPECT_GT(alike[0].deviation, apart[0].deviation);
 }
 
-TEST(BenchmarkBuilder, RaisesKUntilTheExpertsPass) {
+TEST(BenchmarkBuilder, TakesTheKWhoseExpertsPassNearestToTheMiddleOfTheBand) {
     const TaskDefinition task = small_task();
-    bool raised = false;
+    bool below_two = false;
     for (unsigned seed = 1; seed < 40; ++seed) {
-        const BenchmarkBuild build = build_benchmark(task, request_of(seed));
-        double before = -1;
+        const BenchmarkRequest request = request_of(seed);
+        const BenchmarkBuild build = build_benchmark(task, request);
+        ASSERT_TRUE(build.set) << build.refusal;
+        ASSERT_EQ(build.trials.size(), 21U);  // 1.0 to 3.0
+        double before = -1, least = 1;
+        std::vector<double> nearest;
         for (const BenchmarkTrial& trial : build.trials) {
             EXPECT_GE(trial.pass_share, before);  // a wider gate never lets fewer pass
             before = trial.pass_share;
+            least = std::min(least, std::abs(trial.pass_share - 0.875));
         }
-        for (std::size_t i = 0; i + 1 < build.trials.size(); ++i) EXPECT_LT(build.trials[i].pass_share, 0.9);
-        raised = raised || build.trials.size() > 1;
+        for (const BenchmarkTrial& trial : build.trials)
+            if (std::abs(trial.pass_share - 0.875) < least + 1e-9) nearest.push_back(trial.k);
+        EXPECT_NEAR(std::abs(build.set->expert_pass_share - 0.875), least, 1e-9);
+        EXPECT_EQ(build.set->k, nearest[(nearest.size() - 1) / 2]);
+        below_two = below_two || build.set->k < 2;
     }
-    EXPECT_TRUE(raised);
+    EXPECT_TRUE(below_two) << "limits that nearly every expert meets are narrowed";
+}
+
+TEST(BenchmarkBuilder, FreshExpertsPassAboutAsOftenAsTheSetSays) {
+    const TaskDefinition task = small_task();
+    int passed = 0, all = 0;
+    for (unsigned seed = 1; seed < 200; seed += 7) {
+        BenchmarkRequest request = request_of(seed);
+        request.experts = attempts_of("expert ", 32, 4.0, -1.5, seed);
+        const BenchmarkBuild build = build_benchmark(task, request);
+        ASSERT_TRUE(build.set) << build.refusal;
+        for (const BenchmarkAttempt& fresh : attempts_of("fresh ", 20, 4.0, -1.5, 5000 + seed)) {
+            passed += score_attempt(ScoreInput{task, fresh.metrics, &*build.set}).passed == true ? 1 : 0;
+            ++all;
+        }
+    }
+    EXPECT_NEAR(static_cast<double>(passed) / all, 0.875, 0.02);
 }
 
 TEST(BenchmarkBuilder, RefusesWhatItsOwnExpertsFail) {
@@ -230,7 +254,7 @@ TEST(BenchmarkBuilder, RefusesWhatItsOwnExpertsFail) {
         request.experts[i].metrics[2].value = 5.0;  // above 4 N
     const BenchmarkBuild build = build_benchmark(small_task(), request);
     EXPECT_FALSE(build.set);
-    EXPECT_EQ(build.trials.size(), 11U);  // 2.0 to 3.0
+    EXPECT_EQ(build.trials.size(), 21U);  // 1.0 to 3.0
     EXPECT_NE(build.refusal.find("75.0 %"), std::string::npos) << build.refusal;
     bool named = false;
     for (const std::string& line : build.log)
