@@ -393,7 +393,7 @@ const std::vector<Cheat>& cheats() {
         {"camera_away", "turns the camera away from the work", Site::hands, nullptr, camera_away},
         {"slow", "takes four times as long for every movement", Site::any, slow, nullptr},
         {"creep", "takes twelve times as long for every movement", Site::any, creep, nullptr},
-        {"rush", "moves in under half the time and far less exactly", Site::exact, rush, nullptr},
+        {"rush", "moves in under half the time and far less exactly", Site::any, rush, nullptr},
         {"heavy", "presses, grips and pulls several times as hard", Site::hands, heavy, nullptr},
         {"wander", "lets the hands drift by millimetres", Site::any, wander, nullptr},
         {"shake", "shakes both hands by 3 mm", Site::any, nullptr, shake},
@@ -451,8 +451,7 @@ std::vector<const Cheat*> cheats_for(const TaskDefinition& /*task*/, const Scene
                           (cheat.site == CheatSite::energy && scene.field() != nullptr) ||
                           (cheat.site == CheatSite::bands && scene.bands) ||
                           (cheat.site == CheatSite::hands && !scene.instruments.empty()) ||
-                          (cheat.site == CheatSite::scope && scene.instruments.empty()) ||
-                          (cheat.site == CheatSite::exact && (!scene.bowel || blade || scene.bands));
+                          (cheat.site == CheatSite::scope && scene.instruments.empty());
         if (fits) chosen.push_back(&cheat);
     }
     return chosen;

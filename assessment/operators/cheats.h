@@ -28,7 +28,6 @@ enum class CheatSite : std::uint8_t {
     bands,   ///< bands to divide
     hands,   ///< two hands
     scope,   ///< the scope alone; what others do to the hands is then done to the scope
-    exact,   ///< places to meet: targets, a line, bands; running the bowel asks for none
 };
 
 struct CheatView;

@@ -168,6 +168,28 @@ TEST(Score, WhatIsBrokenForGoodStaysFailedHoweverTheAttemptIsCutOff) {
               StatementId::simulator_failed);
 }
 
+TEST(Score, WhatIsNotDoneYetDoesNotFailAnAttemptThatIsCutOff) {
+    // A part too short for a metric: not done when the attempt has been carried to its end, open before.
+    TaskDefinition task = small_task();
+    task.gates.push_back({"ldlj", "right", "", GateKind::absolute, -6.7, "training limit", true});
+    const BenchmarkSet set = small_set();
+    std::vector<MetricResult> early = figures(1, -1, 0.1, 0);
+    early[1] = test::missing("sparc", "right", Absence::not_done);
+    early.push_back(test::missing("ldlj", "right", Absence::not_done));
+    const auto verdict = [&](AttemptState state, bool device_lost) {
+        ScoreInput input{task, early, &set, state};
+        input.device_lost = device_lost;
+        return score_attempt(input).passed;
+    };
+    EXPECT_FALSE(verdict(AttemptState::interrupted, false));  // no verdict
+    EXPECT_FALSE(verdict(AttemptState::failed_simulation, false));
+    EXPECT_FALSE(verdict(AttemptState::interrupted, true));
+    EXPECT_FALSE(verdict(AttemptState::completed, true));
+    EXPECT_EQ(verdict(AttemptState::completed, false), false);  // failed
+    early.front().value = 1e5;                                  // s: broken for good
+    EXPECT_EQ(verdict(AttemptState::interrupted, true), false);
+}
+
 TEST(Score, ALostDeviceTakesBackNothingAndGivesNoPass) {
     const TaskDefinition task = small_task();
     const BenchmarkSet set = small_set();
