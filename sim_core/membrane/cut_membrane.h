@@ -155,8 +155,8 @@ class CutMembrane {
     /// Applies a cut; false (and no change) if it does not fit.
     bool part(CutMembraneState& state, const MembraneCut& cut, CutMembraneScratch& scratch) const noexcept;
 
-    /// One step. Substepping is not reported as a fault. refused: input not finite, or more than
-    /// most_substeps needed; frozen: the result was not finite, the sheet keeps its previous positions.
+    /// One step; its report has no energy. Substepping is not a fault. refused: input not finite, or more
+    /// than most_substeps needed; frozen: the result was not finite, the sheet keeps its previous positions.
     MembraneReport step(CutMembraneState& state, CutMembraneInputs& inputs, double dt,
                         CutMembraneScratch& scratch, int most_substeps = 4096) const noexcept;
 

@@ -180,12 +180,7 @@ MembraneReport CutMembrane::step(CutMembraneState& state, CutMembraneInputs& inp
         }
     }
     store(x, v, nodes, state);
-    if (!finite(state)) {
-        freeze(state, inputs, scratch.good_, nodes, report);
-        return report;
-    }
-    for (std::size_t n = 0; n < nodes; ++n) g[n] = all_lanes(0);
-    report.energy = membrane_detail::add_springs(ends, state.stiffness.data(), state.rest.data(), x, g);
+    if (!finite(state)) freeze(state, inputs, scratch.good_, nodes, report);
     return report;
 }
 
