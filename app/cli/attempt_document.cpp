@@ -100,9 +100,8 @@ std::vector<std::string> export_trace(const database::Store& store, const databa
 }
 
 nlohmann::json score_of_files(const std::string& trace_file, const std::string& events_file,
-                              const std::string& task, const std::string& fidelity,
-                              DeviceClass device_class) {
-    const LoadedTask loaded = load_task_and_scene(task, fidelity);
+                              const TaskRequest& task, DeviceClass device_class) {
+    const LoadedTask loaded = load_task_and_scene(task);
     Trace trace = read_trace_csv(trace_file);
     put_labels_first(trace, tissue_labels(loaded.scene));
     const std::vector<Event> events = read_events_csv(events_file, trace.tissues, loaded.scene.tick_period());
@@ -113,6 +112,7 @@ nlohmann::json score_of_files(const std::string& trace_file, const std::string& 
                     events, limits_for(loaded.task, loaded.scene, device_class)));
     document["device_class"] = row_of(device_classes, device_class).name;
     document["fidelity"] = loaded.scene.fidelity.id;
+    document["variant"] = loaded.scene.variant;
     return document;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "database/rows/attempt_records.h"
+#include "database/scoring/loaded_task.h"
 #include "database/scoring/scoring.h"
 #include "database/store/store.h"
 
@@ -23,9 +24,9 @@ nlohmann::json attempt_document(const database::AttemptMeta& meta, const std::st
 std::vector<std::string> export_trace(const database::Store& store, const database::Session& session,
                                       const std::string& attempt, const std::string& folder);
 
-/// The score of an attempt from its exported trace and events, held against the limits of this device class
-/// and fidelity (empty: the scene's own).
+/// The score of an attempt from its exported trace and events, held against the limits of this device class,
+/// variant and fidelity.
 nlohmann::json score_of_files(const std::string& trace_file, const std::string& events_file,
-                              const std::string& task, const std::string& fidelity, DeviceClass device_class);
+                              const TaskRequest& task, DeviceClass device_class);
 
 }  // namespace fulcrum::app

@@ -103,7 +103,8 @@ std::vector<BenchmarkAttempt> stored_attempts(const database::Store& store, cons
         for (const database::AttemptSummary& summary : list) {
             if (summary.meta.mode != AttemptMode::assessed || summary.state != AttemptState::completed ||
                 limits_class(summary.meta.device_class) != device_class ||
-                summary.meta.variant != loaded.scene.variant ||
+                variant_family(loaded.task, summary.meta.variant) !=
+                    variant_family(loaded.task, loaded.scene.variant) ||
                 summary.meta.fidelity != loaded.scene.fidelity.id || ++seen <= familiarisation)
                 continue;
             const auto score = attempts.score(session, summary.meta.id);
@@ -155,13 +156,20 @@ struct Setting {
 };
 
 Setting setting_of(const Arguments& arguments) {
-    Setting setting{load_task_and_scene(arguments.words()[0]), {}, {}};
+    const TaskRequest wanted{arguments.words()[0], arguments.value_or("--variant", ""), {}};
+    Setting setting{load_task_and_scene(wanted), {}, {}};
+    const std::string family = variant_family(setting.loaded.task, setting.loaded.scene.variant);
+    if (family != setting.loaded.scene.variant)
+        throw UsageError(
+            "--variant",
+            "is " + setting.loaded.scene.variant + ", whose attempts are compared with the sets of " + family,
+            "name " + family + ", or remove its family from the task");
     const bool experts = arguments.has("--experts");
     if (!experts && !arguments.has("--db")) return setting;
     setting.store = open_store(arguments, false);
     setting.session =
         experts ? person_session(arguments, *setting.store) : session_of(arguments, *setting.store);
-    setting.loaded = load_site_task(*setting.store, *setting.session, setting.loaded.task.id);
+    setting.loaded = load_site_task(*setting.store, *setting.session, wanted);
     return setting;
 }
 
@@ -194,7 +202,7 @@ BenchmarkRequest request_for(const Arguments& arguments, const Setting& setting,
     BenchmarkRequest request;
     request.device_class = device_class;
     request.cutting = cutting_values(loaded.scene);
-    request.variant_family = loaded.scene.variant;
+    request.variant_family = variant_family(loaded.task, loaded.scene.variant);
     request.fidelity = loaded.scene.fidelity.id;
     request.version = next_version(
         {loaded.task.id, request.variant_family, request.device_class, request.fidelity}, output);
@@ -258,28 +266,38 @@ bool build_one(const Arguments& arguments, const Setting& setting, DeviceClass d
     return build.set.has_value();
 }
 
-/// The sets that this program ships: of every task with benchmark gates, for the haptic class and each other
-/// class that the task names and that has a model.
+/// The sets of one variant family: for the haptic class and each other class that the task names and that has
+/// a model.
+bool build_family(const Arguments& arguments, const std::string& task, const std::string& variant,
+                  const std::string& folder) {
+    const Setting setting{load_task_and_scene(TaskRequest{task, variant, {}}), {}, {}};
+    bool usable = true;
+    for (const NameRow<DeviceClass>& row : device_classes) {
+        if (limits_class(row.kind) != row.kind || !has_device_model(row.kind) ||
+            !can_be_assessed(setting.loaded.task, row.kind))
+            continue;
+        const std::string name = benchmark_name({task, variant, row.kind, setting.loaded.scene.fidelity.id});
+        std::cout << name << '\n';
+        usable = build_one(arguments, setting, row.kind,
+                           (std::filesystem::path(folder) / (name + ".json")).string()) &&
+                 usable;
+    }
+    return usable;
+}
+
+/// The sets that this program ships: of every task with benchmark gates and each of its variant families.
 int build_all(const Arguments& arguments) {
     const std::string folder = arguments.folder("--output", asset_path("benchmarks"));
     bool usable = true;
     for (const std::string& task : task_ids()) {
-        const Setting setting{load_task_and_scene(task), {}, {}};
-        const std::vector<GateSpec>& gates = setting.loaded.task.gates;
+        const TaskDefinition definition = load_task(task_file(task));
+        const std::vector<GateSpec>& gates = definition.gates;
         if (std::none_of(gates.begin(), gates.end(),
                          [](const GateSpec& gate) { return gate.kind == GateKind::benchmark; }))
             continue;
-        for (const NameRow<DeviceClass>& row : device_classes) {
-            if (limits_class(row.kind) != row.kind || !has_device_model(row.kind) ||
-                !can_be_assessed(setting.loaded.task, row.kind))
-                continue;
-            const Scene& scene = setting.loaded.scene;
-            const std::string name = benchmark_name({task, scene.variant, row.kind, scene.fidelity.id});
-            std::cout << name << '\n';
-            usable = build_one(arguments, setting, row.kind,
-                               (std::filesystem::path(folder) / (name + ".json")).string()) &&
-                     usable;
-        }
+        for (const TaskVariant& variant : definition.variants)
+            if (variant.family == variant.id)
+                usable = build_family(arguments, task, variant.id, folder) && usable;
     }
     return usable ? 0 : 1;
 }
@@ -288,7 +306,7 @@ int run_benchmark_build(const Arguments& arguments) {
     if (arguments.has("--operators") == arguments.has("--experts"))
         throw UsageError("benchmark build", "needs either --operators or --experts", "give one of them");
     if (arguments.has("--all")) {
-        for (const char* other : {"--experts", "--device-class", "--db", "--json"})
+        for (const char* other : {"--experts", "--device-class", "--variant", "--db", "--json"})
             arguments.exclude("--all", other);
         if (!arguments.words().empty())
             throw UsageError(arguments.words()[0], "--all builds the sets of all tasks",
@@ -319,6 +337,7 @@ Command benchmark_command() {
                  "The class of devices that the set is for; operators work through a model of it.",
                  "haptic",
                  {"haptic", "tracked", "controller", "mouse-keyboard"}},
+                variant_option(),
                 {"--all", "", "Build the sets of all tasks and device classes, from operators."},
                 {"--output",
                  "FILE",

@@ -69,8 +69,9 @@ void print_notes(const nlohmann::json& document) {
 nlohmann::json verdict(const Arguments& arguments) {
     if (!arguments.has("--task"))
         throw UsageError("--events", "needs the task that was performed", "name it: --task TASK");
-    return score_of_files(arguments.words()[0], *arguments.value("--events"), *arguments.value("--task"),
-                          arguments.value_or("--fidelity", ""),
+    return score_of_files(arguments.words()[0], *arguments.value("--events"),
+                          {*arguments.value("--task"), arguments.value_or("--variant", ""),
+                           arguments.value_or("--fidelity", "")},
                           find_row(device_classes, arguments.value_or("--device-class", "haptic"))->kind);
 }
 
@@ -102,7 +103,7 @@ int run_metrics(const Arguments& arguments) {
         }
         return 0;
     }
-    for (const char* option : {"--device-class", "--fidelity"})
+    for (const char* option : {"--device-class", "--fidelity", "--variant"})
         if (arguments.has(option))
             throw UsageError(option, "has no meaning without --events",
                              "name the events: --events EVENTS.csv");
@@ -214,6 +215,7 @@ Command metrics_command() {
          {"--events", "EVENTS.csv", "The attempt's events."},
          {"--device-class", "CLASS", "The class of the device; its limits are used.", "haptic",
           device_class_names()},
+         variant_option(),
          {"--fidelity", "LEVEL", "The fidelity of the simulation; its limits are used.", "the scene's own",
           fidelity_names()},
          json_option()},

@@ -7,6 +7,7 @@
 
 #include "app/cli/attempt_document.h"
 #include "app/cli/commands.h"
+#include "app/cli/installed_curriculum.h"
 #include "app/live/interrupted.h"
 #include "app/live/live_attempt.h"
 #include "app/live/performance.h"
@@ -17,6 +18,7 @@
 #include "assessment/metrics/metrics_json.h"
 #include "assessment/metrics/statement_words.h"
 #include "assessment/operators/device_model.h"
+#include "database/records/curricula.h"
 #include "database/records/recorder.h"
 #include "database/store/accepted_assets.h"
 #include "sim_core/scene/fidelity.h"
@@ -178,8 +180,9 @@ std::string costs_text() {
 int run_perform(const Arguments& arguments) {
     arguments.exclude("--operator", "--input");
     const std::string fidelity = arguments.value_or("--fidelity", "");
-    LoadedTask loaded =
-        load_task_and_scene(arguments.words()[0], fidelity);  // errors are reported before a store is created
+    const Curriculum curriculum = installed_curriculum();
+    const TaskRequest wanted{arguments.words()[0], arguments.value_or("--variant", ""), fidelity};
+    LoadedTask loaded = load_task_and_scene(wanted);  // errors are reported before a store is created
     const auto seed = static_cast<std::uint64_t>(arguments.integer("--seed", 1, 0, 4'000'000'000LL));
     std::optional<OperatorLevel> level;  // none: a trace
     if (!arguments.has("--input")) level = operator_level(arguments.value_or("--operator", "expert"));
@@ -198,7 +201,7 @@ int run_perform(const Arguments& arguments) {
     const database::Store store = open_store(arguments, true);
     const database::Session session = store.station_session();
     score_interrupted(store.path(), session);  // attempts of a run that was killed
-    loaded = load_site_task(store, session, loaded.task.id, fidelity);
+    loaded = load_site_task(store, session, wanted);
     if (level)
         rig = through_device(make_operator(*level, loaded.task, loaded.scene, seed), device_class,
                              loaded.scene, seed);
@@ -214,6 +217,7 @@ int run_perform(const Arguments& arguments) {
         std::cerr << "fulcrum: " << database::practice_only_words(unknown) << '\n';
     }
     meta.person_id = person.id;
+    meta.curriculum = database::Curricula(store).in_force(session, person.id, curriculum).name();
     if (level) meta.operator_name = row_of(operator_levels, *level).name;
 
     Result result;
@@ -261,6 +265,7 @@ Command perform_command() {
           {"novice", "intermediate", "expert"}},
          {"--input", "TRACE.csv", "Perform the movements of a trace instead of those of an operator."},
          seed_option(),
+         variant_option(),
          {"--person", "LOGIN",
           "The synthetic or external person to whom the attempt belongs; created if missing.",
           "one person for each operator and seed"},

@@ -11,6 +11,7 @@ std::vector<Command> headless_commands() {
     std::vector<Command> commands = {perform_command(), replay_command(),    metrics_command(),
                                      check_command(),   benchmark_command(), tissues_command()};
     for (const Command& command : asset_commands()) commands.push_back(command);
+    for (const Command& command : curricula_commands()) commands.push_back(command);
     for (const Command& command : statistics_commands()) commands.push_back(command);
     for (const Command& command : store_commands()) commands.push_back(command);
     for (const Command& command : laboratory_commands()) commands.push_back(command);
@@ -23,6 +24,10 @@ Option json_option() {
 
 Option store_option() {
     return {"--db", "FILE", "The store to use.", "the store of this user account"};
+}
+
+Option variant_option() {
+    return {"--variant", "ID", "The variant of the task.", "standard"};
 }
 
 Option seed_option() {

@@ -23,6 +23,7 @@ Command check_command();
 Command benchmark_command();
 Command tissues_command();
 std::vector<Command> asset_commands();       ///< assets ...
+std::vector<Command> curricula_commands();   ///< curriculum list, move
 std::vector<Command> statistics_commands();  ///< curriculum ..., benchmark statistics
 std::vector<Command> store_commands();       ///< db ...
 std::vector<Command> laboratory_commands();  ///< lab ...: without code, run by the program fulcrum-lab
@@ -31,6 +32,7 @@ Option json_option();
 Option store_option();                  ///< --db
 std::vector<Option> session_options();  ///< --db, --as, --role, --password-file, --json
 Option seed_option();
+Option variant_option();
 inline constexpr int default_fidelity_seeds =
     40;                                     ///< of lab fidelity, for each task: under an hour on two cores
 std::vector<std::string> fidelity_names();  ///< choices of --fidelity

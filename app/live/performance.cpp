@@ -75,7 +75,7 @@ database::AttemptMeta attempt_meta(const LoadedTask& loaded, std::uint64_t seed,
     meta.variant = loaded.scene.variant;
     meta.seed = seed;
     meta.fidelity = loaded.scene.fidelity.id;
-    meta.scene = loaded.task.scene;
+    meta.scene = loaded.scene_file;
     meta.scene_text = loaded.scene_text;
     meta.limits = limits.name();
     meta.assets = loaded.assets;

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <random>
 
+#include "app/cli/installed_curriculum.h"
 #include "app/live/interrupted.h"
 #include "app/live/live_attempt.h"
 #include "app/services/demo.h"
@@ -16,6 +17,7 @@
 #include "assessment/attempt/engine.h"
 #include "assessment/metrics/version.h"
 #include "assessment/operators/operator.h"
+#include "database/records/curricula.h"
 #include "database/rows/crypto.h"
 #include "database/scoring/rescoring.h"
 #include "database/scoring/site_tissues.h"
@@ -34,10 +36,7 @@ class Services : public ui::ApplicationServices {
   public:
     explicit Services(std::string folder) : folder_(std::move(folder)) {
         for (const std::string& id : task_ids()) tasks_.push_back(load_task(task_file(id)));
-        const std::string name = "curricula/rectal.json", path = asset_path(name);
-        const std::string text = read_text_file(path, JsonLimits().bytes);
-        curriculum_file_ = {name, database::sha256_hex(text)};
-        curriculum_ = parse_curriculum(text, path, task_ids());
+        curriculum_ = installed_curriculum();
     }
     database::Store* store() override { return store_.get(); }
     std::string store_path(bool demo) const override {
@@ -47,7 +46,9 @@ class Services : public ui::ApplicationServices {
     void open_store(bool demo) override {
         const std::string path = store_path(demo);
         store_.reset();
-        store_ = std::make_unique<database::Store>(database::Store::open_or_create(path, demo));
+        auto opened = std::make_unique<database::Store>(database::Store::open_or_create(path, demo));
+        database::Curricula(*opened).check(curriculum_);
+        store_ = std::move(opened);
     }
     bool demo_is_built() const override { return database::Store::exists(store_path(true)); }
     bool build_demo(const ui::Progress& progress) override {
@@ -55,14 +56,14 @@ class Services : public ui::ApplicationServices {
     }
     const std::vector<TaskDefinition>& tasks() const override { return tasks_; }
     const Curriculum& curriculum() const override { return curriculum_; }
-    Scene scene_for(const TaskDefinition& task) const override {
-        return load_scene(asset_path("scenes/" + task.scene));
+    Scene scene_for(const TaskDefinition& task, const std::string& variant) const override {
+        return load_task_and_scene({task.id, variant, {}}).scene;
     }
-    std::string scene_text(const TaskDefinition& task) const override {
-        return load_task_and_scene(task.id).scene_text;
+    std::string scene_text(const TaskDefinition& task, const std::string& variant) const override {
+        return load_task_and_scene({task.id, variant, {}}).scene_text;
     }
-    WorldSnapshot world_at_start(const TaskDefinition& task) const override {
-        const LoadedTask loaded = load_task_and_scene(task.id);
+    WorldSnapshot world_at_start(const TaskDefinition& task, const std::string& variant) const override {
+        const LoadedTask loaded = load_task_and_scene({task.id, variant, {}});
         return AttemptEngine(loaded.scene, loaded.task, demonstration_seed).initial_snapshot();
     }
 
@@ -74,11 +75,11 @@ class Services : public ui::ApplicationServices {
         if (request.goal > 0) return begin_at_goal(request);
         if (request.ghost && request.assessed)
             throw InputError(request.task_id, "", "is not assessed with a ghost", "choose practice");
-        LoadedTask loaded = load_site_task(*store_, request.session, request.task_id);
+        LoadedTask loaded = load_site_task(*store_, request.session, {request.task_id, request.variant, {}});
         if (request.assessed) require_assessable(loaded.task, request.device_class);
         const Limits limits = limits_for(loaded.task, loaded.scene, request.device_class);
         const std::vector<database::AssetFile> unknown =
-            database::AcceptedAssets(*store_).unknown(assets_of(loaded, limits));
+            database::AcceptedAssets(*store_).unknown(assets_of(request.session, loaded, limits));
         if (request.assessed && !unknown.empty())
             throw InputError("task " + loaded.task.id, "", database::practice_only_words(unknown),
                              "perform it as practice until then");
@@ -96,32 +97,33 @@ class Services : public ui::ApplicationServices {
         live.meta = attempt_meta(live.loaded, live.seed,
                                  request.assessed ? AttemptMode::assessed : AttemptMode::practice,
                                  request.device_class, request.device, limits);
-        live.meta.assets.push_back(curriculum_file_);
+        note_curriculum(request.session, live.meta);
         live.meta.person_id = request.session.person_id();
         return std::make_unique<LiveAttempt>(std::move(live));
     }
     Statement why_not_comparable(const database::Session& session, const std::string& task_id,
-                                 DeviceClass device_class) override {
-        const LoadedTask loaded = load_site_task(*store_, session, task_id);
+                                 DeviceClass device_class, const std::string& variant) override {
+        const LoadedTask loaded = load_site_task(*store_, session, {task_id, variant, {}});
         return limits_for(loaded.task, loaded.scene, device_class).not_comparable;
     }
     std::vector<database::AssetFile> unknown_assets(const database::Session& session,
-                                                    const std::string& task_id,
-                                                    DeviceClass device_class) override {
-        const LoadedTask loaded = load_site_task(*store_, session, task_id);
+                                                    const std::string& task_id, DeviceClass device_class,
+                                                    const std::string& variant) override {
+        const LoadedTask loaded = load_site_task(*store_, session, {task_id, variant, {}});
         return database::AcceptedAssets(*store_).unknown(
-            assets_of(loaded, limits_for(loaded.task, loaded.scene, device_class)));
+            assets_of(session, loaded, limits_for(loaded.task, loaded.scene, device_class)));
     }
     std::vector<JudgedLimit> judged_limits(const database::Session& session, const std::string& task_id,
-                                           DeviceClass device_class) override {
-        const LoadedTask loaded = load_site_task(*store_, session, task_id);
+                                           DeviceClass device_class, const std::string& variant) override {
+        const LoadedTask loaded = load_site_task(*store_, session, {task_id, variant, {}});
         const Limits limits = limits_for(loaded.task, loaded.scene, device_class);
         return fulcrum::judged_limits(loaded.task, limits.comparable(), limits.not_comparable);
     }
     std::unique_ptr<ui::AttemptSession> start_demonstration(const database::Session& session,
-                                                            const std::string& task_id) override {
+                                                            const std::string& task_id,
+                                                            const std::string& variant) override {
         LiveRequest live;
-        live.loaded = load_site_task(*store_, session, task_id);
+        live.loaded = load_site_task(*store_, session, {task_id, variant, {}});
         live.seed = demonstration_seed;
         live.assessed = false;
         live.rig =
@@ -206,6 +208,7 @@ class Services : public ui::ApplicationServices {
         live.meta =
             attempt_meta(loaded, seed, AttemptMode::practice, request.device_class, request.device, limits);
         live.meta.person_id = request.session.person_id();
+        live.meta.curriculum = followed_by(request.session).name();
         live.meta.origin = std::move(origin);
         live.meta.origin->build = state_build();
         live.loaded = std::move(loaded);
@@ -233,7 +236,7 @@ class Services : public ui::ApplicationServices {
                           });
     }
     std::unique_ptr<ui::AttemptSession> begin_at_goal(const ui::AttemptRequest& request) {
-        LoadedTask loaded = load_site_task(*store_, request.session, request.task_id);
+        LoadedTask loaded = load_site_task(*store_, request.session, {request.task_id, request.variant, {}});
         if (request.goal >= static_cast<int>(loaded.task.goals.size()))
             throw InputError(request.task_id, "", "has no goal " + std::to_string(request.goal + 1),
                              "choose one of its goals");
@@ -256,14 +259,26 @@ class Services : public ui::ApplicationServices {
     std::string folder_;
     std::vector<TaskDefinition> tasks_;
     /// Everything that decides what an attempt is worth.
-    std::vector<database::AssetFile> assets_of(const LoadedTask& loaded, const Limits& limits) const {
+    std::vector<database::AssetFile> assets_of(const database::Session& session, const LoadedTask& loaded,
+                                               const Limits& limits) const {
         std::vector<database::AssetFile> files = loaded.assets;
         if (!limits.file.name.empty()) files.push_back(limits.file);
-        files.push_back(curriculum_file_);
+        files.push_back(file_of(followed_by(session)));
         return files;
     }
+    const Curriculum& followed_by(const database::Session& session) const {
+        return database::Curricula(*store_).in_force(session, session.person_id(), curriculum_);
+    }
+    static database::AssetFile file_of(const Curriculum& curriculum) {
+        return {"curricula/" + curriculum.file, database::sha256_hex(curriculum.text)};
+    }
+    /// The version that the person follows, which the first attempt settles.
+    void note_curriculum(const database::Session& session, database::AttemptMeta& meta) const {
+        const Curriculum& followed = followed_by(session);
+        meta.curriculum = followed.name();
+        meta.assets.push_back(file_of(followed));
+    }
     Curriculum curriculum_;
-    database::AssetFile curriculum_file_;
     std::unique_ptr<database::Store> store_;
     std::shared_ptr<Ghosts> ghosts_ = std::make_shared<Ghosts>();
 };

@@ -4,22 +4,27 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/attempt_document.h"
+#include "app/cli/installed_curriculum.h"
 #include "app/services/application.h"
 #include "app/services/program.h"
 #include "assessment/assets/assets.h"
 #include "database/records/certificates.h"
+#include "database/records/curricula.h"
 #include "database/rows/attempt_records.h"
 #include "ui/reports/certificate.h"
 
 namespace fulcrum::app {
 namespace {
 
-Curriculum curriculum() {
-    return load_curriculum(asset_path("curricula/rectal.json"), task_ids());
+Curriculum curriculum(const database::Store& store) {
+    Curriculum installed = installed_curriculum();
+    database::Curricula(store).check(installed);
+    return installed;
 }
 
 int verify(const Arguments& arguments, const database::Store& store, const database::Session& session) {
-    const auto found = database::find_certificate(store, session, *arguments.value("--verify"), curriculum());
+    const auto found =
+        database::find_certificate(store, session, *arguments.value("--verify"), curriculum(store));
     if (arguments.has("--json")) {
         nlohmann::json document = {{"valid", found.has_value()}};
         if (found)
@@ -46,7 +51,8 @@ int write(const Arguments& arguments, const database::Store& store, const databa
         throw UsageError("--output", "is missing", "name the file to write: -o FILE");
     const std::string person = person_named(arguments, store, session);
     const std::string stage = *arguments.value("--stage"), path = *arguments.value("--output");
-    for (const database::Certificate& one : database::certificates(store, session, person, curriculum())) {
+    for (const database::Certificate& one :
+         database::certificates(store, session, person, curriculum(store))) {
         if (one.stage != stage) continue;
         std::vector<TaskDefinition> tasks;
         for (const std::string& id : task_ids()) tasks.push_back(load_task(task_file(id)));

@@ -91,7 +91,7 @@ void draw_moment(const LoadedTask& loaded, std::uint64_t seed, double duration, 
 int run_demonstrate(const Arguments& arguments) {
     const std::string task = arguments.words().empty() ? "B1" : arguments.words()[0];
     const auto seed = static_cast<std::uint64_t>(arguments.integer("--seed", 1, 0, 4'000'000'000LL));
-    const LoadedTask loaded = load_task_and_scene(task);
+    const LoadedTask loaded = load_task_and_scene(TaskRequest{task, arguments.value_or("--variant", ""), {}});
     const std::filesystem::path folder = arguments.folder("--output", "out");
     const std::string store_path = (folder / "demonstration.db").string();
     for (const char* suffix : {"", "-wal", "-shm"}) std::filesystem::remove(store_path + suffix);
@@ -115,15 +115,17 @@ int run_demonstrate(const Arguments& arguments) {
 }  // namespace
 
 Command demonstrate_command() {
-    return {
-        "demonstrate",
-        "[TASK]",
-        0,
-        1,
-        "Lets a synthetic expert perform a task (B1) and writes its report and a picture.",
-        {{"--output", "FOLDER", "The folder to write to.", "out", {}, "-o"}, seed_option(), json_option()},
-        run_demonstrate,
-        true};
+    return {"demonstrate",
+            "[TASK]",
+            0,
+            1,
+            "Lets a synthetic expert perform a task (B1) and writes its report and a picture.",
+            {{"--output", "FOLDER", "The folder to write to.", "out", {}, "-o"},
+             seed_option(),
+             variant_option(),
+             json_option()},
+            run_demonstrate,
+            true};
 }
 
 }  // namespace fulcrum::app

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <thread>
 
+#include "app/cli/installed_curriculum.h"
 #include "app/live/performance.h"
 #include "assessment/assets/assets.h"
 #include "database/records/people.h"
@@ -74,6 +75,7 @@ void simulate(const Job& job, const std::string& store_path, const database::Ses
     database::AttemptMeta meta = attempt_meta(job.loaded, job.seed, AttemptMode::assessed,
                                               DeviceClass::synthetic, "synthetic operator", job.limits);
     meta.person_id = person_id;
+    meta.curriculum = installed_curriculum().name();
     meta.operator_name = row_of(operator_levels, *request.operator_level).name;
     database::Recorder recorder(store_path, station, meta);
     perform(request, &recorder, job.limits);

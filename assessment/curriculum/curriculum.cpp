@@ -2,6 +2,8 @@
 #include "assessment/curriculum/curriculum.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <iterator>
 #include <set>
 
 #include "sim_core/numerics/input_error.h"
@@ -38,6 +40,7 @@ CurriculumTask read_task(const JsonDocument& document, std::size_t number, const
     } catch (const InputError& error) {
         document.fail(place(number, "rule"), error.problem(), error.hint());
     }
+    if (node.contains("variants")) task.variants = node.at("variants").get<int>();
     for (const json& name : node.at("device_classes"))
         task.device_classes.push_back(find_row(device_classes, name.get<std::string>())->kind);
     return task;
@@ -81,6 +84,13 @@ void check_prerequisites(const JsonDocument& document, const Curriculum& curricu
 }
 
 }  // namespace
+
+const Curriculum* Curriculum::version_named(const std::string& wanted) const {
+    if (wanted == name()) return this;
+    const auto found =
+        std::find_if(older.begin(), older.end(), [&](const Curriculum& one) { return one.name() == wanted; });
+    return found == older.end() ? nullptr : &*found;
+}
 
 const CurriculumTask* Curriculum::find(const std::string& task) const {
     const auto found =
@@ -127,7 +137,34 @@ Curriculum parse_curriculum(const std::string& text, const std::string& file,
 }
 
 Curriculum load_curriculum(const std::string& path, const std::vector<std::string>& tasks) {
-    return parse_curriculum(read_text_file(path, JsonLimits().bytes), path, tasks);
+    const std::string text = read_text_file(path, JsonLimits().bytes);
+    Curriculum curriculum = parse_curriculum(text, path, tasks);
+    curriculum.file = std::filesystem::path(path).filename().string();
+    curriculum.text = text;
+    return curriculum;
+}
+
+Curriculum load_versions(const std::string& folder, const std::string& id,
+                         const std::vector<std::string>& tasks) {
+    std::vector<Curriculum> versions;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        if (entry.path().extension() != ".json") continue;
+        Curriculum one = load_curriculum(entry.path().string(), tasks);
+        if (one.id == id) versions.push_back(std::move(one));
+    }
+    std::sort(versions.begin(), versions.end(),
+              [](const Curriculum& a, const Curriculum& b) { return a.version > b.version; });
+    if (versions.empty())
+        throw InputError(folder, "", "holds no curriculum " + id, "install the program's assets again");
+    for (std::size_t i = 1; i < versions.size(); ++i)
+        if (versions[i].version == versions[i - 1].version)
+            throw InputError(folder + "/" + versions[i].file, "/version",
+                             "is that of " + versions[i - 1].file + " too",
+                             "a version in use is never edited: raise the version of the changed file");
+    Curriculum newest = std::move(versions.front());
+    newest.older.assign(std::make_move_iterator(versions.begin() + 1),
+                        std::make_move_iterator(versions.end()));
+    return newest;
 }
 
 }  // namespace fulcrum

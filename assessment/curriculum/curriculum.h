@@ -22,6 +22,7 @@ struct CurriculumTask {
     std::vector<std::string> after;           ///< unlocks it: tasks that the trainee is proficient in
     PassRule rule;                            ///< when a trainee is proficient
     std::vector<DeviceClass> device_classes;  ///< whose attempts count
+    int variants = 1;                         ///< the passes that the rule counts are on at least so many
 };
 
 struct Curriculum {
@@ -30,9 +31,15 @@ struct Curriculum {
     std::string title;
     std::vector<CurriculumStage> stages;  ///< in the order in which they are learned
     std::vector<CurriculumTask> tasks;    ///< in the order in which they are shown
+    /// Its earlier versions that are installed, which people may still follow, newest first.
+    std::vector<Curriculum> older = {};
+    std::string file = {};  ///< name in assets/curricula; "" where it is not from a file
+    std::string text = {};  ///< of that file
 
     /// "rectal@1", as attempts record it.
     std::string name() const { return id + "@" + std::to_string(version); }
+    /// Itself or an earlier version by its name(); null where it is not installed.
+    const Curriculum* version_named(const std::string& name) const;
     /// Null for a task that does not belong to it.
     const CurriculumTask* find(const std::string& task) const;
     const CurriculumStage* find_stage(const std::string& stage) const;
@@ -52,5 +59,9 @@ bool counts(const CurriculumTask& task, DeviceClass used);
 Curriculum parse_curriculum(const std::string& text, const std::string& file,
                             const std::vector<std::string>& tasks);
 Curriculum load_curriculum(const std::string& path, const std::vector<std::string>& tasks);
+/// All versions of the curriculum `id` among the files of `folder`: the newest with the others as `older`.
+/// Throws InputError as well where two files hold the same version, or none.
+Curriculum load_versions(const std::string& folder, const std::string& id,
+                         const std::vector<std::string>& tasks);
 
 }  // namespace fulcrum

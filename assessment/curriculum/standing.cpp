@@ -27,6 +27,7 @@ std::int64_t local_day(const CountedAttempt& attempt) {
 struct Outcome {
     bool passed = false;
     std::int64_t day = 0;
+    std::string variant;
 };
 
 bool on_two_days(const std::vector<Outcome>& outcomes, std::size_t from) {
@@ -36,18 +37,27 @@ bool on_two_days(const std::vector<Outcome>& outcomes, std::size_t from) {
     return days.size() >= 2;
 }
 
+int variants_passed(const std::vector<Outcome>& outcomes, std::size_t from) {
+    std::set<std::string> variants;
+    for (std::size_t i = from; i < outcomes.size(); ++i)
+        if (outcomes[i].passed) variants.insert(outcomes[i].variant);
+    return static_cast<int>(variants.size());
+}
+
 struct RuleState {
     bool met = false, one_more_day = false;
+    int more_variants = 0;
     double progress = 0;
 };
 
-/// The rule with the condition that the passes it counts lie on two local dates.
-RuleState judge(const PassRule& rule, const std::vector<Outcome>& outcomes) {
+/// The rule with the conditions that the passes it counts lie on two local dates and on enough variants.
+RuleState judge(const CurriculumTask& task, const std::vector<Outcome>& outcomes) {
+    const PassRule& rule = task.rule;
     RuleState state;
     std::size_t from = outcomes.size();
     double have = 0, need = 1;
     if (rule.kind == PassRuleKind::lc_cusum) {
-        // Held at the limit until there are passes on two days: kept as "met but for a second day".
+        // Held at the limit until there are passes on two days and on enough variants.
         double sum = 0;
         from = 0;
         for (std::size_t i = 0; i < outcomes.size(); ++i) {
@@ -68,8 +78,11 @@ RuleState judge(const PassRule& rule, const std::vector<Outcome>& outcomes) {
         need = rule.k;
     }
     const bool enough = have >= need - 1e-12;
-    state.met = enough && on_two_days(outcomes, from);
-    state.one_more_day = enough && !state.met;
+    const bool two_days = on_two_days(outcomes, from);
+    const int more_variants = std::max(0, task.variants - variants_passed(outcomes, from));
+    state.met = enough && two_days && more_variants == 0;
+    state.one_more_day = enough && !two_days;
+    state.more_variants = enough ? more_variants : 0;
     state.progress = std::clamp(have / need, 0.0, 1.0);
     return state;
 }
@@ -88,10 +101,10 @@ class TaskRun {
             provisional_ = passes_ == 0 ? one.provisional : provisional_ && one.provisional;
             ++passes_;
         }
-        const Outcome outcome{one.passed, local_day(one)};
+        const Outcome outcome{one.passed, local_day(one), one.variant};
         all_.push_back(outcome);
         if (!met_provisionally_) {
-            all_state_ = judge(task.rule, all_);
+            all_state_ = judge(task, all_);
             met_provisionally_ = all_state_.met;
         }
         // What provisional limits say neither makes nor ends proficiency.
@@ -102,7 +115,7 @@ class TaskRun {
             keep(outcome, one.time);
         } else {
             firm_.push_back(outcome);
-            firm_state_ = judge(task.rule, firm_);
+            firm_state_ = judge(task, firm_);
             if (firm_state_.met) declare(one.time, false);
         }
     }
@@ -145,6 +158,7 @@ class TaskRun {
         result.met_provisionally = met_provisionally_;
         const RuleState& shown = provisional_ ? all_state_ : firm_state_;
         result.one_more_day = shown.one_more_day && !met_provisionally_;
+        result.more_variants = met_provisionally_ ? 0 : shown.more_variants;
         result.progress = met_provisionally_ ? 1 : shown.progress;
         result.stalled = !met_provisionally_ && attempts_ >= most_attempts;
         return result;

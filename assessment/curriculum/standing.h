@@ -37,6 +37,7 @@ struct CountedAttempt {
     bool passed = false;
     bool provisional = false;    ///< passed or failed by limits that are provisional
     std::int64_t voided_at = 0;  ///< UTC ms; 0: not voided
+    std::string variant = {};    ///< of the task
 };
 
 /// An educator's decision, in place of the rule.
@@ -65,6 +66,7 @@ struct TaskStanding {
     bool provisional = false;            ///< passed: every pass so far is by provisional limits
     bool met_provisionally = false;      ///< the rule is met, by provisional limits
     bool one_more_day = false;           ///< the rule is met but for passes on a second day
+    int more_variants = 0;               ///< the rule is met but for passes on so many more variants
     bool stalled = false;                ///< 60 attempts without a declaration: the educator is asked
     bool by_override = false;            ///< unlocked or declared proficient by an educator
     bool overdue = false;                ///< due for more than 14 days

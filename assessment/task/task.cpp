@@ -62,7 +62,8 @@ class TaskReader {
         copy(root, "hands_alike", task_.hands_alike);
         read_device_classes(root);
         read_pathology(root);
-        check_scene_name();
+        check_scene_name("/scene", task_.scene);
+        read_variants(root);
         check_metrics();
         read_goals(root.at("goals"));
         read_gates(root.at("gates"));
@@ -70,13 +71,49 @@ class TaskReader {
     }
 
   private:
-    void check_scene_name() {
+    void check_scene_name(const std::string& place, const std::string& name) {
         const std::string ending = ".json";
-        const std::string& name = task_.scene;
         if (name.find_first_of("/\\") != std::string::npos || name.size() <= ending.size() ||
             name.compare(name.size() - ending.size(), ending.size(), ending) != 0) {
-            document_.fail("/scene", "\"" + name + "\" is not the name of a scene file",
+            document_.fail(place, "\"" + name + "\" is not the name of a scene file",
                            "give a file name of assets/scenes, such as a2_targets.json");
+        }
+    }
+
+    /// The standard one first; families name variants that are families of their own.
+    void read_variants(const json& root) {
+        if (!root.contains("variants")) {
+            task_.variants = {{standard_variant, "Standard", task_.scene, standard_variant}};
+            return;
+        }
+        std::size_t number = 0;
+        for (const json& node : root.at("variants")) {
+            const std::string place = "/variants/" + std::to_string(number++);
+            TaskVariant variant;
+            copy(node, "id", variant.id);
+            copy(node, "title", variant.title);
+            copy(node, "scene", variant.scene);
+            variant.family = variant.id;
+            copy(node, "family", variant.family);
+            check_scene_name(place + "/scene", variant.scene);
+            for (const TaskVariant& other : task_.variants)
+                if (other.id == variant.id || other.scene == variant.scene)
+                    document_.fail(place, "the variant \"" + variant.id + "\" or its scene is given twice",
+                                   "give every variant an id and a scene of its own");
+            task_.variants.push_back(std::move(variant));
+        }
+        const TaskVariant& first = task_.variants.front();
+        if (first.id != standard_variant || first.scene != task_.scene || first.family != first.id)
+            document_.fail("/variants/0", "is not the standard variant",
+                           std::string("list \"") + standard_variant + "\" with the task's own scene first");
+        for (std::size_t i = 0; i < task_.variants.size(); ++i) {
+            const std::string& family = task_.variants[i].family;
+            if (std::none_of(task_.variants.begin(), task_.variants.end(), [&](const TaskVariant& one) {
+                    return one.id == family && one.family == family;
+                }))
+                document_.fail("/variants/" + std::to_string(i) + "/family",
+                               "\"" + family + "\" is not a variant with sets of its own",
+                               "name a variant of this task that has no other family, or remove the key");
         }
     }
 

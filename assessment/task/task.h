@@ -10,6 +10,7 @@
 #include "assessment/pathology/pathology.h"
 #include "assessment/task/attempt_words.h"
 #include "assessment/task/goal_type.h"
+#include "assessment/task/variant.h"
 #include "sim_core/numerics/types.h"
 
 namespace fulcrum {
@@ -53,7 +54,8 @@ struct TaskDefinition {
     int version = 1;
     std::string title, stage, briefing, product;  ///< product: what the attempt leaves, one line
     std::vector<std::string> steps;               ///< briefing, one line each
-    std::string scene;                            ///< file name in assets/scenes
+    std::string scene;                            ///< file name in assets/scenes, of the standard variant
+    std::vector<TaskVariant> variants;  ///< the standard one first; never empty in a task from a file
     double time_limit_s = 600;
     double warning_margin = 0;  ///< bandwidth feedback: 0 stage A, 0.10 B, 0.25 C; negative: never warn (D)
     std::vector<Goal> goals;    ///< phases, in order

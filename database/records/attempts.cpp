@@ -20,6 +20,24 @@ std::vector<AttemptSummary> Attempts::list(const Session& session, const Attempt
     return query_attempts(store_, session, filter);
 }
 
+std::map<std::string, VariantPractice> Attempts::practised(const Session& session,
+                                                           const std::string& person_id,
+                                                           const std::string& task_id) const {
+    AttemptFilter filter;
+    filter.person_id = person_id;
+    filter.task_id = task_id;
+    filter.include_voided = false;
+    filter.limit = -1;
+    std::map<std::string, VariantPractice> result;
+    for (const AttemptSummary& attempt : list(session, filter)) {
+        if (attempt.recorded_state == AttemptState::running) continue;
+        VariantPractice& variant = result[attempt.meta.variant];
+        ++variant.attempts;
+        if (attempt.counting && *attempt.passed) ++variant.passes;
+    }
+    return result;
+}
+
 AttemptSummary Attempts::read(const Session& session, const std::string& attempt_id) const {
     require_attempt(store_, session, Operation::read_attempt, attempt_id);
     return query_attempt(store_, attempt_id);

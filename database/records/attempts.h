@@ -26,6 +26,12 @@ struct AttemptFilter {
     int limit = 1000;  ///< newest first
 };
 
+/// What a person has performed of one variant of a task.
+struct VariantPractice {
+    int attempts = 0;  ///< ended, not voided, assessed or practice
+    int passes = 0;    ///< of those that count (AttemptSummary::counting)
+};
+
 struct CorrectionRequest {
     std::string id, attempt_id, person_id, person_name, text;
     std::int64_t asked = 0;
@@ -61,6 +67,9 @@ class Attempts {
     /// is refused).
     std::vector<AttemptSummary> list(const Session& session, const AttemptFilter& filter = {}) const;
     AttemptSummary read(const Session& session, const std::string& attempt_id) const;
+    /// By variant. Throws AccessDenied, StoreError.
+    std::map<std::string, VariantPractice> practised(const Session& session, const std::string& person_id,
+                                                     const std::string& task_id) const;
     /// Interrupted attempts within the session's scope that nobody has scored yet, oldest first: what their
     /// record holds decides whether they failed (docs/MANUAL.md), and add_score() writes it.
     std::vector<AttemptSummary> interrupted_without_score(const Session& session) const;

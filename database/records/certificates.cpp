@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "assessment/curriculum/standing.h"
+#include "database/records/curricula.h"
 #include "database/records/people.h"
 #include "database/records/standings.h"
 #include "database/rows/crypto.h"
@@ -49,9 +50,10 @@ bool is_proficient(Standing standing) {
 }  // namespace
 
 std::vector<Certificate> certificates(const Store& store, const Session& session,
-                                      const std::string& person_id, const Curriculum& curriculum) {
+                                      const std::string& person_id, const Curriculum& newest) {
+    const Curriculum& curriculum = Curricula(store).in_force(session, person_id, newest);
     const std::vector<TaskStanding> standings =
-        standing_of(Standings(store).record(session, person_id, curriculum), store.now());
+        standing_of(Standings(store).record(session, person_id, newest), store.now());
     if (store.is_demo()) return {};
     const std::optional<Person> person = People(store).find(session, person_id);
     if (!person || person->kind != PersonKind::real) return {};

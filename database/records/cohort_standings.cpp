@@ -38,12 +38,13 @@ std::vector<const AttemptSummary*> of_task(const std::vector<const AttemptSummar
 CountedAttempt counted_attempt(const AttemptSummary& attempt) {
     return {
         attempt.meta.id,           attempt.meta.task_id, attempt.meta.started, attempt.meta.utc_offset_min,
-        attempt.meta.device_class, *attempt.passed,      attempt.provisional,  attempt.voided_at};
+        attempt.meta.device_class, *attempt.passed,      attempt.provisional,  attempt.voided_at,
+        attempt.meta.variant};
 }
 
 PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
                                  const std::vector<OverrideRow>& overrides, const Curriculum& curriculum,
-                                 std::int64_t at) {
+                                 std::int64_t at, const std::vector<CurriculumAssignment>& followed) {
     PersonStandings person;
     std::vector<const AttemptSummary*> by_time;
     for (const AttemptSummary& attempt : attempts)
@@ -52,7 +53,10 @@ PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
         return std::tie(a->meta.started, a->meta.id) < std::tie(b->meta.started, b->meta.id);
     });
     PersonRecord record;
-    record.assignments.push_back({0, &curriculum});
+    record.assignments = followed;
+    if (followed.empty()) record.assignments.push_back({0, &curriculum});
+    const Curriculum& own = *record.assignments.back().curriculum;  // moves are in the order of time
+    person.curriculum = own.name();
     std::map<std::int64_t, int> days;
     for (const AttemptSummary* attempt : by_time) {
         if (attempt->counting) record.attempts.push_back(counted_attempt(*attempt));
@@ -63,17 +67,25 @@ PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
     for (const OverrideRow& row : overrides) record.overrides.push_back(row.decision);
     const std::vector<TaskStanding> standings = standing_of(record, at);
     PointsByTask points;
-    for (const TaskStanding& standing : standings) {
+    for (const CurriculumTask& shown : curriculum.tasks) {
+        const auto found = std::find_if(standings.begin(), standings.end(),
+                                        [&](const TaskStanding& one) { return one.task == shown.task; });
         PersonTask task;
+        if (found == standings.end()) {
+            task.standing.task = shown.task;
+            person.tasks.push_back(std::move(task));
+            continue;
+        }
+        const TaskStanding& standing = *found;
         task.standing = standing;
         for (const AttemptSummary* attempt : by_time) {
             if (!attempt->counting || attempt->meta.task_id != standing.task ||
-                !counts(*curriculum.find(standing.task), attempt->meta.device_class))
+                !counts(*own.find(standing.task), attempt->meta.device_class))
                 continue;
             if (task.first_attempt == 0) task.first_attempt = attempt->meta.started;
             if (task.first_pass == 0 && *attempt->passed) task.first_pass = attempt->meta.started;
         }
-        for (const AttemptSummary* attempt : of_task(by_time, *curriculum.find(standing.task))) {
+        for (const AttemptSummary* attempt : of_task(by_time, *own.find(standing.task))) {
             task.device_class = attempt->meta.device_class;
             if (attempt->points) points[standing.task].push_back(*attempt->points);
             task.recent.push_back({attempt->meta.id, attempt->meta.started, *attempt->passed,

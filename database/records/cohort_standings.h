@@ -43,17 +43,20 @@ struct PracticeDay {
 
 struct PersonStandings {
     std::string person_id, login, name;
+    std::string curriculum;         ///< version that the person follows, "rectal@2"
     std::vector<PersonTask> tasks;  ///< of the curriculum, in its order
     std::vector<PracticeDay> days;  ///< oldest first
     std::vector<Concern> concerns;  ///< in the order of ConcernKind
     std::int64_t last_attempt = 0;  ///< UTC ms, of any kind; 0: none
 };
 
-/// What a person's attempts and decisions of educators give in `curriculum` at `at`. `attempts`: of any kind,
-/// not voided, in any order. Pure.
+/// What a person's attempts and decisions of educators give at `at`. `attempts`: of any kind, not voided, in
+/// any order. `followed`: the versions of the curriculum that the person has followed, empty: `curriculum`
+/// from the beginning. The tasks are those of `curriculum`; one that the person's own version lacks is
+/// locked. Pure.
 PersonStandings person_standings(const std::vector<AttemptSummary>& attempts,
                                  const std::vector<OverrideRow>& overrides, const Curriculum& curriculum,
-                                 std::int64_t at);
+                                 std::int64_t at, const std::vector<CurriculumAssignment>& followed = {});
 
 /// One task over the people of a cohort.
 struct TaskOverview {

@@ -9,6 +9,7 @@
 
 #include "database/records/attempt_query.h"
 #include "database/records/attempts.h"
+#include "database/records/curricula.h"
 #include "database/rows/person_kind.h"
 #include "database/store/audit.h"
 #include "database/store/score_rows.h"
@@ -147,11 +148,13 @@ AttemptFilter all_of_person(const std::string& person_id) {
     return filter;
 }
 
-PersonStandings standings_of(const Store& store, const PersonName& person,
+PersonStandings standings_of(const Store& store, const Session& session, const PersonName& person,
                              const std::vector<AttemptSummary>& attempts, const Curriculum& curriculum,
                              std::int64_t at) {
+    const std::vector<CurriculumAssignment> followed =
+        Curricula(store).assignments(session, person.id, curriculum);
     PersonStandings standings =
-        person_standings(attempts, read_overrides(store.connection(), person.id), curriculum, at);
+        person_standings(attempts, read_overrides(store.connection(), person.id), curriculum, at, followed);
     standings.person_id = person.id;
     standings.login = person.login;
     standings.name = person.name;
@@ -226,7 +229,7 @@ CohortTable Reports::cohort_table(const Session& session, const std::string& coh
         }
         if (options.curriculum != nullptr)
             table.standings.push_back(
-                standings_of(store_, shown[i], attempts[i], *options.curriculum, table.as_of));
+                standings_of(store_, session, shown[i], attempts[i], *options.curriculum, table.as_of));
     }
     if (options.curriculum != nullptr) table.curriculum = options.curriculum->name();
     provenance.write(table);
@@ -238,7 +241,7 @@ PersonStandings Reports::standings(const Session& session, const std::string& pe
     const Operation operation =
         purpose == ReportPurpose::exported ? Operation::export_person : Operation::read_progress;
     store_.require(session, operation, Subject::person(person_id));
-    return standings_of(store_, name_of(store_, person_id),
+    return standings_of(store_, session, name_of(store_, person_id),
                         query_attempts(store_, session, all_of_person(person_id)), curriculum, store_.now());
 }
 

@@ -3,6 +3,7 @@
 
 #include "database/records/attempt_query.h"
 #include "database/records/cohort_standings.h"
+#include "database/records/curricula.h"
 #include "database/rows/crypto.h"
 #include "database/store/audit.h"
 #include "database/store/override_rows.h"
@@ -22,7 +23,7 @@ PersonRecord Standings::record(const Session& session, const std::string& person
                                const Curriculum& curriculum) const {
     store_.require(session, Operation::read_progress, Subject::person(person_id));
     PersonRecord record;
-    record.assignments.push_back({0, &curriculum});
+    record.assignments = Curricula(store_).assignments(session, person_id, curriculum);
     AttemptFilter filter;
     filter.person_id = person_id;
     filter.limit = -1;

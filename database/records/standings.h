@@ -17,8 +17,8 @@ class Standings {
   public:
     explicit Standings(const Store& store) : store_(store) {}
 
-    /// Checked as read_progress. The person follows `curriculum` from the beginning; it must outlive the
-    /// record.
+    /// Checked as read_progress. The person follows the versions of `curriculum` that Curricula gives; it
+    /// must outlive the record.
     PersonRecord record(const Session& session, const std::string& person_id,
                         const Curriculum& curriculum) const;
     /// Of a person, newest first. Checked as read_progress.

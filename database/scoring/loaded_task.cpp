@@ -6,6 +6,7 @@
 #include "assessment/assets/assets.h"
 #include "database/records/tissues.h"
 #include "database/rows/crypto.h"
+#include "sim_core/numerics/input_error.h"
 #include "sim_core/scene/fidelity.h"
 #include "sim_core/scene/json_document.h"
 
@@ -25,8 +26,13 @@ TaskFile read_task(const std::string& task_id) {
             {"tasks/" + std::filesystem::path(path).filename().string(), database::sha256_hex(text)}};
 }
 
-LoadedTask load(TaskFile task, std::string scene_text, const std::string& file, const std::string& fidelity) {
-    LoadedTask loaded{std::move(task.task), parse_scene(scene_text, file), {}, {std::move(task.file)}};
+LoadedTask load(TaskFile task, std::string scene_file, std::string scene_text, const std::string& file,
+                const std::string& fidelity) {
+    LoadedTask loaded{std::move(task.task),
+                      parse_scene(scene_text, file),
+                      std::move(scene_file),
+                      {},
+                      {std::move(task.file)}};
     loaded.scene_text = std::move(scene_text);
     if (!fidelity.empty()) loaded.scene.fidelity = named_fidelity(fidelity);
     return loaded;
@@ -34,31 +40,44 @@ LoadedTask load(TaskFile task, std::string scene_text, const std::string& file, 
 
 }  // namespace
 
-LoadedTask load_task_and_scene(const std::string& task_id, const std::string& fidelity,
-                               const CuttingValues& cutting, const std::string& source) {
-    TaskFile task = read_task(task_id);
-    const std::string name = "scenes/" + task.task.scene, path = asset_path(name);
+LoadedTask load_task_and_scene(const TaskRequest& request, const CuttingValues& cutting,
+                               const std::string& source) {
+    TaskFile task = read_task(request.task_id);
+    const TaskVariant variant = require_variant(task.task, request.variant);
+    const bool listed = task.task.variants.size() > 1;
+    const std::string name = "scenes/" + variant.scene, path = asset_path(name);
     const std::string text = read_text_file(path, JsonLimits().bytes);
-    LoadedTask loaded = load(
-        std::move(task), with_cutting_values(text, source.empty() ? path : source, cutting), path, fidelity);
+    LoadedTask loaded =
+        load(std::move(task), variant.scene,
+             with_cutting_values(text, source.empty() ? path : source, cutting), path, request.fidelity);
+    if (listed && loaded.scene.variant != variant.id)
+        throw InputError(path, "/variant",
+                         "is \"" + loaded.scene.variant + "\", but task " + request.task_id +
+                             " lists it as \"" + variant.id + "\"",
+                         "write the same id in both files");
     loaded.assets.push_back({name, database::sha256_hex(text)});
     return loaded;
 }
 
+LoadedTask load_task_and_scene(const std::string& task_id, const std::string& fidelity) {
+    return load_task_and_scene(TaskRequest{task_id, {}, fidelity});
+}
+
 LoadedTask load_site_task(const database::Store& store, const database::Session& session,
-                          const std::string& task_id, const std::string& fidelity) {
-    const database::TissueSetting site = database::Tissues(store).in_force(session, task_id);
+                          const TaskRequest& request) {
+    const database::TissueSetting site = database::Tissues(store).in_force(session, request.task_id);
     return load_task_and_scene(
-        task_id, fidelity, site.values,
-        "this site's values of " + task_id + ", version " + std::to_string(site.version));
+        request, site.values,
+        "this site's values of " + request.task_id + ", version " + std::to_string(site.version));
 }
 
 LoadedTask load_recorded(const database::Attempts& attempts, const database::Session& session,
                          const database::AttemptSummary& summary) {
     const std::string fidelity = summary.meta.fidelity == "standard" ? std::string() : summary.meta.fidelity;
     const std::string text = attempts.scene_text(session, summary.meta.id);
-    if (text.empty()) return load_task_and_scene(summary.meta.task_id, fidelity);
-    return load(read_task(summary.meta.task_id), text, "scene of attempt " + summary.meta.id, fidelity);
+    if (text.empty()) return load_task_and_scene({summary.meta.task_id, summary.meta.variant, fidelity});
+    return load(read_task(summary.meta.task_id), summary.meta.scene, text,
+                "scene of attempt " + summary.meta.id, fidelity);
 }
 
 }  // namespace fulcrum

@@ -17,16 +17,24 @@ namespace fulcrum {
 struct LoadedTask {
     TaskDefinition task;
     Scene scene;
+    std::string scene_file;                   ///< name in assets/scenes
     std::string scene_text;                   ///< what `scene` was read from, its fidelity aside
     std::vector<database::AssetFile> assets;  ///< the files of task and scene, as they were read
 };
-/// Throws InputError. `fidelity` empty: the scene's own. `cutting`: values in place of the scene file's own;
-/// errors about them name `source`.
-LoadedTask load_task_and_scene(const std::string& task_id, const std::string& fidelity = {},
-                               const CuttingValues& cutting = {}, const std::string& source = {});
+/// What of a task is to be loaded.
+struct TaskRequest {
+    std::string task_id;
+    std::string variant = {};   ///< "": the standard one
+    std::string fidelity = {};  ///< "": the scene's own
+};
+/// Throws InputError. `cutting`: values in place of the scene file's own; errors about them name `source`.
+LoadedTask load_task_and_scene(const TaskRequest& request, const CuttingValues& cutting = {},
+                               const std::string& source = {});
+/// The standard variant.
+LoadedTask load_task_and_scene(const std::string& task_id, const std::string& fidelity = {});
 /// With the values that this site has set for the task's tissues. Throws InputError, AccessDenied.
 LoadedTask load_site_task(const database::Store& store, const database::Session& session,
-                          const std::string& task_id, const std::string& fidelity = {});
+                          const TaskRequest& request);
 /// As a stored attempt used it: the scene from its record; from the assets where the record has none (older
 /// programs). Throws InputError (the task is not known here), AccessDenied, StoreError.
 LoadedTask load_recorded(const database::Attempts& attempts, const database::Session& session,

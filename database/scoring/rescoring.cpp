@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 
+#include "assessment/assets/assets.h"
 #include "assessment/attempt/engine.h"
 #include "assessment/metrics/registry.h"
 #include "database/scoring/loaded_task.h"
@@ -22,6 +23,22 @@ void recompute(const database::Attempts& attempts, const database::Session& sess
     one.not_scored_because = scored.score.not_scored_because;
 }
 
+/// Of the variant of an attempt; the variant itself where the task is not installed. `tasks`: those read so
+/// far.
+std::string family_of(std::map<std::string, TaskDefinition>& tasks, const database::AttemptMeta& attempt) {
+    auto found = tasks.find(attempt.task_id);
+    if (found == tasks.end()) {
+        TaskDefinition task;
+        try {
+            task = load_task(task_file(attempt.task_id));
+        } catch (const InputError&) {
+            task.id = attempt.task_id;
+        }
+        found = tasks.emplace(attempt.task_id, std::move(task)).first;
+    }
+    return variant_family(found->second, attempt.variant);
+}
+
 }  // namespace
 
 ScoredAttempt score_stored(const database::Attempts& attempts, const database::Session& session,
@@ -37,9 +54,10 @@ database::ScoringInForce scoring_in_force() {
     for (const Metric& metric : metric_registry())
         now.metric_versions[metric.descriptor.id] = metric.descriptor.version;
     auto names = std::make_shared<std::map<std::string, std::string>>();  // by the sets' names
-    now.limits = [names](const database::AttemptMeta& attempt) {
-        const BenchmarkKey key{attempt.task_id, attempt.variant, limits_class(attempt.device_class),
-                               attempt.fidelity};
+    auto tasks = std::make_shared<std::map<std::string, TaskDefinition>>();
+    now.limits = [names, tasks](const database::AttemptMeta& attempt) {
+        const BenchmarkKey key{attempt.task_id, family_of(*tasks, attempt),
+                               limits_class(attempt.device_class), attempt.fidelity};
         const auto [entry, added] = names->try_emplace(benchmark_name(key));
         if (added) entry->second = benchmark_in_force(key).name();
         return entry->second;

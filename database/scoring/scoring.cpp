@@ -37,6 +37,13 @@ Statement why_none(const BenchmarkKey& key, DeviceClass used) {
     return {};
 }
 
+/// Of the variant that the attempt used; the task's own where it no longer has this variant.
+std::string scene_file(const TaskDefinition& task, const Scene& scene) {
+    for (const TaskVariant& variant : task.variants)
+        if (variant.id == scene.variant) return variant.scene;
+    return task.scene;
+}
+
 /// Why an attempt in this scene is not compared with the set: the cutting parameters differ from those of the
 /// scene that the set was made in; a set without any means those of the scene file.
 Statement why_other_tissue(const BenchmarkSet& set, const Scene& scene, const std::string& scene_file) {
@@ -74,10 +81,11 @@ Limits limits_for(const TaskDefinition& task, const Scene& scene, DeviceClass de
     const bool needed = std::any_of(task.gates.begin(), task.gates.end(),
                                     [](const GateSpec& gate) { return gate.kind == GateKind::benchmark; });
     if (!needed) return {};
-    const BenchmarkKey key{task.id, scene.variant, limits_class(device_class), scene.fidelity.id};
+    const BenchmarkKey key{task.id, variant_family(task, scene.variant), limits_class(device_class),
+                           scene.fidelity.id};
     Limits limits = benchmark_in_force(key);
-    limits.not_comparable =
-        limits.set ? why_other_tissue(*limits.set, scene, task.scene) : why_none(key, device_class);
+    limits.not_comparable = limits.set ? why_other_tissue(*limits.set, scene, scene_file(task, scene))
+                                       : why_none(key, device_class);
     return limits;
 }
 

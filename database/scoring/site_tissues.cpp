@@ -11,7 +11,7 @@ namespace fulcrum {
 SiteTissues site_tissues(const database::Store& store, const database::Session& session,
                          const std::string& task_id) {
     const CuttingValues scene = cutting_values(load_task_and_scene(task_id).scene);
-    const LoadedTask here = load_site_task(store, session, task_id);
+    const LoadedTask here = load_site_task(store, session, {task_id, {}, {}});
     const CuttingValues in_force = cutting_values(here.scene);
     SiteTissues site;
     site.version = database::Tissues(store).in_force(session, task_id).version;
@@ -30,7 +30,7 @@ int set_site_tissues(const database::Store& store, const database::Session& sess
                      const std::string& reason) {
     store.require(session, database::Operation::set_tissues);
     const CuttingValues scene = cutting_values(load_task_and_scene(task_id).scene);
-    load_task_and_scene(task_id, {}, values, "tissue values of " + task_id);
+    load_task_and_scene({task_id, {}, {}}, values, "tissue values of " + task_id);
     database::TissueValues kept;
     for (const auto& [tissue, named] : values) {
         for (const auto& [key, value] : named) {

@@ -111,6 +111,10 @@ const std::vector<RecordRow> record_kinds = {
      "accepted file",
      "SELECT digest FROM asset_acceptance",
      {"SELECT digest, file, person_id, time, reason FROM asset_acceptance WHERE digest = ?"}},
+    {RecordKind::curriculum_move,
+     "move of curriculum",
+     "SELECT id FROM curriculum_move",
+     {"SELECT id, person_id, curriculum, author_id, time, reason FROM curriculum_move WHERE id = ?"}},
 };
 
 const RecordRow& record_row(RecordKind kind) {

@@ -32,6 +32,7 @@ enum class RecordKind : std::uint8_t {
     tissues,  ///< id "TASK VERSION"
     decision,
     asset,  ///< accepted by the programme; id: its digest
+    curriculum_move,
 };
 
 struct RecordName {

@@ -20,14 +20,18 @@ class ForwardingServices : public ui::ApplicationServices {
     bool build_demo(const ui::Progress& progress) override { return own_->build_demo(progress); }
     const std::vector<TaskDefinition>& tasks() const override { return own_->tasks(); }
     const Curriculum& curriculum() const override { return own_->curriculum(); }
-    Scene scene_for(const TaskDefinition& task) const override { return own_->scene_for(task); }
-    std::string scene_text(const TaskDefinition& task) const override { return own_->scene_text(task); }
-    WorldSnapshot world_at_start(const TaskDefinition& task) const override {
-        return own_->world_at_start(task);
+    Scene scene_for(const TaskDefinition& task, const std::string& variant) const override {
+        return own_->scene_for(task, variant);
+    }
+    std::string scene_text(const TaskDefinition& task, const std::string& variant) const override {
+        return own_->scene_text(task, variant);
+    }
+    WorldSnapshot world_at_start(const TaskDefinition& task, const std::string& variant) const override {
+        return own_->world_at_start(task, variant);
     }
     std::vector<JudgedLimit> judged_limits(const database::Session& session, const std::string& task_id,
-                                           DeviceClass device_class) override {
-        return own_->judged_limits(session, task_id, device_class);
+                                           DeviceClass device_class, const std::string& variant) override {
+        return own_->judged_limits(session, task_id, device_class, variant);
     }
     std::unique_ptr<ui::AttemptSession> start_attempt(const ui::AttemptRequest& request) override {
         ui::AttemptRequest asked = request;
@@ -35,17 +39,18 @@ class ForwardingServices : public ui::ApplicationServices {
         return own_->start_attempt(asked);
     }
     Statement why_not_comparable(const database::Session& session, const std::string& task_id,
-                                 DeviceClass device_class) override {
-        return own_->why_not_comparable(session, task_id, device_class);
+                                 DeviceClass device_class, const std::string& variant) override {
+        return own_->why_not_comparable(session, task_id, device_class, variant);
     }
     std::vector<database::AssetFile> unknown_assets(const database::Session& session,
-                                                    const std::string& task_id,
-                                                    DeviceClass device_class) override {
-        return own_->unknown_assets(session, task_id, device_class);
+                                                    const std::string& task_id, DeviceClass device_class,
+                                                    const std::string& variant) override {
+        return own_->unknown_assets(session, task_id, device_class, variant);
     }
     std::unique_ptr<ui::AttemptSession> start_demonstration(const database::Session& session,
-                                                            const std::string& task_id) override {
-        return own_->start_demonstration(session, task_id);
+                                                            const std::string& task_id,
+                                                            const std::string& variant) override {
+        return own_->start_demonstration(session, task_id, variant);
     }
     std::vector<ui::InterruptedScore> score_interrupted(const database::Session& session,
                                                         const ui::Progress& progress) override {

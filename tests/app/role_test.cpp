@@ -40,7 +40,10 @@ class Roles : public Window {
                                MouseKeyboardInput(loaded.scene).rig(),
                                window_device,
                                "mouse and keyboard",
-                               nullptr};
+                               nullptr,
+                               0,
+                               false,
+                               {}};
         database::AttemptMeta meta = attempt_meta(loaded, 5, AttemptMode::assessed,
                                                   DeviceClass::mouse_keyboard, "mouse and keyboard", {});
         meta.person_id = session.person_id();

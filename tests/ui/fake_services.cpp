@@ -54,7 +54,7 @@ class FakeAttempt : public AttemptSession {
         meta.mode = request.assessed ? AttemptMode::assessed : AttemptMode::practice;
         meta.device_class = request.device_class;
         meta.device = request.device;
-        meta.variant = "standard";
+        meta.variant = scene_.variant;
         meta.fidelity = "standard";
         meta.scene = task.scene;
         meta.seed = 7;
@@ -314,7 +314,7 @@ FakeServices::FakeServices() {
     for (const std::string& id : fulcrum::task_ids())
         tasks_.push_back(load_task(fulcrum::test::source_path("assets/tasks/" + id + ".json")));
     curriculum_ =
-        load_curriculum(fulcrum::test::source_path("assets/curricula/rectal.json"), fulcrum::task_ids());
+        load_versions(fulcrum::test::source_path("assets/curricula"), "rectal", fulcrum::task_ids());
 }
 
 std::string FakeServices::store_path(bool demo) const {
@@ -347,21 +347,22 @@ bool FakeServices::build_demo(const Progress& progress) {
     return true;
 }
 
-Scene FakeServices::scene_for(const TaskDefinition& task) const {
-    return load_scene(fulcrum::test::source_path("assets/scenes/" + task.scene));
+Scene FakeServices::scene_for(const TaskDefinition& task, const std::string& variant) const {
+    return load_scene(fulcrum::test::source_path("assets/scenes/" + require_variant(task, variant).scene));
 }
 
-std::string FakeServices::scene_text(const TaskDefinition& task) const {
-    return read_text_file(fulcrum::test::source_path("assets/scenes/" + task.scene), JsonLimits().bytes);
+std::string FakeServices::scene_text(const TaskDefinition& task, const std::string& variant) const {
+    return read_text_file(fulcrum::test::source_path("assets/scenes/" + require_variant(task, variant).scene),
+                          JsonLimits().bytes);
 }
 
-WorldSnapshot FakeServices::world_at_start(const TaskDefinition& task) const {
+WorldSnapshot FakeServices::world_at_start(const TaskDefinition& task, const std::string& variant) const {
     ++worlds_built;
-    return first_world(scene_for(task));
+    return first_world(scene_for(task, variant));
 }
 
 std::vector<JudgedLimit> FakeServices::judged_limits(const database::Session&, const std::string& task_id,
-                                                     DeviceClass) {
+                                                     DeviceClass, const std::string&) {
     for (const TaskDefinition& task : tasks_) {
         if (task.id != task_id) continue;
         const std::string path = fulcrum::test::source_path("assets/benchmarks/" + task_id + ".json");
@@ -376,22 +377,23 @@ std::unique_ptr<AttemptSession> FakeServices::start_attempt(const AttemptRequest
     control = AttemptControl();
     for (const TaskDefinition& task : tasks_) {
         if (task.id == request.task_id) {
-            return std::make_unique<FakeAttempt>(request, task, scene_for(task), store_->path(),
-                                                 database::StoreOptions(), control);
+            return std::make_unique<FakeAttempt>(request, task, scene_for(task, request.variant),
+                                                 store_->path(), database::StoreOptions(), control);
         }
     }
     throw InputError("attempt", request.task_id, "unknown task", "choose one of the tasks");
 }
 
 std::unique_ptr<AttemptSession> FakeServices::start_demonstration(const database::Session&,
-                                                                  const std::string& task_id) {
+                                                                  const std::string& task_id,
+                                                                  const std::string&) {
     throw InputError("demonstration", task_id, "no operator without physics",
                      "use the program's own services");
 }
 
 Scene FakeServices::scene_of(const database::Session&, const database::AttemptSummary& attempt) const {
     for (const TaskDefinition& task : tasks_) {
-        if (task.id == attempt.meta.task_id) return scene_for(task);
+        if (task.id == attempt.meta.task_id) return scene_for(task, attempt.meta.variant);
     }
     throw InputError("replay", attempt.meta.task_id, "unknown task", "update the program");
 }

@@ -33,21 +33,23 @@ class FakeServices : public ApplicationServices {
     bool build_demo(const Progress& progress) override;
     const std::vector<TaskDefinition>& tasks() const override { return tasks_; }
     const Curriculum& curriculum() const override { return curriculum_; }
-    Scene scene_for(const TaskDefinition& task) const override;
-    std::string scene_text(const TaskDefinition& task) const override;
-    WorldSnapshot world_at_start(const TaskDefinition& task) const override;
-    std::vector<JudgedLimit> judged_limits(const database::Session&, const std::string& task_id,
-                                           DeviceClass) override;
+    Scene scene_for(const TaskDefinition& task, const std::string& variant) const override;
+    std::string scene_text(const TaskDefinition& task, const std::string& variant) const override;
+    WorldSnapshot world_at_start(const TaskDefinition& task, const std::string& variant) const override;
+    std::vector<JudgedLimit> judged_limits(const database::Session&, const std::string& task_id, DeviceClass,
+                                           const std::string& variant) override;
     std::unique_ptr<AttemptSession> start_attempt(const AttemptRequest& request) override;
-    Statement why_not_comparable(const database::Session&, const std::string&, DeviceClass) override {
+    Statement why_not_comparable(const database::Session&, const std::string&, DeviceClass,
+                                 const std::string&) override {
         return {};
     }
-    std::vector<database::AssetFile> unknown_assets(const database::Session&, const std::string&,
-                                                    DeviceClass) override {
+    std::vector<database::AssetFile> unknown_assets(const database::Session&, const std::string&, DeviceClass,
+                                                    const std::string&) override {
         return unknown;
     }
     std::unique_ptr<AttemptSession> start_demonstration(const database::Session& session,
-                                                        const std::string& task_id) override;
+                                                        const std::string& task_id,
+                                                        const std::string& variant) override;
     std::vector<InterruptedScore> score_interrupted(const database::Session&, const Progress&) override {
         return {};
     }

@@ -20,6 +20,7 @@ constexpr WordsOf operations[] = {
     {"cohort.set_educators", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Educators of a cohort set")},
     {"cohort.set_members", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Members of a cohort set")},
     {"comment.send", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Comment sent")},
+    {"curriculum.move", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Moved to another version of the curriculum")},
     {"demo.seal", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Demonstration closed")},
     {"payload.erase", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Contents of audit rows erased")},
     {"password.change", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Password changed")},

@@ -53,10 +53,12 @@ class Context : public QObject {
     void message(const QString& line, bool is_error);
     void input_seen();
     void home_wanted();
-    void briefing_wanted(const QString& task_id);
+    /// `variant` empty: the one that who is signed in has practised least.
+    void briefing_wanted(const QString& task_id, const QString& variant = {});
     /// Practice only: `goal` > 0, from the beginning of that goal on; `ghost`, with an expert's instruments.
-    void attempt_wanted(const QString& task_id, bool assessed, int goal, bool ghost);
-    void demonstration_wanted(const QString& task_id);
+    void attempt_wanted(const QString& task_id, bool assessed, int goal, bool ghost,
+                        const QString& variant = {});
+    void demonstration_wanted(const QString& task_id, const QString& variant = {});
     /// A practice run that begins with this moment of an attempt.
     void take_over_wanted(std::shared_ptr<const fulcrum::ui::ReplayMoment> from);
     void interrupted_scored();

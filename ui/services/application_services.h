@@ -65,12 +65,14 @@ class TaskService {
     /// The curriculum that trainees follow.
     virtual const Curriculum& curriculum() const = 0;
     /// Throws InputError. Any thread.
-    virtual Scene scene_for(const TaskDefinition& task) const = 0;
+    /// `variant` empty, here and below: the standard one.
+    virtual Scene scene_for(const TaskDefinition& task, const std::string& variant = {}) const = 0;
     /// The text of that scene's file. Throws InputError.
-    virtual std::string scene_text(const TaskDefinition& task) const = 0;
+    virtual std::string scene_text(const TaskDefinition& task, const std::string& variant = {}) const = 0;
     /// The world when an attempt begins, with a fixed seed. Builds it, which takes up to seconds: any thread.
     /// Throws InputError.
-    virtual WorldSnapshot world_at_start(const TaskDefinition& task) const = 0;
+    virtual WorldSnapshot world_at_start(const TaskDefinition& task,
+                                         const std::string& variant = {}) const = 0;
 };
 
 /// Attempts and demonstrations that run.
@@ -83,20 +85,23 @@ class AttemptService {
     /// Why attempts with this device are not compared with the task's limits; empty where they are, or where
     /// it has none. Throws InputError, database::AccessDenied.
     virtual Statement why_not_comparable(const database::Session& session, const std::string& task_id,
-                                         DeviceClass device_class) = 0;
+                                         DeviceClass device_class, const std::string& variant = {}) = 0;
     /// The files of an attempt with this device that are neither part of the program nor accepted by the
     /// programme; with any it is practice only. Throws InputError, database::AccessDenied.
     virtual std::vector<database::AssetFile> unknown_assets(const database::Session& session,
                                                             const std::string& task_id,
-                                                            DeviceClass device_class) = 0;
+                                                            DeviceClass device_class,
+                                                            const std::string& variant = {}) = 0;
     /// What an attempt with this device would be held against, in the order of the task's gates. Throws
     /// InputError, database::AccessDenied.
     virtual std::vector<JudgedLimit> judged_limits(const database::Session& session,
-                                                   const std::string& task_id, DeviceClass device_class) = 0;
+                                                   const std::string& task_id, DeviceClass device_class,
+                                                   const std::string& variant = {}) = 0;
     /// An expert operator performs the task to be watched; nothing is stored. Prepares like an attempt; its
     /// outcome stays empty.
     virtual std::unique_ptr<AttemptSession> start_demonstration(const database::Session& session,
-                                                                const std::string& task_id) = 0;
+                                                                const std::string& task_id,
+                                                                const std::string& variant = {}) = 0;
 };
 
 /// Scores that are computed after an attempt. All calls come from a worker thread and open the store for

@@ -120,8 +120,9 @@ struct AttemptRequest {
     /// Goal (index) at whose beginning in a demonstration it begins; 0: at the beginning. Then it is
     /// practice.
     int goal = 0;
-    /// With the instruments of an expert as a ghost; practice only. The variant is then the demonstration's.
+    /// With the instruments of an expert as a ghost; practice only. The seed is then the demonstration's.
     bool ghost = false;
+    std::string variant;  ///< of the task; "": the standard one
 };
 
 }  // namespace fulcrum::ui

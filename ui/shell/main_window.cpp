@@ -193,19 +193,21 @@ void MainWindow::connect_context() {
     connect(&context_, &Context::input_seen, &idle_, &IdleWatch::note_input);
     connect(&context_, &Context::home_wanted, this, &MainWindow::show_home);
     connect(&context_, &Context::switch_user_wanted, this, &MainWindow::switch_user);
-    connect(&context_, &Context::briefing_wanted, this, [this](const QString& task_id) {
-        page<BriefingPage>()->set_task(plain(task_id));
-        show_page(page<BriefingPage>());
-    });
-    connect(&context_, &Context::attempt_wanted, this,
-            [this](const QString& task_id, bool assessed, int goal, bool ghost) {
-                auto* theatre = page<TheatrePage>();
-                if (theatre->begin(plain(task_id), assessed, goal, ghost)) show_page(theatre);
+    connect(&context_, &Context::briefing_wanted, this,
+            [this](const QString& task_id, const QString& variant) {
+                page<BriefingPage>()->set_task(plain(task_id), plain(variant));
+                show_page(page<BriefingPage>());
             });
-    connect(&context_, &Context::demonstration_wanted, this, [this](const QString& task_id) {
-        auto* theatre = page<TheatrePage>();
-        if (theatre->demonstrate(plain(task_id))) show_page(theatre);
-    });
+    connect(&context_, &Context::attempt_wanted, this,
+            [this](const QString& task_id, bool assessed, int goal, bool ghost, const QString& variant) {
+                auto* theatre = page<TheatrePage>();
+                if (theatre->begin(plain(task_id), assessed, goal, ghost, plain(variant))) show_page(theatre);
+            });
+    connect(&context_, &Context::demonstration_wanted, this,
+            [this](const QString& task_id, const QString& variant) {
+                auto* theatre = page<TheatrePage>();
+                if (theatre->demonstrate(plain(task_id), plain(variant))) show_page(theatre);
+            });
     connect(&context_, &Context::take_over_wanted, this, [this](std::shared_ptr<const ReplayMoment> from) {
         auto* theatre = page<TheatrePage>();
         if (theatre->take_over(std::move(from))) show_page(theatre);

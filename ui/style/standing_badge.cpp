@@ -178,6 +178,11 @@ QString standing_detail(const TaskStanding& standing) {
             "The rule is met on provisional limits: later tasks unlock, but nobody is declared proficient."));
     if (standing.one_more_day)
         return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "Pass once more on another day."));
+    if (standing.more_variants == 1)
+        return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "Pass once on another variant of the task."));
+    if (standing.more_variants > 1)
+        return say(QT_TRANSLATE_NOOP("fulcrum::ui::standing", "Pass on %n more variants of the task."),
+                   standing.more_variants);
     if (standing.stalled)
         return say(
             QT_TRANSLATE_NOOP("fulcrum::ui::standing", "%n attempts without proficiency: ask your educator."),

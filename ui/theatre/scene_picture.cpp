@@ -51,16 +51,17 @@ ScenePicture::ScenePicture(Context& context, QWidget* parent) : QWidget(parent),
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
 }
 
-QString ScenePicture::file_of(ApplicationServices& services, const TaskDefinition& task) {
+QString ScenePicture::file_of(ApplicationServices& services, const TaskDefinition& task,
+                              const std::string& variant) {
     QCryptographicHash hash(QCryptographicHash::Sha256);
-    hash.addData(QByteArray::fromStdString(services.scene_text(task)));
+    hash.addData(QByteArray::fromStdString(services.scene_text(task, variant)));
     hash.addData(QByteArray::fromStdString(services.program_version()));
     return QFileInfo(text(services.store_path(false))).absolutePath() +
            QStringLiteral("/pictures/%1-%2.png")
                .arg(text(task.id), QString::fromLatin1(hash.result().toHex().left(16)));
 }
 
-void ScenePicture::show_task(const TaskDefinition& task) {
+void ScenePicture::show_task(const TaskDefinition& task, const std::string& variant) {
     if (job_ != nullptr) job_->cancel();
     job_ = nullptr;
     picture_ = QImage();
@@ -69,7 +70,7 @@ void ScenePicture::show_task(const TaskDefinition& task) {
     update();
     QString file;
     try {
-        file = file_of(context_.services(), task);
+        file = file_of(context_.services(), task, variant);
     } catch (const std::exception& error) {
         take({}, QString::fromUtf8(error.what()));
         return;
@@ -78,21 +79,21 @@ void ScenePicture::show_task(const TaskDefinition& task) {
     if (!kept.isNull()) {
         take(kept, {});
     } else {
-        draw(task, file);
+        draw(task, variant, file);
     }
 }
 
-void ScenePicture::draw(const TaskDefinition& task, const QString& file) {
+void ScenePicture::draw(const TaskDefinition& task, const std::string& variant, const QString& file) {
     auto prepared = std::make_shared<Prepared>();
     // The work uses the services, which end after this widget: the widget's end waits for it.
     auto working = std::make_shared<std::promise<void>>();
     connect(this, &QObject::destroyed, [done = working->get_future().share()] { done.wait(); });
     job_ = BackgroundJob::run(
         this,
-        [prepared, task, working, &services = context_.services()](const Progress&) {
+        [prepared, task, variant, working, &services = context_.services()](const Progress&) {
             const std::shared_ptr<void> ends(nullptr, [working](void*) { working->set_value(); });
-            prepared->scene = services.scene_for(task);
-            prepared->first = services.world_at_start(task);
+            prepared->scene = services.scene_for(task, variant);
+            prepared->first = services.world_at_start(task, variant);
             prepared->assembler = std::make_unique<SceneAssembler>(prepared->scene, prepared->first);
         },
         [this, prepared, file] {

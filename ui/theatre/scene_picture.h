@@ -21,13 +21,14 @@ class ScenePicture : public QWidget {
   public:
     explicit ScenePicture(Context& context, QWidget* parent = nullptr);
     /// Shows the picture if it is kept, else draws it; an older request is dropped.
-    void show_task(const TaskDefinition& task);
+    void show_task(const TaskDefinition& task, const std::string& variant = {});
     /// Null until there is one.
     const QImage& picture() const { return picture_; }
     /// Why there is none; "" while it is made.
     const QString& trouble() const { return trouble_; }
     /// Where the picture of a task is kept. Throws InputError where its scene cannot be read.
-    static QString file_of(ApplicationServices& services, const TaskDefinition& task);
+    static QString file_of(ApplicationServices& services, const TaskDefinition& task,
+                           const std::string& variant = {});
     QSize sizeHint() const override { return {400, 300}; }
 
   signals:
@@ -38,7 +39,7 @@ class ScenePicture : public QWidget {
     void paintEvent(QPaintEvent* event) override;
 
   private:
-    void draw(const TaskDefinition& task, const QString& file);
+    void draw(const TaskDefinition& task, const std::string& variant, const QString& file);
     void take(const QImage& picture, const QString& trouble);
 
     Context& context_;

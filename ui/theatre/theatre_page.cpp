@@ -78,17 +78,19 @@ bool TheatrePage::open(const std::function<void()>& work) {
     });
 }
 
-bool TheatrePage::begin(const std::string& task_id, bool assessed, int goal, bool ghost) {
+bool TheatrePage::begin(const std::string& task_id, bool assessed, int goal, bool ghost,
+                        const std::string& variant) {
     const TaskDefinition* task = context().task(task_id);
     return task != nullptr && open([&] {
-               auto input = std::make_unique<MouseKeyboardInput>(context().services().scene_for(*task));
+               auto input =
+                   std::make_unique<MouseKeyboardInput>(context().services().scene_for(*task, variant));
                if (!task->goals.empty()) {
                    const Goal& first = task->goals[static_cast<std::size_t>(goal)];
                    input->take_hand(asked_hand(first).value_or(input->active_hand()));
                }
                AttemptRequest request{
-                   context().session(),  task_id, assessed, 0,    input->rig(), window_device,
-                   "mouse and keyboard", nullptr, goal,     ghost};
+                   context().session(),  task_id, assessed, 0,     input->rig(), window_device,
+                   "mouse and keyboard", nullptr, goal,     ghost, variant};
                session_ = context().services().start_attempt(request);
                input_ = std::move(input);
            });
@@ -97,18 +99,27 @@ bool TheatrePage::begin(const std::string& task_id, bool assessed, int goal, boo
 bool TheatrePage::take_over(std::shared_ptr<const ReplayMoment> from) {
     return from != nullptr && open([&] {
                auto input = std::make_unique<MouseKeyboardInput>(from->scene());
-               AttemptRequest request{context().session(), from->task_id(),      false, 0, input->rig(),
-                                      window_device,       "mouse and keyboard", from};
+               AttemptRequest request{context().session(),
+                                      from->task_id(),
+                                      false,
+                                      0,
+                                      input->rig(),
+                                      window_device,
+                                      "mouse and keyboard",
+                                      from,
+                                      0,
+                                      false,
+                                      {}};
                session_ = context().services().start_attempt(request);
                input_ = std::move(input);
            });
 }
 
-bool TheatrePage::demonstrate(const std::string& task_id) {
+bool TheatrePage::demonstrate(const std::string& task_id, const std::string& variant) {
     const TaskDefinition* task = context().task(task_id);
     return task != nullptr && open([&] {
-               session_ = context().services().start_demonstration(context().session(), task_id);
-               input_ = std::make_unique<MouseKeyboardInput>(context().services().scene_for(*task));
+               session_ = context().services().start_demonstration(context().session(), task_id, variant);
+               input_ = std::make_unique<MouseKeyboardInput>(context().services().scene_for(*task, variant));
                demonstrated_ = text(task_id);
            });
 }
@@ -167,8 +178,9 @@ void TheatrePage::end_session() {
 /// Before it has begun, and of a demonstration at any time: it is as if it had never been.
 void TheatrePage::cancel() {
     const QString task = demonstrated_.isEmpty() ? text(session_->task().id) : demonstrated_;
+    const QString variant = session_ == nullptr ? QString() : text(session_->scene().variant);
     end_session();
-    emit context().briefing_wanted(task);
+    emit context().briefing_wanted(task, variant);
 }
 
 void TheatrePage::leave() {

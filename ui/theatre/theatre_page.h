@@ -27,11 +27,12 @@ class TheatrePage : public Page {
     /// Prepares an attempt; false (and a message) when it cannot. It begins once its scene has been drawn.
     /// Practice only: `goal` > 0, from the beginning of that goal in a demonstration on; `ghost`, with an
     /// expert's instruments.
-    bool begin(const std::string& task_id, bool assessed, int goal = 0, bool ghost = false);
+    bool begin(const std::string& task_id, bool assessed, int goal = 0, bool ghost = false,
+               const std::string& variant = {});
     /// Prepares a practice run that begins with a moment of a stored attempt; else as begin().
     bool take_over(std::shared_ptr<const ReplayMoment> from);
     /// An expert operator performs the task to be watched; afterwards the briefing is wanted.
-    bool demonstrate(const std::string& task_id);
+    bool demonstrate(const std::string& task_id, const std::string& variant = {});
     bool is_running() const { return session_ != nullptr; }
     void enter() override;
     void leave() override;

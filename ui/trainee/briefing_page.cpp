@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "assessment/assets/fidelity_cost.h"
+#include "database/records/attempts.h"
 #include "database/records/report_data.h"
 #include "database/records/standings.h"
 #include "sim_core/scene/fidelity.h"
@@ -41,6 +42,7 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
     briefing_ = make_label({});
     layout->addWidget(briefing_);
 
+    layout->addLayout(make_variants());
     auto* row = new QHBoxLayout;
     row->setSpacing(14);
     picture_ = new ScenePicture(context);
@@ -88,15 +90,68 @@ BriefingPage::BriefingPage(Context& context) : Page(context, "briefing_page") {
     layout->addStretch();
     connect(start_, &QPushButton::clicked, this, [this] {
         const bool assessed = assessed_->isChecked();
-        emit this->context().attempt_wanted(text(task_id_), assessed,
-                                            assessed ? 0 : begin_at_->currentData().toInt(),
-                                            !assessed && !ghost_->isHidden() && ghost_->isChecked());
+        emit this->context().attempt_wanted(
+            text(task_id_), assessed, assessed ? 0 : begin_at_->currentData().toInt(),
+            !assessed && !ghost_->isHidden() && ghost_->isChecked(), text(variant()));
     });
     connect(watch_, &QPushButton::clicked, this,
-            [this] { emit this->context().demonstration_wanted(text(task_id_)); });
+            [this] { emit this->context().demonstration_wanted(text(task_id_), text(variant())); });
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolled(body, 1000));
+}
+
+/// The scene in which the task is performed.
+QLayout* BriefingPage::make_variants() {
+    auto* row = new QHBoxLayout;
+    variant_words_ = make_label(tr("Variant"));
+    variant_words_->setWordWrap(false);
+    variants_ = new QComboBox;
+    variants_->setObjectName(QStringLiteral("variants"));
+    variants_->setAccessibleName(tr("Variant"));
+    variant_note_ = make_label({}, "muted");
+    variant_note_->setObjectName(QStringLiteral("variant_note"));
+    row->addWidget(variant_words_);
+    row->addWidget(variants_);
+    row->addWidget(variant_note_, 1);
+    connect(variants_, QOverload<int>::of(&QComboBox::activated), this, [this] {
+        wanted_variant_ = variant();
+        if (const TaskDefinition* task = context().task(task_id_)) show_variant(*task);
+    });
+    return row;
+}
+
+std::string BriefingPage::variant() const {
+    return plain(variants_->currentData().toString());
+}
+
+/// Each with how often it was practised; chosen is the one asked for, else the one practised least.
+void BriefingPage::fill_variants(const TaskDefinition& task) {
+    std::map<std::string, database::VariantPractice> practised;
+    const database::Session& session = context().session();
+    if (context().allowed(database::Operation::read_attempt, database::Subject::person(session.person_id())))
+        context().guarded([&] {
+            practised =
+                database::Attempts(context().store()).practised(session, session.person_id(), task_id_);
+        });
+    std::map<std::string, int> attempts;
+    for (const auto& [id, practice] : practised) attempts[id] = practice.attempts;
+    const std::string least = next_variant(task, attempts);
+    variants_->clear();
+    for (const TaskVariant& one : task.variants) {
+        const int count = attempts.count(one.id) > 0 ? attempts.at(one.id) : 0;
+        variants_->addItem(count == 0 ? tr("%1 (not practised yet)").arg(text(one.title))
+                                      : tr("%1 (attempts: %2)").arg(text(one.title)).arg(count),
+                           text(one.id));
+    }
+    const int asked = variants_->findData(text(wanted_variant_));
+    variants_->setCurrentIndex(asked >= 0 ? asked : variants_->findData(text(least)));
+    const bool several = task.variants.size() > 1;
+    variant_words_->setVisible(several);
+    variants_->setVisible(several);
+    variant_note_->setVisible(several);
+    variant_note_->setText(asked >= 0 ? tr("The variant practised least comes next unless you choose one.")
+                                      : tr("Chosen because you have practised it least."));
 }
 
 /// Where practice begins, and with a ghost or without.
@@ -124,8 +179,9 @@ QLayout* BriefingPage::make_beginning() {
     return beginning;
 }
 
-void BriefingPage::set_task(const std::string& task_id) {
+void BriefingPage::set_task(const std::string& task_id, const std::string& variant) {
     task_id_ = task_id;
+    wanted_variant_ = variant;
     begin_at_->clear();
     ghost_->setChecked(false);
     practice_->setChecked(true);
@@ -171,8 +227,10 @@ QString BriefingPage::why_locked() {
 
 QString BriefingPage::why_files() {
     std::vector<database::AssetFile> unknown;
-    context().guarded(
-        [&] { unknown = context().services().unknown_assets(context().session(), task_id_, window_device); });
+    context().guarded([&] {
+        unknown =
+            context().services().unknown_assets(context().session(), task_id_, window_device, variant());
+    });
     if (unknown.empty()) return {};
     QStringList files;
     for (const database::AssetFile& file : unknown)
@@ -188,6 +246,8 @@ void BriefingPage::fill() {
     const bool demo = context().store().is_demo();
     const TaskDefinition* task = context().task(task_id_);
     const bool assessable = task != nullptr && can_be_assessed(*task, window_device);
+    variants_->clear();
+    if (task != nullptr) fill_variants(*task);
     const QString locked = why_locked();
     const QString own_files = assessable ? why_files() : QString();
     assessed_->setEnabled(!demo && assessable && locked.isEmpty() && own_files.isEmpty());
@@ -210,8 +270,7 @@ void BriefingPage::fill() {
     steps_->addWidget(make_label(
         tr("Time limit %1 · outcome: %2").arg(clock_text(task->time_limit_s), text(task->product)), "muted"));
     steps_->addStretch();
-    picture_->show_task(*task);
-    judged_->open(*task, limits(), own_values());
+    show_variant(*task);
     const bool scope_alone =
         !task->goals.empty() && type_of(task->goals.front().kind).site == GoalSite::camera_targets;
     const QString hands =
@@ -223,14 +282,20 @@ void BriefingPage::fill() {
                         : !own_files.isEmpty() ? hands + QStringLiteral(" ") + own_files
                         : !locked.isEmpty()    ? hands + QStringLiteral(" ") + locked
                                                : hands);
-    show_notes();
     show_fidelity_note();
+}
+
+void BriefingPage::show_variant(const TaskDefinition& task) {
+    picture_->show_task(task, variant());
+    judged_->open(task, limits(), own_values());
+    show_notes();
 }
 
 std::vector<JudgedLimit> BriefingPage::limits() {
     std::vector<JudgedLimit> judged;
-    context().guarded(
-        [&] { judged = context().services().judged_limits(context().session(), task_id_, window_device); });
+    context().guarded([&] {
+        judged = context().services().judged_limits(context().session(), task_id_, window_device, variant());
+    });
     return judged;
 }
 
@@ -287,7 +352,8 @@ void BriefingPage::show_notes() {
     Statement limits;
     context().guarded([&] {
         site = context().services().site_tissues(context().session(), task_id_);
-        limits = context().services().why_not_comparable(context().session(), task_id_, window_device);
+        limits =
+            context().services().why_not_comparable(context().session(), task_id_, window_device, variant());
     });
     QString note;
     if (site.differ)

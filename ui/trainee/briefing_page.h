@@ -22,12 +22,18 @@ class BriefingPage : public Page {
     Q_OBJECT
   public:
     explicit BriefingPage(Context& context);
-    void set_task(const std::string& task_id);
+    /// `variant` empty: the one practised least.
+    void set_task(const std::string& task_id, const std::string& variant = {});
     void enter() override;
 
   private:
     QLayout* make_beginning();
+    QLayout* make_variants();
     void fill();
+    void fill_variants(const TaskDefinition& task);
+    /// What depends on the variant: picture, limits, notes.
+    void show_variant(const TaskDefinition& task);
+    std::string variant() const;
     /// Why the task does not count yet for who is signed in; empty where it does.
     QString why_locked();
     /// Why the installed files make it practice only; empty where they do not.
@@ -38,13 +44,15 @@ class BriefingPage : public Page {
     void show_notes();
     void show_fidelity_note();
     void fill_beginnings(const TaskDefinition& task);
-    std::string task_id_;
+    std::string task_id_, wanted_variant_;
     QLabel *title_, *briefing_, *mode_note_, *tissue_note_, *fidelity_note_;
     QVBoxLayout* steps_;
     ScenePicture* picture_;
     JudgedCard* judged_;
     QRadioButton *assessed_, *practice_;
     QLabel* begin_words_;
+    QLabel *variant_words_, *variant_note_;
+    QComboBox* variants_;  ///< data: id
     QComboBox* begin_at_;  ///< data: goal
     QCheckBox* ghost_;
     QPushButton *start_, *watch_;

@@ -3,6 +3,7 @@
 
 #include <QGridLayout>
 
+#include "database/records/curricula.h"
 #include "database/records/report_data.h"
 #include "database/records/reviews.h"
 #include "database/records/standings.h"
@@ -52,7 +53,10 @@ void HomePage::enter() {
         rows = database::Reports(context().store()).person_table(session, session.person_id(), ids);
     });
     standings_.clear();
+    followed_ = &context().services().curriculum();
     context().guarded([&] {
+        followed_ = &database::Curricula(context().store())
+                         .in_force(session, session.person_id(), context().services().curriculum());
         standings_ = standing_of(database::Standings(context().store())
                                      .record(session, session.person_id(), context().services().curriculum()),
                                  context().store().now());
@@ -66,7 +70,7 @@ void HomePage::enter() {
 
 void HomePage::fill_next(const Summaries& summaries) {
     clear_layout(next_);
-    const Curriculum& curriculum = context().services().curriculum();
+    const Curriculum& curriculum = *followed_;
     std::map<std::string, std::int64_t> last;
     for (const auto& [task, summary] : summaries) last[task] = summary.last_attempt;
     const Recommendation next = recommend(curriculum, standings_, last, window_device);
@@ -129,7 +133,7 @@ void HomePage::fill_comments() {
 }
 
 void HomePage::fill_tasks(const Summaries& summaries) {
-    const Curriculum& curriculum = context().services().curriculum();
+    const Curriculum& curriculum = *followed_;
     const auto summary_of = [&](const std::string& task) {
         const auto found = summaries.find(task);
         return found == summaries.end() ? TaskSummary() : found->second;

@@ -40,6 +40,7 @@ class HomePage : public Page {
     Ladder* ladder_;
     QLabel* others_heading_;
     QGridLayout* cards_;
+    const Curriculum* followed_ = nullptr;  ///< version that who is signed in follows
     std::vector<TaskStanding> standings_;
 };
 

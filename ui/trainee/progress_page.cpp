@@ -16,6 +16,7 @@
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 #include "ui/trainee/certificate_card.h"
+#include "ui/trainee/curriculum_card.h"
 #include "ui/trainee/curve_words.h"
 #include "ui/trainee/standing_card.h"
 #include "ui/trainee/task_header.h"
@@ -76,6 +77,9 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     certificates_ = new CertificateCard(context);
     standing_ = new StandingCard(context);
     layout->addWidget(standing_);
+    curriculum_ = new CurriculumCard(context);
+    connect(curriculum_, &CurriculumCard::moved, this,
+            [this] { standing_->show_task(person_id_, task_id_); });
     layout->addWidget(certificates_);
     QFrame* card = make_card(8);
     summary_ = make_label({}, "muted");
@@ -99,6 +103,7 @@ ProgressPage::ProgressPage(Context& context) : Page(context, "progress_page") {
     // What came of an attempt is seen without scrolling; the device stands last.
     table_->horizontalHeader()->moveSection(2, table_->columnCount() - 1);
     layout->addWidget(table_);
+    layout->addWidget(curriculum_);
     connect(chart_, &AttemptChart::attempt_chosen, this,
             [this](const QString& id) { emit this->context().debrief_wanted(id, -1); });
     connect(table_, &QTableWidget::itemActivated, this, [this](QTableWidgetItem* item) {
@@ -179,8 +184,9 @@ void ProgressPage::load() {
         context().allowed(database::Operation::export_person, database::Subject::person(person_id_)));
     export_->propose(person_->currentText());
     certificates_->show_person(person_id_, QFileInfo(export_->path()).absolutePath());
-    header_->show_task(person_id_, task_id_, progress_ ? &*progress_ : nullptr);
+    header_->show_task(person_id_, task_id_);
     standing_->show_task(person_id_, task_id_);
+    curriculum_->show_person(person_id_);
     title_->setText(person_id_ == context().session().person_id()
                         ? tr("My progress")
                         : tr("Progress of %1").arg(person_->currentText()));
@@ -278,10 +284,14 @@ QString ProgressPage::add_curve(const database::ProgressSeries& series, AttemptS
     std::optional<double> here;
     std::string unit;
     bool lower = false;
+    const TaskDefinition* task = context().task(task_id_);
+    const auto family = [task](const std::string& variant) {
+        return task == nullptr ? variant : variant_family(*task, variant);
+    };
     for (const database::ProgressPoint& point : series.points) {
-        // One anatomy only: that of the latest attempt.
-        if (point.variant != series.points.back().variant || point.state != AttemptState::completed ||
-            !point.passed)
+        // One family of variants only: that of the latest attempt.
+        if (family(point.variant) != family(series.points.back().variant) ||
+            point.state != AttemptState::completed || !point.passed)
             continue;
         const database::MetricRow* metric = points ? nullptr : find_row(point, key);
         const std::optional<double> value = points              ? point.points

@@ -23,6 +23,7 @@ struct AttemptChartData;
 struct AttemptSeries;
 class ExportRow;
 class JobBar;
+class CurriculumCard;
 class StandingCard;
 class TaskHeader;
 
@@ -61,6 +62,7 @@ class ProgressPage : public Page {
     TaskHeader* header_;
     QPushButton* explain_;
     StandingCard* standing_;
+    CurriculumCard* curriculum_;
     AttemptChart* chart_;
     QTableWidget* table_;
 };

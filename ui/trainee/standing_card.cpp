@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QLineEdit>
 
+#include "database/records/curricula.h"
 #include "database/records/standings.h"
 #include "ui/style/standing_badge.h"
 #include "ui/style/text.h"
@@ -47,8 +48,15 @@ void StandingCard::fill() {
     clear_layout(lines_);
     const Curriculum& curriculum = context_.services().curriculum();
     const database::Subject subject = database::Subject::person(person_id_);
-    const bool known = !person_id_.empty() && curriculum.find(task_id_) != nullptr &&
-                       context_.allowed(database::Operation::read_progress, subject);
+    const bool readable =
+        !person_id_.empty() && context_.allowed(database::Operation::read_progress, subject);
+    bool known = false;
+    if (readable)
+        context_.guarded([&] {
+            known = database::Curricula(context_.store())
+                        .in_force(context_.session(), person_id_, curriculum)
+                        .find(task_id_) != nullptr;
+        });
     setVisible(known);
     if (!known) return;
     const database::Standings standings(context_.store());

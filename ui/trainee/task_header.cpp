@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "database/records/attempts.h"
 #include "ui/style/text.h"
 #include "ui/style/widgets.h"
 #include "ui/theatre/scene_picture.h"
@@ -10,16 +11,13 @@
 namespace fulcrum::ui {
 namespace {
 
-/// "standard (12 attempts), narrow (3)"; empty where only one was performed.
-QString variants_of(const database::PersonProgress& progress) {
-    std::map<std::string, int> counts;
-    for (const database::ProgressSeries& series : progress.series)
-        for (const database::ProgressPoint& point : series.points) ++counts[point.variant];
-    if (counts.size() < 2) return {};
-    QStringList parts;
-    for (const auto& [variant, count] : counts)
-        parts << TaskHeader::tr("%1 (%2 attempts)").arg(text(variant)).arg(count);
-    return parts.join(QStringLiteral(", "));
+/// "Narrow pelvis: 3 attempts, 1 passed".
+QString words_of(const TaskVariant& variant, const database::VariantPractice& practice) {
+    if (practice.attempts == 0) return TaskHeader::tr("%1: not practised yet").arg(text(variant.title));
+    return TaskHeader::tr("%1: attempts %2, passed %3")
+        .arg(text(variant.title))
+        .arg(practice.attempts)
+        .arg(practice.passes);
 }
 
 }  // namespace
@@ -37,9 +35,10 @@ TaskHeader::TaskHeader(Context& context) : context_(context) {
     title_ = make_label({}, "heading");
     briefing_ = make_label({});
     product_ = make_label({}, "muted");
-    variants_ = make_label({}, "muted");
-    variants_->setObjectName(QStringLiteral("task_variants"));
-    for (QLabel* label : {title_, briefing_, product_, variants_}) words->addWidget(label);
+    for (QLabel* label : {title_, briefing_, product_}) words->addWidget(label);
+    variants_ = new QVBoxLayout;
+    variants_->setSpacing(2);
+    words->addLayout(variants_);
     perform_ = make_button(tr("Go to the briefing"), "task_briefing", "primary");
     words->addWidget(perform_, 0, Qt::AlignLeft);
     words->addStretch();
@@ -47,8 +46,31 @@ TaskHeader::TaskHeader(Context& context) : context_(context) {
     connect(perform_, &QPushButton::clicked, this, [this] { emit context_.briefing_wanted(text(task_id_)); });
 }
 
-void TaskHeader::show_task(const std::string& person_id, const std::string& task_id,
-                           const database::PersonProgress* progress) {
+/// What was practised of each variant; for oneself a link to the briefing with this variant.
+void TaskHeader::fill_variants(const std::string& person_id, const TaskDefinition& task, bool may_perform) {
+    clear_layout(variants_);
+    if (task.variants.size() < 2) return;
+    std::map<std::string, database::VariantPractice> practised;
+    if (context_.allowed(database::Operation::read_attempt, database::Subject::person(person_id)))
+        context_.guarded([&] {
+            practised =
+                database::Attempts(context_.store()).practised(context_.session(), person_id, task.id);
+        });
+    for (const TaskVariant& variant : task.variants) {
+        const QString words = words_of(variant, practised[variant.id]);
+        if (!may_perform) {
+            variants_->addWidget(make_label(words, "muted"));
+            continue;
+        }
+        QPushButton* button = make_button(words, "task_variant", "link");
+        button->setToolTip(tr("Go to the briefing with this variant"));
+        connect(button, &QPushButton::clicked, this,
+                [this, id = variant.id] { emit context_.briefing_wanted(text(task_id_), text(id)); });
+        variants_->addWidget(button, 0, Qt::AlignLeft);
+    }
+}
+
+void TaskHeader::show_task(const std::string& person_id, const std::string& task_id) {
     task_id_ = task_id;
     const TaskDefinition* task = context_.task(task_id);
     setVisible(task != nullptr);
@@ -59,12 +81,11 @@ void TaskHeader::show_task(const std::string& person_id, const std::string& task
     briefing_->setText(text(task->briefing));
     product_->setText(
         tr("Outcome: %1 · time limit %2").arg(text(task->product), clock_text(task->time_limit_s)));
-    const QString variants = progress == nullptr ? QString() : variants_of(*progress);
-    variants_->setText(tr("Variants performed: %1").arg(variants));
-    variants_->setVisible(!variants.isEmpty());
-    perform_->setVisible(
+    const bool may_perform =
         person_id == context_.session().person_id() &&
-        context_.allowed(database::Operation::perform_attempt, database::Subject::person(person_id)));
+        context_.allowed(database::Operation::perform_attempt, database::Subject::person(person_id));
+    fill_variants(person_id, *task, may_perform);
+    perform_->setVisible(may_perform);
 }
 
 }  // namespace fulcrum::ui

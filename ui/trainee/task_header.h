@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A task at the top of its page: the picture of its scene, what is to be done, what it leaves, the variants
-// that the person has performed, and the way to its briefing.
+// A task at the top of its page: the picture of its scene, what is to be done, what it leaves, its variants
+// with what the person has performed of them, and the way to its briefing.
 #pragma once
 
 #include <QFrame>
 #include <string>
 
-#include "database/records/report_data.h"
 #include "ui/page/context.h"
 
 class QLabel;
 class QPushButton;
+class QVBoxLayout;
 
 namespace fulcrum::ui {
 
@@ -20,15 +20,16 @@ class TaskHeader : public QFrame {
     Q_OBJECT
   public:
     explicit TaskHeader(Context& context);
-    /// Hidden for a task that is not installed. `progress`: null where there is none.
-    void show_task(const std::string& person_id, const std::string& task_id,
-                   const database::PersonProgress* progress);
+    /// Hidden for a task that is not installed.
+    void show_task(const std::string& person_id, const std::string& task_id);
 
   private:
+    void fill_variants(const std::string& person_id, const TaskDefinition& task, bool may_perform);
     Context& context_;
     std::string task_id_, pictured_;
     ScenePicture* picture_;
-    QLabel *title_, *briefing_, *product_, *variants_;
+    QLabel *title_, *briefing_, *product_;
+    QVBoxLayout* variants_;
     QPushButton* perform_;
 };
 

@@ -17,6 +17,7 @@
 #include "assessment/metrics/statement_words.h"
 #include "database/records/attempts.h"
 #include "database/scoring/loaded_task.h"
+#include "database/scoring/rescoring.h"
 #include "database/scoring/scoring.h"
 #include "sim_core/numerics/input_error.h"
 #include "tests/support/own_folder.h"
@@ -99,8 +100,11 @@ TEST_F(OwnLimits, AreFoundByTaskVariantDeviceClassAndFidelity) {
     EXPECT_EQ(words_of(limits_for(fast.task, fast.scene, DeviceClass::haptic).not_comparable),
               "not comparable: the limits are for fidelity standard, the attempt used fast");
 
-    LoadedTask long_jaws = load_task_and_scene("B1");
-    long_jaws.scene = load_scene(asset_path("scenes/b1_long_jaws.json"));
+    LoadedTask long_jaws = load_task_and_scene(TaskRequest{"B1", "long_jaws", {}});
+    EXPECT_EQ(limits_for(long_jaws.task, long_jaws.scene, DeviceClass::haptic).name().substr(0, 14),
+              "B1-provisional")
+        << "its family is standard";
+    for (TaskVariant& variant : long_jaws.task.variants) variant.family = variant.id;
     EXPECT_EQ(words_of(limits_for(long_jaws.task, long_jaws.scene, DeviceClass::haptic).not_comparable),
               "not comparable: the limits are for variant standard, the attempt used long_jaws");
 
@@ -114,6 +118,38 @@ TEST_F(OwnLimits, AreFoundByTaskVariantDeviceClassAndFidelity) {
     std::filesystem::rename(assets_ / "benchmarks/A2.json", assets_ / "benchmarks/A2-controller.json");
     EXPECT_EQ(limits_for(a2.task, a2.scene, DeviceClass::controller).name(),
               "A2-controller" + haptic.name().substr(2));
+}
+
+TEST_F(OwnLimits, OfAFamilyJudgeAttemptsAtEachOfItsVariants) {
+    const json standard = perform({"A2", "--practice"}), deep = perform({"A2", "--variant", "deep"});
+    EXPECT_EQ(standard["variant"], "standard");
+    EXPECT_EQ(deep["variant"], "deep");
+    EXPECT_NE(deep["state_hash"], standard["state_hash"]);
+    EXPECT_EQ(deep["passed"], true) << deep["advice"];
+    EXPECT_EQ(deep["gates"][0]["limit"], standard["gates"][0]["limit"]);
+    const database::Store store = database::Store::open(store_);
+    const database::Attempts attempts(store);
+    const database::AttemptSummary stored =
+        attempts.read(store.station_session(), deep["attempt"].get<std::string>());
+    EXPECT_EQ(stored.meta.variant, "deep");
+    EXPECT_EQ(stored.meta.scene, "a2_targets_deep.json");
+    EXPECT_TRUE(attempts.stale_scores(store.station_session(), scoring_in_force()).empty())
+        << "the set of its family is in force";
+    const auto practised = attempts.practised(store.station_session(), stored.meta.person_id, "A2");
+    ASSERT_EQ(practised.size(), 2U);
+    EXPECT_EQ(practised.at("standard").attempts, 1);
+    EXPECT_EQ(practised.at("standard").passes, 0) << "practice";
+    EXPECT_EQ(practised.at("deep").passes, 1);
+
+    const Outcome unknown = run({"perform", "A2", "--variant", "none", "--db", store_});
+    EXPECT_EQ(unknown.status, 2);
+    EXPECT_NE(unknown.errors.find("has no variant \"none\""), std::string::npos) << unknown.errors;
+    std::filesystem::copy_file(assets_ / "scenes/a2_targets.json", assets_ / "scenes/a2_targets_deep.json",
+                               std::filesystem::copy_options::overwrite_existing);
+    const Outcome mixed_up = run({"perform", "A2", "--variant", "deep", "--db", store_});
+    EXPECT_EQ(mixed_up.status, 2);
+    EXPECT_NE(mixed_up.errors.find("is \"standard\", but task A2 lists it as \"deep\""), std::string::npos)
+        << mixed_up.errors;
 }
 
 TEST_F(OwnLimits, OfTheStandardFidelityDoNotJudgeTheFastOne) {

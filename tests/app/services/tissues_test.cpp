@@ -57,7 +57,7 @@ TEST_F(SiteTissue, AnAttemptIsPerformedAndReplayedInTheTissueItBeganIn) {
     set(tough, "as in our patients");
     const Session& station = programme.session("station");
     PerformRequest request;
-    request.loaded = load_site_task(store, station, "B2");
+    request.loaded = load_site_task(store, station, {"B2"});
     EXPECT_EQ(request.loaded.scene.tissues[0].cutting->penetrate, 0.11);
     request.operator_level = OperatorLevel::expert;
     request.seed = 7;
@@ -84,7 +84,7 @@ TEST_F(SiteTissue, AnAttemptIsPerformedAndReplayedInTheTissueItBeganIn) {
     const LoadedTask shipped = load_task_and_scene("B2");
     AttemptEngine other(shipped.scene, shipped.task, summary.meta.seed);
     EXPECT_FALSE(replay_record(other, performed.record).identical) << "the values change the forces";
-    EXPECT_EQ(load_site_task(store, station, "B2").scene.tissues[0].cutting->penetrate, 0.2);
+    EXPECT_EQ(load_site_task(store, station, {"B2"}).scene.tissues[0].cutting->penetrate, 0.2);
 }
 
 TEST_F(SiteTissue, LimitsMadeInOtherTissueDoNotScoreAnAttempt) {
@@ -94,7 +94,7 @@ TEST_F(SiteTissue, LimitsMadeInOtherTissueDoNotScoreAnAttempt) {
     EXPECT_EQ(shipped.comparable(), &*shipped.set);
     EXPECT_EQ(site_tissues(store, *programme.educator, "B2").limits_note, Statement());
     set(tough, "as in our patients");
-    const LoadedTask here = load_site_task(store, *programme.educator, "B2");
+    const LoadedTask here = load_site_task(store, *programme.educator, {"B2"});
     const Limits other = limits_for(here.task, here.scene, DeviceClass::haptic);
     const Statement why = other.not_comparable;
     EXPECT_EQ(other.comparable(), nullptr);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "assessment/assets/assets.h"
@@ -11,6 +12,7 @@
 #include "assessment/task/task.h"
 #include "sim_core/numerics/input_error.h"
 #include "sim_core/scene/json_document.h"
+#include "tests/support/own_folder.h"
 
 namespace fulcrum {
 namespace {
@@ -32,7 +34,9 @@ std::string refusal(const nlohmann::json& document) {
 
 TEST(Curriculum, ShippedOneHasInstalledTasksInTheirStagesAndForTheirDevices) {
     const Curriculum curriculum = load_curriculum(asset_path("curricula/rectal.json"), task_ids());
-    EXPECT_EQ(curriculum.name(), "rectal@1");
+    EXPECT_EQ(curriculum.name(), "rectal@2");
+    EXPECT_EQ(curriculum.find("C4")->variants, 2);
+    EXPECT_EQ(curriculum.find("A2")->variants, 1) << "where it says nothing";
     for (const CurriculumTask& task : curriculum.tasks) {
         const TaskDefinition definition = load_task(task_file(task.task));
         EXPECT_EQ(definition.stage, task.stage) << task.task;
@@ -43,6 +47,29 @@ TEST(Curriculum, ShippedOneHasInstalledTasksInTheirStagesAndForTheirDevices) {
     EXPECT_TRUE(counts(*curriculum.find("B1"), DeviceClass::synthetic));
     EXPECT_FALSE(counts(*curriculum.find("B1"), DeviceClass::mouse_keyboard));
     EXPECT_FALSE(counts(*curriculum.find("B1"), DeviceClass::external));
+}
+
+TEST(Curriculum, EarlierVersionsStayInstalledAndNoneIsThereTwice) {
+    const Curriculum newest = load_versions(asset_path("curricula"), "rectal", task_ids());
+    EXPECT_EQ(newest.name(), "rectal@2");
+    ASSERT_EQ(newest.older.size(), 1U);
+    EXPECT_EQ(newest.version_named("rectal@1"), &newest.older[0]);
+    EXPECT_EQ(newest.version_named("rectal@1")->find("C4")->variants, 1);
+    EXPECT_EQ(newest.version_named("rectal@2"), &newest);
+    EXPECT_EQ(newest.version_named("rectal@3"), nullptr);
+    EXPECT_EQ(newest.older[0].file, "rectal-1.json");
+    EXPECT_FALSE(newest.text.empty());
+
+    const test::OwnFolder folder;
+    for (const char* name : {"one.json", "two.json"})
+        std::filesystem::copy_file(asset_path("curricula/rectal.json"), folder / name);
+    try {
+        load_versions(folder.path().string(), "rectal", task_ids());
+        FAIL() << "two files with one version";
+    } catch (const InputError& error) {
+        EXPECT_NE(error.problem().find("is that of"), std::string::npos) << error.what();
+    }
+    EXPECT_THROW(load_versions(asset_path("curricula"), "other", task_ids()), InputError);
 }
 
 TEST(Curriculum, RefusesWhatCannotBeFollowed) {

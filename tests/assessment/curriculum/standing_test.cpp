@@ -103,6 +103,34 @@ TEST(Standing, LcCusumIsHeldAtItsLimitUntilASecondDay) {
     EXPECT_EQ(ann.at("A", begin + day + 5 * hour).standing, Standing::proficient);
 }
 
+TEST(Standing, ARuleCanAskForPassesOnSeveralVariants) {
+    Curriculum curriculum = example("of:2,3");
+    curriculum.tasks[0].variants = 2;
+    Trainee ann(curriculum);
+    const auto pass = [&](std::int64_t time, const char* variant) {
+        ann.attempt("A", time, true).variant = variant;
+    };
+    pass(begin, "standard");
+    EXPECT_EQ(ann.at("A", begin).more_variants, 0) << "the rule itself is not met yet";
+    pass(begin + day, "standard");
+    EXPECT_EQ(ann.at("A", begin + day).standing, Standing::passed);
+    EXPECT_EQ(ann.at("A", begin + day).more_variants, 1);
+    EXPECT_FALSE(ann.at("A", begin + day).one_more_day);
+    ann.attempt("A", begin + day + hour, false).variant = "narrow";
+    EXPECT_EQ(ann.at("A", begin + day + hour).standing, Standing::passed) << "a failure shows nothing";
+    pass(begin + 2 * day, "narrow");
+    EXPECT_EQ(ann.at("A", begin + 2 * day).standing, Standing::proficient);
+    EXPECT_EQ(ann.at("A", begin + 2 * day).declared_at, begin + 2 * day);
+
+    Curriculum held = example("lc-cusum:0.1,0.3,2.5");
+    held.tasks[0].variants = 2;
+    Trainee ben(held);
+    for (int i = 0; i < 20; ++i) ben.attempt("A", begin + i * day, true).variant = "standard";
+    EXPECT_EQ(ben.at("A", begin + 20 * day).more_variants, 1) << "held at its limit";
+    ben.attempt("A", begin + 20 * day, true).variant = "wide";
+    EXPECT_EQ(ben.at("A", begin + 20 * day).standing, Standing::proficient);
+}
+
 TEST(Standing, ProvisionalLimitsUnlockButNeverDeclare) {
     const Curriculum curriculum = example();
     Trainee ann(curriculum);
@@ -225,6 +253,7 @@ History random_history(const Curriculum& curriculum) {
         one.time = begin + *rc::gen::inRange(0, 365) * day + *rc::gen::inRange(0, 24) * hour;
         one.passed = *rc::gen::inRange(0, 10) < 8;
         one.provisional = *rc::gen::inRange(0, 10) == 0;
+        one.variant = *rc::gen::element<std::string>("standard", "narrow", "wide");
         one.voided_at = *rc::gen::inRange(0, 8) == 0 ? one.time + *rc::gen::inRange(0, 30) * day : 0;
         history.record.attempts.push_back(one);
     }
@@ -241,8 +270,9 @@ bool same(const std::vector<TaskStanding>& a, const std::vector<TaskStanding>& b
             return x.task == y.task && x.standing == y.standing && x.attempts == y.attempts &&
                    x.passes == y.passes && x.progress == y.progress && x.declared_at == y.declared_at &&
                    x.next_check == y.next_check && x.met_provisionally == y.met_provisionally &&
-                   x.one_more_day == y.one_more_day && x.last_attempt == y.last_attempt &&
-                   x.waits_for == y.waits_for && x.overdue == y.overdue && x.provisional == y.provisional;
+                   x.one_more_day == y.one_more_day && x.more_variants == y.more_variants &&
+                   x.last_attempt == y.last_attempt && x.waits_for == y.waits_for && x.overdue == y.overdue &&
+                   x.provisional == y.provisional;
         });
 }
 

@@ -3,11 +3,13 @@
 // range and the trainee's own last value; the list one click away.
 #include <gtest/gtest.h>
 
+#include <QComboBox>
 #include <QFile>
 #include <QFileInfo>
 #include <QLabel>
 #include <QScrollBar>
 
+#include "database/records/attempts.h"
 #include "database/records/people.h"
 #include "database/records/recorder.h"
 #include "tests/ui/fake_services.h"
@@ -140,6 +142,37 @@ TEST_F(Briefing, PictureOfTheSceneIsDrawnOnceAndKept) {
     EXPECT_EQ(services.worlds_built, 2);
     // Another task has its own.
     EXPECT_NE(ScenePicture::file_of(services, task("B2")), file);
+}
+
+TEST_F(Briefing, ChoosesTheVariantPractisedLeastAndAnotherIsAChoiceAway) {
+    open("B0");
+    EXPECT_FALSE(sees(*window, "variants")) << "there is nothing to choose";
+    open("A2");
+    auto* variants = find<QComboBox>(*window, "variants");
+    ASSERT_EQ(variants->count(), 3);
+    EXPECT_EQ(variants->currentData().toString(), "standard");
+    record(75, 3.1);
+    click(*window, "rail_home");
+    open("A2");
+    EXPECT_EQ(variants->currentData().toString(), "deep");
+    EXPECT_TRUE(variants->itemText(0).contains("attempts: 1")) << variants->itemText(0).toStdString();
+    EXPECT_TRUE(find<QLabel>(*window, "variant_note")->text().contains("least"));
+    wait_for_picture();
+    EXPECT_TRUE(QFileInfo::exists(ScenePicture::file_of(services, task("A2"), "deep")));
+    EXPECT_FALSE(QFileInfo::exists(ScenePicture::file_of(services, task("A2"), "trocars_right")));
+    keep_body(*window, *window->current_page(), QStringLiteral("briefing-variant"));
+    variants->setFocus();
+    QTest::keyClick(variants, Qt::Key_Down);
+    EXPECT_EQ(variants->currentData().toString(), "trocars_right");
+    wait_for_picture();
+    EXPECT_TRUE(QFileInfo::exists(ScenePicture::file_of(services, task("A2"), "trocars_right")));
+    click(*window, "start_attempt");
+    services.control.complete = true;
+    ASSERT_TRUE(wait_for([&] { return !services.control.last_attempt_id.empty(); }));
+    const auto practised = database::Attempts(*services.store()).practised(*tara, tara->person_id(), "A2");
+    ASSERT_EQ(practised.count("trocars_right"), 1U);
+    EXPECT_EQ(practised.at("trocars_right").attempts, 1);
+    EXPECT_EQ(practised.count("deep"), 0U);
 }
 
 TEST_F(Briefing, AnotherTaskWhileThePictureIsDrawnShowsTheOtherTask) {

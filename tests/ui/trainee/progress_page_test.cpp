@@ -7,6 +7,7 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QPushButton>
 #include <cmath>
 
 #include "assessment/scoring/benchmark.h"
@@ -231,6 +232,41 @@ TEST_F(ProgressWithHistory, AnEducatorUnlocksATaskWithAReason) {
     EXPECT_TRUE(find<QLabel>(*window, "standing_text")->text().startsWith("proficient since"));
     EXPECT_FALSE(sees(*window, "decide_standing"));
     keep("progress-decided-trainee");
+}
+
+TEST_F(ProgressWithHistory, AnEducatorMovesAPersonToTheNewerCurriculumAfterALook) {
+    record(1200);  // does not name a version: the first one
+    open(Role::educator);
+    EXPECT_TRUE(find<QLabel>(*window, "curriculum_name")->text().contains("version 1"));
+    EXPECT_EQ(find<QComboBox>(*window, "curriculum_versions")->currentData().toString(), "rectal@2");
+    click(*window, "curriculum_preview");
+    EXPECT_TRUE(find<QLabel>(*window, "curriculum_changes")->text().contains("No standing changes"));
+    click(*window, "curriculum_move");
+    EXPECT_TRUE(find<QLabel>(*window, "curriculum_name")->text().contains("version 1")) << "without a reason";
+    QTest::keyClicks(find<QLineEdit>(*window, "curriculum_reason"), "autumn course");
+    keep("progress-curriculum");
+    click(*window, "curriculum_move");
+    EXPECT_TRUE(find<QLabel>(*window, "curriculum_name")->text().contains("version 2"));
+    apply_theme(*qApp, Theme::dark);
+    keep("progress-curriculum-moved");
+    apply_theme(*qApp, Theme::light);
+    open(Role::trainee);
+    EXPECT_TRUE(find<QLabel>(*window, "curriculum_name")->text().contains("version 2"));
+    EXPECT_FALSE(sees(*window, "curriculum_move"));
+    keep("progress-curriculum-trainee");
+}
+
+TEST_F(ProgressWithHistory, TheTaskShowsItsVariantsAndLeadsToTheBriefingOfOne) {
+    record(850);
+    open(Role::trainee);
+    const QList<QPushButton*> variants = window->findChildren<QPushButton*>("task_variant");
+    ASSERT_EQ(variants.size(), 3);
+    EXPECT_EQ(variants[0]->text(), "Standard: attempts 1, passed 1");
+    EXPECT_EQ(variants[2]->text(), "Trocars further right: not practised yet");
+    keep("progress-variants");
+    QTest::mouseClick(variants[2], Qt::LeftButton);
+    EXPECT_EQ(window->current_page()->objectName(), "briefing_page");
+    EXPECT_EQ(find<QComboBox>(*window, "variants")->currentData().toString(), "trocars_right");
 }
 
 }  // namespace

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/records/curricula.h"
+
+#include <algorithm>
+
+#include "database/records/standings.h"
+#include "database/rows/crypto.h"
+#include "database/rows/json.h"
+#include "database/store/audit.h"
+#include "sim_core/numerics/input_error.h"
+
+namespace fulcrum::database {
+namespace {
+
+/// The version of attempts from before they named one.
+std::string first_version(const Curriculum& newest) {
+    return newest.id + "@1";
+}
+
+/// As followed(), not checked.
+std::vector<FollowedCurriculum> history(Connection& connection, const std::string& person_id,
+                                        const Curriculum& newest) {
+    std::vector<FollowedCurriculum> result;
+    FollowedCurriculum first;
+    first.name = newest.name();
+    {
+        Query attempt(connection,
+                      "SELECT curriculum FROM attempt WHERE person_id = ? ORDER BY started, id LIMIT 1");
+        attempt.bind(person_id);
+        if (attempt.next()) {
+            first.name = attempt.text(0).empty() ? first_version(newest) : attempt.text(0);
+            // Before attempts named it there was one version, of whichever curriculum is installed.
+            if (attempt.text(0).empty() && newest.version_named(first.name) == nullptr)
+                first.name = newest.name();
+        }
+    }
+    result.push_back(std::move(first));
+    Query moves(connection,
+                "SELECT m.curriculum, m.time, p.display_name, m.reason FROM curriculum_move m JOIN person p "
+                "ON p.id = m.author_id WHERE m.person_id = ? ORDER BY m.time, m.id");
+    moves.bind(person_id);
+    while (moves.next()) result.push_back({moves.text(0), moves.integer(1), moves.text(2), moves.text(3)});
+    return result;
+}
+
+const Curriculum& require_version(const Curriculum& newest, const std::string& name) {
+    const Curriculum* found = newest.version_named(name);
+    if (found != nullptr) return *found;
+    std::string known = newest.name();
+    for (const Curriculum& one : newest.older) known += ", " + one.name();
+    throw StoreError(StoreErrorKind::bad_value, "no curriculum " + name + " is installed",
+                     "name one of these: " + known);
+}
+
+}  // namespace
+
+std::vector<FollowedCurriculum> Curricula::followed(const Session& session, const std::string& person_id,
+                                                    const Curriculum& newest) const {
+    store_.require(session, Operation::read_progress, Subject::person(person_id));
+    return history(store_.connection(), person_id, newest);
+}
+
+std::vector<CurriculumAssignment> Curricula::assignments(const Session& session, const std::string& person_id,
+                                                         const Curriculum& newest) const {
+    std::vector<CurriculumAssignment> result;
+    for (const FollowedCurriculum& one : followed(session, person_id, newest)) {
+        const Curriculum* version = newest.version_named(one.name);
+        result.push_back({one.since, version == nullptr ? &newest : version});
+    }
+    return result;
+}
+
+const Curriculum& Curricula::in_force(const Session& session, const std::string& person_id,
+                                      const Curriculum& newest) const {
+    return *assignments(session, person_id, newest).back().curriculum;
+}
+
+std::vector<CurriculumChange> Curricula::preview(const Session& session, const std::string& person_id,
+                                                 const Curriculum& newest, const std::string& to) const {
+    const std::int64_t now = store_.now();
+    PersonRecord record = Standings(store_).record(session, person_id, newest);
+    const std::vector<TaskStanding> before = standing_of(record, now);
+    record.assignments.push_back({now, &require_version(newest, to)});
+    const std::vector<TaskStanding> after = standing_of(record, now);
+    const auto find = [](const std::vector<TaskStanding>& standings, const std::string& task) {
+        return std::find_if(standings.begin(), standings.end(),
+                            [&](const TaskStanding& one) { return one.task == task; });
+    };
+    std::vector<CurriculumChange> changes;
+    for (const TaskStanding& one : before) {
+        const auto other = find(after, one.task);
+        if (other == after.end()) {
+            changes.push_back({one.task, one, {}, true, false});
+        } else if (other->standing != one.standing || other->waits_for != one.waits_for) {
+            changes.push_back({one.task, one, *other, false, false});
+        }
+    }
+    for (const TaskStanding& one : after)
+        if (find(before, one.task) == before.end()) changes.push_back({one.task, {}, one, false, true});
+    return changes;
+}
+
+int Curricula::move(const Session& educator, const std::vector<std::string>& people, const Curriculum& newest,
+                    const std::string& to, const std::string& reason) const {
+    for (const std::string& person : people)
+        store_.require(educator, Operation::decide_standing, Subject::person(person));
+    require_version(newest, to);
+    if (reason.find_first_not_of(" \t\r\n") == std::string::npos || reason.size() > 4000)
+        throw StoreError(StoreErrorKind::bad_value, "a reason is needed (1 to 4,000 characters)", "say why");
+    Connection& connection = store_.connection();
+    const std::int64_t now = store_.now();
+    int moved = 0;
+    Transaction transaction(connection);
+    for (const std::string& person : people) {
+        const std::string from = history(connection, person, newest).back().name;
+        if (from == to) continue;
+        const std::string id = random_uuid();
+        Query(connection,
+              "INSERT INTO curriculum_move (id, person_id, curriculum, author_id, time, reason) VALUES "
+              "(?, ?, ?, ?, ?, ?)")
+            .bind(id)
+            .bind(person)
+            .bind(to)
+            .bind(educator.person_id())
+            .bind(now)
+            .bind(reason)
+            .run();
+        Audit(store_).append(
+            educator, id, "curriculum.move",
+            json_object({{"from", from}, {"person", person}, {"reason", reason}, {"to", to}}),
+            {{RecordKind::curriculum_move, id}});
+        ++moved;
+    }
+    transaction.commit();
+    return moved;
+}
+
+std::map<std::string, int> Curricula::people() const {
+    std::map<std::string, int> result;
+    Query rows(
+        store_.connection(),
+        "SELECT COALESCE((SELECT m.curriculum FROM curriculum_move m WHERE m.person_id = p.person_id "
+        "ORDER BY m.time DESC, m.id DESC LIMIT 1), (SELECT a.curriculum FROM attempt a WHERE "
+        "a.person_id = p.person_id ORDER BY a.started, a.id LIMIT 1)) AS name, COUNT(*) FROM (SELECT "
+        "DISTINCT person_id FROM attempt UNION SELECT person_id FROM curriculum_move) p GROUP BY name");
+    while (rows.next()) result[rows.text(0)] += static_cast<int>(rows.integer(1));
+    return result;
+}
+
+void Curricula::check(const Curriculum& newest) const {
+    for (const auto& [name, count] : people()) {
+        if (name.empty()) continue;
+        const Curriculum* version = newest.version_named(name);
+        const std::string who = std::to_string(count) + (count == 1 ? " person follows" : " people follow");
+        if (version == nullptr)
+            throw InputError("assets/curricula", "", who + " " + name + ", which is not installed",
+                             "put its file back next to the newer one; people stay on their version until an "
+                             "educator moves them");
+        if (version->text.empty()) continue;
+        Query used(
+            store_.connection(),
+            "SELECT x.digest FROM attempt a JOIN attempt_asset x ON x.attempt_id = a.id AND x.file LIKE "
+            "'curricula/%' WHERE a.curriculum = ? ORDER BY a.started, a.id LIMIT 1");
+        used.bind(name);
+        if (used.next() && used.text(0) != sha256_hex(version->text))
+            throw InputError("curricula/" + version->file, "/version",
+                             "says " + name + ", but " + who + " a " + name + " with another content",
+                             "a version in use is never edited: restore this file, write the change to a new "
+                             "file with /version raised, and move people with fulcrum curriculum move");
+    }
+}
+
+}  // namespace fulcrum::database

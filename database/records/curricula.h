@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which version of the curriculum each person follows: the one that the first attempt names, until an
+// educator moves the person to another one. A version that somebody follows is never edited: its file stays
+// as it was, and a change is a new version in a file of its own.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "assessment/curriculum/standing.h"
+#include "database/store/store.h"
+
+namespace fulcrum::database {
+
+struct FollowedCurriculum {
+    std::string name;        ///< "rectal@2"
+    std::int64_t since = 0;  ///< UTC ms; 0: from the beginning
+    std::string moved_by;    ///< display name; "": nobody, it is the first one
+    std::string reason;      ///< of the move
+};
+
+/// What a move changes in one task.
+struct CurriculumChange {
+    std::string task;
+    TaskStanding before, after;                    ///< on the day of the preview
+    bool only_before = false, only_after = false;  ///< the task belongs to one of the two versions
+};
+
+class Curricula {
+  public:
+    explicit Curricula(const Store& store) : store_(store) {}
+
+    /// Oldest first, never empty. A person without attempts follows `newest`. Checked as read_progress.
+    std::vector<FollowedCurriculum> followed(const Session& session, const std::string& person_id,
+                                             const Curriculum& newest) const;
+    /// The same for standing_of(). They point into `newest`. A version that is not installed: `newest` in its
+    /// place (check() reports it).
+    std::vector<CurriculumAssignment> assignments(const Session& session, const std::string& person_id,
+                                                  const Curriculum& newest) const;
+    /// The version that the person follows now.
+    const Curriculum& in_force(const Session& session, const std::string& person_id,
+                               const Curriculum& newest) const;
+    /// What moving the person to this version would change, the tasks that stay as they are left out.
+    /// Changes nothing. Throws AccessDenied, StoreError (no such version).
+    std::vector<CurriculumChange> preview(const Session& session, const std::string& person_id,
+                                          const Curriculum& newest, const std::string& to) const;
+    /// Moves people, except those who follow `to` already. All or nobody. `reason`: 1 to 4,000 characters.
+    /// Returns how many were moved. Checked for each person as decide_standing. Throws AccessDenied,
+    /// StoreError.
+    int move(const Session& educator, const std::vector<std::string>& people, const Curriculum& newest,
+             const std::string& to, const std::string& reason) const;
+    /// How many people with attempts follow each version.
+    std::map<std::string, int> people() const;
+    /// Throws InputError where a version that somebody follows is not installed, or its file is not the one
+    /// that attempts were made with.
+    void check(const Curriculum& newest) const;
+
+  private:
+    const Store& store_;
+};
+
+}  // namespace fulcrum::database

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Who follows which version of the curriculum: the one of the first attempt until an educator moves the
+// person; what was passed or declared stays; an edited or missing version is refused.
+#include "database/records/curricula.h"
+
+#include <gtest/gtest.h>
+
+#include "assessment/assets/assets.h"
+#include "database/records/certificates.h"
+#include "database/records/recorder.h"
+#include "database/records/report_data.h"
+#include "database/records/standings.h"
+#include "database/rows/crypto.h"
+#include "sim_core/numerics/input_error.h"
+#include "tests/database/programme_fixture.h"
+
+namespace fulcrum::database {
+namespace {
+
+using test::error_kind;
+using test::Programme;
+
+/// Version 2 asks more of A2 and no longer has B3; version 1 is the one that was delivered first.
+Curriculum installed() {
+    Curriculum newest = load_versions(asset_path("curricula"), "rectal", task_ids());
+    for (CurriculumTask& task : newest.tasks)
+        if (task.task == "A2") task.rule = parse_pass_rule("row:9");
+    for (CurriculumTask& task : newest.tasks)
+        if (task.task == "C4") task.after = {"B1", "B2"};
+    newest.tasks.erase(std::remove_if(newest.tasks.begin(), newest.tasks.end(),
+                                      [](const CurriculumTask& task) { return task.task == "B3"; }),
+                       newest.tasks.end());
+    return newest;
+}
+
+struct Followers {
+    Programme programme;
+    Curriculum newest = installed();
+    Curricula curricula{*programme.store};
+    const Session& educator = programme.session("educator");
+
+    std::string of(const std::string& login) const {
+        return curricula.followed(educator, programme.id(login), newest).back().name;
+    }
+    /// An attempt that names the curriculum and its file, as the program stores it.
+    void record(const std::string& login, const Curriculum& curriculum) const {
+        AttemptMeta meta = test::example_meta(programme.id(login));
+        meta.curriculum = curriculum.name();
+        meta.assets.push_back({"curricula/" + curriculum.file, sha256_hex(curriculum.text)});
+        Recorder recorder(programme.path, programme.session(login), meta, programme.clock.options());
+        Programme::append_second(recorder);
+        recorder.finish(test::example_result(true, 70));
+    }
+};
+
+TEST(Curricula, APersonStaysOnTheVersionOfTheFirstAttempt) {
+    const Followers one;
+    EXPECT_EQ(one.of("ann"), "rectal@2") << "has not begun";
+    one.programme.record("ann");  // from before attempts named it
+    EXPECT_EQ(one.of("ann"), "rectal@1");
+    one.programme.clock.pass_s(10);
+    one.record("ann", one.newest);
+    EXPECT_EQ(one.of("ann"), "rectal@1") << "only the first attempt decides";
+    one.record("ben", one.newest);
+    EXPECT_EQ(one.of("ben"), "rectal@2");
+    EXPECT_EQ(&one.curricula.in_force(one.educator, one.programme.id("ann"), one.newest),
+              &one.newest.older[0]);
+}
+
+TEST(Curricula, AMoveKeepsWhatWasDeclaredAndIsAudited) {
+    const Followers one;
+    const Standings standings(*one.programme.store);
+    one.programme.record("ann");
+    one.programme.clock.pass_s(10);
+    standings.decide(one.educator, one.programme.id("ann"), "A2", StandingOverride::Kind::proficient, "seen");
+    one.programme.clock.pass_s(10);
+    const std::int64_t before_move = one.programme.store->now();
+    const auto changes = one.curricula.preview(one.educator, one.programme.id("ann"), one.newest, "rectal@2");
+    ASSERT_EQ(changes.size(), 2U) << "B3 is gone, C4 waits for less";
+    EXPECT_EQ(changes[0].task, "B3");
+    EXPECT_TRUE(changes[0].only_before);
+    EXPECT_EQ(changes[1].task, "C4");
+    EXPECT_EQ(one.of("ann"), "rectal@1") << "a preview moves nobody";
+
+    one.programme.clock.pass_s(10);
+    EXPECT_EQ(one.curricula.move(one.educator, {one.programme.id("ann"), one.programme.id("ben")}, one.newest,
+                                 "rectal@1", "course of spring"),
+              1)
+        << "ann follows it already";
+    EXPECT_EQ(one.of("ben"), "rectal@1");
+    EXPECT_EQ(
+        one.curricula.move(one.educator, {one.programme.id("ann")}, one.newest, "rectal@2", "new rules"), 1);
+    const PersonRecord record = standings.record(one.educator, one.programme.id("ann"), one.newest);
+    const auto of = [](const std::vector<TaskStanding>& all, const std::string& task) {
+        for (const TaskStanding& row : all)
+            if (row.task == task) return row.standing;
+        return Standing::locked;
+    };
+    EXPECT_EQ(of(standing_of(record, one.programme.store->now()), "A2"), Standing::proficient)
+        << "declared stays declared under the harder rule";
+    EXPECT_EQ(standing_of(record, before_move).size(), 7U) << "the past is not changed";
+    EXPECT_EQ(standing_of(record, one.programme.store->now()).size(), 6U);
+    const auto followed =
+        one.curricula.followed(one.programme.session("ann"), one.programme.id("ann"), one.newest);
+    ASSERT_EQ(followed.size(), 2U);
+    EXPECT_EQ(followed[1].moved_by, "Edu Cator");
+    EXPECT_EQ(followed[1].reason, "new rules");
+    const auto entries = Audit(*one.programme.store).entries(one.programme.session("administrator"));
+    EXPECT_EQ(std::count_if(entries.begin(), entries.end(),
+                            [](const auto& entry) { return entry.operation == "curriculum.move"; }),
+              2);
+    EXPECT_TRUE(one.programme.store->check(one.programme.session("administrator")).ok);
+}
+
+TEST(Curricula, CohortTablesShowEachPersonUnderTheirOwnVersion) {
+    const Followers one;
+    one.programme.record("ann");
+    one.record("ben", one.newest);
+    CohortTableOptions options;
+    options.curriculum = &one.newest;
+    const CohortTable table =
+        Reports(*one.programme.store).cohort_table(one.educator, one.programme.cohort, options);
+    ASSERT_GE(table.standings.size(), 2U);
+    for (const PersonStandings& person : table.standings) {
+        EXPECT_EQ(person.tasks.size(), one.newest.tasks.size()) << person.login;
+        EXPECT_EQ(person.curriculum, person.login == "ann" ? "rectal@1" : "rectal@2") << person.login;
+    }
+}
+
+TEST(Curricula, MovesThatCannotBeAreRefusedAsAWhole) {
+    const Followers one;
+    const std::vector<std::string> both = {one.programme.id("ann"), one.programme.id("ben")};
+    EXPECT_EQ(error_kind([&] { one.curricula.move(one.educator, both, one.newest, "rectal@9", "x"); }),
+              StoreErrorKind::bad_value);
+    EXPECT_EQ(error_kind([&] { one.curricula.move(one.educator, both, one.newest, "rectal@1", " \n"); }),
+              StoreErrorKind::bad_value);
+    EXPECT_THROW(one.curricula.move(one.programme.session("ann"), {one.programme.id("ann")}, one.newest,
+                                    "rectal@1", "mine"),
+                 AccessDenied);
+    EXPECT_THROW(
+        one.curricula.move(one.programme.session("other_educator"), both, one.newest, "rectal@1", "x"),
+        AccessDenied);
+    EXPECT_EQ(one.of("ann"), "rectal@2");
+    EXPECT_EQ(one.of("ben"), "rectal@2");
+}
+
+TEST(Curricula, AnEditedOrMissingVersionThatPeopleFollowIsRefused) {
+    const Followers one;
+    EXPECT_NO_THROW(one.curricula.check(one.newest));
+    one.record("ann", one.newest);
+    EXPECT_NO_THROW(one.curricula.check(one.newest));
+    Curriculum edited = one.newest;
+    edited.text += " ";
+    try {
+        one.curricula.check(edited);
+        FAIL() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.problem(), "says rectal@2, but 1 person follows a rectal@2 with another content");
+        EXPECT_NE(error.hint().find("/version raised"), std::string::npos);
+    }
+    // With the version raised and the followed one next to it, the change is a new version.
+    edited.version = 3;
+    edited.older.insert(edited.older.begin(), one.newest);
+    EXPECT_NO_THROW(one.curricula.check(edited));
+    EXPECT_EQ(one.curricula.followed(one.educator, one.programme.id("ann"), edited).back().name, "rectal@2");
+    edited.older.clear();
+    try {
+        one.curricula.check(edited);
+        FAIL() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.problem(), "1 person follows rectal@2, which is not installed");
+    }
+}
+
+TEST(Curricula, CheckFindsAMoveThatNobodyMade) {
+    const Followers one;
+    one.curricula.move(one.educator, {one.programme.id("ann")}, one.newest, "rectal@1", "x");
+    Connection& connection = one.programme.store->connection();
+    EXPECT_THROW(connection.execute("UPDATE curriculum_move SET curriculum = 'rectal@2'"), StoreError);
+    EXPECT_THROW(connection.execute("DELETE FROM curriculum_move"), StoreError);
+    const Session& administrator = one.programme.session("administrator");
+    EXPECT_TRUE(one.programme.store->check(administrator).ok);
+    connection.execute("DROP TRIGGER curriculum_move_is_fixed");
+    connection.execute("UPDATE curriculum_move SET curriculum = 'rectal@2'");
+    EXPECT_FALSE(one.programme.store->check(administrator).ok);
+    connection.execute("UPDATE curriculum_move SET curriculum = 'rectal@1'");
+    EXPECT_TRUE(one.programme.store->check(administrator).ok);
+    connection.execute(
+        "INSERT INTO curriculum_move SELECT 'forged', person_id, curriculum, author_id, time, reason FROM "
+        "curriculum_move");
+    EXPECT_FALSE(one.programme.store->check(administrator).ok);
+}
+
+}  // namespace
+}  // namespace fulcrum::database

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/trainee/curriculum_card.h"
+
+#include <QComboBox>
+#include <QLineEdit>
+
+#include "database/records/curricula.h"
+#include "ui/style/standing_badge.h"
+#include "ui/style/text.h"
+#include "ui/style/widgets.h"
+
+namespace fulcrum::ui {
+namespace {
+
+/// "B1 Bowel handling: locked → open".
+QString words_of(const QString& task, const database::CurriculumChange& change) {
+    if (change.only_before)
+        return CurriculumCard::tr("%1: no longer part of it (now: %2)")
+            .arg(task, standing_name(change.before));
+    if (change.only_after) return CurriculumCard::tr("%1: added (%2)").arg(task, standing_name(change.after));
+    return CurriculumCard::tr("%1: %2 → %3")
+        .arg(task, standing_name(change.before), standing_name(change.after));
+}
+
+}  // namespace
+
+CurriculumCard::CurriculumCard(Context& context) : context_(context) {
+    setObjectName(QStringLiteral("curriculum_card"));
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    QFrame* card = make_card(6);
+    outer->addWidget(card);
+    lines_ = new QVBoxLayout;
+    card_layout(card)->addLayout(lines_);
+    choice_ = new QWidget;
+    auto* row = new QHBoxLayout(choice_);
+    row->setContentsMargins(0, 0, 0, 0);
+    versions_ = new QComboBox;
+    versions_->setObjectName(QStringLiteral("curriculum_versions"));
+    versions_->setAccessibleName(tr("Version of the curriculum"));
+    row->addWidget(versions_);
+    QPushButton* look = make_button(tr("What would change"), "curriculum_preview");
+    row->addWidget(look);
+    reason_ = new QLineEdit;
+    reason_->setObjectName(QStringLiteral("curriculum_reason"));
+    reason_->setAccessibleName(tr("Reason"));
+    reason_->setPlaceholderText(tr("reason, kept in the audit log"));
+    row->addWidget(reason_, 1);
+    QPushButton* go = make_button(tr("Move"), "curriculum_move");
+    row->addWidget(go);
+    card_layout(card)->addWidget(choice_);
+    changes_ = make_label({});
+    changes_->setObjectName(QStringLiteral("curriculum_changes"));
+    card_layout(card)->addWidget(changes_);
+    connect(versions_, QOverload<int>::of(&QComboBox::activated), this, [this] { changes_->hide(); });
+    connect(look, &QPushButton::clicked, this, &CurriculumCard::preview);
+    connect(go, &QPushButton::clicked, this, &CurriculumCard::move);
+}
+
+void CurriculumCard::show_person(const std::string& person_id) {
+    person_id_ = person_id;
+    reason_->clear();
+    fill();
+}
+
+void CurriculumCard::fill() {
+    clear_layout(lines_);
+    changes_->hide();
+    versions_->clear();
+    const Curriculum& newest = context_.services().curriculum();
+    const database::Subject subject = database::Subject::person(person_id_);
+    const bool known = !person_id_.empty() && context_.allowed(database::Operation::read_progress, subject);
+    setVisible(known);
+    if (!known) return;
+    std::vector<database::FollowedCurriculum> followed;
+    context_.guarded([&] {
+        followed = database::Curricula(context_.store()).followed(context_.session(), person_id_, newest);
+    });
+    if (followed.empty()) return;
+    const database::FollowedCurriculum& now = followed.back();
+    const Curriculum* version = newest.version_named(now.name);
+    QLabel* name = make_label(tr("Curriculum: %1, version %2")
+                                  .arg(text(version == nullptr ? now.name : version->title))
+                                  .arg(version == nullptr ? 0 : version->version));
+    name->setObjectName(QStringLiteral("curriculum_name"));
+    lines_->addWidget(name);
+    for (const database::FollowedCurriculum& one : followed)
+        if (!one.moved_by.empty())
+            lines_->addWidget(make_label(
+                tr("Moved to %1 by %2 on %3: %4")
+                    .arg(text(one.name), text(one.moved_by), date_text(one.since), text(one.reason)),
+                "muted"));
+    if (now.name != newest.name())
+        lines_->addWidget(make_label(tr("There is a newer version, %1. People stay on their version until an "
+                                        "educator moves them.")
+                                         .arg(newest.version),
+                                     "muted"));
+    const auto add = [&](const Curriculum& one) {
+        if (one.name() != now.name) versions_->addItem(tr("version %1").arg(one.version), text(one.name()));
+    };
+    add(newest);
+    for (const Curriculum& one : newest.older) add(one);
+    choice_->setVisible(versions_->count() > 0 &&
+                        context_.allowed(database::Operation::decide_standing, subject));
+}
+
+void CurriculumCard::preview() {
+    std::vector<database::CurriculumChange> changes;
+    if (!context_.guarded([&] {
+            changes = database::Curricula(context_.store())
+                          .preview(context_.session(), person_id_, context_.services().curriculum(),
+                                   plain(versions_->currentData().toString()));
+        }))
+        return;
+    QStringList lines;
+    for (const database::CurriculumChange& change : changes)
+        lines << words_of(context_.task_title(change.task), change);
+    changes_->setText(lines.isEmpty()
+                          ? tr("No standing changes today. Rules that differ apply to later attempts.")
+                          : lines.join(QStringLiteral("\n")));
+    changes_->show();
+}
+
+void CurriculumCard::move() {
+    const std::string words = plain(reason_->text().trimmed());
+    if (words.empty()) {
+        reason_->setFocus();
+        context_.complain(tr("Enter a reason."));
+        return;
+    }
+    const std::string to = plain(versions_->currentData().toString());
+    if (!context_.guarded([&] {
+            database::Curricula(context_.store())
+                .move(context_.session(), {person_id_}, context_.services().curriculum(), to, words);
+        }))
+        return;
+    context_.say(tr("Moved to %1. What was passed or declared proficient stays.").arg(text(to)));
+    reason_->clear();
+    fill();
+    emit moved();
+}
+
+}  // namespace fulcrum::ui
+
+#include "moc_curriculum_card.cpp"
