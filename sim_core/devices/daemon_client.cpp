@@ -85,7 +85,9 @@ void DaemonClient::start(const std::string& program, const std::string& specific
         }
         if (packet->ended || !line.is_object()) break;
         if (line.contains("error"))
-            throw InputError("device", "", line.value("error", std::string("unknown")), "correct that and try again");
+            throw InputError(line.value("file", std::string("device")), line.value("place", std::string()),
+                             line.value("error", std::string("does not open")),
+                             line.value("hint", std::string("correct that and try again")));
         if (!state_ || !command_ || line.value("format", 0) != 1) break;
         facts_ = facts_from_json(line.at("device"));
         notes_ = line.at("notes").get<std::vector<std::string>>();
@@ -117,8 +119,8 @@ void DaemonClient::take(const std::string& text) {
         device_ = line.value("process", device_);
         lose(Health::good, {});
     } else if (line.contains("error")) {
-        lose(Health::ended,
-             "The device could not be opened again: " + line.value("error", std::string("unknown")) + "." + reconnect);
+        lose(Health::ended, "The device could not be opened again: " +
+                                line.value("error", std::string("unknown")) + "." + reconnect);
     }
 }
 

@@ -114,7 +114,10 @@ int run_device(Backend& backend, StatePage& state, const CommandPage& command, p
     try {
         backend.open();
     } catch (const InputError& error) {
-        write_line(report, {{"error", error.what()}});
+        write_line(report, {{"error", error.problem()},
+                            {"file", error.file()},
+                            {"place", error.place()},
+                            {"hint", error.hint()}});
         return 2;
     }
     const RealTime real_time = become_real_time(device_priority);

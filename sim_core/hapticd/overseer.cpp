@@ -220,7 +220,10 @@ int oversee(int control, const std::string& specification) {
         const std::unique_ptr<Backend> backend = make_backend(specification);
         return Overseer(control, *backend).run();
     } catch (const InputError& error) {
-        send_packet(control, {{"error", error.what()}});
+        send_packet(control, {{"error", error.problem()},
+                              {"file", error.file()},
+                              {"place", error.place()},
+                              {"hint", error.hint()}});
         return 2;
     } catch (const std::exception& error) {
         send_packet(control, {{"error", error.what()}});
