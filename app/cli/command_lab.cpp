@@ -56,6 +56,9 @@ std::vector<Command> laboratory_commands() {
          joined({{"--seconds", "S", "Length of the attempt: 1 to 3600.", "600"},
                  {"--seeks", "N", "Seeks for each task: 1 to 100000.", "200"}},
                 page)},
+        {"lab hapticd", "", 0, 0,
+         "Measures the delay and jitter that fulcrum-hapticd adds, idle and next to busy threads.",
+         joined({{"--seconds", "S", "For each load: 1 to 3600.", "60"}}, page)},
         {"lab validity", "FOLDER", 1, 1,
          "Writes what each metric and gate is worth, from the results (JSON or pages) of lab operators and "
          "lab invariance in a folder.",

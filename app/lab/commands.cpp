@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "app/lab/experiment.h"
+#include "app/lab/hapticd.h"
 #include "app/lab/invariance.h"
 #include "app/lab/learning_studies.h"
 #include "app/lab/measure.h"
@@ -135,6 +136,13 @@ int invariance(const Arguments& arguments) {
     return deliver(arguments, measured.page, measured.document);
 }
 
+int hapticd(const Arguments& arguments) {
+    make_output(arguments);
+    const auto seconds = static_cast<double>(arguments.integer("--seconds", 60, 1, 3600));
+    const Measured measured = measure_hapticd(seconds);
+    return deliver(arguments, measured.page, measured.document);
+}
+
 int seek(const Arguments& arguments) {
     const auto seconds = static_cast<double>(arguments.integer("--seconds", 600, 1, 3600));
     const int seeks = static_cast<int>(arguments.integer("--seeks", 200, 1, 100000));
@@ -176,6 +184,7 @@ const std::map<std::string, std::function<int(const Arguments&)>>& code() {
         {"lab operators", operators},
         {"lab invariance", invariance},
         {"lab seek", seek},
+        {"lab hapticd", hapticd},
         {"lab validity", validity},
         {"lab fidelity", run_fidelity},
         {"lab run", run_study}};

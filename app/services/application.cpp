@@ -11,6 +11,7 @@
 #include "app/live/interrupted.h"
 #include "app/live/live_attempt.h"
 #include "app/services/demo.h"
+#include "app/services/devices.h"
 #include "app/services/replay_moment.h"
 #include "app/services/replay_source.h"
 #include "assessment/assets/assets.h"
@@ -30,6 +31,11 @@
 
 namespace fulcrum::app {
 namespace {
+
+std::string device_from_environment() {
+    const char* const named = std::getenv("FULCRUM_DEVICE");
+    return named != nullptr ? named : "";
+}
 
 /// Owns the store, the tasks and the attempts' threads; devices are handled by the rig.
 class Services : public ui::ApplicationServices {
@@ -71,6 +77,9 @@ class Services : public ui::ApplicationServices {
         // The recorder checks again; checked here so that no scene is built for a refused attempt.
         store_->require(request.session, database::Operation::perform_attempt,
                         database::Subject::person(request.session.person_id()));
+        if (request.assessed && request.practice_only)
+            throw InputError(request.task_id, "", "is not assessed with: " + request.device,
+                             "choose practice, or use another device");
         if (request.from != nullptr) return begin_at_moment(request);
         if (request.goal > 0) return begin_at_goal(request);
         if (request.ghost && request.assessed)
@@ -171,6 +180,11 @@ class Services : public ui::ApplicationServices {
                           const database::TissueValues& values, const std::string& reason) override {
         fulcrum::set_site_tissues(*store_, session, task_id, seen, values, reason);
     }
+    ui::DeviceInUse device_in_use() const override { return devices_.in_use(); }
+    std::shared_ptr<Rig> hands(const Scene& scene, std::shared_ptr<Rig> others) override {
+        return devices_.hands(scene, std::move(others));
+    }
+    std::string device_trouble() override { return devices_.trouble(); }
     std::string program_version() const override { return version_line(); }
 
   private:
@@ -281,6 +295,7 @@ class Services : public ui::ApplicationServices {
     Curriculum curriculum_;
     std::unique_ptr<database::Store> store_;
     std::shared_ptr<Ghosts> ghosts_ = std::make_shared<Ghosts>();
+    Devices devices_{device_from_environment()};
 };
 
 }  // namespace

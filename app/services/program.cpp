@@ -9,7 +9,8 @@ const CommandTable& program_commands() {
     static const CommandTable table(
         [] {
             std::vector<Command> commands = headless_commands();
-            for (const Command& command : {report_command(), certificate_command(), demonstrate_command()})
+            for (const Command& command :
+                 {report_command(), certificate_command(), demonstrate_command(), devices_command()})
                 commands.push_back(command);
             return commands;
         }(),

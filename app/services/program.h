@@ -13,5 +13,6 @@ int run_command(const std::vector<std::string>& words);
 Command report_command();
 Command certificate_command();
 Command demonstrate_command();
+Command devices_command();
 
 }  // namespace fulcrum::app

@@ -20,7 +20,6 @@ constexpr double travel = 0.003;       // m of the hand that it is meant to pres
 constexpr double tip_travel = 0.002;   // m of the tip, at most
 constexpr double most_push = 0.6;      // N, less than any device holds for long
 constexpr double widest = 0.02;        // m
-constexpr int substeps = 20;
 
 TriangleMesh make_plate(const Vector3& centre, const Vector3& normal, const Vector3& along) {
     const Vector3 x = along - along.dot(normal) * normal;
@@ -214,33 +213,6 @@ HandTick HandAtLever::Parts::touch(const Vector3& handle, std::uint32_t tick) {
     return now;
 }
 
-namespace {
-
-/// Hand and device between two ticks.
-struct MovingHand {
-    LeverHand hand;
-    Vector3 rail = Vector3::Zero();    // unit: the hand moves along it alone; zero: anywhere
-    Vector3 push = Vector3::Zero();    // N
-    Vector3 wanted = Vector3::Zero();  // m, where the arm pulls to
-    Vector3 place = Vector3::Zero(), velocity = Vector3::Zero();
-    double given = 0, lost = 0;  // J, by the force sent; by the device's damping
-
-    void step(const Vector3& force) {
-        const double dt = hand.period / substeps;
-        for (int i = 0; i < substeps; ++i) {
-            Vector3 sum = force + push - hand.damping * velocity;
-            if (hand.arm) sum += hand.arm_stiffness * (wanted - place) - hand.arm_damping * velocity;
-            velocity += dt / hand.mass * sum;
-            if (!rail.isZero()) velocity = rail * rail.dot(velocity);
-            place += dt * velocity;
-            given += dt * force.dot(velocity);
-            lost += dt * hand.damping * velocity.squaredNorm();
-        }
-    }
-};
-
-}  // namespace
-
 LeverRun HandAtLever::run(const LeverCase& at, const LeverHand& hand, double seconds) {
     Parts& parts = *parts_;
     const Place place = place_of(at, parts.model.instrument.tip_radius);
@@ -280,7 +252,7 @@ LeverRun HandAtLever::run(const LeverCase& at, const LeverHand& hand, double sec
             hand.tip_force ? clamp_force(-parts.result.force, hand.device.peak) : sent.force;
         run.limited = run.limited || sent.limited;
         run.force = std::max(run.force, force.norm());
-        moving.step(force);
+        moving.step(force, hand.period);
         if (!moving.place.allFinite()) {
             run.finite = run.bounded = false;
             return run;

@@ -12,6 +12,7 @@
 #include <memory>
 
 #include "sim_core/haptics/hand_output.h"
+#include "sim_core/instrument/moving_hand.h"
 
 namespace fulcrum::lab {
 
@@ -20,11 +21,7 @@ inline constexpr LeverTissue lever_tissues[] = {LeverTissue::wall, LeverTissue::
                                                 LeverTissue::band};
 const char* name_of(LeverTissue tissue);
 
-struct LeverHand {
-    double mass = 0.1;     ///< kg, of hand and device
-    double damping = 0.5;  ///< N s/m, what the device itself loses
-    bool arm = false;
-    double arm_stiffness = 300, arm_damping = 3;  ///< N/m, N s/m
+struct LeverHand : HandProperties {
     ForceOutput device = {0.5, 3.3, 0.88};
     double period = 1e-3;  ///< s
     /// The tissue's force on the tip is sent as it is, as before the lever was known. Kept as a test of the

@@ -78,6 +78,11 @@ class ForwardingServices : public ui::ApplicationServices {
                           const database::TissueValues& values, const std::string& reason) override {
         own_->set_site_tissues(session, task_id, seen, values, reason);
     }
+    ui::DeviceInUse device_in_use() const override { return own_->device_in_use(); }
+    std::shared_ptr<Rig> hands(const Scene& scene, std::shared_ptr<Rig> others) override {
+        return own_->hands(scene, std::move(others));
+    }
+    std::string device_trouble() override { return own_->device_trouble(); }
     std::string program_version() const override { return own_->program_version(); }
 
     /// Gets the real device, returns the device that the attempt reads instead.

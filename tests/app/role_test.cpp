@@ -40,6 +40,7 @@ class Roles : public Window {
                                MouseKeyboardInput(loaded.scene).rig(),
                                window_device,
                                "mouse and keyboard",
+                               false,
                                nullptr,
                                0,
                                false,

@@ -20,6 +20,7 @@
 #include "database/scoring/site_tissues.h"
 #include "database/store/store.h"
 #include "ui/services/attempt_session.h"
+#include "ui/services/device_service.h"
 #include "ui/services/replay_source.h"
 
 namespace fulcrum::database {
@@ -152,7 +153,8 @@ class ApplicationServices : public StoreService,
                             public AttemptService,
                             public ScoringService,
                             public ReplayService,
-                            public TissueService {
+                            public TissueService,
+                            public DeviceService {
   public:
     /// For the about box and for reports.
     virtual std::string program_version() const = 0;

@@ -114,6 +114,8 @@ struct AttemptRequest {
     std::shared_ptr<Rig> rig;
     DeviceClass device_class = window_device;
     std::string device = "mouse and keyboard";
+    /// Never assessed with this device (ui/services/device_service.h).
+    bool practice_only = false;
     /// Where it begins; null: at the beginning. Then `task_id` and `seed` are the moment's, and it is
     /// practice.
     std::shared_ptr<const ReplayMoment> from;

@@ -10,6 +10,8 @@ namespace {
 
 constexpr double radians_per_pixel = 0.008;
 
+constexpr double radians_per_notch = 0.26;  // 15 degrees
+
 constexpr double closed_share = 0.3;  // of the opening: jaws below it were holding
 
 constexpr int longest_ramp = 400;  // ticks from one target to the next
@@ -114,6 +116,25 @@ void MouseKeyboardInput::turn_wheel(double notches) {
     if (reading != nullptr) insert_handle(*reading, held_trocar(), notches * metres_per_notch);
 }
 
+void MouseKeyboardInput::move_hand(Hand hand, const QPointF& pixels, double notches, double turned_notches) {
+    const auto h = static_cast<std::size_t>(hand);
+    // In a scene for the scope alone the mouse of the right hand moves the scope.
+    if (scope_alone_ && hand == Hand::left) return;
+    if (!scope_alone_ && !hand_[h].exists) return;
+    DeviceReading& reading = scope_alone_ ? targets_.camera : targets_.hand[h];
+    const Trocar& trocar = scope_alone_ ? camera_trocar_ : hand_[h].trocar;
+    shift_handle(reading, trocar, on_screen(pixels.x() * metres_per_pixel, -pixels.y() * metres_per_pixel));
+    insert_handle(reading, trocar, notches * metres_per_notch);
+    reading.roll += turned_notches * radians_per_notch;
+}
+
+void MouseKeyboardInput::set_hand_buttons(Hand hand, bool jaws, bool pedal, bool exchange) {
+    Axis& axis = hand_[static_cast<std::size_t>(hand)];
+    axis.jaws = jaws;
+    axis.pedal = pedal;
+    axis.exchange = exchange;
+}
+
 void MouseKeyboardInput::set_primary_button(bool pressed) {
     button_ = pressed;
 }
@@ -157,10 +178,12 @@ void MouseKeyboardInput::release_key(int key) {
 void MouseKeyboardInput::release_all() {
     held_.clear();
     button_ = false;
+    for (Axis& axis : hand_) axis.jaws = axis.pedal = axis.exchange = false;
 }
 
 bool MouseKeyboardInput::jaws_closed(Hand hand) const {
-    return hand_[static_cast<std::size_t>(hand)].latched || (button_ && hand == active_);
+    const Axis& axis = hand_[static_cast<std::size_t>(hand)];
+    return axis.latched || axis.jaws || (button_ && hand == active_);
 }
 
 void MouseKeyboardInput::advance(double dt) {
@@ -184,8 +207,8 @@ void MouseKeyboardInput::advance(double dt) {
         targets_.hand[h].grip = closed ? hand_[h].grip : 0;
         const bool active = h == static_cast<int>(active_);
         unsigned buttons = closed ? button_primary : button_none;
-        if (active && held_.contains(pedal_key)) buttons |= button_energy;
-        if (active && held_.contains(exchange_key)) buttons |= button_exchange;
+        if (hand_[h].pedal || (active && held_.contains(pedal_key))) buttons |= button_energy;
+        if (hand_[h].exchange || (active && held_.contains(exchange_key))) buttons |= button_exchange;
         targets_.hand[h].buttons = static_cast<std::uint16_t>(buttons);
     }
     publish();
@@ -222,6 +245,21 @@ QStringList MouseKeyboardInput::help_lines() const {
     const auto words = [](const char* source) {
         return QCoreApplication::translate("fulcrum::ui::MouseKeyboardInput", source);
     };
+    if (two_mice_) {
+        return {
+            words("Each mouse\tmoves the handle of its hand; the tip goes the other way"),
+            words("Left button\tcloses the jaws of that hand while held"),
+            words("Wheel\tin and out"),
+            words("Right button + wheel\tturns the shaft"),
+            words("Middle button\tpedal of that hand (energy, suction)"),
+            words("Side button\tnext instrument of that hand"),
+            words("Tab\tthe mice change hands"),
+            words("X · M\tjaws of the left, right hand stay closed, or open again"),
+            words("Arrows · Page up, down\tscope: look · in, out"),
+            words("Home, End · , .\tscope: light post · camera head"),
+            words("Escape, F1\tpause · this help"),
+        };
+    }
     if (scope_alone_) {
         return {
             words("Mouse\tmoves the handle of the scope; the lens goes the other way"),

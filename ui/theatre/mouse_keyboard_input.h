@@ -81,6 +81,11 @@ class MouseKeyboardInput {
     const HandTargets& targets() const { return targets_; }
     bool jaws_closed(Hand hand) const;
 
+    /// With a mouse for each hand; the one mouse of the functions above is then not used.
+    void set_two_mice(bool two) { two_mice_ = two; }
+    void move_hand(Hand hand, const QPointF& pixels, double notches, double turned_notches);
+    void set_hand_buttons(Hand hand, bool jaws, bool pedal, bool exchange);
+
     QStringList help_lines() const;
 
   private:
@@ -88,6 +93,7 @@ class MouseKeyboardInput {
         Trocar trocar;
         double opening = 1.0, grip = 8.0;
         bool exists = false, latched = false;
+        bool jaws = false, pedal = false, exchange = false;  ///< held on its own mouse
     };
     void publish();
     /// What the mouse moves; null: nothing.
@@ -98,7 +104,7 @@ class MouseKeyboardInput {
     HandTargets targets_;
     Axis hand_[hand_count];
     Trocar camera_trocar_;
-    bool has_camera_ = false, scope_alone_ = false, button_ = false;
+    bool has_camera_ = false, scope_alone_ = false, button_ = false, two_mice_ = false;
     Hand active_ = Hand::right;
     Quaternion view_ = Quaternion::Identity();
     QSet<int> held_;

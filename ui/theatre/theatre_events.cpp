@@ -8,6 +8,7 @@
 #include "ui/theatre/mouse_keyboard_input.h"
 #include "ui/theatre/theatre_page.h"
 #include "ui/theatre/theatre_view.h"
+#include "ui/theatre/two_mice.h"
 
 namespace fulcrum::ui {
 
@@ -26,10 +27,11 @@ bool TheatrePage::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::MouseButtonPress:
         case QEvent::MouseButtonDblClick: {
             if (!live) return false;
+            view_->setFocus();
+            if (mice_ != nullptr) return true;  // each mouse is read by itself
             const auto* press = static_cast<QMouseEvent*>(event);
             if (press->button() == Qt::LeftButton) input_->set_primary_button(true);
             if (press->button() == Qt::RightButton) input_->switch_hand();
-            view_->setFocus();
             return true;
         }
         case QEvent::MouseButtonRelease:
@@ -40,7 +42,8 @@ bool TheatrePage::eventFilter(QObject* watched, QEvent* event) {
             mouse_move(static_cast<QMouseEvent*>(event));
             return true;
         case QEvent::Wheel:
-            if (live) input_->turn_wheel(static_cast<QWheelEvent*>(event)->angleDelta().y() / 120.0);
+            if (live && mice_ == nullptr)
+                input_->turn_wheel(static_cast<QWheelEvent*>(event)->angleDelta().y() / 120.0);
             return true;
         case QEvent::Leave:
             mouse_known_ = false;
@@ -82,6 +85,13 @@ bool TheatrePage::key(QKeyEvent* event, bool pressed) {
         session_->resume();
         return true;
     }
+    if (mice_ != nullptr && (event->key() == Qt::Key_Tab || event->key() == Qt::Key_Backtab)) {
+        if (takes_hands()) {
+            mice_->swap();
+            input_->release_all();
+        }
+        return true;
+    }
     return takes_hands() && input_->press_key(event->key());
 }
 
@@ -91,7 +101,7 @@ void TheatrePage::mouse_move(QMouseEvent* event) {
         return;
     }
     const QPoint now = event->pos();
-    if (mouse_known_) {
+    if (mouse_known_ && mice_ == nullptr) {
         const QPoint moved = now - last_mouse_;
         using Use = MouseKeyboardInput::MouseUse;
         const Qt::KeyboardModifiers with = event->modifiers();
@@ -101,6 +111,26 @@ void TheatrePage::mouse_move(QMouseEvent* event) {
     }
     mouse_known_ = true;
     last_mouse_ = now;
+    keep_pointer(now);
+}
+
+/// What both mice did since the last call; thrown away while the attempt does not take it.
+void TheatrePage::read_mice() {
+    MouseMotion motion[hand_count];
+    mice_->read(motion);
+    const bool connected = motion[0].connected && motion[1].connected;
+    if (connected != input_->targets().hand[0].present) input_->set_connected(connected);
+    if (!takes_hands() || !view_->isActiveWindow()) return;
+    for (int h = 0; h < hand_count; ++h) {
+        const auto hand = static_cast<Hand>(h);
+        input_->move_hand(hand, QPointF(motion[h].right, motion[h].down), motion[h].notches,
+                          motion[h].turned_notches);
+        input_->set_hand_buttons(hand, motion[h].left_button, motion[h].middle_button, motion[h].side_button);
+        if (motion[h].right != 0 || motion[h].down != 0) context().note_input();
+    }
+}
+
+void TheatrePage::keep_pointer(const QPoint& now) {
     // The hand's reach must not end at the window's border: from there the pointer is put back into the
     // middle.
     if (!view_->rect().adjusted(40, 40, -40, -40).contains(now) && view_->isActiveWindow()) {

@@ -6,6 +6,7 @@
 #include "ui/style/widgets.h"
 #include "ui/theatre/mouse_keyboard_input.h"
 #include "ui/theatre/theatre_view.h"
+#include "ui/theatre/two_mice.h"
 
 namespace fulcrum::ui {
 
@@ -39,6 +40,7 @@ TheatrePage::TheatrePage(Context& context) : Page(context, "theatre_page"), view
     panel_->setObjectName(QStringLiteral("theatre_panel"));
     panel_heading_ = make_label({}, "title");
     panel_text_ = make_label({});
+    panel_text_->setObjectName(QStringLiteral("panel_text"));
     card_layout(panel_)->addWidget(panel_heading_);
     card_layout(panel_)->addWidget(panel_text_);
     auto* buttons = new QHBoxLayout;
@@ -78,20 +80,41 @@ bool TheatrePage::open(const std::function<void()>& work) {
     });
 }
 
+AttemptRequest TheatrePage::request(const std::string& task_id, bool assessed, MouseKeyboardInput& input,
+                                    const Scene& scene) {
+    const std::shared_ptr<Rig> rig = context().services().hands(scene, input.rig());
+    const DeviceInUse device = context().services().device_in_use();  // known once it is open
+    mice_ = device.two_mice ? TwoMice::open(device.virtual_mice) : nullptr;
+    input.set_two_mice(mice_ != nullptr);
+    return {context().session(),
+            task_id,
+            assessed,
+            0,
+            rig,
+            device.device_class,
+            device.title,
+            device.practice_only != PracticeOnly::no,
+            nullptr,
+            0,
+            false,
+            {}};
+}
+
 bool TheatrePage::begin(const std::string& task_id, bool assessed, int goal, bool ghost,
                         const std::string& variant) {
     const TaskDefinition* task = context().task(task_id);
     return task != nullptr && open([&] {
-               auto input =
-                   std::make_unique<MouseKeyboardInput>(context().services().scene_for(*task, variant));
+               const Scene scene = context().services().scene_for(*task, variant);
+               auto input = std::make_unique<MouseKeyboardInput>(scene);
                if (!task->goals.empty()) {
                    const Goal& first = task->goals[static_cast<std::size_t>(goal)];
                    input->take_hand(asked_hand(first).value_or(input->active_hand()));
                }
-               AttemptRequest request{
-                   context().session(),  task_id, assessed, 0,     input->rig(), window_device,
-                   "mouse and keyboard", nullptr, goal,     ghost, variant};
-               session_ = context().services().start_attempt(request);
+               AttemptRequest asked = request(task_id, assessed, *input, scene);
+               asked.goal = goal;
+               asked.ghost = ghost;
+               asked.variant = variant;
+               session_ = context().services().start_attempt(asked);
                input_ = std::move(input);
            });
 }
@@ -99,18 +122,9 @@ bool TheatrePage::begin(const std::string& task_id, bool assessed, int goal, boo
 bool TheatrePage::take_over(std::shared_ptr<const ReplayMoment> from) {
     return from != nullptr && open([&] {
                auto input = std::make_unique<MouseKeyboardInput>(from->scene());
-               AttemptRequest request{context().session(),
-                                      from->task_id(),
-                                      false,
-                                      0,
-                                      input->rig(),
-                                      window_device,
-                                      "mouse and keyboard",
-                                      from,
-                                      0,
-                                      false,
-                                      {}};
-               session_ = context().services().start_attempt(request);
+               AttemptRequest asked = request(from->task_id(), false, *input, from->scene());
+               asked.from = from;
+               session_ = context().services().start_attempt(asked);
                input_ = std::move(input);
            });
 }
@@ -118,6 +132,7 @@ bool TheatrePage::take_over(std::shared_ptr<const ReplayMoment> from) {
 bool TheatrePage::demonstrate(const std::string& task_id, const std::string& variant) {
     const TaskDefinition* task = context().task(task_id);
     return task != nullptr && open([&] {
+               mice_.reset();
                session_ = context().services().start_demonstration(context().session(), task_id, variant);
                input_ = std::make_unique<MouseKeyboardInput>(context().services().scene_for(*task, variant));
                demonstrated_ = text(task_id);
@@ -169,6 +184,7 @@ void TheatrePage::end_session() {
     timer_.stop();
     session_.reset();
     input_.reset();
+    mice_.reset();
     ghost_.reset();
     aligning_ = false;
     view_->unload();
@@ -288,7 +304,8 @@ void TheatrePage::show_panel(Panel panel, const QString& heading, const QString&
 void TheatrePage::place_panel() {
     const int width = std::min(560, this->width() - 40);
     panel_->setFixedWidth(width);
-    panel_->adjustSize();
+    // adjustSize() reserves too little for lines that are wrapped.
+    panel_->resize(width, panel_->layout()->totalHeightForWidth(width));
     panel_->move((this->width() - width) / 2, std::max(20, (height() - panel_->height()) / 2 - 30));
 }
 
@@ -299,12 +316,14 @@ void TheatrePage::resizeEvent(QResizeEvent* event) {
 
 void TheatrePage::toggle_help() {
     help_shown_ = !help_shown_;
-    view_->set_cover(tr("Mouse and keyboard"), help_shown_ ? input_->help_lines() : QStringList());
+    view_->set_cover(mice_ != nullptr ? tr("Two mice and keyboard") : tr("Mouse and keyboard"),
+                     help_shown_ ? input_->help_lines() : QStringList());
 }
 
 void TheatrePage::tick() {
     if (session_ == nullptr) return;
     const double dt = std::min(static_cast<double>(since_tick_.restart()) * 1e-3, 0.4);
+    if (mice_ != nullptr) read_mice();
     if (session_->phase() == AttemptPhase::running || aligning_) input_->advance(dt);
     world_is_new_ = session_->update() || world_is_new_;
     follow_phase();
@@ -366,8 +385,13 @@ void TheatrePage::align() {
     aligning_ = realignment.back;
     if (!realignment.back) {
         if (was_aligning) view_->set_realignment({});
-        if (shown_ != Panel::device_lost)
-            show_panel(Panel::device_lost, tr("Device lost"), text(session_->message()));
+        const QString trouble = text(context().services().device_trouble());
+        const QString line = trouble.isEmpty()
+                                 ? text(session_->message())
+                                 : trouble + QLatin1Char(' ') +
+                                       tr("The force is 0 and the timer is stopped; the recording is kept.");
+        if (shown_ != Panel::device_lost || line != panel_text_->text())
+            show_panel(Panel::device_lost, tr("Device lost"), line);
         return;
     }
     if (shown_ != Panel::none) {
@@ -413,7 +437,7 @@ void TheatrePage::show_world() {
     hud.became_practice = session_->became_practice();
     if (!demonstrated_.isEmpty()) hud.place = tr("demonstration by a simulated expert");
     hud.active_hand = input_->active_hand();
-    hud.shows_active_hand = demonstrated_.isEmpty();
+    hud.shows_active_hand = demonstrated_.isEmpty() && mice_ == nullptr;
     hud.force_felt = !demonstrated_.isEmpty() || health.force_felt[0] || health.force_felt[1];
     for (int h = 0; h < hand_count; ++h) {
         const InstrumentSpec* spec = session_->scene().instrument(static_cast<Hand>(h));

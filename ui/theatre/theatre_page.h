@@ -17,6 +17,7 @@ class QPushButton;
 namespace fulcrum::ui {
 
 class MouseKeyboardInput;
+class TwoMice;
 class TheatreView;
 
 class TheatrePage : public Page {
@@ -55,6 +56,9 @@ class TheatrePage : public Page {
   private:
     enum class Panel { none, paused, leaving, device_lost, finishing, failed };
     bool open(const std::function<void()>& work);
+    /// An attempt with the device in use; `input` moves what that device does not have.
+    AttemptRequest request(const std::string& task_id, bool assessed, MouseKeyboardInput& input,
+                           const Scene& scene);
     bool has_begun() const;
     bool takes_hands() const;
     void prepare();
@@ -72,9 +76,12 @@ class TheatrePage : public Page {
     void toggle_help();
     bool key(QKeyEvent* event, bool pressed);
     void mouse_move(QMouseEvent* event);
+    void read_mice();
+    void keep_pointer(const QPoint& now);
 
     std::unique_ptr<AttemptSession> session_;
     std::unique_ptr<MouseKeyboardInput> input_;
+    std::unique_ptr<TwoMice> mice_;  ///< null: one mouse and the keyboard
     std::optional<GhostPace> ghost_;
     TheatreView* view_;
     QFrame *panel_, *bar_;

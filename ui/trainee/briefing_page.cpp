@@ -20,12 +20,32 @@
 namespace fulcrum::ui {
 namespace {
 
+/// What the hands are moved with, where that is not mouse and keyboard.
+QString device_words(const DeviceInUse& device) {
+    const QString title = text(device.title);
+    if (device.two_mice)
+        return BriefingPage::tr(
+            "One mouse for each hand: practice only, because no limits exist for two mice. F1 shows what "
+            "their buttons do.");
+    if (device.practice_only == PracticeOnly::scripted)
+        return BriefingPage::tr(
+                   "A script moves the hands (%1): practice only. What it does not have is moved "
+                   "with mouse and keyboard; F1 shows the keys.")
+            .arg(title);
+    if (device.device_class != window_device)
+        return BriefingPage::tr(
+                   "You work with: %1. What it does not have is moved with mouse and keyboard; "
+                   "F1 shows the keys.")
+            .arg(title);
+    return {};
+}
+
 /// Why the task cannot be assessed here.
-QString practice_only(const TaskDefinition& task) {
+QString practice_only(const TaskDefinition& task, DeviceClass used) {
     QStringList named;
     for (const DeviceClass one : task.device_classes) named << device_class_text(one);
     return BriefingPage::tr("With %1 this task is practice only; it is assessed with: %2.")
-        .arg(device_class_text(window_device), named.join(QStringLiteral(", ")));
+        .arg(device_class_text(used), named.join(QStringLiteral(", ")));
 }
 
 }  // namespace
@@ -225,11 +245,15 @@ QString BriefingPage::why_locked() {
     return {};
 }
 
+DeviceClass BriefingPage::device_class() {
+    return context().services().device_in_use().device_class;
+}
+
 QString BriefingPage::why_files() {
     std::vector<database::AssetFile> unknown;
     context().guarded([&] {
         unknown =
-            context().services().unknown_assets(context().session(), task_id_, window_device, variant());
+            context().services().unknown_assets(context().session(), task_id_, device_class(), variant());
     });
     if (unknown.empty()) return {};
     QStringList files;
@@ -245,7 +269,9 @@ void BriefingPage::fill() {
     title_->setText(context().task_title(task_id_));
     const bool demo = context().store().is_demo();
     const TaskDefinition* task = context().task(task_id_);
-    const bool assessable = task != nullptr && can_be_assessed(*task, window_device);
+    const DeviceInUse device = context().services().device_in_use();
+    const bool assessable = task != nullptr && can_be_assessed(*task, device.device_class) &&
+                            device.practice_only == PracticeOnly::no;
     variants_->clear();
     if (task != nullptr) fill_variants(*task);
     const QString locked = why_locked();
@@ -277,11 +303,14 @@ void BriefingPage::fill() {
         scope_alone
             ? tr("You hold the scope with mouse and keyboard. F1 shows the keys.")
             : tr("You work with mouse and keyboard: force is shown as bars, not felt. F1 shows the keys.");
-    mode_note_->setText(demo                   ? tr("The demonstration accepts practice attempts only.")
-                        : !assessable          ? hands + QStringLiteral(" ") + practice_only(*task)
-                        : !own_files.isEmpty() ? hands + QStringLiteral(" ") + own_files
-                        : !locked.isEmpty()    ? hands + QStringLiteral(" ") + locked
-                                               : hands);
+    const QString with_device = device_words(device).isEmpty() ? hands : device_words(device);
+    mode_note_->setText(demo ? tr("The demonstration accepts practice attempts only.")
+                        : device.practice_only != PracticeOnly::no ? with_device
+                        : !assessable
+                            ? with_device + QStringLiteral(" ") + practice_only(*task, device.device_class)
+                        : !own_files.isEmpty() ? with_device + QStringLiteral(" ") + own_files
+                        : !locked.isEmpty()    ? with_device + QStringLiteral(" ") + locked
+                                               : with_device);
     show_fidelity_note();
 }
 
@@ -294,7 +323,7 @@ void BriefingPage::show_variant(const TaskDefinition& task) {
 std::vector<JudgedLimit> BriefingPage::limits() {
     std::vector<JudgedLimit> judged;
     context().guarded([&] {
-        judged = context().services().judged_limits(context().session(), task_id_, window_device, variant());
+        judged = context().services().judged_limits(context().session(), task_id_, device_class(), variant());
     });
     return judged;
 }
@@ -308,7 +337,7 @@ std::vector<database::MetricRow> BriefingPage::own_values() {
     context().guarded([&] {
         values = last_values(
             database::Reports(context().store()).person_progress(session, session.person_id(), task_id_),
-            window_device);
+            device_class());
     });
     return values;
 }
@@ -353,7 +382,7 @@ void BriefingPage::show_notes() {
     context().guarded([&] {
         site = context().services().site_tissues(context().session(), task_id_);
         limits =
-            context().services().why_not_comparable(context().session(), task_id_, window_device, variant());
+            context().services().why_not_comparable(context().session(), task_id_, device_class(), variant());
     });
     QString note;
     if (site.differ)

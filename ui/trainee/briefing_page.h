@@ -38,6 +38,8 @@ class BriefingPage : public Page {
     QString why_locked();
     /// Why the installed files make it practice only; empty where they do not.
     QString why_files();
+    /// Of the device in use.
+    DeviceClass device_class();
     std::vector<JudgedLimit> limits();
     /// Of the last attempt of who is signed in.
     std::vector<database::MetricRow> own_values();

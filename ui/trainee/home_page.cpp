@@ -73,7 +73,8 @@ void HomePage::fill_next(const Summaries& summaries) {
     const Curriculum& curriculum = *followed_;
     std::map<std::string, std::int64_t> last;
     for (const auto& [task, summary] : summaries) last[task] = summary.last_attempt;
-    const Recommendation next = recommend(curriculum, standings_, last, window_device);
+    const Recommendation next =
+        recommend(curriculum, standings_, last, context().services().device_in_use().device_class);
     const CurriculumStage* stage = curriculum.find_stage(next.stage);
     const QString why =
         reason_text(next, stage == nullptr ? QString() : text(stage->title), context().store().now());

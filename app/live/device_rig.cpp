@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/live/device_rig.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim_core/instrument/mouse_mapping.h"
+
+namespace fulcrum::app {
+namespace {
+
+// Two clocks of 1 kHz meet with a few ticks of delay; a device that is silent for longer did not answer.
+constexpr int late_ticks = 5;
+
+}  // namespace
+
+DeviceRig::DeviceRig(std::shared_ptr<const void> owner, const StatePage& state, CommandPage& command,
+                     const DeviceFacts& facts, const Scene& scene, std::shared_ptr<Rig> others,
+                     const SlotUse& use, double scale)
+    : owner_(std::move(owner)), state_(state), command_(command), others_(std::move(others)) {
+    const int slots[device_slots] = {use.left, use.right, use.scope};
+    for (int i = 0; i < device_slots; ++i) {
+        Driven& driven = driven_[i];
+        // Commands of an attempt before are older.
+        if (i < hand_count) sent_[i].sequence = static_cast<std::uint64_t>(monotonic_ns());
+        driven.slot = slots[i] >= 0 && slots[i] < device_slots && facts.slot[slots[i]] ? slots[i] : -1;
+        if (i == scope_slot) {
+            driven.exists = scene.camera.has_value();
+            if (driven.exists) {
+                driven.trocar = make_trocar(scene.camera->trocar);
+                driven.start =
+                    start_reading(scene.camera->trocar.shaft_length, scene.camera->start_insertion, 0);
+            }
+            continue;
+        }
+        const InstrumentSpec* const spec = scene.instrument(static_cast<Hand>(i));
+        driven.exists = spec != nullptr;
+        if (!driven.exists) continue;
+        driven.trocar = make_trocar(spec->trocar);
+        driven.opening = spec->jaw_opening;
+        driven.grip = spec->grip_force;
+        driven.start = start_reading(spec->trocar.shaft_length, spec->start_insertion,
+                                     spec->jaw_opening * open_jaw_share);
+        if (driven.slot < 0 || driven.slot >= hand_count) continue;
+        if (const auto& force = facts.force[driven.slot]) {
+            force_[i] = *force;
+            force_[i]->scale = scale;
+        }
+    }
+}
+
+std::optional<ForceOutput> DeviceRig::force_output(Hand hand) const {
+    return force_[static_cast<std::size_t>(hand)];
+}
+
+double DeviceRig::damping(Hand hand) const {
+    const auto& force = force_[static_cast<std::size_t>(hand)];
+    return force ? force->damping : -1;
+}
+
+void DeviceRig::read_slot(Driven& driven, bool is_scope, DeviceSample& sample) noexcept {
+    DevicePose pose = driven.newest;
+    const bool got = state_.pose[driven.slot].read(pose);
+    driven.same =
+        got && pose.sequence != driven.newest.sequence ? 0 : std::min(driven.same + 1, late_ticks + 1);
+    driven.newest = pose;
+    DeviceReading reading = driven.start;
+    const Vector3 position(pose.position[0], pose.position[1], pose.position[2]);
+    const bool answers = pose.present != 0 && driven.same <= late_ticks;
+    if (!driven.begun && answers && position.allFinite() && std::isfinite(pose.roll)) {
+        driven.begun = true;
+        driven.origin = position;
+        driven.roll_origin = pose.roll;
+    }
+    if (driven.begun) {
+        reading.handle += turned(position - driven.origin);
+        reading.roll += pose.roll - driven.roll_origin;
+        const bool closed = !is_scope && (pose.jaw <= 0.05 || (pose.buttons & button_primary) != 0);
+        reading.jaw = is_scope || closed ? 0 : std::min(pose.jaw, 1.0) * driven.opening;
+        if (std::isnan(pose.jaw)) reading.jaw = pose.jaw;  // a faulty reading, as for the position
+        reading.grip = closed ? driven.grip : 0;
+        const unsigned jaws = closed ? unsigned{button_primary} : 0U;
+        reading.buttons = static_cast<std::uint16_t>((pose.buttons & 0xfU) | jaws);
+    }
+    reading.present = answers;
+    driven.last = quantise(reading, driven.last);
+    sample = driven.last;
+}
+
+void DeviceRig::read(std::uint32_t tick, RigSample& sample) {
+    others_->read(tick, sample);
+    sample.tick = tick;
+    DeviceSample* const samples[device_slots] = {&sample.hand[0], &sample.hand[1], &sample.camera};
+    for (int i = 0; i < device_slots; ++i) {
+        if (driven_[i].slot >= 0 && driven_[i].exists) read_slot(driven_[i], i == scope_slot, *samples[i]);
+    }
+}
+
+void DeviceRig::write_force(Hand hand, const Vector3& force) {
+    const auto h = static_cast<std::size_t>(hand);
+    if (!force_[h]) return;
+    const Vector3 on_device = turned(driven_[h].trocar.rotation.transpose() * force);
+    ForceCommand& command = sent_[h];
+    ++command.sequence;
+    command.time = monotonic_ns();
+    for (int axis = 0; axis < 3; ++axis) command.force[axis] = on_device[axis];
+    command_.command[driven_[h].slot].write(command);
+}
+
+void DeviceRig::write_torque(Hand hand, double torque) {
+    sent_[static_cast<std::size_t>(hand)].torque = torque;  // goes with the next force
+}
+
+}  // namespace fulcrum::app

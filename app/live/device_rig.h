@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The hands of a live attempt where fulcrum-hapticd drives their device: reads the newest pose from shared
+// memory and writes the newest force there. What the device does not have (a scope, one of the hands) another
+// rig moves.
+//
+// Mapping: where the device is when it is read first is where the instrument begins; from there the handle
+// follows the device 1:1. Seen by the person the device's frame is that of the handle: to the right is -x of
+// the trocar's frame, up is +y, away from the person is +z, into the body.
+//
+// Real-time loop: no lock, allocation, system call (but the clock) or exception.
+#pragma once
+
+#include <memory>
+
+#include "sim_core/devices/device_facts.h"
+#include "sim_core/devices/device_page.h"
+#include "sim_core/instrument/instrument.h"
+
+namespace fulcrum::app {
+
+/// What a device's slot moves.
+struct SlotUse {
+    int left = 0, right = 1, scope = scope_slot;  ///< slot of the device, or -1: the other rig moves it
+};
+
+class DeviceRig : public Rig {
+  public:
+    /// `owner` keeps `state` and `command` mapped. Slots that the device does not have are moved by `others`.
+    /// `scale`: force sent over the model's, 0 < scale <= 1 per hand of the device.
+    DeviceRig(std::shared_ptr<const void> owner, const StatePage& state, CommandPage& command,
+              const DeviceFacts& facts, const Scene& scene, std::shared_ptr<Rig> others,
+              const SlotUse& use = {}, double scale = 1);
+
+    void read(std::uint32_t tick, RigSample& sample) override;
+    void write_force(Hand hand, const Vector3& force) override;
+    void write_torque(Hand hand, double torque) override;
+    bool has_force(Hand hand) const override { return force_output(hand).has_value(); }
+    double damping(Hand hand) const override;
+    std::optional<ForceOutput> force_output(Hand hand) const override;
+    /// The trocar's frame from the device's: a half turn about y.
+    static Vector3 turned(const Vector3& v) { return {-v.x(), v.y(), -v.z()}; }
+
+  private:
+    struct Driven {
+        int slot = -1;
+        bool exists = false, begun = false;
+        Trocar trocar;
+        DeviceReading start;  // where the instrument begins
+        double opening = 1, grip = 0;
+        Vector3 origin = Vector3::Zero();  // device position that is the start
+        double roll_origin = 0;
+        DevicePose newest;
+        int same = 0;  // ticks since a new reading
+        DeviceSample last;
+    };
+    void read_slot(Driven& driven, bool is_scope, DeviceSample& sample) noexcept;
+
+    std::shared_ptr<const void> owner_;
+    const StatePage& state_;
+    CommandPage& command_;
+    std::shared_ptr<Rig> others_;
+    Driven driven_[device_slots];  // left, right, scope
+    std::optional<ForceOutput> force_[hand_count];
+    ForceCommand sent_[hand_count];
+};
+
+}  // namespace fulcrum::app

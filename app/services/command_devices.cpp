@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fulcrum devices: what is connected, what is not and why; and a test of one device.
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands.h"
+#include "app/live/device_trial.h"
+#include "app/services/device_list.h"
+#include "app/services/devices.h"
+#include "app/services/program.h"
+#include "sim_core/numerics/number_text.h"
+#include "ui/theatre/two_mice.h"
+
+namespace fulcrum::app {
+namespace {
+
+constexpr const char* usb_folder = "/sys/bus/usb/devices";
+constexpr double gentle_n = 0.3;
+constexpr const char* slot_names[device_slots] = {"left", "right", "scope"};
+
+nlohmann::json to_json(const Durations& durations) {
+    return {{"p50", durations.p50_us},
+            {"p99", durations.p99_us},
+            {"p99_9", durations.p999_us},
+            {"worst", durations.worst_us}};
+}
+
+void print_list(const std::vector<ListedDevice>& devices) {
+    for (const ListedDevice& device : devices) {
+        std::cout << device.title << ": " << row_of(device_states, device.state).title << '\n';
+        for (const std::string& found : device.found) std::cout << "    " << found << '\n';
+        if (!device.why.empty()) std::cout << "    why: " << device.why << '\n';
+        if (!device.what_to_do.empty()) std::cout << "    what to do: " << device.what_to_do << '\n';
+    }
+}
+
+nlohmann::json trial_json(const DaemonClient& client, const DeviceTrial& trial) {
+    nlohmann::json document = {{"device", fulcrum::to_json(client.facts())},
+                               {"device_class", row_of(device_classes, class_of(client.facts())).name},
+                               {"notes", client.notes()},
+                               {"seconds", trial.seconds},
+                               {"rate_hz", trial.rate},
+                               {"ticks", trial.device_ticks},
+                               {"late_ticks", trial.device_late},
+                               {"jitter_us", to_json(trial.device_wake)},
+                               {"pose_age_us", to_json(trial.pose_age)},
+                               {"force_delay_us", to_json(trial.force_delay)},
+                               {"force_sent_n", trial.force_sent},
+                               {"force_rendered_n", trial.force_rendered}};
+    for (int i = 0; i < device_slots; ++i) {
+        if (!client.facts().slot[i]) continue;
+        const DevicePose& pose = trial.newest[i];
+        document["poses"][slot_names[i]] = {{"present", pose.present != 0},
+                                            {"position_m", pose.position},
+                                            {"roll_rad", pose.roll},
+                                            {"jaw", pose.jaw},
+                                            {"buttons", pose.buttons}};
+    }
+    return document;
+}
+
+void print_trial(const DaemonClient& client, const DeviceTrial& trial) {
+    const auto row = [](const char* what, const Durations& durations) {
+        std::cout << what << ": median " << decimal_text(durations.p50_us, 0) << " us, 99.9 % "
+                  << decimal_text(durations.p999_us, 0) << " us, worst "
+                  << decimal_text(durations.worst_us, 0) << " us\n";
+    };
+    std::cout << client.facts().title << '\n'
+              << "rate: " << decimal_text(trial.rate, 1) << " readings a second of "
+              << decimal_text(client.facts().rate, 0) << "; " << trial.device_late << " of "
+              << trial.device_ticks << " ticks a period late or more\n";
+    row("jitter of the device's readings", trial.device_wake);
+    row("age of a pose when it is used", trial.pose_age);
+    if (trial.force_sent > 0) {
+        row("force, from command to motors", trial.force_delay);
+        std::cout << "force: sent up to " << decimal_text(trial.force_sent, 2) << " N, rendered up to "
+                  << decimal_text(trial.force_rendered, 2) << " N\n";
+    }
+    for (int i = 0; i < device_slots; ++i) {
+        if (!client.facts().slot[i]) continue;
+        const DevicePose& pose = trial.newest[i];
+        std::cout << slot_names[i] << ": ";
+        if (pose.present == 0) {
+            std::cout << "does not answer\n";
+            continue;
+        }
+        std::cout << "at (" << decimal_text(1e3 * pose.position[0], 1) << ", "
+                  << decimal_text(1e3 * pose.position[1], 1) << ", "
+                  << decimal_text(1e3 * pose.position[2], 1) << ") mm, jaws "
+                  << decimal_text(100 * pose.jaw, 0) << " % open, buttons " << pose.buttons << '\n';
+    }
+    for (const std::string& note : client.notes()) std::cout << "note: " << note << '\n';
+}
+
+int test_device(const Arguments& arguments, const std::string& specification) {
+    const auto seconds = static_cast<double>(arguments.integer("--seconds", 5, 1, 3600));
+    DaemonClient client(hapticd_program(), specification);
+    double peak = 0;
+    if (arguments.has("--force")) {
+        for (const auto& force : client.facts().force)
+            if (force) peak = std::max(peak, std::min(gentle_n, force->continuous));
+        if (peak == 0)
+            throw UsageError("--force", "is not possible: this device renders no force", "leave it out");
+    }
+    const DeviceTrial trial = try_device(client, seconds, peak);
+    if (arguments.has("--json"))
+        print_json(trial_json(client, trial));
+    else
+        print_trial(client, trial);
+    if (client.poll() == DaemonClient::Health::ended) {
+        std::cerr << "fulcrum: " << client.message() << '\n';
+        return 1;
+    }
+    return 0;
+}
+
+int run_devices(const Arguments& arguments) {
+    if (const auto specification = arguments.value("--test")) return test_device(arguments, *specification);
+    for (const char* option : {"--seconds", "--force"})
+        if (arguments.has(option))
+            throw UsageError(option, "has no meaning without --test", "name a device: --test DEVICE");
+    const bool display = std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
+    std::vector<std::string> mice;
+    for (const ui::MouseDevice& mouse : ui::TwoMice::connected(false)) mice.push_back(mouse.name);
+    const std::vector<ListedDevice> devices = list_devices(usb_folder, hapticd_program(), display, mice);
+    if (arguments.has("--json"))
+        print_json({{"devices", devices_json(devices)}});
+    else
+        print_list(devices);
+    return 0;
+}
+
+}  // namespace
+
+Command devices_command() {
+    return {
+        "devices",
+        "",
+        0,
+        0,
+        "Lists the devices for the hands: what is connected, what is not, why and what to do.",
+        {{"--test", "DEVICE", "Open this device (virtual:SCRIPT.json) and measure rate, jitter and delays."},
+         {"--seconds", "S", "How long the test lasts: 1 to 3600.", "5"},
+         {"--force", "", "Also send a force that rises slowly to 0.3 N along each axis in turn."},
+         json_option()},
+        run_devices};
+}
+
+}  // namespace fulcrum::app

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The device that the window's attempts use: mouse and keyboard, or one that fulcrum-hapticd drives. UI
+// thread.
+#pragma once
+
+#include "sim_core/devices/daemon_client.h"
+#include "ui/services/device_service.h"
+
+namespace fulcrum::app {
+
+class Devices {
+  public:
+    /// `specification`: empty for mouse and keyboard, else as for fulcrum-hapticd. Nothing is opened yet.
+    explicit Devices(std::string specification);
+    ui::DeviceInUse in_use() const;
+    /// Throws InputError.
+    std::shared_ptr<Rig> hands(const Scene& scene, std::shared_ptr<Rig> others);
+    std::string trouble();
+
+  private:
+    void open();
+    std::string specification_;
+    std::shared_ptr<DaemonClient> client_;
+};
+
+/// The class of a device: with force it is haptic, else tracked.
+DeviceClass class_of(const DeviceFacts& facts);
+
+}  // namespace fulcrum::app

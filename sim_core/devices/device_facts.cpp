@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_core/devices/device_facts.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace fulcrum {
+
+nlohmann::json to_json(const DeviceFacts& facts) {
+    nlohmann::json document = {
+        {"kind", facts.kind}, {"title", facts.title}, {"rate_hz", facts.rate}, {"slots", facts.slot}};
+    for (const auto& force : facts.force) {
+        if (!force) {
+            document["force"].push_back(nullptr);
+            continue;
+        }
+        document["force"].push_back({{"damping_n_s_m", force->damping},
+                                     {"peak_n", force->peak},
+                                     {"continuous_n", force->continuous},
+                                     {"stiffness_n_m", force->stiffness},
+                                     {"torque_n_m", force->torque}});
+    }
+    return document;
+}
+
+DeviceFacts facts_from_json(const nlohmann::json& document) {
+    DeviceFacts facts;
+    facts.kind = document.at("kind").get<std::string>();
+    facts.title = document.at("title").get<std::string>();
+    facts.rate = document.at("rate_hz").get<double>();
+    for (std::size_t i = 0; i < device_slots; ++i) facts.slot[i] = document.at("slots").at(i).get<bool>();
+    for (std::size_t h = 0; h < 2; ++h) {
+        const nlohmann::json& force = document.at("force").at(h);
+        if (force.is_null()) continue;
+        ForceOutput output;
+        output.damping = force.at("damping_n_s_m").get<double>();
+        output.peak = force.at("peak_n").get<double>();
+        output.continuous = force.at("continuous_n").get<double>();
+        output.stiffness = force.at("stiffness_n_m").get<double>();
+        output.torque = force.at("torque_n_m").get<double>();
+        if (!is_usable(output)) throw std::runtime_error("the device reports forces that are not possible");
+        facts.force[h] = output;
+    }
+    if (!(facts.rate >= 1 && facts.rate <= 1e5))
+        throw std::runtime_error("the device reports a rate that is not possible");
+    return facts;
+}
+
+}  // namespace fulcrum

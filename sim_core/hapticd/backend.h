@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// A device that fulcrum-hapticd owns. Made by the overseer, used by the device process.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "sim_core/devices/device_facts.h"
+#include "sim_core/devices/device_page.h"
+
+namespace fulcrum::hapticd {
+
+class Backend {
+  public:
+    virtual ~Backend() = default;
+    virtual const DeviceFacts& facts() const = 0;
+    /// Once, in the device process, before rights are given up: opens what has to be opened. Throws
+    /// InputError.
+    virtual void open() {}
+    /// Reads all slots; `time` is set by the caller. Real-time loop: no allocation, lock or exception.
+    virtual void read(std::int64_t now, DevicePose (&poses)[device_slots]) noexcept = 0;
+    /// Renders a force (N, device frame) and a torque about the shaft (N m) on a hand. Real-time loop.
+    virtual void render(int hand, const Vector3& force, double torque) noexcept = 0;
+};
+
+/// The device that a specification names: "virtual:SCRIPT.json". Throws InputError.
+std::unique_ptr<Backend> make_backend(const std::string& specification);
+
+}  // namespace fulcrum::hapticd

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// The process that reads the device and renders force: one thread on an absolute clock.
+#pragma once
+
+#include <sys/types.h>
+
+#include "sim_core/hapticd/backend.h"
+
+namespace fulcrum::hapticd {
+
+/// Opens the device, gives up rights and runs until `stopping` is set or the overseer is gone; the motors are
+/// off when it returns. Writes one line of JSON to `report`: {"notes": […], "real_time": …, "filtered": …},
+/// or {"error": …} where the device does not open. Returns the exit status.
+int run_device(Backend& backend, StatePage& state, const CommandPage& command, pid_t overseer, int report);
+
+}  // namespace fulcrum::hapticd

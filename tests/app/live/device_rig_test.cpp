@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/live/device_rig.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "database/scoring/loaded_task.h"
+#include "sim_core/instrument/mouse_mapping.h"
+#include "tests/support/allocation_count.h"
+
+namespace fulcrum::app::program_test {
+namespace {
+
+/// Hands that do not move.
+class RestingRig : public Rig {
+  public:
+    void read(std::uint32_t tick, RigSample& sample) override {
+        sample.tick = tick;
+        for (DeviceSample& hand : sample.hand) hand.handle[0] = 77;
+        sample.camera.handle[0] = 77;
+    }
+    void write_force(Hand, const Vector3&) override {}
+    bool has_force(Hand) const override { return false; }
+    double damping(Hand) const override { return -1; }
+};
+
+struct OnPages {
+    SharedPage<StatePage> state = SharedPage<StatePage>::create("test", true);
+    SharedPage<CommandPage> command = SharedPage<CommandPage>::create("test", false);
+    DeviceFacts facts;
+    Scene scene = load_task_and_scene("A2").scene;
+    DevicePose pose[device_slots];
+    std::unique_ptr<DeviceRig> rig;
+    RigSample sample;
+    std::uint32_t tick = 0;
+
+    OnPages() {
+        facts.slot[0] = facts.slot[1] = true;
+        ForceOutput force;
+        force.damping = 0.5;
+        force.peak = 3.3;
+        facts.force[0] = force;
+        rig = std::make_unique<DeviceRig>(nullptr, *state.get(), *command.get(), facts, scene,
+                                          std::make_shared<RestingRig>(), SlotUse{}, 0.4);
+        for (DevicePose& one : pose) {
+            one.present = 1;
+            one.jaw = 1;
+        }
+    }
+    void publish() {
+        for (int i = 0; i < device_slots; ++i) {
+            ++pose[i].sequence;
+            state->pose[i].write(pose[i]);
+        }
+    }
+    void read() { rig->read(++tick, sample); }
+    Vector3 handle(int hand) const {
+        const auto& counts = sample.hand[hand].handle;
+        return device_length_unit * Vector3(counts[0], counts[1], counts[2]);
+    }
+};
+
+TEST(DeviceRig, BeginsAtTheStartOfTheSceneAndFollowsTheDeviceInTheFrameOfTheHandle) {
+    OnPages at;
+    at.pose[0].position[0] = 0.05;
+    at.publish();
+    at.read();
+    const InstrumentSpec& spec = *at.scene.instrument(Hand::left);
+    const Vector3 start = start_reading(spec.trocar.shaft_length, spec.start_insertion, 0).handle;
+    EXPECT_LT((at.handle(0) - start).norm(), 1e-6);
+    at.pose[0].position[0] += 0.01;
+    at.pose[0].position[1] += 0.02;
+    at.pose[0].position[2] -= 0.03;  // away from the person
+    at.publish();
+    at.read();
+    EXPECT_LT((at.handle(0) - start - Vector3(-0.01, 0.02, 0.03)).norm(), 1e-6);
+    EXPECT_EQ(at.sample.camera.handle[0], 77) << "the device has no scope: the other rig moves it";
+    EXPECT_FALSE(at.rig->has_force(Hand::right));
+    EXPECT_EQ(at.rig->force_output(Hand::left)->scale, 0.4);
+}
+
+TEST(DeviceRig, ForceOnTheDeviceDoesTheWorkThatItDoesOnTheHandle) {
+    OnPages at;
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> any(-1, 1);
+    const Trocar trocar = make_trocar(at.scene.instrument(Hand::left)->trocar);
+    for (int i = 0; i < 100; ++i) {
+        const Vector3 force(any(random), any(random), any(random)),
+            moved(any(random), any(random), any(random));
+        at.rig->write_force(Hand::left, force);
+        ForceCommand sent;
+        ASSERT_TRUE(at.command->command[0].read(sent));
+        const Vector3 on_device(sent.force[0], sent.force[1], sent.force[2]);
+        const Vector3 on_handle = trocar.rotation * DeviceRig::turned(moved);
+        EXPECT_NEAR(on_device.dot(moved), force.dot(on_handle), 1e-12);
+    }
+}
+
+TEST(DeviceRig, ADeviceThatSendsNothingNewDidNotAnswer) {
+    OnPages at;
+    at.read();
+    EXPECT_EQ(at.sample.hand[0].present, 0) << "before the first reading";
+    at.publish();
+    for (int i = 0; i < 6; ++i) {
+        at.read();
+        EXPECT_EQ(at.sample.hand[0].present, 1) << i;
+    }
+    at.read();
+    EXPECT_EQ(at.sample.hand[0].present, 0);
+    at.publish();
+    at.read();
+    EXPECT_EQ(at.sample.hand[0].present, 1);
+    at.pose[0].present = 0;
+    at.publish();
+    at.read();
+    EXPECT_EQ(at.sample.hand[0].present, 0);
+}
+
+TEST(DeviceRig, ReadingsThatAreNotNumbersAndJumpsAreFaultyAndKeepThePose) {
+    for (int fault = 0; fault < 4; ++fault) {
+        OnPages at;
+        at.publish();
+        at.read();
+        const Vector3 before = at.handle(0);
+        if (fault == 0) at.pose[0].position[1] = NAN;
+        if (fault == 1) at.pose[0].position[1] = 5;
+        if (fault == 2) at.pose[0].roll = INFINITY;
+        if (fault == 3) at.pose[0].jaw = NAN;
+        at.publish();
+        at.read();
+        EXPECT_EQ(at.sample.hand[0].faulty, 1) << fault;
+        EXPECT_EQ(at.handle(0), before);
+    }
+}
+
+TEST(DeviceRig, JawsCloseByTheirAngleOrByTheButton) {
+    OnPages at;
+    at.publish();
+    at.read();
+    EXPECT_GT(at.sample.hand[0].jaw, 0);
+    EXPECT_EQ(at.sample.hand[0].grip, 0);
+    at.pose[0].buttons = button_primary;
+    at.pose[1].jaw = 0;
+    at.publish();
+    at.read();
+    for (const DeviceSample& hand : at.sample.hand) {
+        EXPECT_EQ(hand.jaw, 0);
+        EXPECT_GT(hand.grip, 0);
+        EXPECT_EQ(hand.buttons & button_primary, button_primary);
+    }
+}
+
+TEST(DeviceRig, TicksAllocateNothing) {
+    OnPages at;
+    at.publish();
+    at.read();
+    EXPECT_EQ(fulcrum::test::allocations_in([&] {
+                  for (int i = 0; i < 1000; ++i) {
+                      at.publish();
+                      at.read();
+                      at.rig->write_force(Hand::left, Vector3(1, 0, 0));
+                      at.rig->write_torque(Hand::left, 0.1);
+                  }
+              }),
+              0U);
+}
+
+}  // namespace
+}  // namespace fulcrum::app::program_test

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window with a device that fulcrum-hapticd drives: attempts are made with it, and its end pauses them.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "tests/app/program_path.h"
+#include "tests/app/window_fixture.h"
+#include "tests/support/own_folder.h"
+
+namespace fulcrum::app::program_test {
+namespace {
+
+using ui::AttemptPhase;
+using ui::window_test::find;
+using ui::window_test::keep_picture;
+using ui::window_test::sees;
+using ui::window_test::wait_for;
+
+/// Before the services are made.
+struct ScriptedDevice {
+    ScriptedDevice() {
+        std::ofstream(script) << R"({"format": "fulcrum-device-script", "title": "a scripted hand",
+            "force": {"damping": 0.5, "peak": 3.3, "continuous": 0.88}, "repeat": true,
+            "left": {"path": [{"t": 0, "position": [0, 0, 0]}], "hand": {"mass": 0.2}},
+            "right": {"path": [{"t": 0, "position": [0, 0, 0]}, {"t": 2, "position": [0.02, 0, 0]},
+                               {"t": 4, "position": [0, 0, 0]}]}})";
+        setenv("FULCRUM_DEVICE", ("virtual:" + script).c_str(), 1);
+        const std::string program = program_path();
+        setenv("FULCRUM_HAPTICD", (program.substr(0, program.find_last_of('/')) + "/fulcrum-hapticd").c_str(),
+               1);
+    }
+    ~ScriptedDevice() {
+        unsetenv("FULCRUM_DEVICE");
+        unsetenv("FULCRUM_HAPTICD");
+    }
+    fulcrum::test::OwnFolder own;
+    std::string script = (own / "hand.json").string();
+};
+
+class DeviceWindow : public ScriptedDevice, public Window {
+  protected:
+    /// A process of fulcrum-hapticd whose parent is `parent`; 0: none.
+    static pid_t child_of(pid_t parent) {
+        for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+            std::ifstream stat(entry.path() / "stat");
+            pid_t pid = 0, its_parent = 0;
+            std::string name, state;
+            if (stat >> pid >> name >> state >> its_parent && its_parent == parent && state != "Z" &&
+                name.rfind("(fulcrum-haptic", 0) == 0)
+                return pid;
+        }
+        return 0;
+    }
+    double right_x() { return theatre().session()->snapshot().tools[1].tip.x(); }
+    QString panel() { return find<QLabel>(window, "panel_text")->text(); }
+};
+
+TEST_F(DeviceWindow, TheEndOfTheDeviceProcessPausesAndOfTheDaemonTooWithWhatToDo) {
+    create_programme_and_trainee();
+    start("A2", false);
+    EXPECT_EQ(theatre().session()->assessed(), false);
+    EXPECT_TRUE(theatre().session()->health().force_felt[0]);
+    const double begun = right_x();
+    ASSERT_TRUE(wait_for([&] { return std::abs(right_x() - begun) > 2e-3; })) << "the script moves the hand";
+    const pid_t overseer = child_of(getpid());
+    ASSERT_GT(overseer, 0);
+    const pid_t device = child_of(overseer);
+    ASSERT_GT(device, 0);
+
+    ASSERT_EQ(kill(device, SIGKILL), 0);
+    ASSERT_TRUE(wait_for([&] { return theatre().session()->phase() == AttemptPhase::device_lost; }));
+    ASSERT_TRUE(wait_for([&] { return aligned().back; })) << "the device process is started again";
+    EXPECT_NE(child_of(overseer), device);
+
+    ASSERT_EQ(kill(overseer, SIGKILL), 0);
+    ASSERT_TRUE(wait_for([&] { return sees(window, "theatre_panel"); }));
+    ASSERT_TRUE(wait_for([&] { return panel().contains("opened again when the next attempt begins"); }))
+        << panel().toStdString();
+    keep_picture(window, "34-daemon-gone");
+    ui::window_test::click(window, "panel_abandon");
+    wait_for_debrief();
+    const database::AttemptSummary attempt = newest_attempt();
+    EXPECT_EQ(attempt.meta.device, "a scripted hand");
+    EXPECT_EQ(attempt.meta.device_class, DeviceClass::haptic);
+    EXPECT_EQ(attempt.meta.mode, AttemptMode::practice);
+    ASSERT_TRUE(attempt.meta.force_devices[0].has_value());
+    EXPECT_EQ(attempt.meta.force_devices[0]->continuous, 0.88);
+    expect_replays(attempt.meta.id);
+
+    home();
+    start("A2", false);
+    const double again = right_x();
+    EXPECT_TRUE(wait_for([&] { return std::abs(right_x() - again) > 2e-3; })) << "the device is opened again";
+    abandon();
+}
+
+}  // namespace
+}  // namespace fulcrum::app::program_test
