@@ -81,7 +81,7 @@ TEST_F(VirtualDeviceTest, FaultsBeginAndEndWhenTheScriptSaysSo) {
 
 TEST_F(VirtualDeviceTest, ReplaysARecording) {
     std::ofstream((folder / "hands.csv").string()) << "t,slot,x,y,z,roll,jaw,buttons\n0,left,0,0,0,0,1,0\n"
-                                                   "0,scope,0,0,0,0,1,0\n1,left,0.01,0,-0.02,0.5,0,1\n";
+                                                      "0,scope,0,0,0,0,1,0\n1,left,0.01,0,-0.02,0.5,0,1\n";
     auto made = device(R"({"format": "fulcrum-device-script", "recording": "hands.csv"})");
     EXPECT_TRUE(made.facts().slot[0]);
     EXPECT_FALSE(made.facts().slot[1]);
@@ -97,8 +97,9 @@ TEST_F(VirtualDeviceTest, ReplaysARecording) {
 TEST_F(VirtualDeviceTest, ARecordingWithAWrongRowIsRefusedWithItsRow) {
     for (const char* const row : {"1,left,0,0", "x,left,0,0,0,0,1,0", "1,middle,0,0,0,0,1,0",
                                   "0,left,0,0,0,0,1,0", "1,left,nan,0,0,0,1,0", "1,left,5,0,0,0,1,0"}) {
-        std::ofstream((folder / "hands.csv").string()) << "t,slot,x,y,z,roll,jaw,buttons\n0,left,0,0,0,0,1,0\n"
-                                                    << row << '\n';
+        std::ofstream((folder / "hands.csv").string())
+            << "t,slot,x,y,z,roll,jaw,buttons\n0,left,0,0,0,0,1,0\n"
+            << row << '\n';
         try {
             device(R"({"format": "fulcrum-device-script", "recording": "hands.csv"})");
             ADD_FAILURE() << row;
