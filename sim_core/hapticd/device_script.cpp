@@ -201,7 +201,7 @@ void read_recording(const std::string& path, DeviceScript& script) {
     constexpr const char* header = "t,slot,x,y,z,roll,jaw,buttons";
     if (!std::getline(lines, line) || line != header)
         throw InputError(path, "1", std::string("the first line must be ") + header,
-                         "use a recording of fulcrum devices --record");
+                         "write this line first, as docs/DEVICES.md describes");
     std::size_t row = 1;
     while (std::getline(lines, line)) {
         const std::string place = std::to_string(++row);

@@ -117,10 +117,13 @@ Json standings_json(const database::PersonStandings& person) {
             one["plateau"] = {{"points", concern.plateau}, {"low", concern.low}, {"high", concern.high}};
         concerns.push_back(std::move(one));
     }
-    return {{"person_id", person.person_id}, {"login", person.login},
+    return {{"person_id", person.person_id},
+            {"login", person.login},
             {"curriculum", person.curriculum},
-            {"name", person.name},           {"last_attempt", time_or_null(person.last_attempt)},
-            {"tasks", std::move(tasks)},     {"concerns", std::move(concerns)}};
+            {"name", person.name},
+            {"last_attempt", time_or_null(person.last_attempt)},
+            {"tasks", std::move(tasks)},
+            {"concerns", std::move(concerns)}};
 }
 
 namespace {
