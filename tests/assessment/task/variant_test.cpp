@@ -108,7 +108,7 @@ TEST(Variants, ListsThatCannotBeUsedAreRefusedWithThePlace) {
 
 /// Every variant of the tasks that take a few seconds of processor time; the standard ones are covered by
 /// other tests.
-TEST(Variants, AnExpertCompletesEachOfTheShortTasks) {
+TEST(VariantsOfShortTasks, AreCompletedByAnExpert) {
     for (const char* id : {"A1", "A2", "B2"}) {
         const TaskDefinition task = load_task(task_file(id));
         for (const TaskVariant& variant : task.variants) {
