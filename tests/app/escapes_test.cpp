@@ -31,7 +31,7 @@ constexpr double broken_n = 4.5;  // A2 gates 4 N
 constexpr auto longest = 240s;    // on a machine that has much else to do
 
 template <typename Condition>
-bool wait_for(Condition condition) {
+bool wait_until_true(Condition condition) {
     const auto end = std::chrono::steady_clock::now() + longest;
     while (std::chrono::steady_clock::now() < end) {
         if (condition()) return true;
@@ -94,11 +94,11 @@ struct Attempt {
         live->start();
     }
     bool reaches(ui::AttemptPhase phase) {
-        return wait_for([&] { return live->phase() == phase; });
+        return wait_until_true([&] { return live->phase() == phase; });
     }
     /// Until it is recorded that the limit is broken.
     bool breaks_the_limit() {
-        const bool broken = wait_for([&] {
+        const bool broken = wait_until_true([&] {
             live->update();
             return static_cast<double>(live->display().force[0]) > broken_n;
         });
@@ -106,7 +106,7 @@ struct Attempt {
         return broken;
     }
     bool moves() {
-        return wait_for([&] {
+        return wait_until_true([&] {
             live->update();
             return live->display().moving_seen;
         });
@@ -118,7 +118,7 @@ struct Attempt {
     }
     bool device_comes_back() {
         hands->unplugged = false;
-        return wait_for([&] {
+        return wait_until_true([&] {
             const ui::Realignment shown = live->realignment();
             return shown.back && shown.in_place;
         });
@@ -168,7 +168,7 @@ bool reaches(Attempt& attempt, int moment) {
             return attempt.loses_the_device() && attempt.device_comes_back() && attempt.resumes();
         default:
             attempt.live->abandon();
-            return wait_for([&] { return attempt.live->phase() >= ui::AttemptPhase::finishing; });
+            return wait_until_true([&] { return attempt.live->phase() >= ui::AttemptPhase::finishing; });
     }
 }
 
@@ -193,8 +193,8 @@ TEST_P(KilledAt, AnAttemptWithABrokenLimitIsFailedAtTheNextStart) {
         ::_exit(127);
     }
     int status = 0;
-    const bool reached =
-        wait_for([&] { return counters->finished.load() > 0 || ::waitpid(child, &status, WNOHANG) != 0; });
+    const bool reached = wait_until_true(
+        [&] { return counters->finished.load() > 0 || ::waitpid(child, &status, WNOHANG) != 0; });
     ASSERT_TRUE(reached && counters->finished.load() > 0) << "the child did not get there: " << status;
     ASSERT_EQ(::kill(child, SIGKILL), 0);
     ASSERT_EQ(::waitpid(child, &status, 0), child);
@@ -274,7 +274,7 @@ TEST_F(Escapes, UnpluggingWithoutABrokenLimitMakesPracticeOfIt) {
         ASSERT_TRUE(attempt.loses_the_device());
         ASSERT_TRUE(attempt.device_comes_back());
         ASSERT_TRUE(attempt.resumes());
-        EXPECT_TRUE(wait_for([&] { return attempt.live->became_practice(); }));
+        EXPECT_TRUE(wait_until_true([&] { return attempt.live->became_practice(); }));
         attempt.live->abandon();
         attempt.live->wait();
         attempt.live->rethrow();
@@ -296,7 +296,7 @@ TEST_F(Escapes, StoppingTheProgramMakesPracticeOfItAndIsInTheAuditLog) {
         Attempt attempt(store_path, false);
         ASSERT_TRUE(attempt.moves());
         stop_this_program();
-        EXPECT_TRUE(wait_for([&] { return attempt.live->became_practice(); }));
+        EXPECT_TRUE(wait_until_true([&] { return attempt.live->became_practice(); }));
         attempt.live->abandon();
         attempt.live->wait();
         attempt.live->rethrow();
