@@ -50,6 +50,7 @@ constexpr WordsOf groups[] = {
     {"attempt", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Attempts: all")},
     {"cohort", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Cohorts: all")},
     {"comment", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Comments: all")},
+    {"curriculum", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Versions of the curriculum: all")},
     {"demo", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Demonstration: all")},
     {"password", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Passwords: all")},
     {"payload", QT_TRANSLATE_NOOP("fulcrum::ui::audit", "Erased contents: all")},

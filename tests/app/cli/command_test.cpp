@@ -147,7 +147,7 @@ TEST(ProgramCommands, BashCompletesFromTheScript) {
     EXPECT_EQ(completed("fulcrum per"), "perform\n");
     EXPECT_EQ(completed("fulcrum db ba"), "backup\n");
     EXPECT_EQ(completed("fulcrum db audit --un"), "--until\n");
-    EXPECT_EQ(completed("fulcrum report --format \"\""), "pdf csv json trace\n");
+    EXPECT_EQ(completed("fulcrum report --format \"\""), "pdf csv xlsx json xapi trace\n");
     EXPECT_EQ(completed("fulcrum perform A2 --operator nov"), "novice\n");
     EXPECT_EQ(completed("fulcrum --ver"), "--version\n");
 }

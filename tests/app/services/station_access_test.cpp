@@ -18,7 +18,7 @@ TEST_F(WindowAccess, AdministratorsCheckAndBackUpInTheBackground) {
     click(*window, "check_store");
     ASSERT_TRUE(wait_for([&] { return sees(*window, "check_verdict"); }, 60000));
     EXPECT_TRUE(find<QLabel>(*window, "check_verdict")->text().contains("intact"));
-    EXPECT_EQ(find<QTableWidget>(*window, "check_items")->rowCount(), 9);
+    EXPECT_EQ(find<QTableWidget>(*window, "check_items")->rowCount(), 10);
     auto* station = static_cast<StationPage*>(window->current_page());
     const QString path = programme.folder.filePath("copy.db");
     station->back_up_to(path);
