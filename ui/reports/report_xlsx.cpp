@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of a report as an XLSX workbook: the same cells as the CSV, numbers as numbers, its dictionary
-// and its origin beside it.
+// and its origin.
 #include <xlsxwriter.h>
 
 #include <QFile>
@@ -88,7 +88,7 @@ void write_origin(lxw_workbook* book, lxw_format* bold, const ReportProvenance& 
 }  // namespace
 
 std::string workbook(const DataSheet& sheet, const ReportProvenance& provenance) {
-    // The library writes files only, and beside them temporary files of its own.
+    // The library writes files only, and temporary files of its own.
     const QTemporaryDir folder;
     const std::string path = folder.filePath(QStringLiteral("workbook.xlsx")).toStdString();
     std::string parts = folder.path().toStdString();

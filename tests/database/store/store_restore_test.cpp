@@ -100,7 +100,7 @@ TEST_F(Restore, WorksOnAStoreWhoseProgramWasKilledWithItsLog) {
 
 TEST_F(Restore, RefusesADamagedAForgedOrAForeignFileAndChangesNothing) {
     const std::string bad = programme.folder.filePath("bad.db").toStdString();
-    // SQLite may leave a log beside a damaged file; it belongs to none of the files that follow.
+    // SQLite may leave a log next to a damaged file. The files that follow must not find it.
     const auto clear = [&] {
         for (const char* ending : {"", "-wal", "-shm", "-journal"}) files::remove(bad + ending);
     };
