@@ -338,9 +338,12 @@ class Wording {
             return with(
                 QT_TRANSLATE_NOOP("fulcrum::statements", "{amount} standard deviations from the experts"),
                 decimal_text(*z, 1));
-        if (!higher && *limit > 0)
+        if (!higher && *limit > 0) {
+            const double percent = 100.0 * (*value - *limit) / *limit;
+            if (percent < 1) return marked(QT_TRANSLATE_NOOP("fulcrum::statements", "less than 1 % over"));
             return with(QT_TRANSLATE_NOOP("fulcrum::statements", "{amount} % over"),
-                        decimal_text(100.0 * (*value - *limit) / *limit, 0));
+                        decimal_text(percent, 0));
+        }
         const double difference = std::abs(*value - *limit);
         return with(higher ? QT_TRANSLATE_NOOP("fulcrum::statements", "{amount} short")
                            : QT_TRANSLATE_NOOP("fulcrum::statements", "{amount} over"),

@@ -121,9 +121,21 @@ inline void keep_picture(QWidget& window, const QString& name) {
     const QByteArray folder = qgetenv("FULCRUM_PICTURES");
     if (folder.isEmpty()) return;
     QDir().mkpath(QString::fromLocal8Bit(folder));
-    QTest::qWait(120);
-    // Grabbed from the screen.
-    QPixmap picture = window.screen()->grabWindow(window.winId());
+    // Grabbed from the screen once it has come to rest: a page that was just opened is laid out in several
+    // turns of the event loop. What moves all the time (the theatre) is grabbed after three seconds.
+    QPixmap picture;
+    QImage before;
+    const bool at_rest = QTest::qWaitFor(
+        [&] {
+            QTest::qWait(150);
+            picture = window.screen()->grabWindow(window.winId());
+            const QImage now = picture.toImage();
+            const bool same = now == before;
+            before = now;
+            return same;
+        },
+        3000);
+    Q_UNUSED(at_rest);
     if (picture.isNull()) picture = window.grab();
     picture.save(QString::fromLocal8Bit(folder) + QLatin1Char('/') + name + QStringLiteral(".png"));
 }

@@ -140,8 +140,13 @@ class GridDelegate : public QStyledItemDelegate {
             task->recent);
         painter->restore();
     }
-    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const override {
-        return {4 * option.fontMetrics.height(), static_cast<int>(2.1 * option.fontMetrics.height())};
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        const int line = option.fontMetrics.height();
+        // Names and dates have the width of their words; a very long name is cut off.
+        const int words = index.data(cell_role).isValid()
+                              ? 0
+                              : std::min(20 * line, QStyledItemDelegate::sizeHint(option, index).width());
+        return {std::max(4 * line, words), static_cast<int>(2.1 * line)};
     }
 
   private:

@@ -36,7 +36,7 @@ QString cohort_cell_text(const database::CohortRow& row) {
             state = CohortPage::tr("attempted");
             break;
         case database::TaskState::open:
-            state = CohortPage::tr("open");
+            state = CohortPage::tr("not attempted");  // the grid shows whether it is locked
             break;
     }
     if (!row.device_class) return state;

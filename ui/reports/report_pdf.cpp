@@ -27,7 +27,7 @@ QString state_text(const database::CohortRow& row) {
         case database::TaskState::attempted:
             return tr("attempted");
         case database::TaskState::open:
-            return tr("open");
+            return tr("not attempted");
     }
     return {};
 }

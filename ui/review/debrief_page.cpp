@@ -367,11 +367,13 @@ QStringList DebriefPage::notes() const {
         notes << tr("Recomputed on %1 with newer metrics or limits: %2. The score shown stays in force.")
                      .arg(local_time(beside.computed), result);
     }
-    if (!model_->scope_alone && (attempt.meta.device_class == DeviceClass::mouse_keyboard ||
-                                 attempt.meta.device_class == DeviceClass::controller)) {
+    const QString felt = felt_text(attempt.meta.force_devices);
+    if (felt.isEmpty() && !model_->scope_alone &&
+        (attempt.meta.device_class == DeviceClass::mouse_keyboard ||
+         attempt.meta.device_class == DeviceClass::controller)) {
         notes << tr("Force was not felt: this device cannot render it. It was shown as bars.");
     }
-    if (const QString felt = felt_text(attempt.meta.force_devices); !felt.isEmpty()) notes << felt;
+    if (!felt.isEmpty()) notes << felt;
     if (attempt.lost_samples > 0) notes << tr("%1 samples were lost.").arg(attempt.lost_samples);
     return notes;
 }

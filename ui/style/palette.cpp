@@ -72,7 +72,7 @@ QSlider::handle:horizontal { background: @accent; width: 16px; margin: -6px 0; b
 QSlider:focus { outline: none; border: 1px solid @accent; border-radius: 4px; }
 QTabWidget::pane { border: 1px solid @line; border-radius: 8px; background: @card; top: -1px; }
 QTabBar::tab { background: transparent; padding: 8px 16px; border-bottom: 3px solid transparent; color: @muted; }
-QTabBar::tab:selected { color: @text; border-bottom: 3px solid @accent; font-weight: 600; }
+QTabBar::tab:selected { color: @text; border-bottom: 3px solid @accent; }
 QTabBar::tab:focus { color: @accent; }
 QCheckBox, QRadioButton { background: transparent; spacing: 8px; padding: 3px; }
 QCheckBox:focus, QRadioButton:focus { color: @accent; }

@@ -109,6 +109,11 @@ TEST(Statements, ReadWell) {
         words_of({StatementId::gate_missed,
                   {{"metric", std::string("retired")}, {"hand", hand}, {"value", 3.5}, {"limit", 3.0}}}),
         "Left hand: retired is 3.5, the limit is 3 (17 % over); replay that moment and plan it differently.");
+    EXPECT_EQ(
+        words_of({StatementId::gate_missed,
+                  {{"metric", std::string("retired")}, {"hand", hand}, {"value", 3.01}, {"limit", 3.0}}}),
+        "Left hand: retired is 3.01, the limit is 3 (less than 1 % over); replay that moment and plan it "
+        "differently.");
 }
 
 TEST(Statements, OfAnotherProgramAndOldSentencesAreShownAsTheyAre) {

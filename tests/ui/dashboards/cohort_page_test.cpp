@@ -77,6 +77,8 @@ TEST_F(CohortViews, TheGridShowsEveryoneIsFilteredOrderedAndOpenedByKeys) {
     const QString spoken = grid->model()->index(0, a2).data(Qt::AccessibleTextRole).toString();
     EXPECT_TRUE(spoken.startsWith("Trainee 1000, A2")) << spoken.toStdString();
     EXPECT_TRUE(spoken.contains("Latest attempts with haptic device: ")) << spoken.toStdString();
+    EXPECT_GT(grid->columnWidth(0), grid->fontMetrics().horizontalAdvance("Trainee 1000"))
+        << "a name is not cut off";
     keep("cohort-grid-light");
     window->set_theme(Theme::dark);
     keep("cohort-grid-dark");
