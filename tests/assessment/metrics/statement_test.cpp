@@ -112,7 +112,7 @@ TEST(Statements, ReadWell) {
     EXPECT_EQ(
         words_of({StatementId::gate_missed,
                   {{"metric", std::string("retired")}, {"hand", hand}, {"value", 3.01}, {"limit", 3.0}}}),
-        "Left hand: retired is 3.01, the limit is 3 (less than 1 % over); replay that moment and plan it "
+        "Left hand: retired is 3, the limit is 3 (less than 1 % over); replay that moment and plan it "
         "differently.");
 }
 
